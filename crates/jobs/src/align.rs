@@ -4,7 +4,7 @@ use pilotage_core::alignment::CameraSearch;
 
 use super::order::{Order, Role, Urgency};
 use super::running::SLICE;
-use super::{Advance, AlignOrder, JobEvent, RunningJob, Workshop};
+use super::{Advance, AlignOrder, JobEvent, RunningJob, WorkerState};
 
 /// An estimate under way: events `Progress`, at the end `CameraAligned`.
 pub struct Align {
@@ -25,7 +25,7 @@ impl Align {
 impl RunningJob for Align {
     fn advance(
         &mut self,
-        _workshop: &mut Workshop,
+        _worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -62,7 +62,7 @@ impl Order for AlignOrder {
         Role::Flight
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Align::new(self))
     }
 }

@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::{SLICE, once};
 use super::{
-    Advance, Assessment, AssessmentOrder, Glance, JobEvent, MapSource, RunningJob, Share, Workshop,
+    Advance, Assessment, AssessmentOrder, Glance, JobEvent, MapSource, RunningJob, Share,
+    WorkerState,
 };
 
 const SEED: u64 = 11;
@@ -19,10 +20,10 @@ impl AssessmentOrder {
     /// Prepares to look at the landmark on `days`.
     pub(super) fn assessor(
         &self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         days: &[Arc<dyn Imagery>],
     ) -> Result<Assessor, String> {
-        let map = workshop.cached_map(&self.map)?;
+        let map = worker.cached_map(&self.map)?;
         let circumstances = Circumstances {
             camera: self.camera.clone(),
             height: self.height,
@@ -82,23 +83,23 @@ impl Assess {
         }
     }
 
-    fn begin(&self, workshop: &mut Workshop) -> Result<Assessor, String> {
-        let days = workshop.rehearsal_days(&self.order.map)?;
-        self.order.assessor(workshop, &days)
+    fn begin(&self, worker: &mut WorkerState) -> Result<Assessor, String> {
+        let days = worker.rehearsal_days(&self.order.map)?;
+        self.order.assessor(worker, &days)
     }
 }
 
 impl RunningJob for Assess {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         if self.assessor.is_none() {
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            self.assessor = Some(self.begin(workshop)?);
+            self.assessor = Some(self.begin(worker)?);
             return Ok(Advance::More);
         }
         let Some(assessor) = &mut self.assessor else {
@@ -158,7 +159,7 @@ impl Order for AssessmentOrder {
         Some((&self.map, Reads::Areas(vec![around(&self.landmark.bounds)])))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Assess::new(self, Share::WHOLE))
     }
 }
@@ -182,7 +183,7 @@ impl Order for AssessShareOrder {
         self.0.reads()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Assess::new(*self.0, self.1))
     }
 }
@@ -198,7 +199,7 @@ impl Order for SumUpOrder {
         Role::Flight
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         once(move |_, emit| {
             let found = sum_up(&self.0, &self.1)?;
             emit(JobEvent::Assessment(Box::new(found)));

@@ -5,7 +5,8 @@ use pilotage_core::raster::encode_jpeg;
 
 use super::order::{Order, Reads, Role, Urgency, keys_of};
 use super::{
-    Advance, BriefOrder, BriefPictures, EncodedPicture, JobEvent, MapSource, RunningJob, Workshop,
+    Advance, BriefOrder, BriefPictures, EncodedPicture, JobEvent, MapSource, RunningJob,
+    WorkerState,
 };
 
 /// Quality of the pictures, 1 to 100.
@@ -42,11 +43,11 @@ impl Brief {
 impl RunningJob for Brief {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         _clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
-        let map = workshop.map(&self.order.map)?;
+        let map = worker.map(&self.order.map)?;
         if let Some(fraction) = self.next(map.as_ref())? {
             emit(JobEvent::Progress(fraction, "Drawing the brief".to_owned()));
             return Ok(Advance::More);
@@ -77,7 +78,7 @@ impl Order for BriefOrder {
         Some((&self.map, Reads::Windows(self.windows())))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Brief::new(self))
     }
 }

@@ -12,7 +12,7 @@ use pilotage_core::study::{Comparison, Contender, Tally};
 use super::flights::OpenFlight;
 use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::SLICE;
-use super::{Advance, ContestOrder, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, ContestOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
 /// Seed of what an estimator draws.
 const SEED: u64 = 1;
@@ -88,13 +88,13 @@ impl Contest {
 impl RunningJob for Contest {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let Some(ground) = self.ground.take() else {
-            let map = workshop.map(&self.order.map)?;
-            let open = workshop.flight(&self.order.flight)?;
+            let map = worker.map(&self.order.map)?;
+            let open = worker.flight(&self.order.flight)?;
             let flight = self.order.mission.flown(&open.borrow().flight);
             self.ground = Some(Ground { open, flight, map });
             return Ok(Advance::More);
@@ -144,7 +144,7 @@ impl Order for ContestOrder {
         Some((&self.map, Reads::Areas(areas)))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Contest::new(self))
     }
 }

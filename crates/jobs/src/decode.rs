@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::messages::whole_bytes;
 use super::order::{Order, Role, Urgency};
 use super::running::once;
-use super::{JobEvent, RunningJob, Workshop};
+use super::{JobEvent, RunningJob, WorkerState};
 
 /// Camera picture whose pixels are asked for: event `Picture`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,7 +29,7 @@ impl Order for DecodeOrder {
         true
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         once(move |_, emit| decode(&self.encoded, emit))
     }
 }

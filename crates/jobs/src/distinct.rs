@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Reads, Role, Urgency, keys_of};
 use super::running::once;
-use super::{Distinctness, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Distinctness, JobEvent, MapSource, RunningJob, WorkerState};
 
 /// Score of the strongest look-alike up to which a box stands out clearly.
 const CLEARLY_DISTINCT: f64 = 0.55;
@@ -102,9 +102,9 @@ impl Order for DistinctnessOrder {
         self.map.is_built_in()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
-            let map = workshop.map(&self.map)?;
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
+            let map = worker.map(&self.map)?;
             let found = examine(map.as_ref(), self.bounds, self.radius);
             emit(JobEvent::Distinctness(Box::new(found)));
             Ok(())

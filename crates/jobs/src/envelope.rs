@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Reads, Role, Urgency};
 use super::running::slice;
-use super::{Advance, AssessmentOrder, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, AssessmentOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
 /// Milliseconds between two looks at what is known so far.
 const EVERY: f64 = 400.0;
@@ -32,15 +32,15 @@ impl SurveyEnvelope {
 impl RunningJob for SurveyEnvelope {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let Some(survey) = &mut self.survey else {
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            let days = workshop.envelope_days(&self.order.map)?;
-            let assessor = self.order.assessor(workshop, &days)?;
+            let days = worker.envelope_days(&self.order.map)?;
+            let assessor = self.order.assessor(worker, &days)?;
             self.survey = Some(EnvelopeSurvey::usual(assessor));
             return Ok(Advance::More);
         };
@@ -79,7 +79,7 @@ impl Order for EnvelopeOrder {
         self.0.reads()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(SurveyEnvelope::new(*self.0))
     }
 }

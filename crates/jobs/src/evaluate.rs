@@ -18,7 +18,7 @@ use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::SLICE;
 use super::{
     Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, MapSource, RunningJob,
-    Workshop,
+    WorkerState,
 };
 
 /// Most real frames that are looked at, evenly spread over the flight.
@@ -145,8 +145,8 @@ struct RealFrames {
 
 impl RealFrames {
     /// Of a flight whose truth is known.
-    fn of(workshop: &mut Workshop, source: &FlightSource) -> Result<Option<Self>, String> {
-        let flight = workshop.flight(source)?;
+    fn of(worker: &mut WorkerState, source: &FlightSource) -> Result<Option<Self>, String> {
+        let flight = worker.flight(source)?;
         let frames = {
             let open = flight.borrow();
             let frames = open.flight.truth.as_ref().map(|_| open.flight.frames.len());
@@ -196,7 +196,7 @@ impl Evaluate {
         }
     }
 
-    fn begin(&self, workshop: &mut Workshop) -> Result<Work, String> {
+    fn begin(&self, worker: &mut WorkerState) -> Result<Work, String> {
         let about = &self.order.about;
         let landmark = &about.landmark;
         let trained = landmark.trained_detector();
@@ -206,8 +206,8 @@ impl Evaluate {
                 landmark.name
             )
         })?;
-        let map = workshop.cached_map(&about.map)?;
-        let others = workshop.others(&about.map)?;
+        let map = worker.cached_map(&about.map)?;
+        let others = worker.others(&about.map)?;
         let sensors = about.navigator.sensors;
         let envelope = FlightEnvelope {
             ground_down: about.ground_down,
@@ -222,7 +222,7 @@ impl Evaluate {
             self.plan(),
         );
         let real = match &self.order.flight {
-            Some(source) => RealFrames::of(workshop, source)?,
+            Some(source) => RealFrames::of(worker, source)?,
             None => None,
         };
         Ok(Work {
@@ -307,14 +307,14 @@ impl Evaluate {
 impl RunningJob for Evaluate {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         if self.work.is_none() {
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            self.work = Some(self.begin(workshop)?);
+            self.work = Some(self.begin(worker)?);
             return Ok(Advance::More);
         }
         let more = self.look(clock)?;
@@ -355,7 +355,7 @@ impl Order for EvaluationOrder {
         Some((&self.about.map, Reads::Areas(vec![area])))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Evaluate::new(self))
     }
 }

@@ -15,7 +15,7 @@ use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::once;
 use super::{
     DetectorSearch, ExplainedBy, FlightSource, JobEvent, MapSource, MatchPictures, RunningJob,
-    Workshop,
+    WorkerState,
 };
 
 /// Match to be explained by pictures: event `Match`, or `Detector` of one by a trained detector.
@@ -56,13 +56,11 @@ impl Order for ExplainOrder {
         self.flight.is_simulated() && self.map.is_built_in()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
             emit(match self.by {
-                ExplainedBy::Template => JobEvent::Match(Box::new(self.match_pictures(workshop)?)),
-                ExplainedBy::Cascade => {
-                    JobEvent::Detector(Box::new(self.detector_search(workshop)))
-                }
+                ExplainedBy::Template => JobEvent::Match(Box::new(self.match_pictures(worker)?)),
+                ExplainedBy::Cascade => JobEvent::Detector(Box::new(self.detector_search(worker))),
             });
             Ok(())
         })
@@ -73,11 +71,11 @@ impl ExplainOrder {
     /// Runs `look` on the step's picture and returns its answer, or in words why there is none.
     fn again<R>(
         &self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         look: impl FnOnce(&Flight, Arc<dyn Imagery>, &Landmark, &Picture) -> Option<Result<R, Refusal>>,
     ) -> Result<R, String> {
-        let map = workshop.map(&self.map)?;
-        let open = workshop.flight(&self.flight)?;
+        let map = worker.map(&self.map)?;
+        let open = worker.flight(&self.flight)?;
         let mut open = open.borrow_mut();
         let index = self
             .step
@@ -97,9 +95,9 @@ impl ExplainOrder {
     }
 
     /// The pictures that explain what the template detector did.
-    fn match_pictures(&self, workshop: &mut Workshop) -> Result<MatchPictures, String> {
+    fn match_pictures(&self, worker: &mut WorkerState) -> Result<MatchPictures, String> {
         let settings = &self.mission.navigator;
-        let evidence = self.again(workshop, |flight, map, marked, picture| {
+        let evidence = self.again(worker, |flight, map, marked, picture| {
             explain(flight, map, settings, marked, &self.step, picture)
         })?;
         let mut peaks = evidence.peaks.into_iter();
@@ -116,9 +114,9 @@ impl ExplainOrder {
     }
 
     /// Search of the landmark's trained detector in the step's picture.
-    fn detector_search(&self, workshop: &mut Workshop) -> DetectorSearch {
+    fn detector_search(&self, worker: &mut WorkerState) -> DetectorSearch {
         let settings = &self.mission.navigator;
-        let found = self.again(workshop, |flight, map, marked, picture| {
+        let found = self.again(worker, |flight, map, marked, picture| {
             explain_cascade(flight, map.as_ref(), settings, marked, &self.step, picture)
         });
         DetectorSearch {

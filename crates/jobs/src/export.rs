@@ -6,7 +6,7 @@ use pilotage_core::frames::LocalFrame;
 
 use super::order::{Order, Role, Urgency};
 use super::running::once;
-use super::{ExportOrder, JobEvent, RunningJob, Workshop};
+use super::{ExportOrder, JobEvent, RunningJob, WorkerState};
 
 impl ExportOrder {
     /// The file; the error says in words why there is none.
@@ -46,7 +46,7 @@ impl Order for ExportOrder {
         Role::Questions
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         once(move |_, emit| {
             let Written { bytes, notes } = self.write()?;
             emit(JobEvent::Exported { bytes, notes });

@@ -4,7 +4,7 @@ use pilotage_core::plan::{FieldBuilder, FixSource, Localizability, OfferedField}
 
 use super::order::{Order, Reads, Role, Urgency, keys_of};
 use super::running::slice;
-use super::{Advance, FieldFrom, FieldOrder, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, FieldFrom, FieldOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
 /// Cells along the longer side of the map at most.
 const MOST_CELLS: f64 = 260.0;
@@ -27,11 +27,11 @@ impl FieldOrder {
     pub(super) fn offered(
         &self,
         search_sigmas: f64,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
     ) -> Result<OfferedField, String> {
         let across = self.view.across().ok_or(LOOKS_AWAY)?;
-        let days = workshop.other_days(&self.map, DAYS)?;
-        let map = workshop.cached_map(&self.map)?;
+        let days = worker.other_days(&self.map, DAYS)?;
+        let map = worker.cached_map(&self.map)?;
         Ok(OfferedField::new(
             map,
             days,
@@ -73,7 +73,7 @@ impl ComputeField {
         }
     }
 
-    fn begin(&self, workshop: &mut Workshop) -> Result<Work, String> {
+    fn begin(&self, worker: &mut WorkerState) -> Result<Work, String> {
         let order = &self.order;
         match &order.from {
             _ if order.view.across().is_none() => Err(LOOKS_AWAY.to_owned()),
@@ -84,7 +84,7 @@ impl ComputeField {
                 sources.clone(),
             )))),
             FieldFrom::Map { search_sigmas } => {
-                let offered = order.offered(*search_sigmas, workshop)?;
+                let offered = order.offered(*search_sigmas, worker)?;
                 Ok(Work::Map(Box::new(offered)))
             }
         }
@@ -94,7 +94,7 @@ impl ComputeField {
 impl RunningJob for ComputeField {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -103,7 +103,7 @@ impl RunningJob for ComputeField {
                 let words = "Laying out the ground of other days".to_owned();
                 emit(JobEvent::Progress(0.0, words));
                 self.told = clock();
-                self.work = self.begin(workshop)?;
+                self.work = self.begin(worker)?;
                 return Ok(Advance::More);
             }
             Work::Landmarks(builder) => slice(clock, || builder.advance()),
@@ -151,7 +151,7 @@ impl Order for FieldOrder {
         Some((&self.map, Reads::Areas(areas)))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(ComputeField::new(self))
     }
 }

@@ -15,7 +15,7 @@ use super::order::{Order, Role, Urgency};
 use super::running::slice;
 use super::{
     Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PredictionOrder,
-    RunningJob, Workshop,
+    RunningJob, WorkerState,
 };
 
 /// Cells along the longer side of the ground that is searched, at most.
@@ -72,13 +72,13 @@ impl FindRoute {
     }
 
     /// The field of the landmarks, or what the map offers as work to be done.
-    fn begin(&self, workshop: &mut Workshop) -> Result<Stage, String> {
+    fn begin(&self, worker: &mut WorkerState) -> Result<Stage, String> {
         let field = &self.order.field;
         let pass = field.view.across().ok_or(LOOKS_AWAY)?;
         let sources = match &field.from {
             FieldFrom::Landmarks(sources) => sources.clone(),
             FieldFrom::Map { search_sigmas } => {
-                let offered = field.offered(*search_sigmas, workshop)?;
+                let offered = field.offered(*search_sigmas, worker)?;
                 return Ok(Stage::Offer(Box::new(offered)));
             }
         };
@@ -121,7 +121,7 @@ impl FindRoute {
 impl RunningJob for FindRoute {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -129,7 +129,7 @@ impl RunningJob for FindRoute {
             Stage::Field => {
                 let words = "Where a fix would be had".to_owned();
                 emit(JobEvent::Progress(0.02, words));
-                self.stage = self.begin(workshop)?;
+                self.stage = self.begin(worker)?;
             }
             Stage::Offer(offered) => {
                 let more = slice(clock, || offered.advance());
@@ -194,7 +194,7 @@ impl Order for FindOrder {
         Role::Questions
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(FindRoute::new(self))
     }
 }

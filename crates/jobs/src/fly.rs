@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::flights::OpenFlight;
 use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::{SLICE, slice};
-use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, WorkerState};
 
 /// A flight to be flown, or under way.
 pub struct Fly {
@@ -50,11 +50,11 @@ impl Fly {
 
     fn open(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<(), String> {
-        let map = workshop.map(&self.map)?;
-        let open = workshop.flight(&self.flight)?;
+        let map = worker.map(&self.map)?;
+        let open = worker.flight(&self.flight)?;
         let (flight, own_mission) = {
             let open = open.borrow();
             (open.flight.clone(), open.mission.clone())
@@ -181,7 +181,7 @@ fn tell_picture(open: &mut OpenFlight, index: usize, emit: &mut dyn FnMut(JobEve
 impl RunningJob for Fly {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -192,18 +192,18 @@ impl RunningJob for Fly {
                 true
             }
             Stage::Map => {
-                workshop.map(&self.map)?;
+                worker.map(&self.map)?;
                 emit(JobEvent::Progress(0.0, "Preparing the flight".to_owned()));
                 self.stage = Stage::Flight;
                 true
             }
             Stage::Flight => {
-                workshop.flight(&self.flight)?;
+                worker.flight(&self.flight)?;
                 self.stage = Stage::Navigator;
                 true
             }
             Stage::Navigator => {
-                self.open(workshop, emit)?;
+                self.open(worker, emit)?;
                 true
             }
             Stage::Flying(open, navigator) => {
@@ -252,7 +252,7 @@ impl Order for FlyOrder {
         self.flight.is_simulated() && self.map.is_built_in()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Fly::new(self.flight, self.map, self.mission))
     }
 }

@@ -5,7 +5,7 @@ use pilotage_core::imagery::terrain::{Dem, HeightGrid, Terrain as _};
 
 use super::order::{Order, Role, Urgency};
 use super::running::SLICE;
-use super::{Advance, HeightsOrder, JobEvent, RunningJob, Workshop, opening};
+use super::{Advance, HeightsOrder, JobEvent, RunningJob, WorkerState, opening};
 
 /// Most posts along a side of what is sent to the page.
 const MOST_POSTS: usize = 640;
@@ -27,8 +27,8 @@ impl TakeHeights {
         }
     }
 
-    fn begin(&self, workshop: &Workshop) -> Result<(Dem, HeightGrid), String> {
-        let files = workshop.files(&self.order.key)?;
+    fn begin(&self, worker: &WorkerState) -> Result<(Dem, HeightGrid), String> {
+        let files = worker.files(&self.order.key)?;
         let frame = LocalFrame::new(self.order.origin);
         let dem = opening::terrain(&files, Some(frame))?;
         let dem = dem.ok_or("there is no elevation model among the files")?;
@@ -47,12 +47,12 @@ impl TakeHeights {
 impl RunningJob for TakeHeights {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         if self.under_way.is_none() {
-            self.under_way = Some(self.begin(workshop)?);
+            self.under_way = Some(self.begin(worker)?);
         }
         let Some((dem, grid)) = &mut self.under_way else {
             return Ok(Advance::Done);
@@ -85,7 +85,7 @@ impl Order for HeightsOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(TakeHeights::new(self))
     }
 }

@@ -33,7 +33,7 @@ impl InlineWorkers {
     /// Lends a file to the worker, and gives the content that an order names it by.
     pub fn lend(&mut self, number: u32, source: Arc<dyn ByteSource>) -> FileContent {
         let length = source.length();
-        self.runner.workshop_mut().lend(number, source);
+        self.runner.state_mut().lend(number, source);
         FileContent::Lent { number, length }
     }
 

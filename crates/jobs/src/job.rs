@@ -23,7 +23,7 @@ use super::provided::{LetGoOrder, ProvideOrder};
 use super::running::once;
 use super::suggest::{ProposeOrder, SuggestShareOrder};
 use super::tables::MakeFlightOrder;
-use super::{MapSource, RunningJob, Workshop};
+use super::{MapSource, RunningJob, WorkerState};
 
 /// Makes the enum of orders, and passes every question about a job on to its order.
 macro_rules! orders {
@@ -84,9 +84,9 @@ macro_rules! orders {
 
             /// Makes it ready to advance in the small program, which links nothing else; other jobs fail with their
             /// first step.
-            pub fn begin_small(self, workshop: &mut Workshop) -> Box<dyn RunningJob> {
+            pub fn begin_small(self, worker: &mut WorkerState) -> Box<dyn RunningJob> {
                 match self {
-                    $(Self::$small(order) => order.begin(workshop),)*
+                    $(Self::$small(order) => order.begin(worker),)*
                     _ => once(|_, _| {
                         Err("this worker cannot do that; load the page again".to_owned())
                     }),
@@ -94,10 +94,10 @@ macro_rules! orders {
             }
 
             /// Makes it ready to advance.
-            pub fn begin(self, workshop: &mut Workshop) -> Box<dyn RunningJob> {
+            pub fn begin(self, worker: &mut WorkerState) -> Box<dyn RunningJob> {
                 match self {
-                    $(Self::$small(order) => order.begin(workshop),)*
-                    $(Self::$name(order) => order.begin(workshop),)*
+                    $(Self::$small(order) => order.begin(worker),)*
+                    $(Self::$name(order) => order.begin(worker),)*
                 }
             }
         }

@@ -1,14 +1,13 @@
 //! Heavy work as messages: what to do, what came of it. Runs in a worker.
 //!
 //! A [`Job`] becomes a [`RunningJob`] that advances in slices, so that a worker stays able to
-//! listen; a [`JobRunner`] holds the jobs of one worker; a [`Crew`] shares jobs out among workers
+//! listen; a [`JobRunner`] holds the jobs of one worker; a [`WorkerPool`] shares jobs out among workers
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
 mod align;
 mod assess;
 mod brief;
 mod contest;
-mod crew;
 mod decode;
 mod distinct;
 mod envelope;
@@ -54,10 +53,10 @@ mod tables;
 mod train;
 mod vehicle;
 mod wanted_tiles;
-mod workshop;
+mod worker_pool;
+mod worker_state;
 
 pub use assess::{AssessShareOrder, SumUpOrder};
-pub use crew::{Crew, WorkerPort};
 pub use decode::DecodeOrder;
 pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
@@ -95,4 +94,5 @@ pub use suggest::{ProposeOrder, SuggestShareOrder};
 pub use tables::{COLUMNS_FILE, MakeFlightOrder, write_columns};
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
-pub use workshop::{Advance, Opens, RunningJob, Workshop};
+pub use worker_pool::{WorkerPool, WorkerPort};
+pub use worker_state::{Advance, Opens, RunningJob, WorkerState};

@@ -7,7 +7,7 @@ use pilotage_core::flight::{SpanStatistics, SpanTable};
 
 use super::order::{Order, Role, Urgency};
 use super::running::slice;
-use super::{Advance, JobEvent, LogAnswer, LogOrder, LogQuestion, RunningJob, Workshop};
+use super::{Advance, JobEvent, LogAnswer, LogOrder, LogQuestion, RunningJob, WorkerState};
 
 /// Rows of a table written at a time.
 const ROWS: usize = 4096;
@@ -37,7 +37,7 @@ impl AnswerLog {
     /// Looks at the next series; whether there was one.
     fn look(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<bool, String> {
         let LogOrder { key, file, .. } = &self.order;
@@ -45,7 +45,7 @@ impl AnswerLog {
             return Ok(false);
         };
         self.next += 1;
-        let samples = workshop.samples(key, file, series)?;
+        let samples = worker.samples(key, file, series)?;
         match (self.order.question, samples) {
             (LogQuestion::Statistics, samples) => {
                 let span = self.order.span;
@@ -84,11 +84,11 @@ impl AnswerLog {
 impl RunningJob for AnswerLog {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
-        if self.look(workshop, emit)? {
+        if self.look(worker, emit)? {
             return Ok(Advance::More);
         }
         if self.order.question == LogQuestion::Table && self.write(clock, emit) {
@@ -110,7 +110,7 @@ impl Order for LogOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(AnswerLog::new(self))
     }
 }

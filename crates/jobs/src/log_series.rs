@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Role, Urgency};
 use super::running::slice;
-use super::{Advance, JobEvent, LogSeries, RunningJob, SeriesName, Workshop};
+use super::{Advance, JobEvent, LogSeries, RunningJob, SeriesName, WorkerState};
 
 /// Samples sent at a time: what the page takes over in a small part of a frame.
 const PIECE: usize = 1 << 17;
@@ -37,12 +37,12 @@ impl SendSeries {
 impl RunningJob for SendSeries {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let Some(samples) = &self.samples else {
-            match workshop.samples(&self.key, &self.file, &self.series)? {
+            match worker.samples(&self.key, &self.file, &self.series)? {
                 Ok(samples) => self.samples = Some(samples),
                 Err(why) => {
                     let lacking = LogSeries::lacking(&self.series, why);
@@ -89,7 +89,7 @@ impl Order for SeriesOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(SendSeries::new(self.key, self.file, self.series))
     }
 }

@@ -21,7 +21,7 @@ use super::opening::{flight_folder, open_folder};
 use super::order::{Order, Role, Urgency};
 use super::running::slice;
 use super::vehicle::choose_vehicle;
-use super::{Advance, JobEvent, ReadLog, RecordedPlaces, RunningJob, Workshop};
+use super::{Advance, JobEvent, ReadLog, RecordedPlaces, RunningJob, WorkerState};
 
 /// Bytes that are read at a time.
 const PIECE: usize = 2 << 20;
@@ -98,23 +98,23 @@ impl ReadingLog {
 impl RunningJob for ReadingLog {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         if self.reading.is_none() {
             self.begun = clock();
-            let pool = workshop.files(&self.key)?;
+            let pool = worker.files(&self.key)?;
             let Some(reading) = Reading::begin(pool.as_ref(), &self.file) else {
-                return self.read_folder(workshop, &pool, emit);
+                return self.read_folder(worker, &pool, emit);
             };
-            workshop.keep_log(&self.key, &self.file, reading.log.clone());
+            worker.keep_log(&self.key, &self.file, reading.log.clone());
             self.reading = Some(reading);
         }
         let Some(reading) = &mut self.reading else {
             return Ok(Advance::Done);
         };
-        workshop.log_grew();
+        worker.log_grew();
         let mut trouble = None;
         let is_more = slice(clock, || match reading.step() {
             Ok(is_more) => is_more,
@@ -137,7 +137,7 @@ impl RunningJob for ReadingLog {
             return Ok(Advance::More);
         }
         let mut log = reading.log.borrow_mut();
-        choose_vehicle(workshop.files(&self.key)?.as_ref(), &mut log)?;
+        choose_vehicle(worker.files(&self.key)?.as_ref(), &mut log)?;
         let interpreted = flight_from_log(&log);
         let tracks = recorded_tracks(&mut log, interpreted.measured().found);
         let mut read = ReadLog {
@@ -151,12 +151,12 @@ impl RunningJob for ReadingLog {
             Ok(flight) => {
                 read.flight = Ok(flight.frame_on_globe);
                 read.tracks = on_ground(&tracks, flight.frame_on_globe);
-                let pool = workshop.files(&self.key)?;
+                let pool = worker.files(&self.key)?;
                 let (open, lost, notes) = with_pictures(&log, flight, pool);
                 read.overview.add_pictures(open.flight.frames.len());
                 read.overview.note_photos(&notes);
                 read.lost_pictures = lost;
-                workshop.keep_flight(&self.key, open);
+                worker.keep_flight(&self.key, open);
             }
             Err(cause) => read.flight = Err(cause.to_string()),
         }
@@ -187,7 +187,7 @@ impl ReadingLog {
     /// Reads the flight that stands in tables or photos, and the log that they are.
     fn read_folder(
         &self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         pool: &Arc<FilePool>,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -208,8 +208,8 @@ impl ReadingLog {
             tracks: on_ground(&tracks, folder.flight.frame_on_globe),
             lost_pictures: None,
         };
-        workshop.keep_log(&self.key, &self.file, Rc::new(RefCell::new(log)));
-        workshop.keep_flight(&self.key, open_folder(pool, folder)?);
+        worker.keep_log(&self.key, &self.file, Rc::new(RefCell::new(log)));
+        worker.keep_flight(&self.key, open_folder(pool, folder)?);
         emit(JobEvent::LogRead(Box::new(read)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
@@ -238,7 +238,7 @@ impl Order for ReadLogOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(ReadingLog::new(self.key, self.file))
     }
 }

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Reads, Role, Urgency, keys_of};
 use super::running::once;
-use super::workshop::describe;
-use super::{JobEvent, MapSource, RunningJob, Workshop};
+use super::worker_state::describe;
+use super::{JobEvent, MapSource, RunningJob, WorkerState};
 
 /// Map to be described: event `MapInfo`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,9 +27,9 @@ impl Order for DescribeMapOrder {
         self.0.is_built_in()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
-            let map = workshop.map(&self.0)?;
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
+            let map = worker.map(&self.0)?;
             let mut info = describe(map.as_ref());
             info.origin = self.0.origin();
             emit(JobEvent::MapInfo(info));
@@ -66,25 +66,25 @@ impl Order for TileOrder {
         self.map.is_built_in()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| send_tile(workshop, &self.map, self.window, emit))
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| send_tile(worker, &self.map, self.window, emit))
     }
 }
 
 /// Pixels of a window of a map, and what went wrong with it.
 fn send_tile(
-    workshop: &mut Workshop,
+    worker: &mut WorkerState,
     map: &MapSource,
     window: Window,
     emit: &mut dyn FnMut(JobEvent),
 ) -> Result<(), String> {
-    let (pixels, whole) = workshop.map(map)?.window_so_far(&window);
+    let (pixels, whole) = worker.map(map)?.window_so_far(&window);
     emit(JobEvent::Tile {
         window,
         pixels,
         whole,
     });
-    for problem in workshop.new_problems(map) {
+    for problem in worker.new_problems(map) {
         emit(JobEvent::Remark(problem));
     }
     Ok(())

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::opening::{look_through, places};
 use super::order::{Order, Role, Urgency};
 use super::running::once;
-use super::{JobEvent, RunningJob, Workshop};
+use super::{JobEvent, RunningJob, WorkerState};
 
 /// Provided files whose kind is asked for: event `Opened`, or `Failed`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,9 +30,9 @@ impl Order for OpenOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
-            let files = workshop.files(&self.key)?;
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
+            let files = worker.files(&self.key)?;
             let opened = look_through(self.key, &files, self.near, self.origin)?;
             emit(JobEvent::Opened(Box::new(opened)));
             Ok(())
@@ -58,9 +58,9 @@ impl Order for ReadPlacesOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
-            let files = workshop.files(&self.key)?;
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
+            let files = worker.files(&self.key)?;
             emit(JobEvent::Places(places(&files)?));
             Ok(())
         })

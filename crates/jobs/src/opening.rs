@@ -24,7 +24,7 @@ use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels};
 use super::log_flights::{flight_of_log, head, log_among};
 use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
-use super::workshop::{MAP_MEMORY, describe};
+use super::worker_state::{MAP_MEMORY, describe};
 use super::{BESIDE, MapInfo, Opened, TerrainInfo, Unplaced};
 
 /// Endings of picture files.

@@ -5,7 +5,7 @@
 use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::Window;
 
-use super::{FlightSource, MapSource, RunningJob, Workshop};
+use super::{FlightSource, MapSource, RunningJob, WorkerState};
 
 /// Urgency of a job among those of its worker. Smaller is sooner: people who wait with a finger on the map come
 /// before a flight.
@@ -77,7 +77,7 @@ pub trait Order {
     }
 
     /// Makes it ready to advance.
-    fn begin(self, workshop: &mut Workshop) -> Box<dyn RunningJob>;
+    fn begin(self, worker: &mut WorkerState) -> Box<dyn RunningJob>;
 }
 
 impl<O: Order> Order for Box<O> {
@@ -99,8 +99,8 @@ impl<O: Order> Order for Box<O> {
         (**self).is_small()
     }
 
-    fn begin(self, workshop: &mut Workshop) -> Box<dyn RunningJob> {
-        (*self).begin(workshop)
+    fn begin(self, worker: &mut WorkerState) -> Box<dyn RunningJob> {
+        (*self).begin(worker)
     }
 }
 

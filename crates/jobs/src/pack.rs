@@ -9,7 +9,7 @@ use pilotage_core::mission::{MapOptions, belongs_to, place_files};
 
 use super::order::{Order, Role, Urgency, keys_of};
 use super::running::once;
-use super::{BESIDE, JobEvent, MapSource, PackOrder, RunningJob, Workshop, opening};
+use super::{BESIDE, JobEvent, MapSource, PackOrder, RunningJob, WorkerState, opening};
 
 /// Most bytes of a map that a mission file takes with it: the page holds them more than once while
 /// it saves.
@@ -19,8 +19,8 @@ const MOST_PACKED: u64 = 64 << 20;
 type Files = Result<Vec<(String, Vec<u8>)>, String>;
 
 /// The mission file, and what of its map is not in it.
-pub fn pack(workshop: &Workshop, order: &PackOrder) -> Result<(Vec<u8>, Option<String>), String> {
-    let files = map_files(workshop, &order.map);
+pub fn pack(worker: &WorkerState, order: &PackOrder) -> Result<(Vec<u8>, Option<String>), String> {
+    let files = map_files(worker, &order.map);
     let lacks = files.as_ref().err().cloned();
     let beside = serde_json::to_string(&order.beside).map_err(|e| e.to_string())?;
     let package = MissionPackage {
@@ -33,7 +33,7 @@ pub fn pack(workshop: &Workshop, order: &PackOrder) -> Result<(Vec<u8>, Option<S
 }
 
 /// The files that a map is made from: its own and what belongs beside it.
-fn map_files(workshop: &Workshop, map: &MapSource) -> Files {
+fn map_files(worker: &WorkerState, map: &MapSource) -> Files {
     let (key, stated) = match map {
         MapSource::Scenery | MapSource::Hall | MapSource::Nothing => return Ok(Vec::new()),
         MapSource::Web(web) => {
@@ -48,7 +48,7 @@ fn map_files(workshop: &Workshop, map: &MapSource) -> Files {
         MapSource::Files(key) | MapSource::Placed { key, .. } => (key, None),
     };
     let lost = |why: String| format!("Its map cannot be read ({why}).");
-    let pool = workshop.files(key).map_err(lost)?;
+    let pool = worker.files(key).map_err(lost)?;
     let (name, place): (String, Option<Georeference>) = if let Some((name, place)) = stated {
         (name, Some(place))
     } else {
@@ -94,9 +94,9 @@ impl Order for PackOrder {
         keys_of(None, Some(&self.map))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
-            let (bytes, lacks) = pack(workshop, &self)?;
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
+            let (bytes, lacks) = pack(worker, &self)?;
             emit(JobEvent::Packed { bytes, lacks });
             Ok(())
         })

@@ -34,20 +34,20 @@ fn origin() -> Geodetic {
 
 /// The mission file over a map among `files`, and what is said to lack.
 fn packed(files: &[(&str, FileContent)], map: MapSource) -> (Vec<u8>, Option<String>) {
-    let mut workshop = Workshop::new(Abilities::WHOLE.opens);
+    let mut worker = WorkerState::new(Abilities::WHOLE.opens);
     let big = MemoryBytes::new("big", vec![0; 70 << 20]);
-    workshop.lend(1, Arc::new(big));
+    worker.lend(1, Arc::new(big));
     let files: Vec<_> = files
         .iter()
         .map(|(n, c)| ((*n).to_owned(), c.clone()))
         .collect();
-    workshop.provide("drop".to_owned(), &files);
+    worker.provide("drop".to_owned(), &files);
     let order = PackOrder {
         mission: Mission::new("New mission", origin()),
         beside: Beside::default(),
         map,
     };
-    pack(&workshop, &order).unwrap()
+    pack(&worker, &order).unwrap()
 }
 
 /// Ground of the picture's corner, as the map in a mission file has it.

@@ -11,7 +11,7 @@ use pilotage_core::registration::{Draped, drape};
 use super::order::{Order, Reads, Role, Urgency};
 use super::running::once;
 use super::{
-    Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, Workshop,
+    Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, WorkerState,
     file_pool::FilePool,
 };
 use pilotage_core::flight::photo::PhotoAnswer;
@@ -64,7 +64,7 @@ impl LayPhotos {
 impl RunningJob for LayPhotos {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -75,7 +75,7 @@ impl RunningJob for LayPhotos {
         };
         let map = match &self.map {
             Some(map) => Arc::clone(map),
-            None => workshop.cached_map(&order.map)?,
+            None => worker.cached_map(&order.map)?,
         };
         self.map = Some(Arc::clone(&map));
         if let Some(photo) = self.read.take() {
@@ -87,7 +87,7 @@ impl RunningJob for LayPhotos {
         let share = self.next as f32 / count as f32;
         let words = format!("Laying photo {} of {count}", self.next + 1);
         emit(JobEvent::Progress(share, words));
-        let files = workshop.files(&order.key)?;
+        let files = worker.files(&order.key)?;
         let world = order.origin.map(LocalFrame::new);
         let source = files.source(name);
         let read = source
@@ -146,7 +146,7 @@ impl Order for PhotosOrder {
         Some((&self.map, Reads::Areas(vec![self.ground])))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(LayPhotos::new(self))
     }
 }
@@ -162,9 +162,9 @@ impl Order for DrapeOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
-            let files = workshop.files(&self.key)?;
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
+            let files = worker.files(&self.key)?;
             emit(JobEvent::PhotoDraped(Box::new(draped(&files, &self)?)));
             Ok(())
         })

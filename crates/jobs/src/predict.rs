@@ -5,7 +5,7 @@ use pilotage_core::plan::{PlannedLandmark, Prediction, PredictionRequest};
 use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, world_origin};
 
 use super::order::{Order, Role, Urgency};
-use super::{Advance, JobEvent, PredictionOrder, RunningJob, Workshop};
+use super::{Advance, JobEvent, PredictionOrder, RunningJob, WorkerState};
 
 /// Seed of the worlds: the same plan always has the same prediction.
 const SEED: u64 = 1;
@@ -18,7 +18,7 @@ pub struct Predict(pub PredictionOrder);
 impl RunningJob for Predict {
     fn advance(
         &mut self,
-        _: &mut Workshop,
+        _: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -89,7 +89,7 @@ impl Order for PredictionOrder {
         true
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Predict(self))
     }
 }

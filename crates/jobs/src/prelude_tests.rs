@@ -15,7 +15,7 @@ use serde_json::Value;
 use super::*;
 use crate::{
     Abilities, Advance, DescribeMapOrder, FlightSource, FlyOrder, Reply, Request,
-    SimulationOptions, Workshop,
+    SimulationOptions, WorkerState,
 };
 
 /// Seconds of the flight that are stored beyond its first match.
@@ -104,10 +104,10 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
 
 /// First seconds as this program computes them, and the picture of the ground.
 fn computed() -> (FirstSeconds, Picture) {
-    let mut workshop = Workshop::new(Abilities::FLYING.opens);
+    let mut worker = WorkerState::new(Abilities::FLYING.opens);
     let mut events = Vec::new();
     for job in first_jobs() {
-        let mut running = (Abilities::FLYING.begin)(job, &mut workshop);
+        let mut running = (Abilities::FLYING.begin)(job, &mut worker);
         let (mut matched, mut advance) = (None, Advance::More);
         // Some steps beyond the first match are enough.
         while advance == Advance::More && matched.is_none_or(|at| events.len() < at + 60) {
@@ -126,11 +126,11 @@ fn computed() -> (FirstSeconds, Picture) {
                 time.set(time.get() + 1e3);
                 time.get()
             };
-            advance = running.advance(&mut workshop, &clock, &mut tell).unwrap();
+            advance = running.advance(&mut worker, &clock, &mut tell).unwrap();
         }
     }
     let first = of_events(events);
-    let map = workshop.map(&first.map.source).expect("the scenery");
+    let map = worker.map(&first.map.source).expect("the scenery");
     let pixels = map.window(&Window::covering(&first.map.ground, GROUND_GSD));
     (first, pixels.map(|[r, g, b, _]| [r, g, b]))
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Role, Urgency, keys_of};
 use super::running::SLICE;
-use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, JobEvent, MapSource, RunningJob, WorkerState};
 
 /// A map being prepared.
 pub struct PrepareMap {
@@ -26,13 +26,13 @@ impl PrepareMap {
 impl RunningJob for PrepareMap {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let map = match &self.map {
             Some(map) => map.clone(),
-            None => self.map.insert(workshop.map(&self.source)?).clone(),
+            None => self.map.insert(worker.map(&self.source)?).clone(),
         };
         let begun = clock();
         let (done, all) = loop {
@@ -41,7 +41,7 @@ impl RunningJob for PrepareMap {
                 break (done, all);
             }
         };
-        for problem in workshop.new_problems(&self.source) {
+        for problem in worker.new_problems(&self.source) {
             emit(JobEvent::Remark(problem));
         }
         if done >= all {
@@ -69,7 +69,7 @@ impl Order for PrepareMapOrder {
         keys_of(None, Some(&self.0))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(PrepareMap::new(self.0))
     }
 }

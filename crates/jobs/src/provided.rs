@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Role, Urgency};
 use super::running::once;
-use super::{FileContent, RunningJob, Workshop};
+use super::{FileContent, RunningJob, WorkerState};
 
 /// Files to be kept under a key; sent to every worker, again after a restart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,8 +22,8 @@ impl Order for ProvideOrder {
         Role::Questions
     }
 
-    fn begin(self, workshop: &mut Workshop) -> Box<dyn RunningJob> {
-        workshop.provide(self.key, &self.files);
+    fn begin(self, worker: &mut WorkerState) -> Box<dyn RunningJob> {
+        worker.provide(self.key, &self.files);
         once(|_, _| Ok(()))
     }
 }
@@ -42,9 +42,9 @@ impl Order for LetGoOrder {
         Role::Questions
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, _| {
-            workshop.let_go(&self.keys.into_iter().collect());
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, _| {
+            worker.let_go(&self.keys.into_iter().collect());
             Ok(())
         })
     }

@@ -8,7 +8,7 @@ use pilotage_core::instruments::{
 use super::order::{Order, Role, Urgency, keys_of};
 use super::{
     Advance, AidedResult, Cut, CutOrder, CutReport, JobEvent, RunningJob, StudyReport, WindReport,
-    Workshop,
+    WorkerState,
 };
 
 /// Most points of a course of the wind: more than a chart has columns.
@@ -106,12 +106,12 @@ fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> CutRe
 impl RunningJob for MakeCut {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         _clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let Some((instruments, name)) = &self.instruments else {
-            let flight = workshop.flight(&self.order.flight)?;
+            let flight = worker.flight(&self.order.flight)?;
             let flight = flight.borrow().flight.clone();
             let time = match self.order.cut {
                 Cut::Stretch(from, _) => Some(from),
@@ -173,7 +173,7 @@ impl Order for CutOrder {
         keys_of(Some(&self.flight), None)
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(MakeCut::new(self))
     }
 }

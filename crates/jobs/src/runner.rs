@@ -2,7 +2,7 @@
 
 use super::order::Urgency;
 use super::programs::Begin;
-use super::{Abilities, Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, Workshop};
+use super::{Abilities, Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, WorkerState};
 
 /// Least time between two words on the progress of a job, milliseconds. The page is painted anew for
 /// each, which takes from the time of the job where no graphics card does it.
@@ -35,7 +35,7 @@ impl Entry {
 /// Takes requests and works on the most urgent job that is not held, the eldest among equals, a slice
 /// at a time.
 pub struct JobRunner {
-    workshop: Workshop,
+    worker: WorkerState,
     begin: Begin,
     entries: Vec<Entry>,
 }
@@ -44,15 +44,15 @@ impl JobRunner {
     /// A runner without jobs for a program that can do this.
     pub fn new(abilities: Abilities) -> Self {
         Self {
-            workshop: Workshop::new(abilities.opens),
+            worker: WorkerState::new(abilities.opens),
             begin: abilities.begin,
             entries: Vec::new(),
         }
     }
 
     /// Store that the jobs share.
-    pub fn workshop_mut(&mut self) -> &mut Workshop {
-        &mut self.workshop
+    pub fn state_mut(&mut self) -> &mut WorkerState {
+        &mut self.worker
     }
 
     /// Whether a slice would do anything.
@@ -69,7 +69,7 @@ impl JobRunner {
                     // What was to be let go of was said before these files were known.
                     self.entries.retain(|e| e.urgency != Urgency::Leaving);
                 }
-                let job = (self.begin)(job, &mut self.workshop);
+                let job = (self.begin)(job, &mut self.worker);
                 let place = self.entries.partition_point(|e| e.urgency <= urgency);
                 let entry = Entry {
                     id,
@@ -108,7 +108,7 @@ impl JobRunner {
                 emit(Reply::Event(id, as_sentence(event)));
             }
         };
-        let advance = entry.job.advance(&mut self.workshop, clock, &mut tell);
+        let advance = entry.job.advance(&mut self.worker, clock, &mut tell);
         if let Err(why) = &advance {
             tell(JobEvent::Failed(why.clone()));
         }
@@ -152,10 +152,10 @@ mod tests {
             runner.receive(Request::Start(id as u64, job), &mut ignore);
         }
         while runner.turn(&|| 0.0, &mut ignore) {}
-        assert!(runner.workshop_mut().files("late").is_ok());
+        assert!(runner.state_mut().files("late").is_ok());
         runner.receive(Request::Start(9, let_go), &mut ignore);
         while runner.turn(&|| 0.0, &mut ignore) {}
-        assert!(runner.workshop_mut().files("late").is_err());
+        assert!(runner.state_mut().files("late").is_err());
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Jobs in slices, and jobs that are one piece of work.
 
-use super::{Advance, JobEvent, RunningJob, Workshop};
+use super::{Advance, JobEvent, RunningJob, WorkerState};
 
 /// Longest time that a slice of work should take, milliseconds.
 pub const SLICE: f64 = 25.0;
@@ -21,16 +21,16 @@ struct Once<F>(Option<F>);
 
 impl<F> RunningJob for Once<F>
 where
-    F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String>,
+    F: FnOnce(&mut WorkerState, &mut dyn FnMut(JobEvent)) -> Result<(), String>,
 {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         _clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         if let Some(work) = self.0.take() {
-            work(workshop, emit)?;
+            work(worker, emit)?;
             emit(JobEvent::Finished);
         }
         Ok(Advance::Done)
@@ -40,7 +40,7 @@ where
 /// A job that is one piece of work.
 pub fn once<F>(work: F) -> Box<dyn RunningJob>
 where
-    F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String> + 'static,
+    F: FnOnce(&mut WorkerState, &mut dyn FnMut(JobEvent)) -> Result<(), String> + 'static,
 {
     Box::new(Once(Some(work)))
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Reads, Role, Urgency, keys_of};
 use super::running::{once, slice};
-use super::{Advance, JobEvent, MapSource, RunningJob, Share, SuggestOrder, Workshop};
+use super::{Advance, JobEvent, MapSource, RunningJob, Share, SuggestOrder, WorkerState};
 
 /// Seed of the days: the same plan always has the same proposals.
 const SEED: u64 = 1;
@@ -29,9 +29,9 @@ impl Suggest {
         }
     }
 
-    fn begin(&self, workshop: &mut Workshop) -> Result<Proposal, String> {
-        let mut question = question(workshop, self.order.clone())?;
-        question.days = workshop.proposal_days(&self.order.map, SEED)?;
+    fn begin(&self, worker: &mut WorkerState) -> Result<Proposal, String> {
+        let mut question = question(worker, self.order.clone())?;
+        question.days = worker.proposal_days(&self.order.map, SEED)?;
         let proposal = Proposal::new(question);
         let proposal = proposal.ok_or("the camera does not look down at the ground")?;
         Ok(proposal.part(self.share.part, self.share.of))
@@ -40,18 +40,18 @@ impl Suggest {
 
 /// Landmarks chosen among the places that passed in all shares.
 pub fn choose(
-    workshop: &mut Workshop,
+    worker: &mut WorkerState,
     order: SuggestOrder,
     found: Vec<Candidate>,
 ) -> Result<Vec<Suggestion>, String> {
     let count = order.count;
-    Ok(question(workshop, order)?.chosen_of(found, count))
+    Ok(question(worker, order)?.chosen_of(found, count))
 }
 
 /// Question of the proposal, still without other days.
-fn question(workshop: &mut Workshop, order: SuggestOrder) -> Result<ProposalQuestion, String> {
+fn question(worker: &mut WorkerState, order: SuggestOrder) -> Result<ProposalQuestion, String> {
     Ok(ProposalQuestion {
-        map: workshop.cached_map(&order.map)?,
+        map: worker.cached_map(&order.map)?,
         days: Vec::new(),
         view: order.view,
         way_points: order.way_points,
@@ -66,14 +66,14 @@ fn question(workshop: &mut Workshop, order: SuggestOrder) -> Result<ProposalQues
 impl RunningJob for Suggest {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let Some(proposal) = &mut self.proposal else {
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            self.proposal = Some(self.begin(workshop)?);
+            self.proposal = Some(self.begin(worker)?);
             return Ok(Advance::More);
         };
         let more = slice(clock, || proposal.advance());
@@ -116,7 +116,7 @@ impl Order for SuggestOrder {
         Some((&self.map, Reads::Areas(areas)))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Suggest::new(self, Share::WHOLE))
     }
 }
@@ -140,7 +140,7 @@ impl Order for SuggestShareOrder {
         self.0.reads()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Suggest::new(*self.0, self.1))
     }
 }
@@ -160,9 +160,9 @@ impl Order for ProposeOrder {
         self.0.files()
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| {
-            emit(JobEvent::Suggestions(choose(workshop, *self.0, self.1)?));
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| {
+            emit(JobEvent::Suggestions(choose(worker, *self.0, self.1)?));
             Ok(())
         })
     }

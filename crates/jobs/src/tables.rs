@@ -12,7 +12,7 @@ use super::file_pool::FilePool;
 use super::flights::OpenFlight;
 use super::order::{Order, Role, Urgency};
 use super::running::once;
-use super::{JobEvent, MadeFlight, RunningJob, Workshop};
+use super::{JobEvent, MadeFlight, RunningJob, WorkerState};
 
 /// Name of the file, beside the tables, that says what their columns mean.
 pub const COLUMNS_FILE: &str = "columns.json";
@@ -49,15 +49,15 @@ pub(super) fn flight_of_maps(pool: &Arc<FilePool>) -> Result<Option<FlightFolder
 
 /// Makes the flight of the tables under a key and keeps it: event `FlightMade`.
 fn make_flight(
-    workshop: &mut Workshop,
+    worker: &mut WorkerState,
     key: &str,
     emit: &mut dyn FnMut(JobEvent),
 ) -> Result<(), String> {
-    let pool = workshop.files(key)?;
+    let pool = worker.files(key)?;
     let made = flight_of_maps(&pool)?;
     let folder = made.ok_or("nobody said what the columns of the tables mean")?;
     let (flight, notes) = (folder.flight.clone(), folder.notes.clone());
-    workshop.keep_flight(key, OpenFlight::of_folder(folder, None));
+    worker.keep_flight(key, OpenFlight::of_folder(folder, None));
     emit(JobEvent::FlightMade(Box::new(MadeFlight { flight, notes })));
     Ok(())
 }
@@ -81,8 +81,8 @@ impl Order for MakeFlightOrder {
         vec![&self.key]
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
-        once(move |workshop, emit| make_flight(workshop, &self.key, emit))
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        once(move |worker, emit| make_flight(worker, &self.key, emit))
     }
 }
 

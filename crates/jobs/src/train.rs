@@ -12,7 +12,7 @@ use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::SLICE;
 use super::{
     Advance, JobEvent, MapSource, RunningJob, TrainOrder, TrainingLeft, TrainingOutcome,
-    TrainingReport, Workshop,
+    TrainingReport, WorkerState,
 };
 
 /// Time between two words on a training, milliseconds; what follows a whole stage is told at once.
@@ -49,7 +49,7 @@ impl Train {
     /// Reads the next labelled frame; false if all are read.
     fn read_labelled(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<bool, String> {
         let order = &self.order;
@@ -66,7 +66,7 @@ impl Train {
             frames.labels.len()
         );
         emit(JobEvent::Progress(0.0, words));
-        let flight = workshop.flight(&frames.flight)?;
+        let flight = worker.flight(&frames.flight)?;
         let mut open = flight.borrow_mut();
         let (flight, pictures) = (open.flight.clone(), &mut open.frames);
         let labels = std::slice::from_ref(labels);
@@ -75,10 +75,10 @@ impl Train {
         Ok(true)
     }
 
-    fn begin(&mut self, workshop: &mut Workshop) -> Result<DetectorTraining, String> {
+    fn begin(&mut self, worker: &mut WorkerState) -> Result<DetectorTraining, String> {
         let order = &self.order;
-        let map = workshop.cached_map(&order.map)?;
-        let others = workshop.others(&order.map)?;
+        let map = worker.cached_map(&order.map)?;
+        let others = worker.others(&order.map)?;
         let envelope = FlightEnvelope {
             ground_down: order.ground_down,
             ..FlightEnvelope::around(&order.camera, order.height, order.sensors)
@@ -149,19 +149,19 @@ impl Train {
 impl RunningJob for Train {
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let begun = clock();
         if self.training.is_none() {
-            if self.read_labelled(workshop, emit)? {
+            if self.read_labelled(worker, emit)? {
                 self.worked += clock() - begun;
                 return Ok(Advance::More);
             }
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            self.training = Some(self.begin(workshop)?);
+            self.training = Some(self.begin(worker)?);
         }
         let mut more = true;
         let mut now = begun;
@@ -209,7 +209,7 @@ impl Order for TrainOrder {
         Some((&self.map, Reads::Areas(areas)))
     }
 
-    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Train::new(self))
     }
 }

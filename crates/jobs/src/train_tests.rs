@@ -183,7 +183,7 @@ fn labelled(landmark: &Landmark) -> LabelledFrames {
         wind: None,
         height: None,
     });
-    let flight = Workshop::new(Abilities::WHOLE.opens)
+    let flight = WorkerState::new(Abilities::WHOLE.opens)
         .flight(&source)
         .unwrap();
     let flight = flight.borrow().flight.clone();

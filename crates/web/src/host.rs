@@ -7,7 +7,7 @@ use std::rc::Rc;
 use js_sys::Uint8Array;
 use pilotage_core::navigator::{StepReport, StepTiming};
 use pilotage_jobs::{
-    Crew, FileContent, FirstSeconds, Job, JobEvent, JobId, Prelude, Reply, wanted_addresses,
+    FileContent, FirstSeconds, Job, JobEvent, JobId, Prelude, Reply, WorkerPool, wanted_addresses,
 };
 use pilotage_ui::host::{Download, Host, OpenedFile};
 
@@ -38,7 +38,7 @@ pub struct PageHost {
 
 struct Inner {
     shell: Shell,
-    crew: Crew<BrowserPort>,
+    pool: WorkerPool<BrowserPort>,
     prelude: Prelude,
     /// Events that the prelude told of jobs that began.
     told_first: Vec<(JobId, JobEvent)>,
@@ -57,7 +57,7 @@ impl PageHost {
     /// Fetches tiles, then begins the job that reads them.
     fn fetch_for(&self, job: Job, addresses: Vec<String>) -> JobId {
         let mut inner = self.inner.borrow_mut();
-        let id = inner.crew.reserve();
+        let id = inner.pool.reserve();
         inner.fetching.insert(id);
         let list = addresses.iter().map(JsValue::from).collect();
         let promise = inner.shell.fetch_tiles(list);
@@ -70,10 +70,10 @@ impl PageHost {
             }
             if came.problem.is_some() && came.problem != inner.told {
                 let text = came.problem.clone().unwrap_or_default();
-                inner.crew.say(id, JobEvent::Remark(text));
+                inner.pool.say(id, JobEvent::Remark(text));
                 inner.told = came.problem;
             }
-            inner.crew.begin(id, job, came.tiles);
+            inner.pool.begin(id, job, came.tiles);
             inner.inbox.context.request_repaint();
         });
         id
@@ -88,12 +88,12 @@ impl PageHost {
             context,
         };
         let line = inbox.clone();
-        let mut crew =
-            Crew::new(move |seat, program| BrowserPort::open(seat, program, line.clone()));
-        crew.warm_up();
+        let mut pool =
+            WorkerPool::new(move |seat, program| BrowserPort::open(seat, program, line.clone()));
+        pool.warm_up();
         let inner = Inner {
             shell,
-            crew,
+            pool,
             prelude: Prelude::new(stored),
             told_first: Vec::new(),
             inbox,
@@ -120,8 +120,8 @@ impl PageHost {
     pub fn tick(&self) {
         let mut inner = self.inner.borrow_mut();
         inner.read_notices();
-        inner.crew.tick(now());
-        if inner.crew.has_events() {
+        inner.pool.tick(now());
+        if inner.pool.has_events() {
             inner.inbox.context.request_repaint();
         }
     }
@@ -152,19 +152,19 @@ impl PageHost {
 
     /// Lets what is being flown keep its place without working; for tests.
     pub fn rest_flight(&self) {
-        self.inner.borrow_mut().crew.hold_flights();
+        self.inner.borrow_mut().pool.hold_flights();
     }
 
     /// Ends a worker without a word; for tests.
     pub fn silence_worker(&self, seat: usize) {
-        if let Some(port) = self.inner.borrow().crew.port(seat) {
+        if let Some(port) = self.inner.borrow().pool.port(seat) {
             port.silence();
         }
     }
 
     /// Makes a worker run into a fault; for tests.
     pub fn crash_worker(&self, seat: usize) {
-        if let Some(port) = self.inner.borrow().crew.port(seat) {
+        if let Some(port) = self.inner.borrow().pool.port(seat) {
             port.crash();
         }
     }
@@ -202,13 +202,13 @@ impl Inner {
             match notice {
                 Notice::Said(seat, bytes) => {
                     if let Some(reply) = Reply::from_bytes(&bytes) {
-                        self.crew.receive(seat, reply);
+                        self.pool.receive(seat, reply);
                     }
                 }
                 Notice::Died(seat) => {
                     let of_seat = |n: &Notice| matches!(n, Notice::Said(s, _) | Notice::Died(s) if *s == seat);
                     self.inbox.notices.borrow_mut().retain(|n| !of_seat(n));
-                    self.crew.worker_died(seat);
+                    self.pool.worker_died(seat);
                 }
             }
         }
@@ -225,12 +225,12 @@ impl Host for PageHost {
         let addresses = wanted_addresses(&job);
         if addresses.is_empty() {
             let mut inner = self.inner.borrow_mut();
-            let id = inner.crew.reserve();
+            let id = inner.pool.reserve();
             let first = inner.prelude.begin(id, &job);
             inner
                 .told_first
                 .extend(first.into_iter().map(|it| (id, it)));
-            inner.crew.start_as(id, job);
+            inner.pool.start_as(id, job);
             return id;
         }
         self.fetch_for(job, addresses)
@@ -239,18 +239,18 @@ impl Host for PageHost {
     fn cancel(&mut self, job: JobId) {
         let mut inner = self.inner.borrow_mut();
         if inner.fetching.remove(&job) {
-            inner.crew.say(job, JobEvent::Cancelled);
+            inner.pool.say(job, JobEvent::Cancelled);
         } else {
-            inner.crew.cancel(job);
+            inner.pool.cancel(job);
         }
     }
 
     fn hold(&mut self, job: JobId, is_held: bool) {
-        self.inner.borrow_mut().crew.hold(job, is_held);
+        self.inner.borrow_mut().pool.hold(job, is_held);
     }
 
     fn let_go(&mut self, in_use: &BTreeSet<String>) {
-        self.inner.borrow_mut().crew.let_go(in_use);
+        self.inner.borrow_mut().pool.let_go(in_use);
     }
 
     fn download(&mut self, addresses: Vec<String>) {
@@ -279,7 +279,7 @@ impl Host for PageHost {
         let mut inner = self.inner.borrow_mut();
         inner.read_notices();
         let mut events = std::mem::take(&mut inner.told_first);
-        for (id, event) in inner.crew.take_events() {
+        for (id, event) in inner.pool.take_events() {
             inner.note_timings(&event);
             let before = inner.prelude.checked().1;
             let new = inner.prelude.hear(id, event);
@@ -348,7 +348,7 @@ impl Host for PageHost {
     }
 
     fn lost_workers(&mut self) -> usize {
-        self.inner.borrow_mut().crew.take_lost()
+        self.inner.borrow_mut().pool.take_lost()
     }
 
     fn announce(&mut self, text: &str) {

@@ -73,7 +73,7 @@ impl WorkerHandle {
         let open: OpenAddress = Box::new(|address| {
             AddressBytes::open(address).map(|file| Arc::new(file) as Arc<dyn ByteSource>)
         });
-        self.runner.workshop_mut().open_addresses_by(open);
+        self.runner.state_mut().open_addresses_by(open);
         self
     }
 }
@@ -124,7 +124,7 @@ impl WorkerHandle {
         if content.is_object() {
             let source = Arc::new(BlobBytes::new(number, content.unchecked_ref()));
             length = source.length();
-            self.runner.workshop_mut().lend(number, source);
+            self.runner.state_mut().lend(number, source);
         }
         FileContent::Lent { number, length }
     }

@@ -6,8 +6,8 @@
 mod flying;
 mod whole;
 
-use super::workshop::Opens;
-use super::{Job, RunningJob, Workshop};
+use super::worker_state::Opens;
+use super::{Job, RunningJob, WorkerState};
 
 /// A program of a worker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Program {
 }
 
 /// Makes a job ready to advance; one that the program cannot do fails with its first step.
-pub type Begin = fn(Job, &mut Workshop) -> Box<dyn RunningJob>;
+pub type Begin = fn(Job, &mut WorkerState) -> Box<dyn RunningJob>;
 
 /// Abilities of a worker: the jobs that its program begins, and the maps and flights that it opens for them.
 #[derive(Clone, Copy)]
@@ -84,14 +84,14 @@ mod tests {
 
     /// Events of `job` in the small program until it is over, or why it failed.
     fn said(job: Job) -> Result<Vec<JobEvent>, String> {
-        let mut workshop = Workshop::new(Abilities::FLYING.opens);
-        let mut running = (Abilities::FLYING.begin)(job, &mut workshop);
+        let mut worker = WorkerState::new(Abilities::FLYING.opens);
+        let mut running = (Abilities::FLYING.begin)(job, &mut worker);
         let mut events = Vec::new();
         let asked = Cell::new(0.0);
         // Each look at it finds a share of the time used up, so that the flight is told piece by piece.
         let clock = || asked.replace(asked.get() + 10.0);
         for _ in 0..10_000 {
-            match running.advance(&mut workshop, &clock, &mut |event| events.push(event))? {
+            match running.advance(&mut worker, &clock, &mut |event| events.push(event))? {
                 Advance::More => {}
                 Advance::Done => return Ok(events),
             }

@@ -8,19 +8,19 @@ use pilotage_core::mission::{MapOptions, open_map_with};
 
 use super::super::file_pool::FilePool;
 use super::super::flights::OpenFlight;
-use super::super::workshop::{MAP_MEMORY, OpenedMap};
-use super::super::{FlightSource, MapSource, Workshop, opening};
+use super::super::worker_state::{MAP_MEMORY, OpenedMap};
+use super::super::{FlightSource, MapSource, WorkerState, opening};
 use super::flying;
 
 /// Opens a map.
-pub fn open_map(workshop: &mut Workshop, source: &MapSource) -> OpenedMap {
+pub fn open_map(worker: &mut WorkerState, source: &MapSource) -> OpenedMap {
     match source {
         MapSource::Scenery | MapSource::Hall | MapSource::Nothing => {
-            flying::open_map(workshop, source)
+            flying::open_map(worker, source)
         }
-        MapSource::Web(map) => Ok(Arc::new(map.open(workshop.fetched()))),
+        MapSource::Web(map) => Ok(Arc::new(map.open(worker.fetched()))),
         MapSource::Files(key) => {
-            let files = workshop.files(key)?;
+            let files = worker.files(key)?;
             let frame = match opening::flight_folder(&files)? {
                 Some(folder) => folder.flight.frame_on_globe,
                 None => None,
@@ -28,7 +28,7 @@ pub fn open_map(workshop: &mut Workshop, source: &MapSource) -> OpenedMap {
             map_among(&files, frame)
         }
         MapSource::Placed { key, origin } => {
-            let files = workshop.files(key)?;
+            let files = worker.files(key)?;
             map_among(&files, Some(LocalFrame::new(*origin)))
         }
         MapSource::Picture {
@@ -43,7 +43,7 @@ pub fn open_map(workshop: &mut Workshop, source: &MapSource) -> OpenedMap {
                 memory: MAP_MEMORY,
                 ..MapOptions::default()
             };
-            let files = workshop.files(key)?;
+            let files = worker.files(key)?;
             let map = open_map_with(files.as_ref(), name, &options);
             Ok(Arc::new(map.map_err(|cause| cause.to_string())?))
         }
@@ -63,13 +63,13 @@ fn map_among(files: &FilePool, frame: Option<LocalFrame>) -> Result<Arc<dyn Imag
 }
 
 /// Opens a flight.
-pub fn open_flight(workshop: &mut Workshop, source: &FlightSource) -> Result<OpenFlight, String> {
+pub fn open_flight(worker: &mut WorkerState, source: &FlightSource) -> Result<OpenFlight, String> {
     match source {
         FlightSource::Files(key) => {
-            let files = workshop.files(key)?;
+            let files = worker.files(key)?;
             let open = opening::flight(&files)?;
             Ok(open.ok_or("there is no flight among the files")?)
         }
-        FlightSource::Simulated(_) | FlightSource::Nothing => flying::open_flight(workshop, source),
+        FlightSource::Simulated(_) | FlightSource::Nothing => flying::open_flight(worker, source),
     }
 }

@@ -38,11 +38,11 @@ impl App {
             area,
             boxes: landmarks.iter().map(|l| l.landmark.bounds).collect(),
         };
-        if let Some((old, ..)) = self.desk.brief.take() {
+        if let Some((old, ..)) = self.jobs.brief.take() {
             host.cancel(old);
         }
         let id = host.start(Job::Brief(order));
-        self.desk.brief = Some((id, area, landmarks, more));
+        self.jobs.brief = Some((id, area, landmarks, more));
         let text = "The browser's print opens as soon as its pictures are drawn.";
         self.toasts
             .note(host.now(), "Preparing the mission brief", text);
@@ -94,17 +94,17 @@ impl App {
         match event {
             JobEvent::BriefPictures(pictures) => self.print_brief(host, &pictures),
             JobEvent::Failed(why) => {
-                self.desk.brief = None;
+                self.jobs.brief = None;
                 let title = "The mission brief cannot be drawn";
                 self.toasts.trouble(host.now(), title, why);
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.desk.brief = None,
+            JobEvent::Finished | JobEvent::Cancelled => self.jobs.brief = None,
             _ => {}
         }
     }
 
     fn print_brief(&mut self, host: &mut dyn Host, pictures: &BriefPictures) {
-        let Some((_, area, landmarks, more_landmarks)) = self.desk.brief.take() else {
+        let Some((_, area, landmarks, more_landmarks)) = self.jobs.brief.take() else {
             return;
         };
         let documents = &self.documents;

@@ -5,9 +5,9 @@ use pilotage_core::text::capitalised;
 use serde_json::{Value, json};
 
 use super::App;
-use super::desk::Opening;
 use super::keeping::{provide, put_beside};
 use super::logs::with_origin;
+use super::pending_jobs::Opening;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
 use crate::host::Host;
 use pilotage_jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, MakeFlightOrder, write_columns};

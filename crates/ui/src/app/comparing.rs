@@ -78,12 +78,12 @@ impl App {
             map: documents.map_source.clone(),
             mission: documents.mission.clone(),
         };
-        self.desk.contest = Some(host.start(Job::Contest(Box::new(order))));
+        self.jobs.contest = Some(host.start(Job::Contest(Box::new(order))));
     }
 
     /// Stops flying by every estimator; whether somebody flew.
     pub(super) fn stop_contest(&mut self, host: &mut dyn Host) -> bool {
-        let job = self.desk.contest.take();
+        let job = self.jobs.contest.take();
         if let Some(job) = job {
             host.cancel(job);
             self.documents.contest.at_work = None;
@@ -93,7 +93,7 @@ impl App {
 
     /// Takes what a worker says of the contest; whether `id` was about it.
     pub(super) fn contest_event(&mut self, id: JobId, event: &JobEvent) -> bool {
-        if self.desk.contest != Some(id) {
+        if self.jobs.contest != Some(id) {
             return false;
         }
         let contest = &mut self.documents.contest;
@@ -107,7 +107,7 @@ impl App {
         }
         if event.is_last() {
             contest.at_work = None;
-            self.desk.contest = None;
+            self.jobs.contest = None;
         }
         true
     }

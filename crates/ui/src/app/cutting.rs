@@ -57,7 +57,7 @@ impl App {
             cut,
             seen: self.seen(),
         };
-        self.desk.cutting = Some(host.start(Job::Cut(Box::new(order))));
+        self.jobs.cutting = Some(host.start(Job::Cut(Box::new(order))));
     }
 
     /// Positions that the whole run found in the pictures, and what to call them; `None` without any.
@@ -75,7 +75,7 @@ impl App {
 
     /// Stops what is computed of a cut; whether something was.
     pub(super) fn stop_cutting(&mut self, host: &mut dyn Host) -> bool {
-        let job = self.desk.cutting.take();
+        let job = self.jobs.cutting.take();
         if let Some(job) = job {
             host.cancel(job);
             self.documents.cuts.at_work = None;
@@ -85,7 +85,7 @@ impl App {
 
     /// Takes what a worker says of a cut; whether `id` was about one.
     pub(super) fn cut_event(&mut self, id: JobId, event: &JobEvent) -> bool {
-        if self.desk.cutting != Some(id) {
+        if self.jobs.cutting != Some(id) {
             return false;
         }
         let cuts = &mut self.documents.cuts;
@@ -100,7 +100,7 @@ impl App {
         }
         if event.is_last() {
             cuts.at_work = None;
-            self.desk.cutting = None;
+            self.jobs.cutting = None;
         }
         true
     }

@@ -40,26 +40,26 @@ impl App {
         let is_it = |t: f64, l: u32| t == time && l == landmark;
         let known = &self.documents.detector_search;
         let known = known.as_ref().is_some_and(|s| is_it(s.time, s.landmark));
-        let asked = self.desk.detector.is_some_and(|(_, t, l)| is_it(t, l));
+        let asked = self.jobs.detector.is_some_and(|(_, t, l)| is_it(t, l));
         // One question at a time: while the flight plays, the latest search is asked for next.
-        let busy = self.desk.detector.is_some() && self.playback.playing;
+        let busy = self.jobs.detector.is_some() && self.playback.playing;
         if known || asked || busy {
             return;
         }
         let Some(job) = self.explanation(ExplainedBy::Cascade, time, landmark) else {
             return;
         };
-        if let Some((old, ..)) = self.desk.detector.take() {
+        if let Some((old, ..)) = self.jobs.detector.take() {
             host.cancel(old);
         }
-        self.desk.detector = Some((host.start(job), time, landmark));
+        self.jobs.detector = Some((host.start(job), time, landmark));
     }
 
     pub(super) fn detector_event(&mut self, event: JobEvent) {
         match event {
             JobEvent::Detector(search) => self.documents.detector_search = Some(*search),
             JobEvent::Failed(why) => {
-                if let Some((_, time, landmark)) = self.desk.detector.take() {
+                if let Some((_, time, landmark)) = self.jobs.detector.take() {
                     self.documents.detector_search = Some(DetectorSearch {
                         time,
                         landmark,
@@ -67,7 +67,7 @@ impl App {
                     });
                 }
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.desk.detector = None,
+            JobEvent::Finished | JobEvent::Cancelled => self.jobs.detector = None,
             _ => {}
         }
     }

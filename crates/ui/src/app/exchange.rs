@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use pilotage_core::text::capitalised;
 
 use super::App;
-use super::desk::Exporting;
+use super::pending_jobs::Exporting;
 use crate::command::{Command, Workspace};
 use crate::documents::Brought;
 use crate::host::Host;
@@ -88,7 +88,7 @@ impl App {
             (true, true) => PlanTab::Ground,
         };
         planner.route = added.routes.first().copied().or(planner.route);
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
         if !added.landmarks.is_empty() {
             self.run_is_stale(now);
         }
@@ -134,7 +134,7 @@ impl App {
             landmarks,
             origin: mission.origin,
         };
-        self.desk.exporting.push(Exporting {
+        self.jobs.exporting.push(Exporting {
             id: host.start(Job::Export(Box::new(order))),
             what,
             format: format.name(),
@@ -144,7 +144,7 @@ impl App {
 
     /// Takes what the worker says of a file of another program.
     pub(super) fn export_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        let exporting = &mut self.desk.exporting;
+        let exporting = &mut self.jobs.exporting;
         let Some(place) = exporting.iter().position(|e| e.id == id) else {
             return;
         };

@@ -1,7 +1,7 @@
 //! Commands carried out, once a frame, after everything is drawn.
 
-use super::desk::FlyJob;
 use super::exchange::stem;
+use super::pending_jobs::FlyJob;
 use super::{App, SideTab};
 use crate::command::{Command, Workspace};
 use crate::documents::{Session, encode_run};
@@ -125,7 +125,7 @@ impl App {
                     marks.push(time);
                     marks.sort_by(f64::total_cmp);
                 }
-                self.desk.document_changed = true;
+                self.jobs.document_changed = true;
             }
             Command::PreviousBookmark => {
                 let marks = self.documents.bookmarks.iter().rev();
@@ -165,7 +165,7 @@ impl App {
     }
 
     fn edit(&mut self, command: Command, now: f64) {
-        self.desk.document_changed |= !matches!(
+        self.jobs.document_changed |= !matches!(
             command,
             Command::SelectLandmark(_) | Command::TogglePickTool
         );
@@ -261,7 +261,7 @@ impl App {
                 self.fly_new(host, demo.flight, demo.map, None);
             }
             Command::FlyAgain => self.fly_again(host),
-            Command::CancelJob if self.desk.fly.is_none() => {
+            Command::CancelJob if self.jobs.fly.is_none() => {
                 let _ = self.stop_cutting(host)
                     || self.stop_aligning(host)
                     || self.stop_laying(host)
@@ -271,7 +271,7 @@ impl App {
                     || self.stop_preparing(host);
             }
             Command::CancelJob => {
-                self.documents.run_complete |= self.desk.fly.as_ref().is_some_and(FlyJob::began);
+                self.documents.run_complete |= self.jobs.fly.as_ref().is_some_and(FlyJob::began);
                 self.stop_flying(host);
                 self.toasts
                     .note(now, "Stopped", "What had been computed stays on screen.");

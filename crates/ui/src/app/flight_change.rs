@@ -38,11 +38,11 @@ impl App {
 
     /// Stops what explains a step of the run, and forgets that some could not be explained.
     fn stop_explaining(&mut self, host: &mut dyn Host) {
-        let desk = &mut self.desk;
-        let explain = desk.explain.take().map(|(id, ..)| id);
-        let detector = desk.detector.take().map(|(id, ..)| id);
-        let distinctness = desk.distinctness.take().map(|(id, _)| id);
-        let decoding = desk.decoding.drain(..).map(|(id, ..)| id);
+        let jobs = &mut self.jobs;
+        let explain = jobs.explain.take().map(|(id, ..)| id);
+        let detector = jobs.detector.take().map(|(id, ..)| id);
+        let distinctness = jobs.distinctness.take().map(|(id, _)| id);
+        let decoding = jobs.decoding.drain(..).map(|(id, ..)| id);
         for id in [explain, detector, distinctness]
             .into_iter()
             .flatten()
@@ -50,7 +50,7 @@ impl App {
         {
             host.cancel(id);
         }
-        (desk.unexplained, desk.examined_in_vain) = (None, None);
+        (jobs.unexplained, jobs.examined_in_vain) = (None, None);
     }
 
     /// Leaves photos that were laid in another world: their places mean nothing in this one.
@@ -62,7 +62,7 @@ impl App {
         });
         if is_strange {
             self.stop_laying(host);
-            if let Some((id, _)) = self.desk.draping.take() {
+            if let Some((id, _)) = self.jobs.draping.take() {
                 host.cancel(id);
             }
             let mut photos = Photos::default();
@@ -73,7 +73,7 @@ impl App {
 
     /// Leaves what was asked of a log that is open no longer.
     pub(super) fn leave_log(&mut self, host: &mut dyn Host) {
-        let logs = &mut self.desk.logs;
+        let logs = &mut self.jobs.logs;
         let answers = std::mem::take(&mut logs.answers);
         let LogAnswers {
             asked: _,

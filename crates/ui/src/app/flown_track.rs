@@ -4,7 +4,7 @@ use pilotage_core::exchange::{FlownTrack, FlownValues, Format};
 use pilotage_core::frames::LocalFrame;
 
 use super::App;
-use super::desk::Exporting;
+use super::pending_jobs::Exporting;
 use crate::host::Host;
 use crate::log::series_name;
 use pilotage_jobs::{ExportOrder, Job};
@@ -21,7 +21,7 @@ impl App {
         };
         let name = format!("{}-track.{}", self.file_stem(), format.extensions()[0]);
         let order = ExportOrder::Track { format, track };
-        self.desk.exporting.push(Exporting {
+        self.jobs.exporting.push(Exporting {
             id: host.start(Job::Export(Box::new(order))),
             what: "Flown track",
             format: format.name(),

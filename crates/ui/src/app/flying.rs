@@ -3,7 +3,7 @@
 use pilotage_core::frames::{GroundPoint, GroundRect};
 
 use super::App;
-use super::desk::Shown;
+use super::pending_jobs::Shown;
 use crate::host::Host;
 use pilotage_jobs::{FlightSource, JobEvent, MapSource};
 
@@ -17,7 +17,7 @@ const CANNOT_FLY: &str = "The flight cannot be flown";
 impl App {
     /// Takes what the worker that flies says.
     pub(super) fn fly_event(&mut self, host: &mut dyn Host, event: JobEvent) {
-        let Some(fly) = &mut self.desk.fly else {
+        let Some(fly) = &mut self.jobs.fly else {
             return;
         };
         match event {
@@ -67,24 +67,24 @@ impl App {
             }
             // It could not be navigated, and all of its pictures are there.
             JobEvent::Finished if !fly.began() => {
-                self.desk.fly = None;
+                self.jobs.fly = None;
                 self.align_after_flight(host, false);
             }
             JobEvent::Finished => {
                 let again = fly.again;
                 self.documents.run_complete = true;
-                self.desk.fly = None;
+                self.jobs.fly = None;
                 // Where a recorded flight went may be known only now.
                 if !again && self.views.map.is_fitted() && !self.planning() {
                     self.fit_to_flight_and_map();
                 }
                 self.align_after_flight(host, true);
             }
-            JobEvent::Cancelled => self.desk.fly = None,
+            JobEvent::Cancelled => self.jobs.fly = None,
             JobEvent::Failed(why) => {
                 let began = fly.began();
                 let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
-                self.desk.fly = None;
+                self.jobs.fly = None;
                 self.align_after_flight(host, false);
                 self.documents.run_complete |= began;
                 let log = self.documents.log.as_mut().filter(|_| is_of_log);
@@ -108,7 +108,7 @@ impl App {
 
     /// A flight that cannot be navigated is shown all the same; one that was flown before stays as it is.
     fn look_at_flight(&mut self, host: &mut dyn Host, why: &str) {
-        let Some(fly) = &mut self.desk.fly else {
+        let Some(fly) = &mut self.jobs.fly else {
             return;
         };
         if fly.again {
@@ -136,7 +136,7 @@ impl App {
 
     /// Shows the flight that was staged over its own map.
     fn take_place(&mut self, host: &mut dyn Host, map: MapSource) {
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
         self.change_map(host, map);
     }
 
@@ -155,7 +155,7 @@ impl App {
             FlightSource::Files(_) => true,
             FlightSource::Nothing => false,
         };
-        self.desk.fit_when_known = is_whole && self.documents.map.is_none();
+        self.jobs.fit_when_known = is_whole && self.documents.map.is_none();
         if is_whole {
             self.fit_to_flight_and_map();
             return;

@@ -1,8 +1,8 @@
 //! A picture put on the ground: its jobs, its files, and what becomes of it.
 
 use super::App;
-use super::desk::Opening;
 use super::keeping::provide;
+use super::pending_jobs::Opening;
 use super::work::TILES_AT_A_TIME;
 use crate::georeference::{GeoreferenceCommand, Georeferencer, Place};
 use crate::host::{Host, OpenedFile};
@@ -33,8 +33,8 @@ impl App {
         let origin = self.documents.world_origin();
         let mut georeferencer = Georeferencer::new(&opening.key, &unplaced.name, origin);
         let map = georeferencer.bare();
-        self.desk.describe_picture = Some(host.start(Job::DescribeMap(DescribeMapOrder(map))));
-        self.desk.picture_files = Some((opening.name.clone(), opening.files.clone()));
+        self.jobs.describe_picture = Some(host.start(Job::DescribeMap(DescribeMapOrder(map))));
+        self.jobs.picture_files = Some((opening.name.clone(), opening.files.clone()));
         let now = host.now();
         if let Some((file, text)) = unplaced.points {
             match georeferencer.load(&text) {
@@ -76,8 +76,8 @@ impl App {
     }
 
     fn stop_georeferencing(&mut self, host: &mut dyn Host) {
-        let tiles = self.desk.picture_tiles.drain().map(|(id, _)| id);
-        let others = [self.desk.describe_picture.take(), self.desk.places.take()];
+        let tiles = self.jobs.picture_tiles.drain().map(|(id, _)| id);
+        let others = [self.jobs.describe_picture.take(), self.jobs.places.take()];
         for id in tiles.chain(others.into_iter().flatten()) {
             host.cancel(id);
         }
@@ -114,9 +114,9 @@ impl App {
             return true;
         }
         if batch.iter().all(|file| has_ending(&file.path, &PLACES)) {
-            let key = format!("opened-{}", self.desk.opened_batches);
+            let key = format!("opened-{}", self.jobs.opened_batches);
             provide(host, &key, batch);
-            self.desk.places = Some(host.start(Job::ReadPlaces(ReadPlacesOrder { key })));
+            self.jobs.places = Some(host.start(Job::ReadPlaces(ReadPlacesOrder { key })));
             return true;
         }
         false
@@ -124,9 +124,9 @@ impl App {
 
     /// Whether a job works for the georeferencer.
     pub(super) fn is_georeferencing(&self, id: JobId) -> bool {
-        self.desk.picture_tiles.contains_key(&id)
-            || self.desk.describe_picture == Some(id)
-            || self.desk.places == Some(id)
+        self.jobs.picture_tiles.contains_key(&id)
+            || self.jobs.describe_picture == Some(id)
+            || self.jobs.places == Some(id)
     }
 
     pub(super) fn georeferencing_event(
@@ -146,7 +146,7 @@ impl App {
                 // when looked at from near.
                 let tiles = &mut georeferencer.canvas.tiles;
                 tiles.insert(context, &window, &pixels, true);
-                self.desk.picture_tiles.remove(&id);
+                self.jobs.picture_tiles.remove(&id);
             }
             JobEvent::MapInfo(info) => {
                 georeferencer.describe(&info);
@@ -162,27 +162,27 @@ impl App {
                 self.toasts
                     .note(now, title, "They stand beside the picture.");
             }
-            JobEvent::Failed(why) if self.desk.describe_picture == Some(id) => {
+            JobEvent::Failed(why) if self.jobs.describe_picture == Some(id) => {
                 let title = format!("{} cannot be shown", georeferencer.name);
                 let text = format!("{why} Everything open stays as it was.");
                 self.toasts.trouble(now, title, text);
                 self.stop_georeferencing(host);
             }
-            JobEvent::Failed(why) if self.desk.places == Some(id) => {
-                self.desk.places = None;
+            JobEvent::Failed(why) if self.jobs.places == Some(id) => {
+                self.jobs.places = None;
                 self.toasts.trouble(now, "No places were read", why);
             }
             JobEvent::Failed(_) => {
-                if let Some(key) = self.desk.picture_tiles.remove(&id) {
+                if let Some(key) = self.jobs.picture_tiles.remove(&id) {
                     let empty = pilotage_core::raster::Raster::filled(0, 0, [0; 4]);
                     let tiles = &mut georeferencer.canvas.tiles;
                     tiles.insert(context, &key.window(), &empty, true);
                 }
             }
             JobEvent::Finished | JobEvent::Cancelled => {
-                self.desk.picture_tiles.remove(&id);
-                self.desk.describe_picture = self.desk.describe_picture.filter(|job| *job != id);
-                self.desk.places = self.desk.places.filter(|job| *job != id);
+                self.jobs.picture_tiles.remove(&id);
+                self.jobs.describe_picture = self.jobs.describe_picture.filter(|job| *job != id);
+                self.jobs.places = self.jobs.places.filter(|job| *job != id);
             }
             _ => {}
         }
@@ -194,7 +194,7 @@ impl App {
             return;
         };
         let wanted = georeferencer.canvas.tiles.wanted();
-        let under_way: Vec<_> = self.desk.picture_tiles.values().copied().collect();
+        let under_way: Vec<_> = self.jobs.picture_tiles.values().copied().collect();
         let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
         let next = wanted.iter().filter(|key| !under_way.contains(key));
         for key in next.take(room) {
@@ -202,7 +202,7 @@ impl App {
                 map: georeferencer.bare(),
                 window: key.window(),
             }));
-            self.desk.picture_tiles.insert(id, *key);
+            self.jobs.picture_tiles.insert(id, *key);
         }
     }
 
@@ -246,7 +246,7 @@ impl App {
         };
         let key = georeferencer.key.clone();
         let name = georeferencer.file_beside("");
-        if let Some((name, files)) = self.desk.picture_files.take() {
+        if let Some((name, files)) = self.jobs.picture_files.take() {
             self.keep_files(host, &key, &name, &files);
         }
         self.stop_georeferencing(host);
@@ -254,9 +254,9 @@ impl App {
             self.documents
                 .begin_world(origin, name.trim_end_matches('.'));
         }
-        self.desk.fit_map_when_known = true;
+        self.jobs.fit_map_when_known = true;
         self.change_map(host, source);
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
         let text = "Save its world file to have its place elsewhere too.";
         self.toasts
             .note(host.now(), "The picture is the map now", text);

@@ -5,8 +5,8 @@ use pilotage_core::mission::Mission;
 
 use super::App;
 use super::columns::sentences;
-use super::desk::Opening;
 use super::keeping::provide;
+use super::pending_jobs::Opening;
 use crate::host::{Host, OpenedFile};
 use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, Opened};
 
@@ -32,11 +32,11 @@ impl App {
         if batch.is_empty() {
             return;
         }
-        self.desk.opened_batches += 1;
+        self.jobs.opened_batches += 1;
         if self.open_for_georeferencer(host, &batch) {
             return;
         }
-        let key = format!("opened-{}", self.desk.opened_batches);
+        let key = format!("opened-{}", self.jobs.opened_batches);
         let name = match batch.as_slice() {
             [one] => one.path.clone(),
             [first, rest @ ..] => {
@@ -57,7 +57,7 @@ impl App {
             name,
             files: batch,
         };
-        self.desk.opening.insert(id, opening);
+        self.jobs.opening.insert(id, opening);
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
@@ -68,53 +68,53 @@ impl App {
             || self.photos_event(host, id, &event)
             || self.contest_event(id, &event)
         {
-        } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
+        } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);
-        } else if self.desk.logs.has(id) {
+        } else if self.jobs.logs.has(id) {
             self.log_event(host, id, event);
         } else if self.dialogs.columns.job() == Some(id) {
             self.columns_event(host, event);
-        } else if self.desk.tiles.contains_key(&id) {
+        } else if self.jobs.tiles.contains_key(&id) {
             self.tile_event(context, host, id, event);
         } else if self.is_georeferencing(id) {
             self.georeferencing_event(context, host, id, event);
         } else if self.is_map_work(id) {
             self.map_work_event(host, id, event);
-        } else if self.desk.describe == Some(id) {
+        } else if self.jobs.describe == Some(id) {
             self.map_event(host, event);
-        } else if let Some((_, landmark)) = self.desk.distinctness.filter(|d| d.0 == id) {
+        } else if let Some((_, landmark)) = self.jobs.distinctness.filter(|d| d.0 == id) {
             match event {
                 JobEvent::Distinctness(found) => {
                     self.documents.distinctness.insert(landmark, *found);
                 }
                 JobEvent::Failed(why) => {
-                    self.desk.distinctness = None;
-                    self.desk.examined_in_vain = Some((landmark, why));
+                    self.jobs.distinctness = None;
+                    self.jobs.examined_in_vain = Some((landmark, why));
                 }
-                JobEvent::Finished | JobEvent::Cancelled => self.desk.distinctness = None,
+                JobEvent::Finished | JobEvent::Cancelled => self.jobs.distinctness = None,
                 _ => {}
             }
-        } else if let Some((_, time, landmark)) = self.desk.explain.filter(|e| e.0 == id) {
+        } else if let Some((_, time, landmark)) = self.jobs.explain.filter(|e| e.0 == id) {
             match event {
                 JobEvent::Match(pictures) => self.documents.match_pictures = Some(*pictures),
                 JobEvent::Failed(_) => {
-                    self.desk.explain = None;
-                    self.desk.unexplained = Some((time, landmark));
+                    self.jobs.explain = None;
+                    self.jobs.unexplained = Some((time, landmark));
                 }
-                JobEvent::Finished | JobEvent::Cancelled => self.desk.explain = None,
+                JobEvent::Finished | JobEvent::Cancelled => self.jobs.explain = None,
                 _ => {}
             }
-        } else if self.desk.detector.is_some_and(|d| d.0 == id) {
+        } else if self.jobs.detector.is_some_and(|d| d.0 == id) {
             self.detector_event(event);
-        } else if self.desk.decoding.iter().any(|d| d.0 == id) {
+        } else if self.jobs.decoding.iter().any(|d| d.0 == id) {
             self.picture_event(id, event);
-        } else if self.desk.brief.as_ref().is_some_and(|b| b.0 == id) {
+        } else if self.jobs.brief.as_ref().is_some_and(|b| b.0 == id) {
             self.brief_event(host, event);
-        } else if self.desk.packing.as_ref().is_some_and(|p| p.0 == id) {
+        } else if self.jobs.packing.as_ref().is_some_and(|p| p.0 == id) {
             self.pack_event(host, event);
-        } else if self.desk.exporting.iter().any(|e| e.id == id) {
+        } else if self.jobs.exporting.iter().any(|e| e.id == id) {
             self.export_event(host, id, event);
-        } else if self.desk.opening.contains_key(&id) {
+        } else if self.jobs.opening.contains_key(&id) {
             self.open_event(host, id, event);
         } else if let JobEvent::Remark(text) = event {
             // Of a tile that nobody waits for any more: a worker says each thing once.
@@ -123,7 +123,7 @@ impl App {
     }
 
     fn picture_event(&mut self, id: JobId, event: JobEvent) {
-        let decoding = &mut self.desk.decoding;
+        let decoding = &mut self.jobs.decoding;
         let Some(place) = decoding.iter().position(|d| d.0 == id) else {
             return;
         };
@@ -155,18 +155,18 @@ impl App {
         let now = host.now();
         match event {
             JobEvent::Opened(opened) => {
-                if let Some(opening) = self.desk.opening.remove(&id) {
+                if let Some(opening) = self.jobs.opening.remove(&id) {
                     self.take_opened(host, &opening, *opened);
                 }
             }
             JobEvent::Failed(why) => {
-                let name = self.desk.opening.remove(&id).map(|o| o.name);
+                let name = self.jobs.opening.remove(&id).map(|o| o.name);
                 let title = format!("{} was not opened", name.unwrap_or_default());
                 let text = format!("{why} Everything open stays as it was.");
                 self.toasts.trouble(now, title, text);
             }
             JobEvent::Finished | JobEvent::Cancelled => {
-                self.desk.opening.remove(&id);
+                self.jobs.opening.remove(&id);
             }
             _ => {}
         }

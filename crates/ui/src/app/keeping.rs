@@ -52,7 +52,7 @@ impl App {
         let total: u64 = files.iter().map(length).sum();
         let lent: u64 = files.iter().filter(is_lent).map(length).sum();
         if total - lent <= MOST_KEPT && lent <= MOST_LENT_KEPT {
-            self.desk.keeping.keep(set, files.to_vec());
+            self.jobs.keeping.keep(set, files.to_vec());
             return;
         }
         let text = format!(
@@ -71,7 +71,7 @@ impl App {
         let now = host.now();
         let refused = host.failed_stores();
         if !refused.is_empty() {
-            let files = self.desk.keeping.refuse(&refused, now).join(", ");
+            let files = self.jobs.keeping.refuse(&refused, now).join(", ");
             let lost = if files.is_empty() {
                 "Your last edit may be missing at the next visit: save the mission as a file to be \
                  sure of it."
@@ -84,21 +84,21 @@ impl App {
             self.toasts.trouble(now, title, text);
             // What was stored before is still there; what is open now is tried again.
             self.stored_session.clear();
-            self.desk.document_changed = true;
+            self.jobs.document_changed = true;
             self.dirty_since = Some(now + TRY_AGAIN_AFTER);
         }
-        self.desk.keeping.retry(now);
-        if !self.desk.keeping.is_done() {
-            self.desk.keeping.work(host);
+        self.jobs.keeping.retry(now);
+        if !self.jobs.keeping.is_done() {
+            self.jobs.keeping.work(host);
             context.request_repaint();
         }
     }
 
     /// Forgets files that neither the document nor a flight about to begin needs.
     pub(super) fn forget_unused_files(&mut self) {
-        if self.desk.opening.is_empty() {
+        if self.jobs.opening.is_empty() {
             let used = self.used_files();
-            self.desk.keeping.forget_others(&used);
+            self.jobs.keeping.forget_others(&used);
         }
     }
 
@@ -106,7 +106,7 @@ impl App {
     pub(super) fn let_go_of_files(&self, host: &mut dyn Host) {
         let mut used = self.used_files();
         used.extend(
-            self.desk
+            self.jobs
                 .opening
                 .values()
                 .map(|opening| opening.key.clone()),
@@ -122,10 +122,10 @@ impl App {
         let mut used = file_sets(&documents.flight_source, &documents.map_source);
         used.extend(documents.terrain.key());
         used.extend(documents.photos.sought.as_ref().map(|s| s.key.as_str()));
-        if let Some(fly) = &self.desk.fly {
+        if let Some(fly) = &self.jobs.fly {
             used.extend(file_sets(&fly.flight, &fly.map));
         }
-        if let Some(reading) = &self.desk.logs.reading {
+        if let Some(reading) = &self.jobs.logs.reading {
             used.insert(&reading.key);
         }
         used.into_iter().map(str::to_owned).collect()
@@ -139,7 +139,7 @@ impl App {
         let sets: Vec<String> = sets.into_iter().map(str::to_owned).collect();
         let mut gone = BTreeSet::new();
         for key in sets {
-            self.desk.count_batches(&key);
+            self.jobs.count_batches(&key);
             match recall_files(host, &key) {
                 Ok(files) => {
                     let of = |(path, content): &(String, FileContent)| OpenedFile {
@@ -147,11 +147,11 @@ impl App {
                         content: content.clone(),
                     };
                     let known = files.iter().map(of).collect();
-                    self.desk.keeping.knows(&key, files.len(), known);
+                    self.jobs.keeping.knows(&key, files.len(), known);
                     host.start(Job::Provide(ProvideOrder { key, files }));
                 }
                 Err(count) => {
-                    self.desk.keeping.knows(&key, count, Vec::new());
+                    self.jobs.keeping.knows(&key, count, Vec::new());
                     gone.insert(key);
                 }
             }

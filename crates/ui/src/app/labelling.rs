@@ -4,8 +4,8 @@ use pilotage_core::exchange::labels::{FoundLabels, LabelFormat};
 use pilotage_core::mission::LabelBox;
 
 use super::App;
-use super::desk::Exporting;
 use super::exchange::sentences;
+use super::pending_jobs::Exporting;
 use crate::command::Workspace;
 use crate::host::Host;
 use crate::labelling::{LabelCommand, Labeller};
@@ -131,7 +131,7 @@ impl App {
 
     fn labels_changed(&mut self) {
         self.documents.mission_edited = true;
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
     }
 
     fn export_labels(&mut self, host: &mut dyn Host, format: LabelFormat) {
@@ -147,7 +147,7 @@ impl App {
             landmarks: mission.landmarks.clone(),
         };
         let name = format!("{}-{}", self.file_stem(), format.ending());
-        self.desk.exporting.push(Exporting {
+        self.jobs.exporting.push(Exporting {
             id: host.start(Job::Export(Box::new(order))),
             what: "Labels",
             format: format.name(),

@@ -101,7 +101,7 @@ impl App {
             let bar = TopBar {
                 workspace: self.view.workspace,
                 title: &title,
-                progress: self.desk.progress(),
+                progress: self.jobs.progress(),
                 units: self.view.units,
                 settings_open: self.dialogs.settings,
                 side_open: self.view.side_open,
@@ -118,7 +118,7 @@ impl App {
             side_tab,
             dialogs,
             views,
-            desk,
+            jobs,
             ..
         } = self;
         let mut scene = Scene {
@@ -129,10 +129,10 @@ impl App {
             selection: *selection,
             side_tab,
             settings: &mut dialogs.settings,
-            job_words: desk.progress().map(|(_, words)| words.to_owned()),
-            examined_in_vain: desk.examined_in_vain.as_ref(),
+            job_words: jobs.progress().map(|(_, words)| words.to_owned()),
+            examined_in_vain: jobs.examined_in_vain.as_ref(),
             tried_footprint,
-            reading: desk.logs.reading.as_ref().map(|r| r.progress),
+            reading: jobs.logs.reading.as_ref().map(|r| r.progress),
         };
         let planning = scene.view.workspace == Workspace::Plan;
         let labelling = scene.view.workspace == Workspace::Replay && views.labeller.is_some();

@@ -50,12 +50,12 @@ impl App {
             host.store(BEFORE_LINK_KEY, &own.encode());
             // Files opened from now on must not take the place of those that are kept.
             if let FlightSource::Files(set) = &own.flight {
-                self.desk.count_batches(set);
+                self.jobs.count_batches(set);
             }
             if let MapSource::Files(set) = &own.map {
-                self.desk.count_batches(set);
+                self.jobs.count_batches(set);
             }
-            self.desk.before_link = Some(own);
+            self.jobs.before_link = Some(own);
             let text = "It is kept aside: “Open what was open before the link”, among all commands \
                         (Ctrl+K), brings it back.";
             self.toasts.note(
@@ -69,12 +69,12 @@ impl App {
             ..Session::demo()
         });
         self.view.workspace = link.workspace;
-        self.desk.link = Some(link);
+        self.jobs.link = Some(link);
     }
 
     /// Looks at the flight as the link says, once the flight is there.
     pub(super) fn look_by_link(&mut self) {
-        let Some(link) = self.desk.link.take() else {
+        let Some(link) = self.jobs.link.take() else {
             return;
         };
         let map = &mut self.views.map;
@@ -89,7 +89,7 @@ impl App {
 
     /// Goes back to what was open before a link was followed.
     pub(super) fn open_before_link(&mut self, host: &mut dyn Host) {
-        let kept = self.desk.before_link.take();
+        let kept = self.jobs.before_link.take();
         let kept = kept.or_else(|| Session::decode(&host.recall(BEFORE_LINK_KEY)?));
         let Some(session) = kept else {
             let text = "No link was opened over work of yours.";

@@ -24,13 +24,13 @@ impl App {
             && self.views.log_tab == LogTab::Statistics
             && self.view.side_open
             && self.view.workspace == Workspace::Replay;
-        if !is_shown || self.desk.logs.answers.figures.is_some() {
+        if !is_shown || self.jobs.logs.answers.figures.is_some() {
             return;
         }
         let Some((asked, order)) = self.order(LogQuestion::Statistics) else {
             return;
         };
-        let answers = &mut self.desk.logs.answers;
+        let answers = &mut self.jobs.logs.answers;
         if answers.asked.as_ref() == Some(&asked) {
             return;
         }
@@ -67,7 +67,7 @@ impl App {
             self.toasts.note(host.now(), "No fields to save", text);
             return;
         };
-        if let Some(table) = self.desk.logs.answers.table.take() {
+        if let Some(table) = self.jobs.logs.answers.table.take() {
             host.cancel(table.id);
         }
         let (from, to) = asked.span;
@@ -78,7 +78,7 @@ impl App {
                 .map_or(&*order.file, |(stem, _)| stem),
         );
         let id = host.start(Job::AskLog(Box::new(order)));
-        self.desk.logs.answers.table = Some(Table {
+        self.jobs.logs.answers.table = Some(Table {
             id,
             name: format!("{name}-{from:.0}s-{to:.0}s.csv"),
             progress: 0.0,
@@ -120,7 +120,7 @@ impl App {
     }
 
     pub(super) fn answer_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        let answers = &mut self.desk.logs.answers;
+        let answers = &mut self.jobs.logs.answers;
         let is_table = answers.table.as_ref().is_some_and(|table| table.id == id);
         match event {
             JobEvent::Progress(progress, _) => {
@@ -166,7 +166,7 @@ impl App {
     }
 
     fn offer_table(&mut self, host: &mut dyn Host, text: &[u8], lacks: &[String]) {
-        let Some(table) = &self.desk.logs.answers.table else {
+        let Some(table) = &self.jobs.logs.answers.table else {
             return;
         };
         host.save_file(&table.name, text);

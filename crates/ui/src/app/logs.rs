@@ -5,9 +5,9 @@ use pilotage_core::flight::Flight;
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::Mission;
 
-use super::desk::Opening;
 use super::keeping::{provide, put_beside};
 use super::log_work::{LogAnswers, ReadingLog};
+use super::pending_jobs::Opening;
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::documents::{Documents, Session, Staged};
@@ -35,7 +35,7 @@ impl App {
         map: Option<MapSource>,
         mission: Option<Mission>,
     ) {
-        self.desk.logs.rereads = 0;
+        self.jobs.logs.rereads = 0;
         self.keep_files(host, &opening.key, &opening.name, &opening.files);
         self.read_log(host, opening.key.clone(), file, map, mission);
     }
@@ -49,7 +49,7 @@ impl App {
         map: MapSource,
         mission: Option<Mission>,
     ) {
-        self.desk.logs.rereads = 0;
+        self.jobs.logs.rereads = 0;
         self.read_log(host, key, flight.name.clone(), Some(map), mission);
     }
 
@@ -62,7 +62,7 @@ impl App {
         };
         let session = self.documents.session();
         self.read_log(host, key, file, Some(session.map), session.mission);
-        if let Some(reading) = &mut self.desk.logs.reading {
+        if let Some(reading) = &mut self.jobs.logs.reading {
             reading.is_again = true;
         }
     }
@@ -73,7 +73,7 @@ impl App {
             return;
         };
         let (key, file) = (log.key.clone(), log.file.clone());
-        let Some(mut files) = self.desk.keeping.files(&key) else {
+        let Some(mut files) = self.jobs.keeping.files(&key) else {
             let title = format!("Another vehicle of {file} cannot be chosen here");
             let text = "The browser keeps no logs as large as this one. `pilotage replay --vehicle` flies it on the \
                         terminal.";
@@ -100,7 +100,7 @@ impl App {
             key: key.clone(),
             file: file.clone(),
         }));
-        self.desk.logs.reading = Some(ReadingLog {
+        self.jobs.logs.reading = Some(ReadingLog {
             id,
             words: format!("Reading {file}"),
             key,
@@ -115,7 +115,7 @@ impl App {
 
     /// Stops reading a log; what was read stays. Whether one was being read.
     pub(super) fn stop_reading(&mut self, host: &mut dyn Host) -> bool {
-        let reading = self.desk.logs.reading.take();
+        let reading = self.jobs.logs.reading.take();
         if let Some(reading) = &reading {
             host.cancel(reading.id);
         }
@@ -123,15 +123,15 @@ impl App {
     }
 
     pub(super) fn log_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        if self.desk.logs.fetching.contains_key(&id) {
+        if self.jobs.logs.fetching.contains_key(&id) {
             self.series_event(id, event);
             return;
         }
-        if self.desk.logs.answers.has(id) {
+        if self.jobs.logs.answers.has(id) {
             self.answer_event(host, id, event);
             return;
         }
-        let Some(reading) = &mut self.desk.logs.reading else {
+        let Some(reading) = &mut self.jobs.logs.reading else {
             return;
         };
         match event {
@@ -153,19 +153,19 @@ impl App {
             }
             JobEvent::Failed(why) => {
                 let name = reading.file.clone();
-                self.desk.logs.reading = None;
+                self.jobs.logs.reading = None;
                 let title = format!("{name} was not read to its end");
                 let text = format!("{why} What was read of it stays.");
                 self.toasts.trouble(host.now(), title, text);
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.desk.logs.reading = None,
+            JobEvent::Finished | JobEvent::Cancelled => self.jobs.logs.reading = None,
             _ => {}
         }
     }
 
     /// The log being read takes the place of what is open, once there is something of it to show.
     fn show_log(&mut self, host: &mut dyn Host) {
-        let Some(reading) = &mut self.desk.logs.reading else {
+        let Some(reading) = &mut self.jobs.logs.reading else {
             return;
         };
         if std::mem::replace(&mut reading.is_shown, true) {
@@ -176,7 +176,7 @@ impl App {
         self.stop_flying(host);
         self.documents.begin_log(OpenLog::new(key, file), &source);
         self.leave_log(host);
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
         if !self.planning() {
             self.view.workspace = Workspace::Replay;
         }
@@ -188,7 +188,7 @@ impl App {
     }
 
     fn take_log(&mut self, host: &mut dyn Host, read: ReadLog) {
-        let Some(reading) = self.desk.logs.reading.take() else {
+        let Some(reading) = self.jobs.logs.reading.take() else {
             return;
         };
         let Some(log) = &mut self.documents.log else {
@@ -198,12 +198,12 @@ impl App {
         log.overview = Some(read.overview);
         let frame = read.flight.as_ref().ok().copied().flatten();
         log.tracks = (read.tracks, frame);
-        self.desk.logs.answers = LogAnswers::default();
+        self.jobs.logs.answers = LogAnswers::default();
         let plots = &mut self.views.log_plots;
         if plots.is_empty() || plots.panels().eq(OpenLog::likely_fields()) {
             plots.begin(log.first_fields());
         }
-        self.desk.logs.fetching.clear();
+        self.jobs.logs.fetching.clear();
         if let Some(why) = read.lost_pictures {
             let title = "The pictures beside the log were left out";
             self.toasts.trouble(host.now(), title.to_owned(), why);
@@ -271,14 +271,14 @@ impl App {
                 }
             }
             JobEvent::Finished | JobEvent::Cancelled => {
-                self.desk.logs.fetching.remove(&id);
+                self.jobs.logs.fetching.remove(&id);
             }
             // What is read by and by may have it yet.
-            JobEvent::Failed(_) if self.desk.logs.reading.is_some() => {
-                self.desk.logs.fetching.remove(&id);
+            JobEvent::Failed(_) if self.jobs.logs.reading.is_some() => {
+                self.jobs.logs.fetching.remove(&id);
             }
             JobEvent::Failed(_) => {
-                let series = self.desk.logs.fetching.remove(&id);
+                let series = self.jobs.logs.fetching.remove(&id);
                 if let (Some(log), Some(series)) = (&mut self.documents.log, series) {
                     log.series.remove(&series);
                 }
@@ -290,7 +290,7 @@ impl App {
 
     /// The worker that had the log is gone: another one has to read it first.
     pub(super) fn log_is_lost(&mut self) {
-        let work = &mut self.desk.logs;
+        let work = &mut self.jobs.logs;
         if work.reading.is_none() && work.rereads < MOST_REREADS {
             work.rereads += 1;
             work.lost = true;
@@ -299,7 +299,7 @@ impl App {
 
     /// Asks for the fields that are plotted and not there.
     pub(super) fn fetch_series(&mut self, host: &mut dyn Host) {
-        if std::mem::take(&mut self.desk.logs.lost) {
+        if std::mem::take(&mut self.jobs.logs.lost) {
             self.reopen_log(host);
             return;
         }
@@ -309,7 +309,7 @@ impl App {
         if log.outline.is_none() {
             return;
         }
-        let work = &mut self.desk.logs;
+        let work = &mut self.jobs.logs;
         let is_asked = |series: &SeriesName| work.fetching.values().any(|asked| asked == series);
         let track = self.views.map.track_field().cloned();
         let wanted = self.views.log_plots.fields().into_iter().cloned();

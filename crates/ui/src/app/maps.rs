@@ -41,11 +41,11 @@ impl App {
             }
             JobEvent::Remark(text) => self.tell_of_map(host, &text),
             JobEvent::Finished | JobEvent::Cancelled => {
-                self.desk.tiles.remove(&id);
+                self.jobs.tiles.remove(&id);
             }
             JobEvent::Failed(_) => {
                 // An empty tile is not asked for again; the map stays usable without it.
-                if let Some(key) = self.desk.tiles.remove(&id) {
+                if let Some(key) = self.jobs.tiles.remove(&id) {
                     let empty = pilotage_core::raster::Raster::filled(0, 0, [0; 4]);
                     self.views
                         .map
@@ -63,28 +63,28 @@ impl App {
                 if self.documents.run.is_none() && self.documents.flight.is_none() {
                     self.views.map.camera.center = info.bounds.center();
                 }
-                if std::mem::take(&mut self.desk.fit_map_when_known) {
+                if std::mem::take(&mut self.jobs.fit_map_when_known) {
                     self.views.map.fit(info.bounds);
                 }
                 self.documents.map = Some(info);
-                if std::mem::take(&mut self.desk.fit_when_known) {
+                if std::mem::take(&mut self.jobs.fit_when_known) {
                     self.fit_to_flight_and_map();
                 }
             }
             JobEvent::Failed(why) => {
-                self.desk.describe = None;
+                self.jobs.describe = None;
                 self.toasts
                     .trouble(host.now(), "The map cannot be shown", why);
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.desk.describe = None,
+            JobEvent::Finished | JobEvent::Cancelled => self.jobs.describe = None,
             _ => {}
         }
     }
 
     /// Whether a job makes the map ready or takes heights.
     pub(super) fn is_map_work(&self, id: JobId) -> bool {
-        let preparing = self.desk.preparing.as_ref().map(|p| p.0);
-        preparing == Some(id) || self.desk.heights == Some(id)
+        let preparing = self.jobs.preparing.as_ref().map(|p| p.0);
+        preparing == Some(id) || self.jobs.heights == Some(id)
     }
 
     pub(super) fn map_work_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
@@ -92,30 +92,30 @@ impl App {
             self.tell_of_map(host, &text);
             return;
         }
-        if self.desk.heights == Some(id) {
+        if self.jobs.heights == Some(id) {
             self.heights_event(host, event);
             return;
         }
         let now = host.now();
         match event {
             JobEvent::Progress(part, words) => {
-                self.desk.preparing = Some((id, part, words));
-                if now - self.desk.tiles_refreshed > REFRESH {
-                    self.desk.tiles_refreshed = now;
+                self.jobs.preparing = Some((id, part, words));
+                if now - self.jobs.tiles_refreshed > REFRESH {
+                    self.jobs.tiles_refreshed = now;
                     self.views.map.tiles.refresh();
                 }
             }
             JobEvent::Finished => {
-                self.desk.preparing = None;
+                self.jobs.preparing = None;
                 self.views.map.tiles.refresh();
             }
             JobEvent::Failed(why) => {
-                self.desk.preparing = None;
-                self.desk.prepare_declined = true;
+                self.jobs.preparing = None;
+                self.jobs.prepare_declined = true;
                 self.toasts
                     .trouble(now, "Wide views of the map stay incomplete", why);
             }
-            JobEvent::Cancelled => self.desk.preparing = None,
+            JobEvent::Cancelled => self.jobs.preparing = None,
             _ => {}
         }
     }
@@ -136,10 +136,10 @@ impl App {
                 self.documents.terrain.take(*grid);
             }
             JobEvent::Failed(why) => {
-                self.desk.heights = None;
+                self.jobs.heights = None;
                 self.toasts.trouble(now, "The heights cannot be read", why);
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.desk.heights = None,
+            JobEvent::Finished | JobEvent::Cancelled => self.jobs.heights = None,
             _ => {}
         }
     }
@@ -153,22 +153,22 @@ impl App {
 
     /// Has the map made ready for wide views, unless that is under way or was stopped.
     fn prepare_map(&mut self, host: &mut dyn Host) {
-        if self.desk.preparing.is_some() || self.desk.prepare_declined {
+        if self.jobs.preparing.is_some() || self.jobs.prepare_declined {
             return;
         }
         let job = host.start(Job::PrepareMap(PrepareMapOrder(
             self.documents.map_source.clone(),
         )));
-        self.desk.preparing = Some((job, 0.0, "Making an overview of the map".to_owned()));
+        self.jobs.preparing = Some((job, 0.0, "Making an overview of the map".to_owned()));
     }
 
     /// Stops making the map ready; true if that was under way.
     pub(super) fn stop_preparing(&mut self, host: &mut dyn Host) -> bool {
-        let Some((id, ..)) = self.desk.preparing.take() else {
+        let Some((id, ..)) = self.jobs.preparing.take() else {
             return false;
         };
         host.cancel(id);
-        self.desk.prepare_declined = true;
+        self.jobs.prepare_declined = true;
         let text = "Wide views show what was made of it; closer views are whole.";
         self.toasts
             .note(host.now(), "The overview was stopped", text);
@@ -177,7 +177,7 @@ impl App {
 
     /// Stops looking at opened files; true if that was under way.
     pub(super) fn stop_opening(&mut self, host: &mut dyn Host) -> bool {
-        let ids: Vec<JobId> = self.desk.opening.keys().copied().collect();
+        let ids: Vec<JobId> = self.jobs.opening.keys().copied().collect();
         for id in &ids {
             host.cancel(*id);
         }
@@ -209,17 +209,17 @@ impl App {
         self.change_map(host, source);
         self.views.map.fit(info.bounds);
         self.documents.map = Some(info);
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
     }
 
     /// Uses another elevation model.
     pub(super) fn take_terrain(&mut self, host: &mut dyn Host, key: &str, info: &TerrainInfo) {
-        if let Some(job) = self.desk.heights.take() {
+        if let Some(job) = self.jobs.heights.take() {
             host.cancel(job);
         }
         self.documents.terrain = Ground::of_files(key);
         host.store(TERRAIN_KEY, key.as_bytes());
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
         let text = format!(
             "Posts {:.0} m apart, heights above {}.",
             info.spacing,
@@ -231,7 +231,7 @@ impl App {
 
     /// Asks for the heights of the ground that is of interest, where they are not at hand.
     pub(super) fn ask_for_heights(&mut self, host: &mut dyn Host) {
-        if self.documents.terrain.key().is_none() || self.desk.heights.is_some() {
+        if self.documents.terrain.key().is_none() || self.jobs.heights.is_some() {
             return;
         }
         let Some(origin) = self.documents.world_origin() else {
@@ -252,7 +252,7 @@ impl App {
         };
         if self.documents.terrain.wants(origin, &area) {
             let order = HeightsOrder { key, origin, area };
-            self.desk.heights = Some(host.start(Job::TakeHeights(Box::new(order))));
+            self.jobs.heights = Some(host.start(Job::TakeHeights(Box::new(order))));
         }
     }
 

@@ -19,12 +19,12 @@ impl App {
                 change,
                 finished,
             } => {
-                self.desk.document_changed = true;
+                self.jobs.document_changed = true;
                 let stale = self.documents.edit_landmarks(&ids, &change, finished);
                 self.after_landmarks(stale, now);
             }
             PlanCommand::DeleteLandmarks(ids) => {
-                self.desk.document_changed = true;
+                self.jobs.document_changed = true;
                 let stale = self.documents.delete_landmarks(&ids);
                 self.selection = self.selection.filter(|id| !ids.contains(id));
                 self.after_landmarks(stale, now);
@@ -33,7 +33,7 @@ impl App {
                 let ids = self.views.planner.marked(self.selection);
                 let copies = self.documents.duplicate_landmarks(&ids);
                 if let Some(last) = copies.last() {
-                    self.desk.document_changed = true;
+                    self.jobs.document_changed = true;
                     self.selection = Some(*last);
                     self.views.planner.mark(copies);
                     self.after_landmarks(true, now);
@@ -48,7 +48,7 @@ impl App {
                     .suggest_command(command, &mut self.documents)
                     .landmarks;
                 if let Some(last) = ids.last() {
-                    self.desk.document_changed = true;
+                    self.jobs.document_changed = true;
                     // One is looked at; of several the proposals stay in sight.
                     self.selection = Some(*last).filter(|_| ids.len() == 1);
                     self.after_landmarks(true, now);
@@ -106,7 +106,7 @@ impl App {
                 if let Some(id) = self.selection {
                     let change = LandmarkChange::Reference(place);
                     let stale = self.documents.edit_landmarks(&[id], &change, true);
-                    self.desk.document_changed = true;
+                    self.jobs.document_changed = true;
                     self.after_landmarks(stale, now);
                 }
             }
@@ -137,12 +137,12 @@ impl App {
         planner.route = Some(documents.add_made(route, "Survey"));
         planner.tab = PlanTab::Route;
         planner.way_point = None;
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
     }
 
     fn add_drawn(&mut self, drawn: &Drawn, now: f64) {
         let id = self.documents.add_drawn(drawn);
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
         self.selection = Some(id);
         self.side_tab = SideTab::Landmarks;
         self.views.planner.tab = PlanTab::Landmarks;

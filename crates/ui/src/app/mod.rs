@@ -7,7 +7,6 @@ mod brief;
 mod columns;
 mod comparing;
 mod cutting;
-mod desk;
 mod detector;
 mod evaluating;
 mod evaluation;
@@ -29,6 +28,7 @@ mod logs;
 mod maps;
 mod marking;
 mod package;
+mod pending_jobs;
 mod photos;
 mod plan_report;
 mod planning;
@@ -58,7 +58,7 @@ use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
 use crate::views::{CameraView, DetectorView, InspectorView, MatchView, PlotsView, Tour};
 
-use desk::Desk;
+use pending_jobs::PendingJobs;
 
 /// Content of the column at the right below the camera picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -159,7 +159,7 @@ pub struct App {
     dialogs: Dialogs,
     toasts: Toasts,
     views: Views,
-    desk: Desk,
+    jobs: PendingJobs,
     evaluating: evaluation::Evaluating,
     commands: Vec<Command>,
     started: bool,

@@ -26,12 +26,12 @@ impl App {
         };
         let name = format!("{}.pilotage.zip", self.file_stem());
         let id = host.start(Job::Pack(Box::new(order)));
-        self.desk.packing = Some((id, name));
+        self.jobs.packing = Some((id, name));
     }
 
     /// Takes what the worker says of the mission file.
     pub(super) fn pack_event(&mut self, host: &mut dyn Host, event: JobEvent) {
-        let Some((_, name)) = &self.desk.packing else {
+        let Some((_, name)) = &self.jobs.packing else {
             return;
         };
         let now = host.now();
@@ -48,10 +48,10 @@ impl App {
                 }
             }
             JobEvent::Failed(why) => {
-                self.desk.packing = None;
+                self.jobs.packing = None;
                 self.toasts.trouble(now, "The mission was not saved", why);
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.desk.packing = None,
+            JobEvent::Finished | JobEvent::Cancelled => self.jobs.packing = None,
             _ => {}
         }
     }

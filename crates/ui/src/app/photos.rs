@@ -204,7 +204,7 @@ impl App {
     fn lay_photos(&mut self, host: &mut dyn Host) {
         self.stop_laying(host);
         if let Some(order) = self.documents.photos.begin() {
-            self.desk.laying = Some(host.start(Job::LayPhotos(Box::new(order))));
+            self.jobs.laying = Some(host.start(Job::LayPhotos(Box::new(order))));
         }
     }
 
@@ -231,17 +231,17 @@ impl App {
         let Some(order) = self.documents.photos.drape_order() else {
             return;
         };
-        if let Some((job, _)) = self.desk.draping.take() {
+        if let Some((job, _)) = self.jobs.draping.take() {
             host.cancel(job);
         }
         let number = self.documents.photos.chosen.unwrap_or_default();
         let job = host.start(Job::DrapePhoto(Box::new(order)));
-        self.desk.draping = Some((job, number));
+        self.jobs.draping = Some((job, number));
     }
 
     /// Stops laying photos; whether some were being laid. Those that were laid stay.
     pub(super) fn stop_laying(&mut self, host: &mut dyn Host) -> bool {
-        let job = self.desk.laying.take();
+        let job = self.jobs.laying.take();
         if let Some(job) = job {
             host.cancel(job);
             self.documents.photos.at_work = None;
@@ -256,7 +256,7 @@ impl App {
         id: JobId,
         event: &JobEvent,
     ) -> bool {
-        if let Some((_, number)) = self.desk.draping.filter(|(job, _)| *job == id) {
+        if let Some((_, number)) = self.jobs.draping.filter(|(job, _)| *job == id) {
             match event {
                 JobEvent::PhotoDraped(draped) => {
                     self.documents.photos.drape(number, Draped::clone(draped));
@@ -268,11 +268,11 @@ impl App {
                 _ => {}
             }
             if event.is_last() {
-                self.desk.draping = None;
+                self.jobs.draping = None;
             }
             return true;
         }
-        if self.desk.laying != Some(id) {
+        if self.jobs.laying != Some(id) {
             return false;
         }
         let photos = &mut self.documents.photos;
@@ -290,7 +290,7 @@ impl App {
         }
         if event.is_last() {
             self.documents.photos.at_work = None;
-            self.desk.laying = None;
+            self.jobs.laying = None;
         }
         true
     }

@@ -80,7 +80,7 @@ impl App {
             }
             PlanCommand::SetGround { height, finished } => {
                 self.documents.state_ground(height, Step::of(finished));
-                self.desk.document_changed = true;
+                self.jobs.document_changed = true;
             }
             PlanCommand::SetWind(wind) => self.views.planner.preferences.wind = wind,
             PlanCommand::Assess(_)
@@ -103,7 +103,7 @@ impl App {
                 self.views.planner.finder.found = None;
                 let step = Step::of(finished);
                 self.documents.edit_no_fly(index, step, change);
-                self.desk.document_changed = true;
+                self.jobs.document_changed = true;
             }
             PlanCommand::Find(command) => {
                 let Self {
@@ -115,11 +115,11 @@ impl App {
                     views.planner.marking = None;
                     views.map.picking = false;
                 }
-                self.desk.document_changed |= views.planner.find_command(command, documents);
+                self.jobs.document_changed |= views.planner.find_command(command, documents);
             }
             PlanCommand::ShowTab(tab) => self.views.planner.tab = tab,
             other => {
-                self.desk.document_changed = true;
+                self.jobs.document_changed = true;
                 self.edit_route(other);
             }
         }
@@ -153,7 +153,7 @@ impl App {
             .add_route(Some(&route.name), route.way_points);
         self.views.planner.route = Some(id);
         self.views.planner.fitted = false;
-        self.desk.document_changed = true;
+        self.jobs.document_changed = true;
     }
 
     fn edit_route(&mut self, command: PlanCommand) {

@@ -139,7 +139,7 @@ impl App {
                 .flat_map(|r| &r.steps)
                 .filter_map(|s| s.frame.as_ref())
         };
-        let job = self.desk.progress();
+        let job = self.jobs.progress();
         json!({
             "job": job.map(|(f, w)| json!({"progress": f, "words": w})),
             "run_steps": run.map_or(0, |r| r.steps.len()),
@@ -330,7 +330,7 @@ impl App {
             "detector": self.detector_json(),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
-            "download": self.desk.download.map(|d| {
+            "download": self.jobs.download.map(|d| {
                 json!({"done": d.done, "all": d.all, "failed": d.failed, "over": d.over})
             }),
             "toasts": toasts,
@@ -379,7 +379,7 @@ impl App {
         let documents = &self.documents;
         let workspace = self.view.workspace.label();
         let mut parts = vec![format!("{workspace} workspace. {}.", documents.title())];
-        if let Some((fraction, words)) = self.desk.progress() {
+        if let Some((fraction, words)) = self.jobs.progress() {
             let percent = 100.0 * fraction;
             parts.push(format!("Computing, {percent:.0} percent: {words}."));
         }

@@ -2,7 +2,7 @@
 
 use super::App;
 use super::aside::Aside;
-use super::desk::Desk;
+use super::pending_jobs::PendingJobs;
 use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
@@ -58,7 +58,7 @@ impl App {
             dialogs: super::Dialogs::default(),
             toasts: Toasts::default(),
             views: super::Views::default(),
-            desk: Desk::default(),
+            jobs: PendingJobs::default(),
             evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),
             started: false,
@@ -92,7 +92,7 @@ impl App {
         let aside = self.aside.take();
         if let Some(Aside::Taken) = aside {
             host.forget(UNREAD_KEY);
-            self.desk.document_changed = true;
+            self.jobs.document_changed = true;
             self.stored_session.clear();
         }
         if let Some(Aside::Keep(bytes)) = aside {
@@ -165,8 +165,8 @@ impl App {
         }
         let view = self.view.encode();
         let view_changed = view != self.stored_view;
-        let session_changed = self.desk.document_changed;
-        if !view_changed && !session_changed || !self.desk.keeping.is_done() {
+        let session_changed = self.jobs.document_changed;
+        if !view_changed && !session_changed || !self.jobs.keeping.is_done() {
             return;
         }
         let now = host.now();
@@ -177,7 +177,7 @@ impl App {
             return;
         }
         self.dirty_since = None;
-        self.desk.document_changed = false;
+        self.jobs.document_changed = false;
         if view_changed {
             host.store(VIEW_KEY, &view);
             self.stored_view = view;

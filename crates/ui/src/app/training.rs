@@ -40,7 +40,7 @@ impl App {
             );
             let change = LandmarkChange::Trained(outcome.detector);
             let stale = self.documents.edit_landmarks(&[trained.id], &change, true);
-            self.desk.document_changed = true;
+            self.jobs.document_changed = true;
             if stale {
                 self.run_is_stale(now);
             }

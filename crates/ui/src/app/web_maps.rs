@@ -21,7 +21,7 @@ impl App {
                     map.template.name
                 );
                 self.change_map(host, MapSource::Web(*map));
-                self.desk.document_changed = true;
+                self.jobs.document_changed = true;
                 self.toasts
                     .note(host.now(), "The map comes from the web", text);
             }
@@ -39,12 +39,12 @@ impl App {
             WebMapCommand::Download(area, zooms) => {
                 if let MapSource::Web(map) = &self.documents.map_source {
                     host.download(map.addresses_over(&area, zooms));
-                    self.desk.downloading = true;
+                    self.jobs.downloading = true;
                 }
             }
             WebMapCommand::StopDownload => {
                 host.stop_download();
-                self.desk.downloading = false;
+                self.jobs.downloading = false;
                 let text = "What has come stays here; start it again to go on.";
                 self.toasts
                     .note(host.now(), "The download was stopped", text);
@@ -54,15 +54,15 @@ impl App {
 
     /// Looks how far a download is, and says when it is over.
     pub(super) fn watch_download(&mut self, context: &egui::Context, host: &mut dyn Host) {
-        self.desk.download = host.download_state();
-        if !self.desk.downloading {
+        self.jobs.download = host.download_state();
+        if !self.jobs.downloading {
             return;
         }
         context.request_repaint_after(std::time::Duration::from_millis(200));
-        let Some(download) = self.desk.download.filter(|d| d.over) else {
+        let Some(download) = self.jobs.download.filter(|d| d.over) else {
             return;
         };
-        self.desk.downloading = false;
+        self.jobs.downloading = false;
         let got = download.all - download.failed;
         let now = host.now();
         if download.failed == 0 {
@@ -93,7 +93,7 @@ impl App {
                 .zip(map.screen_from_world())
                 .map(|(rect, view)| view.visible(rect)),
             gsd: map.camera.metres_per_point,
-            download: self.desk.download,
+            download: self.jobs.download,
         };
         dialog.show(ui.ctx(), &self.tokens, &scene, commands);
         self.dialogs.web_map = dialog;

@@ -7,7 +7,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
 use super::App;
-use super::desk::{FlyJob, Shown};
+use super::pending_jobs::{FlyJob, Shown};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
 use pilotage_jobs::{
@@ -64,11 +64,11 @@ impl App {
     pub(super) fn fly_again(&mut self, host: &mut dyn Host) {
         // What is edited meanwhile is added to the flight's own mission, which is yet to come.
         let awaited = |fly: &FlyJob| !fly.given && !fly.began();
-        if self.desk.fly.as_ref().is_some_and(awaited) {
-            self.desk.fly_again_at = Some(host.now() + FLY_AGAIN_AFTER);
+        if self.jobs.fly.as_ref().is_some_and(awaited) {
+            self.jobs.fly_again_at = Some(host.now() + FLY_AGAIN_AFTER);
             return;
         }
-        self.desk.fly_again_at = None;
+        self.jobs.fly_again_at = None;
         let again = self.documents.run.is_some();
         let mission = Some(self.documents.mission.clone());
         let flight = self.documents.flight_source.clone();
@@ -99,7 +99,7 @@ impl App {
             map: map.clone(),
             mission,
         }));
-        self.desk.fly = Some(FlyJob {
+        self.jobs.fly = Some(FlyJob {
             id,
             again,
             given,
@@ -114,11 +114,11 @@ impl App {
 
     /// Shows a run out of a file. The flight that is under way beneath it goes on for its pictures.
     pub(super) fn show_opened_run(&mut self, host: &mut dyn Host, run: Run) {
-        match self.desk.fly.as_mut().filter(|fly| fly.began()) {
+        match self.jobs.fly.as_mut().filter(|fly| fly.began()) {
             Some(fly) => {
                 fly.shown = Shown::Pictures;
-                self.desk.fly_again_at = None;
-                self.desk.align_after_flight = false;
+                self.jobs.fly_again_at = None;
+                self.jobs.align_after_flight = false;
             }
             None => self.stop_flying(host),
         }
@@ -128,16 +128,16 @@ impl App {
 
     /// Stops what is being flown; what has streamed in stays.
     pub(super) fn stop_flying(&mut self, host: &mut dyn Host) {
-        self.desk.fly_again_at = None;
-        self.desk.align_after_flight = false;
-        if let Some(fly) = self.desk.fly.take() {
+        self.jobs.fly_again_at = None;
+        self.jobs.align_after_flight = false;
+        if let Some(fly) = self.jobs.fly.take() {
             host.cancel(fly.id);
         }
     }
 
     pub(super) fn describe_map(&mut self, host: &mut dyn Host) {
         let source = self.documents.map_source.clone();
-        self.desk.describe = Some(host.start(Job::DescribeMap(DescribeMapOrder(source))));
+        self.jobs.describe = Some(host.start(Job::DescribeMap(DescribeMapOrder(source))));
     }
 
     /// Another map is shown: nothing of the old one is of use.
@@ -145,13 +145,13 @@ impl App {
         if self.documents.map_source == map && self.documents.map.is_some() {
             return;
         }
-        for id in self.desk.tiles.drain().map(|(id, _)| id) {
+        for id in self.jobs.tiles.drain().map(|(id, _)| id) {
             host.cancel(id);
         }
-        if let Some((job, ..)) = self.desk.preparing.take() {
+        if let Some((job, ..)) = self.jobs.preparing.take() {
             host.cancel(job);
         }
-        self.desk.prepare_declined = false;
+        self.jobs.prepare_declined = false;
         self.documents.map_source = map;
         self.documents.map = None;
         self.documents.distinctness.clear();
@@ -162,13 +162,13 @@ impl App {
 
     /// The mission changed in a way that changes the run.
     pub(super) fn run_is_stale(&mut self, now: f64) {
-        self.desk.fly_again_at = Some(now + FLY_AGAIN_AFTER);
-        self.desk.document_changed = true;
+        self.jobs.fly_again_at = Some(now + FLY_AGAIN_AFTER);
+        self.jobs.document_changed = true;
     }
 
     /// A landmark is to be examined soon.
     pub(super) fn examine_soon(&mut self, now: f64) {
-        self.desk.examine_at = Some(now + EXAMINE_AFTER);
+        self.jobs.examine_at = Some(now + EXAMINE_AFTER);
     }
 
     /// Starts what is due.
@@ -176,14 +176,14 @@ impl App {
         let now = host.now();
         // While people plan, the flight waits: its time is better spent on the prediction.
         let flies_now = !self.planning();
-        if flies_now && self.desk.fly_again_at.is_some_and(|at| at <= now) {
+        if flies_now && self.jobs.fly_again_at.is_some_and(|at| at <= now) {
             self.fly_again(host);
         }
         if self.is_examined_otherwise() {
             self.examine_soon(now);
         }
-        if self.desk.examine_at.is_some_and(|at| at <= now) {
-            self.desk.examine_at = None;
+        if self.jobs.examine_at.is_some_and(|at| at <= now) {
+            self.jobs.examine_at = None;
             self.examine(host);
         }
         self.documents.tend_noticed();
@@ -197,8 +197,8 @@ impl App {
         self.watch_download(context, host);
         self.decode_pictures(host);
         self.work_on_plan(context, host);
-        let waiting = self.desk.fly_again_at.is_some() && flies_now
-            || self.desk.examine_at.is_some()
+        let waiting = self.jobs.fly_again_at.is_some() && flies_now
+            || self.jobs.examine_at.is_some()
             || self.dirty_since.is_some();
         if waiting {
             context.request_repaint_after(std::time::Duration::from_millis(60));
@@ -207,7 +207,7 @@ impl App {
 
     fn examine(&mut self, host: &mut dyn Host) {
         let Some(id) = self.selection else { return };
-        self.desk.examined_in_vain = None;
+        self.jobs.examined_in_vain = None;
         let Some(bounds) = self.documents.mission.landmark(id).map(|l| l.bounds) else {
             return;
         };
@@ -216,7 +216,7 @@ impl App {
         if known.is_some_and(|d| (d.radius - radius).abs() < OTHER_RADIUS) {
             return;
         }
-        if let Some((job, _)) = self.desk.distinctness.take() {
+        if let Some((job, _)) = self.jobs.distinctness.take() {
             host.cancel(job);
         }
         let job = host.start(Job::Distinctness(DistinctnessOrder {
@@ -224,7 +224,7 @@ impl App {
             bounds,
             radius,
         }));
-        self.desk.distinctness = Some((job, id));
+        self.jobs.distinctness = Some((job, id));
     }
 
     /// Distance around a landmark within which the detector will look for it: that far look-alikes count,
@@ -239,15 +239,15 @@ impl App {
 
     /// Whether the selected landmark was compared for another uncertainty of the position.
     fn is_examined_otherwise(&self) -> bool {
-        let desk = &self.desk;
-        let waits = desk.distinctness.is_some() || desk.examine_at.is_some();
+        let jobs = &self.jobs;
+        let waits = jobs.distinctness.is_some() || jobs.examine_at.is_some();
         let Some(id) = self.selection.filter(|_| !waits) else {
             return false;
         };
         let known = self.documents.distinctness_of(id);
         let other =
             |d: &Distinctness| (d.radius - self.look_alike_radius(&d.bounds)).abs() >= OTHER_RADIUS;
-        let in_vain = desk
+        let in_vain = jobs
             .examined_in_vain
             .as_ref()
             .is_some_and(|(of, _)| *of == id);
@@ -255,23 +255,23 @@ impl App {
     }
 
     fn ask_for_tiles(&mut self, host: &mut dyn Host) {
-        if self.documents.run.is_none() && self.desk.fly.is_some() {
+        if self.documents.run.is_none() && self.jobs.fly.is_some() {
             // Where the flight begins is about to be known; anything else would be asked in vain.
             return;
         }
         let wanted = self.views.map.tiles.wanted();
         let stale: Vec<_> = self
-            .desk
+            .jobs
             .tiles
             .iter()
             .filter(|(_, key)| !wanted.contains(key))
             .map(|(id, _)| *id)
             .collect();
         for id in stale {
-            self.desk.tiles.remove(&id);
+            self.jobs.tiles.remove(&id);
             host.cancel(id);
         }
-        let under_way: Vec<_> = self.desk.tiles.values().copied().collect();
+        let under_way: Vec<_> = self.jobs.tiles.values().copied().collect();
         let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
         let next: Vec<_> = wanted
             .iter()
@@ -284,13 +284,13 @@ impl App {
                 map: self.documents.map_source.clone(),
                 window: key.window(),
             }));
-            self.desk.tiles.insert(id, key);
+            self.jobs.tiles.insert(id, key);
         }
     }
 
     /// Has the camera picture decoded that is looked at, then those that are likely to be next.
     fn decode_pictures(&mut self, host: &mut dyn Host) {
-        let decoding = &self.desk.decoding;
+        let decoding = &self.jobs.decoding;
         let is_idle = |encoded: &Arc<[u8]>| {
             let is_under_way = decoding.iter().any(|d| Arc::ptr_eq(&d.2, encoded));
             !is_under_way && !self.views.camera.is_prepared(encoded)
@@ -308,7 +308,7 @@ impl App {
             let id = host.start(Job::DecodePicture(DecodeOrder {
                 encoded: Arc::clone(&encoded),
             }));
-            self.desk.decoding.push((id, frame, encoded));
+            self.jobs.decoding.push((id, frame, encoded));
         }
     }
 
@@ -336,21 +336,21 @@ impl App {
             .as_ref()
             .is_some_and(|m| m.time == time && m.landmark == landmark);
         let asked = self
-            .desk
+            .jobs
             .explain
             .is_some_and(|(_, t, l)| t == time && l == landmark);
         // One question at a time: while the flight plays, the latest match is asked for next.
-        let busy = self.desk.explain.is_some() && self.playback.playing;
-        if known || asked || busy || self.desk.unexplained == Some((time, landmark)) {
+        let busy = self.jobs.explain.is_some() && self.playback.playing;
+        if known || asked || busy || self.jobs.unexplained == Some((time, landmark)) {
             return;
         }
         let Some(job) = self.explanation(ExplainedBy::Template, time, landmark) else {
             return;
         };
-        if let Some((old, ..)) = self.desk.explain.take() {
+        if let Some((old, ..)) = self.jobs.explain.take() {
             host.cancel(old);
         }
-        self.desk.explain = Some((host.start(job), time, landmark));
+        self.jobs.explain = Some((host.start(job), time, landmark));
     }
 
     /// Job that explains a landmark in a past step that has a picture.

@@ -1,8 +1,8 @@
 //! Jobs that keep their place without working, and turns between two programs of one role.
 
-use super::{Assigned, Crew, Job, JobId, Request, WorkerPort, role_at};
+use super::{Assigned, Job, JobId, Request, WorkerPool, WorkerPort, role_at};
 
-impl<P: WorkerPort> Crew<P> {
+impl<P: WorkerPort> WorkerPool<P> {
     /// Lets every flight that is being flown keep its place without working.
     pub fn hold_flights(&mut self) {
         let is_flight = |(_, assigned): &(&JobId, &Assigned)| matches!(assigned.job, Job::Fly(_));

@@ -64,7 +64,7 @@ pub trait RunningJob {
     /// Why it cannot go on, in words; its owner tells them as the job's last event.
     fn advance(
         &mut self,
-        workshop: &mut Workshop,
+        worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String>;
@@ -77,13 +77,13 @@ pub type OpenedMap = Result<Arc<dyn Imagery>, String>;
 #[derive(Clone, Copy)]
 pub struct Opens {
     /// Opens a map; the error says in words why not.
-    pub map: fn(&mut Workshop, &MapSource) -> OpenedMap,
+    pub map: fn(&mut WorkerState, &MapSource) -> OpenedMap,
     /// Opens a flight; the error says in words why not.
-    pub flight: fn(&mut Workshop, &FlightSource) -> Result<OpenFlight, String>,
+    pub flight: fn(&mut WorkerState, &FlightSource) -> Result<OpenFlight, String>,
 }
 
 /// The store of a worker. Everything in it can be made anew from the files.
-pub struct Workshop {
+pub struct WorkerState {
     opens: Opens,
     /// Files by key; a zip that cannot be read is told when the files are used.
     files: BTreeMap<String, Result<Arc<FilePool>, String>>,
@@ -103,8 +103,8 @@ pub struct Workshop {
     rehearsal: Option<(Vec<u8>, Days)>,
 }
 
-impl Workshop {
-    /// An empty workshop of a program that can do this.
+impl WorkerState {
+    /// Empty state of a worker whose program that can do this.
     pub fn new(opens: Opens) -> Self {
         Self {
             opens,

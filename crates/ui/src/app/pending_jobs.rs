@@ -88,7 +88,7 @@ pub struct Exporting {
     clippy::struct_excessive_bools,
     reason = "each is a wish of its own that waits for something"
 )]
-pub struct Desk {
+pub struct PendingJobs {
     /// The cut that is being made.
     pub cutting: Option<JobId>,
     /// The flight by every estimator.
@@ -170,7 +170,7 @@ pub struct Desk {
     pub unexplained: Option<(f64, u32)>,
 }
 
-impl Desk {
+impl PendingJobs {
     /// Counts on behind a set of opened files that an earlier visit kept.
     pub fn count_batches(&mut self, set: &str) {
         let number = set.rsplit('-').next().and_then(|n| n.parse().ok());

@@ -1,11 +1,11 @@
-//! The crew and its workers, tested with lines that only take notes.
+//! The pool and its workers, tested with lines that only take notes.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use pilotage_core::plan::Candidate;
 
-use super::{Crew, WorkerPort};
+use super::{WorkerPool, WorkerPort};
 use crate::FlightSource;
 use crate::{
     AssessmentOrder, COARSE, DecodeOrder, DescribeMapOrder, FlyOrder, Job, JobEvent, JobId,
@@ -40,14 +40,14 @@ impl WorkerPort for NotingPort {
     }
 }
 
-fn crew() -> (Crew<NotingPort>, Notes) {
+fn worker_pool() -> (WorkerPool<NotingPort>, Notes) {
     let notes = Notes::default();
     let line = notes.clone();
-    let crew = Crew::new(move |seat, _| {
+    let worker_pool = WorkerPool::new(move |seat, _| {
         line.borrow_mut().push(Note::Opened(seat));
         NotingPort(seat, line.clone())
     });
-    (crew, notes)
+    (worker_pool, notes)
 }
 
 fn fly() -> Job {
@@ -88,23 +88,23 @@ fn sent_to(notes: &Notes, seat: usize) -> Vec<Request> {
 
 #[test]
 fn a_picture_is_decoded_where_least_waits() {
-    let (mut crew, notes) = crew();
-    crew.warm_up();
+    let (mut worker_pool, notes) = worker_pool();
+    worker_pool.warm_up();
     let decode = || {
         Job::DecodePicture(DecodeOrder {
             encoded: vec![1, 2, 3].into(),
         })
     };
-    let (first, second) = (crew.start(decode()), crew.start(decode()));
+    let (first, second) = (worker_pool.start(decode()), worker_pool.start(decode()));
     assert_eq!(sent_to(&notes, 2), [Request::Start(first, decode())]);
     assert_eq!(sent_to(&notes, 1), [Request::Start(second, decode())]);
 }
 
 #[test]
 fn a_question_does_not_wait_behind_a_flight() {
-    let (mut crew, notes) = crew();
-    let flight = crew.start(fly());
-    let question = crew.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
+    let (mut worker_pool, notes) = worker_pool();
+    let flight = worker_pool.start(fly());
+    let question = worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
     assert_eq!(sent_to(&notes, 0), [Request::Start(flight, fly())]);
     let asked = Request::Start(
         question,
@@ -115,11 +115,11 @@ fn a_question_does_not_wait_behind_a_flight() {
 
 #[test]
 fn files_reach_a_worker_once_before_the_first_job_that_names_them() {
-    let (mut crew, notes) = crew();
-    crew.start(provide());
+    let (mut worker_pool, notes) = worker_pool();
+    worker_pool.start(provide());
     assert!(notes.borrow().is_empty(), "nobody needs them yet");
-    let first = crew.start(describe_files());
-    let second = crew.start(describe_files());
+    let first = worker_pool.start(describe_files());
+    let second = worker_pool.start(describe_files());
     let expected = [
         Request::Start(0, provide()),
         Request::Start(first, describe_files()),
@@ -130,28 +130,28 @@ fn files_reach_a_worker_once_before_the_first_job_that_names_them() {
 
 #[test]
 fn a_new_worker_gets_the_files_and_the_interrupted_job_again() {
-    let (mut crew, notes) = crew();
-    crew.start(provide());
-    let id = crew.start(describe_files());
-    crew.take_events();
-    crew.worker_died(WHOLE_SHOWS);
+    let (mut worker_pool, notes) = worker_pool();
+    worker_pool.start(provide());
+    let id = worker_pool.start(describe_files());
+    worker_pool.take_events();
+    worker_pool.worker_died(WHOLE_SHOWS);
     let again = [
         Request::Start(0, provide()),
         Request::Start(id, describe_files()),
     ];
     assert_eq!(sent_to(&notes, WHOLE_SHOWS)[2..], again);
-    assert_eq!(crew.take_lost(), 1);
-    assert!(matches!(crew.take_events()[..], [(job, JobEvent::Progress(..))] if job == id));
+    assert_eq!(worker_pool.take_lost(), 1);
+    assert!(matches!(worker_pool.take_events()[..], [(job, JobEvent::Progress(..))] if job == id));
 }
 
 #[test]
 fn a_job_whose_worker_dies_three_times_fails_and_says_that_documents_are_safe() {
-    let (mut crew, _) = crew();
-    let id = crew.start(fly());
+    let (mut worker_pool, _) = worker_pool();
+    let id = worker_pool.start(fly());
     for _ in 0..3 {
-        crew.worker_died(0);
+        worker_pool.worker_died(0);
     }
-    let events = crew.take_events();
+    let events = worker_pool.take_events();
     let Some((job, JobEvent::Failed(text))) = events.last() else {
         panic!("{events:?}");
     };
@@ -161,9 +161,11 @@ fn a_job_whose_worker_dies_three_times_fails_and_says_that_documents_are_safe() 
 
 #[test]
 fn a_worker_that_does_not_answer_is_replaced() {
-    let (mut crew, notes) = crew();
-    let id = crew.start(fly());
-    let replaced: Vec<bool> = (0..150).map(|n| crew.tick(500.0 * f64::from(n))).collect();
+    let (mut worker_pool, notes) = worker_pool();
+    let id = worker_pool.start(fly());
+    let replaced: Vec<bool> = (0..150)
+        .map(|n| worker_pool.tick(500.0 * f64::from(n)))
+        .collect();
     assert_eq!(replaced.iter().filter(|r| **r).count(), 1, "{replaced:?}");
     assert!(notes.borrow().contains(&Note::Closed(0)));
     let begun = sent_to(&notes, 0);
@@ -175,55 +177,58 @@ fn a_worker_that_does_not_answer_is_replaced() {
 
 #[test]
 fn a_worker_that_answers_late_but_answers_stays() {
-    let (mut crew, _) = crew();
-    crew.start(fly());
+    let (mut worker_pool, _) = worker_pool();
+    worker_pool.start(fly());
     for n in 0..600 {
         let now = 500.0 * f64::from(n);
-        assert!(!crew.tick(now), "replaced at {now} ms");
+        assert!(!worker_pool.tick(now), "replaced at {now} ms");
         if n % 50 == 49 {
-            crew.receive(0, Reply::Alive);
+            worker_pool.receive(0, Reply::Alive);
         }
     }
 }
 
 #[test]
 fn a_page_that_slept_does_not_accuse_its_workers() {
-    let (mut crew, _) = crew();
-    crew.start(fly());
-    assert!(!crew.tick(0.0));
-    assert!(!crew.tick(3_600_000.0), "an hour passed between two ticks");
+    let (mut worker_pool, _) = worker_pool();
+    worker_pool.start(fly());
+    assert!(!worker_pool.tick(0.0));
+    assert!(
+        !worker_pool.tick(3_600_000.0),
+        "an hour passed between two ticks"
+    );
 }
 
 #[test]
 fn what_a_worker_says_of_a_job_that_ended_is_not_heard() {
-    let (mut crew, _) = crew();
-    let id = crew.start(fly());
-    crew.receive(0, Reply::Event(id, JobEvent::Finished));
-    crew.receive(
+    let (mut worker_pool, _) = worker_pool();
+    let id = worker_pool.start(fly());
+    worker_pool.receive(0, Reply::Event(id, JobEvent::Finished));
+    worker_pool.receive(
         0,
         Reply::Event(id, JobEvent::Progress(0.5, "late".to_owned())),
     );
-    assert_eq!(crew.take_events(), [(id, JobEvent::Finished)]);
+    assert_eq!(worker_pool.take_events(), [(id, JobEvent::Finished)]);
 }
 
 #[test]
 fn workers_that_have_nothing_to_do_end_with_what_was_open_and_begin_again_when_needed() {
-    let (mut crew, notes) = crew();
-    crew.start(provide());
-    let id = crew.start(describe_files());
-    crew.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
-    let flight = crew.start(fly());
-    crew.let_go(&["flight".to_owned()].into());
+    let (mut worker_pool, notes) = worker_pool();
+    worker_pool.start(provide());
+    let id = worker_pool.start(describe_files());
+    worker_pool.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
+    let flight = worker_pool.start(fly());
+    worker_pool.let_go(&["flight".to_owned()].into());
     assert!(
         notes.borrow().contains(&Note::Closed(WHOLE_SHOWS)),
         "it was idle"
     );
     assert!(!notes.borrow().contains(&Note::Closed(0)), "it flies");
-    crew.receive(0, Reply::Event(flight, JobEvent::Cancelled));
+    worker_pool.receive(0, Reply::Event(flight, JobEvent::Cancelled));
     assert!(notes.borrow().contains(&Note::Closed(0)), "it has flown");
-    assert_eq!(crew.take_lost(), 0);
+    assert_eq!(worker_pool.take_lost(), 0);
     // The files in use are given to the new one.
-    let again = crew.start(describe_files());
+    let again = worker_pool.start(describe_files());
     let expected = [
         Request::Start(0, provide()),
         Request::Start(again, describe_files()),
@@ -233,18 +238,18 @@ fn workers_that_have_nothing_to_do_end_with_what_was_open_and_begin_again_when_n
 
 #[test]
 fn the_worker_that_has_read_the_log_in_use_stays_to_be_asked_about_it() {
-    let (mut crew, notes) = crew();
+    let (mut worker_pool, notes) = worker_pool();
     let read = |key: &str| {
         Job::ReadLog(ReadLogOrder {
             key: key.to_owned(),
             file: "flight.bin".to_owned(),
         })
     };
-    let id = crew.start(read("drop"));
-    crew.receive(WHOLE_FLIES, Reply::Event(id, JobEvent::Finished));
-    crew.let_go(&["drop".to_owned()].into());
-    let id = crew.start(fly());
-    crew.receive(WHOLE_FLIES, Reply::Event(id, JobEvent::Finished));
+    let id = worker_pool.start(read("drop"));
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(id, JobEvent::Finished));
+    worker_pool.let_go(&["drop".to_owned()].into());
+    let id = worker_pool.start(fly());
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(id, JobEvent::Finished));
     assert!(
         !notes.borrow().contains(&Note::Closed(WHOLE_FLIES)),
         "it has the log"
@@ -252,7 +257,7 @@ fn the_worker_that_has_read_the_log_in_use_stays_to_be_asked_about_it() {
     let keys = vec!["drop".to_owned()];
     let told = Request::Start(0, Job::LetGo(LetGoOrder { keys }));
     assert!(sent_to(&notes, WHOLE_FLIES).contains(&told));
-    crew.let_go(&["another".to_owned()].into());
+    worker_pool.let_go(&["another".to_owned()].into());
     assert!(
         notes.borrow().contains(&Note::Closed(WHOLE_FLIES)),
         "nobody asks"
@@ -261,19 +266,19 @@ fn the_worker_that_has_read_the_log_in_use_stays_to_be_asked_about_it() {
 
 #[test]
 fn a_worker_with_a_new_job_stays_without_the_files_that_nobody_needs() {
-    let (mut crew, notes) = crew();
-    crew.start(provide());
-    let id = crew.start(describe_files());
-    crew.let_go(&std::collections::BTreeSet::new());
-    let next = crew.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
+    let (mut worker_pool, notes) = worker_pool();
+    worker_pool.start(provide());
+    let id = worker_pool.start(describe_files());
+    worker_pool.let_go(&std::collections::BTreeSet::new());
+    let next = worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
     for id in [id, next] {
-        crew.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
+        worker_pool.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
     }
     assert!(!notes.borrow().contains(&Note::Closed(WHOLE_SHOWS)));
     let told = Request::Start(0, Job::LetGo(LetGoOrder { keys: Vec::new() }));
     assert!(sent_to(&notes, WHOLE_SHOWS).contains(&told));
     let sent = sent_to(&notes, WHOLE_SHOWS).len();
-    crew.start(describe_files());
+    worker_pool.start(describe_files());
     assert_eq!(
         sent_to(&notes, WHOLE_SHOWS).len(),
         sent + 1,
@@ -282,14 +287,14 @@ fn a_worker_with_a_new_job_stays_without_the_files_that_nobody_needs() {
 }
 
 /// A landmark to measure, the workers that share it, and the numbers of their shares.
-fn measured() -> (Crew<NotingPort>, Notes, JobId, [JobId; 2]) {
-    let (mut crew, notes) = crew();
-    let id = crew.start(Job::Assess(Box::new(order())));
+fn measured() -> (WorkerPool<NotingPort>, Notes, JobId, [JobId; 2]) {
+    let (mut worker_pool, notes) = worker_pool();
+    let id = worker_pool.start(Job::Assess(Box::new(order())));
     let shares = [WHOLE_FLIES, WHOLE_SHOWS].map(|seat| match sent_to(&notes, seat)[..] {
         [Request::Start(share, Job::AssessShare(_))] => share,
         _ => panic!("{:?}", notes.borrow()),
     });
-    (crew, notes, id, shares)
+    (worker_pool, notes, id, shares)
 }
 
 fn order() -> AssessmentOrder {
@@ -314,41 +319,44 @@ fn progress(event: &JobEvent) -> f32 {
 
 #[test]
 fn two_workers_share_a_measurement_and_tell_of_it_as_one() {
-    let (mut crew, notes, id, [even, odd]) = measured();
+    let (mut worker_pool, notes, id, [even, odd]) = measured();
     let done = |share| JobEvent::Progress(share, "View".to_owned());
-    crew.receive(WHOLE_FLIES, Reply::Event(even, done(0.5)));
-    crew.receive(WHOLE_SHOWS, Reply::Event(odd, done(0.25)));
-    let told = crew.take_events();
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(even, done(0.5)));
+    worker_pool.receive(WHOLE_SHOWS, Reply::Event(odd, done(0.25)));
+    let told = worker_pool.take_events();
     assert!(told.iter().all(|(of, _)| *of == id), "{told:?}");
     assert_eq!(progress(&told[0].1), 0.25);
     assert_eq!(progress(&told[1].1), 0.375);
     for (seat, share) in [(WHOLE_SHOWS, odd), (WHOLE_FLIES, even)] {
-        crew.receive(seat, Reply::Event(share, JobEvent::Views(Vec::new())));
-        crew.receive(seat, Reply::Event(share, JobEvent::Finished));
+        worker_pool.receive(seat, Reply::Event(share, JobEvent::Views(Vec::new())));
+        worker_pool.receive(seat, Reply::Event(share, JobEvent::Finished));
     }
-    assert!(crew.take_events().is_empty(), "the result is not there yet");
+    assert!(
+        worker_pool.take_events().is_empty(),
+        "the result is not there yet"
+    );
     let Some(Request::Start(sum, Job::SumUp(_))) = sent_to(&notes, WHOLE_FLIES).pop() else {
         panic!("{:?}", notes.borrow());
     };
-    crew.receive(WHOLE_FLIES, Reply::Event(sum, JobEvent::Finished));
-    assert_eq!(crew.take_events(), [(id, JobEvent::Finished)]);
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(sum, JobEvent::Finished));
+    assert_eq!(worker_pool.take_events(), [(id, JobEvent::Finished)]);
 }
 
 #[test]
 fn a_shared_measurement_is_cancelled_as_one_and_fails_as_one() {
-    let (mut crew, notes, id, [even, odd]) = measured();
-    crew.cancel(id);
+    let (mut worker_pool, notes, id, [even, odd]) = measured();
+    worker_pool.cancel(id);
     assert!(sent_to(&notes, WHOLE_FLIES).contains(&Request::Cancel(even)));
     assert!(sent_to(&notes, WHOLE_SHOWS).contains(&Request::Cancel(odd)));
-    crew.receive(WHOLE_FLIES, Reply::Event(even, JobEvent::Cancelled));
-    assert!(crew.take_events().is_empty());
-    crew.receive(WHOLE_SHOWS, Reply::Event(odd, JobEvent::Cancelled));
-    assert_eq!(crew.take_events(), [(id, JobEvent::Cancelled)]);
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(even, JobEvent::Cancelled));
+    assert!(worker_pool.take_events().is_empty());
+    worker_pool.receive(WHOLE_SHOWS, Reply::Event(odd, JobEvent::Cancelled));
+    assert_eq!(worker_pool.take_events(), [(id, JobEvent::Cancelled)]);
 
-    let (mut crew, notes, id, [even, odd]) = measured();
+    let (mut worker_pool, notes, id, [even, odd]) = measured();
     let failed = || JobEvent::Failed("too large.".to_owned());
-    crew.receive(WHOLE_FLIES, Reply::Event(even, failed()));
-    assert_eq!(crew.take_events(), [(id, failed())]);
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(even, failed()));
+    assert_eq!(worker_pool.take_events(), [(id, failed())]);
     assert!(sent_to(&notes, WHOLE_SHOWS).contains(&Request::Cancel(odd)));
 }
 
@@ -370,13 +378,13 @@ fn a_coarse_prediction_does_not_wait_behind_a_whole_one() {
             worlds,
         }))
     };
-    let (mut crew, notes) = crew();
-    let coarse = crew.start(predict(COARSE));
+    let (mut worker_pool, notes) = worker_pool();
+    let coarse = worker_pool.start(predict(COARSE));
     assert_eq!(sent_to(&notes, 2).len(), 1);
-    crew.receive(2, Reply::Event(coarse, JobEvent::Finished));
-    let fine = crew.start(predict(100));
-    crew.cancel(fine);
-    crew.start(predict(COARSE));
+    worker_pool.receive(2, Reply::Event(coarse, JobEvent::Finished));
+    let fine = worker_pool.start(predict(100));
+    worker_pool.cancel(fine);
+    worker_pool.start(predict(COARSE));
     assert_eq!(
         sent_to(&notes, 1).len(),
         1,
@@ -403,8 +411,8 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
         taken: Vec::new(),
         count: 3,
     };
-    let (mut crew, notes) = crew();
-    let id = crew.start(Job::Suggest(Box::new(asked)));
+    let (mut worker_pool, notes) = worker_pool();
+    let id = worker_pool.start(Job::Suggest(Box::new(asked)));
     let shares = [WHOLE_FLIES, WHOLE_SHOWS].map(|seat| match sent_to(&notes, seat)[..] {
         [Request::Start(share, Job::SuggestShare(_))] => share,
         _ => panic!("{:?}", notes.borrow()),
@@ -422,13 +430,16 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
     // The second share is done first; its places come last all the same.
     for (part, seat) in [(1, WHOLE_SHOWS), (0, WHOLE_FLIES)] {
         let places = vec![place(part as f64)];
-        crew.receive(
+        worker_pool.receive(
             seat,
             Reply::Event(shares[part], JobEvent::Candidates(part, places)),
         );
-        crew.receive(seat, Reply::Event(shares[part], JobEvent::Finished));
+        worker_pool.receive(seat, Reply::Event(shares[part], JobEvent::Finished));
     }
-    assert!(crew.take_events().is_empty(), "nothing is chosen yet");
+    assert!(
+        worker_pool.take_events().is_empty(),
+        "nothing is chosen yet"
+    );
     let Some(Request::Start(last, Job::Propose(ProposeOrder(_, found)))) =
         sent_to(&notes, WHOLE_FLIES).pop()
     else {
@@ -436,13 +447,16 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
     };
     assert_eq!(found, [place(0.0), place(1.0)]);
     let chosen = JobEvent::Suggestions(Vec::new());
-    crew.receive(WHOLE_FLIES, Reply::Event(last, chosen.clone()));
-    crew.receive(WHOLE_FLIES, Reply::Event(last, JobEvent::Finished));
-    assert_eq!(crew.take_events(), [(id, chosen), (id, JobEvent::Finished)]);
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(last, chosen.clone()));
+    worker_pool.receive(WHOLE_FLIES, Reply::Event(last, JobEvent::Finished));
+    assert_eq!(
+        worker_pool.take_events(),
+        [(id, chosen), (id, JobEvent::Finished)]
+    );
 }
 
-#[path = "crew_program_tests.rs"]
+#[path = "worker_pool_program_tests.rs"]
 mod programs;
 
-#[path = "crew_training_tests.rs"]
+#[path = "worker_pool_training_tests.rs"]
 mod trainings;

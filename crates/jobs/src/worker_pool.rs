@@ -51,7 +51,7 @@ struct Assigned {
 /// Workers are opened when first needed, with the smallest program that does what they are for; two with
 /// different programs for the same role take turns, the more urgent job first, as one worker would. Files that jobs name are kept here and given to a worker before
 /// the first job that names them.
-pub struct Crew<P> {
+pub struct WorkerPool<P> {
     open: Box<dyn FnMut(usize, Program) -> P>,
     seats: [Seat<P>; PLACES],
     jobs: BTreeMap<JobId, Assigned>,
@@ -67,8 +67,8 @@ pub struct Crew<P> {
     lost: usize,
 }
 
-impl<P: WorkerPort> Crew<P> {
-    /// A crew whose workers are opened by `open`, which gets the number of the seat and the program.
+impl<P: WorkerPort> WorkerPool<P> {
+    /// A pool whose workers are opened by `open`, which gets the number of the seat and the program.
     pub fn new(open: impl FnMut(usize, Program) -> P + 'static) -> Self {
         let seat = || Seat {
             port: None,
@@ -131,7 +131,7 @@ impl<P: WorkerPort> Crew<P> {
         self.shared.insert(id, whole);
     }
 
-    /// A number for a job that begins later, by [`Crew::begin`].
+    /// A number for a job that begins later, by [`WorkerPool::begin`].
     pub fn reserve(&mut self) -> JobId {
         self.last_job += 1;
         self.last_job
@@ -451,9 +451,9 @@ impl<P: WorkerPort> Crew<P> {
     }
 }
 
-#[path = "crew_turns.rs"]
+#[path = "worker_pool_turns.rs"]
 mod turns;
 
 #[cfg(test)]
-#[path = "crew_tests.rs"]
+#[path = "worker_pool_tests.rs"]
 mod tests;

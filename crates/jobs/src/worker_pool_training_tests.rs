@@ -21,8 +21,11 @@ fn train(left: Option<crate::TrainingLeft>) -> Job {
 
 #[test]
 fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
-    let (mut crew, notes) = crew();
-    let (first, second) = (crew.start(train(None)), crew.start(train(None)));
+    let (mut worker_pool, notes) = worker_pool();
+    let (first, second) = (
+        worker_pool.start(train(None)),
+        worker_pool.start(train(None)),
+    );
     assert_eq!(
         sent_to(&notes, WHOLE_FLIES),
         [Request::Start(first, train(None))]
@@ -31,8 +34,8 @@ fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
         sent_to(&notes, WHOLE_SHOWS),
         [Request::Start(second, train(None))]
     );
-    crew.hold(second, true);
-    let third = crew.start(train(None));
+    worker_pool.hold(second, true);
+    let third = worker_pool.start(train(None));
     let expected = [
         Request::Start(second, train(None)),
         Request::Hold(second, true),
@@ -48,15 +51,15 @@ fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
 #[test]
 fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() {
     use pilotage_core::frames::{GroundPoint, GroundRect};
-    let (mut crew, notes) = crew();
-    crew.start(fly());
+    let (mut worker_pool, notes) = worker_pool();
+    worker_pool.start(fly());
     let area = GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0);
     let window = pilotage_core::imagery::Window::covering(&area, 1.0);
     for _ in 0..4 {
         let map = MapSource::Scenery;
-        crew.start(Job::Tile(TileOrder { map, window }));
+        worker_pool.start(Job::Tile(TileOrder { map, window }));
     }
-    let training = crew.start(train(None));
+    let training = worker_pool.start(train(None));
     assert_eq!(
         sent_to(&notes, WHOLE_SHOWS)[0],
         Request::Start(training, train(None))
@@ -67,8 +70,8 @@ fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() 
 #[test]
 fn a_training_whose_worker_dies_goes_on_behind_its_last_whole_stage_and_stays_held() {
     use crate::{TrainingLeft, TrainingReport};
-    let (mut crew, notes) = crew();
-    let id = crew.start(train(None));
+    let (mut worker_pool, notes) = worker_pool();
+    let id = worker_pool.start(train(None));
     let left = TrainingLeft {
         progress: vec![4, 5, 6],
         stages: Vec::new(),
@@ -85,10 +88,10 @@ fn a_training_whose_worker_dies_goes_on_behind_its_last_whole_stage_and_stays_he
         };
         Reply::Event(id, JobEvent::Training(Box::new(report)))
     };
-    crew.receive(WHOLE_FLIES, report(Some(left.clone())));
-    crew.receive(WHOLE_FLIES, report(None));
-    crew.hold(id, true);
-    crew.worker_died(WHOLE_FLIES);
+    worker_pool.receive(WHOLE_FLIES, report(Some(left.clone())));
+    worker_pool.receive(WHOLE_FLIES, report(None));
+    worker_pool.hold(id, true);
+    worker_pool.worker_died(WHOLE_FLIES);
     let again = [
         Request::Start(id, train(Some(left))),
         Request::Hold(id, true),
