@@ -4,6 +4,16 @@
 ///
 /// `None` where nothing but the number says that it is an angle (neither a letter nor a degree sign), or where [`sexagesimal`]
 /// reads nothing. Of a negative number with a letter the letter counts.
+///
+/// ```
+/// use pilotage_base::angle_text::degrees_of_text;
+///
+/// // 51' 36" are 51.6', and these 0.86°.
+/// assert_eq!(degrees_of_text("33° 51' 36\" S"), Some(-33.86));
+/// assert_eq!(degrees_of_text("W18°30'"), Some(-18.5));
+/// // A bare number may be anything.
+/// assert_eq!(degrees_of_text("33.85"), None);
+/// ```
 pub fn degrees_of_text(text: &str) -> Option<f64> {
     let text = text.trim();
     let (rest, letter) = hemisphere(text);

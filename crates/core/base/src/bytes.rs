@@ -30,6 +30,16 @@ pub struct MemoryBytes {
 
 impl MemoryBytes {
     /// The file `name` with the given contents.
+    ///
+    /// ```
+    /// use pilotage_base::bytes::{ByteSource, MemoryBytes};
+    ///
+    /// let file = MemoryBytes::new("letters.txt", &b"abcdef"[..]);
+    /// assert_eq!((file.name(), file.length()), ("letters.txt", 6));
+    /// assert_eq!(file.read(2, 3)?, b"cde");
+    /// assert!(file.read(4, 3).is_err());
+    /// # Ok::<(), String>(())
+    /// ```
     pub fn new(name: impl Into<String>, bytes: impl Into<Arc<[u8]>>) -> Self {
         Self {
             name: name.into(),

@@ -164,6 +164,19 @@ pub enum Unresolved {
 /// set whose path ends with `name`, or else the only one with the same last part. A folder may be a zip.
 ///
 /// Returns its full name beside its contents.
+///
+/// ```
+/// use pilotage_base::files::{FileSink, MemoryFiles, find};
+///
+/// let mut files = MemoryFiles::default();
+/// files.write("brighton/frames/1.jpg", b"a picture")?;
+/// // The end of a path is enough where it means one file only.
+/// let found = find(&files, &["elsewhere"], "frames/1.jpg");
+/// let (name, bytes) = found.map_err(|unresolved| format!("{unresolved:?}"))?;
+/// assert_eq!(name, "brighton/frames/1.jpg");
+/// assert_eq!(bytes, b"a picture");
+/// # Ok::<(), String>(())
+/// ```
 pub fn find(
     files: &dyn FileSet,
     folders: &[&str],

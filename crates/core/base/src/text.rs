@@ -33,6 +33,13 @@ pub fn csv_cell(cell: &str) -> String {
 
 /// Date and time (UTC) of seconds since 1970 as ISO 8601 writes them, to the microsecond:
 /// `2014-05-18T10:20:31.250Z`. Years beyond 9999 and before 0 are written as they come.
+///
+/// ```
+/// use pilotage_base::text::utc_text;
+///
+/// // 1 January 2000 is 10 957 days after 1 January 1970.
+/// assert_eq!(utc_text(10_957.0 * 86_400.0 + 1.5), "2000-01-01T00:00:01.500Z");
+/// ```
 pub fn utc_text(seconds: f64) -> String {
     let micro = (seconds * 1e6).round();
     let days = (micro / 86_400e6).floor();

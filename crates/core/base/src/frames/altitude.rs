@@ -47,6 +47,17 @@ impl AltitudeFrame {
 
 impl Altitude {
     /// The altitude `metres` in `frame`.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{Altitude, AltitudeFrame, AltitudeReference};
+    ///
+    /// // 120 m above a field at 300 m, over a hill of 350 m.
+    /// let altitude = Altitude::new(120.0, AltitudeFrame::AboveTakeOff);
+    /// let reference = AltitudeReference { take_off: 300.0, ground: 350.0 };
+    /// assert_eq!(altitude.amsl(&reference), 420.0);
+    /// let above_hill = altitude.counted_from(AltitudeFrame::AboveGround, &reference);
+    /// assert_eq!(above_hill.metres, 70.0);
+    /// ```
     pub const fn new(metres: f64, frame: AltitudeFrame) -> Self {
         Self { metres, frame }
     }

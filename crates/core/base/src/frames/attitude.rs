@@ -6,6 +6,14 @@ use nalgebra::{Point3, Rotation3};
 use serde::{Deserialize, Serialize};
 
 /// The angle brought into (-π, π].
+///
+/// ```
+/// use std::f64::consts::PI;
+/// use pilotage_base::frames::wrap_pi;
+///
+/// // Three quarters of a turn to the right are a quarter to the left.
+/// assert!((wrap_pi(1.5 * PI) + 0.5 * PI).abs() < 1e-12);
+/// ```
 pub fn wrap_pi(angle: f64) -> f64 {
     let wrapped = (angle + PI).rem_euclid(TAU) - PI;
     if wrapped == -PI { PI } else { wrapped }
@@ -35,6 +43,18 @@ impl Attitude {
     /// Rotation that takes body vectors (forward-right-down) to world vectors (NED).
     ///
     /// DeAngelo 2016, eqs 34-36, transposed and with north-east-down axes.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use pilotage_base::frames::Attitude;
+    ///
+    /// // Heading east, level: forward is east and the right wing points south.
+    /// let attitude = Attitude::level(90_f64.to_radians());
+    /// let world_from_body = attitude.world_from_body();
+    /// let (forward, right) = (world_from_body * Vector3::x(), world_from_body * Vector3::y());
+    /// assert!((forward - Vector3::new(0.0, 1.0, 0.0)).norm() < 1e-12);
+    /// assert!((right - Vector3::new(-1.0, 0.0, 0.0)).norm() < 1e-12);
+    /// ```
     pub fn world_from_body(&self) -> Rotation3<f64> {
         Rotation3::from_euler_angles(self.roll, self.pitch, self.yaw)
     }

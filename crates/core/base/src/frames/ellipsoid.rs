@@ -31,6 +31,16 @@ impl Ellipsoid {
     /// Place in the frame with its origin in the Earth's centre, its x axis through the meridian of
     /// longitude 0 and its z axis through the north pole, metres. `latitude` and `longitude` are in
     /// radians, `height` above the ellipsoid in metres.
+    ///
+    /// ```
+    /// use std::f64::consts::FRAC_PI_2;
+    /// use pilotage_base::frames::Ellipsoid;
+    ///
+    /// // The north pole lies by the semi-minor axis of WGS 84 above the Earth's centre.
+    /// let pole = Ellipsoid::WGS84.geocentric(FRAC_PI_2, 0.0, 0.0);
+    /// assert!((pole.z - 6_356_752.314_245).abs() < 1e-6);
+    /// assert!(pole.xy().norm() < 1e-6);
+    /// ```
     pub fn geocentric(&self, latitude: f64, longitude: f64, height: f64) -> Vector3<f64> {
         let e2 = self.eccentricity_squared();
         let (sin_lat, cos_lat) = latitude.sin_cos();

@@ -60,6 +60,18 @@ impl GroundRect {
     }
 
     /// The smallest rectangle that holds all `points`, or `None` for no points.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{GroundPoint, GroundRect};
+    ///
+    /// let points = [(0.0, 10.0), (30.0, -10.0), (20.0, 0.0)];
+    /// let points = points.map(|(north, east)| GroundPoint::new(north, east));
+    /// let around = GroundRect::around(points);
+    /// let around = around.ok_or("no points")?;
+    /// assert_eq!((around.height(), around.width()), (30.0, 20.0));
+    /// assert_eq!(around.center(), GroundPoint::new(15.0, 0.0));
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn around(points: impl IntoIterator<Item = GroundPoint>) -> Option<Self> {
         points.into_iter().fold(None, |rect: Option<Self>, p| {
             let own = Self {

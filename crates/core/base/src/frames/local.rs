@@ -52,6 +52,18 @@ pub struct LocalFrame {
 
 impl LocalFrame {
     /// The frame with its origin there.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{Geodetic, LocalFrame};
+    ///
+    /// // At the equator a degree of longitude is π/180 of the semi-major axis: 111 319.49 m.
+    /// let world = LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0));
+    /// let east = world.world_from_geodetic(&Geodetic::from_degrees(0.0, 0.01, 0.0));
+    /// assert!((east.y - 1113.195).abs() < 0.001);
+    /// // 100 m up is 100 m against down.
+    /// let above = world.world_from_geodetic(&Geodetic::from_degrees(0.0, 0.0, 100.0));
+    /// assert!((above.z + 100.0).abs() < 1e-6);
+    /// ```
     pub fn new(origin: Geodetic) -> Self {
         Self { origin }
     }

@@ -40,6 +40,18 @@ pub enum ReferenceSystem {
 
 impl ReferenceSystem {
     /// The system with that EPSG code, if it is one of WGS 84 here.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{Geodetic, ReferenceSystem};
+    ///
+    /// let system = ReferenceSystem::from_epsg(32_617).ok_or("not known")?;
+    /// assert_eq!(system.name(), "WGS 84, UTM zone 17N");
+    /// // Zone 17 has its middle at 81° W, where x is 500 km; y counts from the equator.
+    /// let place = Geodetic::from_degrees(0.0, -81.0, 0.0);
+    /// let (x, y) = system.coordinates(&place).ok_or("too far")?;
+    /// assert!((x - 500_000.0).abs() < 1e-6 && y.abs() < 1e-6);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn from_epsg(code: u32) -> Option<Self> {
         let utm = |is_south: bool| Self::Utm {
             zone: (code % 100) as u8,

@@ -13,6 +13,14 @@ pub fn feet(value: f64) -> f64 {
 }
 
 /// Knots to metres per second.
+///
+/// ```
+/// use pilotage_base::frames::units::{feet, knots};
+///
+/// // A knot is a nautical mile of 1852 m an hour.
+/// assert!((knots(36.0) - 18.52).abs() < 1e-12);
+/// assert!((feet(400.0) - 121.92).abs() < 1e-12);
+/// ```
 pub fn knots(value: f64) -> f64 {
     value * MPS_PER_KNOT
 }

@@ -24,6 +24,17 @@ pub struct GroundFromPixel {
 
 impl GroundFromPixel {
     /// A north-up picture with its top-left corner at `corner` and square pixels of `gsd` metres.
+    ///
+    /// ```
+    /// use nalgebra::Point2;
+    /// use pilotage_base::{frames::GroundPoint, georeference::GroundFromPixel};
+    ///
+    /// // A corner 100 m north of the origin, pixels of 2 m.
+    /// let ground_from_pixel = GroundFromPixel::north_up(GroundPoint::new(100.0, 0.0), 2.0);
+    /// let ground = ground_from_pixel.ground_at(&Point2::new(10.0, 5.0));
+    /// assert_eq!(ground, GroundPoint::new(90.0, 20.0));
+    /// assert_eq!(ground_from_pixel.gsd(), 2.0);
+    /// ```
     pub fn north_up(corner: GroundPoint, gsd: f64) -> Self {
         Self {
             matrix: Matrix2::new(0.0, -gsd, gsd, 0.0),

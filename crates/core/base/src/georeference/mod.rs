@@ -134,6 +134,20 @@ impl Georeference {
     ///
     /// Such a file does not name its unit: numbers that fit longitude and latitude with pixels below
     /// a thousandth of a degree are taken for degrees, others for metres of the world frame.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
+    /// use pilotage_base::georeference::Georeference;
+    ///
+    /// // Pixels of 0.5 m; the middle of the top left one lies 100 m east and 200 m north of the origin.
+    /// let file = "0.5\n0\n0\n-0.5\n100\n200\n";
+    /// let georeference = Georeference::from_world_file(file)?;
+    /// # let world = LocalFrame::new(Geodetic::from_degrees(46.8, -92.0, 0.0));
+    /// // Ten columns to the right and four rows down; middles of pixels lie at halves.
+    /// let ground = georeference.ground_at(&world, 10.5, 4.5);
+    /// assert_eq!(ground, GroundPoint::new(198.0, 105.0));
+    /// # Ok::<(), pilotage_base::georeference::GeoreferenceError>(())
+    /// ```
     pub fn from_world_file(text: &str) -> Result<Self, GeoreferenceError> {
         let mut numbers = [0.0; 6];
         let mut count = 0;
