@@ -64,6 +64,21 @@ impl Consistency {
     }
 
     /// The summary for independent samples (NIS of one run), or `None` without samples.
+    ///
+    /// ```
+    /// use pilotage_estimation::filter::Consistency;
+    ///
+    /// let mut nees = Consistency::default();
+    /// for value in [1.0, 2.0, 3.0] {
+    ///     nees.push(value, 2);
+    /// }
+    /// let summary = nees.summary().ok_or("no samples")?;
+    /// assert_eq!((summary.mean, summary.dof), (2.0, 2.0));
+    /// // Chi-square with 6 degrees of freedom lies within 1.237 and 14.449, its third therefore within:
+    /// assert!((summary.lower_95 - 1.237 / 3.0).abs() < 1e-3);
+    /// assert!((summary.upper_95 - 14.449 / 3.0).abs() < 1e-3);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn summary(&self) -> Option<ConsistencySummary> {
         self.summary_of_runs(self.count)
     }

@@ -31,6 +31,21 @@ impl<const N: usize> Ukf<N> {
     /// Corrects the belief with `measurement`; DeAngelo 2016, eqs 20-22.
     ///
     /// `predicted` must come from this filter as it is now.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix1, Vector1};
+    /// use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
+    ///
+    /// let prior = Gaussian::new(Vector1::new(10.0), Matrix1::new(1.0));
+    /// let mut filter = Ukf::new(prior, UnscentedSettings::default())?;
+    /// let predicted = filter.predict_measurement(|x| Some(*x), &Matrix1::new(1.0))?;
+    /// let correction = filter.correct(&predicted, &Vector1::new(12.0))?;
+    /// // Two sources that are trusted alike: the mean of both, half the variance, NIS 2² / (1 + 1).
+    /// assert!((filter.mean()[0] - 11.0).abs() < 1e-12);
+    /// assert!((filter.state().covariance[(0, 0)] - 0.5).abs() < 1e-12);
+    /// assert!((correction.nis - 2.0).abs() < 1e-12);
+    /// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+    /// ```
     #[inline]
     pub fn correct<M: Dim>(
         &mut self,

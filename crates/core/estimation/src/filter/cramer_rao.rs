@@ -22,6 +22,17 @@ pub struct CramerRao<const N: usize> {
 
 impl<const N: usize> CramerRao<N> {
     /// Information of a prior with this covariance.
+    ///
+    /// ```
+    /// use nalgebra::Matrix2;
+    /// use pilotage_estimation::filter::CramerRao;
+    ///
+    /// // A position known to 2 m on each axis is measured to 2 m: 2 m² are left on each.
+    /// let mut bound = CramerRao::<2>::from_prior(&(Matrix2::identity() * 4.0))?;
+    /// bound.update(&Matrix2::identity(), &(Matrix2::identity() * 4.0))?;
+    /// assert!((bound.position_bound()? - 2.0).abs() < 1e-12); // √(2 + 2)
+    /// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+    /// ```
     pub fn from_prior(covariance: &SMatrix<f64, N, N>) -> Result<Self, FilterError> {
         Ok(Self {
             information: inverse(covariance, "prior covariance")?,

@@ -21,6 +21,20 @@ pub struct Ekf<const N: usize>(Ukf<N>);
 impl<const N: usize> Ekf<N> {
     /// A filter that believes `prior`; `shown` says how far from the mean the sigma points lie that are
     /// shown of it. The filter itself uses none.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix1, Vector1};
+    /// use pilotage_estimation::filter::{Ekf, Gaussian, UnscentedSettings};
+    ///
+    /// let prior = Gaussian::new(Vector1::new(3.0), Matrix1::new(0.25));
+    /// let mut filter = Ekf::new(prior, UnscentedSettings::default())?;
+    /// // x² is measured: 9 expected, slope 6, so that S = 6 · 0.25 · 6 + 1 and the gain is 1.5 / S.
+    /// let predicted =
+    ///     filter.predict_measurement(Vector1::new(9.0), &Matrix1::new(6.0), &Matrix1::new(1.0))?;
+    /// filter.correct(&predicted, &Vector1::new(10.0))?;
+    /// assert!((filter.mean()[0] - (3.0 + 1.5 / 10.0)).abs() < 1e-12);
+    /// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+    /// ```
     pub fn new(prior: Gaussian<N>, shown: UnscentedSettings) -> Result<Self, FilterError> {
         let settings = UnscentedSettings {
             redraw: Redraw::AfterProcessNoise,

@@ -87,6 +87,16 @@ impl Gate {
     }
 
     /// Judges a normalised innovation squared.
+    ///
+    /// ```
+    /// use pilotage_estimation::filter::Gate;
+    ///
+    /// // Two components stay below 5.991 in 95 % of all cases.
+    /// let gate = Gate { confidence: 0.95 };
+    /// assert!(gate.verdict(5.9, 2).accepted);
+    /// assert!(!gate.verdict(6.1, 2).accepted);
+    /// assert!((gate.threshold(2) - 5.991).abs() < 1e-3);
+    /// ```
     pub fn verdict(&self, nis: f64, dof: usize) -> Verdict {
         let threshold = self.threshold(dof);
         let reason = if !nis.is_finite() {

@@ -38,6 +38,18 @@ impl<const N: usize> Gaussian<N> {
     /// Normalised estimation error squared: (truth - mean)ᵀ P⁻¹ (truth - mean).
     ///
     /// Chi-square with `N` degrees of freedom when the belief is honest.
+    ///
+    /// ```
+    /// use nalgebra::Vector2;
+    /// use pilotage_estimation::filter::Gaussian;
+    ///
+    /// let (mean, deviations) = (Vector2::new(10.0, 0.0), Vector2::new(2.0, 1.0));
+    /// let belief = Gaussian::from_standard_deviations(mean, &deviations);
+    /// // Two standard deviations off in one component, one in the other: 2² + 1².
+    /// let nees = belief.nees(&Vector2::new(14.0, -1.0))?;
+    /// assert!((nees - 5.0).abs() < 1e-12);
+    /// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+    /// ```
     pub fn nees(&self, truth: &SVector<f64, N>) -> Result<f64, FilterError> {
         let root = cholesky_root(&self.covariance, "state covariance")?;
         Ok(solve_lower(&root, truth - self.mean).norm_squared())

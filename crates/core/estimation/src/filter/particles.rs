@@ -84,6 +84,21 @@ pub struct ParticleFilter<const N: usize> {
 impl<const N: usize> ParticleFilter<N> {
     /// A filter whose particles are drawn from `prior`; `shown` says how far from the mean the sigma
     /// points lie that are shown of it.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix2, Vector2};
+    /// use pilotage_estimation::filter::{
+    ///     Gaussian, ParticleFilter, ParticleSettings, UnscentedSettings,
+    /// };
+    ///
+    /// let prior = Gaussian::new(Vector2::new(5.0, -3.0), Matrix2::identity());
+    /// let settings = ParticleSettings { count: 500, ..ParticleSettings::default() };
+    /// let filter = ParticleFilter::new(&prior, settings, UnscentedSettings::default())?;
+    /// // All weigh the same; the error of the mean of 500 is 1/√500 on each axis, 0.045.
+    /// assert!((filter.effective_count() - 500.0).abs() < 1e-6);
+    /// assert!((filter.state().mean - prior.mean).norm() < 4.0 * 0.045);
+    /// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+    /// ```
     pub fn new(
         prior: &Gaussian<N>,
         settings: ParticleSettings,

@@ -65,6 +65,18 @@ pub struct Weights {
 
 impl Weights {
     /// Weights of Table 3, or with a secondary scaling κ ≠ 0 those of Merwe.
+    ///
+    /// ```
+    /// use pilotage_estimation::filter::{UnscentedSettings, Weights};
+    ///
+    /// // The second line of the table.
+    /// let settings = UnscentedSettings { alpha: 0.5, ..UnscentedSettings::default() };
+    /// let weights = Weights::new::<4>(&settings, 0.0)?;
+    /// assert_eq!((weights.eta, weights.mean_centre, weights.outer), (1.0, -3.0, 0.5));
+    /// // The centre and eight outer points together weigh 1.
+    /// assert_eq!(weights.mean_centre + 8.0 * weights.outer, 1.0);
+    /// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+    /// ```
     pub fn new<const N: usize>(
         settings: &UnscentedSettings,
         kappa: f64,

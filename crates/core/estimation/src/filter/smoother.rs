@@ -68,6 +68,23 @@ impl<const N: usize> SmootherLink<N> {
 /// end.
 ///
 /// For a linear process this is the Rauch-Tung-Striebel smoother (1965), whatever the weights.
+///
+/// ```
+/// use nalgebra::{Matrix1, Vector1};
+/// use pilotage_estimation::filter::{Gaussian, SmootherLink, Ukf, UnscentedSettings, smooth};
+///
+/// // A position that moves by 2 m and keeps its variance of 1.
+/// let prior = Gaussian::new(Vector1::new(0.0), Matrix1::new(1.0));
+/// let mut filter = Ukf::new(prior, UnscentedSettings::default())?;
+/// let prediction = filter.predict(|x| x.add_scalar(2.0), &Matrix1::zeros())?;
+/// let link = SmootherLink::of(&prediction, filter.weights());
+/// // Measured at the end: 4, as good as the belief. Half of the surprise is that of the start.
+/// let predicted = filter.predict_measurement(|x| Some(*x), &Matrix1::new(1.0))?;
+/// filter.correct(&predicted, &Vector1::new(4.0))?;
+/// let beliefs = smooth(&[link], &filter.state())?;
+/// assert!((beliefs[0].mean[0] - 1.0).abs() < 1e-9);
+/// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+/// ```
 pub fn smooth<const N: usize>(
     links: &[SmootherLink<N>],
     last: &Gaussian<N>,

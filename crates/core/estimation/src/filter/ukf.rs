@@ -121,6 +121,21 @@ impl<const N: usize> Ukf<N> {
     /// Moves the belief through `process` and adds `process_noise`; DeAngelo 2016, eqs 9-15.
     ///
     /// `process_noise` is the covariance Q of this step and may be singular.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix2, Vector2};
+    /// use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
+    ///
+    /// // Position and speed on a line, known to 1 m and 2 m/s.
+    /// let (mean, deviations) = (Vector2::new(0.0, 3.0), Vector2::new(1.0, 2.0));
+    /// let prior = Gaussian::from_standard_deviations(mean, &deviations);
+    /// let mut filter = Ukf::new(prior, UnscentedSettings::default())?;
+    /// filter.predict(|x| Vector2::new(x[0] + x[1], x[1]), &Matrix2::zeros())?;
+    /// // A second later the variance of the position is 1² + 2².
+    /// assert!((filter.mean()[0] - 3.0).abs() < 1e-12);
+    /// assert!((filter.state().covariance[(0, 0)] - 5.0).abs() < 1e-12);
+    /// # Ok::<(), pilotage_estimation::filter::FilterError>(())
+    /// ```
     #[inline]
     pub fn predict(
         &mut self,

@@ -26,6 +26,18 @@ pub struct ControlInput {
 
 impl ControlInput {
     /// Airspeed in m/s and attitude.
+    ///
+    /// ```
+    /// use nalgebra::Vector4;
+    /// use pilotage_base::frames::Attitude;
+    /// use pilotage_estimation::vehicle::{AirplaneWind, ControlInput, VehicleModel};
+    ///
+    /// // 20 m/s towards the east in air that moves north by 5 m/s, for ten seconds.
+    /// let input = ControlInput::new(20.0, Attitude::level(90_f64.to_radians()));
+    /// let state = Vector4::new(0.0, 0.0, 5.0, 0.0);
+    /// let later = AirplaneWind::default().propagate(&state, &input, 10.0);
+    /// assert!((later - Vector4::new(50.0, 200.0, 5.0, 0.0)).norm() < 1e-9);
+    /// ```
     pub fn new(airspeed: f64, attitude: Attitude) -> Self {
         Self {
             airspeed: Some(airspeed),

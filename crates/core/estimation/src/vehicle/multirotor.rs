@@ -28,6 +28,18 @@ use pilotage_base::frames::units::GRAVITY;
 /// - The thrust that holds the height pushes by g tan φ / cos θ to the right.
 ///
 /// With k = 0 and calm air it is the printed one.
+///
+/// ```
+/// use nalgebra::Vector6;
+/// use pilotage_base::frames::Attitude;
+/// use pilotage_estimation::vehicle::{ControlInput, Multirotor, VehicleModel};
+///
+/// // A level multirotor that rests in air that moves north by 2 m/s goes with it.
+/// let input = ControlInput::without_airspeed(Attitude::level(0.0));
+/// let state = Vector6::new(0.0, 0.0, 2.0, 0.0, 0.0, 0.0);
+/// let later = Multirotor::default().propagate(&state, &input, 10.0);
+/// assert!((later[0] - 20.0).abs() < 1e-9);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Multirotor {

@@ -114,6 +114,15 @@ impl VehicleSettings {
     }
 
     /// The model with this key and its default settings.
+    ///
+    /// ```
+    /// use pilotage_estimation::vehicle::VehicleSettings;
+    ///
+    /// let vehicle = VehicleSettings::from_key("random-walk").ok_or("no such model")?;
+    /// assert_eq!(vehicle.state_components(), [("north", "m"), ("east", "m")]);
+    /// assert!(VehicleSettings::from_key("balloon").is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn from_key(key: &str) -> Option<Self> {
         all_vehicles().into_iter().find(|v| v.key() == key)
     }
