@@ -34,6 +34,18 @@ impl Distortion {
 
     /// Point at which the lens puts the one that an ideal lens would put at `ideal` (both in units of the
     /// focal length from the principal point).
+    ///
+    /// ```
+    /// use nalgebra::Point2;
+    /// use pilotage_raster::camera::Distortion;
+    ///
+    /// let barrel = Distortion { k1: -0.1, ..Distortion::default() };
+    /// // r² = 0.25: the point moves in by 2.5 %.
+    /// let ideal = Point2::new(0.5, 0.0);
+    /// let seen = barrel.distort(&ideal);
+    /// assert!((seen.x - 0.4875).abs() < 1e-12);
+    /// assert!((barrel.undistort(&seen) - ideal).norm() < 1e-9);
+    /// ```
     pub fn distort(&self, ideal: &Point2<f64>) -> Point2<f64> {
         let (x, y) = (ideal.x, ideal.y);
         let s = x * x + y * y;

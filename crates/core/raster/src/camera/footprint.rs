@@ -21,6 +21,21 @@ impl CameraModel {
     ///
     /// Ground farther than [`FARTHEST_HEIGHTS`] times the height above it is cut off, and so is
     /// what lies over the horizon. A straight edge of an undistorted picture has only its ends.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use pilotage_base::frames::{Attitude, GroundRect, Pose};
+    /// use pilotage_raster::camera::CameraModel;
+    ///
+    /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians());
+    /// # let (position_in_world, attitude) = (Point3::new(0.0, 0.0, -100.0), Attitude::level(0.0));
+    /// # let pose = Pose { position_in_world, attitude };
+    /// // 100 m up, level, heading north: 200 m across, and 480 / 640 of that along.
+    /// let seen = GroundRect::around(camera.footprint(&pose, 0.0)).ok_or("nothing in view")?;
+    /// assert!((seen.width() - 200.0).abs() < 1e-9);
+    /// assert!((seen.height() - 150.0).abs() < 1e-9);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn footprint(&self, pose: &Pose, ground_down: f64) -> Vec<GroundPoint> {
         let height = ground_down - pose.position_in_world.z;
         self.footprint_within(pose, ground_down, FARTHEST_HEIGHTS * height)

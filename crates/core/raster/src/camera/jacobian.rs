@@ -24,6 +24,20 @@ impl CameraModel {
 
     /// Derivative of the pixel of a point by roll, pitch and yaw, pixels per radian, by central
     /// differences; `None` where the point cannot be seen.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use pilotage_base::frames::{Attitude, Pose};
+    /// use pilotage_raster::camera::CameraModel;
+    ///
+    /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians()); // focal length 320 pixels
+    /// # let (position_in_world, attitude) = (Point3::new(0.0, 0.0, -100.0), Attitude::level(0.0));
+    /// # let pose = Pose { position_in_world, attitude };
+    /// // A milliradian of pitch moves what lies below by f · 0.001 = 0.32 pixels.
+    /// let by_attitude = camera.pixel_by_attitude(&pose, &Point3::origin()).ok_or("not in view")?;
+    /// assert!((0.001 * by_attitude[(1, 1)].abs() - 0.32).abs() < 1e-6);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn pixel_by_attitude(
         &self,
         pose: &Pose,

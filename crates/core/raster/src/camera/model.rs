@@ -61,6 +61,15 @@ impl CameraModel {
     /// An undistorted pinhole with the principal point in the middle, looking straight down.
     ///
     /// `horizontal_fov` in radians.
+    ///
+    /// ```
+    /// use pilotage_raster::camera::CameraModel;
+    ///
+    /// // Half of 640 pixels under 45°: the focal length is 320 pixels.
+    /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians());
+    /// assert!((camera.focal - 320.0).abs() < 1e-9);
+    /// assert_eq!((camera.principal.x, camera.principal.y), (320.0, 240.0));
+    /// ```
     pub fn pinhole(width: usize, height: usize, horizontal_fov: f64) -> Self {
         Self {
             width,
@@ -113,6 +122,23 @@ impl CameraModel {
     ///
     /// The pixel may lie outside the picture. DeAngelo 2016, eqs 32-46, with a pinhole in place of
     /// his λ.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use pilotage_base::frames::{Attitude, Pose};
+    /// use pilotage_raster::camera::CameraModel;
+    ///
+    /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians()); // focal length 320 pixels
+    /// // 100 m above the origin, level, heading north: 10 m on the ground are 32 pixels.
+    /// let (position_in_world, attitude) = (Point3::new(0.0, 0.0, -100.0), Attitude::level(0.0));
+    /// let pose = Pose { position_in_world, attitude };
+    /// let north = camera.project(&pose, &Point3::new(10.0, 0.0, 0.0)).ok_or("behind the lens")?;
+    /// assert!((north.x - 320.0).abs() < 1e-9 && (north.y - 208.0).abs() < 1e-9);
+    /// // And back.
+    /// let ground = camera.ground_at(&pose, &north, 0.0).ok_or("above the horizon")?;
+    /// assert!((ground.north - 10.0).abs() < 1e-9 && ground.east.abs() < 1e-9);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn project(&self, pose: &Pose, point_in_world: &Point3<f64>) -> Option<Point2<f64>> {
         let p = self.camera_from_world(pose) * (point_in_world - pose.position_in_world);
         self.pixel_from_camera(&p)

@@ -94,6 +94,21 @@ fn clear(
 impl GeoreferencedPicture {
     /// Imagery of `picture` lying on the ground as stated; `None` if the picture is empty or the
     /// map does not span an area.
+    ///
+    /// ```
+    /// use pilotage_base::{frames::GroundPoint, georeference::GroundFromPixel};
+    /// use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Window};
+    /// use pilotage_raster::raster::Raster;
+    ///
+    /// // 8 × 8 pixels of 2 m, north-west corner at the origin; the eastern half is white.
+    /// let picture = Raster::from_fn(8, 8, |x, _| if x < 4 { [0, 0, 0, 255] } else { [255; 4] });
+    /// let place = GroundFromPixel::north_up(GroundPoint::new(0.0, 0.0), 2.0);
+    /// let map = GeoreferencedPicture::new("halves", picture, place).ok_or("no area")?;
+    /// let window = Window { north_edge: -4.0, west_edge: 10.0, gsd: 2.0, width: 1, height: 1 };
+    /// assert_eq!(map.window(&window).get(0, 0), [255; 4]);
+    /// assert_eq!(map.bounds().east, 16.0);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn new(
         name: impl Into<String>,
         picture: Raster<Rgba>,

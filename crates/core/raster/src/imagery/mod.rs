@@ -38,6 +38,17 @@ pub struct Window {
 
 impl Window {
     /// The window that covers `rect` at `gsd` metres per pixel (its size is rounded up).
+    ///
+    /// ```
+    /// use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// use pilotage_raster::imagery::Window;
+    ///
+    /// let rect = GroundRect::centered(GroundPoint::new(0.0, 0.0), 60.0, 100.0);
+    /// let window = Window::covering(&rect, 0.5);
+    /// assert_eq!((window.width, window.height), (200, 120));
+    /// assert_eq!(window.pixel_at(&GroundPoint::new(30.0, -50.0)), (0.0, 0.0));
+    /// assert_eq!(window.ground_at(100.0, 60.0), GroundPoint::new(0.0, 0.0));
+    /// ```
     pub fn covering(rect: &GroundRect, gsd: f64) -> Self {
         Self {
             north_edge: rect.north,

@@ -71,6 +71,16 @@ pub fn blur_interleaved(samples: &mut [f32], width: usize, channels: usize, sigm
 }
 
 /// The mean over a window of `2·radius + 1` pixels a side, cut at the edges of the picture.
+///
+/// ```
+/// use pilotage_raster::raster::{Gray, box_blur};
+///
+/// let mut picture = Gray::filled(5, 5, 0.0);
+/// picture.set(2, 2, 9.0);
+/// let blurred = box_blur(&picture, 1);
+/// assert!((blurred.get(1, 1) - 1.0).abs() < 1e-6); // 9 over 3 × 3 pixels
+/// assert_eq!(blurred.get(0, 0), 0.0);
+/// ```
 pub fn box_blur(picture: &Gray, radius: usize) -> Gray {
     let table = super::IntegralImage::new(picture);
     let (width, height) = (picture.width(), picture.height());

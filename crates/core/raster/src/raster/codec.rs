@@ -73,6 +73,16 @@ pub fn encode_jpeg(picture: &Picture, quality: u8) -> Result<Vec<u8>, CodecError
 }
 
 /// A PNG file, without loss.
+///
+/// ```
+/// use pilotage_raster::raster::{Raster, decode_picture, encode_png};
+///
+/// let picture = Raster::from_fn(3, 2, |column, row| [column as u8, row as u8, 200]);
+/// let file = encode_png(&picture)?;
+/// assert_eq!(&file[1..4], b"PNG");
+/// assert_eq!(decode_picture(&file)?, picture);
+/// # Ok::<(), pilotage_raster::raster::CodecError>(())
+/// ```
 pub fn encode_png(picture: &Picture) -> Result<Vec<u8>, CodecError> {
     let mut bytes = Vec::new();
     PngEncoder::new(&mut bytes)

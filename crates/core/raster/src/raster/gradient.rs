@@ -14,6 +14,15 @@ pub struct Gradient {
 impl Gradient {
     /// Sobel's operator (smoothing 1-2-1), in grey levels per pixel; the picture is mirrored at its
     /// edges.
+    ///
+    /// ```
+    /// use pilotage_raster::raster::{Gradient, Gray};
+    ///
+    /// // A ramp that rises by 3 grey levels per pixel to the right and falls by 2 downward.
+    /// let ramp = Gray::from_fn(8, 8, |column, row| 3.0 * column as f32 - 2.0 * row as f32);
+    /// let gradient = Gradient::sobel(&ramp);
+    /// assert_eq!((gradient.x.get(4, 4), gradient.y.get(4, 4)), (3.0, -2.0));
+    /// ```
     pub fn sobel(picture: &Gray) -> Self {
         Self::separable(picture, 2.0, 1.0)
     }

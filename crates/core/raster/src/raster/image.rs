@@ -39,6 +39,17 @@ impl<T: Copy> Raster<T> {
     }
 
     /// A picture computed pixel by pixel from (column, row).
+    ///
+    /// ```
+    /// use pilotage_raster::raster::Raster;
+    ///
+    /// let picture = Raster::from_fn(4, 3, |column, row| 10 * row + column);
+    /// assert_eq!(picture.get(3, 1), 13);
+    /// let part = picture.crop(2, 1, 2, 2).ok_or("beyond the picture")?;
+    /// assert_eq!(part.pixels(), [12, 13, 22, 23]);
+    /// assert!(picture.crop(3, 0, 2, 1).is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn from_fn(width: usize, height: usize, mut f: impl FnMut(usize, usize) -> T) -> Self {
         let mut pixels = Vec::with_capacity(width * height);
         for row in 0..height {

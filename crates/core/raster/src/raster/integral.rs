@@ -14,6 +14,14 @@ pub struct IntegralImage {
 
 impl IntegralImage {
     /// The table of `picture`.
+    ///
+    /// ```
+    /// use pilotage_raster::raster::{Gray, IntegralImage};
+    ///
+    /// let table = IntegralImage::new(&Gray::from_fn(5, 5, |column, _| column as f32));
+    /// // Columns 1 to 3 in two rows: 2 · (1 + 2 + 3).
+    /// assert_eq!(table.sum(1, 2, 3, 2), 12.0);
+    /// ```
     pub fn new(picture: &Gray) -> Self {
         Self::of(picture.pixels(), picture.width(), false)
     }

@@ -13,6 +13,16 @@ pub struct Pyramid {
 
 impl Pyramid {
     /// Builds levels until the shorter side is below 16 pixels, at most `most` of them.
+    ///
+    /// ```
+    /// use pilotage_raster::raster::{Gray, Pyramid};
+    ///
+    /// let pyramid = Pyramid::new(Gray::from_fn(64, 64, |column, _| column as f32), 3);
+    /// let half = pyramid.level(1);
+    /// assert_eq!((half.width(), half.height()), (32, 32));
+    /// // The mean of columns 4 and 5.
+    /// assert_eq!(half.get(2, 0), 4.5);
+    /// ```
     pub fn new(base: Gray, most: usize) -> Self {
         let mut levels = vec![base];
         while levels.len() < most {

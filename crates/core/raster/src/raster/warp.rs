@@ -63,6 +63,18 @@ impl<T: Sample> Raster<T> {
 ///
 /// The matrix is projective and acts on (x, y, 1) with pixel centres at half integers on both
 /// sides. It does not smooth: halve the source first when the target is coarser.
+///
+/// ```
+/// use nalgebra::Matrix3;
+/// use pilotage_raster::raster::{Gray, warp_projective};
+///
+/// let source = Gray::from_fn(6, 4, |column, row| (10 * row + column) as f32);
+/// // The target shows what lies two pixels to the right and one down.
+/// let source_from_target = Matrix3::new(1., 0., 2., 0., 1., 1., 0., 0., 1.);
+/// let moved = warp_projective(&source, &source_from_target, 6, 4, -1.0);
+/// assert_eq!(moved.get(0, 0), source.get(2, 1));
+/// assert_eq!(moved.get(5, 0), -1.0);
+/// ```
 pub fn warp_projective<T: Sample>(
     source: &Raster<T>,
     source_from_target: &Matrix3<f64>,

@@ -30,6 +30,19 @@ pub struct Template {
 
 impl Template {
     /// Prepares a patch, or answers `None` if it is empty or flat: such a patch matches nothing.
+    ///
+    /// ```
+    /// use pilotage_raster::raster::{Gray, Template, highest_peak};
+    ///
+    /// let search = Gray::from_fn(60, 40, |x, y| ((x * x * 31 + x * y * 17 + y * y * 7) % 101) as f32);
+    /// let patch = search.crop(23, 11, 16, 12).ok_or("beyond the picture")?;
+    /// // Other light does not matter.
+    /// let template = Template::new(&patch.map(|v| 0.5 * v + 60.0)).ok_or("flat")?;
+    /// let peak = highest_peak(&template.correlate(&search)).ok_or("no peak")?;
+    /// assert_eq!(peak.sample, (23, 11));
+    /// assert!(Template::new(&Gray::filled(8, 8, 5.0)).is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn new(patch: &Gray) -> Option<Self> {
         Self::prepare(patch, None)
     }
