@@ -71,6 +71,14 @@ fn plain_degrees(radians: f64) -> f64 {
 
 impl OriginFile {
     /// The position as it is written, with degrees that read back to the same radians.
+    ///
+    /// ```
+    /// use pilotage_base::frames::Geodetic;
+    /// use pilotage_flight::OriginFile;
+    ///
+    /// let file = OriginFile::of(&Geodetic::from_degrees(46.84, -91.99, 187.0));
+    /// assert_eq!((file.latitude_deg, file.longitude_deg), (46.84, -91.99));
+    /// ```
     pub fn of(origin: &Geodetic) -> Self {
         Self {
             latitude_deg: plain_degrees(origin.latitude),
@@ -80,6 +88,17 @@ impl OriginFile {
     }
 
     /// The position, or in words what is wrong with it.
+    ///
+    /// ```
+    /// use pilotage_flight::OriginFile;
+    ///
+    /// let origin = OriginFile { latitude_deg: 45.0, longitude_deg: -92.0, height_m: 200.0 };
+    /// let place = origin.geodetic()?;
+    /// assert!((place.latitude - std::f64::consts::FRAC_PI_4).abs() < 1e-12);
+    /// let wrong = OriginFile { latitude_deg: 95.0, ..origin };
+    /// assert_eq!(wrong.geodetic(), Err("95 is not a latitude".to_owned()));
+    /// # Ok::<(), String>(())
+    /// ```
     pub fn geodetic(&self) -> Result<Geodetic, String> {
         if !(-90.0..=90.0).contains(&self.latitude_deg) {
             return Err(format!("{} is not a latitude", self.latitude_deg));
@@ -115,6 +134,19 @@ impl CameraFile {
     }
 
     /// The camera, or in words what is wrong with it.
+    ///
+    /// ```
+    /// use pilotage_flight::CameraFile;
+    /// use pilotage_raster::camera::CameraModel;
+    ///
+    /// let mut file = CameraFile::of(&CameraModel::pinhole(640, 480, 1.0));
+    /// // As many cameras are described: by the field of view instead of the focal length.
+    /// (file.focal_px, file.horizontal_fov_deg) = (None, Some(90.0));
+    /// assert!((file.camera()?.focal - 320.0).abs() < 1e-9);
+    /// file.width = 0;
+    /// assert!(file.camera().is_err());
+    /// # Ok::<(), String>(())
+    /// ```
     pub fn camera(&self) -> Result<CameraModel, String> {
         if !(1..=30_000).contains(&self.width) || !(1..=30_000).contains(&self.height) {
             return Err(format!(

@@ -19,6 +19,13 @@ pub enum Quantity {
 
 impl Quantity {
     /// Its SI unit, as people write it.
+    ///
+    /// ```
+    /// use pilotage_flight::{ChannelName, Quantity};
+    ///
+    /// assert_eq!(Quantity::AngularRate.unit(), "rad/s");
+    /// assert_eq!(ChannelName::Airspeed.quantity().unit(), "m/s");
+    /// ```
     pub fn unit(self) -> &'static str {
         match self {
             Self::Length => "m",
@@ -119,6 +126,15 @@ channels! {
 
 impl ChannelName {
     /// Whether it is of an inertial sensor: much faster than everything else, and nothing to look at.
+    ///
+    /// ```
+    /// use pilotage_flight::ChannelName;
+    ///
+    /// assert!(ChannelName::YawRate.is_inertial());
+    /// assert!(!ChannelName::Heading.is_inertial());
+    /// // Six of all: three rates, three accelerations.
+    /// assert_eq!(ChannelName::ALL.iter().filter(|name| name.is_inertial()).count(), 6);
+    /// ```
     pub fn is_inertial(self) -> bool {
         matches!(
             self.quantity(),
@@ -145,12 +161,32 @@ pub struct Channel {
 
 impl Channel {
     /// The last value at or before `time`, or `None` before the first.
+    ///
+    /// ```
+    /// use pilotage_flight::{Channel, ChannelName};
+    ///
+    /// let (times, values) = (vec![1.0, 2.0], vec![20.0, 21.0]);
+    /// let airspeed = Channel { name: ChannelName::Airspeed, times, values };
+    /// assert_eq!(airspeed.latest(1.9), Some(20.0));
+    /// assert_eq!(airspeed.latest(0.5), None);
+    /// ```
     pub fn latest(&self, time: f64) -> Option<f64> {
         let after = self.times.partition_point(|t| *t <= time + 1e-9);
         after.checked_sub(1).map(|i| self.values[i])
     }
 
     /// The value at `time` by linear interpolation (the short way round for angles), held at the ends.
+    ///
+    /// ```
+    /// use pilotage_flight::{Channel, ChannelName};
+    ///
+    /// // From 350° to 10°: half way lies north, not south.
+    /// let values = [350_f64, 10.0].map(f64::to_radians).to_vec();
+    /// let heading = Channel { name: ChannelName::Heading, times: vec![0.0, 2.0], values };
+    /// let half_way = heading.interpolated(1.0).ok_or("no samples")?;
+    /// assert!(half_way.abs() < 1e-12);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn interpolated(&self, time: f64) -> Option<f64> {
         let after = self.times.partition_point(|t| *t <= time);
         if after == 0 {

@@ -18,6 +18,27 @@ pub struct StartFix {
 }
 
 /// Measurements of a flight; read-only for everybody above.
+///
+/// ```
+/// # use pilotage_base::frames::GroundPoint;
+/// use pilotage_flight::{Channel, ChannelName, Flight, Frame, StartFix};
+/// use pilotage_raster::camera::CameraModel;
+///
+/// # let position = GroundPoint::new(0.0, 0.0);
+/// let (times, values) = (vec![0.0, 10.0], vec![18.0, 20.0]);
+/// let flight = Flight {
+///     name: "two readings and a frame".to_owned(),
+///     camera: CameraModel::pinhole(640, 480, 1.0),
+///     channels: vec![Channel { name: ChannelName::Airspeed, times, values }],
+///     frames: vec![Frame { time: 12.0, name: "1.jpg".to_owned(), stored_turn: 0.0 }],
+/// #     start: StartFix { time: 0.0, position, standard_deviation: 5.0 },
+/// #     frame_on_globe: None,
+/// #     ground_down: 0.0,
+/// #     truth: None,
+/// };
+/// assert_eq!(flight.value(ChannelName::Airspeed, 5.0), Some(19.0));
+/// assert_eq!(flight.span(), (0.0, 12.0));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight {
     /// Name for people.

@@ -10,6 +10,15 @@ pub const HOVERING: f64 = 3.0;
 pub const LEAST: f64 = 3.0;
 
 /// Joins what is less than a pause apart and leaves out what is shorter than that.
+///
+/// ```
+/// use pilotage_flight::stretches::stretches;
+///
+/// // Flies from 2 s to 20 s and for a moment at 60 s; one sample a second, with a gap of two.
+/// let flies = |t: usize| (2..=20).contains(&t) && t != 9 || t == 60;
+/// let found = stretches((0..100).map(|t| (t as f64, flies(t))));
+/// assert_eq!(found, [(2.0, 20.0)]);
+/// ```
 pub fn stretches(flying: impl IntoIterator<Item = (f64, bool)>) -> Vec<(f64, f64)> {
     stretches_within(flying, LEAST)
 }
