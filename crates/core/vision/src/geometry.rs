@@ -90,6 +90,23 @@ pub fn joint_noise(
 
 /// Change of the ground point (north, east) with the pixel: 2 × 2, metres per pixel; `None` where the
 /// ray does not reach the ground.
+///
+/// ```
+/// use nalgebra::{Point2, Point3};
+/// use pilotage_base::frames::{Attitude, Pose};
+/// use pilotage_raster::camera::CameraModel;
+/// use pilotage_vision::geometry::ground_jacobian;
+///
+/// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians()); // focal length 320 pixels
+/// # let (position_in_world, attitude) = (Point3::new(0.0, 0.0, -160.0), Attitude::level(0.0));
+/// # let pose = Pose { position_in_world, attitude };
+/// // 160 m up, heading north: a pixel to the right is half a metre east, one down half a metre south.
+/// let jacobian = ground_jacobian(&camera, &pose, &Point2::new(320.0, 240.0), 0.0);
+/// let jacobian = jacobian.ok_or("above the horizon")?;
+/// assert!((jacobian[(1, 0)] - 0.5).abs() < 1e-9);
+/// assert!((jacobian[(0, 1)] + 0.5).abs() < 1e-9);
+/// # Ok::<(), &str>(())
+/// ```
 pub fn ground_jacobian(
     camera: &CameraModel,
     pose: &Pose,

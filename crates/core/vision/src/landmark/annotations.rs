@@ -82,6 +82,18 @@ impl Landmark {
     }
 
     /// A landmark of which only a point is marked, with a box of `side` metres around it.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_vision::landmark::Landmark;
+    ///
+    /// let point = GroundPoint::new(10.0, 20.0);
+    /// let mut landmark = Landmark::at_point(7, "Crossroads", point, 30.0);
+    /// assert_eq!((landmark.reference, landmark.bounds.width()), (point, 30.0));
+    /// assert!(landmark.is_point());
+    /// landmark.set_category("road");
+    /// assert_eq!(landmark.category(), "road");
+    /// ```
     pub fn at_point(id: u32, name: impl Into<String>, point: GroundPoint, side: f64) -> Self {
         let mut landmark = Self::new(id, name, GroundRect::centered(point, side, side));
         landmark.mark_point();

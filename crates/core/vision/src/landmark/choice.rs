@@ -39,6 +39,14 @@ impl DetectorChoice {
     }
 
     /// The choice of that name.
+    ///
+    /// ```
+    /// use pilotage_vision::landmark::DetectorChoice;
+    ///
+    /// assert_eq!(DetectorChoice::named("cascade"), Some(DetectorChoice::Cascade));
+    /// assert_eq!(DetectorChoice::named("oracle"), None);
+    /// assert_eq!(DetectorChoice::Both.key(), "both");
+    /// ```
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|choice| choice.key() == name)
     }

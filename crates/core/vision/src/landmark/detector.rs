@@ -61,6 +61,23 @@ impl SearchRequest<'_> {
     }
 
     /// Ground that the landmark's box may cover under the assumed pose.
+    ///
+    /// ```
+    /// use nalgebra::Matrix2;
+    /// # use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// use pilotage_vision::landmark::{Landmark, SearchRequest};
+    ///
+    /// let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
+    /// let landmark = Landmark::new(1, "Barn", bounds);
+    /// let request = SearchRequest {
+    ///     landmark: &landmark,
+    ///     displacement_covariance: Matrix2::new(25.0, 0.0, 0.0, 100.0), // 5 m north, 10 m east
+    ///     turn_deviation: 0.1,
+    ///     log_scale_deviation: 0.1,
+    /// };
+    /// let region = request.region(3.0);
+    /// assert_eq!((region.height(), region.width()), (20.0 + 2.0 * 15.0, 20.0 + 2.0 * 30.0));
+    /// ```
     pub fn region(&self, sigmas: f64) -> GroundRect {
         let (north, east) = self.half_extents(sigmas);
         let b = self.landmark.bounds;

@@ -28,6 +28,18 @@ pub struct Landmark {
 
 impl Landmark {
     /// A landmark with its reference point in the middle of `bounds`, on the ground.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// use pilotage_vision::landmark::Landmark;
+    ///
+    /// let bounds = GroundRect::centered(GroundPoint::new(200.0, -50.0), 40.0, 60.0);
+    /// let mut landmark = Landmark::new(1, "Water tower", bounds);
+    /// landmark.height = 30.0;
+    /// // Down counts from the world's origin: the ground lies 5 m below it, the top 30 m above that.
+    /// assert_eq!(landmark.reference_in_world(5.0), Point3::new(200.0, -50.0, -25.0));
+    /// ```
     pub fn new(id: u32, name: impl Into<String>, bounds: GroundRect) -> Self {
         Self {
             id,

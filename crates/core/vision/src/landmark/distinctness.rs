@@ -29,6 +29,26 @@ pub struct PatchDistinctness {
 /// Compares the box `bounds` of `map` with everything within `radius` metres of it.
 ///
 /// Places closer than half the box's longer side to its centre are the box itself.
+///
+/// ```
+/// use pilotage_base::frames::{GroundPoint, GroundRect};
+/// use pilotage_vision::landmark::distinctness;
+/// # use pilotage_base::georeference::GroundFromPixel;
+/// # use pilotage_raster::{imagery::GeoreferencedPicture, raster::Raster};
+/// # let is_wide = |x: usize| [140, 220].iter().any(|c| (*c..c + 12).contains(&x));
+/// # let is_house = |x: usize, y: usize| (140..152).contains(&y) && is_wide(x);
+/// # let grey = |x, y| if is_house(x, y) { 200 } else { 90 };
+/// # let ground = Raster::from_fn(400, 300, |x, y| [grey(x, y), grey(x, y), grey(x, y), 255]);
+/// # let place = GroundFromPixel::north_up(GroundPoint::new(146.0, -146.0), 1.0);
+/// # let map = GeoreferencedPicture::new("two houses", ground, place).ok_or("no area")?;
+///
+/// // Two houses that look the same, 80 m from each other.
+/// let house = GroundRect::centered(GroundPoint::new(0.0, 0.0), 32.0, 32.0);
+/// let (other, score) = distinctness(&map, &house, 100.0).look_alike.ok_or("alone")?;
+/// assert!(other.distance(&GroundPoint::new(0.0, 80.0)) < 0.5);
+/// assert!(score > 0.999);
+/// # Ok::<(), &str>(())
+/// ```
 pub fn distinctness(map: &dyn Imagery, bounds: &GroundRect, radius: f64) -> PatchDistinctness {
     let longer = bounds.width().max(bounds.height());
     let gsd = (longer / COARSE_PIXELS)

@@ -23,6 +23,24 @@ pub struct GroundView {
 
 /// Rectifies the part of the picture that shows `window`: every ground pixel is projected with the
 /// assumed pose and sampled at the pyramid level that fits the scale.
+///
+/// ```
+/// use nalgebra::Point3;
+/// use pilotage_base::frames::{Attitude, Pose};
+/// use pilotage_raster::{camera::CameraModel, imagery::Window, raster::{Gray, Pyramid}};
+/// use pilotage_vision::landmark::{FrameView, rectify};
+///
+/// // Heading east, the top of the picture shows the east. It is the bright half.
+/// let picture = Gray::from_fn(100, 100, |_, row| if row < 50 { 200.0 } else { 50.0 });
+/// let (camera, luminance) = (CameraModel::pinhole(100, 100, 1.0), Pyramid::new(picture, 1));
+/// # let position_in_world = Point3::new(0.0, 0.0, -100.0);
+/// # let pose = Pose { position_in_world, attitude: Attitude::level(90_f64.to_radians()) };
+/// let view = FrameView { camera: &camera, pose, ground_down: 0.0, luminance: &luminance };
+/// let window = Window { north_edge: 20.0, west_edge: -20.0, gsd: 2.0, width: 20, height: 20 };
+/// let ground = rectify(&view, &window).luminance;
+/// assert!((ground.get(2, 10) - 50.0).abs() < 1e-3); // west
+/// assert!((ground.get(17, 10) - 200.0).abs() < 1e-3); // east
+/// ```
 pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
     let rotation = view.camera.camera_from_world(&view.pose);
     rectify_plane(view.camera, view.luminance, window, |ground| {

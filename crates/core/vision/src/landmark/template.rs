@@ -59,6 +59,43 @@ struct Fit {
 
 impl TemplateDetector {
     /// A detector that cuts its patches from `map`.
+    ///
+    /// ```
+    /// use pilotage_vision::landmark::{Detector, FrameView, Landmark, SearchRequest, Sighting};
+    /// use pilotage_vision::landmark::{TemplateDetector, TemplateSettings};
+    /// # use std::sync::Arc;
+    /// # use nalgebra::{Matrix2, Point3};
+    /// # use pilotage_base::{frames::{Attitude, GroundPoint, GroundRect, Pose}, georeference::GroundFromPixel};
+    /// # use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Window};
+    /// # use pilotage_raster::{camera::CameraModel, raster::{Pyramid, Raster}};
+    /// # let field = |x: usize, y: usize| (x / 5 * 7919) ^ (y / 5 * 104_729);
+    /// # let grey = |x, y| (field(x, y).wrapping_mul(2_654_435_761) >> 12) as u8;
+    /// # let ground = Raster::from_fn(300, 300, |x, y| [grey(x, y), grey(x, y), grey(x, y), 255]);
+    /// # let place = GroundFromPixel::north_up(GroundPoint::new(150.0, -150.0), 1.0);
+    /// # let map = Arc::new(GeoreferencedPicture::new("fields", ground, place).ok_or("no area")?);
+    /// # let seen = Window { north_edge: 80.0, west_edge: -80.0, gsd: 1.0, width: 160, height: 160 };
+    /// # let luminance = Pyramid::new(map.window(&seen).to_gray(), 3);
+    /// # let camera = CameraModel::pinhole(160, 160, 90_f64.to_radians());
+    /// # let landmark = Landmark::new(1, "Field", GroundRect::centered(GroundPoint::new(0.0, 0.0), 40.0, 40.0));
+    /// # let displacement_covariance = Matrix2::identity() * 16.0;
+    /// # let request = SearchRequest {
+    /// #     landmark: &landmark,
+    /// #     displacement_covariance,
+    /// #     turn_deviation: 0.02,
+    /// #     log_scale_deviation: 0.02,
+    /// # };
+    ///
+    /// // The picture was taken above the landmark, but we believe to be 5 m farther east:
+    /// // the landmark appears 5 m east of where it is.
+    /// let pose = Pose { position_in_world: Point3::new(0.0, 5.0, -80.0), attitude: Attitude::level(0.0) };
+    /// let view = FrameView { camera: &camera, pose, ground_down: 0.0, luminance: &luminance };
+    /// let mut detector = TemplateDetector::new(map, TemplateSettings::default());
+    /// let Sighting::Found(found) = detector.detect(&view, &request) else {
+    ///     return Err("not found".into());
+    /// };
+    /// assert!((found.ground.east - 5.0).abs() < 0.5 && found.ground.north.abs() < 0.5);
+    /// # Ok::<(), String>(())
+    /// ```
     pub fn new(map: Arc<dyn Imagery>, settings: TemplateSettings) -> Self {
         Self {
             oriented: OrientedDetector::new(Arc::clone(&map), settings),

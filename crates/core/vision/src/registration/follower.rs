@@ -46,6 +46,16 @@ impl FollowSettings {
     }
 
     /// Searches headings no farther than `limit` (radians) to each side of a measured one.
+    ///
+    /// ```
+    /// use pilotage_vision::registration::FollowSettings;
+    ///
+    /// let mut settings = FollowSettings::default();
+    /// settings.limit_heading(25_f64.to_radians());
+    /// // Searched is up to 2.5 standard deviations.
+    /// assert!((settings.heading_deviation - 10_f64.to_radians()).abs() < 1e-12);
+    /// assert!((settings.heading_limit() - 25_f64.to_radians()).abs() < 1e-12);
+    /// ```
     pub fn limit_heading(&mut self, limit: f64) {
         self.heading_deviation = deviation_within(limit);
     }

@@ -66,6 +66,25 @@ impl Look<'_> {
     }
 
     /// Place of the map that is seen at `pixel`.
+    ///
+    /// ```
+    /// use nalgebra::{Point2, Point3};
+    /// use pilotage_base::frames::{Attitude, GroundPoint, Pose};
+    /// use pilotage_raster::{camera::CameraModel, imagery::Blank, raster::{Gray, Pyramid}};
+    /// use pilotage_vision::registration::{Look, MapPose, MapShape};
+    ///
+    /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians()); // focal length 320 pixels
+    /// # let luminance = Pyramid::new(Gray::filled(640, 480, 0.0), 1);
+    /// # let luminance = &luminance;
+    /// let look = Look { camera: &camera, ground_down: 0.0, luminance, map: &Blank };
+    /// # let (position_in_world, attitude) = (Point3::new(300.0, 0.0, -160.0), Attitude::level(0.0));
+    /// # let pose = Pose { position_in_world, attitude };
+    /// // 160 m above (300, 0): 64 pixels above the middle lie 32 m north of it.
+    /// let place = MapPose { pose, shape: MapShape::default() };
+    /// let ground = look.ground(&place, &Point2::new(320.0, 176.0)).ok_or("above the horizon")?;
+    /// assert!(ground.distance(&GroundPoint::new(332.0, 0.0)) < 1e-9);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn ground(&self, place: &MapPose, pixel: &Point2<f64>) -> Option<GroundPoint> {
         let mut at_origin = place.pose;
         at_origin.position_in_world = Point3::new(0.0, 0.0, place.pose.position_in_world.z);

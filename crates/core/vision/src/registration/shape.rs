@@ -18,6 +18,17 @@ pub struct MapShape {
 
 impl MapShape {
     /// The matrix that takes (north, east) on the map to (north, east) on the ground, both from one point.
+    ///
+    /// ```
+    /// use nalgebra::Vector2;
+    /// use pilotage_vision::registration::MapShape;
+    ///
+    /// // 10 m north on the map are e^0.01 times as much on the ground, 10 m east as many times less.
+    /// let shape = MapShape { along: 0.01, across: 0.0 };
+    /// let on_ground = shape.ground_from_map() * Vector2::new(10.0, 10.0);
+    /// assert!((on_ground.x - 10.0 * 0.01_f64.exp()).abs() < 1e-12);
+    /// assert!((on_ground.y - 10.0 * (-0.01_f64).exp()).abs() < 1e-12);
+    /// ```
     pub fn ground_from_map(&self) -> Matrix2<f64> {
         self.exponential(1.0)
     }

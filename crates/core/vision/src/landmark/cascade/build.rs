@@ -73,6 +73,24 @@ impl Cascade {
     /// # Errors
     /// What is refused in a file, too: features that leave the window or are of two kinds, trees that
     /// do not end, numbers that are none; also splits that do not suit the features.
+    ///
+    /// ```
+    /// # use pilotage_raster::raster::Raster;
+    /// use pilotage_vision::landmark::cascade::{
+    ///     Cascade, Feature, HaarFeature, Split, TrainedStage, TrainedTree, responses,
+    /// };
+    ///
+    /// // The right half less the left half of a window of 24 × 24 pixels.
+    /// let areas = [([0, 0, 24, 24], -1.0), ([12, 0, 12, 24], 2.0), ([0, 0, 0, 0], 0.0)];
+    /// let feature = Feature::Haar(HaarFeature { areas, tilted: false });
+    /// let trees = vec![TrainedTree::stump(0, Split::Threshold(0.1), 0.0, 1.0)];
+    /// let cascade = Cascade::from_parts(24, 24, vec![feature], &[TrainedStage { trees, threshold: 0.5 }])?;
+    /// // An edge at column 40 lies in the middle of the window that begins at column 28.
+    /// let picture = Raster::from_fn(80, 24, |column, _| if column < 40 { 20 } else { 220 });
+    /// let stages = responses(&cascade, &picture).stages;
+    /// assert_eq!((stages.get(28, 0), stages.get(0, 0)), (1, 0));
+    /// # Ok::<(), pilotage_vision::landmark::cascade::CascadeError>(())
+    /// ```
     pub fn from_parts(
         width: usize,
         height: usize,

@@ -17,6 +17,15 @@ pub struct Suppressed {
 
 impl Rectangle {
     /// Area shared with another rectangle, as a share of what the two cover together.
+    ///
+    /// ```
+    /// use pilotage_vision::landmark::cascade::Rectangle;
+    ///
+    /// let at = |x| Rectangle { x, y: 0, width: 10, height: 10 };
+    /// // Half of each is shared: 50 of 150 pixels.
+    /// assert!((at(0).overlap(&at(5)) - 1.0 / 3.0).abs() < 1e-12);
+    /// assert_eq!(at(0).overlap(&at(10)), 0.0);
+    /// ```
     pub fn overlap(&self, other: &Self) -> f64 {
         let shared =
             |a: i32, b: i32, c: i32, d: i32| f64::from(((a + b).min(c + d) - a.max(c)).max(0));

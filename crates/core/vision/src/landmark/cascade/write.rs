@@ -29,6 +29,22 @@ impl Cascade {
     /// `vision.CascadeObjectDetector` read; HOG features only OpenCV 2.4 and MATLAB.
     ///
     /// Reading it gives an equal cascade.
+    ///
+    /// ```
+    /// use pilotage_vision::landmark::cascade::{
+    ///     Cascade, Feature, Split, TrainedStage, TrainedTree,
+    /// };
+    ///
+    /// let codes = [u32::MAX, 0, 0, 0, 0, 0, 0, 0];
+    /// let trees = vec![TrainedTree::stump(0, Split::Codes(codes), -1.0, 1.0)];
+    /// let features = vec![Feature::Lbp([2, 2, 4, 4])];
+    /// let stage = TrainedStage { trees, threshold: 0.25 };
+    /// let cascade = Cascade::from_parts(24, 24, features, &[stage])?;
+    /// let text = cascade.to_xml();
+    /// assert!(text.contains("opencv-cascade-classifier"));
+    /// assert_eq!(Cascade::read("cascade.xml", &text)?, cascade);
+    /// # Ok::<(), pilotage_vision::landmark::cascade::CascadeError>(())
+    /// ```
     pub fn to_xml(&self) -> String {
         let kind = self.kind();
         let mut out = HEAD.to_owned();

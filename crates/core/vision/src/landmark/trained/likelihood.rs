@@ -19,6 +19,15 @@ pub struct Likelihood {
 impl Likelihood {
     /// Fits marks: their score, and whether they are right. Targets are drawn in by a half sample on
     /// either side (Platt's prior), so that scores that part the two for good do not lead to certainty.
+    ///
+    /// ```
+    /// use pilotage_vision::landmark::trained::Likelihood;
+    ///
+    /// // One right and one wrong mark: Platt's targets are 2/3 and 1/3, odds of 2 and 1/2.
+    /// let likelihood = Likelihood::fit(&[(1.0, true), (-1.0, false)]);
+    /// assert!((likelihood.probability(0.0) - 0.5).abs() < 1e-6);
+    /// assert!((likelihood.log_odds(1.0) - 2_f64.ln()).abs() < 1e-6);
+    /// ```
     pub fn fit(marks: &[(f64, bool)]) -> Self {
         let n = marks.len().max(1) as f64;
         let right = marks.iter().filter(|m| m.1).count() as f64;

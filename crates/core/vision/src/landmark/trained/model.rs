@@ -27,6 +27,18 @@ pub struct DetectorWindow {
 
 impl DetectorWindow {
     /// For a box on the ground that is seen from where a pixel of the camera covers `camera_gsd` metres.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// use pilotage_vision::landmark::trained::{DetectorWindow, Variants};
+    ///
+    /// // The longer side of the box gets 32 pixels.
+    /// let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 16.0, 64.0);
+    /// let window = DetectorWindow::around(&bounds, 0.5, Variants::default());
+    /// assert_eq!((window.gsd, window.width), (2.0, 32));
+    /// // Never less than 12 pixels.
+    /// assert_eq!(window.height, 12);
+    /// ```
     pub fn around(bounds: &GroundRect, camera_gsd: f64, variants: Variants) -> Self {
         let longer = bounds.width().max(bounds.height());
         let gsd = (longer / LONGER).max(camera_gsd);
