@@ -84,6 +84,13 @@ impl Format {
     }
 
     /// The format that the extension of a file's name says.
+    ///
+    /// ```
+    /// use pilotage_mission::exchange::Format;
+    ///
+    /// assert_eq!(Format::of_name("flights/Out.GPX"), Some(Format::Gpx));
+    /// assert_eq!(Format::of_name("letter.pdf"), None);
+    /// ```
     pub fn of_name(name: &str) -> Option<Self> {
         let (_, extension) = name.rsplit_once('.')?;
         Self::ALL.into_iter().find(|format| {

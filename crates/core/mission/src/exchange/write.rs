@@ -18,6 +18,22 @@ pub struct Written {
 }
 
 /// Writes a single route, placed in the world `frame`, in any format.
+///
+/// ```
+/// use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};
+/// use pilotage_mission::exchange::{Format, read_any, write_route};
+/// use pilotage_mission::mission::{Route, WayPoint};
+///
+/// let world = LocalFrame::new(Geodetic::from_degrees(46.8, -92.0, 0.0));
+/// let altitude = Altitude::new(120.0, AltitudeFrame::AboveTakeOff);
+/// let at = |north, east| WayPoint::new(GroundPoint::new(north, east), altitude);
+/// let way_points = vec![at(0.0, 0.0), at(500.0, 0.0)];
+/// let route = Route { id: 1, name: "Out".to_owned(), way_points, ..Route::default() };
+/// let file = write_route(Format::Plan, &route, &world)?; // QGroundControl
+/// let read = read_any("out.plan", &file.bytes, Some(world))?;
+/// assert!((read.routes[0].length() - 500.0).abs() < 0.01);
+/// # Ok::<(), pilotage_mission::exchange::ExchangeError>(())
+/// ```
 pub fn write_route(
     format: Format,
     route: &Route,

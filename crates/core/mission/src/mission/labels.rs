@@ -36,6 +36,17 @@ pub struct LabelBox {
 impl LabelBox {
     /// A box between two corners in a picture of `size` (width, height), cut at its edges; `None` if
     /// too little of it lies in the picture.
+    ///
+    /// ```
+    /// use pilotage_mission::mission::LabelBox;
+    ///
+    /// // Drawn from the lower right to beyond the left edge of a picture of 640 × 480 pixels.
+    /// let label = LabelBox::new(3, "Bridge", [[50.0, 80.0], [-10.0, 20.0]], (640, 480));
+    /// let label = label.ok_or("outside the picture")?;
+    /// assert_eq!((label.min, label.max), ([0.0, 20.0], [50.0, 80.0]));
+    /// assert!(label.truncated);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn new(
         landmark: u32,
         name: &str,

@@ -118,6 +118,23 @@ pub fn read_head(head: &[u8]) -> Result<BTreeMap<String, String>, PackageError> 
 }
 
 /// A mission file of the present version.
+///
+/// ```
+/// use pilotage_base::frames::Geodetic;
+/// use pilotage_mission::mission::Mission;
+/// use pilotage_mission::mission::package::{MissionPackage, read_package, write_package};
+///
+/// let package = MissionPackage {
+///     mission: Mission::new("River", Geodetic::from_degrees(46.8, -92.0, 183.0)),
+///     settings: [("theme".to_owned(), "\"dark\"".to_owned())].into(),
+///     files: vec![("map.jgw".to_owned(), b"0.5".to_vec())],
+/// };
+/// let bytes = write_package(&package)?;
+/// assert_eq!(&bytes[..2], b"PK"); // a zip
+/// let read = read_package(&bytes)?;
+/// assert_eq!((read.settings, read.files), (package.settings, package.files));
+/// # Ok::<(), pilotage_mission::mission::package::PackageError>(())
+/// ```
 pub fn write_package(package: &MissionPackage) -> Result<Vec<u8>, PackageError> {
     let mut head = json!({ VERSION_MEMBER: PACKAGE_VERSION });
     for (name, text) in &package.settings {

@@ -23,6 +23,16 @@ pub struct Passes {
 /// Ground that one picture shows from a height: metres across the direction of flight, and along it.
 ///
 /// For a camera that looks down; a mount turned by a quarter swaps the two.
+///
+/// ```
+/// use pilotage_mission::mission::pattern::picture_on_ground;
+/// use pilotage_raster::camera::CameraModel;
+///
+/// // 640 × 480 pixels with a focal length of 320: from 100 m a pixel covers 0.3125 m.
+/// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians());
+/// let (across, along) = picture_on_ground(&camera, 100.0);
+/// assert!((across - 200.0).abs() < 1e-9 && (along - 150.0).abs() < 1e-9);
+/// ```
 pub fn picture_on_ground(camera: &CameraModel, height: f64) -> (f64, f64) {
     let scale = height / camera.focal;
     let (wide, high) = (camera.width as f64 * scale, camera.height as f64 * scale);
@@ -59,6 +69,20 @@ pub fn fewest_passes(area: &[GroundPoint]) -> Option<f64> {
 
 /// Way-points of a lawn-mower over an area with passes on `course` (radians clockwise from north) and
 /// back, so that no place of the area is farther than half the spacing from a pass.
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_mission::mission::pattern::{Passes, survey};
+///
+/// // 60 m from west to east in passes northward at most 20 m apart: three of them, each in the
+/// // middle of its strip.
+/// let area = [(0., 0.), (100., 0.), (100., 60.), (0., 60.)].map(|(n, e)| GroundPoint::new(n, e));
+/// let passes = Passes { spacing: 20.0, run_out: 5.0, least_step: 0.0 };
+/// let way_points = survey(&area, 0.0, &passes);
+/// assert_eq!(way_points.len(), 6);
+/// assert!(way_points[0].distance(&GroundPoint::new(-5.0, 10.0)) < 1e-9);
+/// assert!(way_points[1].distance(&GroundPoint::new(105.0, 10.0)) < 1e-9);
+/// ```
 pub fn survey(area: &[GroundPoint], course: f64, passes: &Passes) -> Vec<GroundPoint> {
     let Some((low, high)) = extent(area.iter().map(|p| across(p, course))) else {
         return Vec::new();

@@ -12,6 +12,18 @@ pub fn belongs_to(file: &str, name: &str) -> bool {
 
 /// The files that put the picture `name` where `place` says, as `open_map` reads
 /// them: names and contents.
+///
+/// ```
+/// use pilotage_base::georeference::Georeference;
+/// use pilotage_mission::mission::place_files;
+///
+/// let place = Georeference::from_world_file("0.5\n0\n0\n-0.5\n100\n200\n")?;
+/// let files = place_files("maps/town.png", &place);
+/// assert_eq!(files[0].0, "maps/town.pgw");
+/// let text = String::from_utf8_lossy(&files[0].1);
+/// assert_eq!(Georeference::from_world_file(&text)?, place);
+/// # Ok::<(), pilotage_base::georeference::GeoreferenceError>(())
+/// ```
 pub fn place_files(name: &str, place: &Georeference) -> Vec<(String, Vec<u8>)> {
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let lower = name.to_ascii_lowercase();

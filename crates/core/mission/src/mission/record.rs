@@ -57,6 +57,20 @@ pub struct Mission {
 
 impl Mission {
     /// A mission with nothing in it, around `origin`.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect};
+    /// use pilotage_mission::mission::Mission;
+    /// use pilotage_vision::landmark::Landmark;
+    ///
+    /// let mut mission = Mission::new("River", Geodetic::from_degrees(46.8, -92.0, 183.0));
+    /// let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 40.0, 40.0);
+    /// mission.landmarks.push(Landmark::new(mission.free_landmark_id(), "Bridge", bounds));
+    /// assert_eq!(mission.landmark(1).map(|l| l.name.as_str()), Some("Bridge"));
+    /// assert_eq!(mission.free_landmark_id(), 2);
+    /// // Where no terrain model says it, the ground is as high as the origin.
+    /// assert_eq!(mission.level_ground().ground, 183.0);
+    /// ```
     pub fn new(name: impl Into<String>, origin: Geodetic) -> Self {
         Self {
             name: name.into(),

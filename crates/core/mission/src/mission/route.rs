@@ -68,6 +68,17 @@ pub struct Route {
 
 impl Route {
     /// Length over the way-points without turns and circles, metres.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
+    /// use pilotage_mission::mission::{Route, WayPoint};
+    ///
+    /// let altitude = Altitude::new(120.0, AltitudeFrame::AboveGround);
+    /// let at = |north, east| WayPoint::new(GroundPoint::new(north, east), altitude);
+    /// let way_points = vec![at(0.0, 0.0), at(300.0, 400.0), at(300.0, 0.0)];
+    /// let route = Route { way_points, ..Route::default() };
+    /// assert_eq!(route.length(), 500.0 + 400.0);
+    /// ```
     pub fn length(&self) -> f64 {
         self.way_points
             .windows(2)

@@ -22,12 +22,34 @@ pub struct Turn {
 
 /// Radius of a level turn in calm air, metres: r = v² / (g tan φ), for an airspeed `speed`, m/s, and a
 /// bank, radians.
+///
+/// ```
+/// use pilotage_mission::mission::turn::turn_radius;
+///
+/// // 20 m/s at a bank of 45°, whose tangent is 1: v² / g.
+/// let radius = turn_radius(20.0, 45_f64.to_radians());
+/// assert!((radius - 400.0 / 9.806_65).abs() < 1e-9);
+/// ```
 pub fn turn_radius(speed: f64, bank: f64) -> f64 {
     speed * speed / (GRAVITY * bank.tan())
 }
 
 impl Turn {
     /// The turn at `at` between two legs; `None` where there is none: straight on, or straight back.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_mission::mission::turn::Turn;
+    ///
+    /// // From north to east with a radius of 40 m: begins and ends 40 m from the corner.
+    /// let corner = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0)];
+    /// let [before, at, after] = corner.map(|(north, east)| GroundPoint::new(north, east));
+    /// let turn = Turn::at(&before, &at, &after, 40.0).ok_or("straight on")?;
+    /// assert!((turn.angle.to_degrees() - 90.0).abs() < 1e-9);
+    /// assert!(turn.begin.distance(&GroundPoint::new(60.0, 0.0)) < 1e-9);
+    /// assert!(turn.middle.distance(&GroundPoint::new(60.0, 40.0)) < 1e-9);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn at(
         before: &GroundPoint,
         at: &GroundPoint,

@@ -17,6 +17,22 @@ use pilotage_vision::landmark::Landmark;
 use pilotage_vision::landmark::annotations::{HOLES, OUTLINE};
 
 /// The mission as GeoJSON text, with everything in it that its file had and we do not know.
+///
+/// ```
+/// use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect};
+/// use pilotage_mission::mission::{Mission, read_mission, write_mission};
+/// use pilotage_vision::landmark::Landmark;
+///
+/// let mut mission = Mission::new("River", Geodetic::from_degrees(46.8, -92.0, 183.0));
+/// let bounds = GroundRect::centered(GroundPoint::new(100.0, 50.0), 40.0, 20.0);
+/// mission.landmarks.push(Landmark::new(1, "Bridge", bounds));
+/// let text = write_mission(&mission);
+/// assert!(text.contains("\"FeatureCollection\""));
+/// let read = read_mission(text.as_bytes())?;
+/// assert_eq!(read.landmarks[0].name, "Bridge");
+/// assert!((read.landmarks[0].bounds.height() - 40.0).abs() < 0.001);
+/// # Ok::<(), pilotage_mission::mission::MissionError>(())
+/// ```
 pub fn write_mission(mission: &Mission) -> String {
     let frame = LocalFrame::new(mission.origin);
     let mut text = String::from("{\n  \"type\": \"FeatureCollection\"");

@@ -63,6 +63,15 @@ impl CameraAdjustment {
     }
 
     /// Time by the log, seconds, of a time by the camera.
+    ///
+    /// ```
+    /// use pilotage_mission::settings::CameraAdjustment;
+    ///
+    /// // A clock that is 2 s behind the log's at its 100th second and loses 10 ms a second.
+    /// let adjustment = CameraAdjustment { offset: 2.0, drift: 0.01, ..CameraAdjustment::none(100.0) };
+    /// assert_eq!(adjustment.time(100.0), 102.0);
+    /// assert!((adjustment.time(200.0) - 203.0).abs() < 1e-9);
+    /// ```
     pub fn time(&self, camera_time: f64) -> f64 {
         camera_time + self.offset + self.drift * (camera_time - self.middle)
     }

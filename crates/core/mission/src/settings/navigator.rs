@@ -157,6 +157,16 @@ pub struct SensorNoise {
 
 impl SensorNoise {
     /// Covariance of the camera's roll, pitch, yaw (radians) and height (metres).
+    ///
+    /// ```
+    /// use pilotage_mission::settings::NavigatorSettings;
+    ///
+    /// let sensors = NavigatorSettings::default().sensors;
+    /// let covariance = sensors.pose_covariance();
+    /// // Roll 1.05°, height 0.6 m.
+    /// assert!((covariance[(0, 0)] - 1.05_f64.to_radians().powi(2)).abs() < 1e-12);
+    /// assert!((covariance[(3, 3)] - 0.36).abs() < 1e-12);
+    /// ```
     pub fn pose_covariance(&self) -> Matrix4<f64> {
         let deviations = Vector4::new(self.roll, self.pitch, self.yaw, self.height);
         Matrix4::from_diagonal(&deviations.map(|sd| sd * sd))
