@@ -75,6 +75,19 @@ pub fn flight_of_sentences(files: &Arc<dyn FileSet>) -> Result<Option<FlightFold
 ///
 /// # Errors
 /// Sentences of which no flight can be made, as the tables of a flight.
+///
+/// ```
+/// use pilotage_readers::nmea::read_nmea;
+///
+/// // 48°07.038' N, 11°31.000' E; a second later 0.006' farther north, which are 11.1 m.
+/// let text = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n\
+///             $GPGGA,123520,4807.044,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n";
+/// let folder = read_nmea("walk.nmea", text.as_bytes())?.ok_or("no two places")?;
+/// let truth = folder.flight.truth.ok_or("no track")?;
+/// let (first, last) = (truth.states[0], truth.states[1]);
+/// assert!(((last.position - first.position).norm() - 11.1).abs() < 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, FolderError> {
     let bytes = decoded(bytes);
     let sentences = sentences(&String::from_utf8_lossy(&bytes));

@@ -30,6 +30,18 @@ pub struct SpanStatistics {
 
 impl SpanStatistics {
     /// Of the samples from `span.0` to `span.1` seconds, both included; `None` if no number is among them.
+    ///
+    /// ```
+    /// use pilotage_readers::{SpanStatistics, expression::Samples};
+    ///
+    /// let values = [1.0, 2.0, 4.0, 5.0, 100.0];
+    /// let samples = Samples::new(values.into_iter().enumerate().map(|(t, v)| (t as f64, v)), "m");
+    /// // From 0 to 3 s; deviations from the mean are 2, 1, 1 and 2: (4 + 1 + 1 + 4) / 3.
+    /// let span = SpanStatistics::of(&samples, (0.0, 3.0)).ok_or("no number")?;
+    /// assert_eq!((span.count, span.mean, span.median), (4, 3.0, 3.0));
+    /// assert!((span.deviation.ok_or("one value")? - (10.0_f64 / 3.0).sqrt()).abs() < 1e-12);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn of(samples: &Samples, span: (f64, f64)) -> Option<Self> {
         let within = samples.within(span);
         let times = &samples.times[within.clone()];

@@ -27,6 +27,19 @@ const NUMBERS: [&str; 10] = [
 ///
 /// Names and values are looked at first, at the table's beginning and at some places all over it; then units and axes
 /// are judged together by what columns must have to do with each other.
+///
+/// ```
+/// use pilotage_readers::columns::{ColumnRole, guess_table};
+///
+/// let row = |t: usize| format!("{t},{:.6},{:.6},{}\n", 46.8 + 1e-4 * t as f64, -92.0, 20 + t % 2);
+/// let rows: String = (0..50).map(row).collect();
+/// let table = format!("time_s,lat_deg,lon_deg,temperature\n{rows}");
+/// let map = guess_table("track.csv", table.as_bytes()).ok_or("no table")?;
+/// let column = |role| map.column(role).map(|column| column.name.as_str());
+/// assert_eq!(column(ColumnRole::Time), Some("time_s"));
+/// assert_eq!(column(ColumnRole::Latitude), Some("lat_deg"));
+/// # Ok::<(), &str>(())
+/// ```
 pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
     let guess = guess_with_samples(file, bytes)?;
     let mut maps = [guess.map];

@@ -63,6 +63,19 @@ impl Expression {
     ///
     /// # Errors
     /// A series that `source` has not, with the most similar name.
+    ///
+    /// ```
+    /// # use pilotage_readers::bytes::MemoryBytes;
+    /// use pilotage_readers::expression::Expression;
+    /// use pilotage_readers::log::read_log;
+    ///
+    /// let text = "FMT, 1, 13, GPS, Qff, TimeUS,VelN,VelE\nGPS, 1000000, 3, 4\nGPS, 2000000, 5, 12\n";
+    /// let log = read_log(&MemoryBytes::new("flight.log", text.as_bytes()))?.ok_or("no log")?;
+    /// let speed = Expression::parse("hypot(GPS.VelN, GPS.VelE)")?.evaluate(&log)?;
+    /// assert_eq!((speed.times, speed.values), (vec![1.0, 2.0], vec![5.0, 13.0]));
+    /// assert!(Expression::parse("GPS.VelN +").is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn evaluate(&self, source: &dyn SeriesSource) -> Result<Samples, ExpressionError> {
         let evaluator = Evaluator {
             source,

@@ -42,6 +42,14 @@ impl Samples {
     }
 
     /// Samples in order of time: of several at one time, the last counts.
+    ///
+    /// ```
+    /// use pilotage_readers::expression::Samples;
+    ///
+    /// // Out of order, and two at one time.
+    /// let samples = Samples::new([(2.0, 20.0), (1.0, 10.0), (2.0, 21.0)].into_iter(), "m");
+    /// assert_eq!((samples.times, samples.values), (vec![1.0, 2.0], vec![10.0, 21.0]));
+    /// ```
     pub fn new(samples: impl Iterator<Item = (f64, f64)>, unit: impl Into<String>) -> Self {
         let mut all = Self::in_order(samples, unit);
         if all.times.windows(2).any(|pair| pair[0] == pair[1]) {

@@ -69,6 +69,33 @@ fn column_of(name: ChannelName) -> (String, &'static str) {
 ///
 /// Values stand in SI and radians. `progress` hears how many of how many files are done, and stops
 /// the writing between two files by returning `false`.
+///
+/// ```
+/// use std::sync::Arc;
+/// use pilotage_base::files::{FileSet, MemoryFiles};
+/// use pilotage_readers::{read_flight, write_flight};
+/// # use pilotage_base::frames::GroundPoint;
+/// # use pilotage_flight::{Channel, ChannelName, Flight, StartFix};
+/// # use pilotage_raster::camera::CameraModel;
+/// # let channel = |name, value: f64| Channel { name, times: vec![0.0, 0.1], values: vec![value, 1.0 / 3.0] };
+/// # let flight = Flight {
+/// #     name: "two readings".to_owned(),
+/// #     frame_on_globe: None,
+/// #     camera: CameraModel::pinhole(640, 480, 1.0),
+/// #     ground_down: 0.0,
+/// #     channels: vec![channel(ChannelName::Airspeed, 18.0), channel(ChannelName::Heading, 0.2)],
+/// #     frames: Vec::new(),
+/// #     start: StartFix { time: 0.0, position: GroundPoint::new(0.0, 0.0), standard_deviation: 5.0 },
+/// #     truth: None,
+/// # };
+///
+/// let mut files = MemoryFiles::default();
+/// write_flight(&flight, None, &mut files, &mut |_, _| true)?;
+/// assert!(files.read("flight.json").is_some());
+/// // To the last bit.
+/// assert_eq!(read_flight(Arc::new(files))?.flight, flight);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn write_flight(
     flight: &Flight,
     mut frames: Option<&mut dyn FrameSource>,

@@ -101,6 +101,24 @@ pub enum InterpretError {
 ///
 /// World is the tangent plane at the first fix; heights are above the ground there. The truth is the track
 /// of the satellite receiver: it is what there is, and no better than it.
+///
+/// ```
+/// use pilotage_flight::ChannelName;
+/// # use pilotage_readers::bytes::MemoryBytes;
+/// use pilotage_readers::interpret::flight_from_log;
+/// use pilotage_readers::log::read_log;
+///
+/// let text = "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\n\
+///             FMT, 2, 50, ATT, Qc, TimeUS,Yaw\n\
+///             GPS, 1000000, 3, 46.8, -92.0, 200\nATT, 1000000, 90\n\
+///             GPS, 2000000, 3, 46.8001, -92.0, 200\nATT, 2000000, 91\n";
+/// let log = read_log(&MemoryBytes::new("flight.log", text.as_bytes()))?.ok_or("no log")?;
+/// let flight = flight_from_log(&log).into_flight()?;
+/// // A ten-thousandth of a degree of latitude is 11.1 m.
+/// let north = flight.value(ChannelName::GpsNorth, 2.0).ok_or("no track")?;
+/// assert!((north - 11.1).abs() < 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn flight_from_log(log: &Log) -> Interpreted {
     let found = all_series(log);
     let has_heading = found.iter().any(|s| s.role == Role::Heading);

@@ -167,6 +167,19 @@ fn is_alive(series: &RoleSeries) -> bool {
 
 /// The series of a role: as it was given, else from the best place that says anything, else from the best that is
 /// there.
+///
+/// ```
+/// # use pilotage_readers::bytes::MemoryBytes;
+/// use pilotage_readers::interpret::{Role, series};
+/// use pilotage_readers::log::read_log;
+///
+/// let text = "FMT, 1, 13, ATT, Qc, TimeUS,Yaw\nATT, 1000000, 90.0\nATT, 1500000, 180.0\n";
+/// let log = read_log(&MemoryBytes::new("flight.log", text.as_bytes()))?.ok_or("no log")?;
+/// let heading = series(&log, Role::Heading).ok_or("no heading")?;
+/// assert_eq!(heading.source, "ATT.Yaw");
+/// assert!((heading.values[0] - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+/// # Ok::<(), String>(())
+/// ```
 pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
     if let Some(given) = log.given.iter().find(|given| given.role == role) {
         return Some(given.clone());

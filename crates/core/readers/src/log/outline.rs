@@ -46,6 +46,20 @@ impl TopicOutline {
     }
 
     /// Rows per second from the first to the last, 0 with fewer than two.
+    ///
+    /// ```
+    /// # use pilotage_readers::bytes::MemoryBytes;
+    /// use pilotage_readers::log::{Outline, read_log};
+    ///
+    /// # let text = "FMT, 1, 13, ATT, Qc, TimeUS,Roll\nATT, 1000000, 1.5\nATT, 1500000, -2.25\nATT, 2000000, 0\n";
+    /// # let source = MemoryBytes::new("flight.log", text.as_bytes());
+    /// // Three rows within a second.
+    /// let outline = Outline::of(&read_log(&source)?.ok_or("no log")?);
+    /// let attitude = outline.topics.iter().find(|topic| topic.name.name == "ATT").ok_or("no attitude")?;
+    /// assert_eq!((attitude.rows, attitude.span), (3, Some((1.0, 2.0))));
+    /// assert_eq!(attitude.rate(), 2.0);
+    /// # Ok::<(), String>(())
+    /// ```
     pub fn rate(&self) -> f64 {
         match self.span {
             Some((from, to)) if to > from && self.rows > 1 => (self.rows - 1) as f64 / (to - from),

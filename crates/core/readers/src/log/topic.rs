@@ -53,6 +53,16 @@ pub struct Topic {
 
 impl Topic {
     /// A topic without rows; a row is as long as its last field reaches.
+    ///
+    /// ```
+    /// use pilotage_readers::log::{FieldKind, FieldLayout, Topic, TopicName};
+    ///
+    /// let fields = vec![FieldLayout::plain("Alt", FieldKind::U16, 0)];
+    /// let mut topic = Topic::new(TopicName::single("BARO"), fields);
+    /// topic.push(0.5, &[44, 1]);
+    /// assert_eq!(topic.values("Alt"), Some(vec![300.0])); // 44 + 256
+    /// assert_eq!(topic.values("Temp"), None);
+    /// ```
     pub fn new(name: TopicName, fields: Vec<FieldLayout>) -> Self {
         let ends = fields.iter().map(|f| f.offset + f.kind.size());
         let width = ends.max().unwrap_or(0);

@@ -7,6 +7,21 @@ use pilotage_base::bytes::ByteSource;
 const PIECE: u64 = 4 << 20;
 
 /// Everything in the file, or `None` if it is no log; the error says in words why its bytes cannot be had.
+///
+/// ```
+/// use pilotage_readers::bytes::MemoryBytes;
+/// use pilotage_readers::log::read_log;
+///
+/// // ArduPilot's log as text: kinds of messages announce themselves.
+/// let text = "FMT, 1, 13, ATT, Qcc, TimeUS,Roll,Yaw\n\
+///             ATT, 1000000, 1.5, 90.0\n\
+///             ATT, 1500000, -2.25, 91.0\n";
+/// let log = read_log(&MemoryBytes::new("flight.log", text.as_bytes()))?.ok_or("no log")?;
+/// let attitude = log.first("ATT").ok_or("no attitude")?;
+/// assert_eq!(attitude.times, [1.0, 1.5]);
+/// assert_eq!(attitude.values("Roll"), Some(vec![1.5, -2.25]));
+/// # Ok::<(), String>(())
+/// ```
 pub fn read_log(source: &dyn ByteSource) -> Result<Option<Log>, String> {
     let length = source.length();
     let head = source.read(0, (HEAD as u64).min(length) as usize)?;

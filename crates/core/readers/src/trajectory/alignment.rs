@@ -46,6 +46,19 @@ impl Similarity {
 
 /// Similarity that lays the first of each pair over the second; `None` where the places do not tell: without
 /// a pair, or for a rotation with all of them in one place.
+///
+/// ```
+/// use nalgebra::Point3;
+/// use pilotage_readers::trajectory::{Alignment, align};
+///
+/// // East in place of north, twice as large and 5 m down.
+/// let pairs = [(0.0, 0.0), (10.0, 0.0), (10.0, 20.0)]
+///     .map(|(n, e)| (Point3::new(n, e, 0.0), Point3::new(-2.0 * e, 2.0 * n, 5.0)));
+/// let over = align(&pairs, Alignment::Similarity).ok_or("one place")?;
+/// assert!((over.scale - 2.0).abs() < 1e-9);
+/// assert!((over.apply(&pairs[2].0) - pairs[2].1).norm() < 1e-9);
+/// # Ok::<(), &str>(())
+/// ```
 pub fn align(pairs: &[(Point3<f64>, Point3<f64>)], how: Alignment) -> Option<Similarity> {
     let (first, second) = pairs.first()?;
     match how {

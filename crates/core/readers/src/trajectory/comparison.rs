@@ -88,6 +88,21 @@ pub fn shift_to(reference: &Track, track: &Track, clock: Clock) -> Result<f64, N
 }
 
 /// `track` against `reference`, in the reference's time and world.
+///
+/// ```
+/// use pilotage_readers::trajectory::{ComparisonSettings, Track, compare};
+///
+/// // Northward at 20 m/s, and the same 3 m to the north and 4 m to the east.
+/// let straight = |north: f64, east: f64| {
+///     let places = (0..60).map(move |t| (f64::from(t), 20.0 * f64::from(t) + north, east));
+///     Track::on_the_ground("run".to_owned(), None, places)
+/// };
+/// let found = compare(&straight(0.0, 0.0), &straight(3.0, 4.0), &ComparisonSettings::default())?;
+/// assert!((found.absolute_statistics.rmse - 5.0).abs() < 1e-9);
+/// // What stays the same is no error of the way.
+/// assert!(found.relative_statistics.is_some_and(|relative| relative.rmse < 1e-9));
+/// # Ok::<(), pilotage_readers::trajectory::NotComparable>(())
+/// ```
 pub fn compare(
     reference: &Track,
     track: &Track,

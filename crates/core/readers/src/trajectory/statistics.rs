@@ -25,6 +25,15 @@ pub struct ErrorStatistics {
 
 impl ErrorStatistics {
     /// Of errors that are not negative; `None` without any.
+    ///
+    /// ```
+    /// use pilotage_readers::trajectory::ErrorStatistics;
+    ///
+    /// let errors = ErrorStatistics::of([3.0, 4.0, 0.0]).ok_or("none")?;
+    /// assert_eq!((errors.median, errors.greatest), (3.0, 4.0));
+    /// assert!((errors.rmse - (25.0_f64 / 3.0).sqrt()).abs() < 1e-12);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn of(errors: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = errors.into_iter().collect();
         sorted.sort_by(f64::total_cmp);

@@ -25,6 +25,14 @@ impl Default for VideoClock {
 
 impl VideoClock {
     /// A time of the video in the flight's time base, seconds.
+    ///
+    /// ```
+    /// use pilotage_readers::video::VideoClock;
+    ///
+    /// // Recording began 12 s into the flight; every second is played in two.
+    /// let clock = VideoClock { offset: 12.0, rate: 0.5 };
+    /// assert_eq!(clock.flight_time(10.0), 17.0);
+    /// ```
     pub fn flight_time(&self, video_time: f64) -> f64 {
         self.offset + self.rate * video_time
     }
