@@ -108,6 +108,22 @@ impl Imagery for OpenMap {
 
 /// The map `name` among `files` in the world frame `frame`; a georeference on the globe makes its
 /// own frame around its own origin where there is none.
+///
+/// ```
+/// use pilotage_maps::files::{FileSink, MemoryFiles};
+/// use pilotage_maps::open_map;
+/// use pilotage_raster::imagery::Imagery;
+/// use pilotage_raster::raster::{Raster, encode_png};
+///
+/// // 40 × 20 pixels of 0.5 m with the north-west corner in the origin, by a world file.
+/// let picture = encode_png(&Raster::filled(40, 20, [90, 120, 60]))?;
+/// let mut files = MemoryFiles::default();
+/// files.write("town.png", &picture)?;
+/// files.write("town.pgw", b"0.5\n0\n0\n-0.5\n0.25\n-0.25\n")?;
+/// let map = open_map(&files, "town.png", None)?;
+/// assert_eq!((map.bounds().east, map.bounds().south), (20.0, -10.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn open_map(
     files: &dyn FileSet,
     name: &str,

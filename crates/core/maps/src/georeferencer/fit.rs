@@ -74,6 +74,24 @@ pub struct Fit {
 }
 
 /// Fits a transform of `kind` to the points that are on.
+///
+/// ```
+/// use nalgebra::Point2;
+/// use pilotage_maps::georeferencer::{ControlPoint, TransformKind, fit};
+///
+/// // Half a metre a pixel, north up, the corner at (1000, 2000).
+/// let point = |x: f64, y: f64| ControlPoint {
+///     pixel: Point2::new(x, y),
+///     place: Point2::new(1000.0 + 0.5 * x, 2000.0 - 0.5 * y),
+/// #     enabled: true,
+/// };
+/// let points = [point(0.0, 0.0), point(400.0, 0.0), point(0.0, 300.0)];
+/// let fit = fit(&points, TransformKind::Similarity)?;
+/// let place = fit.place_at(&Point2::new(100.0, 200.0)).ok_or("beyond the horizon")?;
+/// assert!((place - Point2::new(1050.0, 1900.0)).norm() < 1e-6);
+/// assert!(fit.rms_in_pixels < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn fit(points: &[ControlPoint], kind: TransformKind) -> Result<Fit, FitError> {
     let on: Vec<&ControlPoint> = points.iter().filter(|p| p.enabled).collect();
     let matrix = solve_for(&on, kind)?;

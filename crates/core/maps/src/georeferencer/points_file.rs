@@ -53,6 +53,18 @@ pub enum PointsFileError {
 /// column `CRS` of every line, as QGIS 3.16 to 3.20 wrote it. One that is not known is an error.
 ///
 /// QGIS counts rows downward as negative numbers, from the outer corner of the first pixel.
+///
+/// ```
+/// use pilotage_maps::georeferencer::read_points;
+///
+/// // As QGIS writes it: rows count downward as negative numbers.
+/// let text = "#CRS: EPSG:3857\nmapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n\
+///             1000,2000,20,-30,1,0,0,0\n";
+/// let (points, system) = read_points(text)?;
+/// assert_eq!((points[0].pixel.x, points[0].pixel.y), (20.0, 30.0));
+/// assert_eq!(system.and_then(|system| system.epsg()), Some(3857));
+/// # Ok::<(), pilotage_maps::georeferencer::PointsFileError>(())
+/// ```
 pub fn read_points(
     text: &str,
 ) -> Result<(Vec<ControlPoint>, Option<ReferenceSystem>), PointsFileError> {

@@ -102,6 +102,38 @@ pub struct GeoTiff {
 impl GeoTiffFile {
     /// Reads the directories of a file. What it does not say itself is taken from `beside`, the
     /// world file beside it, and `system`.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use pilotage_maps::{GeoTiffFile, bytes::MemoryBytes};
+    /// # // A grey picture of 4 × 2 pixels: header, pixels, numbers, directory.
+    /// # let mut bytes = b"II*\0".to_vec();
+    /// # bytes.extend(120_u32.to_le_bytes());
+    /// # bytes.extend([100; 8]); // pixels at 8
+    /// # bytes.extend([0.1, 0.1, 0.0].iter().flat_map(|v: &f64| v.to_le_bytes())); // at 16
+    /// # bytes.extend([0.0, 0.0, 0.0, 10.0, 50.0, 0.0].iter().flat_map(|v: &f64| v.to_le_bytes())); // at 40
+    /// # let keys = [1, 1, 0, 3, 1024, 0, 1, 2, 1025, 0, 1, 1, 2048, 0, 1, 4326];
+    /// # bytes.extend(keys.iter().flat_map(|v: &u16| v.to_le_bytes())); // at 88
+    /// # let tags: [(u16, u16, u32, u32); 12] = [
+    /// #     (256, 3, 1, 4), (257, 3, 1, 2), (258, 3, 1, 8), (259, 3, 1, 1), (262, 3, 1, 1), (273, 4, 1, 8),
+    /// #     (277, 3, 1, 1), (278, 3, 1, 2), (279, 4, 1, 8),
+    /// #     (33550, 12, 3, 16), (33922, 12, 6, 40), (34735, 3, 16, 88),
+    /// # ];
+    /// # bytes.extend((tags.len() as u16).to_le_bytes());
+    /// # for (tag, kind, count, value) in tags {
+    /// #     bytes.extend([tag, kind].iter().flat_map(|v| v.to_le_bytes()));
+    /// #     bytes.extend([count, value].iter().flat_map(|v| v.to_le_bytes()));
+    /// # }
+    /// # bytes.extend([0; 4]);
+    ///
+    /// // 4 × 2 pixels of a tenth of a degree, the north-west corner at 50° N, 10° E.
+    /// let file = GeoTiffFile::open(Arc::new(MemoryBytes::new("map.tif", bytes)), None, None)?;
+    /// assert_eq!(file.size(), (4, 2));
+    /// let middle = file.origin().ok_or("no place")?;
+    /// assert!((middle.latitude.to_degrees() - 49.9).abs() < 1e-9);
+    /// assert!((middle.longitude.to_degrees() - 10.2).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn open(
         source: Arc<dyn ByteSource>,
         beside: Option<Georeference>,

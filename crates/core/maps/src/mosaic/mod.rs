@@ -35,6 +35,26 @@ impl Mosaic {
     ///
     /// # Errors
     /// A table that does not say where pictures lie, or a picture that is not there or cannot be read.
+    ///
+    /// ```
+    /// use pilotage_maps::files::{FileSink, MemoryFiles};
+    /// use pilotage_maps::{MapOptions, Mosaic};
+    /// # use pilotage_raster::imagery::Imagery;
+    /// # use pilotage_raster::raster::{Raster, encode_png};
+    /// # let picture = encode_png(&Raster::filled(40, 20, [90, 120, 60]))?;
+    /// # let mut files = MemoryFiles::default();
+    ///
+    /// files.write("west.png", &picture)?;
+    /// files.write("east.png", &picture)?;
+    /// let table = "file,north,west,south,east\n\
+    ///              west.png,0.001,-0.002,0,0\neast.png,0.001,0,0,0.002\n";
+    /// files.write("corners.csv", table.as_bytes())?;
+    /// let map = Mosaic::open(&files, "corners.csv", &MapOptions::default())?;
+    /// assert_eq!(map.count(), 2);
+    /// // 0.004° of longitude at the equator.
+    /// assert!((map.bounds().width() - 445.28).abs() < 0.1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn open(files: &dyn FileSet, name: &str, options: &MapOptions) -> Result<Self, MapError> {
         let bytes = files.read(name).ok_or_else(|| missing(name))?;
         let wrong = |cause| MapError::Corners {

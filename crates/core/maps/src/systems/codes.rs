@@ -8,6 +8,19 @@ use super::datums::{self, plain_name};
 use super::made::of_numbers;
 
 /// The system with that EPSG code, of WGS 84 or another datum.
+///
+/// ```
+/// use pilotage_maps::frames::Geodetic;
+/// use pilotage_maps::systems::by_code;
+///
+/// // ETRS89 / UTM zone 32N: x is 500 km on the meridian of 9° E.
+/// let system = by_code(25_832)?;
+/// let place = Geodetic::from_degrees(48.0, 9.0, 0.0);
+/// let (x, _) = system.coordinates(&place).ok_or("beyond the system")?;
+/// assert!((x - 500_000.0).abs() < 0.01);
+/// assert!(by_code(1).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn by_code(code: u32) -> Result<ReferenceSystem, SystemError> {
     let own = ReferenceSystem::from_epsg(code);
     own.or_else(|| system(code))

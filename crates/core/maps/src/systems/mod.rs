@@ -37,6 +37,14 @@ pub fn codes() -> Vec<u32> {
 
 /// The system that a text names: "EPSG:25832", a bare code, a name like "WGS 84 / UTM zone 17N" or
 /// "ETRS89 / UTM zone 32N", or well-known text of either version, as .prj files hold it.
+///
+/// ```
+/// use pilotage_maps::systems::{by_code, by_name};
+///
+/// assert_eq!(by_name("ETRS89 / UTM zone 32N")?, by_code(25_832)?);
+/// assert_eq!(by_name("EPSG:3857")?.epsg(), Some(3857));
+/// # Ok::<(), pilotage_maps::systems::SystemError>(())
+/// ```
 pub fn by_name(text: &str) -> Result<ReferenceSystem, SystemError> {
     let text = text
         .trim()

@@ -30,6 +30,20 @@ impl Dem {
     /// Opens an elevation model, in the world frame `frame` or else around its own middle. `system`
     /// stands in for a reference system that the file does not name. Of several bands the first holds
     /// the heights; [`notes`](Self::notes) says so. Scale, offset, unit and masks of the file are used.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use pilotage_maps::bytes::MemoryBytes;
+    /// use pilotage_maps::frames::GroundPoint;
+    /// use pilotage_maps::terrain::{Dem, Terrain};
+    ///
+    /// // The shuttle's radar mission: 1201 × 1201 heights in metres, here all of 300 m.
+    /// let bytes = 300_i16.to_be_bytes().repeat(1201 * 1201);
+    /// let file = MemoryBytes::new("N46W092.hgt", bytes);
+    /// let terrain = Dem::open(Arc::new(file), None, None)?;
+    /// assert_eq!(terrain.height_at(&GroundPoint::new(100.0, 200.0)), Some(300.0));
+    /// # Ok::<(), pilotage_maps::terrain::TerrainError>(())
+    /// ```
     pub fn open(
         source: Arc<dyn ByteSource>,
         frame: Option<LocalFrame>,

@@ -24,6 +24,23 @@ pub struct HeightGrid {
 impl HeightGrid {
     /// A grid over `area` without heights, with posts `spacing` metres apart or farther, so that it
     /// has at most `most_posts` along a side. [`take_rows`](Self::take_rows) fills it.
+    ///
+    /// ```
+    /// use pilotage_maps::frames::{GroundPoint, GroundRect};
+    /// use pilotage_maps::terrain::{HeightDatum, HeightGrid, Terrain};
+    ///
+    /// struct Slope; // rises by one in ten towards the north
+    /// impl Terrain for Slope {
+    /// #     fn name(&self) -> &str { "slope" }
+    /// #     fn datum(&self) -> &HeightDatum { &HeightDatum::NotStated }
+    ///     fn height_at(&self, place: &GroundPoint) -> Option<f64> { Some(0.1 * place.north) }
+    /// }
+    /// let area = GroundRect::centered(GroundPoint::new(0.0, 0.0), 200.0, 200.0);
+    /// let mut grid = HeightGrid::over("grid", HeightDatum::NotStated, area, 50.0, 100);
+    /// assert!(grid.take_rows(&Slope, usize::MAX)); // all at once
+    /// assert_eq!(grid.extremes(), Some((-10.0, 10.0)));
+    /// assert_eq!(grid.height_at(&GroundPoint::new(25.0, 10.0)), Some(2.5));
+    /// ```
     pub fn over(
         name: &str,
         datum: HeightDatum,

@@ -25,6 +25,15 @@ pub struct TileNumber {
 impl TileNumber {
     /// The tile at `zoom` that holds a place; places beyond the map's rim at 85° fall into its
     /// outermost row.
+    ///
+    /// ```
+    /// use pilotage_maps::frames::Geodetic;
+    /// use pilotage_maps::web_tiles::TileNumber;
+    ///
+    /// // At zoom 1 the world has four tiles; Sydney lies in the south-east.
+    /// let sydney = Geodetic::from_degrees(-33.86, 151.21, 0.0);
+    /// assert_eq!(TileNumber::around(&sydney, 1), TileNumber { zoom: 1, x: 1, y: 1 });
+    /// ```
     pub fn around(place: &Geodetic, zoom: u8) -> Self {
         let zoom = zoom.min(DEEPEST);
         let side = Self::side(zoom);
@@ -87,6 +96,14 @@ impl TileNumber {
 
     /// The coarsest zoom whose pixels at `latitude` (radians) are no larger than `gsd` metres, for
     /// tiles of `side` pixels.
+    ///
+    /// ```
+    /// use pilotage_maps::web_tiles::TileNumber;
+    ///
+    /// // 40 075 017 m around the equator are 256 · 2^14 pixels of 9.55 m.
+    /// assert_eq!(TileNumber::zoom_for(10.0, 0.0, 256), 14);
+    /// assert_eq!(TileNumber::zoom_for(9.5, 0.0, 256), 15);
+    /// ```
     pub fn zoom_for(gsd: f64, latitude: f64, side: usize) -> u8 {
         let at_zero = 2.0 * HALF_WORLD * latitude.cos() / side as f64;
         let zoom = (at_zero / gsd).log2() - 1e-6;

@@ -84,6 +84,23 @@ impl TileTemplate {
     }
 
     /// Address of a tile.
+    ///
+    /// ```
+    /// use pilotage_maps::web_tiles::{TileNumber, TileTemplate};
+    ///
+    /// let template = TileTemplate {
+    ///     name: "Example".to_owned(),
+    ///     address: "https://tiles.example.org/{z}/{x}/{y}.png".to_owned(),
+    ///     attribution: "© somebody".to_owned(),
+    /// #     least_zoom: 0,
+    /// #     most_zoom: 19,
+    /// #     side: 256,
+    /// }
+    /// .checked()?;
+    /// let tile = TileNumber { zoom: 3, x: 5, y: 2 };
+    /// assert_eq!(template.address_of(&tile), "https://tiles.example.org/3/5/2.png");
+    /// # Ok::<(), pilotage_maps::web_tiles::TemplateError>(())
+    /// ```
     pub fn address_of(&self, tile: &TileNumber) -> String {
         let TileNumber { zoom, x, y } = *tile;
         let from_south = (1_u32 << zoom.min(DEEPEST)) - 1 - y;
