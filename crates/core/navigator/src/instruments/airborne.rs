@@ -15,6 +15,18 @@ const AIRPLANE: f64 = 2.0;
 /// Of both speeds the larger counts, since flying against the wind is slow over ground, and an airspeed may be
 /// missing or stuck; but what stands on the ground does not fly however strong the wind or wrong the zero of the
 /// airspeed.
+///
+/// ```
+/// use pilotage_navigator::instruments::{Readings, airborne};
+///
+/// // Stands for 20 s, flies at 17 m/s for 60 s, stands again.
+/// let mut readings = Readings::default();
+/// for i in 0..100 {
+///     let time = f64::from(i);
+///     readings.airspeed.push(time, if (20..80).contains(&i) { 17.0 } else { 0.3 });
+/// }
+/// assert_eq!(airborne(&readings), [(20.0, 79.0)]);
+/// ```
 pub fn airborne(readings: &Readings) -> Vec<(f64, f64)> {
     let ground_speed = |time| readings.velocities.at(time).map(|v| v.norm());
     let speed = |time: f64| {

@@ -79,6 +79,41 @@ pub struct WindAt {
 /// # Errors
 ///
 /// A flight without positions, without heading, or never in the air; a filter that cannot go on.
+///
+/// ```
+/// # use pilotage_base::frames::{GroundPoint, wrap_pi};
+/// # use pilotage_flight::{Channel, ChannelName, Flight, StartFix};
+/// use pilotage_navigator::instruments::{GpsWindSettings, gps_wind};
+/// # use pilotage_raster::camera::CameraModel;
+/// # let rate = 3_f64.to_radians();
+/// # let times: Vec<f64> = (0..1200).map(|i| 0.2 * f64::from(i)).collect();
+/// # let channel = |name, value: &dyn Fn(f64) -> f64| Channel {
+/// #     name,
+/// #     times: times.clone(),
+/// #     values: times.iter().map(|t| value(*t)).collect(),
+/// # };
+/// # let flight = Flight {
+/// #     name: "circles".to_owned(),
+/// #     frame_on_globe: None,
+/// #     camera: CameraModel::pinhole(640, 480, 1.0),
+/// #     ground_down: 0.0,
+/// #     channels: vec![
+/// #         channel(ChannelName::Airspeed, &|t| 20.0 + 0.01 * (7.0 * t).sin()),
+/// #         channel(ChannelName::Heading, &|t| wrap_pi(rate * t)),
+/// #         channel(ChannelName::GpsNorth, &|t| 20.0 / rate * (rate * t).sin() + 3.0 * t),
+/// #         channel(ChannelName::GpsEast, &|t| 20.0 / rate * (1.0 - (rate * t).cos()) + 4.0 * t),
+/// #     ],
+/// #     frames: Vec::new(),
+/// #     start: StartFix { time: 0.0, position: GroundPoint::new(0.0, 0.0), standard_deviation: 3.0 },
+/// #     truth: None,
+/// # };
+///
+/// // Two circles at 20 m/s that drift by 3 m north and 4 m east a second.
+/// let wind = gps_wind(&flight, &GpsWindSettings::continuous())?;
+/// let last = wind.last().ok_or("never in the air")?.wind;
+/// assert!((last.x - 3.0).abs() < 0.1 && (last.y - 4.0).abs() < 0.1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn gps_wind(flight: &Flight, settings: &GpsWindSettings) -> Result<Vec<WindAt>, ReckonError> {
     along(&Instruments::of(flight, None)?, &flight.name, settings)
 }

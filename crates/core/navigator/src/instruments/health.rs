@@ -16,6 +16,20 @@ const FEWEST: usize = 5;
 ///
 /// A sensor read out more often than it measures repeats itself as well, and a coarse one stands still in calm
 /// air: what is usual is learnt from the series.
+///
+/// ```
+/// use pilotage_navigator::instruments::{Series, stuck};
+///
+/// // Ten samples a second; the last 20 s show one and the same number.
+/// let mut airspeed = Series::new();
+/// for i in 0..400 {
+///     let wags = if i < 200 { 0.1 * f64::from(i % 7) } else { 0.0 };
+///     airspeed.push(0.1 * f64::from(i), 18.0 + wags);
+/// }
+/// let spans = stuck(&airspeed, &[(0.0, 40.0)]);
+/// // Noticed after three seconds.
+/// assert!(spans.len() == 1 && (spans[0].0 - 23.0).abs() < 0.2 && (spans[0].1 - 39.9).abs() < 1e-9);
+/// ```
 pub fn stuck(series: &Series, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
     let mut runs: Vec<(f64, f64, usize)> = Vec::new();

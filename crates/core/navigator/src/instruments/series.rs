@@ -80,6 +80,18 @@ impl<T: Sample> Series<T> {
 
     /// The value at `time`: by linear interpolation over pauses of at most `LONGEST_GAP`, held as long as
     /// that at the edges of longer ones, `None` inside them.
+    ///
+    /// ```
+    /// use pilotage_navigator::instruments::Series;
+    ///
+    /// let mut airspeed = Series::new();
+    /// for (time, value) in [(0.0, 18.0), (0.5, 20.0), (10.0, 30.0)] {
+    ///     airspeed.push(time, value);
+    /// }
+    /// assert_eq!(airspeed.at(0.25), Some(19.0));
+    /// // Nobody knows what it read in a pause of nine seconds.
+    /// assert_eq!(airspeed.at(5.0), None);
+    /// ```
     pub fn at(&self, time: f64) -> Option<T> {
         let after = self.times.partition_point(|t| *t <= time);
         let earlier = after

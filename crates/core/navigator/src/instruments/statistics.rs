@@ -1,6 +1,13 @@
 //! Quantiles.
 
 /// The value that the share `share` of the values stays below, between the nearest two; 0 of none.
+///
+/// ```
+/// use pilotage_navigator::instruments::quantile;
+///
+/// assert_eq!(quantile(vec![4.0, 1.0, 2.0, 3.0, 5.0], 0.5), 3.0);
+/// assert!((quantile(vec![0.0, 10.0], 0.95) - 9.5).abs() < 1e-12);
+/// ```
 pub fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     let place = share * values.len().saturating_sub(1) as f64;

@@ -5,6 +5,15 @@
 ///
 /// Begins at `start` (positive), each corner half as large again, and ends after `evaluations` calls of `score` or a
 /// few more. Answers with the best numbers and their score.
+///
+/// ```
+/// use pilotage_navigator::instruments::likeliest;
+///
+/// // Greatest where the numbers are 3 and 0.5.
+/// let score = |x: &[f64]| -(x[0] / 3.0).ln().powi(2) - (x[1] / 0.5).ln().powi(2);
+/// let (found, _) = likeliest(&[1.0, 1.0], 200, score);
+/// assert!((found[0] - 3.0).abs() < 1e-2 && (found[1] - 0.5).abs() < 1e-2);
+/// ```
 pub fn likeliest(
     start: &[f64],
     evaluations: usize,

@@ -31,6 +31,18 @@ impl Estimate {
     }
 
     /// Greatest variance of the position in any direction, m².
+    ///
+    /// ```
+    /// use nalgebra::{dmatrix, dvector};
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_navigator::navigator::Estimate;
+    ///
+    /// let (mean, covariance) = (dvector![10.0, 20.0], dmatrix![5.0, 4.0; 4.0, 5.0]);
+    /// let estimate = Estimate { mean, covariance };
+    /// assert_eq!(estimate.position(), GroundPoint::new(10.0, 20.0));
+    /// // Along north-east: 5 + 4.
+    /// assert!((estimate.greatest_variance() - 9.0).abs() < 1e-9);
+    /// ```
     pub fn greatest_variance(&self) -> f64 {
         let along = self.position_covariance().symmetric_eigenvalues();
         along.max().max(0.0)

@@ -80,6 +80,47 @@ pub struct Navigator {
 impl Navigator {
     /// Prepares to navigate `flight` by `landmarks` of `map`, each found by the detector that was chosen
     /// for it.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use pilotage_base::frames::GroundPoint;
+    /// # use pilotage_flight::{Channel, ChannelName, Flight, StartFix};
+    /// # use pilotage_raster::camera::CameraModel;
+    /// # use pilotage_flight::NoPictures;
+    /// # use pilotage_mission::settings::NavigatorSettings;
+    /// use pilotage_navigator::navigator::Navigator;
+    /// # use pilotage_raster::imagery::Blank;
+    /// # let channel = |name, mean: f64, by: f64| Channel {
+    /// #     name,
+    /// #     times: (0..=50).map(|i| 0.2 * f64::from(i)).collect(),
+    /// #     values: (0..=50).map(|i| if i % 2 == 0 { mean + by } else { mean - by }).collect(),
+    /// # };
+    /// # let flight = Flight {
+    /// #     name: "eastward".to_owned(),
+    /// #     frame_on_globe: None,
+    /// #     camera: CameraModel::pinhole(640, 480, 1.0),
+    /// #     ground_down: 0.0,
+    /// #     channels: vec![
+    /// #         channel(ChannelName::Airspeed, 20.0, 0.1),
+    /// #         channel(ChannelName::Heading, 90_f64.to_radians(), 0.001),
+    /// #     ],
+    /// #     frames: Vec::new(),
+    /// #     start: StartFix { time: 0.0, position: GroundPoint::new(0.0, 0.0), standard_deviation: 3.0 },
+    /// #     truth: None,
+    /// # };
+    ///
+    /// // 20 m/s towards the east for ten seconds, without pictures, in a wind of 4 m/s or so.
+    /// let settings = NavigatorSettings::default();
+    /// let mut navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), &settings)?;
+    /// let mut run = navigator.run_head();
+    /// while let Some(step) = navigator.advance(&mut NoPictures, &|| 0.0) {
+    ///     run.steps.push(step?);
+    /// }
+    /// let last = run.step_at(10.0).ok_or("no step")?;
+    /// assert!(last.after.position().distance(&GroundPoint::new(0.0, 200.0)) < 1.0);
+    /// assert!((40.0..44.0).contains(&last.after.greatest_variance().sqrt()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(
         flight: Arc<Flight>,
         landmarks: &[Landmark],

@@ -38,6 +38,42 @@ pub enum RunFileError {
 }
 
 /// The bytes of a run file.
+///
+/// ```
+/// # use std::sync::Arc;
+/// # use pilotage_base::frames::GroundPoint;
+/// # use pilotage_flight::{Channel, ChannelName, Flight, StartFix};
+/// # use pilotage_raster::camera::CameraModel;
+/// # use pilotage_mission::settings::NavigatorSettings;
+/// # use pilotage_raster::imagery::Blank;
+/// use pilotage_navigator::navigator::{Navigator, decode_run, encode_run};
+/// # let channel = |name, mean: f64, by: f64| Channel {
+/// #     name,
+/// #     times: (0..=50).map(|i| 0.2 * f64::from(i)).collect(),
+/// #     values: (0..=50).map(|i| if i % 2 == 0 { mean + by } else { mean - by }).collect(),
+/// # };
+/// # let flight = Flight {
+/// #     name: "eastward".to_owned(),
+/// #     frame_on_globe: None,
+/// #     camera: CameraModel::pinhole(640, 480, 1.0),
+/// #     ground_down: 0.0,
+/// #     channels: vec![
+/// #         channel(ChannelName::Airspeed, 20.0, 0.1),
+/// #         channel(ChannelName::Heading, 90_f64.to_radians(), 0.001),
+/// #     ],
+/// #     frames: Vec::new(),
+/// #     start: StartFix { time: 0.0, position: GroundPoint::new(0.0, 0.0), standard_deviation: 3.0 },
+/// #     truth: None,
+/// # };
+/// # let settings = NavigatorSettings::default();
+/// # let navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), &settings)?;
+///
+/// let run = navigator.run_head();
+/// let bytes = encode_run(&run)?;
+/// assert_eq!(decode_run("a.run", &bytes)?, run);
+/// assert!(decode_run("a.run", b"something else").is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn encode_run(run: &Run) -> Result<Vec<u8>, RunFileError> {
     postcard::to_extend(run, HEADER.to_vec()).map_err(|e| RunFileError::Unwritable {
         cause: e.to_string(),

@@ -34,6 +34,15 @@ pub struct ErrorFigures {
 
 impl ErrorFigures {
     /// Figures of a set of errors, `None` if it is empty.
+    ///
+    /// ```
+    /// use pilotage_navigator::navigator::ErrorFigures;
+    ///
+    /// let figures = ErrorFigures::of(vec![4.0, 0.0, 3.0]).ok_or("no errors")?;
+    /// assert_eq!((figures.median, figures.max), (3.0, 4.0));
+    /// assert!((figures.rms - (25.0_f64 / 3.0).sqrt()).abs() < 1e-12);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn of(mut errors: Vec<f64>) -> Option<Self> {
         errors.sort_by(f64::total_cmp);
         let last = errors.len().checked_sub(1)?;
@@ -150,6 +159,56 @@ fn figures(consistency: &Consistency) -> Option<ConsistencyFigures> {
 /// The run in figures, held against the flight's truth where there is one.
 ///
 /// `true_noise` describes the real process and sensors for the Cramér-Rao bound; none, no bound.
+///
+/// ```
+/// # use std::sync::Arc;
+/// # use pilotage_base::frames::GroundPoint;
+/// # use pilotage_flight::{Channel, ChannelName, Flight, StartFix};
+/// # use pilotage_raster::camera::CameraModel;
+/// # use nalgebra::Point3;
+/// # use pilotage_flight::{NoPictures, Truth, TruthState};
+/// # use pilotage_mission::settings::NavigatorSettings;
+/// use pilotage_navigator::navigator::{Navigator, summarize};
+/// # use pilotage_raster::imagery::Blank;
+/// # let at = |time: f64| TruthState {
+/// #     time,
+/// #     position: Point3::new(0.0, 22.0 * time, -100.0),
+/// #     attitude: None,
+/// #     wind: None,
+/// # };
+/// # let channel = |name, mean: f64, by: f64| Channel {
+/// #     name,
+/// #     times: (0..=50).map(|i| 0.2 * f64::from(i)).collect(),
+/// #     values: (0..=50).map(|i| if i % 2 == 0 { mean + by } else { mean - by }).collect(),
+/// # };
+/// # let flight = Flight {
+/// #     name: "eastward".to_owned(),
+/// #     frame_on_globe: None,
+/// #     camera: CameraModel::pinhole(640, 480, 1.0),
+/// #     ground_down: 0.0,
+/// #     channels: vec![
+/// #         channel(ChannelName::Airspeed, 20.0, 0.1),
+/// #         channel(ChannelName::Heading, 90_f64.to_radians(), 0.001),
+/// #     ],
+/// #     frames: Vec::new(),
+/// #     start: StartFix { time: 0.0, position: GroundPoint::new(0.0, 0.0), standard_deviation: 3.0 },
+/// #     truth: Some(Truth { states: vec![at(0.0), at(10.0)], frames: Vec::new() }),
+/// # };
+/// # let flight = Arc::new(flight);
+/// # let settings = NavigatorSettings::default();
+/// # let mut navigator = Navigator::new(Arc::clone(&flight), &[], Arc::new(Blank), &settings)?;
+/// # let mut run = navigator.run_head();
+/// # while let Some(step) = navigator.advance(&mut NoPictures, &|| 0.0) {
+/// #     run.steps.push(step?);
+/// # }
+///
+/// // Ten seconds without a picture in a wind of 2 m/s that nobody told.
+/// let summary = summarize(&flight, &run, None);
+/// let reckoned = summary.dead_reckoning_error_m.ok_or("no truth")?;
+/// assert!((reckoned.max - 20.0).abs() < 0.5);
+/// assert_eq!(summary.frames, 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn summarize(flight: &Flight, run: &Run, true_noise: Option<&NavigatorSettings>) -> Summary {
     let mut summary = Summary {
         name: run.name.clone(),

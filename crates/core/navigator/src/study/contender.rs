@@ -15,6 +15,17 @@ pub struct Contender {
 
 impl Contender {
     /// Every one of `estimators` on every one of `vehicles`, model by model.
+    ///
+    /// ```
+    /// use pilotage_mission::settings::{EstimatorChoice, VehicleChoice};
+    /// use pilotage_navigator::study::Contender;
+    ///
+    /// let vehicles = [VehicleChoice::AirplaneWind, VehicleChoice::RandomWalk];
+    /// let all = Contender::all(&EstimatorChoice::ALL, &vehicles);
+    /// assert_eq!(all.len(), 3 * 2);
+    /// // Model by model.
+    /// assert!(all[..3].iter().all(|one| one.vehicle == VehicleChoice::AirplaneWind));
+    /// ```
     pub fn all(estimators: &[EstimatorChoice], vehicles: &[VehicleChoice]) -> Vec<Self> {
         let of = |vehicle: &VehicleChoice| {
             let vehicle = *vehicle;
