@@ -44,6 +44,15 @@ impl SimulationChoice {
     }
 
     /// The one of that name.
+    ///
+    /// ```
+    /// use pilotage_simulate::simulate::SimulationChoice;
+    ///
+    /// let hall = SimulationChoice::named("indoor-hall").ok_or("no such flight")?;
+    /// assert!(hall.is_indoors);
+    /// assert!(SimulationChoice::named("the-moon").is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn named(name: &str) -> Option<Self> {
         Self::all().into_iter().find(|choice| choice.name == name)
     }

@@ -34,6 +34,17 @@ impl Turbulence {
     ///
     /// u₂₀ follows from the wind at flight height by a power law with the exponent 0.3 of stable
     /// air. Calm air keeps a vertical intensity of 0.1 m/s.
+    ///
+    /// ```
+    /// use pilotage_simulate::simulate::Turbulence;
+    ///
+    /// // At 1000 ft 0.177 + 0.000823 h is 1: gusts are as strong and as long in all directions.
+    /// let turbulence = Turbulence::low_altitude(304.8, 10.0);
+    /// assert!((turbulence.intensity.x - turbulence.intensity.z).abs() < 1e-9);
+    /// assert!((turbulence.scale.x - 304.8).abs() < 1e-6);
+    /// // u₂₀ = 10 (20 / 1000)^0.3 m/s, a tenth of which is σ_w.
+    /// assert!((turbulence.intensity.z - 0.02_f64.powf(0.3)).abs() < 1e-9);
+    /// ```
     pub fn low_altitude(height: f64, wind_speed: f64) -> Self {
         let height_ft = (height / METRES_PER_FOOT).clamp(10.0, 1000.0);
         let wind_at_20_ft =
@@ -152,6 +163,19 @@ impl DrydenGust {
     }
 
     /// The gust (along, across to the right, down) one step later, m/s: velocity of the air.
+    ///
+    /// ```
+    /// use rand::SeedableRng;
+    /// use pilotage_simulate::simulate::{DrydenGust, Turbulence};
+    ///
+    /// let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+    /// let turbulence = Turbulence::low_altitude(100.0, 10.0);
+    /// let mut gusts = DrydenGust::new(&turbulence, 20.0, 5.0, &mut random);
+    /// // Over 20 000 gusts the mean square is that of the turbulence, to 5 %.
+    /// let squares = (0..20_000).map(|_| gusts.step(&mut random).x.powi(2));
+    /// let deviation = (squares.sum::<f64>() / 20_000.0).sqrt();
+    /// assert!((deviation / turbulence.intensity.x - 1.0).abs() < 0.05);
+    /// ```
     pub fn step(&mut self, random: &mut impl Rng) -> Vector3<f64> {
         Vector3::new(
             self.along.step(random),

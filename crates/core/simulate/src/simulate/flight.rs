@@ -130,6 +130,22 @@ impl FlightPlan {
     /// Flies the plan and measures. The same plan and seed give the same flight to the bit.
     ///
     /// Returns `None` for a path of fewer than two different way-points.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario};
+    ///
+    /// let scenario = Scenario::named("distinct-400ft-calm").ok_or("no such scenario")?;
+    /// let way_points = vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 300.0)];
+    /// let plan = FlightPlan { way_points, ..scenario.plan(&Overrides::default()) };
+    /// let flight = plan.simulate(1).ok_or("nothing to fly")?;
+    /// // Two pictures a second.
+    /// assert_eq!(flight.frames[1].time - flight.frames[0].time, 0.5);
+    /// // The same seed is the same flight, to the bit.
+    /// assert_eq!(plan.simulate(1).as_ref(), Some(&flight));
+    /// assert_ne!(plan.simulate(2).as_ref(), Some(&flight));
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn simulate(&self, seed: u64) -> Option<Flight> {
         let flown = self.fly(Some(seed))?;
         let channels = sensors::measure(
@@ -171,6 +187,21 @@ impl FlightPlan {
     /// The flight as planned: the mean wind blows and no gust.
     ///
     /// Returns `None` for a path of fewer than two different way-points.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario};
+    ///
+    /// let scenario = Scenario::named("distinct-400ft-calm").ok_or("no such scenario")?;
+    /// let way_points = vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 300.0)];
+    /// let plan = FlightPlan { way_points, ..scenario.plan(&Overrides::default()) };
+    /// // Eastward in calm air at cruising speed: 300 m / 18.87 m/s = 15.9 s.
+    /// let flight = plan.nominal().ok_or("nothing to fly")?;
+    /// let last = flight.states.last().ok_or("no state")?;
+    /// assert!((last.time - 300.0 / plan.airframe.cruise).abs() < 0.1);
+    /// assert!((last.position.y - 300.0).abs() < 2.0 && last.position.x.abs() < 0.1);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn nominal(&self) -> Option<TrueFlight> {
         self.fly(None)
     }

@@ -31,6 +31,13 @@ pub struct Airframe {
 impl Airframe {
     /// The Sig Kadet Senior of the thesis: 61.9 ft/s follow from its leg times of 40 s in calm air
     /// and 55 s against 10 kt; the rest is typical of a slow trainer.
+    ///
+    /// ```
+    /// use pilotage_simulate::simulate::Airframe;
+    ///
+    /// // 61.9 ft/s.
+    /// assert!((Airframe::sig_kadet_senior().cruise - 61.9 * 0.3048).abs() < 0.01);
+    /// ```
     pub fn sig_kadet_senior() -> Self {
         Self {
             cruise: feet(61.9),
@@ -103,6 +110,17 @@ impl AircraftState {
     }
 
     /// Velocity over the ground (north, east, down), m/s: through the air plus that of the air.
+    ///
+    /// ```
+    /// use nalgebra::{Vector2, Vector3};
+    /// use pilotage_simulate::simulate::{AircraftState, Airframe};
+    ///
+    /// // Heading east at 18.87 m/s in air that moves north by 5 m/s.
+    /// let airframe = Airframe::sig_kadet_senior();
+    /// let state = AircraftState::cruising(&airframe, Vector2::zeros(), 100.0, 90_f64.to_radians());
+    /// let velocity = state.ground_velocity(&Vector2::new(5.0, 0.0));
+    /// assert!((velocity - Vector3::new(5.0, airframe.cruise, 0.0)).norm() < 1e-9);
+    /// ```
     pub fn ground_velocity(&self, wind: &Vector2<f64>) -> Vector3<f64> {
         let climb = self.climb.clamp(-0.9 * self.airspeed, 0.9 * self.airspeed);
         let level = (self.airspeed * self.airspeed - climb * climb).sqrt();

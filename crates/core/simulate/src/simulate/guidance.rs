@@ -112,6 +112,21 @@ impl PathFollower {
 
     /// Commanded bank, radians, right wing down positive, for a position (north, east) and a ground
     /// velocity.
+    ///
+    /// ```
+    /// use nalgebra::Vector2;
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_simulate::simulate::{GuidanceSettings, PathFollower};
+    ///
+    /// // A leg towards the north, flown at 20 m/s.
+    /// let leg = [GroundPoint::new(0.0, 0.0), GroundPoint::new(1000.0, 0.0)];
+    /// let mut follower = PathFollower::new(&leg, GuidanceSettings::default()).ok_or("no leg")?;
+    /// let northward = Vector2::new(20.0, 0.0);
+    /// assert!(follower.bank(&Vector2::new(100.0, 0.0), &northward).abs() < 1e-12);
+    /// // 30 m to the right of it, it turns left.
+    /// assert!(follower.bank(&Vector2::new(100.0, 30.0), &northward) < -0.05);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn bank(&mut self, position: &Vector2<f64>, ground_velocity: &Vector2<f64>) -> f64 {
         let speed = ground_velocity.norm().max(1.0);
         self.advance(position, speed);

@@ -51,6 +51,14 @@ impl Wind {
     }
 
     /// Velocity of the air (north, east), m/s.
+    ///
+    /// ```
+    /// use pilotage_simulate::simulate::Wind;
+    ///
+    /// // A wind from the north blows towards the south.
+    /// let velocity = Wind { from: 0.0, speed: 5.0 }.velocity();
+    /// assert_eq!((velocity.x, velocity.y.abs()), (-5.0, 0.0));
+    /// ```
     pub fn velocity(&self) -> Vector2<f64> {
         -self.speed * Vector2::new(self.from.cos(), self.from.sin())
     }
@@ -155,6 +163,16 @@ impl Scenario {
     }
 
     /// The scenario of that name.
+    ///
+    /// ```
+    /// use pilotage_simulate::simulate::{Overrides, Scenario};
+    ///
+    /// let scenario = Scenario::named("distinct-400ft-wind").ok_or("no such scenario")?;
+    /// let plan = scenario.plan(&Overrides::default());
+    /// assert!((plan.height - 121.92).abs() < 1e-9); // 400 ft
+    /// assert!((plan.wind.norm() - 5.144).abs() < 1e-3); // 10 kt
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn named(name: &str) -> Option<Self> {
         Self::all().into_iter().find(|s| s.name == name)
     }

@@ -75,6 +75,28 @@ impl AerialCamera {
     /// The imagery is asked for windows on the tile grid of
     /// [`CachedImagery`](pilotage_raster::imagery::CachedImagery), so that one of those saves the drawing of
     /// ground that an earlier frame has seen.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use pilotage_base::frames::{Attitude, GroundPoint, Pose};
+    /// # use pilotage_base::georeference::GroundFromPixel;
+    /// # use pilotage_raster::{camera::CameraModel, imagery::GeoreferencedPicture, raster::Raster};
+    /// use pilotage_simulate::simulate::{AerialCamera, AerialCameraSettings, frame_random};
+    /// # let colour = |x| if x < 200 { [40, 80, 40, 255] } else { [200, 180, 160, 255] };
+    /// # let picture = Raster::from_fn(400, 400, |x, _| colour(x));
+    /// # let place = GroundFromPixel::north_up(GroundPoint::new(200.0, -200.0), 1.0);
+    /// # let ground = GeoreferencedPicture::new("halves", picture, place).ok_or("no area")?;
+    ///
+    /// // Over ground that is dark in the west and bright in the east, heading north.
+    /// let camera = CameraModel::pinhole(64, 48, 60_f64.to_radians());
+    /// let camera = AerialCamera::new(camera, AerialCameraSettings::ideal());
+    /// let (position_in_world, attitude) = (Point3::new(0.0, 0.0, -100.0), Attitude::level(0.0));
+    /// let pose = Pose { position_in_world, attitude };
+    /// let frame = camera.take(&ground, &pose, 0.0, &mut frame_random(1, 0));
+    /// assert_eq!(frame.picture.get(5, 24), [40, 80, 40]);
+    /// assert_eq!(frame.picture.get(58, 24), [200, 180, 160]);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn take(
         &self,
         imagery: &dyn Imagery,
