@@ -46,6 +46,16 @@ pub struct Reliability {
 
 impl Reliability {
     /// Sums passes up.
+    ///
+    /// ```
+    /// use pilotage_plan::{Pass, Reliability};
+    ///
+    /// // Said to be found in 80 % of the frames, found in 6 of 10.
+    /// let pass = Pass { predicted: 0.8, frames: 10, found: 6, wrong: 1 };
+    /// let reliability = Reliability::of(&[pass, pass]);
+    /// assert!((reliability.largest_difference(2) - 0.2).abs() < 1e-12);
+    /// assert!((reliability.false_matches - 0.1).abs() < 1e-12);
+    /// ```
     pub fn of(passes: &[Pass]) -> Self {
         let tenth = |p: &Pass| ((p.predicted * BINS as f64) as usize).min(BINS - 1);
         let bins = (0..BINS).map(|bin| {

@@ -63,6 +63,21 @@ pub struct Corridor {
 /// A strip holds what the Gaussians of the worlds add up to in one direction. For the ellipse that sum
 /// has no closed form: errors are drawn from every world, evenly and the same ones every time, and a
 /// quantile taken of them all.
+///
+/// ```
+/// use nalgebra::{Matrix2, Vector2};
+/// use pilotage_plan::{Belief, corridor};
+///
+/// // One world: 3 m to the north, 4 m to the east, flown towards the north.
+/// let covariance = Matrix2::new(9.0, 0.0, 0.0, 16.0);
+/// let world = Belief { weight: 1.0, mean: Vector2::zeros(), covariance };
+/// let corridor = corridor(&[world], 0.0, 0.95).ok_or("no covariance")?;
+/// assert!((corridor.sigma_major - 4.0).abs() < 1e-9);
+/// // Across the course 95 % lie within 1.96 standard deviations.
+/// assert!((corridor.across - 1.96 * 4.0).abs() < 0.01);
+/// assert!((corridor.along - 1.96 * 3.0).abs() < 0.01);
+/// # Ok::<(), &str>(())
+/// ```
 pub fn corridor(worlds: &[Belief], course: f64, probability: f64) -> Option<Corridor> {
     if worlds.is_empty() {
         return None;

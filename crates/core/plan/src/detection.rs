@@ -47,6 +47,23 @@ impl DetectionStatistics {
 
     /// Expected detection at `height` metres above ground: linear between the heights that were tried, and as
     /// at the nearest beyond them. `None` if none was tried.
+    ///
+    /// ```
+    /// use nalgebra::Matrix4;
+    /// use pilotage_plan::{DetectionStatistics, ExpectedDetection};
+    ///
+    /// let found = |per_frame| ExpectedDetection {
+    ///     recognised: 0.5,
+    ///     per_frame,
+    ///     covariance: Matrix4::identity(),
+    /// };
+    /// let by_height = vec![(100.0, found(0.8)), (200.0, found(0.4))];
+    /// let statistics = DetectionStatistics { by_height, by_day: Vec::new() };
+    /// let between = statistics.at(150.0).ok_or("never tried")?;
+    /// assert!((between.per_frame - 0.6).abs() < 1e-12);
+    /// assert!((between.probability() - 0.3).abs() < 1e-12);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn at(&self, height: f64) -> Option<ExpectedDetection> {
         let after = self.by_height.partition_point(|(h, _)| *h <= height);
         let Some((low, below)) = after.checked_sub(1).and_then(|i| self.by_height.get(i)) else {

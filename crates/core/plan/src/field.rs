@@ -77,6 +77,17 @@ impl FieldView {
     }
 
     /// Shorter side of the picture on the ground, metres; `None` if it does not see the ground.
+    ///
+    /// ```
+    /// use pilotage_plan::FieldView;
+    /// use pilotage_raster::camera::CameraModel;
+    ///
+    /// // 480 rows with a focal length of 320 pixels, from 160 m.
+    /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians());
+    /// let view = FieldView { camera, height: 160.0, position: 5.0, tilt: 0.02 };
+    /// assert!((view.across().ok_or("no ground")? - 240.0).abs() < 1e-9);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn across(&self) -> Option<f64> {
         let seen = self.seen()?;
         Some((seen.ahead[1] - seen.ahead[0]).min(seen.right[1] - seen.right[0]))
@@ -125,6 +136,20 @@ pub struct Localizability {
 
 impl Localizability {
     /// A grid over `region` of which nothing is known yet.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// use pilotage_plan::Localizability;
+    ///
+    /// let region = GroundRect::centered(GroundPoint::new(0.0, 0.0), 100.0, 200.0);
+    /// let mut field = Localizability::unknown(&region, 50.0);
+    /// assert_eq!((field.columns, field.rows), (4, 2));
+    /// // The north-west cell.
+    /// field.values[0] = 0.9;
+    /// assert_eq!(field.at(&GroundPoint::new(40.0, -90.0)).map(|p| (100.0 * p).round()), Some(90.0));
+    /// assert_eq!(field.at(&GroundPoint::new(0.0, 10.0)), None);
+    /// assert_eq!(field.known(), 0.125);
+    /// ```
     pub fn unknown(region: &GroundRect, step: f64) -> Self {
         let step = step.max(0.1);
         let count = |length: f64| (length / step).ceil().max(1.0) as usize;
@@ -197,6 +222,25 @@ pub struct FieldBuilder {
 
 impl FieldBuilder {
     /// Prepares a grid over `region` with cells of `step` metres.
+    ///
+    /// ```
+    /// # use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// use pilotage_plan::{FieldBuilder, FieldView, FixSource};
+    /// # use pilotage_raster::camera::CameraModel;
+    ///
+    /// // 200 × 150 m of ground in the picture; one landmark that is found in nine of ten.
+    /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians());
+    /// let view = FieldView { camera, height: 100.0, position: 5.0, tilt: 0.01 };
+    /// let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
+    /// let region = GroundRect::centered(GroundPoint::new(0.0, 0.0), 820.0, 820.0);
+    /// let sources = vec![FixSource { bounds, probability: 0.9 }];
+    /// let mut builder = FieldBuilder::new(view, &region, 20.0, sources);
+    /// while builder.advance() {}
+    /// let at = |north| builder.field().at(&GroundPoint::new(north, 0.0)).ok_or("unknown");
+    /// assert!((at(0.0)? - 0.9).abs() < 1e-3);
+    /// assert!(at(300.0)? < 1e-6);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn new(view: FieldView, region: &GroundRect, step: f64, sources: Vec<FixSource>) -> Self {
         let mut sources = sources;
         sources.sort_by(|a, b| b.bounds.center().north.total_cmp(&a.bounds.center().north));

@@ -51,6 +51,16 @@ pub enum FindError {
 const WIND_AFTER_A_FIX: f64 = 0.5;
 
 /// Factor by which the uncertainty grows faster before the first fix, for a filter with these settings.
+///
+/// ```
+/// use pilotage_mission::settings::NavigatorSettings;
+/// use pilotage_plan::growth_before_first_fix;
+///
+/// // A wind known to 4 m/s before, and to 0.5 m/s after a fix or two.
+/// let settings = NavigatorSettings::default();
+/// assert_eq!(settings.start.wind, 4.0);
+/// assert_eq!(growth_before_first_fix(&settings), 8.0);
+/// ```
 pub fn growth_before_first_fix(settings: &NavigatorSettings) -> f64 {
     (settings.start.wind / WIND_AFTER_A_FIX).max(1.0)
 }

@@ -94,6 +94,15 @@ fn edges(area: &NoFlyArea) -> impl Iterator<Item = (GroundPoint, GroundPoint)> +
 }
 
 /// Whether a point lies in a polygon (crossing number).
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_plan::inside;
+///
+/// let triangle = [(0.0, 0.0), (100.0, 0.0), (0.0, 100.0)].map(|(n, e)| GroundPoint::new(n, e));
+/// assert!(inside(&triangle, &GroundPoint::new(40.0, 40.0)));
+/// assert!(!inside(&triangle, &GroundPoint::new(60.0, 60.0)));
+/// ```
 pub fn inside(area: &[GroundPoint], p: &GroundPoint) -> bool {
     let mut within = false;
     for i in 0..area.len() {

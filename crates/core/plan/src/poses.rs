@@ -12,6 +12,18 @@ const HEADINGS: usize = 4;
 
 /// Level poses at `height` metres over a path, two a second at `speed` m/s: where the camera will be as
 /// far as a line on the map tells.
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_plan::poses_over;
+///
+/// // 100 m at 20 m/s with two pictures a second: one every 10 m, both ends included.
+/// let path = [GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 100.0)];
+/// let poses = poses_over(&path, 120.0, 20.0, 0.0);
+/// assert_eq!(poses.len(), 11);
+/// let (time, pose) = poses[3];
+/// assert!((time - 1.5).abs() < 1e-9 && (pose.position_in_world.y - 30.0).abs() < 1e-9);
+/// ```
 pub fn poses_over(
     path: &[GroundPoint],
     height: f64,

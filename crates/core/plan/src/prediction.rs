@@ -108,6 +108,28 @@ impl PredictionRequest<'_> {
     /// that differ in what is recognised, in the shake of the camera and in what is missed. Beside it
     /// goes the error that this filter then truly has; see [`corridor`]. Flights are brought together
     /// where they are, not when: against the wind a place is reached later.
+    ///
+    /// ```
+    /// # use pilotage_base::frames::GroundPoint;
+    /// # use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario};
+    /// use pilotage_plan::PredictionRequest;
+    /// # let scenario = Scenario::named("distinct-400ft-wind").ok_or("no such scenario")?;
+    /// # let way_points = vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 300.0)];
+    /// # let plan = FlightPlan { way_points, ..scenario.plan(&Overrides::default()) };
+    /// # let settings = scenario.navigator();
+    ///
+    /// // Without a landmark, in a wind of which 4 m/s on each axis are unknown to the filter.
+    /// let (plan, settings) = (&plan, &settings);
+    /// let (landmarks, wind_deviation) = (&[], 4.0);
+    /// let (worlds, seed, limit) = (8, 1, 20.0);
+    /// let request =
+    ///     PredictionRequest { plan, settings, landmarks, wind_deviation, worlds, seed, limit };
+    /// let prediction = request.predict()?;
+    /// let (first, last) = prediction.samples.first().zip(prediction.samples.last()).ok_or("no frame")?;
+    /// assert!((first.corridor.sigma_major - 3.0).abs() < 0.5); // the first position
+    /// assert!(last.corridor.sigma_major > 20.0 && !prediction.over_limit.is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn predict(&self) -> Result<Prediction, PredictionError> {
         let flight = self.plan.nominal().ok_or(PredictionError::NoRoute)?;
         let uncertain = self.wind_deviation > 0.0;

@@ -127,6 +127,41 @@ impl RouteQuestion {
 
     /// Worth of a line over way-points, flown with its turns before them; `None` where the line is not
     /// allowed.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use nalgebra::Vector2;
+    /// # use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// # use pilotage_plan::{Aim, BudgetOf, Localizability, RouteQuestion, Turns};
+    /// # let region = GroundRect::centered(GroundPoint::new(250.0, 0.0), 1000.0, 1000.0);
+    /// # let mut field = Localizability::unknown(&region, 50.0);
+    /// # field.values.fill(0.0);
+    /// # let corners = [(200.0, 50.0), (300.0, 50.0), (300.0, 150.0), (200.0, 150.0)];
+    /// # let question = RouteQuestion {
+    /// #     from: GroundPoint::new(0.0, 0.0),
+    /// #     to: GroundPoint::new(500.0, 0.0),
+    /// #     field: Arc::new(field),
+    /// #     pass: 100.0,
+    /// #     no_fly: vec![corners.map(|(n, e)| GroundPoint::new(n, e)).to_vec()],
+    /// #     clearance: 20.0,
+    /// #     forbidden: None,
+    /// #     airspeed: 20.0,
+    /// #     wind: Vector2::new(5.0, 0.0),
+    /// #     before_first_fix: 1.0,
+    /// #     turns: Turns::default(),
+    /// #     budget: 1.3,
+    /// #     budget_of: BudgetOf::Time,
+    /// #     aim: Aim::Worst,
+    /// # };
+    /// // 500 m northward at 20 m/s with 5 m/s from behind.
+    /// let (from, to) = (GroundPoint::new(0.0, 0.0), GroundPoint::new(500.0, 0.0));
+    /// let straight = question.judge(&[from, to]).ok_or("not allowed")?;
+    /// assert!((straight.length - 500.0).abs() < 1e-9);
+    /// assert!((straight.time - 20.0).abs() < 1e-6);
+    /// // By way of an area that must not be flown over.
+    /// assert!(question.judge(&[from, GroundPoint::new(250.0, 100.0), to]).is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn judge(&self, way_points: &[GroundPoint]) -> Option<FoundRoute> {
         let ground = self.ground();
         let mut route = FoundRoute {

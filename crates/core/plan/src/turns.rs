@@ -24,6 +24,17 @@ pub struct Turns {
 
 impl Turns {
     /// Way before and behind a way-point that the turn there needs, metres.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_plan::Turns;
+    ///
+    /// // For a right angle the arc begins a radius before the corner, and rolling in takes 10 m more.
+    /// let turns = Turns { radius: 65.0, roll_in: 10.0 };
+    /// let corner = [(0.0, 0.0), (500.0, 0.0), (500.0, 500.0)];
+    /// let [before, at, after] = corner.map(|(north, east)| GroundPoint::new(north, east));
+    /// assert!((turns.lead(&before, &at, &after) - 75.0).abs() < 1e-9);
+    /// ```
     pub fn lead(&self, before: &GroundPoint, at: &GroundPoint, after: &GroundPoint) -> f64 {
         let turn = turn(before, at, after);
         if turn.abs() < STRAIGHT {
@@ -48,6 +59,17 @@ fn half_tangent(turn: f64) -> f64 {
 }
 
 /// Index of the first leg that is too short for the turns at its ends; `None` if all fit.
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_plan::{Turns, fits};
+///
+/// // Between two right angles a leg needs twice 65 m + 10 m.
+/// let turns = Turns { radius: 65.0, roll_in: 10.0 };
+/// let line = |leg| [(0., 0.), (500., 0.), (500., leg), (0., leg)].map(|(n, e)| GroundPoint::new(n, e));
+/// assert_eq!(fits(&line(151.0), &turns), None);
+/// assert_eq!(fits(&line(149.0), &turns), Some(1));
+/// ```
 pub fn fits(way_points: &[GroundPoint], turns: &Turns) -> Option<usize> {
     let lead = |i: usize| {
         if i == 0 || i + 1 >= way_points.len() {
