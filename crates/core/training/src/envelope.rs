@@ -36,6 +36,19 @@ pub struct FlightEnvelope {
 
 impl FlightEnvelope {
     /// Around flights at `height` metres above ground with that camera and those sensors.
+    ///
+    /// ```
+    /// use pilotage_mission::settings::NavigatorSettings;
+    /// use pilotage_raster::camera::CameraModel;
+    /// use pilotage_training::FlightEnvelope;
+    ///
+    /// let camera = CameraModel::pinhole(640, 480, 1.0);
+    /// let sensors = NavigatorSettings::default().sensors;
+    /// let envelope = FlightEnvelope::around(&camera, 100.0, sensors);
+    /// assert_eq!(envelope.height, [85.0, 120.0]);
+    /// // The heading may be wrong by the 5° of the thesis at least.
+    /// assert!((envelope.heading_error - 5_f64.to_radians()).abs() < 1e-9);
+    /// ```
     pub fn around(camera: &CameraModel, height: f64, sensors: SensorNoise) -> Self {
         Self {
             camera: camera.clone(),

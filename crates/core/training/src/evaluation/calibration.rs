@@ -37,6 +37,16 @@ pub enum Probability {
 
 impl Probability {
     /// Platt's fit. With only right or only wrong marks it is level.
+    ///
+    /// ```
+    /// use pilotage_training::evaluation::{Judged, Probability};
+    ///
+    /// // One of either kind: Platt's targets are 2/3 and 1/3.
+    /// let marks = [(1.0, true), (-1.0, false)].map(|(score, right)| Judged { score, right });
+    /// let probability = Probability::logistic(&marks);
+    /// assert!((probability.at(0.0) - 0.5).abs() < 1e-6);
+    /// assert!((probability.at(1.0) - 2.0 / 3.0).abs() < 1e-6);
+    /// ```
     pub fn logistic(marks: &[Judged]) -> Self {
         let judged: Vec<(f64, bool)> = marks.iter().map(|m| (m.score, m.right)).collect();
         let fitted = Likelihood::fit(&judged);
@@ -180,6 +190,13 @@ fn doubted(probability: f64, marks: usize) -> f64 {
 }
 
 /// Mean log loss of stated probabilities, nats.
+///
+/// ```
+/// use pilotage_training::evaluation::log_loss;
+///
+/// // Whoever says one half loses ln 2, whatever comes true.
+/// assert!((log_loss(&[0.5, 0.5], &[true, false]) - 2_f64.ln()).abs() < 1e-12);
+/// ```
 pub fn log_loss(stated: &[f64], came_true: &[bool]) -> f64 {
     let one = |(p, right): (&f64, &bool)| -(if *right { *p } else { 1.0 - p }).max(1e-300).ln();
     let sum: f64 = stated.iter().zip(came_true).map(one).sum();
@@ -187,6 +204,12 @@ pub fn log_loss(stated: &[f64], came_true: &[bool]) -> f64 {
 }
 
 /// Mean squared difference of stated probabilities and what came true.
+///
+/// ```
+/// use pilotage_training::evaluation::brier_score;
+///
+/// assert!((brier_score(&[0.9, 0.2], &[true, false]) - (0.01 + 0.04) / 2.0).abs() < 1e-12);
+/// ```
 pub fn brier_score(stated: &[f64], came_true: &[bool]) -> f64 {
     let one = |(p, right): (&f64, &bool)| (p - f64::from(u8::from(*right))).powi(2);
     let sum: f64 = stated.iter().zip(came_true).map(one).sum();

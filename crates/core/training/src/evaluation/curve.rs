@@ -74,6 +74,20 @@ pub fn trace(looks: &[EvaluatedLook], kind: CurveKind) -> Vec<[f64; 3]> {
 
 /// Mean precision over the recalls: the sum over its steps of recall gained times precision. Landmarks
 /// that are never marked count as recall that is never reached.
+///
+/// ```
+/// # use pilotage_training::evaluation::{EvaluatedLook, EvaluatedMark};
+/// use pilotage_training::evaluation::average_precision;
+/// # let look = |score: f64, right| EvaluatedLook {
+/// #     present: right,
+/// #     marks: vec![EvaluatedMark { score, right, offset: [0.0; 2], rotation: 0.0, log_scale: 0.0 }],
+/// #     day: 0, height: 100.0, tilt: 0.0, heading_error: 0.0, log_scale: 0.0, real: false,
+/// # };
+///
+/// // By falling score: right, wrong, right. Half the recall at precision 1, half at 2/3.
+/// let looks = [look(3.0, true), look(2.0, false), look(1.0, true)];
+/// assert!((average_precision(&looks) - (0.5 + 0.5 * 2.0 / 3.0)).abs() < 1e-12);
+/// ```
 pub fn average_precision(looks: &[EvaluatedLook]) -> f64 {
     let events = Events::of(looks);
     average_precision_of(&events, &events.equal_weights())

@@ -20,6 +20,14 @@ struct Block {
 impl Isotonic {
     /// Least squares among functions that never fall, of samples (place, value, weight): neighbours that
     /// fall are pooled (Ayer et al. 1955).
+    ///
+    /// ```
+    /// use pilotage_training::evaluation::Isotonic;
+    ///
+    /// // 3 before 1 falls: both become 2.
+    /// let rising = Isotonic::rising(&[[0.0, 0.0, 1.0], [1.0, 3.0, 1.0], [2.0, 1.0, 1.0], [3.0, 4.0, 1.0]]);
+    /// assert_eq!([0.0, 1.0, 1.5, 2.0, 3.0].map(|x| rising.at(x)), [0.0, 2.0, 2.0, 2.0, 4.0]);
+    /// ```
     pub fn rising(samples: &[[f64; 3]]) -> Self {
         let mut samples = samples.to_vec();
         samples.retain(|s| s[2] > 0.0);

@@ -75,6 +75,29 @@ impl EvaluatedLook {
     }
 
     /// The highest score of a right mark, `None` where the landmark was not marked.
+    ///
+    /// ```
+    /// use pilotage_training::evaluation::EvaluatedLook;
+    /// # use pilotage_training::evaluation::EvaluatedMark;
+    /// # let mark = |score, right| EvaluatedMark {
+    /// #     score,
+    /// #     right,
+    /// #     offset: [0.0; 2],
+    /// #     rotation: 0.0,
+    /// #     log_scale: 0.0,
+    /// # };
+    ///
+    /// // Marks with their scores, right or wrong.
+    /// let look = EvaluatedLook {
+    ///     present: true,
+    ///     marks: vec![mark(2.0, true), mark(3.0, false), mark(1.0, true)],
+    /// #     day: 0, height: 100.0, tilt: 0.0, heading_error: 0.0, log_scale: 0.0, real: false,
+    /// };
+    /// assert_eq!((look.found_at(), look.deceived_at()), (Some(2.0), Some(3.0)));
+    /// // Where the landmark is not, every mark is wrong.
+    /// let elsewhere = EvaluatedLook { present: false, ..look };
+    /// assert_eq!(elsewhere.found_at(), None);
+    /// ```
     pub fn found_at(&self) -> Option<f64> {
         self.best_right().map(|mark| mark.score)
     }

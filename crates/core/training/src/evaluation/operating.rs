@@ -79,6 +79,21 @@ impl OperatingPoint {
 
 impl AtThreshold {
     /// Result in `looks` at a threshold that was not chosen from them.
+    ///
+    /// ```
+    /// # use pilotage_training::evaluation::{EvaluatedLook, EvaluatedMark};
+    /// use pilotage_training::evaluation::AtThreshold;
+    /// # let look = |score: f64, right| EvaluatedLook {
+    /// #     present: right,
+    /// #     marks: vec![EvaluatedMark { score, right, offset: [0.0; 2], rotation: 0.0, log_scale: 0.0 }],
+    /// #     day: 0, height: 100.0, tilt: 0.0, heading_error: 0.0, log_scale: 0.0, real: false,
+    /// # };
+    ///
+    /// let looks = [look(3.0, true), look(2.0, false), look(1.0, true), look(0.5, false)];
+    /// let at = AtThreshold::over(&looks, 1.5);
+    /// assert_eq!((at.found.happened, at.found.of), (1, 2));
+    /// assert_eq!(at.false_alarms, 0.25); // one in four looks
+    /// ```
     pub fn over(looks: &[EvaluatedLook], threshold: f64) -> Self {
         let days = by_day(looks);
         Self::of(

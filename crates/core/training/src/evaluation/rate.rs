@@ -40,6 +40,17 @@ impl Rate {
     ///
     /// The interval is that of as many independent tries as are worth the same: n over the design
     /// effect 1 + (m - 1) ρ, m the mean size of the cluster that a try lies in (Kish 1965, 8.2).
+    ///
+    /// ```
+    /// use pilotage_training::evaluation::{Rate, wilson};
+    ///
+    /// // Five days of ten tries that all go the same way are worth five tries.
+    /// let days = [(10, 10), (10, 10), (10, 10), (0, 10), (0, 10)];
+    /// let rate = Rate::clustered(&days, 1.0);
+    /// assert_eq!(rate.share(), Some(0.6));
+    /// let (low, high) = wilson(3.0, 5.0);
+    /// assert!((rate.low - low).abs() < 1e-9 && (rate.high - high).abs() < 1e-9);
+    /// ```
     pub fn clustered(clusters: &[(usize, usize)], correlation: f64) -> Self {
         let (happened, of) = totals(clusters);
         let squares: f64 = clusters.iter().map(|c| (c.1 as f64).powi(2)).sum();
@@ -68,6 +79,14 @@ impl Rate {
 
 /// Wilson's 95 % interval (Wilson 1927) of a share, after `happened` of `of` tries; neither need be
 /// whole. From 0 to 1 without tries.
+///
+/// ```
+/// use pilotage_training::evaluation::wilson;
+///
+/// // 45 of 50, by the printed formula: 0.786 to 0.957.
+/// let (low, high) = wilson(45.0, 50.0);
+/// assert!((low - 0.7864).abs() < 1e-4 && (high - 0.9565).abs() < 1e-4);
+/// ```
 pub fn wilson(happened: f64, of: f64) -> (f64, f64) {
     if of <= 0.0 {
         return (0.0, 1.0);
@@ -85,6 +104,14 @@ pub fn wilson(happened: f64, of: f64) -> (f64, f64) {
 
 /// Correlation of the tries within a cluster, 0 (as any two) to 1 (all the same), from counts (happened, of)
 /// by cluster: the analysis-of-variance estimate (Ridout, Demétrio and Firth 1999, eq. 2).
+///
+/// ```
+/// use pilotage_training::evaluation::correlation_within;
+///
+/// // All or nothing within a day; and the same share on every day.
+/// assert!((correlation_within(&[(10, 10), (0, 10), (10, 10), (0, 10)]) - 1.0).abs() < 1e-9);
+/// assert_eq!(correlation_within(&[(5, 10), (5, 10), (5, 10)]), 0.0);
+/// ```
 pub fn correlation_within(clusters: &[(usize, usize)]) -> f64 {
     let filled: Vec<_> = clusters.iter().filter(|c| c.1 > 0).collect();
     let k = filled.len() as f64;

@@ -33,6 +33,19 @@ impl RobustFit {
     /// covariance has the least determinant (Rousseeuw 1985; the search is that of Rousseeuw and Van
     /// Driessen 1999), made wide by the median distance, then of all points within the 97.5 % ellipse
     /// of that. `None` for under ten points or where over half of them lie on a line.
+    ///
+    /// ```
+    /// use nalgebra::Vector2;
+    /// use pilotage_training::evaluation::RobustFit;
+    ///
+    /// // A square of 5 × 5 places around (3, 4), and four strays 1 km off.
+    /// let near = (0..25).map(|i| Vector2::new(1.0 + f64::from(i % 5), 2.0 + f64::from(i / 5)));
+    /// let strays = (0..4).map(|i| Vector2::new(1000.0, f64::from(i)));
+    /// let fit = RobustFit::of(&near.chain(strays).collect::<Vec<_>>(), 1).ok_or("a line")?;
+    /// assert_eq!(fit.used, 25);
+    /// assert!((fit.mean - Vector2::new(3.0, 4.0)).norm() < 1e-9);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn of(points: &[Vector2<f64>], seed: u64) -> Option<Self> {
         if points.len() < FEWEST_POINTS {
             return None;
