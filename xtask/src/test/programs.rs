@@ -166,7 +166,7 @@ fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
     };
     let result = said.lines().rfind(|line| line.starts_with("test result"));
     let result = result
-        .unwrap_or("no result")
+        .unwrap_or("ended without an error")
         .trim_start_matches("test result: ");
     let told = if has_passed {
         let head = format!("{seconds:>7.1} s  {}: {result}", one.name);
