@@ -38,7 +38,7 @@ export async function run(page, tools) {
   const opened = await tools.waitFor((s) => s.flight !== before.flight && s.run_complete, "the flight", 150_000);
   const [first] = opened.camera_log.frame_times;
 
-  await tools.waitFor((s) => s.camera_log.missing === "WholeFrames", "that whole frames are asked for");
+  await tools.waitFor((s) => s.camera_log.missing === "FrameRegistration", "that whole frames are asked for");
   await page.waitForTimeout(500);
   await tools.screenshot("camera-whole-frames");
   await tools.click(await tools.find("Button", "Lay whole pictures and estimate"));

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use pilotage_core::flight::{ChannelName, Flight, NoPictures};
 use pilotage_core::frames::wrap_pi;
-use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, reckon, study_cuts};
+use pilotage_core::instruments::{
+    Instruments, OutagePlan, ReckonSettings, Way, reckon, study_cuts,
+};
 use pilotage_core::navigator::{Navigator, NavigatorSettings};
 use pilotage_core::simulate::{FlightDay, Scenario};
 use pilotage_tests::damage::{change, drop_samples};
@@ -30,10 +32,10 @@ struct Outcome {
 /// Cuts that end outside `without`, where what is held against them is wrong itself.
 fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
-    let plan = CutPlan {
+    let plan = OutagePlan {
         length: 30.0,
         every: either(10.0, 5.0),
-        ..CutPlan::default()
+        ..OutagePlan::default()
     };
     let settings = ReckonSettings::default();
     let way = Way::air_and_wind();

@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use nalgebra::Point3;
-use pilotage_core::alignment::{CameraPrior, CameraToLog, camera_to_log};
+use pilotage_core::calibration::{CameraPrior, CameraToLog, camera_to_log};
 use pilotage_core::flight::{ChannelName, Flight, FlightFolder};
 use pilotage_core::frames::{GroundPoint, Pose};
 use pilotage_core::imagery::{CachedImagery, Imagery};

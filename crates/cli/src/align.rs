@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pilotage_core::alignment::{CameraPrior, CameraToLog, Estimated, camera_to_log};
+use pilotage_core::calibration::{CameraPrior, CameraToLog, Estimated, camera_to_log};
 use pilotage_core::flight::read_flight;
 use pilotage_core::navigator::{Summary, summarize};
 use serde::Serialize;

@@ -1,7 +1,7 @@
 //! GPS outages all along a flight: how far off dead reckoning is at their ends.
 
 use pilotage_core::flight::Flight;
-use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, study_cuts};
+use pilotage_core::instruments::{Instruments, OutagePlan, ReckonSettings, Way, study_cuts};
 
 use crate::Outcome;
 
@@ -12,9 +12,9 @@ pub fn study(flight: &Flight, seconds: f64) -> Outcome {
     if instruments.has_gyros() {
         ways.push(Way::by_gyros());
     }
-    let plan = CutPlan {
+    let plan = OutagePlan {
         length: seconds,
-        ..CutPlan::default()
+        ..OutagePlan::default()
     };
     println!("without GPS for {seconds:.0} s, again and again along the flight:");
     for way in ways {

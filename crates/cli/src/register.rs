@@ -5,12 +5,12 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use pilotage_core::filter::probability_words;
-use pilotage_core::flight::photo::{LaidPhoto, PhotoLook, PhotoSearch};
+use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::OpenMap;
 use pilotage_core::raster::encode_png;
-use pilotage_core::registration::{LaidBy, overlay};
+use pilotage_core::registration::{RegistrationMethod, overlay};
 use serde::Serialize;
 
 use crate::Outcome;
@@ -215,7 +215,7 @@ fn lat_lon(text: &str) -> Result<Geodetic, String> {
     Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
 }
 
-fn laid(ground: &Ground, photo: &LaidPhoto) -> Laid {
+fn laid(ground: &Ground, photo: &RegisteredPhoto) -> Laid {
     let below = photo.below();
     let attitude = photo.camera.attitude;
     let covariance = photo.centre_covariance;
@@ -237,8 +237,8 @@ fn laid(ground: &Ground, photo: &LaidPhoto) -> Laid {
         pitch_deg: attitude.pitch.to_degrees(),
         stored_turn_deg: photo.stored_turn.to_degrees(),
         believed_by: match photo.laid_by {
-            LaidBy::Patches => "patches",
-            LaidBy::WholeFrame => "whole frame",
+            RegistrationMethod::Patches => "patches",
+            RegistrationMethod::WholeFrame => "whole frame",
         },
         patches: photo.patches,
         log10_doubt: photo.log_doubt,

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{
-    CandidateReport, FrameReport, LaidRefusal, LaidReport, Outcome, Refusal, Run, StepReport,
-    Summary, is_wrong, place_error,
+    CandidateReport, FrameReport, Outcome, Refusal, RegistrationRefusal, RegistrationReport, Run,
+    StepReport, Summary, is_wrong, place_error,
 };
-use pilotage_core::registration::LaidBy;
+use pilotage_core::registration::RegistrationMethod;
 
 /// Prints a line for each frame, one for its laying on the map as a whole, and one for each landmark.
 pub fn print_frames(flight: &Flight, run: &Run) {
@@ -44,7 +44,7 @@ fn frame_line(flight: &Flight, step: &StepReport, frame: &FrameReport) -> String
     )
 }
 
-fn laid_line(laid: &LaidReport) -> String {
+fn laid_line(laid: &RegistrationReport) -> String {
     let probability = laid.probability.map_or(String::new(), |p| {
         format!(", {:.2} % by the whole frame", 100.0 * p)
     });
@@ -52,8 +52,8 @@ fn laid_line(laid: &LaidReport) -> String {
         return format!("not laid: {refusal}{probability}");
     }
     let by = match laid.laid_by {
-        LaidBy::Patches => "patches",
-        LaidBy::WholeFrame => "its edges as a whole",
+        RegistrationMethod::Patches => "patches",
+        RegistrationMethod::WholeFrame => "its edges as a whole",
     };
     let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
     format!(
@@ -86,8 +86,10 @@ pub fn print_refusals(summary: &Summary) {
     let frames: usize = summary.frames_refused.values().sum();
     if frames + summary.frames_laid > 0 {
         let words = |key: &str| {
-            let kind = LaidRefusal::ALL.into_iter().find(|kind| kind.key() == key);
-            kind.map_or("they could not be used", LaidRefusal::reason)
+            let kind = RegistrationRefusal::ALL
+                .into_iter()
+                .find(|kind| kind.key() == key);
+            kind.map_or("they could not be used", RegistrationRefusal::reason)
         };
         let all = frames + summary.frames_laid;
         println!("whole frames refused: {frames} of {all}");

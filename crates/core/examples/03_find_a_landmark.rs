@@ -14,7 +14,7 @@ use pilotage_core::raster::{PYRAMID_LEVELS, Pyramid};
 use pilotage_core::simulate::scenery::Day;
 use pilotage_core::simulate::{AerialCamera, AerialCameraSettings, Scenario, frame_random};
 
-/// Where the camera is believed to be, less where it is: north and east, metres.
+/// Error of the place where the camera is believed to be: north and east, metres.
 const WRONG_BY: [f64; 2] = [4.0, -3.0];
 /// Height above ground, metres.
 const HEIGHT: f64 = 122.0;

@@ -55,9 +55,9 @@ pub mod navigator {
 }
 
 /// A camera put in time and place beside a log.
-pub mod alignment {
+pub mod calibration {
     pub use pilotage_mission::settings::CameraAdjustment;
-    pub use pilotage_navigator::alignment::*;
+    pub use pilotage_navigator::calibration::*;
 }
 
 /// Forecasts of a flight before take-off.

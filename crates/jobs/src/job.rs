@@ -12,9 +12,9 @@ use super::log_series::SeriesOrder;
 use super::logs::ReadLogOrder;
 use super::map_view::{DescribeMapOrder, TileOrder};
 use super::messages::{
-    AlignOrder, AssessmentOrder, BriefOrder, ContestOrder, CutOrder, DrapeOrder, EvaluationOrder,
-    ExportOrder, FieldOrder, FindOrder, HeightsOrder, LogOrder, PackOrder, PhotosOrder,
-    PredictionOrder, SuggestOrder, TrainOrder,
+    AssessmentOrder, BriefOrder, CalibrationOrder, ContestOrder, DrapeOrder, EvaluationOrder,
+    ExportOrder, FieldOrder, FindOrder, HeightsOrder, LogOrder, OutageOrder, PackOrder,
+    PhotosOrder, PredictionOrder, SuggestOrder, TrainOrder,
 };
 use super::open::{OpenOrder, ReadPlacesOrder};
 use super::order::{Order, Reads, Role, Urgency};
@@ -125,9 +125,9 @@ orders! {
     MakeFlight(MakeFlightOrder),
     LogSeries(SeriesOrder),
     AskLog(Box<LogOrder>),
-    Cut(Box<CutOrder>),
+    Outage(Box<OutageOrder>),
     Contest(Box<ContestOrder>),
-    Align(Box<AlignOrder>),
+    Calibrate(Box<CalibrationOrder>),
     LayPhotos(Box<PhotosOrder>),
     DrapePhoto(Box<DrapeOrder>),
     Evaluate(Box<EvaluationOrder>),

@@ -4,9 +4,9 @@
 //! listen; a [`JobRunner`] holds the jobs of one worker; a [`WorkerPool`] shares jobs out among workers
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
-mod align;
 mod assess;
 mod brief;
+mod calibrate;
 mod contest;
 mod decode;
 mod distinct;
@@ -34,6 +34,7 @@ mod messages;
 mod open;
 mod opening;
 mod order;
+mod outage;
 mod pack;
 mod photos;
 mod places;
@@ -42,7 +43,6 @@ mod prelude;
 mod prepare;
 mod programs;
 mod provided;
-mod reckon;
 mod runner;
 mod running;
 mod samples;
@@ -71,16 +71,16 @@ pub use log_series::SeriesOrder;
 pub use logs::ReadLogOrder;
 pub use map_view::{DescribeMapOrder, TileOrder};
 pub use messages::{
-    AidedResult, AlignOrder, Assessment, AssessmentOrder, BESIDE, Basis, Beside, BriefOrder,
-    BriefPictures, COARSE, ContestOrder, Cut, CutOrder, CutReport, DetectorSearch, Distinctness,
-    DrapeOrder, EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder,
-    FieldFrom, FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance,
-    HeightsOrder, HighGround, ImportedFile, JobEvent, JobId, KeptMeasurement, LabelledFrames,
-    LogAnswer, LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
-    Measured, Opened, PackOrder, PhotoReport, PhotosOrder, PredictionOrder, ReadLog,
-    RecordedPlaces, Reply, Request, SeriesName, Share, SimulationOptions, StudyReport,
-    SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced,
-    WebMap, WindReport,
+    AidedResult, Assessment, AssessmentOrder, BESIDE, Basis, Beside, BriefOrder, BriefPictures,
+    COARSE, CalibrationOrder, ContestOrder, DetectorSearch, Distinctness, DrapeOrder,
+    EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FieldFrom,
+    FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder,
+    HighGround, ImportedFile, JobEvent, JobId, KeptMeasurement, LabelledFrames, LogAnswer,
+    LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures, Measured,
+    Opened, Outage, OutageOrder, OutageReport, PackOrder, PhotoReport, PhotosOrder,
+    PredictionOrder, ReadLog, RecordedPlaces, Reply, Request, SeriesName, Share, SimulationOptions,
+    StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome,
+    TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use order::{Order, Reads, Role, Urgency};

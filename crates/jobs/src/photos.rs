@@ -19,7 +19,7 @@ use pilotage_core::flight::photo::PhotoAnswer;
 /// Pixels along the longer side of a photo that is shown on the map.
 const SHOWN: usize = 900;
 
-/// Photos being laid: events `Progress` and `PhotoLaid`.
+/// Photos being laid: events `Progress` and `PhotoRegistered`.
 pub struct LayPhotos {
     order: PhotosOrder,
     map: Option<Arc<dyn Imagery>>,
@@ -47,7 +47,7 @@ impl LayPhotos {
         emit: &mut dyn FnMut(JobEvent),
     ) -> Advance {
         let number = self.next;
-        emit(JobEvent::PhotoLaid(Box::new(PhotoReport {
+        emit(JobEvent::PhotoRegistered(Box::new(PhotoReport {
             number,
             answer,
             computed,

@@ -6,11 +6,11 @@ use pilotage_core::navigator::NavigatorSettings;
 
 use crate::camera_log::CameraLogCommand;
 use crate::compare::CompareCommand;
-use crate::cut::CutCommand;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::georeference::GeoreferenceCommand;
 use crate::labelling::LabelCommand;
 use crate::log::LogCommand;
+use crate::outage::OutageCommand;
 use crate::photos::PhotosCommand;
 use crate::plan::PlanCommand;
 use crate::views::DetectorCommand;
@@ -163,7 +163,7 @@ pub enum Command {
     /// Something about trajectories beside each other.
     Compare(CompareCommand),
     /// Something about satellite navigation cut out of the flight.
-    Cut(CutCommand),
+    Outage(OutageCommand),
     /// Something about the camera beside its log.
     CameraLog(CameraLogCommand),
     /// Something about photos on the map.

@@ -7,7 +7,8 @@
 use std::sync::Arc;
 
 use pilotage_core::instruments::{
-    CutPlan, CutStudy, Instruments, PositionFix, ReckonSettings, Way, quantile, reckon, study_cuts,
+    Instruments, OutagePlan, OutageStudy, PositionFix, ReckonSettings, Way, quantile, reckon,
+    study_cuts,
 };
 use pilotage_core::navigator::{Navigator, Run, position_fixes};
 use pilotage_core::simulate::{Overrides, Scenario};
@@ -56,7 +57,7 @@ fn landmarks_hold_the_position_through_cuts_in_which_airspeed_alone_drifts() {
 
     let instruments = Instruments::of(&flight, None).unwrap();
     let settings = ReckonSettings::default();
-    let plan = CutPlan {
+    let plan = OutagePlan {
         length: 30.0,
         warm_up: 15.0,
         every: 2.0,
@@ -67,7 +68,7 @@ fn landmarks_hold_the_position_through_cuts_in_which_airspeed_alone_drifts() {
     assert_eq!(alone.cuts.len(), seen.cuts.len());
     // The cuts at whose end a landmark was seen shortly before.
     let is_fresh = |time: f64| (fixes.iter()).any(|f| (time - FRESH..=time).contains(&f.time));
-    let tell = |s: &CutStudy| {
+    let tell = |s: &OutageStudy| {
         let fresh = s.cuts.iter().filter(|cut| is_fresh(cut.to));
         let errors: Vec<f64> = fresh.map(|cut| cut.error.norm()).collect();
         let median = quantile(errors.clone(), 0.5);

@@ -7,7 +7,7 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::{Channel, ChannelName, Flight, StartFix};
 use pilotage_core::frames::{GroundPoint, wrap_pi};
 use pilotage_core::instruments::{
-    CutPlan, CutStudy, Instruments, ReckonSettings, Way, likeliest, reckon, rolling_track,
+    Instruments, OutagePlan, OutageStudy, ReckonSettings, Way, likeliest, reckon, rolling_track,
     study_cuts,
 };
 use pilotage_tests::recorded;
@@ -21,12 +21,12 @@ fn flight(name: &str) -> Option<Flight> {
 }
 
 /// Cuts of `length` seconds, one every `every` seconds of the flight.
-fn study(flight: &Flight, way: &Way, length: f64, every: f64) -> CutStudy {
+fn study(flight: &Flight, way: &Way, length: f64, every: f64) -> OutageStudy {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
-    let plan = CutPlan {
+    let plan = OutagePlan {
         length,
         every,
-        ..CutPlan::default()
+        ..OutagePlan::default()
     };
     let settings = ReckonSettings::default();
     let study = study_cuts(&instruments, way, &plan, &settings, &mut |_| true);
@@ -73,13 +73,13 @@ fn by_the_gyros_heading_it_costs_less_than_52() {
 }
 
 /// Cuts by the plain filter, with the noise that makes their ends likeliest.
-fn tuned_to_ends(flight: &Flight) -> CutStudy {
+fn tuned_to_ends(flight: &Flight) -> OutageStudy {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
     let cut = |noise: &[f64]| {
         let mut settings = ReckonSettings::default();
         settings.plain.air_data.position_noise_density = noise[0];
         settings.plain.wind_noise_density = noise[1];
-        let plan = CutPlan::default();
+        let plan = OutagePlan::default();
         let study = study_cuts(&instruments, &Way::plain(), &plan, &settings, &mut |_| true);
         study.expect("the filter goes on")
     };
@@ -107,7 +107,7 @@ fn delays_pitch_gusts_and_sideslip_halve_the_errors_of_the_plain_filter() {
         return;
     };
     let full = study(&flight, &Way::air_and_wind(), 60.0, 2.0);
-    let beside = |plain: &CutStudy| {
+    let beside = |plain: &OutageStudy| {
         let ratio = |share| full.error_quantile(share) / plain.error_quantile(share);
         let (median, ninety) = (ratio(0.5), ratio(0.9));
         println!("  full beside it: median {median:.3}, 90 % {ninety:.3}");

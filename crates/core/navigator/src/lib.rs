@@ -1,7 +1,7 @@
 //! The navigator and what surrounds it: instruments and dead reckoning, the pipeline from prediction to
 //! report, the camera's calibration against its log, and studies of many flights.
 
-pub mod alignment;
+pub mod calibration;
 pub mod instruments;
 pub mod navigator;
 pub mod study;

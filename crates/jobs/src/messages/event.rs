@@ -1,6 +1,6 @@
 //! Events by which a worker reports on a job.
 
-use pilotage_core::alignment::CameraToLog;
+use pilotage_core::calibration::CameraToLog;
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::log::Outline;
 use pilotage_core::frames::Geodetic;
@@ -15,8 +15,8 @@ use pilotage_core::study::Comparison;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, BriefPictures, CutReport, DetectorSearch, Distinctness, EvaluationReport,
-    FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, Opened, PhotoReport,
+    Assessment, BriefPictures, DetectorSearch, Distinctness, EvaluationReport, FoundPlan,
+    LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, Opened, OutageReport, PhotoReport,
     ReadLog, StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
 };
 
@@ -38,13 +38,13 @@ pub enum JobEvent {
     /// Something that was asked of a log.
     LogAnswer(Box<LogAnswer>),
     /// Result of a cut.
-    CutMade(Box<CutReport>),
+    OutageMade(Box<OutageReport>),
     /// Results of cuts all along a flight.
-    CutsStudied(Box<StudyReport>),
+    OutagesStudied(Box<StudyReport>),
     /// A camera in time and place beside its log.
-    CameraAligned(Box<CameraToLog>),
+    CameraCalibrated(Box<CameraToLog>),
     /// Place of a photo, or why it was not laid.
-    PhotoLaid(Box<PhotoReport>),
+    PhotoRegistered(Box<PhotoReport>),
     /// A laid photo on the map in its own colours.
     PhotoDraped(Box<Draped>),
     /// Every estimator on one flight.

@@ -1,13 +1,12 @@
 //! Messages between page and workers: jobs, the orders that come with them, and the events that report on
 //! them. Both ends are this program, encoded with postcard.
 
-mod align;
 mod assess;
 mod beside;
 mod brief;
+mod calibrate;
 mod content;
 mod contest;
-mod cut;
 mod evaluate;
 mod event;
 mod explain;
@@ -21,6 +20,7 @@ mod log;
 mod made_flight;
 mod map_info;
 mod opened;
+mod outage;
 mod pack;
 mod photos;
 mod predict;
@@ -33,13 +33,12 @@ mod web_map;
 pub mod whole_bytes;
 mod wire;
 
-pub use align::AlignOrder;
 pub use assess::{Assessment, AssessmentOrder, Glance, Share};
 pub use beside::{BESIDE, Beside};
 pub use brief::{BriefOrder, BriefPictures, EncodedPicture};
+pub use calibrate::CalibrationOrder;
 pub use content::FileContent;
 pub use contest::ContestOrder;
-pub use cut::{AidedResult, Cut, CutOrder, CutReport, StudyReport, WindReport};
 pub use evaluate::{EvaluationOrder, EvaluationReport};
 pub use event::JobEvent;
 pub use explain::{DetectorSearch, Distinctness, ExplainedBy, MatchPictures};
@@ -53,6 +52,7 @@ pub use log::{LogAnswer, LogOrder, LogQuestion, ReadLog, RecordedPlaces};
 pub use made_flight::MadeFlight;
 pub use map_info::{MapInfo, Unplaced};
 pub use opened::Opened;
+pub use outage::{AidedResult, Outage, OutageOrder, OutageReport, StudyReport, WindReport};
 pub use pack::PackOrder;
 pub use photos::{DrapeOrder, PhotoReport, PhotosOrder};
 pub use predict::{COARSE, PredictionOrder};

@@ -1,6 +1,6 @@
 //! Photos to be laid on a map, each by itself.
 
-use pilotage_core::flight::photo::{LaidPhoto, PhotoAnswer, PhotoSearch};
+use pilotage_core::flight::photo::{PhotoAnswer, PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use serde::{Deserialize, Serialize};
 
@@ -44,5 +44,5 @@ pub struct DrapeOrder {
     /// Search with which the photo was laid.
     pub search: PhotoSearch,
     /// Place of the photo.
-    pub laid: LaidPhoto,
+    pub laid: RegisteredPhoto,
 }

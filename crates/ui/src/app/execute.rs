@@ -25,7 +25,7 @@ impl App {
             Command::Plan(command) => self.plan(command, now),
             Command::Label(command) => self.label(command, host),
             Command::Log(command) => self.log(command, host),
-            Command::Cut(command) => self.cut(&command, host),
+            Command::Outage(command) => self.cut(&command, host),
             Command::CameraLog(command) => self.camera_log(command, host),
             Command::Photos(command) => self.photos(command, host),
             Command::Compare(command) => self.compare(&command, host),

@@ -13,11 +13,11 @@ use super::{App, SideTab, Views};
 use crate::camera_log::CameraLogScene;
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
-use crate::cut::{CutScene, cut_panel};
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::labelling::LabelCommand;
 use crate::map::MapExtra;
+use crate::outage::{OutageScene, cut_panel};
 use crate::photos::Photos;
 use crate::plan::plan_readouts;
 use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
@@ -358,7 +358,7 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                             SideTab::Filter,
                             SideTab::Landmarks,
                             SideTab::Compare,
-                            SideTab::Cut,
+                            SideTab::Outage,
                         ];
                         let tabs = &tabs[usize::from(!has_log)..];
                         tabbed(ui, scene, views, commands, tabs);
@@ -416,7 +416,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                             SideTab::Plots,
                             SideTab::Landmarks,
                             SideTab::Compare,
-                            SideTab::Cut,
+                            SideTab::Outage,
                         ];
                         let has_log = scene.documents.log.is_some();
                         tabbed(ui, scene, views, commands, &tabs[usize::from(!has_log)..]);
@@ -505,7 +505,7 @@ fn tabbed(
             scene.with_context(commands, |c| log_column(ui, c, views, documents, progress));
         }
         SideTab::Compare => compare(ui, scene, views, commands),
-        SideTab::Cut => cut(ui, scene, commands),
+        SideTab::Outage => cut(ui, scene, commands),
         SideTab::CameraLog | SideTab::Photos => sheet(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
@@ -538,7 +538,7 @@ fn sheet(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<C
 
 /// Satellite navigation cut out of the flight.
 fn cut(ui: &mut Ui, scene: &Scene<'_>, commands: &mut Vec<Command>) {
-    let cut = CutScene {
+    let cut = OutageScene {
         cuts: &scene.documents.cuts,
         selected: scene.playback.selected_span,
         first: scene.documents.span().map_or(0.0, |span| span.0),

@@ -1,12 +1,11 @@
 //! The app: one object that the shell draws every frame.
 
 mod advice;
-mod aligning;
 mod aside;
 mod brief;
+mod calibrating;
 mod columns;
 mod comparing;
-mod cutting;
 mod detector;
 mod evaluating;
 mod evaluation;
@@ -27,6 +26,7 @@ mod log_work;
 mod logs;
 mod maps;
 mod marking;
+mod outages;
 mod package;
 mod pending_jobs;
 mod photos;
@@ -76,7 +76,7 @@ pub enum SideTab {
     /// Trajectories beside each other.
     Compare,
     /// Satellite navigation cut out of the flight.
-    Cut,
+    Outage,
     /// The camera put in time and place beside the log.
     CameraLog,
     /// Photos laid on the map.
@@ -103,7 +103,7 @@ impl SideTab {
             Self::Landmarks => "Landmarks",
             Self::Log => "Log",
             Self::Compare => "Compare",
-            Self::Cut => "GPS cut",
+            Self::Outage => "GPS cut",
             Self::CameraLog => "Camera to log",
             Self::Photos => "Photos",
             Self::Camera => "Camera",

@@ -278,7 +278,7 @@ impl App {
         let photos = &mut self.documents.photos;
         match event {
             JobEvent::Progress(share, words) => photos.at_work = Some((*share, words.clone())),
-            JobEvent::PhotoLaid(report) => {
+            JobEvent::PhotoRegistered(report) => {
                 let number = report.number;
                 photos.take((**report).clone());
                 if photos.chosen.is_none() && photos.laid(number).is_some() {

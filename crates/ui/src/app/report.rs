@@ -1,10 +1,10 @@
 //! The app's state in words and as JSON, for screen readers and for journeys in the browser.
 
 use egui::Rect;
-use pilotage_core::flight::photo::LaidPhoto;
+use pilotage_core::flight::photo::RegisteredPhoto;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::terrain::Terrain as _;
-use pilotage_core::navigator::{LaidReport, Run, StepReport};
+use pilotage_core::navigator::{RegistrationReport, Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
@@ -147,7 +147,7 @@ impl App {
             "run_generation": documents.run_generation,
             "run_landmarks": run.map_or(0, |r| r.landmarks.iter().filter(|l| l.enabled).count()),
             "accepted": frames().map(|f| f.accepted().count()).sum::<usize>(),
-            "laid": frames().filter(|f| f.laid.as_ref().is_some_and(LaidReport::is_believed)).count(),
+            "laid": frames().filter(|f| f.laid.as_ref().is_some_and(RegistrationReport::is_believed)).count(),
             "candidates": frames().map(|f| f.candidates.len()).sum::<usize>(),
             "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
             "step": step.map(|s| json!({
@@ -240,9 +240,9 @@ impl App {
                 "assumed": report.map(|r| r.answer.assumed.join("; ")),
                 "milliseconds": report.map(|r| r.computed),
                 "place": place,
-                "deviation": laid.map(LaidPhoto::centre_deviation),
+                "deviation": laid.map(RegisteredPhoto::centre_deviation),
                 "heading": laid.map(|l| l.camera.attitude.yaw.to_degrees().rem_euclid(360.0)),
-                "height": laid.map(LaidPhoto::height),
+                "height": laid.map(RegisteredPhoto::height),
             })
         };
         json!({

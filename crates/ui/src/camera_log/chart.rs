@@ -1,7 +1,7 @@
 //! Residuals of the pictures against the log over time.
 
 use egui::{Color32, Pos2, Sense, Stroke, Ui, vec2};
-use pilotage_core::alignment::{FrameResidual, ResidualSummary};
+use pilotage_core::calibration::{FrameResidual, ResidualSummary};
 
 use super::work::Preview;
 use crate::command::Command;

@@ -9,7 +9,7 @@ mod work;
 pub use panel::{CameraLogScene, CameraLogView};
 pub use work::{CameraLog, FoundCamera, Missing, Preview};
 
-use pilotage_core::alignment::CameraAdjustment;
+use pilotage_core::calibration::CameraAdjustment;
 
 /// Something to do about a camera beside its log.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The estimate as a table, and the same numbers to be moved by hand.
 
 use egui::{Align2, RichText, Role, Sense, Slider, SliderClamping, Ui, WidgetInfo, vec2};
-use pilotage_core::alignment::{CameraAdjustment, CameraToLog, Estimated};
+use pilotage_core::calibration::{CameraAdjustment, CameraToLog, Estimated};
 
 use super::work::FoundCamera;
 use crate::tokens::Tokens;

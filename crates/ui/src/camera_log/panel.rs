@@ -1,7 +1,7 @@
 //! The sheet: what is missing, the estimate, the numbers under the hand, and what they would do.
 
 use egui::{Color32, RichText, ScrollArea, Ui, vec2};
-use pilotage_core::alignment::{CameraAdjustment, ResidualSummary};
+use pilotage_core::calibration::{CameraAdjustment, ResidualSummary};
 
 use super::CameraLogCommand as Do;
 use super::chart::{Shown, colours, mark, residual_chart};
@@ -172,7 +172,7 @@ fn lacking(
         }
         Missing::Run if flying.is_some() => "The numbers come once the flight is over.".to_owned(),
         Missing::Run => "This flight has not been flown.".to_owned(),
-        Missing::WholeFrames => {
+        Missing::FrameRegistration => {
             "This run looked for landmarks alone. Whole pictures have to be laid on the map: the \
                                  filter settings are changed so, which can be undone."
                 .to_owned()
@@ -190,7 +190,7 @@ fn lacking(
     wrapped(ui, colour, &words);
     let can_fly = matches!(
         missing,
-        Missing::Run | Missing::WholeFrames | Missing::Laid { .. }
+        Missing::Run | Missing::FrameRegistration | Missing::Laid { .. }
     );
     if can_fly && flying.is_none() {
         let words = "Lay whole pictures and estimate";

@@ -1,6 +1,6 @@
 //! Camera beside its log: the estimate, and the adjustment by hand.
 
-use pilotage_core::alignment::{
+use pilotage_core::calibration::{
     CameraAdjustment, CameraEvidence, CameraPrior, CameraToLog, FrameResidual, ResidualSummary,
 };
 use pilotage_core::flight::{ChannelName, Flight};
@@ -33,7 +33,7 @@ pub enum Missing {
     /// The run is under way or was not begun.
     Run,
     /// The run did not look where whole frames lie.
-    WholeFrames,
+    FrameRegistration,
     /// It did, but found too few.
     Laid {
         /// Frames that lie on the map.
@@ -124,7 +124,7 @@ impl CameraLog {
         if found >= FEWEST {
             None
         } else if run.settings.whole_frames.is_none() {
-            Some(Missing::WholeFrames)
+            Some(Missing::FrameRegistration)
         } else {
             Some(Missing::Laid { found })
         }

@@ -1,6 +1,6 @@
 //! Edits of the mission. Each says whether the run must be computed again.
 
-use pilotage_core::alignment::CameraAdjustment;
+use pilotage_core::calibration::CameraAdjustment;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;

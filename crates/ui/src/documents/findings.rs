@@ -1,6 +1,6 @@
 //! Findings of a run and its pictures about the flight, beside those of its log.
 
-use pilotage_core::alignment::camera_findings;
+use pilotage_core::calibration::camera_findings;
 use pilotage_core::flight::overview::Finding;
 
 use super::Documents;

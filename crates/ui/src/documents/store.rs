@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use pilotage_core::alignment::CameraAdjustment;
+use pilotage_core::calibration::CameraAdjustment;
 use pilotage_core::flight::Flight;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::mission::Mission;
@@ -14,8 +14,8 @@ use super::empty_mission::empty_mission;
 use super::{Brought, Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
 use crate::compare::{Contest, Shelf};
-use crate::cut::Cuts;
 use crate::log::OpenLog;
+use crate::outage::Outages;
 use crate::photos::Photos;
 use pilotage_jobs::{
     DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures,
@@ -79,7 +79,7 @@ pub struct Documents {
     /// Every estimator on the flight that is open.
     pub contest: Contest,
     /// Results of cuts of satellite navigation.
-    pub cuts: Cuts,
+    pub cuts: Outages,
     /// The camera beside its log.
     pub camera_log: CameraLog,
     /// Photos laid on the map.
@@ -124,7 +124,7 @@ impl Documents {
                 _ => None,
             }),
             contest: Contest::default(),
-            cuts: Cuts::default(),
+            cuts: Outages::default(),
             camera_log: CameraLog::default(),
             photos: Photos::default(),
             noticed: Noticed::default(),
@@ -276,7 +276,7 @@ impl Documents {
         distinctness.clear();
         (*match_pictures, *detector_search) = (None, None);
         *contest = Contest::default();
-        *cuts = Cuts::default();
+        *cuts = Outages::default();
         *camera_log = CameraLog::default();
         *noticed = Noticed::default();
         *flight_generation += 1;

@@ -6,9 +6,9 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 
 use super::transform::ScreenFromWorld;
 use crate::compare::KeptTrack;
-use crate::cut::colour;
+use crate::outage::colour;
 use crate::tokens::Tokens;
-use pilotage_jobs::CutReport;
+use pilotage_jobs::OutageReport;
 
 /// Pieces that a trajectory is drawn in at most.
 const MOST_PIECES: usize = 2000;
@@ -53,7 +53,7 @@ pub(super) fn paint_kept(
 pub(super) fn paint_cut(
     painter: &Painter,
     view: &ScreenFromWorld,
-    cut: &CutReport,
+    cut: &OutageReport,
     now: f64,
     tokens: &Tokens,
 ) {

@@ -29,7 +29,7 @@ use crate::georeference::Georeferencer;
 use crate::log::OpenLog;
 use crate::photos::Photos;
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
-use pilotage_jobs::{CutReport, Distinctness, MapInfo, SeriesName};
+use pilotage_jobs::{Distinctness, MapInfo, OutageReport, SeriesName};
 
 /// Data that the map needs beside what every view is given.
 pub struct MapExtra<'a> {
@@ -50,7 +50,7 @@ pub struct MapExtra<'a> {
     /// Whom to thank for the map, shown wherever it is.
     pub attribution: Option<&'a str>,
     /// A cut of satellite navigation.
-    pub cut: Option<&'a CutReport>,
+    pub cut: Option<&'a OutageReport>,
     /// Corners of the ground that a picture would show with a camera that is tried.
     pub tried_footprint: Option<&'a [GroundPoint]>,
     /// Photos that were laid on the map, while they are looked at.

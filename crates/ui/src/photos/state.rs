@@ -1,6 +1,6 @@
 //! State of photos on the map.
 
-use pilotage_core::flight::photo::{LaidPhoto, PhotoSearch};
+use pilotage_core::flight::photo::{PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::registration::Draped;
 
@@ -112,7 +112,7 @@ impl Photos {
     }
 
     /// Place of photo `number`, if it was laid.
-    pub fn laid(&self, number: usize) -> Option<&LaidPhoto> {
+    pub fn laid(&self, number: usize) -> Option<&RegisteredPhoto> {
         let report = self.reports.get(number)?.as_ref()?;
         report.answer.laid.as_ref().ok()
     }

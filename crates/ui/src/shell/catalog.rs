@@ -10,9 +10,9 @@ use super::entry::{control, entry, plain, shift};
 use crate::camera_log::CameraLogCommand;
 use crate::command::{Command, Workspace};
 use crate::compare::{CompareCommand, TrackId};
-use crate::cut::CutCommand;
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
+use crate::outage::OutageCommand;
 use crate::photos::PhotosCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 use crate::views::DetectorCommand;
@@ -49,9 +49,9 @@ pub fn catalog() -> Vec<Entry> {
     ));
     entries.push(entry(
         Group::View,
-        "Cut GPS out of the flight",
+        "Outage GPS out of the flight",
         vec![shift(Key::G)],
-        Command::Cut(CutCommand::Show),
+        Command::Outage(OutageCommand::Show),
     ));
     entries.push(entry(
         Group::View,

@@ -2,7 +2,7 @@
 
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_core::alignment::CameraAdjustment;
+use pilotage_core::calibration::CameraAdjustment;
 use pilotage_jobs::{FlyOrder, Job, Opened};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
@@ -192,7 +192,7 @@ fn a_run_without_whole_frames_is_flown_with_them_and_then_estimated() {
     rig.key(Key::R);
     rig.settle();
     open(&mut rig);
-    assert_eq!(rig.state()["camera_log"]["missing"], "WholeFrames");
+    assert_eq!(rig.state()["camera_log"]["missing"], "FrameRegistration");
     rig.harness
         .get_by_label("Lay whole pictures and estimate")
         .click();

@@ -70,7 +70,7 @@ impl Kind {
         })
     }
 
-    /// What is said of files that nobody reads.
+    /// Contents that a worker is said to have found in files that nobody reads.
     fn said(self) -> Opened {
         match self {
             Self::Folder => Opened {
@@ -138,7 +138,7 @@ fn leave_traces(rig: &mut Rig) {
         rig.drag_with(Modifiers::SHIFT, at(0.3), at(0.6));
     }
     for (tab, button) in [
-        ("GPS cut", "Cut GPS from"),
+        ("GPS cut", "Outage GPS from"),
         ("Compare", "Fly by all estimators"),
     ] {
         let tabs = rig
@@ -200,7 +200,7 @@ fn under_way(rig: &mut Rig, old: Kind) -> BTreeSet<String> {
     let host = rig.host();
     let silent = |job: &Job| match job {
         // The scripted host says nothing of cuts of invented flights.
-        Job::Cut(order) => Some(format!("{:?}", order.flight)),
+        Job::Outage(order) => Some(format!("{:?}", order.flight)),
         _ => None,
     };
     let jobs = host

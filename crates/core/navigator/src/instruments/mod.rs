@@ -9,6 +9,8 @@
 mod airborne;
 mod blend;
 mod calibration;
+#[cfg(test)]
+mod consistency;
 mod fit;
 mod fit_refusal;
 #[cfg(test)]
@@ -20,8 +22,6 @@ mod gps_wind;
 mod heading;
 mod heading_choice;
 mod health;
-#[cfg(test)]
-mod honesty;
 mod models;
 mod nose;
 mod outlook;
@@ -59,7 +59,7 @@ pub use refusal::{Refusal, Source};
 pub use series::{Sample, Series};
 pub use settings::{HeadingChoice, Method, ReckonSettings};
 pub use statistics::quantile;
-pub use study::{CutOutcome, CutPlan, CutStudy, study_cuts};
+pub use study::{OutageOutcome, OutagePlan, OutageStudy, study_cuts};
 pub use track::{Growth, Track, TrackPoint};
 pub use track_noise::TrackNoise;
 pub use tuning::likeliest;

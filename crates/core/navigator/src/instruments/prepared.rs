@@ -50,7 +50,7 @@ pub enum ReckonError {
         "the cut from {from:.1} to {to:.1} s does not lie within a stretch in the air: choose it within {begin:.1} \
          to {end:.1} s"
     )]
-    CutOutside {
+    OutageOutside {
         /// Beginning of the cut, seconds.
         from: f64,
         /// End of the cut, seconds.

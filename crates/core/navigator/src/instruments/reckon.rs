@@ -121,7 +121,7 @@ pub fn reckon(
 ) -> Result<Reckoning, ReckonError> {
     let (begin, end) = instruments.stretch;
     if !(cut.0 > begin && cut.1 > cut.0 && cut.0 < end) {
-        return Err(ReckonError::CutOutside {
+        return Err(ReckonError::OutageOutside {
             from: cut.0,
             to: cut.1,
             begin,

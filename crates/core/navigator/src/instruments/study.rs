@@ -17,7 +17,7 @@ use pilotage_estimation::filter::FilterError;
 
 /// Plan of the cuts.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CutPlan {
+pub struct OutagePlan {
     /// Length of each, seconds.
     pub length: f64,
     /// From the beginning of one to the beginning of the next, seconds.
@@ -26,7 +26,7 @@ pub struct CutPlan {
     pub warm_up: f64,
 }
 
-impl Default for CutPlan {
+impl Default for OutagePlan {
     fn default() -> Self {
         Self {
             length: 60.0,
@@ -38,7 +38,7 @@ impl Default for CutPlan {
 
 /// Outcome of a cut.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CutOutcome {
+pub struct OutageOutcome {
     /// Beginning, seconds: stamp of the last position that may have been used.
     pub from: f64,
     /// End, seconds: stamp of the position that it is compared with.
@@ -49,7 +49,7 @@ pub struct CutOutcome {
     pub covariance: Matrix2<f64>,
 }
 
-impl CutOutcome {
+impl OutageOutcome {
     /// Normalised squared error.
     pub fn squared(&self) -> f64 {
         self.covariance
@@ -62,16 +62,16 @@ impl CutOutcome {
 
 /// Outcomes of all cuts, for one way to navigate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CutStudy {
+pub struct OutageStudy {
     /// Name of the way, as shown to people.
     pub label: String,
     /// In order of time.
-    pub cuts: Vec<CutOutcome>,
+    pub cuts: Vec<OutageOutcome>,
     /// Logarithm of the likelihood of all measurements of satellite navigation, each as it was predicted.
     pub log_likelihood: f64,
 }
 
-impl CutStudy {
+impl OutageStudy {
     /// The error at the end that the share `share` of the cuts stays below, m.
     pub fn error_quantile(&self, share: f64) -> f64 {
         quantile(self.cuts.iter().map(|c| c.error.norm()).collect(), share)
@@ -87,7 +87,7 @@ impl CutStudy {
     /// Logarithm of the likelihood of the positions at the ends of the cuts, as they were predicted at their
     /// beginnings, but for a constant.
     pub fn end_log_likelihood(&self) -> f64 {
-        let term = |c: &CutOutcome| -0.5 * (c.covariance.determinant().ln() + c.squared());
+        let term = |c: &OutageOutcome| -0.5 * (c.covariance.determinant().ln() + c.squared());
         self.cuts.iter().map(term).sum()
     }
 }
@@ -100,12 +100,12 @@ impl CutStudy {
 pub fn study_cuts(
     instruments: &Instruments,
     way: &Way,
-    plan: &CutPlan,
+    plan: &OutagePlan,
     settings: &ReckonSettings,
     goes_on: &mut dyn FnMut(f64) -> bool,
-) -> Result<CutStudy, ReckonError> {
+) -> Result<OutageStudy, ReckonError> {
     let (start, end) = instruments.stretch;
-    let mut study = CutStudy {
+    let mut study = OutageStudy {
         label: way.label.clone(),
         cuts: Vec::new(),
         log_likelihood: 0.0,
@@ -140,7 +140,7 @@ struct Part<'a> {
     instruments: &'a Instruments,
     known: &'a Calibration,
     trust: Trust,
-    plan: &'a CutPlan,
+    plan: &'a OutagePlan,
     fixes: &'a [PositionFix],
     settings: &'a ReckonSettings,
     span: (f64, f64),
@@ -170,7 +170,7 @@ impl Part<'_> {
     fn cut<const N: usize, V: Airplane<N>>(
         &self,
         model: &V,
-        study: &mut CutStudy,
+        study: &mut OutageStudy,
     ) -> Result<(), FilterError> {
         let delay = self.known.delays.gps;
         let start = self.instruments.stretch.0;
@@ -204,7 +204,7 @@ impl Part<'_> {
             }
             let place = coasting.state().marginal::<0, 2>();
             if let Some(there) = readings.positions.at(to) {
-                study.cuts.push(CutOutcome {
+                study.cuts.push(OutageOutcome {
                     from,
                     to,
                     error: there - place.mean,

@@ -43,18 +43,18 @@ fn findings(doubts: impl Iterator<Item = (f64, Doubt)>) -> Vec<Finding> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Disbelief, Instrument};
+    use super::super::{Instrument, SensorFault};
     use super::*;
 
     #[test]
     fn what_is_doubted_for_long_is_told_once_as_it_was_said_last() {
         let late = |by| Doubt {
             instrument: Instrument::Camera,
-            why: Disbelief::Late { by },
+            why: SensorFault::Late { by },
             since: 8.5,
         };
         let open = Doubt {
-            why: Disbelief::MayBeLate,
+            why: SensorFault::MayBeLate,
             since: 8.0,
             ..late(0.0)
         };

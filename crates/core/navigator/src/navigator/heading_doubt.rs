@@ -10,9 +10,9 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use super::engine::Engine;
+use super::frame_registration::{FrameRegistration, RegisteredFrame, measured};
 use super::inputs::Inputs;
-use super::whole_frames::{Laid, WholeFrames, measured};
-use super::{CandidateReport, Disbelief, Doubt, Estimate, Instrument, Outcome};
+use super::{CandidateReport, Doubt, Estimate, Instrument, Outcome, SensorFault};
 use pilotage_base::frames::wrap_pi;
 use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::FilterError;
@@ -52,7 +52,7 @@ struct Reading {
 
 /// Knowledge of the compass from laid frames and from landmarks that were missed.
 pub struct HeadingDoubt {
-    frames: Option<WholeFrames>,
+    frames: Option<FrameRegistration>,
     /// The filter when a landmark was found last, or at the start, and when that was, seconds.
     confirmed: (Box<dyn Engine>, f64),
     /// Looks in vain since then, how many are borne, and the landmarks.
@@ -98,7 +98,7 @@ impl HeadingDoubt {
     /// With a `map` to lay frames on, as `settings` know the sensors, `height` metres above the ground.
     pub fn over(&mut self, map: Arc<dyn Imagery>, settings: &NavigatorSettings, height: f64) {
         let sensors = &settings.sensors;
-        self.frames = Some(WholeFrames::new(
+        self.frames = Some(FrameRegistration::new(
             map,
             FollowSettings {
                 measured_log_height_deviation: (sensors.height / height.max(1.0))
@@ -171,7 +171,7 @@ impl HeadingDoubt {
         index: usize,
         luminance: &Pyramid,
         predicted: &Estimate,
-    ) -> Option<Laid> {
+    ) -> Option<RegisteredFrame> {
         let time = flight.frames[index].time;
         let is_read = inputs.doubt(ChannelName::Heading, time).is_none();
         if !(self.is_trying() && is_read && time - self.last >= APART) {
@@ -201,7 +201,7 @@ impl HeadingDoubt {
     /// that the compass is turned. The report says that the frame was laid to try the heading.
     pub fn read(
         &mut self,
-        laid: &mut Laid,
+        laid: &mut RegisteredFrame,
         heading: f64,
         settings: &NavigatorSettings,
     ) -> Result<Option<Turned>, FilterError> {
@@ -240,8 +240,8 @@ impl HeadingDoubt {
     /// Doubt about the heading, if there is one.
     pub fn doubt(&self) -> Option<Doubt> {
         let (why, since) = match (self.contradicted, self.turned) {
-            (Some(since), _) => (Disbelief::Contradicted, since),
-            (None, Some((by, since))) => (Disbelief::Turned { by }, since),
+            (Some(since), _) => (SensorFault::Contradicted, since),
+            (None, Some((by, since))) => (SensorFault::Turned { by }, since),
             (None, None) => return None,
         };
         Some(Doubt {
@@ -383,7 +383,7 @@ mod tests {
                 .notice(&missed, engine.as_ref(), f64::from(second))
                 .unwrap();
         }
-        assert_eq!(doubt.doubt().unwrap().why, Disbelief::Contradicted);
+        assert_eq!(doubt.doubt().unwrap().why, SensorFault::Contradicted);
         let stray = doubt.stray(&flight(), 10.0);
         assert!((stray - 180.0).abs() < 1e-9, "{stray}");
         doubt

@@ -40,7 +40,7 @@ impl Instrument {
 
 /// Why an instrument is not believed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Disbelief {
+pub enum SensorFault {
     /// It shows one and the same number for longer than it ever did.
     Stuck,
     /// There is none for longer than usual.
@@ -67,7 +67,7 @@ pub struct Doubt {
     /// Instrument that is not believed.
     pub instrument: Instrument,
     /// Why.
-    pub why: Disbelief,
+    pub why: SensorFault,
     /// Since when, seconds in the flight's time base: when it could be noticed.
     pub since: f64,
 }
@@ -80,14 +80,14 @@ impl Doubt {
             format!("since {:.1} s", self.since),
         );
         match self.why {
-            Disbelief::Stuck => format!("{name} is stuck {since}"),
-            Disbelief::Silent => format!("{name} is silent {since}"),
-            Disbelief::Contradicted => {
+            SensorFault::Stuck => format!("{name} is stuck {since}"),
+            SensorFault::Silent => format!("{name} is silent {since}"),
+            SensorFault::Contradicted => {
                 format!("{name} is contradicted by the pictures {since}")
             }
-            Disbelief::MayBeLate => format!("{name} may be late {since}"),
-            Disbelief::Late { by } => format!("{name} is {by:.1} s late, allowed for {since}"),
-            Disbelief::Turned { by } => {
+            SensorFault::MayBeLate => format!("{name} may be late {since}"),
+            SensorFault::Late { by } => format!("{name} is {by:.1} s late, allowed for {since}"),
+            SensorFault::Turned { by } => {
                 let side = if by > 0.0 { "right" } else { "left" };
                 let by = by.abs().to_degrees();
                 format!("{name} reads {by:.0}° too far {side}, corrected {since}")
@@ -105,7 +105,7 @@ impl Doubt {
 #[derive(Debug)]
 struct Doubted {
     channel: ChannelName,
-    why: Disbelief,
+    why: SensorFault,
     stretches: Vec<(f64, f64)>,
 }
 
@@ -153,9 +153,9 @@ impl Inputs {
                 });
             };
             if name != ChannelName::HeightAboveGround {
-                say(Disbelief::Stuck, stretches_stuck(channel, span));
+                say(SensorFault::Stuck, stretches_stuck(channel, span));
             }
-            say(Disbelief::Silent, silences(channel, span));
+            say(SensorFault::Silent, silences(channel, span));
         }
         doubted.retain(|doubted| !doubted.stretches.is_empty());
         let airspeed = flight.channel(ChannelName::Airspeed);
@@ -351,7 +351,7 @@ mod tests {
         );
         let told = inputs.doubts(70.0);
         assert_eq!(told.len(), 1);
-        assert_eq!(told[0].why, Disbelief::Silent);
+        assert_eq!(told[0].why, SensorFault::Silent);
         assert!((told[0].since - 61.5).abs() < 0.5, "{told:?}");
         let (cruise, deviation) = inputs.cruise().unwrap();
         assert!((14.0..24.0).contains(&cruise) && deviation < 3.0);
@@ -386,20 +386,20 @@ mod tests {
         let heading = Instrument::Channel(ChannelName::Heading);
         let by = -20.4_f64.to_radians();
         assert_eq!(
-            words(heading, Disbelief::Turned { by }),
+            words(heading, SensorFault::Turned { by }),
             "heading reads 20° too far left, corrected since 12.3 s"
         );
         assert_eq!(
-            words(heading, Disbelief::Contradicted),
+            words(heading, SensorFault::Contradicted),
             "heading is contradicted by the pictures since 12.3 s"
         );
         assert_eq!(
-            words(Instrument::Camera, Disbelief::Late { by: 0.96 }),
+            words(Instrument::Camera, SensorFault::Late { by: 0.96 }),
             "camera is 1.0 s late, allowed for since 12.3 s"
         );
         let height = Instrument::Channel(ChannelName::HeightAboveGround);
         assert_eq!(
-            words(height, Disbelief::Silent),
+            words(height, SensorFault::Silent),
             "height above ground is silent since 12.3 s"
         );
     }

@@ -10,35 +10,35 @@ mod finding;
 mod fixes;
 mod flown;
 mod found_places;
+mod frame_registration;
 mod heading_doubt;
 mod inputs;
-mod laid_refusal;
 mod picture_lag;
 mod pipeline;
 mod possible_places;
+mod recovery;
 mod region;
+mod registration_refusal;
 mod report;
 mod run;
 mod run_file;
-mod second_opinion;
 mod see;
 mod smooth;
 mod summary;
 mod ticks;
-mod whole_frames;
 
 pub use bound::position_bound;
 pub use engine::vehicle;
 pub use estimate::Estimate;
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;
-pub use inputs::{Disbelief, Doubt, Instrument};
-pub use laid_refusal::LaidRefusal;
+pub use inputs::{Doubt, Instrument, SensorFault};
 pub use pilotage_vision::landmark::Refusal;
 pub use pipeline::{Navigator, NavigatorError};
+pub use registration_refusal::RegistrationRefusal;
 pub use report::{
-    CandidateReport, Control, FrameReport, JointReport, LaidPlace, LaidReport, Outcome, SigmaSets,
-    StepReport, StepTiming,
+    CandidateReport, Control, FrameReport, JointReport, Outcome, RegisteredPlace,
+    RegistrationReport, SigmaSets, StepReport, StepTiming,
 };
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};

@@ -18,9 +18,9 @@ use nalgebra::{DMatrix, Vector4};
 use super::engine::Engine;
 use super::expected::AppearanceModel;
 use super::inputs::Inputs;
-use super::second_opinion::believed;
-use super::see::{FoundPlace, Measurement, Place, Seer, stack};
-use super::{CandidateReport, Control, Disbelief, Doubt, Estimate, Instrument};
+use super::recovery::believed;
+use super::see::{Associator, FoundPlace, Measurement, Place, stack};
+use super::{CandidateReport, Control, Doubt, Estimate, Instrument, SensorFault};
 use pilotage_base::frames::{Pose, wrap_pi};
 use pilotage_estimation::filter::FilterError;
 use pilotage_estimation::vehicle::ControlInput;
@@ -51,7 +51,7 @@ const READINGS: i32 = 2;
 const PIECE: f64 = 0.1;
 
 /// A filter that assumes another lag.
-struct Rival {
+struct Hypothesis {
     lag: f64,
     engine: Box<dyn Engine>,
     /// Probability, of all the filters together one.
@@ -60,7 +60,7 @@ struct Rival {
     alone: BTreeMap<u32, f64>,
 }
 
-impl Rival {
+impl Hypothesis {
     /// Takes in that what was `found` is by `evidence` likelier than the first believes, as a logarithm.
     ///
     /// Landmarks that were found together speak for themselves. One alone may be wrong every time, and then speaks
@@ -85,7 +85,7 @@ pub struct PictureLag {
     assumed: f64,
     /// Probability of that.
     weight: f64,
-    rivals: Vec<Rival>,
+    rivals: Vec<Hypothesis>,
     /// When a picture was shown to all of them last, seconds.
     shown: Option<f64>,
     /// Since when the first lag is doubted, and whether it was given up, seconds.
@@ -129,7 +129,7 @@ impl PictureLag {
     /// Before the first picture, which `engine` takes for punctual.
     pub fn new(engine: &dyn Engine) -> Result<Self, FilterError> {
         let rival = |number: u32| {
-            Ok(Rival {
+            Ok(Hypothesis {
                 lag: LONGEST * f64::from(number) / f64::from(RIVALS),
                 engine: engine.faded(1.0)?,
                 weight: LATE / f64::from(RIVALS),
@@ -161,7 +161,7 @@ impl PictureLag {
     /// corrected elsewhere.
     pub fn weigh(
         &mut self,
-        seer: &Seer<'_>,
+        seer: &Associator<'_>,
         onlooker: &Onlooker<'_>,
         found: &[FoundPlace<'_>],
         reports: &[CandidateReport],
@@ -171,12 +171,12 @@ impl PictureLag {
         }
         self.let_begin(seer.engine, onlooker.time)?;
         let model = onlooker.model(self.assumed);
-        let first = Seer::new(seer.settings, seer.engine, model, seer.frame);
+        let first = Associator::new(seer.settings, seer.engine, model, seer.frame);
         let (own, _) = judged(&first, &all_seen_anew(found, seer, &first), reports)?;
         for rival in &mut self.rivals {
             rival.engine.look_back(onlooker.past(rival.lag));
             let model = onlooker.model(rival.lag);
-            let judge = Seer::new(seer.settings, rival.engine.as_ref(), model, seer.frame);
+            let judge = Associator::new(seer.settings, rival.engine.as_ref(), model, seer.frame);
             let found = all_seen_anew(found, seer, &judge);
             let (log_likelihood, agreed) = judged(&judge, &found, reports)?;
             if !agreed.is_empty() {
@@ -278,11 +278,11 @@ impl PictureLag {
 
     /// Doubt about the lag of the pictures, if there is one.
     pub fn doubt(&self) -> Option<Doubt> {
-        let mean = |sum, rival: &Rival| sum + rival.weight * rival.lag;
+        let mean = |sum, rival: &Hypothesis| sum + rival.weight * rival.lag;
         let late = self.rivals.iter().fold(self.weight * self.assumed, mean);
         let (why, since) = match (self.replaced, self.doubted) {
-            (Some(since), _) => (Disbelief::Late { by: late }, since),
-            (None, Some(since)) if self.weight < ELLIPSE => (Disbelief::MayBeLate, since),
+            (Some(since), _) => (SensorFault::Late { by: late }, since),
+            (None, Some(since)) if self.weight < ELLIPSE => (SensorFault::MayBeLate, since),
             _ => return None,
         };
         Some(Doubt {
@@ -309,7 +309,7 @@ fn spread_over_cell(mut belief: Estimate, engine: &dyn Engine, lag: f64) -> Esti
 /// and the measurements that `judge` believes. What `judge` does not believe counts as if it lay on the
 /// border of the gate.
 fn judged<'l>(
-    judge: &Seer<'_>,
+    judge: &Associator<'_>,
     found: &[FoundPlace<'l>],
     reports: &[CandidateReport],
 ) -> Result<(f64, Vec<Measurement<'l>>), FilterError> {
@@ -366,8 +366,8 @@ fn evened(flight: &Flight, time: f64) -> Control {
 /// Places that were `found` by `from`, for `to`, who assumes another pose.
 fn all_seen_anew<'l>(
     found: &[FoundPlace<'l>],
-    from: &Seer<'_>,
-    to: &Seer<'_>,
+    from: &Associator<'_>,
+    to: &Associator<'_>,
 ) -> Vec<FoundPlace<'l>> {
     let as_seen = |place: &Place| seen_anew(place, &from.pose, &to.pose);
     found

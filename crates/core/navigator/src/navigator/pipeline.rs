@@ -10,14 +10,14 @@ use nalgebra::DVector;
 
 use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
+use super::frame_registration::FrameRegistration;
 use super::heading_doubt::HeadingDoubt;
 use super::inputs::Inputs;
 use super::picture_lag::{Onlooker, PictureLag};
 use super::possible_places::PossiblePlaces;
-use super::second_opinion::{Opinion, SecondOpinion, reconsider};
-use super::see::{Measurement, Seer, degrees, stack};
+use super::recovery::{Opinion, Recovery, reconsider};
+use super::see::{Associator, Measurement, degrees, stack};
 use super::ticks::{Tick, ticks};
-use super::whole_frames::WholeFrames;
 use super::{
     CandidateReport, Control, FrameReport, JointReport, Outcome, Run, SigmaSets, StepReport,
     StepTiming,
@@ -61,13 +61,13 @@ pub struct Navigator {
     landmarks: Vec<Landmark>,
     settings: NavigatorSettings,
     engine: Box<dyn Engine>,
-    second: Option<SecondOpinion>,
+    second: Option<Recovery>,
     /// Estimate of the pictures' lag; none where whole frames are laid.
     lag: Option<PictureLag>,
     /// Knowledge of a turned compass; none where whole frames are laid.
     heading: Option<HeadingDoubt>,
     detector: Box<dyn Detector>,
-    whole_frames: Option<WholeFrames>,
+    whole_frames: Option<FrameRegistration>,
     /// Other places at which the aircraft may be; only whole frames tell.
     possible: PossiblePlaces,
     ticks: Vec<Tick>,
@@ -130,7 +130,7 @@ impl Navigator {
         let detector = ChosenDetector::new(Arc::clone(&map), settings.detector, landmarks);
         let mut navigator = Self::with_detector(flight, landmarks, Box::new(detector), settings)?;
         if let Some(assumed) = settings.whole_frames {
-            navigator.whole_frames = Some(WholeFrames::new(map, assumed));
+            navigator.whole_frames = Some(FrameRegistration::new(map, assumed));
         } else if let Some(heading) = &mut navigator.heading {
             let height = Control::of(&navigator.flight, navigator.time).height;
             heading.over(map, settings, height);
@@ -354,7 +354,7 @@ impl Navigator {
     fn may_see(&self, index: usize) -> bool {
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera);
-        let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
+        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, index);
         !seer.candidates(&self.landmarks).is_empty()
     }
 
@@ -388,7 +388,7 @@ impl Navigator {
         }
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera);
-        let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
+        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, index);
         let pose = seer.pose;
         let candidates = seer.candidates(&self.landmarks);
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());

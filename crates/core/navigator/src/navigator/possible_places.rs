@@ -14,8 +14,8 @@
 use super::Estimate;
 use super::engine::{Engine, PredictedStep, engine};
 use super::found_places::{Found, Searched, density};
-use super::laid_refusal::LaidRefusal;
-use super::whole_frames::{Believed, SeenPlace};
+use super::frame_registration::{Believed, SeenPlace};
+use super::registration_refusal::RegistrationRefusal;
 use pilotage_base::statistics::probability_words;
 use pilotage_estimation::filter::FilterError;
 use pilotage_estimation::vehicle::ControlInput;
@@ -225,7 +225,7 @@ impl PossiblePlaces {
     /// Places that are followed, in words.
     pub fn words(&self) -> String {
         let Some(likeliest) = self.others.first() else {
-            return LaidRefusal::Open.reason().to_owned();
+            return RegistrationRefusal::Open.reason().to_owned();
         };
         format!(
             "{} other places are followed, the likeliest with a probability of {}",

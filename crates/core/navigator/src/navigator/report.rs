@@ -4,11 +4,11 @@ use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Matrix6, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::engine::{CorrectedStep, PredictedStep};
-use super::{Doubt, Estimate, LaidRefusal};
+use super::{Doubt, Estimate, RegistrationRefusal};
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_vision::landmark::Refusal;
-use pilotage_vision::registration::{LaidBy, MapShape};
+use pilotage_vision::registration::{MapShape, RegistrationMethod};
 
 /// Readings that drove the prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -151,24 +151,24 @@ pub struct FrameReport {
     pub joint: Option<JointReport>,
     /// Result of laying the whole frame on the map, where that was tried.
     #[serde(default)]
-    pub laid: Option<LaidReport>,
+    pub laid: Option<RegistrationReport>,
     /// Why the frame could not be used at all, if so.
     pub trouble: Option<String>,
 }
 
 /// A whole frame laid on the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LaidReport {
+pub struct RegistrationReport {
     /// Place of the frame on the map; `None` if it could not be laid.
-    pub place: Option<LaidPlace>,
+    pub place: Option<RegisteredPlace>,
     /// Why it did not correct the estimate, in words; `None` if it did.
     pub refusal: Option<String>,
     /// Kind of that reason; runs of before do not say.
     #[serde(default)]
-    pub refused_as: Option<LaidRefusal>,
+    pub refused_as: Option<RegistrationRefusal>,
     /// By what it was believed.
     #[serde(default)]
-    pub laid_by: LaidBy,
+    pub laid_by: RegistrationMethod,
     /// Patches that could have been found on the map.
     pub tried: usize,
     /// Logarithm (base 10) of how likely the place is wrong: agreements as good as this one that chance would
@@ -179,10 +179,10 @@ pub struct LaidReport {
     pub probability: Option<f64>,
 }
 
-impl LaidReport {
+impl RegistrationReport {
     /// The frame leaves open where it lies, for a reason of its own or for what is followed beside it.
     pub(super) fn left_open(&mut self, followed: String) {
-        self.refused_as.get_or_insert(LaidRefusal::Open);
+        self.refused_as.get_or_insert(RegistrationRefusal::Open);
         let told = self.refusal.take().into_iter().chain([followed]);
         self.refusal = Some(told.collect::<Vec<_>>().join("; "));
     }
@@ -195,7 +195,7 @@ impl LaidReport {
 
 /// Place of a whole frame on the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LaidPlace {
+pub struct RegisteredPlace {
     /// Pose of the body, the slope of the ground told from its tilt.
     pub pose: Pose,
     /// Covariance of north, east, down (metres), roll, pitch, yaw (radians).
@@ -236,7 +236,7 @@ pub struct StepReport {
     /// After the prediction.
     pub predicted: Estimate,
     /// After the correction; equal to `predicted` where there was none. While it is open how late the
-    /// pictures come, this belief spreads over all lags ([`super::Disbelief::MayBeLate`]), and the next step
+    /// pictures come, this belief spreads over all lags ([`super::SensorFault::MayBeLate`]), and the next step
     /// begins without that.
     pub after: Estimate,
     /// Sigma points.

@@ -52,7 +52,7 @@ pub type FoundPlace<'l> = (&'l Landmark, usize, Place);
 pub type Agreed<'l> = (Vec<Measurement<'l>>, f64, f64);
 
 /// Innovation of a measurement against what is expected, with its covariance.
-pub struct Surprise {
+pub struct GaussianInnovation {
     pub innovation: DVector<f64>,
     /// Innovation covariance.
     pub covariance: DMatrix<f64>,
@@ -60,7 +60,7 @@ pub struct Surprise {
     pub noise: DMatrix<f64>,
 }
 
-impl Surprise {
+impl GaussianInnovation {
     /// Normalized innovation squared.
     pub fn nis(&self) -> Result<f64, FilterError> {
         let root = self.root()?;
@@ -83,7 +83,7 @@ impl Surprise {
 }
 
 /// Everything that stays the same while a frame is worked on.
-pub struct Seer<'a> {
+pub struct Associator<'a> {
     pub settings: &'a NavigatorSettings,
     pub engine: &'a dyn Engine,
     pub model: AppearanceModel<'a>,
@@ -139,7 +139,7 @@ impl Stacked<'_> {
     }
 }
 
-impl<'a> Seer<'a> {
+impl<'a> Associator<'a> {
     /// Prepares the expectations for frame number `frame` from where `engine` believes to be.
     pub fn new(
         settings: &'a NavigatorSettings,
@@ -158,11 +158,11 @@ impl<'a> Seer<'a> {
     }
 
     /// The same, but judged by what another filter believes.
-    pub fn judged_by<'b>(&self, engine: &'b dyn Engine) -> Seer<'b>
+    pub fn judged_by<'b>(&self, engine: &'b dyn Engine) -> Associator<'b>
     where
         'a: 'b,
     {
-        Seer { engine, ..*self }
+        Associator { engine, ..*self }
     }
 
     /// Least covariance of what is measured of `landmark`: the pixel floor, what it means for turn and scale
@@ -400,10 +400,13 @@ impl<'a> Seer<'a> {
     }
 
     /// Joint innovation of several landmarks against where they are expected.
-    pub fn surprise(&self, measurements: &[Measurement<'_>]) -> Result<Surprise, FilterError> {
+    pub fn surprise(
+        &self,
+        measurements: &[Measurement<'_>],
+    ) -> Result<GaussianInnovation, FilterError> {
         let stacked = stack(self.settings, measurements);
         let expected = self.expect(&stacked.landmarks, &stacked.noise)?;
-        Ok(Surprise {
+        Ok(GaussianInnovation {
             innovation: stacked.seen - expected.mean,
             covariance: expected.covariance,
             noise: stacked.noise,

@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::bound::position_bound;
-use super::{CandidateReport, LaidRefusal, Outcome, Run, StepReport};
+use super::{CandidateReport, Outcome, RegistrationRefusal, Run, StepReport};
 use pilotage_estimation::filter::Consistency;
 use pilotage_flight::Flight;
 use pilotage_mission::settings::NavigatorSettings;
@@ -298,7 +298,7 @@ fn count_frame(summary: &mut Summary, step: &StepReport) {
             summary.frames_laid += 1;
             None
         }
-        Some(laid) => Some(laid.refused_as.map_or(UNUSABLE, LaidRefusal::key)),
+        Some(laid) => Some(laid.refused_as.map_or(UNUSABLE, RegistrationRefusal::key)),
         None => None,
     };
     if let Some(kind) = kind {

@@ -11,7 +11,7 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid, decode_picture};
 use pilotage_vision::registration::{
-    LaidBy, Look, MapPose, NotRegistered, PosePrior, Registration, outline, register,
+    Look, MapPose, NotRegistered, PosePrior, Registration, RegistrationMethod, outline, register,
 };
 
 /// A photo that is ready to be laid on a map.
@@ -35,12 +35,12 @@ pub struct PhotoAnswer {
     /// Probability of the likeliest place by the whole frame alone, 0 to 1.
     pub probability: f64,
     /// Place of the photo on the map, or why it was not laid, in words.
-    pub laid: Result<LaidPhoto, String>,
+    pub laid: Result<RegisteredPhoto, String>,
 }
 
 /// Photo laid on a map; places are metres north and east in the map's world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LaidPhoto {
+pub struct RegisteredPhoto {
     /// Pose over the map, by which the picture is drawn on it.
     pub at: MapPose,
     /// Turn of the stored picture, radians clockwise, a multiple of a quarter turn.
@@ -54,7 +54,7 @@ pub struct LaidPhoto {
     /// Its covariance (north, east), m², the map's own error in it.
     pub centre_covariance: Matrix2<f64>,
     /// By what it was believed.
-    pub laid_by: LaidBy,
+    pub laid_by: RegistrationMethod,
     /// Patches that agree, of those that could be found.
     pub patches: [usize; 2],
     /// Logarithm (base 10) of how likely it is wrong.
@@ -129,7 +129,7 @@ impl PhotoLook {
             assumed: self.assumed.clone(),
             probability,
             laid: match &found {
-                Ok(found) => Ok(LaidPhoto::of(&look, found)),
+                Ok(found) => Ok(RegisteredPhoto::of(&look, found)),
                 Err(cause) => Err(cause.to_string()),
             },
         };
@@ -137,7 +137,7 @@ impl PhotoLook {
     }
 }
 
-impl LaidPhoto {
+impl RegisteredPhoto {
     fn of(look: &Look<'_>, found: &Registration) -> Self {
         Self {
             at: found.fit.at,

@@ -45,6 +45,6 @@ pub use look::{Look, MapPose};
 pub use overlay::overlay;
 pub use patches::PatchMatch;
 pub use prior::{HeadingPrior, PosePrior, StoredTurn};
-pub use register::{LaidBy, NotRegistered, Registration, Sighting, register, sight};
+pub use register::{NotRegistered, Registration, RegistrationMethod, Sighting, register, sight};
 pub use shape::MapShape;
 pub use sweep::sweep;

@@ -28,7 +28,7 @@ const MOST_FALSE_ALARMS: f64 = -4.0;
 
 /// By what a frame was believed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum LaidBy {
+pub enum RegistrationMethod {
     /// Small patches agree on one pose: map and frame look alike in detail.
     #[default]
     Patches,
@@ -46,7 +46,7 @@ pub struct Registration {
     /// Patches that could have been found.
     pub tried: usize,
     /// By what it was believed.
-    pub laid_by: LaidBy,
+    pub laid_by: RegistrationMethod,
     /// Logarithm (base 10) of how likely it is wrong: the agreements as good as this one that chance would
     /// give on a map of other ground, or the probability that the whole frame lies elsewhere.
     pub log_false_alarms: f64,
@@ -112,8 +112,8 @@ impl Registration {
     /// Probability of this place by all that was looked at, its patches as well.
     pub fn belief(&self) -> f64 {
         match self.laid_by {
-            LaidBy::WholeFrame => self.probability,
-            LaidBy::Patches => self
+            RegistrationMethod::WholeFrame => self.probability,
+            RegistrationMethod::Patches => self
                 .probability
                 .max(1.0 - 10_f64.powf(self.log_false_alarms)),
         }
@@ -165,7 +165,8 @@ pub fn sight(look: &Look<'_>, prior: &PosePrior) -> Sighting {
         let likely = others.iter().filter(|g| g.probability > LEAST_PROBABLE);
         laid.extend(likely.filter_map(made_exact));
     }
-    let is_sure = |r: &Registration| r.laid_by == LaidBy::Patches || r.probability >= BELIEVED;
+    let is_sure =
+        |r: &Registration| r.laid_by == RegistrationMethod::Patches || r.probability >= BELIEVED;
     if !laid.iter().any(is_sure) {
         // Patches of a map of the same day may know better.
         let mut begun: Vec<_> = guesses
@@ -184,7 +185,8 @@ pub fn sight(look: &Look<'_>, prior: &PosePrior) -> Sighting {
     }
     // What patches agree on comes before what is only alike as a whole.
     laid.sort_by(|a, b| {
-        let rank = |r: &Registration| (r.laid_by != LaidBy::Patches, r.log_false_alarms);
+        let rank =
+            |r: &Registration| (r.laid_by != RegistrationMethod::Patches, r.log_false_alarms);
         let (a, b) = (rank(a), rank(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
@@ -227,7 +229,7 @@ fn exact(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Registrati
         tried,
         log_false_alarms: guess.log_doubt,
     };
-    registration(look, prior, guess, LaidBy::WholeFrame, by_edges)
+    registration(look, prior, guess, RegistrationMethod::WholeFrame, by_edges)
 }
 
 /// Registration on which patches around a pose agree, if chance does not explain it.
@@ -239,7 +241,7 @@ fn by_patches(
 ) -> Option<Registration> {
     let found = by_contrast(look, prior, start)?;
     (found.log_false_alarms <= MOST_FALSE_ALARMS)
-        .then(|| registration(look, prior, guess, LaidBy::Patches, found))
+        .then(|| registration(look, prior, guess, RegistrationMethod::Patches, found))
         .flatten()
 }
 
@@ -247,7 +249,7 @@ fn registration(
     look: &Look<'_>,
     prior: &PosePrior,
     guess: &Guess,
-    laid_by: LaidBy,
+    laid_by: RegistrationMethod,
     found: Exact,
 ) -> Option<Registration> {
     let (centre, centre_covariance) = found.fit.centre(look)?;
@@ -288,13 +290,13 @@ fn judge(
         other: other.probability,
     };
     match (best.laid_by, rival) {
-        (LaidBy::Patches, Some(other))
-            if other.laid_by == LaidBy::Patches
+        (RegistrationMethod::Patches, Some(other))
+            if other.laid_by == RegistrationMethod::Patches
                 && other.log_false_alarms < best.log_false_alarms - MOST_FALSE_ALARMS =>
         {
             Err(ambiguous(&other))
         }
-        (LaidBy::Patches, _) => Ok(best),
+        (RegistrationMethod::Patches, _) => Ok(best),
         _ if best.probability >= BELIEVED => Ok(best),
         (_, Some(other)) if other.probability > 0.5 * best.probability => Err(ambiguous(&other)),
         _ => Err(NotRegistered::Doubtful {

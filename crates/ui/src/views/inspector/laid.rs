@@ -1,15 +1,15 @@
 //! A whole picture laid on the map, in numbers.
 
 use egui::{RichText, Ui};
-use pilotage_core::navigator::{JointReport, LaidReport, Run};
-use pilotage_core::registration::LaidBy;
+use pilotage_core::navigator::{JointReport, RegistrationReport, Run};
+use pilotage_core::registration::RegistrationMethod;
 
 use super::super::parts::{self, Reading, figures};
 use super::matrix;
 use crate::context::ViewContext;
 
 /// Draws the place of the picture and its probability and uncertainty, or why it was not believed.
-pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidReport) {
+pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationReport) {
     let tokens = context.tokens;
     if let Some(cause) = &laid.refusal {
         ui.label(
@@ -30,8 +30,8 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidReport) {
         &Reading::new("patches that agree", agreeing, ""),
     );
     let doubt = match laid.laid_by {
-        LaidBy::Patches => "as many by chance",
-        LaidBy::WholeFrame => "elsewhere, or not here",
+        RegistrationMethod::Patches => "as many by chance",
+        RegistrationMethod::WholeFrame => "elsewhere, or not here",
     };
     let chance = format!("10^{:.0}", laid.log_false_alarms);
     parts::reading(ui, tokens, &Reading::new(doubt, chance, ""));

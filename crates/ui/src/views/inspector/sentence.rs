@@ -5,10 +5,10 @@ use std::fmt::Write;
 use nalgebra::Vector2;
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::navigator::{
-    CandidateReport, Disbelief, Doubt, Estimate, FrameReport, Instrument, LaidReport, Outcome, Run,
-    StepReport,
+    CandidateReport, Doubt, Estimate, FrameReport, Instrument, Outcome, RegistrationReport, Run,
+    SensorFault, StepReport,
 };
-use pilotage_core::registration::LaidBy;
+use pilotage_core::registration::RegistrationMethod;
 
 use super::super::parts::figures;
 use super::super::plots::DEAD_RECKONING_AFTER;
@@ -28,10 +28,10 @@ pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: 
 fn disbelieved(step: &StepReport) -> String {
     let sentence = |doubt: &Doubt| {
         let what = match (doubt.why, doubt.instrument) {
-            (Disbelief::MayBeLate, _) => ": the estimate spreads over all lags that may be",
-            (Disbelief::Late { .. }, _) => ": its pictures show what was before",
-            (Disbelief::Contradicted, _) => ": the estimate spreads over all headings",
-            (Disbelief::Turned { .. }, _) => "",
+            (SensorFault::MayBeLate, _) => ": the estimate spreads over all lags that may be",
+            (SensorFault::Late { .. }, _) => ": its pictures show what was before",
+            (SensorFault::Contradicted, _) => ": the estimate spreads over all headings",
+            (SensorFault::Turned { .. }, _) => "",
             (_, Instrument::Channel(ChannelName::Airspeed)) => {
                 " and not believed: what it usually flies is assumed in its place"
             }
@@ -79,14 +79,14 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
 fn whole_picture(
     step: &StepReport,
     frame: &FrameReport,
-    laid: &LaidReport,
+    laid: &RegistrationReport,
     units: Units,
 ) -> String {
     let (factor, unit) = units.length();
     let off = frame.joint.as_ref().map_or(0.0, |j| j.innovation.norm());
     let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
     let by = match (laid.laid_by, laid.probability) {
-        (LaidBy::WholeFrame, Some(probability)) => format!(
+        (RegistrationMethod::WholeFrame, Some(probability)) => format!(
             "by its edges, which fit nowhere else as well ({} %)",
             figures(100.0 * probability)
         ),
@@ -316,7 +316,7 @@ mod tests {
         let mut fixture = Fixture::lasting(15.0);
         fixture.run.steps[3].doubts.push(Doubt {
             instrument: Instrument::Channel(ChannelName::Airspeed),
-            why: Disbelief::Stuck,
+            why: SensorFault::Stuck,
             since: 1.25,
         });
         let text = of(&fixture, 3);
@@ -331,12 +331,12 @@ mod tests {
         let doubts = &mut fixture.run.steps[3].doubts;
         doubts.push(Doubt {
             instrument: Instrument::Channel(ChannelName::Heading),
-            why: Disbelief::Turned { by: -0.35 },
+            why: SensorFault::Turned { by: -0.35 },
             since: 2.0,
         });
         doubts.push(Doubt {
             instrument: Instrument::Camera,
-            why: Disbelief::Late { by: 1.04 },
+            why: SensorFault::Late { by: 1.04 },
             since: 3.0,
         });
         let text = of(&fixture, 3);
@@ -402,12 +402,12 @@ mod tests {
         let frame = fixture.run.steps[index].frame.as_mut().unwrap();
         frame.candidates.clear();
         frame.joint.as_mut().unwrap().innovation = nalgebra::dvector![3.0, 4.0];
-        let mut laid = LaidReport {
+        let mut laid = RegistrationReport {
             place: None,
             refusal: None,
             refused_as: None,
             tried: 60,
-            laid_by: LaidBy::Patches,
+            laid_by: RegistrationMethod::Patches,
             log_false_alarms: -30.0,
             probability: Some(1.0),
         };

@@ -2,9 +2,9 @@
 
 use egui::{Label, RichText, Slider, Ui, vec2};
 use pilotage_core::filter::probability_words;
-use pilotage_core::flight::photo::LaidPhoto;
+use pilotage_core::flight::photo::RegisteredPhoto;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
-use pilotage_core::registration::LaidBy;
+use pilotage_core::registration::RegistrationMethod;
 
 use super::scene::{PhotosScene, send};
 use crate::context::ViewContext;
@@ -80,7 +80,12 @@ fn display(ui: &mut Ui, context: &mut ViewContext<'_>, shown: Shown) {
     });
 }
 
-fn place(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidPhoto, frame: Option<&LocalFrame>) {
+fn place(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    laid: &RegisteredPhoto,
+    frame: Option<&LocalFrame>,
+) {
     let (tokens, units) = (context.tokens, context.units);
     let (length, unit) = units.length();
     let mut show = |what: &Reading| {
@@ -120,14 +125,14 @@ fn place(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidPhoto, frame: Option
 }
 
 /// By what a photo was believed, in a sentence or two.
-fn believed(report: &PhotoReport, laid: &LaidPhoto) -> String {
+fn believed(report: &PhotoReport, laid: &RegisteredPhoto) -> String {
     let [agree, tried] = laid.patches;
     let probability = probability_words(report.answer.probability);
     let by = match laid.laid_by {
-        LaidBy::Patches => {
+        RegistrationMethod::Patches => {
             format!("Believed by its details: {agree} of {tried} patches agree on this place.")
         }
-        LaidBy::WholeFrame => format!(
+        RegistrationMethod::WholeFrame => format!(
             "Believed as a whole: of all places within reach, and none, this one has a probability of {probability}; \
              {agree} of {tried} parts of it agree."
         ),

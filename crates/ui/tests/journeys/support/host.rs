@@ -83,7 +83,7 @@ fn is_real(job: &Job) -> bool {
             | Job::MakeFlight(_)
             | Job::LogSeries(_)
             | Job::AskLog(_)
-            | Job::Align(_)
+            | Job::Calibrate(_)
             | Job::LayPhotos(_)
             | Job::DrapePhoto(_)
             | Job::Find(_)
@@ -159,7 +159,7 @@ impl ScriptedHost {
     fn is_of_a_log(&self, job: &Job) -> bool {
         let flight = match job {
             Job::Fly(FlyOrder { flight, .. }) if !self.silent_flights => flight,
-            Job::Cut(order) => &order.flight,
+            Job::Outage(order) => &order.flight,
             _ => return false,
         };
         let is_it = |j: &Job| match (j, flight) {

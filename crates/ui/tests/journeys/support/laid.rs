@@ -3,8 +3,8 @@
 use nalgebra::{Matrix2, Matrix6, Point2, Point3};
 use pilotage_core::flight::{Channel, ChannelName, Flight};
 use pilotage_core::frames::Pose;
-use pilotage_core::navigator::{LaidPlace, LaidReport, StepReport};
-use pilotage_core::registration::{LaidBy, MapShape};
+use pilotage_core::navigator::{RegisteredPlace, RegistrationReport, StepReport};
+use pilotage_core::registration::{MapShape, RegistrationMethod};
 
 use super::flight::flight;
 
@@ -64,8 +64,8 @@ pub fn lay_frames(steps: &mut [StepReport], opened: &Flight, flown: &Flight) {
         };
         let middle = Point2::new(320.0, 240.0);
         let centre = opened.camera.ground_at(&pose, &middle, 0.0);
-        report.laid = Some(LaidReport {
-            place: Some(LaidPlace {
+        report.laid = Some(RegistrationReport {
+            place: Some(RegisteredPlace {
                 pose,
                 covariance: Matrix6::identity(),
                 centre: centre.expect("it looks down"),
@@ -77,7 +77,7 @@ pub fn lay_frames(steps: &mut [StepReport], opened: &Flight, flown: &Flight) {
             refusal: None,
             refused_as: None,
             tried: 40,
-            laid_by: LaidBy::Patches,
+            laid_by: RegistrationMethod::Patches,
             log_false_alarms: -20.0,
             probability: Some(1.0),
         });

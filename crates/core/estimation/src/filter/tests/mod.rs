@@ -1,7 +1,7 @@
 //! The filter against mathematics it must reproduce.
 
+mod consistency;
 mod estimators;
-mod honesty;
 mod invariants;
 mod linear;
 mod robustness;

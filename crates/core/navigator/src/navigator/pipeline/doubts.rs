@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::super::engine::{Engine, PredictedStep};
+use super::super::frame_registration::RegisteredFrame;
 use super::super::heading_doubt::{HeadingDoubt, Turned, turned_back};
 use super::super::picture_lag::{Onlooker, PictureLag};
-use super::super::whole_frames::Laid;
 use super::super::{Control, JointReport, StepReport};
 use super::Navigator;
 use pilotage_estimation::filter::FilterError;
@@ -71,7 +71,7 @@ impl Navigator {
         &mut self,
         index: usize,
         turned: Turned,
-        laid: &mut Laid,
+        laid: &mut RegisteredFrame,
         report: &mut StepReport,
     ) -> Result<Option<JointReport>, FilterError> {
         self.flight = Arc::new(turned_back(&self.flight, turned.by, turned.since));

@@ -1,8 +1,8 @@
 //! Whole frames laid on the map, and what is thought possible where that leaves it open.
 
 use super::super::found_places::Searched;
+use super::super::frame_registration::{FrameRegistration, RegisteredFrame, measured};
 use super::super::possible_places::Sure;
-use super::super::whole_frames::{Laid, WholeFrames, measured};
 use super::super::{Estimate, JointReport, StepReport};
 use super::Navigator;
 use pilotage_estimation::filter::FilterError;
@@ -48,11 +48,11 @@ impl Navigator {
     /// Lays the frame around where the aircraft is believed to be, and where that leaves it open, wherever it can be.
     fn laid(
         &mut self,
-        whole_frames: &mut WholeFrames,
+        whole_frames: &mut FrameRegistration,
         index: usize,
         luminance: &Pyramid,
         report: &mut StepReport,
-    ) -> Result<(Laid, Option<JointReport>), FilterError> {
+    ) -> Result<(RegisteredFrame, Option<JointReport>), FilterError> {
         let measured = measured(&self.flight, &self.inputs, self.time);
         let flight = &self.flight;
         let mut first = None;

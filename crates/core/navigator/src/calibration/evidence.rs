@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 use serde::{Deserialize, Serialize};
 
-use super::residual::{Laid, Log, Unknowns, laid_frames};
+use super::residual::{Log, RegisteredPose, Unknowns, laid_frames};
 use crate::navigator::Run;
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_flight::{ChannelName, Flight};
@@ -28,7 +28,7 @@ const LEAST_TRACK: f64 = 1.0;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CameraEvidence {
     flight: Flight,
-    frames: Vec<Laid>,
+    frames: Vec<RegisteredPose>,
 }
 
 /// Residual of a laid frame: its deviation from what the log lets expect.
@@ -71,7 +71,7 @@ impl CameraEvidence {
         Self::from_frames(flight, laid_frames(flight, run))
     }
 
-    pub(super) fn from_frames(flight: &Flight, frames: Vec<Laid>) -> Self {
+    pub(super) fn from_frames(flight: &Flight, frames: Vec<RegisteredPose>) -> Self {
         let read = flight.channels.iter().filter(|c| READ.contains(&c.name));
         Self {
             flight: Flight {
@@ -117,7 +117,7 @@ impl CameraEvidence {
             bias[0],
             bias[1],
         ]);
-        let of = |frame: &Laid| {
+        let of = |frame: &RegisteredPose| {
             let [north, east, heading, log_height] = log.residual(frame, &unknowns)?;
             let (north, east) = (north?, east?);
             let track = self.track(log.time(frame.time, &unknowns));
@@ -176,7 +176,7 @@ impl CameraEvidence {
         Log::new(&self.flight, &self.frames)
     }
 
-    pub(super) fn laid(&self) -> &[Laid] {
+    pub(super) fn laid(&self) -> &[RegisteredPose] {
         &self.frames
     }
 }

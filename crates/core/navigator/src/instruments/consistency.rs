@@ -65,8 +65,8 @@ impl Fits {
 }
 
 /// Outages of a minute, one after the other.
-fn outages(plan: &Plan) -> Vec<CutOutcome> {
-    let cuts = CutPlan {
+fn outages(plan: &Plan) -> Vec<OutageOutcome> {
+    let cuts = OutagePlan {
         length: 60.0,
         every: 60.0,
         warm_up: 60.0,

@@ -1,6 +1,6 @@
 //! The camera of the flight that is open, put in time and place beside its log.
 
-use pilotage_core::alignment::{CameraAdjustment, CameraPrior};
+use pilotage_core::calibration::{CameraAdjustment, CameraPrior};
 use pilotage_core::flight::ChannelName;
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::VehicleChoice;
@@ -10,7 +10,7 @@ use super::{App, SideTab};
 use crate::camera_log::CameraLogCommand;
 use crate::command::Workspace;
 use crate::host::Host;
-use pilotage_jobs::{AlignOrder, Job, JobEvent, JobId, MapSource};
+use pilotage_jobs::{CalibrationOrder, Job, JobEvent, JobId, MapSource};
 
 impl App {
     /// Does what was asked about the camera beside the log.
@@ -66,7 +66,7 @@ impl App {
         let (true, Some(evidence)) = (is_wanted, work.evidence()) else {
             return;
         };
-        let order = AlignOrder {
+        let order = CalibrationOrder {
             evidence: evidence.clone(),
             believed: CameraPrior {
                 offset: work.clock,
@@ -76,7 +76,7 @@ impl App {
         work.trouble = None;
         work.at_work = Some((0.0, "Estimating".to_owned()));
         self.stop_aligning(host);
-        self.jobs.aligning = Some(host.start(Job::Align(Box::new(order))));
+        self.jobs.aligning = Some(host.start(Job::Calibrate(Box::new(order))));
     }
 
     fn is_camera_log_possible(&self) -> bool {
@@ -156,7 +156,7 @@ impl App {
         let work = &mut self.documents.camera_log;
         match event {
             JobEvent::Progress(share, words) => work.at_work = Some((*share, words.clone())),
-            JobEvent::CameraAligned(found) => work.take(**found),
+            JobEvent::CameraCalibrated(found) => work.take(**found),
             JobEvent::Failed(why) => work.trouble = Some(why.clone()),
             _ => {}
         }

@@ -5,29 +5,29 @@ use pilotage_core::navigator::position_fixes;
 
 use super::{App, SideTab};
 use crate::command::Workspace;
-use crate::cut::{CutCommand, Cuts};
 use crate::host::Host;
-use pilotage_jobs::{Cut, CutOrder, Job, JobEvent, JobId};
+use crate::outage::{OutageCommand, Outages};
+use pilotage_jobs::{Job, JobEvent, JobId, Outage, OutageOrder};
 
 impl App {
     /// Does what was asked about cuts.
-    pub(super) fn cut(&mut self, command: &CutCommand, host: &mut dyn Host) {
+    pub(super) fn cut(&mut self, command: &OutageCommand, host: &mut dyn Host) {
         match *command {
-            CutCommand::Show => self.show_cut(),
-            CutCommand::Clear => {
+            OutageCommand::Show => self.show_cut(),
+            OutageCommand::Clear => {
                 self.stop_cutting(host);
-                self.documents.cuts = Cuts::default();
+                self.documents.cuts = Outages::default();
             }
-            CutCommand::Selected => match self.playback.selected_span {
-                Some((from, to)) => self.begin_cut(host, Cut::Stretch(from, to)),
+            OutageCommand::Selected => match self.playback.selected_span {
+                Some((from, to)) => self.begin_cut(host, Outage::Stretch(from, to)),
                 None => self.toasts.note(
                     host.now(),
                     "No stretch is selected",
                     "Hold Shift and drag over a plot or the time line.",
                 ),
             },
-            CutCommand::Of(from, to) => self.begin_cut(host, Cut::Stretch(from, to)),
-            CutCommand::Study(length) => self.begin_cut(host, Cut::AllAlong(length)),
+            OutageCommand::Of(from, to) => self.begin_cut(host, Outage::Stretch(from, to)),
+            OutageCommand::Study(length) => self.begin_cut(host, Outage::AllAlong(length)),
         }
     }
 
@@ -35,10 +35,10 @@ impl App {
         self.view.workspace = Workspace::Replay;
         self.view.side_open = true;
         self.dialogs.settings = false;
-        self.side_tab = SideTab::Cut;
+        self.side_tab = SideTab::Outage;
     }
 
-    fn begin_cut(&mut self, host: &mut dyn Host, cut: Cut) {
+    fn begin_cut(&mut self, host: &mut dyn Host, cut: Outage) {
         if self.documents.flight.is_none() {
             let text = "Open a flight log first.";
             self.toasts.note(host.now(), "Nothing to cut", text);
@@ -47,17 +47,17 @@ impl App {
         self.stop_cutting(host);
         self.show_cut();
         let words = match cut {
-            Cut::Stretch(..) => "Navigating without GPS".to_owned(),
-            Cut::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
+            Outage::Stretch(..) => "Navigating without GPS".to_owned(),
+            Outage::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
         };
         self.documents.cuts.at_work = Some(words);
         self.documents.cuts.trouble = None;
-        let order = CutOrder {
+        let order = OutageOrder {
             flight: self.documents.flight_source.clone(),
             cut,
             seen: self.seen(),
         };
-        self.jobs.cutting = Some(host.start(Job::Cut(Box::new(order))));
+        self.jobs.cutting = Some(host.start(Job::Outage(Box::new(order))));
     }
 
     /// Positions that the whole run found in the pictures, and what to call them; `None` without any.
@@ -93,8 +93,8 @@ impl App {
             JobEvent::Progress(share, words) => {
                 cuts.at_work = Some(format!("{words}: {:.0} %", 100.0 * share));
             }
-            JobEvent::CutMade(report) => cuts.report = Some((**report).clone()),
-            JobEvent::CutsStudied(report) => cuts.study = Some((**report).clone()),
+            JobEvent::OutageMade(report) => cuts.report = Some((**report).clone()),
+            JobEvent::OutagesStudied(report) => cuts.study = Some((**report).clone()),
             JobEvent::Failed(why) => cuts.trouble = Some(why.clone()),
             _ => {}
         }

@@ -17,7 +17,7 @@ export async function run(page, tools) {
   await tools.waitReady();
   const before = await tools.openRun();
   await page.keyboard.press("Shift+G");
-  const { timeline: line } = await tools.waitFor((s) => s.side_tab === "Cut", "the cut's panel");
+  const { timeline: line } = await tools.waitFor((s) => s.side_tab === "Outage", "the cut's panel");
   await page.mouse.click(line[0] + 0.4 * (line[2] - line[0]), (line[1] + line[3]) / 2);
   await tools.click(await tools.find("Button", "Cut 30 s from here"));
   const demo = await tools.waitFor((s) => s.cut?.results.length >= 4, "the ways through the demo's cut", 60_000);
@@ -33,7 +33,7 @@ export async function run(page, tools) {
   await tools.waitFor((s) => s.flight !== before.flight && s.run_complete, "the flight", 150_000);
   await page.keyboard.press("Shift+G");
   await tools.waitFor((s) => s.cut === null, "the other flight's cut gone");
-  const { timeline: [left, top, right, bottom], span } = await tools.waitFor((s) => s.side_tab === "Cut", "the cut's panel");
+  const { timeline: [left, top, right, bottom], span } = await tools.waitFor((s) => s.side_tab === "Outage", "the cut's panel");
   const at = (share) => ({ x: left + share * (right - left), y: (top + bottom) / 2 });
   await page.keyboard.down("Shift");
   await tools.drag(at(0.55), at(0.62));

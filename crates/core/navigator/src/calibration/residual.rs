@@ -18,7 +18,7 @@ pub type Unknowns = SVector<f64, UNKNOWNS>;
 
 /// A frame that was laid on the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Laid {
+pub struct RegisteredPose {
     /// Index in the flight.
     pub index: usize,
     /// Seconds by the camera's clock.
@@ -34,12 +34,12 @@ pub struct Laid {
 }
 
 /// The frames of a run that were laid on the map and corrected the estimate.
-pub fn laid_frames(flight: &Flight, run: &Run) -> Vec<Laid> {
+pub fn laid_frames(flight: &Flight, run: &Run) -> Vec<RegisteredPose> {
     let frames = run.steps.iter().filter_map(|step| {
         let frame = step.frame.as_ref()?;
         let laid = frame.laid.as_ref().filter(|laid| laid.is_believed())?;
         let place = laid.place.as_ref()?;
-        Some(Laid {
+        Some(RegisteredPose {
             index: frame.index,
             time: flight.frames.get(frame.index)?.time,
             centre: place.centre,
@@ -66,7 +66,7 @@ pub struct Log<'a> {
 
 impl<'a> Log<'a> {
     /// `None` without satellite navigation.
-    pub fn new(flight: &'a Flight, frames: &[Laid]) -> Option<Self> {
+    pub fn new(flight: &'a Flight, frames: &[RegisteredPose]) -> Option<Self> {
         let filled = |name| flight.channel(name).filter(|c| !c.times.is_empty());
         let gps = filled(ChannelName::GpsNorth)?;
         filled(ChannelName::GpsEast)?;
@@ -86,7 +86,11 @@ impl<'a> Log<'a> {
     }
 
     /// Residual of `frame` against what the log lets expect; numbers that cannot be told are missing.
-    pub fn residual(&self, frame: &Laid, unknowns: &Unknowns) -> Option<[Option<f64>; SAID]> {
+    pub fn residual(
+        &self,
+        frame: &RegisteredPose,
+        unknowns: &Unknowns,
+    ) -> Option<[Option<f64>; SAID]> {
         let flight = self.flight;
         let time = self.time(frame.time, unknowns);
         if !(self.span.0..=self.span.1).contains(&time) {

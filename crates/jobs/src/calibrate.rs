@@ -1,20 +1,20 @@
 //! A camera put in time and place beside its log, in a worker.
 
-use pilotage_core::alignment::CameraSearch;
+use pilotage_core::calibration::CameraSearch;
 
 use super::order::{Order, Role, Urgency};
 use super::running::SLICE;
-use super::{Advance, AlignOrder, JobEvent, RunningJob, WorkerState};
+use super::{Advance, CalibrationOrder, JobEvent, RunningJob, WorkerState};
 
-/// An estimate under way: events `Progress`, at the end `CameraAligned`.
-pub struct Align {
-    order: AlignOrder,
+/// An estimate under way: events `Progress`, at the end `CameraCalibrated`.
+pub struct Calibrate {
+    order: CalibrationOrder,
     search: Option<CameraSearch>,
 }
 
-impl Align {
+impl Calibrate {
     /// Nothing done yet.
-    pub fn new(order: AlignOrder) -> Self {
+    pub fn new(order: CalibrationOrder) -> Self {
         Self {
             order,
             search: None,
@@ -22,14 +22,14 @@ impl Align {
     }
 }
 
-impl RunningJob for Align {
+impl RunningJob for Calibrate {
     fn advance(
         &mut self,
         _worker: &mut WorkerState,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
-        let AlignOrder { evidence, believed } = &self.order;
+        let CalibrationOrder { evidence, believed } = &self.order;
         let search = match &mut self.search {
             Some(search) => search,
             empty => {
@@ -49,13 +49,13 @@ impl RunningJob for Align {
         }
         let found = search.finish(evidence);
         let found = found.map_err(|cause| cause.to_string())?;
-        emit(JobEvent::CameraAligned(Box::new(found)));
+        emit(JobEvent::CameraCalibrated(Box::new(found)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
     }
 }
 
-impl Order for AlignOrder {
+impl Order for CalibrationOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
     fn role(&self) -> Role {
@@ -63,6 +63,6 @@ impl Order for AlignOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Align::new(self))
+        Box::new(Calibrate::new(self))
     }
 }

@@ -83,7 +83,7 @@ pub struct CameraToLog {
 
 /// Why nothing can be told.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum AlignmentError {
+pub enum CalibrationError {
     /// Too few frames lie on the map.
     #[error(
         "{found} frames of the flight were laid on the map during the log; at least {FEWEST} are needed"
@@ -109,7 +109,7 @@ pub fn camera_to_log(
     flight: &Flight,
     run: &Run,
     believed: &CameraPrior,
-) -> Result<CameraToLog, AlignmentError> {
+) -> Result<CameraToLog, CalibrationError> {
     CameraEvidence::of(flight, run).estimate(believed)
 }
 
@@ -118,7 +118,7 @@ impl CameraEvidence {
     ///
     /// # Errors
     /// Too few frames, no satellite navigation, or nothing that explains the frames.
-    pub fn estimate(&self, believed: &CameraPrior) -> Result<CameraToLog, AlignmentError> {
+    pub fn estimate(&self, believed: &CameraPrior) -> Result<CameraToLog, CalibrationError> {
         let mut search = CameraSearch::new(self, believed)?;
         while search.advance(self) {}
         search.finish(self)
@@ -142,10 +142,13 @@ impl CameraSearch {
     ///
     /// # Errors
     /// Too few frames, or no satellite navigation.
-    pub fn new(evidence: &CameraEvidence, believed: &CameraPrior) -> Result<Self, AlignmentError> {
-        let log = evidence.log().ok_or(AlignmentError::NoFixes)?;
+    pub fn new(
+        evidence: &CameraEvidence,
+        believed: &CameraPrior,
+    ) -> Result<Self, CalibrationError> {
+        let log = evidence.log().ok_or(CalibrationError::NoFixes)?;
         if evidence.frames() < FEWEST {
-            return Err(AlignmentError::TooFewFrames {
+            return Err(CalibrationError::TooFewFrames {
                 found: evidence.frames(),
             });
         }
@@ -190,13 +193,13 @@ impl CameraSearch {
     ///
     /// # Errors
     /// Too few frames fall into the log, or nothing explains them.
-    pub fn finish(&self, evidence: &CameraEvidence) -> Result<CameraToLog, AlignmentError> {
-        let log = evidence.log().ok_or(AlignmentError::NoFixes)?;
+    pub fn finish(&self, evidence: &CameraEvidence) -> Result<CameraToLog, CalibrationError> {
+        let log = evidence.log().ok_or(CalibrationError::NoFixes)?;
         let (frames, prior) = (evidence.laid(), &self.prior);
         let likely = self.likely.as_ref();
-        let likely = likely.ok_or(AlignmentError::TooFewFrames { found: 0 })?;
+        let likely = likely.ok_or(CalibrationError::TooFewFrames { found: 0 })?;
         let best =
-            solve(&log, frames, &likely.unknowns, prior).ok_or(AlignmentError::NoSolution)?;
+            solve(&log, frames, &likely.unknowns, prior).ok_or(CalibrationError::NoSolution)?;
         let before = solve(&log, frames, &Unknowns::zeros(), &Unknowns::zeros());
         let before = before.map_or(f64::NAN, |solution| solution.place_deviation);
         let mut found = told(&best, prior, log.middle, before);

@@ -3,8 +3,8 @@
 use nalgebra::{Point2, Point3};
 
 use super::*;
-use crate::alignment::ResidualSummary;
-use crate::alignment::residual::Laid;
+use crate::calibration::ResidualSummary;
+use crate::calibration::residual::RegisteredPose;
 use pilotage_base::frames::{Attitude, GroundPoint, Pose};
 use pilotage_flight::{Channel, ChannelName, Frame, StartFix};
 use pilotage_raster::camera::CameraModel;
@@ -13,9 +13,9 @@ const HEIGHT: f64 = 80.0;
 
 fn align(
     flight: &Flight,
-    frames: &[Laid],
+    frames: &[RegisteredPose],
     believed: &CameraPrior,
-) -> Result<CameraToLog, AlignmentError> {
+) -> Result<CameraToLog, CalibrationError> {
     CameraEvidence::from_frames(flight, frames.to_vec()).estimate(believed)
 }
 
@@ -72,7 +72,7 @@ fn flight() -> Flight {
 
 /// Frames as the pictures show them if the frames' clock, the mount and the lens are off by `truth`, with
 /// noise in their last digits; every tenth is laid somewhere else.
-fn shown(flight: &Flight, truth: &Unknowns, noise: f64) -> Vec<Laid> {
+fn shown(flight: &Flight, truth: &Unknowns, noise: f64) -> Vec<RegisteredPose> {
     let log = Log::new(flight, &[]).unwrap();
     let mut camera = flight.camera.clone();
     camera.mount.roll += truth[2];
@@ -101,7 +101,7 @@ fn shown(flight: &Flight, truth: &Unknowns, noise: f64) -> Vec<Laid> {
         let centre = camera.ground_at(&pose, &pixel, 0.0).unwrap();
         let wrong = if index % 10 == 3 { 25.0 } else { 0.0 };
         let wave = |k: f64| noise * (k * index as f64).sin();
-        Laid {
+        RegisteredPose {
             index,
             time: frame.time,
             centre: GroundPoint::new(
@@ -273,8 +273,8 @@ fn what_a_straight_flight_without_attitude_cannot_tell_is_not_told() {
         };
         channel.values = channel.times.iter().map(|t| slope * t).collect();
     }
-    let frames: Vec<Laid> = (10..60)
-        .map(|i| Laid {
+    let frames: Vec<RegisteredPose> = (10..60)
+        .map(|i| RegisteredPose {
             index: i,
             time: 2.0 * i as f64,
             centre: GroundPoint::new(12.0 * (2.0 * i as f64 + 0.5), 0.0),
@@ -298,11 +298,11 @@ fn what_is_missing_is_said() {
     let believed = CameraPrior::default();
     assert_eq!(
         align(&flight, &frames[..4], &believed),
-        Err(AlignmentError::TooFewFrames { found: 4 })
+        Err(CalibrationError::TooFewFrames { found: 4 })
     );
     flight.channels.clear();
     assert_eq!(
         align(&flight, &frames, &believed),
-        Err(AlignmentError::NoFixes)
+        Err(CalibrationError::NoFixes)
     );
 }

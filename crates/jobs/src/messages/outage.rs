@@ -1,13 +1,13 @@
 //! Satellite navigation to be cut out of a flight, and what came of it.
 
-use pilotage_core::instruments::{CutStudy, Growth, PositionFix};
+use pilotage_core::instruments::{Growth, OutageStudy, PositionFix};
 use serde::{Deserialize, Serialize};
 
 use super::FlightSource;
 
 /// GPS outage to be simulated: stretches of the flight without satellite navigation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Cut {
+pub enum Outage {
     /// Single stretch from begin to end, seconds in the flight's time base.
     Stretch(f64, f64),
     /// Stretches of so many seconds, all along the time in the air.
@@ -16,11 +16,11 @@ pub enum Cut {
 
 /// A cut to be made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CutOrder {
+pub struct OutageOrder {
     /// The flight.
     pub flight: FlightSource,
     /// GPS outage to be simulated.
-    pub cut: Cut,
+    pub cut: Outage,
     /// Positions that the run found in the pictures, and what to call them.
     pub seen: Option<(String, Vec<PositionFix>)>,
 }
@@ -38,7 +38,7 @@ pub struct AidedResult {
 
 /// Result of a cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CutReport {
+pub struct OutageReport {
     /// The stretch, seconds in the flight's time base.
     pub span: (f64, f64),
     /// Each way to navigate.
@@ -70,5 +70,5 @@ pub struct StudyReport {
     /// Length of each cut, seconds.
     pub length: f64,
     /// Each way to navigate.
-    pub studies: Vec<CutStudy>,
+    pub studies: Vec<OutageStudy>,
 }

@@ -12,8 +12,8 @@ use nalgebra::{DMatrix, DVector, Matrix2};
 use super::engine::{CorrectedStep, Engine, map_error};
 use super::found_places::{Found, Searched};
 use super::inputs::Inputs;
-use super::see::Surprise;
-use super::{Estimate, JointReport, LaidPlace, LaidRefusal, LaidReport};
+use super::see::GaussianInnovation;
+use super::{Estimate, JointReport, RegisteredPlace, RegistrationRefusal, RegistrationReport};
 use pilotage_base::frames::GroundPoint;
 use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::{FilterError, fading_factor};
@@ -23,22 +23,22 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::registration::{
-    FollowSettings, Follower, LaidBy, Look, Measured, NotRegistered, Registration, Sighting,
-    outline, sight,
+    FollowSettings, Follower, Look, Measured, NotRegistered, Registration, RegistrationMethod,
+    Sighting, outline, sight,
 };
 
 /// Numbers of a place: north and east.
 const COMPONENTS: usize = 2;
 
 /// Lays one frame after the other.
-pub struct WholeFrames {
+pub struct FrameRegistration {
     map: Arc<dyn Imagery>,
     follower: Follower,
 }
 
 /// A frame, laid or not.
-pub struct Laid {
-    pub report: LaidReport,
+pub struct RegisteredFrame {
+    pub report: RegistrationReport,
     /// Outline of the picture on the map.
     pub footprint: Vec<GroundPoint>,
     /// Everywhere that it may lie, as far as it was looked for.
@@ -55,7 +55,7 @@ pub struct Believed {
     pub joint: JointReport,
 }
 
-impl WholeFrames {
+impl FrameRegistration {
     pub fn new(map: Arc<dyn Imagery>, assumed: FollowSettings) -> Self {
         Self {
             map,
@@ -86,7 +86,7 @@ impl WholeFrames {
         index: usize,
         luminance: &Pyramid,
         predicted: &Estimate,
-    ) -> Laid {
+    ) -> RegisteredFrame {
         let time = flight.frames[index].time;
         let camera = flight.camera_of_frame(index);
         let look = self.look(&camera, flight.ground_down, luminance);
@@ -99,7 +99,7 @@ impl WholeFrames {
             Ok(found) => told(&look, found),
             Err(cause) => (not_laid(cause), Vec::new()),
         };
-        Laid {
+        RegisteredFrame {
             report,
             footprint,
             registered: verdict.ok(),
@@ -113,7 +113,7 @@ impl WholeFrames {
     }
 
     /// Remembers what a frame taught that was laid for itself.
-    pub fn learn(&mut self, laid: &Laid) {
+    pub fn learn(&mut self, laid: &RegisteredFrame) {
         if let Some(found) = &laid.registered {
             let Found {
                 time, ground_down, ..
@@ -139,7 +139,7 @@ impl WholeFrames {
         index: usize,
         luminance: &Pyramid,
         place: &Registration,
-    ) -> (LaidReport, Vec<GroundPoint>) {
+    ) -> (RegistrationReport, Vec<GroundPoint>) {
         let camera = flight.camera_of_frame(index);
         let look = self.look(&camera, flight.ground_down, luminance);
         told(&look, place)
@@ -147,7 +147,7 @@ impl WholeFrames {
 }
 
 /// Report of a frame that lies at `place`, and its outline on the map.
-fn told(look: &Look<'_>, place: &Registration) -> (LaidReport, Vec<GroundPoint>) {
+fn told(look: &Look<'_>, place: &Registration) -> (RegistrationReport, Vec<GroundPoint>) {
     let outline = outline(look, &place.fit.at, place.stored_turn);
     (report(place), outline)
 }
@@ -164,7 +164,7 @@ pub fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> Measured {
     }
 }
 
-impl From<&Registration> for LaidPlace {
+impl From<&Registration> for RegisteredPlace {
     fn from(found: &Registration) -> Self {
         Self {
             pose: found.camera.pose,
@@ -178,8 +178,8 @@ impl From<&Registration> for LaidPlace {
     }
 }
 
-fn report(found: &Registration) -> LaidReport {
-    LaidReport {
+fn report(found: &Registration) -> RegistrationReport {
+    RegistrationReport {
         place: Some(found.into()),
         refusal: None,
         refused_as: None,
@@ -190,12 +190,12 @@ fn report(found: &Registration) -> LaidReport {
     }
 }
 
-fn not_laid(cause: &NotRegistered) -> LaidReport {
-    LaidReport {
+fn not_laid(cause: &NotRegistered) -> RegistrationReport {
+    RegistrationReport {
         place: None,
         refusal: Some(cause.to_string()),
-        refused_as: Some(LaidRefusal::from(cause)),
-        laid_by: LaidBy::default(),
+        refused_as: Some(RegistrationRefusal::from(cause)),
+        laid_by: RegistrationMethod::default(),
         tried: 0,
         log_false_alarms: 0.0,
         probability: Some(cause.probability()),
@@ -206,7 +206,7 @@ fn not_laid(cause: &NotRegistered) -> LaidReport {
 pub struct SeenPlace {
     /// North and east, metres.
     seen: DVector<f64>,
-    surprise: Surprise,
+    surprise: GaussianInnovation,
     nis: f64,
     threshold: f64,
 }
@@ -221,7 +221,7 @@ impl SeenPlace {
     pub fn by(
         settings: &NavigatorSettings,
         engine: &dyn Engine,
-        place: &LaidPlace,
+        place: &RegisteredPlace,
     ) -> Result<Self, FilterError> {
         let position = place.pose.position_in_world;
         let seen = DVector::from_column_slice(&[position.x, position.y]);
@@ -232,7 +232,7 @@ impl SeenPlace {
             settings.measurement_scale * own[(i, j)]
         });
         let expected = engine.expect(&measured_place, &noise)?;
-        let surprise = Surprise {
+        let surprise = GaussianInnovation {
             innovation: &seen - expected.mean,
             covariance: expected.covariance,
             noise,
@@ -270,7 +270,7 @@ impl SeenPlace {
     }
 }
 
-impl Laid {
+impl RegisteredFrame {
     /// Corrects `engine` by the place of the frame, if it can be believed; says why not otherwise.
     pub fn correct(
         &mut self,
@@ -290,7 +290,7 @@ impl Laid {
             let factor = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise);
             let Some(factor) = factor.filter(|_| self.report.log_false_alarms < log_expected)
             else {
-                self.report.refused_as = Some(LaidRefusal::OutsideGate);
+                self.report.refused_as = Some(RegistrationRefusal::OutsideGate);
                 self.report.refusal = Some(format!(
                     "it lies {:.1} m from where it was expected, outside the gate (NIS {nis:.0} of at most \
                      {threshold:.0}), and may be chance",

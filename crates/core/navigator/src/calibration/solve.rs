@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::residual::{Laid, Log, SAID, UNKNOWNS, Unknowns};
+use super::residual::{Log, RegisteredPose, SAID, UNKNOWNS, Unknowns};
 
 /// Rounds of Gauss and Newton, each with its own weights.
 const ROUNDS: usize = 20;
@@ -31,8 +31,12 @@ pub struct Solution {
 }
 
 /// The frames' residuals at `unknowns`.
-fn residuals(log: &Log<'_>, frames: &[Laid], unknowns: &Unknowns) -> Vec<[Option<f64>; SAID]> {
-    let of = |frame: &Laid| log.residual(frame, unknowns).unwrap_or([None; SAID]);
+fn residuals(
+    log: &Log<'_>,
+    frames: &[RegisteredPose],
+    unknowns: &Unknowns,
+) -> Vec<[Option<f64>; SAID]> {
+    let of = |frame: &RegisteredPose| log.residual(frame, unknowns).unwrap_or([None; SAID]);
     frames.iter().map(of).collect()
 }
 
@@ -85,7 +89,7 @@ struct Normal {
 /// Adds up the frames, each number of theirs counting for one in `redundancy`.
 fn normal_equations(
     log: &Log<'_>,
-    frames: &[Laid],
+    frames: &[RegisteredPose],
     at: &Unknowns,
     prior: &Unknowns,
     redundancy: &[f64; SAID],
@@ -135,7 +139,7 @@ fn huber(r: f64) -> (f64, f64) {
 /// Gauss and Newton from `guess`; `prior` are standard deviations about zero, zero for what is not sought.
 pub fn solve(
     log: &Log<'_>,
-    frames: &[Laid],
+    frames: &[RegisteredPose],
     guess: &Unknowns,
     prior: &Unknowns,
 ) -> Option<Solution> {
@@ -181,7 +185,7 @@ pub fn solve(
 /// Jacobian of a frame's numbers by the unknowns, from central differences.
 fn slopes(
     log: &Log<'_>,
-    frame: &Laid,
+    frame: &RegisteredPose,
     at: &Unknowns,
     is_sought: &dyn Fn(usize) -> bool,
 ) -> Option<SMatrix<f64, SAID, UNKNOWNS>> {

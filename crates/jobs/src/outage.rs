@@ -1,14 +1,14 @@
 //! Satellite navigation cut out of a flight, in a worker.
 
 use pilotage_core::instruments::{
-    CutPlan, CutStudy, GpsWindSettings, Instruments, ReckonSettings, Reckoning, Track, Way,
+    GpsWindSettings, Instruments, OutagePlan, OutageStudy, ReckonSettings, Reckoning, Track, Way,
     WindComparison, reckon, study_cuts,
 };
 
 use super::order::{Order, Role, Urgency, keys_of};
 use super::{
-    Advance, AidedResult, Cut, CutOrder, CutReport, JobEvent, RunningJob, StudyReport, WindReport,
-    WorkerState,
+    Advance, AidedResult, JobEvent, Outage, OutageOrder, OutageReport, RunningJob, StudyReport,
+    WindReport, WorkerState,
 };
 
 /// Most points of a course of the wind: more than a chart has columns.
@@ -37,11 +37,11 @@ fn thinned(winds: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     kept.map(|(_, wind)| wind).collect()
 }
 
-impl CutOrder {
+impl OutageOrder {
     /// The ways that are shown side by side.
     fn ways(&self, instruments: &Instruments) -> Vec<Way> {
         let mut ways = vec![Way::air_and_wind(), Way::plain()];
-        if matches!(self.cut, Cut::Stretch(..)) {
+        if matches!(self.cut, Outage::Stretch(..)) {
             ways.push(Way::gps_throughout());
         }
         if let Some((label, fixes)) = &self.seen {
@@ -54,18 +54,18 @@ impl CutOrder {
     }
 }
 
-/// A cut that is being made: events `Progress`, at the end `CutMade` or `CutsStudied`. Of cuts all along the flight
+/// A cut that is being made: events `Progress`, at the end `OutageMade` or `OutagesStudied`. Of cuts all along the flight
 /// one way to navigate is a slice.
-pub struct MakeCut {
-    order: CutOrder,
+pub struct MakeOutage {
+    order: OutageOrder,
     /// With the name of their flight.
     instruments: Option<(Instruments, String)>,
-    studies: Vec<CutStudy>,
+    studies: Vec<OutageStudy>,
 }
 
-impl MakeCut {
+impl MakeOutage {
     /// Nothing done yet.
-    pub fn new(order: CutOrder) -> Self {
+    pub fn new(order: OutageOrder) -> Self {
         Self {
             order,
             instruments: None,
@@ -75,7 +75,7 @@ impl MakeCut {
 }
 
 /// All ways through one cut.
-fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> CutReport {
+fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> OutageReport {
     let mut remarks: Vec<String> = Vec::new();
     let of_ways = made.tracks.iter().flat_map(|t| &t.findings);
     for finding in made.findings.iter().chain(of_ways) {
@@ -95,7 +95,7 @@ fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> CutRe
             label: track.label,
         }
     };
-    CutReport {
+    OutageReport {
         span,
         results: made.tracks.into_iter().map(result).collect(),
         remarks,
@@ -103,7 +103,7 @@ fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> CutRe
     }
 }
 
-impl RunningJob for MakeCut {
+impl RunningJob for MakeOutage {
     fn advance(
         &mut self,
         worker: &mut WorkerState,
@@ -114,8 +114,8 @@ impl RunningJob for MakeCut {
             let flight = worker.flight(&self.order.flight)?;
             let flight = flight.borrow().flight.clone();
             let time = match self.order.cut {
-                Cut::Stretch(from, _) => Some(from),
-                Cut::AllAlong(_) => None,
+                Outage::Stretch(from, _) => Some(from),
+                Outage::AllAlong(_) => None,
             };
             let found = Instruments::of(&flight, time).map_err(|cause| cause.to_string())?;
             self.instruments = Some((found, flight.name.clone()));
@@ -127,7 +127,7 @@ impl RunningJob for MakeCut {
             true
         };
         let made = match self.order.cut {
-            Cut::Stretch(from, to) => {
+            Outage::Stretch(from, to) => {
                 let span = (from, to);
                 let goes_on = |share| tell(share, "Navigating without GPS");
                 let made = reckon(
@@ -139,13 +139,13 @@ impl RunningJob for MakeCut {
                 );
                 let made = made.map_err(|cause| cause.to_string())?;
                 let winds = wind_report(instruments, name);
-                JobEvent::CutMade(Box::new(report(span, made, winds)))
+                JobEvent::OutageMade(Box::new(report(span, made, winds)))
             }
-            Cut::AllAlong(length) => {
+            Outage::AllAlong(length) => {
                 if let Some(way) = self.order.ways(instruments).get(self.studies.len()) {
-                    let plan = CutPlan {
+                    let plan = OutagePlan {
                         length,
-                        ..CutPlan::default()
+                        ..OutagePlan::default()
                     };
                     let mut goes_on = |share| tell(share, &way.label);
                     let study = study_cuts(instruments, way, &plan, &settings, &mut goes_on);
@@ -153,7 +153,7 @@ impl RunningJob for MakeCut {
                     return Ok(Advance::More);
                 }
                 let studies = std::mem::take(&mut self.studies);
-                JobEvent::CutsStudied(Box::new(StudyReport { length, studies }))
+                JobEvent::OutagesStudied(Box::new(StudyReport { length, studies }))
             }
         };
         emit(made);
@@ -162,7 +162,7 @@ impl RunningJob for MakeCut {
     }
 }
 
-impl Order for CutOrder {
+impl Order for OutageOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
     fn role(&self) -> Role {
@@ -174,6 +174,6 @@ impl Order for CutOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(MakeCut::new(self))
+        Box::new(MakeOutage::new(self))
     }
 }

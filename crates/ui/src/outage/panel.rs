@@ -4,12 +4,12 @@ use egui::{RichText, Stroke, Ui, vec2};
 
 use super::chart::{colour, growth_chart};
 use super::wind::winds;
-use super::{CutCommand, Cuts};
+use super::{OutageCommand, Outages};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
-use pilotage_jobs::{CutReport, StudyReport};
+use pilotage_jobs::{OutageReport, StudyReport};
 
 /// Lengths of cuts that are offered, seconds.
 const LENGTHS: [f64; 3] = [30.0, 60.0, 120.0];
@@ -20,9 +20,9 @@ const TOLD: [f64; 2] = [10.0, 30.0];
 const REPORTS: f64 = 0.3;
 
 /// Scene of the view of cuts.
-pub struct CutScene<'a> {
+pub struct OutageScene<'a> {
     /// Results of cuts.
-    pub cuts: &'a Cuts,
+    pub cuts: &'a Outages,
     /// The selected stretch of time, seconds in the flight's time base.
     pub selected: Option<(f64, f64)>,
     /// First time of the log, from which people count.
@@ -30,7 +30,7 @@ pub struct CutScene<'a> {
 }
 
 /// Draws the view of a cut.
-pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_>) {
+pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
     wrapped(
@@ -57,31 +57,33 @@ pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_
     }
 }
 
-fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_>) {
+fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
     let tokens = context.tokens;
     let now = context.time;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
         if let Some((from, to)) = scene.selected {
             let text = format!(
-                "Cut GPS from {} to {}",
+                "Outage GPS from {} to {}",
                 crate::log::clock(from, scene.first),
                 crate::log::clock(to, scene.first)
             );
             if text_button(ui, tokens, None, &text, true).clicked() {
-                context.commands.push(Command::Cut(CutCommand::Selected));
+                context
+                    .commands
+                    .push(Command::Outage(OutageCommand::Selected));
             }
         } else {
             for length in LENGTHS {
-                let text = format!("Cut {length:.0} s from here");
+                let text = format!("Outage {length:.0} s from here");
                 if text_button(ui, tokens, None, &text, false).clicked() {
-                    let of = CutCommand::Of(now, now + length);
-                    context.commands.push(Command::Cut(of));
+                    let of = OutageCommand::Of(now, now + length);
+                    context.commands.push(Command::Outage(of));
                 }
             }
         }
         if scene.cuts.report.is_some() && text_button(ui, tokens, None, "Clear", false).clicked() {
-            context.commands.push(Command::Cut(CutCommand::Clear));
+            context.commands.push(Command::Outage(OutageCommand::Clear));
         }
     });
     if scene.selected.is_none() {
@@ -100,7 +102,7 @@ fn wrapped(ui: &mut Ui, colour: egui::Color32, text: &str) {
 }
 
 /// Numbers and the growth of the error of one cut.
-fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &CutReport, first: f64) {
+fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport, first: f64) {
     let tokens = context.tokens;
     let (factor, unit) = context.units.length();
     ui.add_space(0.5 * tokens.space);
@@ -160,23 +162,23 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &CutReport, first
     }
 }
 
-/// Cuts all along the flight.
-fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_>) {
+/// Outages all along the flight.
+fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
     let tokens = context.tokens;
     ui.add_space(tokens.space);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
         ui.label(RichText::new("All along the flight:").color(tokens.muted));
         for length in LENGTHS {
-            let name = format!("Cuts of {length:.0} s all along");
+            let name = format!("Outages of {length:.0} s all along");
             let on = scene
                 .cuts
                 .study
                 .as_ref()
                 .is_some_and(|s| s.length == length);
             if parts::chip(ui, tokens, on, &format!("{length:.0} s"), &name).clicked() {
-                let study = CutCommand::Study(length);
-                context.commands.push(Command::Cut(study));
+                let study = OutageCommand::Study(length);
+                context.commands.push(Command::Outage(study));
             }
         }
     });

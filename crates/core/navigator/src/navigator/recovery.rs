@@ -12,12 +12,12 @@
 
 use super::CandidateReport;
 use super::engine::{Engine, PredictedStep};
-use super::see::{Agreed, FoundPlace, Seer, stack};
+use super::see::{Agreed, Associator, FoundPlace, stack};
 use pilotage_estimation::filter::{FilterError, fading_factor};
 use pilotage_estimation::vehicle::ControlInput;
 
 /// Another belief about the same flight.
-pub struct SecondOpinion {
+pub struct Recovery {
     engine: Box<dyn Engine>,
     /// Landmarks that it believes and the first refused.
     landmarks: Vec<u32>,
@@ -30,7 +30,7 @@ pub struct SecondOpinion {
 /// Verdict of a second opinion on a frame in which the first believes nothing.
 pub enum Opinion<'l> {
     /// Nothing that convinces.
-    Unsure(Option<SecondOpinion>),
+    Unsure(Option<Recovery>),
     /// The second is right: its filter, before this frame, and what it believes of the frame.
     TakesOver {
         /// The filter that goes on.
@@ -44,7 +44,7 @@ pub enum Opinion<'l> {
     },
 }
 
-impl SecondOpinion {
+impl Recovery {
     /// Moves it along as the first; `None` if it cannot be.
     pub fn moved(mut self, input: &ControlInput, dt: f64) -> Option<Self> {
         self.step = Some(self.engine.predict(input, dt).ok()?);
@@ -62,8 +62,8 @@ impl SecondOpinion {
 /// `seer` looks with the first opinion; `reports` change only when the second takes over. A second opinion
 /// whose filter cannot go on is dropped.
 pub fn reconsider<'l>(
-    second: Option<SecondOpinion>,
-    seer: &Seer<'_>,
+    second: Option<Recovery>,
+    seer: &Associator<'_>,
     refused: &[FoundPlace<'l>],
     reports: &mut Vec<CandidateReport>,
 ) -> Opinion<'l> {
@@ -71,8 +71,8 @@ pub fn reconsider<'l>(
 }
 
 fn weigh<'l>(
-    second: Option<SecondOpinion>,
-    seer: &Seer<'_>,
+    second: Option<Recovery>,
+    seer: &Associator<'_>,
     refused: &[FoundPlace<'l>],
     reports: &mut Vec<CandidateReport>,
 ) -> Result<Opinion<'l>, FilterError> {
@@ -108,10 +108,10 @@ fn weigh<'l>(
 
 /// A second opinion that believes the least surprising of the refused places, and those that agree.
 fn founded(
-    seer: &Seer<'_>,
+    seer: &Associator<'_>,
     refused: &[FoundPlace<'_>],
     reports: &[CandidateReport],
-) -> Result<Option<SecondOpinion>, FilterError> {
+) -> Result<Option<Recovery>, FilterError> {
     let nis = |place: &&FoundPlace<'_>| reports[place.1].nis.unwrap_or(f64::INFINITY);
     let least = refused.iter().min_by(|a, b| nis(a).total_cmp(&nis(b)));
     let Some(measurement) = least.and_then(|(l, i, place)| seer.measurement(l, *i, *place)) else {
@@ -130,7 +130,7 @@ fn founded(
     }
     let stacked = stack(seer.settings, &agreed);
     stacked.correct(engine.as_mut(), &seer.model, &seer.pose)?;
-    Ok(Some(SecondOpinion {
+    Ok(Some(Recovery {
         engine,
         landmarks: agreed.iter().map(|m| m.landmark.id).collect(),
         fading,
@@ -140,7 +140,7 @@ fn founded(
 
 /// Measurements of the places that `judge` believes.
 pub fn believed<'l>(
-    judge: &Seer<'_>,
+    judge: &Associator<'_>,
     found: &[FoundPlace<'l>],
     reports: &mut [CandidateReport],
 ) -> Result<Agreed<'l>, FilterError> {

@@ -6,7 +6,7 @@ use pilotage_vision::registration::NotRegistered;
 
 /// Kind of reason for which a whole frame did not correct the estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub enum LaidRefusal {
+pub enum RegistrationRefusal {
     /// There is no map where the picture may be.
     NothingAlike,
     /// The likeliest place is not likely enough.
@@ -19,7 +19,7 @@ pub enum LaidRefusal {
     Open,
 }
 
-impl LaidRefusal {
+impl RegistrationRefusal {
     /// Every kind, in the order in which people read them.
     pub const ALL: [Self; 5] = [
         Self::NothingAlike,
@@ -54,7 +54,7 @@ impl LaidRefusal {
     }
 }
 
-impl From<&NotRegistered> for LaidRefusal {
+impl From<&NotRegistered> for RegistrationRefusal {
     fn from(cause: &NotRegistered) -> Self {
         match cause {
             NotRegistered::NothingAlike => Self::NothingAlike,
