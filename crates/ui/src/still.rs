@@ -10,7 +10,7 @@ use egui::{Painter, Rect, Shape};
 
 use crate::kept_mesh::PlacedMesh;
 
-/// Outages shapes into triangles. Texts cannot be among the shapes: where their letters lie in the
+/// Cuts shapes into triangles. Texts cannot be among the shapes: where their letters lie in the
 /// texture may change.
 pub fn triangles(painter: &Painter, clip_rect: Rect, shapes: Vec<Shape>) -> Mesh {
     let options: TessellationOptions = painter.ctx().tessellation_options(|o| *o);

@@ -14,11 +14,11 @@ use pilotage_jobs::{OutageReport, StudyReport};
 pub enum OutageCommand {
     /// Show it.
     Show,
-    /// Outage satellite navigation out of the selected stretch of time.
+    /// Cut satellite navigation out of the selected stretch of time.
     Selected,
-    /// Outage it out of this stretch, seconds in the flight's time base.
+    /// Cut it out of this stretch, seconds in the flight's time base.
     Of(f64, f64),
-    /// Outage it again and again, for so many seconds each.
+    /// Cut it again and again, for so many seconds each.
     Study(f64),
     /// Let go of the cut.
     Clear,

@@ -64,7 +64,7 @@ fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
         ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
         if let Some((from, to)) = scene.selected {
             let text = format!(
-                "Outage GPS from {} to {}",
+                "Cut GPS from {} to {}",
                 crate::log::clock(from, scene.first),
                 crate::log::clock(to, scene.first)
             );
@@ -75,7 +75,7 @@ fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
             }
         } else {
             for length in LENGTHS {
-                let text = format!("Outage {length:.0} s from here");
+                let text = format!("Cut {length:.0} s from here");
                 if text_button(ui, tokens, None, &text, false).clicked() {
                     let of = OutageCommand::Of(now, now + length);
                     context.commands.push(Command::Outage(of));
@@ -170,7 +170,7 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
         ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
         ui.label(RichText::new("All along the flight:").color(tokens.muted));
         for length in LENGTHS {
-            let name = format!("Outages of {length:.0} s all along");
+            let name = format!("Cuts of {length:.0} s all along");
             let on = scene
                 .cuts
                 .study

@@ -49,7 +49,7 @@ pub fn catalog() -> Vec<Entry> {
     ));
     entries.push(entry(
         Group::View,
-        "Outage GPS out of the flight",
+        "Cut GPS out of the flight",
         vec![shift(Key::G)],
         Command::Outage(OutageCommand::Show),
     ));

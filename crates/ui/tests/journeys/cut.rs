@@ -56,7 +56,7 @@ fn a_cut_from_the_cursor_says_how_the_error_grows() {
     let strip = rig.rect("/timeline");
     let middle = strip.center();
     rig.drag(middle - egui::vec2(20.0, 0.0), middle);
-    rig.harness.get_by_label("Outage 30 s from here").click();
+    rig.harness.get_by_label("Cut 30 s from here").click();
     rig.settle();
     let state = rig.state();
     let results = state["cut"]["results"].as_array().expect("results");
@@ -93,7 +93,7 @@ fn the_selected_stretch_is_cut() {
     rig.drag_with(egui::Modifiers::SHIFT, at(0.4), at(0.6));
     rig.frames(3);
     let selected = rig.state()["selected"].clone();
-    rig.harness.get_by_label_contains("Outage GPS from").click();
+    rig.harness.get_by_label_contains("Cut GPS from").click();
     rig.settle();
     assert!(selected.is_array());
     assert_eq!(rig.state()["cut"]["span"], selected);
@@ -104,7 +104,7 @@ fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
     let mut rig = rig();
     rig.settle();
     rig.open_tab("GPS cut");
-    rig.harness.get_by_label("Outage 30 s from here").click();
+    rig.harness.get_by_label("Cut 30 s from here").click();
     rig.frames(3);
     let host = rig.host();
     let order = host.jobs.iter().find_map(|(_, job)| match job {
