@@ -17,13 +17,13 @@ export async function run(page, tools) {
   await tools.waitReady();
   const before = await tools.openRun();
   await page.keyboard.press("Shift+G");
-  const { timeline: line } = await tools.waitFor((s) => s.side_tab === "Outage", "the cut's panel");
+  const { timeline: line } = await tools.waitFor((s) => s.side_tab === "outage", "the cut's panel");
   await page.mouse.click(line[0] + 0.4 * (line[2] - line[0]), (line[1] + line[3]) / 2);
   await tools.click(await tools.find("Button", "Cut 30 s from here"));
-  const demo = await tools.waitFor((s) => s.cut?.results.length >= 4, "the ways through the demo's cut", 60_000);
-  const seen = demo.cut.results.find((way) => way.label === "Airspeed, wind, landmarks");
-  tools.check(demo.cut.results.every((way) => !/gyros/.test(way.label)), "there are no gyros in the demo");
-  tools.check(seen && seen.end_error < 60, `landmarks: ${JSON.stringify(demo.cut.results)}`);
+  const demo = await tools.waitFor((s) => s.outage?.results.length >= 4, "the ways through the demo's cut", 60_000);
+  const seen = demo.outage.results.find((way) => way.label === "Airspeed, wind, landmarks");
+  tools.check(demo.outage.results.every((way) => !/gyros/.test(way.label)), "there are no gyros in the demo");
+  tools.check(seen && seen.end_error < 60, `landmarks: ${JSON.stringify(demo.outage.results)}`);
   await page.waitForTimeout(500);
   await tools.screenshot("cut-landmarks");
   const kinds = ["ATT", "GPS", "IMU", "NTUN", "MAG"];
@@ -32,8 +32,8 @@ export async function run(page, tools) {
   await page.keyboard.press("Enter");
   await tools.waitFor((s) => s.flight !== before.flight && s.run_complete, "the flight", 150_000);
   await page.keyboard.press("Shift+G");
-  await tools.waitFor((s) => s.cut === null, "the other flight's cut gone");
-  const { timeline: [left, top, right, bottom], span } = await tools.waitFor((s) => s.side_tab === "Outage", "the cut's panel");
+  await tools.waitFor((s) => s.outage === null, "the other flight's cut gone");
+  const { timeline: [left, top, right, bottom], span } = await tools.waitFor((s) => s.side_tab === "outage", "the cut's panel");
   const at = (share) => ({ x: left + share * (right - left), y: (top + bottom) / 2 });
   await page.keyboard.down("Shift");
   await tools.drag(at(0.55), at(0.62));
@@ -41,13 +41,13 @@ export async function run(page, tools) {
   const { selected } = await tools.waitFor((s) => s.selected, "a selected stretch");
   tools.check(selected[0] > span[0] && selected[1] < span[1], `${selected}`);
   await tools.click(await tools.find("Button", /^Cut GPS from/));
-  const cut = await tools.waitFor((s) => s.cut?.results.length >= 3, "the ways through the cut", 120_000);
-  for (const way of cut.cut.results) {
+  const cut = await tools.waitFor((s) => s.outage?.results.length >= 3, "the ways through the cut", 120_000);
+  for (const way of cut.outage.results) {
     tools.say(`${way.label}: ${way.end_error?.toFixed(1)} m at the end, 95 % radius ${way.radius?.toFixed(1)} m`);
   }
-  const { winds } = cut.cut;
+  const { winds } = cut.outage;
   tools.check(winds?.from_least_squares < 0.8, `the winds are ${winds?.from_least_squares} m/s apart`);
-  const [alone] = cut.cut.results;
+  const [alone] = cut.outage.results;
   tools.check(alone.end_error < 3 * alone.radius, "the error is far outside its radius");
   await page.waitForTimeout(800);
   await tools.screenshot("cut");

@@ -7,10 +7,10 @@ use pilotage_core::navigator::NavigatorSettings;
 use crate::camera_log::CameraLogCommand;
 use crate::compare::CompareCommand;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
+use crate::feature_command::FeatureCommand;
 use crate::georeference::GeoreferenceCommand;
 use crate::labelling::LabelCommand;
 use crate::log::LogCommand;
-use crate::outage::OutageCommand;
 use crate::photos::PhotosCommand;
 use crate::plan::PlanCommand;
 use crate::views::DetectorCommand;
@@ -162,8 +162,8 @@ pub enum Command {
     Log(LogCommand),
     /// Something about trajectories beside each other.
     Compare(CompareCommand),
-    /// Something about satellite navigation cut out of the flight.
-    Outage(OutageCommand),
+    /// Something that a feature does.
+    Feature(FeatureCommand),
     /// Something about the camera beside its log.
     CameraLog(CameraLogCommand),
     /// Something about photos on the map.

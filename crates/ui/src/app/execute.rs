@@ -25,7 +25,7 @@ impl App {
             Command::Plan(command) => self.plan(command, now),
             Command::Label(command) => self.label(command, host),
             Command::Log(command) => self.log(command, host),
-            Command::Outage(command) => self.cut(&command, host),
+            Command::Feature(command) => self.execute_feature(&command, host),
             Command::CameraLog(command) => self.camera_log(command, host),
             Command::Photos(command) => self.photos(command, host),
             Command::Compare(command) => self.compare(&command, host),
@@ -262,7 +262,7 @@ impl App {
             }
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.jobs.fly.is_none() => {
-                let _ = self.stop_cutting(host)
+                let _ = self.stop_features(host)
                     || self.stop_aligning(host)
                     || self.stop_laying(host)
                     || self.stop_contest(host)

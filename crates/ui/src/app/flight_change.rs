@@ -16,7 +16,7 @@ impl App {
         }
         let source = self.documents.flight_source.clone();
         let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
-        self.stop_cutting(host);
+        self.tell_features_of_flight(host);
         self.stop_contest(host);
         self.stop_aligning(host);
         self.stop_explaining(host);

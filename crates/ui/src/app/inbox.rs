@@ -63,7 +63,7 @@ impl App {
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
         if self.plan_event(id, &event, host.now())
             || self.evaluating.receive(id, &event)
-            || self.cut_event(id, &event)
+            || self.feature_event(host, id, &event)
             || self.align_event(id, &event)
             || self.photos_event(host, id, &event)
             || self.contest_event(id, &event)

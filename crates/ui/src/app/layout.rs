@@ -15,9 +15,9 @@ use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
+use crate::feature::{Feature, FeatureId};
 use crate::labelling::LabelCommand;
 use crate::map::MapExtra;
-use crate::outage::{OutageScene, cut_panel};
 use crate::photos::Photos;
 use crate::plan::plan_readouts;
 use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
@@ -181,12 +181,14 @@ impl App {
         commands: &mut Vec<Command>,
         narrow: bool,
     ) {
-        self.dialogs.palette.show(ui, tokens, commands);
+        self.dialogs
+            .palette
+            .show(ui, tokens, &self.catalog, commands);
         let units = self.view.units;
         self.dialogs
             .simulate
             .show(ui.ctx(), tokens, units, commands);
-        if self.dialogs.help && help_sheet(ui.ctx(), tokens) {
+        if self.dialogs.help && help_sheet(ui.ctx(), tokens, &self.catalog) {
             self.dialogs.help = false;
         }
         self.web_map_dialog(ui, commands);
@@ -358,10 +360,9 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                             SideTab::Filter,
                             SideTab::Landmarks,
                             SideTab::Compare,
-                            SideTab::Outage,
                         ];
-                        let tabs = &tabs[usize::from(!has_log)..];
-                        tabbed(ui, scene, views, commands, tabs);
+                        let tabs = with_features(&tabs[usize::from(!has_log)..], views);
+                        tabbed(ui, scene, views, commands, &tabs);
                     });
                 }
                 Workspace::Plan => {
@@ -416,10 +417,10 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                             SideTab::Plots,
                             SideTab::Landmarks,
                             SideTab::Compare,
-                            SideTab::Outage,
                         ];
                         let has_log = scene.documents.log.is_some();
-                        tabbed(ui, scene, views, commands, &tabs[usize::from(!has_log)..]);
+                        let tabs = with_features(&tabs[usize::from(!has_log)..], views);
+                        tabbed(ui, scene, views, commands, &tabs);
                     }
                 }
             }
@@ -469,6 +470,13 @@ fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<
     }
 }
 
+/// The app's own tabs, and those of the features behind them.
+fn with_features(own: &[SideTab], views: &Views) -> Vec<SideTab> {
+    let features = views.features.iter();
+    let features = features.map(|it| SideTab::Feature(it.info().id));
+    own.iter().copied().chain(features).collect()
+}
+
 fn tabbed(
     ui: &mut Ui,
     scene: &mut Scene<'_>,
@@ -483,7 +491,7 @@ fn tabbed(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         for choice in tabs {
-            let label = choice.label();
+            let label = choice.label(&views.features);
             if tab(ui, tokens, label, choice == scene.side_tab, 32.0).clicked() {
                 *scene.side_tab = *choice;
             }
@@ -505,7 +513,7 @@ fn tabbed(
             scene.with_context(commands, |c| log_column(ui, c, views, documents, progress));
         }
         SideTab::Compare => compare(ui, scene, views, commands),
-        SideTab::Outage => cut(ui, scene, commands),
+        SideTab::Feature(id) => feature(ui, scene, &mut views.features, id, commands),
         SideTab::CameraLog | SideTab::Photos => sheet(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
@@ -536,18 +544,22 @@ fn sheet(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<C
     scene.with_context(commands, |c| views.camera_log.show(ui, c, &shown));
 }
 
-/// Satellite navigation cut out of the flight.
-fn cut(ui: &mut Ui, scene: &Scene<'_>, commands: &mut Vec<Command>) {
-    let cut = OutageScene {
-        cuts: &scene.documents.cuts,
-        selected: scene.playback.selected_span,
-        first: scene.documents.span().map_or(0.0, |span| span.0),
+/// Panel of a feature.
+fn feature(
+    ui: &mut Ui,
+    scene: &Scene<'_>,
+    features: &mut [Box<dyn Feature>],
+    id: FeatureId,
+    commands: &mut Vec<Command>,
+) {
+    let Some(feature) = features.iter_mut().find(|it| it.info().id == id) else {
+        return;
     };
     egui::ScrollArea::vertical()
-        .id_salt("cut")
+        .id_salt(id)
         .auto_shrink(false)
         .show(ui, |ui| {
-            scene.with_context(commands, |c| cut_panel(ui, c, &cut));
+            scene.with_context(commands, |c| feature.panel(ui, c, scene.documents));
         });
 }
 
@@ -631,6 +643,7 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
         .frame(Frame::new().fill(tokens.background))
         .show(ui, |ui| {
             let rect = ui.available_rect_before_wrap();
+            let layers: Vec<_> = views.features.iter().flat_map(|it| it.layers()).collect();
             let extra = MapExtra {
                 map: scene.documents.map.as_ref(),
                 run_generation: scene.documents.run_generation,
@@ -644,7 +657,7 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 attribution: scene.documents.attribution(),
                 log: scene.documents.log.as_ref(),
                 kept: scene.documents.shelf.kept(),
-                cut: scene.documents.cuts.report.as_ref(),
+                layers: &layers,
                 tried_footprint: scene.tried_footprint.as_deref(),
                 photos: scene.shown_photos(),
             };

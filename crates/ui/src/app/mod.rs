@@ -11,6 +11,7 @@ mod evaluating;
 mod evaluation;
 mod exchange;
 mod execute;
+mod feature_work;
 mod flight_change;
 mod flown_track;
 mod flying;
@@ -26,7 +27,6 @@ mod log_work;
 mod logs;
 mod maps;
 mod marking;
-mod outages;
 mod package;
 mod pending_jobs;
 mod photos;
@@ -39,19 +39,23 @@ mod training;
 mod web_maps;
 mod work;
 
-use pilotage_jobs::FlightSource;
+use std::collections::HashMap;
+
+use pilotage_jobs::{FlightSource, JobId};
 
 use crate::camera_log::CameraLogView;
 use crate::command::{Command, Workspace};
 use crate::compare::CompareView;
 use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
+use crate::feature::{Feature, FeatureId};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::labelling::Labeller;
 use crate::log::{FieldList, LogPlots, LogTab, OwnPresets};
 use crate::map::MapView;
 use crate::plan::Planner;
+use crate::shell::catalog::Entry;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{LandmarkList, Palette, Toasts, apply_theme, keep_slow_clicks};
 use crate::timeline::{Playback, Timeline};
@@ -75,8 +79,8 @@ pub enum SideTab {
     Log,
     /// Trajectories beside each other.
     Compare,
-    /// Satellite navigation cut out of the flight.
-    Outage,
+    /// Panel of a feature.
+    Feature(FeatureId),
     /// The camera put in time and place beside the log.
     CameraLog,
     /// Photos laid on the map.
@@ -94,8 +98,16 @@ impl SideTab {
         matches!(self, Self::CameraLog | Self::Photos)
     }
 
-    /// Name on the tab.
-    fn label(self) -> &'static str {
+    /// Name for journeys: of a feature, its identity.
+    fn name(self) -> String {
+        match self {
+            Self::Feature(id) => id.to_owned(),
+            other => format!("{other:?}"),
+        }
+    }
+
+    /// Name on the tab; of a feature, as it says itself.
+    fn label(self, features: &[Box<dyn Feature>]) -> &'static str {
         match self {
             Self::Match => "Match",
             Self::Detector => "Detector",
@@ -103,11 +115,17 @@ impl SideTab {
             Self::Landmarks => "Landmarks",
             Self::Log => "Log",
             Self::Compare => "Compare",
-            Self::Outage => "GPS cut",
             Self::CameraLog => "Camera to log",
             Self::Photos => "Photos",
             Self::Camera => "Camera",
             Self::Plots => "Plots",
+            Self::Feature(id) => {
+                let info = features
+                    .iter()
+                    .map(|it| it.info())
+                    .find(|info| info.id == id);
+                info.map_or("", |info| info.tab)
+            }
         }
     }
 }
@@ -146,6 +164,8 @@ struct Views {
     presets: OwnPresets,
     /// Whether the plots are those of the log, not of the run.
     shows_log_plots: bool,
+    /// Features, in the order of their tabs.
+    features: Vec<Box<dyn Feature>>,
 }
 
 /// The app.
@@ -160,6 +180,10 @@ pub struct App {
     toasts: Toasts,
     views: Views,
     jobs: PendingJobs,
+    /// Features by the jobs that they started.
+    owners: HashMap<JobId, FeatureId>,
+    /// Table of all commands, the features' among them.
+    catalog: Vec<Entry>,
     evaluating: evaluation::Evaluating,
     commands: Vec<Command>,
     started: bool,

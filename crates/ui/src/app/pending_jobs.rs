@@ -89,8 +89,6 @@ pub struct Exporting {
     reason = "each is a wish of its own that waits for something"
 )]
 pub struct PendingJobs {
-    /// The cut that is being made.
-    pub cutting: Option<JobId>,
     /// The flight by every estimator.
     pub contest: Option<JobId>,
     /// The estimate of a camera beside its log.

@@ -29,7 +29,15 @@ impl App {
     /// State of the screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
     pub fn state_json(&self) -> String {
         let mut all = self.documents_json();
-        for part in [self.run_json(), self.view_json(), self.plan_json()] {
+        let features = self.views.features.iter();
+        let features = features.map(|it| (it.info().id.to_owned(), it.state()));
+        let features = Value::Object(features.collect());
+        for part in [
+            self.run_json(),
+            self.view_json(),
+            self.plan_json(),
+            features,
+        ] {
             if let (Value::Object(all), Value::Object(part)) = (&mut all, part) {
                 all.extend(part);
             }
@@ -69,7 +77,6 @@ impl App {
         json!({
             "log": self.log_json(),
             "compare": self.compare_json(),
-            "cut": self.cut_json(),
             "camera_log": self.camera_log_json(),
             "photos": self.photos_json(),
             "title": documents.title(),
@@ -160,42 +167,6 @@ impl App {
                 .match_pictures
                 .as_ref()
                 .map(|m| json!({"time": m.time, "landmark": m.landmark})),
-        })
-    }
-
-    fn cut_json(&self) -> Option<Value> {
-        let cuts = &self.documents.cuts;
-        let report = cuts.report.as_ref();
-        let results = report.iter().flat_map(|r| &r.results).map(|result| {
-            let end = result.growth.last();
-            json!({
-                "label": result.label,
-                "end_error": end.and_then(|g| g.error),
-                "radius": end.map(|g| g.radius),
-            })
-        });
-        let study = cuts.study.as_ref().map(|s| {
-            let rows = s.studies.iter().map(|row| {
-                json!({
-                    "label": row.label,
-                    "cuts": row.cuts.len(),
-                    "median": row.error_quantile(0.5),
-                    "ninety": row.error_quantile(0.9),
-                    "covered": row.covered(),
-                })
-            });
-            json!({"length": s.length, "rows": rows.collect::<Vec<_>>()})
-        });
-        let is_there = report.is_some() || study.is_some() || cuts.trouble.is_some();
-        is_there.then(|| {
-            json!({
-                "span": report.map(|r| [r.span.0, r.span.1]),
-                "results": results.collect::<Vec<_>>(),
-                "remarks": report.map(|r| r.remarks.clone()),
-                "winds": report.and_then(|r| r.winds.as_ref()),
-                "study": study,
-                "trouble": cuts.trouble,
-            })
         })
     }
 
@@ -326,7 +297,7 @@ impl App {
             "workspace": self.view.workspace.label(),
             "tour_stop": self.learning().then(|| self.views.tour.number()),
             "tour_title": self.learning().then(|| self.views.tour.title()),
-            "side_tab": format!("{:?}", self.side_tab),
+            "side_tab": self.side_tab.name(),
             "detector": self.detector_json(),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),

@@ -1,5 +1,7 @@
 //! The first moments, and what is remembered of an earlier visit.
 
+use std::collections::HashMap;
+
 use super::App;
 use super::aside::Aside;
 use super::pending_jobs::PendingJobs;
@@ -8,6 +10,7 @@ use crate::documents::{
 };
 use crate::host::Host;
 use crate::log::{OwnPresets, PRESETS_KEY};
+use crate::shell::catalog::catalog;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
@@ -44,7 +47,10 @@ impl App {
         };
         context.set_fonts(fonts());
         apply_theme(context, &tokens);
-        context.add_plugin(ShortcutListener::default());
+        let features = crate::features::all();
+        let mut catalog = catalog();
+        catalog.extend(features.iter().flat_map(|it| (it.info().commands)()));
+        context.add_plugin(ShortcutListener::new(&catalog));
         let mut app = Self {
             documents: Documents::new(&session),
             playback: Playback {
@@ -57,11 +63,16 @@ impl App {
             side_tab: super::SideTab::default(),
             dialogs: super::Dialogs::default(),
             toasts: Toasts::default(),
-            views: super::Views::default(),
+            views: super::Views {
+                features,
+                ..super::Views::default()
+            },
             jobs: PendingJobs::default(),
             evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),
             started: false,
+            owners: HashMap::new(),
+            catalog,
             followed: (0, session.flight.clone()),
             aside,
             last_now: None,

@@ -15,7 +15,6 @@ use super::{Brought, Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
 use crate::compare::{Contest, Shelf};
 use crate::log::OpenLog;
-use crate::outage::Outages;
 use crate::photos::Photos;
 use pilotage_jobs::{
     DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures,
@@ -78,8 +77,6 @@ pub struct Documents {
     pub log: Option<OpenLog>,
     /// Every estimator on the flight that is open.
     pub contest: Contest,
-    /// Results of cuts of satellite navigation.
-    pub cuts: Outages,
     /// The camera beside its log.
     pub camera_log: CameraLog,
     /// Photos laid on the map.
@@ -124,7 +121,6 @@ impl Documents {
                 _ => None,
             }),
             contest: Contest::default(),
-            cuts: Outages::default(),
             camera_log: CameraLog::default(),
             photos: Photos::default(),
             noticed: Noticed::default(),
@@ -260,7 +256,6 @@ impl Documents {
             match_pictures,
             detector_search,
             contest,
-            cuts,
             camera_log,
             noticed,
             // Counters.
@@ -276,7 +271,6 @@ impl Documents {
         distinctness.clear();
         (*match_pictures, *detector_search) = (None, None);
         *contest = Contest::default();
-        *cuts = Outages::default();
         *camera_log = CameraLog::default();
         *noticed = Noticed::default();
         *flight_generation += 1;

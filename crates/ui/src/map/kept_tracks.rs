@@ -6,9 +6,7 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 
 use super::transform::ScreenFromWorld;
 use crate::compare::KeptTrack;
-use crate::outage::colour;
 use crate::tokens::Tokens;
-use pilotage_jobs::OutageReport;
 
 /// Pieces that a trajectory is drawn in at most.
 const MOST_PIECES: usize = 2000;
@@ -45,27 +43,6 @@ pub(super) fn paint_kept(
         }
         None => {
             painter.add(Shape::line(line, stroke));
-        }
-    }
-}
-
-/// Draws the ways through a cut, each with a dot where it is at `now`.
-pub(super) fn paint_cut(
-    painter: &Painter,
-    view: &ScreenFromWorld,
-    cut: &OutageReport,
-    now: f64,
-    tokens: &Tokens,
-) {
-    for (number, result) in cut.results.iter().enumerate() {
-        let colour = colour(tokens, number);
-        let at = |p: &[f64; 3]| view.apply(&GroundPoint::new(p[1], p[2]));
-        let line: Vec<Pos2> = result.places.iter().map(at).collect();
-        painter.add(Shape::line(line, Stroke::new(2.0, colour)));
-        let reached = result.places.iter().rev().find(|p| p[0] <= now);
-        if let Some(place) = reached.filter(|_| now <= cut.span.1) {
-            let rim = Stroke::new(1.0, tokens.outline());
-            painter.circle(at(place), 4.0, colour, rim);
         }
     }
 }

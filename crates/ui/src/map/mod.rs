@@ -8,6 +8,7 @@ mod heat;
 mod interact;
 mod kept_tracks;
 mod landmarks;
+mod layer;
 mod layers;
 mod photos;
 mod picking;
@@ -22,6 +23,7 @@ mod view;
 
 pub(crate) use coloured_track::ColouredTrack;
 pub use heat::heat_image;
+pub use layer::MapLayer;
 pub use layers::{Layer, Layers};
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line};
 pub use tiles::{TileCache, TileKey};

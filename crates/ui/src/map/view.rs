@@ -8,8 +8,9 @@ use super::ColouredTrack;
 use super::furniture::{
     coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
-use super::kept_tracks::{paint_cut, paint_kept};
+use super::kept_tracks::paint_kept;
 use super::landmarks::{LandmarkScene, paint_landmarks};
+use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
 use super::photos::PhotoTexture;
 use super::picking::{Drag, box_between};
@@ -29,7 +30,7 @@ use crate::georeference::Georeferencer;
 use crate::log::OpenLog;
 use crate::photos::Photos;
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
-use pilotage_jobs::{Distinctness, MapInfo, OutageReport, SeriesName};
+use pilotage_jobs::{Distinctness, MapInfo, SeriesName};
 
 /// Data that the map needs beside what every view is given.
 pub struct MapExtra<'a> {
@@ -49,8 +50,8 @@ pub struct MapExtra<'a> {
     pub ground: &'a Ground,
     /// Whom to thank for the map, shown wherever it is.
     pub attribution: Option<&'a str>,
-    /// A cut of satellite navigation.
-    pub cut: Option<&'a OutageReport>,
+    /// Layers of the features, over the tracks.
+    pub layers: &'a [&'a dyn MapLayer],
     /// Corners of the ground that a picture would show with a camera that is tried.
     pub tried_footprint: Option<&'a [GroundPoint]>,
     /// Photos that were laid on the map, while they are looked at.
@@ -316,8 +317,10 @@ impl MapView {
         {
             paint_kept(painter, view, kept, extra.frame, tokens);
         }
-        if let Some(cut) = extra.cut.filter(|_| extra.plan.is_none()) {
-            paint_cut(painter, view, cut, context.time, tokens);
+        if extra.plan.is_none() {
+            for layer in extra.layers {
+                layer.paint(painter, view, context);
+            }
         }
         let Some(run) = context.run else { return };
         if show_unaided {

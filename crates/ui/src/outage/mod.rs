@@ -1,38 +1,188 @@
 //! Satellite navigation cut out of a flight: what would have been known of its position all the same.
 
 mod chart;
+mod on_map;
 mod panel;
+mod state;
 mod wind;
 
-pub(crate) use chart::colour;
-pub use panel::{OutageScene, cut_panel};
+use egui::{Key, Ui};
+use pilotage_core::instruments::PositionFix;
+use pilotage_core::navigator::position_fixes;
+use pilotage_jobs::{Job, JobEvent, JobId, Outage, OutageOrder};
+use serde_json::{Value, json};
 
-use pilotage_jobs::{OutageReport, StudyReport};
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo};
+use crate::map::MapLayer;
+use crate::shell::catalog::{Entry, Group, entry, shift};
 
-/// Something to do about a cut.
-#[derive(Clone, Debug, PartialEq)]
-pub enum OutageCommand {
-    /// Show it.
-    Show,
-    /// Cut satellite navigation out of the selected stretch of time.
-    Selected,
-    /// Cut it out of this stretch, seconds in the flight's time base.
-    Of(f64, f64),
-    /// Cut it again and again, for so many seconds each.
-    Study(f64),
-    /// Let go of the cut.
-    Clear,
+use panel::{OutageScene, outage_panel};
+use state::{ID, OutageCommand};
+
+pub use state::Outages;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "GPS cut",
+    commands,
+};
+
+fn commands() -> Vec<Entry> {
+    vec![entry(
+        Group::View,
+        "Cut GPS out of the flight",
+        vec![shift(Key::G)],
+        OutageCommand::Show.into(),
+    )]
 }
 
-/// Results of cuts, until another flight is opened.
-#[derive(Clone, Debug, Default)]
-pub struct Outages {
-    /// The cut that is shown.
-    pub report: Option<OutageReport>,
-    /// Outages all along the flight.
-    pub study: Option<StudyReport>,
-    /// Why there is none.
-    pub trouble: Option<String>,
-    /// Computation under way, in words.
-    pub at_work: Option<String>,
+impl Outages {
+    fn begin_selected(&mut self, context: &mut FeatureContext<'_>) {
+        if let Some((from, to)) = context.playback.selected_span {
+            return self.begin(context, Outage::Stretch(from, to));
+        }
+        let text = "Hold Shift and drag over a plot or the time line.";
+        let now = context.host.now();
+        context.toasts.note(now, "No stretch is selected", text);
+    }
+
+    fn begin(&mut self, context: &mut FeatureContext<'_>, cut: Outage) {
+        let documents = context.documents;
+        if documents.flight.is_none() {
+            let text = "Open a flight log first.";
+            let now = context.host.now();
+            context.toasts.note(now, "Nothing to cut", text);
+            return;
+        }
+        self.stop(context);
+        context.show();
+        let words = match cut {
+            Outage::Stretch(..) => "Navigating without GPS".to_owned(),
+            Outage::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
+        };
+        self.at_work = Some(words);
+        self.trouble = None;
+        let order = OutageOrder {
+            flight: documents.flight_source.clone(),
+            cut,
+            seen: seen(documents),
+        };
+        self.job = Some(context.start(Job::Outage(Box::new(order))));
+    }
+}
+
+/// Positions that the whole run found in the pictures, and what to call them; `None` without any.
+fn seen(documents: &Documents) -> Option<(String, Vec<PositionFix>)> {
+    let run = documents.run.as_ref().filter(|_| documents.run_complete)?;
+    let fixes = position_fixes(run);
+    let by = if run.settings.whole_frames.is_some() {
+        "pictures"
+    } else {
+        "landmarks"
+    };
+    (!fixes.is_empty()).then(|| (format!("Airspeed, wind, {by}"), fixes))
+}
+
+impl Feature for Outages {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let Some(command) = command.action::<OutageCommand>() else {
+            return false;
+        };
+        match *command {
+            OutageCommand::Show => context.show(),
+            OutageCommand::Clear => {
+                self.stop(context);
+                *self = Self::default();
+            }
+            OutageCommand::Selected => self.begin_selected(context),
+            OutageCommand::Of(from, to) => self.begin(context, Outage::Stretch(from, to)),
+            OutageCommand::Study(length) => self.begin(context, Outage::AllAlong(length)),
+        }
+        true
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        let scene = OutageScene {
+            outages: self,
+            selected: context.selected_span,
+            first: documents.span().map_or(0.0, |span| span.0),
+        };
+        outage_panel(ui, context, &scene);
+    }
+
+    fn layers(&self) -> Vec<&dyn MapLayer> {
+        vec![self]
+    }
+
+    fn on_event(&mut self, _job: JobId, event: &JobEvent, _context: &mut FeatureContext<'_>) {
+        match event {
+            JobEvent::Progress(share, words) => {
+                self.at_work = Some(format!("{words}: {:.0} %", 100.0 * share));
+            }
+            JobEvent::OutageMade(report) => self.report = Some((**report).clone()),
+            JobEvent::OutagesStudied(report) => self.study = Some((**report).clone()),
+            JobEvent::Failed(why) => self.trouble = Some(why.clone()),
+            _ => {}
+        }
+        if event.is_last() {
+            (self.at_work, self.job) = (None, None);
+        }
+    }
+
+    fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        let job = self.job.take();
+        if let Some(job) = job {
+            context.cancel(job);
+            self.at_work = None;
+        }
+        job.is_some()
+    }
+
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        *self = Self::default();
+    }
+
+    fn state(&self) -> Value {
+        let report = self.report.as_ref();
+        let results = report.iter().flat_map(|r| &r.results).map(|result| {
+            let end = result.growth.last();
+            json!({
+                "label": result.label,
+                "end_error": end.and_then(|g| g.error),
+                "radius": end.map(|g| g.radius),
+            })
+        });
+        let study = self.study.as_ref().map(|s| {
+            let rows = s.studies.iter().map(|row| {
+                json!({
+                    "label": row.label,
+                    "cuts": row.cuts.len(),
+                    "median": row.error_quantile(0.5),
+                    "ninety": row.error_quantile(0.9),
+                    "covered": row.covered(),
+                })
+            });
+            json!({"length": s.length, "rows": rows.collect::<Vec<_>>()})
+        });
+        let is_there = report.is_some() || study.is_some() || self.trouble.is_some();
+        if !is_there {
+            return Value::Null;
+        }
+        json!({
+            "span": report.map(|r| [r.span.0, r.span.1]),
+            "results": results.collect::<Vec<_>>(),
+            "remarks": report.map(|r| r.remarks.clone()),
+            "winds": report.and_then(|r| r.winds.as_ref()),
+            "study": study,
+            "trouble": self.trouble,
+        })
+    }
 }

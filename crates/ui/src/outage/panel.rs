@@ -3,8 +3,8 @@
 use egui::{RichText, Stroke, Ui, vec2};
 
 use super::chart::{colour, growth_chart};
+use super::state::{OutageCommand, Outages};
 use super::wind::winds;
-use super::{OutageCommand, Outages};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{at_work, text_button};
@@ -22,7 +22,7 @@ const REPORTS: f64 = 0.3;
 /// Scene of the view of cuts.
 pub struct OutageScene<'a> {
     /// Results of cuts.
-    pub cuts: &'a Outages,
+    pub outages: &'a Outages,
     /// The selected stretch of time, seconds in the flight's time base.
     pub selected: Option<(f64, f64)>,
     /// First time of the log, from which people count.
@@ -30,7 +30,7 @@ pub struct OutageScene<'a> {
 }
 
 /// Draws the view of a cut.
-pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
+pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
     wrapped(
@@ -40,19 +40,19 @@ pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene
              flight up to the cut, goes on by airspeed and heading alone, and is compared with the receiver.",
     );
     choose(ui, context, scene);
-    if let Some(words) = &scene.cuts.at_work
+    if let Some(words) = &scene.outages.at_work
         && at_work(ui, tokens, words)
     {
         context.commands.push(Command::CancelJob);
     }
-    if let Some(trouble) = &scene.cuts.trouble {
+    if let Some(trouble) = &scene.outages.trouble {
         wrapped(ui, tokens.warning, trouble);
     }
-    if let Some(report) = &scene.cuts.report {
+    if let Some(report) = &scene.outages.report {
         one_cut(ui, context, report, scene.first);
     }
     study(ui, context, scene);
-    if let Some(report) = scene.cuts.report.as_ref().and_then(|r| r.winds.as_ref()) {
+    if let Some(report) = scene.outages.report.as_ref().and_then(|r| r.winds.as_ref()) {
         winds(ui, context, report);
     }
 }
@@ -69,21 +69,20 @@ fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
                 crate::log::clock(to, scene.first)
             );
             if text_button(ui, tokens, None, &text, true).clicked() {
-                context
-                    .commands
-                    .push(Command::Outage(OutageCommand::Selected));
+                context.commands.push(OutageCommand::Selected.into());
             }
         } else {
             for length in LENGTHS {
                 let text = format!("Cut {length:.0} s from here");
                 if text_button(ui, tokens, None, &text, false).clicked() {
                     let of = OutageCommand::Of(now, now + length);
-                    context.commands.push(Command::Outage(of));
+                    context.commands.push(of.into());
                 }
             }
         }
-        if scene.cuts.report.is_some() && text_button(ui, tokens, None, "Clear", false).clicked() {
-            context.commands.push(Command::Outage(OutageCommand::Clear));
+        if scene.outages.report.is_some() && text_button(ui, tokens, None, "Clear", false).clicked()
+        {
+            context.commands.push(OutageCommand::Clear.into());
         }
     });
     if scene.selected.is_none() {
@@ -172,17 +171,17 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
         for length in LENGTHS {
             let name = format!("Cuts of {length:.0} s all along");
             let on = scene
-                .cuts
+                .outages
                 .study
                 .as_ref()
                 .is_some_and(|s| s.length == length);
             if parts::chip(ui, tokens, on, &format!("{length:.0} s"), &name).clicked() {
                 let study = OutageCommand::Study(length);
-                context.commands.push(Command::Outage(study));
+                context.commands.push(study.into());
             }
         }
     });
-    let Some(StudyReport { studies, .. }) = &scene.cuts.study else {
+    let Some(StudyReport { studies, .. }) = &scene.outages.study else {
         return;
     };
     let cuts = studies.first().map_or(0, |s| s.cuts.len());

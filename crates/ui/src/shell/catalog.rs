@@ -5,14 +5,12 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 use pilotage_core::exchange::Format;
 use pilotage_core::exchange::labels::LabelFormat;
 
-pub use super::entry::{Entry, Group, describe};
-use super::entry::{control, entry, plain, shift};
+pub use super::entry::{Entry, Group, control, describe, entry, plain, shift};
 use crate::camera_log::CameraLogCommand;
 use crate::command::{Command, Workspace};
 use crate::compare::{CompareCommand, TrackId};
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
-use crate::outage::OutageCommand;
 use crate::photos::PhotosCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 use crate::views::DetectorCommand;
@@ -31,7 +29,7 @@ pub const DIGIT_SPEEDS: [(Key, f64); 10] = [
     (Key::Num0, 20.0),
 ];
 
-/// The whole table, in reading order.
+/// Table of the commands that are the app's own, in reading order; features have tables of theirs.
 pub fn catalog() -> Vec<Entry> {
     let mut entries = playback();
     entries.extend(view());
@@ -46,12 +44,6 @@ pub fn catalog() -> Vec<Entry> {
         "Compare runs and flights",
         vec![shift(Key::C)],
         Command::Compare(CompareCommand::Show),
-    ));
-    entries.push(entry(
-        Group::View,
-        "Cut GPS out of the flight",
-        vec![shift(Key::G)],
-        Command::Outage(OutageCommand::Show),
     ));
     entries.push(entry(
         Group::View,

@@ -86,20 +86,23 @@ pub fn describe(shortcut: &KeyboardShortcut) -> String {
     words.join(" ")
 }
 
-pub(super) fn plain(key: Key) -> KeyboardShortcut {
+/// A key alone.
+pub fn plain(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::NONE, key)
 }
 
-pub(super) fn shift(key: Key) -> KeyboardShortcut {
+/// A key with Shift.
+pub fn shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::SHIFT, key)
 }
 
-pub(super) fn control(key: Key) -> KeyboardShortcut {
+/// A key with Control, or with Command where that is usual.
+pub fn control(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND, key)
 }
 
 /// A row of the table.
-pub(super) fn entry(
+pub fn entry(
     group: Group,
     label: &'static str,
     shortcuts: Vec<KeyboardShortcut>,

@@ -2,12 +2,12 @@
 
 use egui::{Align2, Context, Frame, Id, Modal, RichText, Ui};
 
-use super::catalog::{Group, catalog};
+use super::catalog::{Entry, Group};
 use super::widgets::{caption, muted, title};
 use crate::tokens::Tokens;
 
-/// Draws the sheet; true when it is to be closed.
-pub fn help_sheet(context: &Context, tokens: &Tokens) -> bool {
+/// Draws the sheet of the commands of `catalog`; true when it is to be closed.
+pub fn help_sheet(context: &Context, tokens: &Tokens, catalog: &[Entry]) -> bool {
     let screen = context.content_rect();
     let wide = screen.width() >= 760.0;
     let response = Modal::new(Id::unique("help"))
@@ -26,14 +26,14 @@ pub fn help_sheet(context: &Context, tokens: &Tokens) -> bool {
                 .show(ui, |ui| {
                     if wide {
                         ui.columns(2, |columns| {
-                            group_ui(&mut columns[0], tokens, Group::Playback);
+                            group_ui(&mut columns[0], tokens, catalog, Group::Playback);
                             for group in [Group::View, Group::Edit, Group::Plan, Group::Document] {
-                                group_ui(&mut columns[1], tokens, group);
+                                group_ui(&mut columns[1], tokens, catalog, group);
                             }
                         });
                     } else {
                         for group in Group::ALL {
-                            group_ui(ui, tokens, group);
+                            group_ui(ui, tokens, catalog, group);
                         }
                     }
                 });
@@ -42,9 +42,9 @@ pub fn help_sheet(context: &Context, tokens: &Tokens) -> bool {
     response.inner || response.should_close()
 }
 
-fn group_ui(ui: &mut Ui, tokens: &Tokens, group: Group) {
+fn group_ui(ui: &mut Ui, tokens: &Tokens, catalog: &[Entry], group: Group) {
     caption(ui, tokens, group.label());
-    for entry in catalog().into_iter().filter(|e| e.group == group) {
+    for entry in catalog.iter().filter(|e| e.group == group) {
         if entry.shortcuts.is_empty() {
             continue;
         }

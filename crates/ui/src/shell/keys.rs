@@ -2,7 +2,7 @@
 
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Plugin, RawInput};
 
-use super::catalog::catalog;
+use super::catalog::Entry;
 use crate::command::Command;
 
 /// Listens to the keyboard ahead of every widget.
@@ -13,14 +13,12 @@ pub struct ShortcutListener {
     held: bool,
 }
 
-impl Default for ShortcutListener {
-    fn default() -> Self {
-        let table = catalog()
-            .into_iter()
-            .flat_map(|e| {
-                let command = e.command;
-                e.shortcuts.into_iter().map(move |s| (s, command.clone()))
-            })
+impl ShortcutListener {
+    /// Listener for the shortcuts of `catalog`.
+    pub fn new(catalog: &[Entry]) -> Self {
+        let table = catalog
+            .iter()
+            .flat_map(|e| e.shortcuts.iter().map(|s| (*s, e.command.clone())))
             .collect();
         Self {
             table,
@@ -28,9 +26,7 @@ impl Default for ShortcutListener {
             held: false,
         }
     }
-}
 
-impl ShortcutListener {
     /// The commands asked for since the last call.
     pub fn take(context: &Context) -> Vec<Command> {
         context

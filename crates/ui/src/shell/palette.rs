@@ -4,7 +4,7 @@ use egui::{
     Align2, Area, Frame, Id, Key, Order, Role, Sense, Stroke, TextEdit, Ui, WidgetInfo, vec2,
 };
 
-use super::catalog::{Entry, catalog};
+use super::catalog::Entry;
 use crate::command::Command;
 use crate::tokens::Tokens;
 
@@ -51,10 +51,10 @@ impl Palette {
         self.open
     }
 
-    fn matching(&self) -> Vec<Entry> {
-        let mut found: Vec<(i32, Entry)> = catalog()
-            .into_iter()
-            .filter_map(|e| Some((fuzzy_score(&self.query, e.label)?, e)))
+    fn matching(&self, catalog: &[Entry]) -> Vec<Entry> {
+        let mut found: Vec<(i32, Entry)> = catalog
+            .iter()
+            .filter_map(|e| Some((fuzzy_score(&self.query, e.label)?, e.clone())))
             .collect();
         if !self.query.is_empty() {
             found.sort_by_key(|(score, _)| -score);
@@ -62,8 +62,14 @@ impl Palette {
         found.into_iter().map(|(_, e)| e).collect()
     }
 
-    /// Draws the palette and sends what is chosen.
-    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, commands: &mut Vec<Command>) {
+    /// Draws the palette over the commands of `catalog` and sends the one that is chosen.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        tokens: &Tokens,
+        catalog: &[Entry],
+        commands: &mut Vec<Command>,
+    ) {
         if !self.open {
             return;
         }
@@ -114,7 +120,7 @@ impl Palette {
                         );
                     });
                     // Letters and Enter may arrive in one frame: what runs is what they name.
-                    entries = self.matching();
+                    entries = self.matching(catalog);
                     let last = entries.len().saturating_sub(1);
                     self.chosen = (self.chosen + down).saturating_sub(up).min(last);
                     run = enter.then_some(self.chosen);

@@ -59,8 +59,8 @@ fn a_cut_from_the_cursor_says_how_the_error_grows() {
     rig.harness.get_by_label("Cut 30 s from here").click();
     rig.settle();
     let state = rig.state();
-    let results = state["cut"]["results"].as_array().expect("results");
-    assert!(results.len() >= 3, "{}", state["cut"]);
+    let results = state["outage"]["results"].as_array().expect("results");
+    assert!(results.len() >= 3, "{}", state["outage"]);
     let alone = &results[0];
     assert_eq!(alone["label"], "Airspeed and wind");
     assert!(alone["end_error"].as_f64() < Some(15.0), "{alone}");
@@ -68,7 +68,7 @@ fn a_cut_from_the_cursor_says_how_the_error_grows() {
         alone["radius"].as_f64() > alone["end_error"].as_f64(),
         "{alone}"
     );
-    let winds = &state["cut"]["winds"];
+    let winds = &state["outage"]["winds"];
     let last = winds["by_gps"]
         .as_array()
         .expect("winds")
@@ -82,7 +82,7 @@ fn a_cut_from_the_cursor_says_how_the_error_grows() {
     rig.harness.get_by_label("Wind over time, m/s");
     rig.harness.get_by_label("Clear").click();
     rig.frames(3);
-    assert!(rig.state()["cut"].is_null());
+    assert!(rig.state()["outage"].is_null());
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn the_selected_stretch_is_cut() {
     rig.harness.get_by_label_contains("Cut GPS from").click();
     rig.settle();
     assert!(selected.is_array());
-    assert_eq!(rig.state()["cut"]["span"], selected);
+    assert_eq!(rig.state()["outage"]["span"], selected);
 }
 
 #[test]

@@ -162,7 +162,7 @@ fn of_flight(state: &Value) -> Value {
         "frames",
         "pictures",
         "log",
-        "cut",
+        "outage",
         "camera_log",
         "photos",
         "bookmarks",
@@ -226,7 +226,7 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
             leave_traces(&mut rig);
             if old == Kind::Log {
                 let state = of_flight(&rig.state());
-                for name in ["cut", "contest", "selected", "log"] {
+                for name in ["outage", "contest", "selected", "log"] {
                     assert!(!state[name].is_null(), "no trace of {name}");
                 }
             }
@@ -253,7 +253,7 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
 fn what_was_found_out_about_a_flight_stays_when_something_is_opened_beside_it() {
     // A mission is flown again, so that what came of the run is another's.
     let of_log = ["flight", "log", "bookmarks"];
-    let of_run = ["cut", "selected", "contest", "run_steps"];
+    let of_run = ["outage", "selected", "contest", "run_steps"];
     for (new, names) in [
         (
             Kind::Places,

@@ -1,0 +1,45 @@
+//! Results of outages, and what people can do about them.
+
+use pilotage_jobs::{JobId, OutageReport, StudyReport};
+
+use crate::command::Command;
+use crate::feature_command::{FeatureCommand, FeatureId};
+
+/// Identity of the feature.
+pub const ID: FeatureId = "outage";
+
+/// Something to do about an outage.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OutageCommand {
+    /// Show it.
+    Show,
+    /// Cut satellite navigation out of the selected stretch of time.
+    Selected,
+    /// Cut it out of this stretch, seconds in the flight's time base.
+    Of(f64, f64),
+    /// Cut it again and again, for so many seconds each.
+    Study(f64),
+    /// Let go of the cut.
+    Clear,
+}
+
+impl From<OutageCommand> for Command {
+    fn from(command: OutageCommand) -> Self {
+        Self::Feature(FeatureCommand::new(ID, command))
+    }
+}
+
+/// Results of outages, until another flight is opened.
+#[derive(Debug, Default)]
+pub struct Outages {
+    /// The cut that is shown.
+    pub report: Option<OutageReport>,
+    /// Outages all along the flight.
+    pub study: Option<StudyReport>,
+    /// Why there is none.
+    pub trouble: Option<String>,
+    /// Computation under way, in words.
+    pub at_work: Option<String>,
+    /// Job that computes it.
+    pub(super) job: Option<JobId>,
+}
