@@ -5,7 +5,6 @@ use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
 use crate::camera_log::CameraLogCommand;
-use crate::compare::CompareCommand;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::feature_command::FeatureCommand;
 use crate::georeference::GeoreferenceCommand;
@@ -160,8 +159,6 @@ pub enum Command {
     Label(LabelCommand),
     /// Something about the open log.
     Log(LogCommand),
-    /// Something about trajectories beside each other.
-    Compare(CompareCommand),
     /// Something that a feature does.
     Feature(FeatureCommand),
     /// Something about the camera beside its log.

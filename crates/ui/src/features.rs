@@ -1,11 +1,12 @@
 //! All features of the app, in the order of their tabs: a new one is a folder, and a line here.
 
+use crate::compare::Compare;
 use crate::feature::Feature;
 use crate::outage::Outages;
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
-    vec![Box::new(Outages::default())]
+    vec![Box::new(Compare::default()), Box::new(Outages::default())]
 }
 
 #[cfg(test)]

@@ -28,7 +28,6 @@ impl App {
             Command::Feature(command) => self.execute_feature(&command, host),
             Command::CameraLog(command) => self.camera_log(command, host),
             Command::Photos(command) => self.photos(command, host),
-            Command::Compare(command) => self.compare(&command, host),
             Command::WebMap(command) => self.web_map(command, host),
             Command::Columns(command) => self.columns(command, host),
             Command::Georeference(command) => self.georeference(&command, host),
@@ -265,7 +264,6 @@ impl App {
                 let _ = self.stop_features(host)
                     || self.stop_aligning(host)
                     || self.stop_laying(host)
-                    || self.stop_contest(host)
                     || self.stop_reading(host)
                     || self.stop_opening(host)
                     || self.stop_preparing(host);

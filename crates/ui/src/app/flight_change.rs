@@ -17,7 +17,6 @@ impl App {
         let source = self.documents.flight_source.clone();
         let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
         self.tell_features_of_flight(host);
-        self.stop_contest(host);
         self.stop_aligning(host);
         self.stop_explaining(host);
         self.evaluating.leave_flight(host);

@@ -66,7 +66,6 @@ impl App {
             || self.feature_event(host, id, &event)
             || self.align_event(id, &event)
             || self.photos_event(host, id, &event)
-            || self.contest_event(id, &event)
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);

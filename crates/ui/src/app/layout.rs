@@ -7,7 +7,6 @@ use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 
 use super::advice::advice;
-use super::comparing::compare_scene;
 use super::log_panels::{log_column, log_or_run_plots};
 use super::{App, SideTab, Views};
 use crate::camera_log::CameraLogScene;
@@ -359,7 +358,6 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                             SideTab::Detector,
                             SideTab::Filter,
                             SideTab::Landmarks,
-                            SideTab::Compare,
                         ];
                         let tabs = with_features(&tabs[usize::from(!has_log)..], views);
                         tabbed(ui, scene, views, commands, &tabs);
@@ -416,7 +414,6 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                             SideTab::Filter,
                             SideTab::Plots,
                             SideTab::Landmarks,
-                            SideTab::Compare,
                         ];
                         let has_log = scene.documents.log.is_some();
                         let tabs = with_features(&tabs[usize::from(!has_log)..], views);
@@ -512,7 +509,6 @@ fn tabbed(
             let (documents, progress) = (scene.documents, scene.reading);
             scene.with_context(commands, |c| log_column(ui, c, views, documents, progress));
         }
-        SideTab::Compare => compare(ui, scene, views, commands),
         SideTab::Feature(id) => feature(ui, scene, &mut views.features, id, commands),
         SideTab::CameraLog | SideTab::Photos => sheet(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
@@ -560,17 +556,6 @@ fn feature(
         .auto_shrink(false)
         .show(ui, |ui| {
             scene.with_context(commands, |c| feature.panel(ui, c, scene.documents));
-        });
-}
-
-/// Trajectories beside each other.
-fn compare(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
-    egui::ScrollArea::vertical()
-        .id_salt("compare")
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            let open = compare_scene(scene.documents);
-            scene.with_context(commands, |c| views.comparison.show(ui, c, &open));
         });
 }
 
@@ -656,7 +641,6 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 ground: &scene.documents.terrain,
                 attribution: scene.documents.attribution(),
                 log: scene.documents.log.as_ref(),
-                kept: scene.documents.shelf.kept(),
                 layers: &layers,
                 tried_footprint: scene.tried_footprint.as_deref(),
                 photos: scene.shown_photos(),

@@ -5,7 +5,6 @@ mod aside;
 mod brief;
 mod calibrating;
 mod columns;
-mod comparing;
 mod detector;
 mod evaluating;
 mod evaluation;
@@ -45,7 +44,6 @@ use pilotage_jobs::{FlightSource, JobId};
 
 use crate::camera_log::CameraLogView;
 use crate::command::{Command, Workspace};
-use crate::compare::CompareView;
 use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
 use crate::feature::{Feature, FeatureId};
@@ -77,8 +75,6 @@ pub enum SideTab {
     Landmarks,
     /// The log that is open.
     Log,
-    /// Trajectories beside each other.
-    Compare,
     /// Panel of a feature.
     Feature(FeatureId),
     /// The camera put in time and place beside the log.
@@ -114,7 +110,6 @@ impl SideTab {
             Self::Filter => "Filter",
             Self::Landmarks => "Landmarks",
             Self::Log => "Log",
-            Self::Compare => "Compare",
             Self::CameraLog => "Camera to log",
             Self::Photos => "Photos",
             Self::Camera => "Camera",
@@ -156,7 +151,6 @@ struct Views {
     planner: Planner,
     georeferencer: Option<Georeferencer>,
     labeller: Option<Labeller>,
-    comparison: CompareView,
     camera_log: CameraLogView,
     log_tab: LogTab,
     log_fields: FieldList,

@@ -89,8 +89,6 @@ pub struct Exporting {
     reason = "each is a wish of its own that waits for something"
 )]
 pub struct PendingJobs {
-    /// The flight by every estimator.
-    pub contest: Option<JobId>,
     /// The estimate of a camera beside its log.
     pub aligning: Option<JobId>,
     /// Whether that is to be estimated once the flight under way is over.

@@ -76,7 +76,6 @@ impl App {
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
         json!({
             "log": self.log_json(),
-            "compare": self.compare_json(),
             "camera_log": self.camera_log_json(),
             "photos": self.photos_json(),
             "title": documents.title(),
@@ -223,20 +222,6 @@ impl App {
             "chosen": photos.chosen,
             "draped": photos.draped().is_some(),
             "within": photos.search.within,
-        })
-    }
-
-    fn compare_json(&self) -> Value {
-        let shelf = self.documents.shelf.kept().iter();
-        let found = self.views.comparison.found();
-        json!({
-            "kept": shelf.map(|k| json!({"name": k.track.name, "shown": k.is_shown})).collect::<Vec<_>>(),
-            "contest": self.documents.contest.found.as_ref().map(|found| found.rows.len()),
-            "errors": found.map(|(name, errors)| json!({
-                "name": name,
-                "rms": errors.map(|e| e.0),
-                "greatest": errors.map(|e| e.1),
-            })).collect::<Vec<_>>(),
         })
     }
 

@@ -3,7 +3,7 @@
 use egui::{RichText, Ui};
 use pilotage_core::study::{Comparison, ComparisonRow};
 
-use super::CompareCommand;
+use super::command::CompareCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{at_work, text_button};
@@ -36,8 +36,7 @@ impl Contest {
                 context.commands.push(Command::CancelJob);
             }
         } else if text_button(ui, tokens, None, "Fly by all estimators", false).clicked() {
-            let fly = Command::Compare(CompareCommand::FlyAll);
-            context.commands.push(fly);
+            context.commands.push(CompareCommand::FlyAll.into());
         }
         if let Some(why) = &self.trouble {
             ui.label(RichText::new(why).color(tokens.warning));

@@ -1,44 +1,236 @@
 //! Runs and flights beside each other: errors against one of them, on one clock.
 
 mod chart;
+mod command;
 mod contest;
+mod on_map;
 mod panel;
 mod results;
 mod shelf;
 
-pub use contest::Contest;
-pub use panel::CompareView;
-pub use results::{CompareScene, open_tracks};
-pub use shelf::{KeptTrack, Shelf};
+use egui::{Key, Ui};
+use pilotage_core::flight::trajectory::Track;
+use pilotage_core::navigator::{EstimatorChoice, Run, smooth};
+use pilotage_jobs::{ContestOrder, Job, JobEvent, JobId};
+use serde_json::{Value, json};
 
-/// Identity of a trajectory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum TrackId {
-    /// True trajectory of the flight that is open.
-    Truth,
-    /// Trajectory that the navigator estimated in the run.
-    Run,
-    /// Trajectory by dead reckoning alone.
-    Unaided,
-    /// The run before the last change.
-    Ghost,
-    /// Trajectory that was kept, by its number.
-    Kept(u32),
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo};
+use crate::map::MapLayer;
+use crate::shell::catalog::{Entry, Group, entry, shift};
+
+use command::{CompareCommand, ID, TrackId};
+use contest::Contest;
+use panel::CompareView;
+use results::{CompareScene, open_tracks};
+use shelf::Shelf;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "Compare",
+    commands,
+};
+
+fn commands() -> Vec<Entry> {
+    vec![
+        entry(
+            Group::View,
+            "Compare runs and flights",
+            vec![shift(Key::C)],
+            CompareCommand::Show.into(),
+        ),
+        entry(
+            Group::Document,
+            "Keep this run for comparison",
+            Vec::new(),
+            CompareCommand::Keep(TrackId::Run).into(),
+        ),
+        entry(
+            Group::Document,
+            "Keep this run smoothed",
+            Vec::new(),
+            CompareCommand::KeepSmoothed.into(),
+        ),
+    ]
 }
 
-/// Something to do about trajectories.
-#[derive(Clone, Debug, PartialEq)]
-pub enum CompareCommand {
-    /// Show them.
-    Show,
-    /// Keep one of what is open while other flights are opened and flown.
-    Keep(TrackId),
-    /// Keep the run that is open with every step estimated from all of the flight, before and after it.
-    KeepSmoothed,
-    /// Fly the flight that is open by every estimator.
-    FlyAll,
-    /// Let go of one.
-    Discard(u32),
-    /// Draw one on the map, or not.
-    ToggleShown(u32),
+/// Trajectories beside each other, and every estimator on the flight that is open.
+#[derive(Default)]
+pub struct Compare {
+    view: CompareView,
+    contest: Contest,
+    shelf: Shelf,
+    /// The contest that is being flown.
+    job: Option<JobId>,
+}
+
+/// Seconds since 1970 at time zero of the flight that is open, where its log says so.
+fn utc_at_zero(documents: &Documents) -> Option<f64> {
+    documents.log.as_ref()?.outline.as_ref()?.utc_at_zero
+}
+
+/// Name of a kept run of the flight `of`: with its estimator where that is not the usual one.
+fn named_after(of: &str, run: Option<&Run>) -> String {
+    let estimator = run.map(|run| run.settings.estimator.choice);
+    match estimator.filter(|choice| *choice != EstimatorChoice::default()) {
+        Some(choice) => format!("{of}, {}", choice.label()),
+        None => of.to_owned(),
+    }
+}
+
+impl Compare {
+    fn note(context: &mut FeatureContext<'_>, title: &str, text: String) {
+        let now = context.host.now();
+        context.toasts.note(now, title, text);
+    }
+
+    /// Keeps one of the trajectories that are open.
+    fn keep(&mut self, id: TrackId, context: &mut FeatureContext<'_>) {
+        let documents = context.documents;
+        let utc = utc_at_zero(documents);
+        let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
+        let open = open_tracks(flight, run, documents.ghost.as_ref(), utc);
+        let wanted = open.into_iter().find(|(found, _)| *found == id);
+        let Some((_, mut track)) = wanted else {
+            let text = "Simulate or open a flight first.".to_owned();
+            return Self::note(context, "Nothing to keep", text);
+        };
+        let of = flight.map_or("the flight", |f| f.name.as_str());
+        track.name = match id {
+            TrackId::Truth => format!("{of}, true"),
+            TrackId::Unaided => format!("{of}, dead reckoning"),
+            _ => named_after(of, run),
+        };
+        let name = self.shelf.keep(track).to_owned();
+        Self::note(context, "Kept for comparison", name);
+    }
+
+    /// Keeps the run with every step estimated from all of the flight.
+    fn keep_smoothed(&mut self, context: &mut FeatureContext<'_>) {
+        let documents = context.documents;
+        let run = documents.run.as_ref().filter(|_| documents.run_complete);
+        let (Some(flight), Some(run)) = (documents.flight.as_ref(), run) else {
+            let text = "Wait until the flight is flown to its end.".to_owned();
+            return Self::note(context, "Nothing to smooth yet", text);
+        };
+        let estimates = match smooth(run) {
+            Ok(estimates) => estimates,
+            Err(cause) => {
+                let (now, title) = (context.host.now(), "The run cannot be smoothed");
+                context.toasts.trouble(now, title, cause.to_string());
+                return;
+            }
+        };
+        let places = run.steps.iter().zip(&estimates).map(|(step, estimate)| {
+            let place = estimate.position();
+            (step.time, place.north, place.east)
+        });
+        let name = format!("{}, smoothed", named_after(&flight.name, Some(run)));
+        let mut track = Track::on_the_ground(name, flight.frame_on_globe, places);
+        track.utc_at_zero = utc_at_zero(documents);
+        let name = self.shelf.keep(track).to_owned();
+        Self::note(context, "Kept for comparison", name);
+    }
+
+    /// Flies what is open by every estimator.
+    fn fly_by_all(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        self.contest = Contest {
+            at_work: Some("Beginning".to_owned()),
+            ..Contest::default()
+        };
+        let documents = context.documents;
+        let order = ContestOrder {
+            flight: documents.flight_source.clone(),
+            map: documents.map_source.clone(),
+            mission: documents.mission.clone(),
+        };
+        self.job = Some(context.start(Job::Contest(Box::new(order))));
+    }
+}
+
+impl Feature for Compare {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let Some(command) = command.action::<CompareCommand>() else {
+            return false;
+        };
+        match *command {
+            CompareCommand::Show => context.show(),
+            CompareCommand::Keep(id) => self.keep(id, context),
+            CompareCommand::KeepSmoothed => self.keep_smoothed(context),
+            CompareCommand::FlyAll => self.fly_by_all(context),
+            CompareCommand::Discard(number) => self.shelf.discard(number),
+            CompareCommand::ToggleShown(number) => self.shelf.toggle_shown(number),
+        }
+        true
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        let scene = CompareScene {
+            shelf: &self.shelf,
+            generations: [documents.run_generation, documents.ghost_generation],
+            is_complete: documents.run_complete,
+            contest: &self.contest,
+            utc_at_zero: utc_at_zero(documents),
+        };
+        self.view.show(ui, context, &scene);
+    }
+
+    fn layers(&self) -> Vec<&dyn MapLayer> {
+        vec![&self.shelf]
+    }
+
+    fn on_event(&mut self, _job: JobId, event: &JobEvent, _context: &mut FeatureContext<'_>) {
+        let contest = &mut self.contest;
+        match event {
+            JobEvent::Progress(share, words) => {
+                contest.at_work = Some(format!("{words}: {:.0} %", 100.0 * share));
+            }
+            JobEvent::ContestJudged(found) => contest.found = Some((**found).clone()),
+            JobEvent::Failed(why) => contest.trouble = Some(why.clone()),
+            _ => {}
+        }
+        if event.is_last() {
+            contest.at_work = None;
+            self.job = None;
+        }
+    }
+
+    fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        let job = self.job.take();
+        if let Some(job) = job {
+            context.cancel(job);
+            self.contest.at_work = None;
+        }
+        job.is_some()
+    }
+
+    /// Forgets the contest; trajectories that were kept stay, to be compared with other flights.
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        self.contest = Contest::default();
+    }
+
+    fn state(&self) -> Value {
+        let kept = self.shelf.kept().iter();
+        let kept = kept.map(|k| json!({"name": k.track.name, "shown": k.is_shown}));
+        let errors = self.view.found().map(|(name, errors)| {
+            json!({
+                "name": name,
+                "rms": errors.map(|e| e.0),
+                "greatest": errors.map(|e| e.1),
+            })
+        });
+        json!({
+            "kept": kept.collect::<Vec<_>>(),
+            "contest": self.contest.found.as_ref().map(|found| found.rows.len()),
+            "errors": errors.collect::<Vec<_>>(),
+        })
+    }
 }

@@ -6,8 +6,8 @@ use pilotage_core::flight::trajectory::{
 };
 
 use super::chart::{curves, error_chart};
+use super::command::{CompareCommand, TrackId};
 use super::results::{CompareScene, Results, Row};
-use super::{CompareCommand, TrackId};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::text_button;
@@ -145,13 +145,13 @@ impl CompareView {
             ] {
                 if can_keep(id) && text_button(ui, tokens, None, text, false).clicked() {
                     let keep = CompareCommand::Keep(id);
-                    context.commands.push(Command::Compare(keep));
+                    context.commands.push(keep.into());
                 }
             }
             let is_there = is_complete && can_keep(TrackId::Run);
             if is_there && text_button(ui, tokens, None, "Keep it smoothed", false).clicked() {
                 let keep = CompareCommand::KeepSmoothed;
-                context.commands.push(Command::Compare(keep));
+                context.commands.push(keep.into());
             }
         });
     }
@@ -179,7 +179,7 @@ impl CompareView {
                     let name = format!("Let go of {}", row.name);
                     if parts::chip(ui, tokens, false, "×", &name).clicked() {
                         let discard = CompareCommand::Discard(number);
-                        context.commands.push(Command::Compare(discard));
+                        context.commands.push(discard.into());
                     }
                 }
                 let label = RichText::new(&row.name).size(tokens.text_sizes[1]);
@@ -272,6 +272,6 @@ fn swatch(ui: &mut Ui, row: &Row, context: &mut ViewContext<'_>, scene: &Compare
         .clicked()
     {
         let toggle = CompareCommand::ToggleShown(kept.number);
-        context.commands.push(Command::Compare(toggle));
+        context.commands.push(toggle.into());
     }
 }

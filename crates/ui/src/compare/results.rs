@@ -7,7 +7,9 @@ use pilotage_core::flight::trajectory::{
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::{Run, StepReport};
 
-use super::{Contest, Shelf, TrackId};
+use super::command::TrackId;
+use super::contest::Contest;
+use super::shelf::Shelf;
 use crate::context::ViewContext;
 
 /// Share by which a run grows before it is compared again while it goes on.

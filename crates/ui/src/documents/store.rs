@@ -13,7 +13,6 @@ use pilotage_core::simulate::SimulationChoice;
 use super::empty_mission::empty_mission;
 use super::{Brought, Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
-use crate::compare::{Contest, Shelf};
 use crate::log::OpenLog;
 use crate::photos::Photos;
 use pilotage_jobs::{
@@ -75,16 +74,12 @@ pub struct Documents {
     pub detector_search: Option<DetectorSearch>,
     /// The log that the flight was read from.
     pub log: Option<OpenLog>,
-    /// Every estimator on the flight that is open.
-    pub contest: Contest,
     /// The camera beside its log.
     pub camera_log: CameraLog,
     /// Photos laid on the map.
     pub photos: Photos,
     /// Findings in the run.
     pub noticed: Noticed,
-    /// Trajectories that were kept to be compared.
-    pub shelf: Shelf,
     /// Bookmarks in time order, seconds in the flight's time base.
     pub bookmarks: Vec<f64>,
 }
@@ -120,11 +115,9 @@ impl Documents {
                 FlightSource::Files(key) => Some(OpenLog::new(key.clone(), file.clone())),
                 _ => None,
             }),
-            contest: Contest::default(),
             camera_log: CameraLog::default(),
             photos: Photos::default(),
             noticed: Noticed::default(),
-            shelf: Shelf::default(),
             bookmarks: session.bookmarks.clone(),
         }
     }
@@ -240,7 +233,6 @@ impl Documents {
             map_source: _,
             map: _,
             terrain: _,
-            shelf: _,
             // Photos are of a place on the globe: they go when another world is open.
             photos: _,
             // The flight.
@@ -255,7 +247,6 @@ impl Documents {
             distinctness,
             match_pictures,
             detector_search,
-            contest,
             camera_log,
             noticed,
             // Counters.
@@ -270,7 +261,6 @@ impl Documents {
         pictures.clear();
         distinctness.clear();
         (*match_pictures, *detector_search) = (None, None);
-        *contest = Contest::default();
         *camera_log = CameraLog::default();
         *noticed = Noticed::default();
         *flight_generation += 1;

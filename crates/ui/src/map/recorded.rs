@@ -4,7 +4,7 @@ use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, vec2};
 use nalgebra::Point3;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 
-use super::kept_tracks::carry;
+use super::other_world::carry;
 use super::symbols::paint_halo_text;
 use super::transform::ScreenFromWorld;
 use crate::log::OpenLog;

@@ -8,7 +8,6 @@ use super::ColouredTrack;
 use super::furniture::{
     coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
-use super::kept_tracks::paint_kept;
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
@@ -23,7 +22,6 @@ use super::symbols::{
 use super::tiles::TileCache;
 use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
-use crate::compare::KeptTrack;
 use crate::context::{Drawn, ViewContext};
 use crate::documents::Ground;
 use crate::georeference::Georeferencer;
@@ -56,8 +54,6 @@ pub struct MapExtra<'a> {
     pub tried_footprint: Option<&'a [GroundPoint]>,
     /// Photos that were laid on the map, while they are looked at.
     pub photos: Option<&'a Photos>,
-    /// Trajectories that were kept to be compared.
-    pub kept: &'a [KeptTrack],
     /// The log of the flight, by a field of which the track may be coloured.
     pub log: Option<&'a OpenLog>,
 }
@@ -310,16 +306,9 @@ impl MapView {
         {
             paint_recorded(painter, view, log, extra.frame, tokens);
         }
-        for kept in extra
-            .kept
-            .iter()
-            .filter(|k| k.is_shown && extra.plan.is_none())
-        {
-            paint_kept(painter, view, kept, extra.frame, tokens);
-        }
         if extra.plan.is_none() {
             for layer in extra.layers {
-                layer.paint(painter, view, context);
+                layer.paint(painter, view, context, extra.frame);
             }
         }
         let Some(run) = context.run else { return };

@@ -1,7 +1,7 @@
 //! Ways through an outage, on the map.
 
 use egui::{Painter, Pos2, Shape, Stroke};
-use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
 
 use super::chart::colour;
 use super::state::Outages;
@@ -10,7 +10,13 @@ use crate::map::{MapLayer, ScreenFromWorld};
 
 impl MapLayer for Outages {
     /// Draws the ways through the outage, each with a dot where it is at the time cursor.
-    fn paint(&self, painter: &Painter, view: &ScreenFromWorld, context: &ViewContext<'_>) {
+    fn paint(
+        &self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        context: &ViewContext<'_>,
+        _frame: Option<LocalFrame>,
+    ) {
         let Some(outage) = &self.report else { return };
         let (tokens, now) = (context.tokens, context.time);
         for (number, result) in outage.results.iter().enumerate() {

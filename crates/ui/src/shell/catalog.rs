@@ -8,7 +8,6 @@ use pilotage_core::exchange::labels::LabelFormat;
 pub use super::entry::{Entry, Group, control, describe, entry, plain, shift};
 use crate::camera_log::CameraLogCommand;
 use crate::command::{Command, Workspace};
-use crate::compare::{CompareCommand, TrackId};
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
 use crate::photos::PhotosCommand;
@@ -41,12 +40,6 @@ pub fn catalog() -> Vec<Entry> {
     entries.extend(super::catalog_log::log());
     entries.push(entry(
         Group::View,
-        "Compare runs and flights",
-        vec![shift(Key::C)],
-        Command::Compare(CompareCommand::Show),
-    ));
-    entries.push(entry(
-        Group::View,
         "Camera to log: time offset, mount, focal length",
         vec![shift(Key::T)],
         Command::CameraLog(CameraLogCommand::Show),
@@ -56,18 +49,6 @@ pub fn catalog() -> Vec<Entry> {
         "Lay photos on the map",
         vec![shift(Key::O)],
         Command::Photos(PhotosCommand::Show),
-    ));
-    entries.push(entry(
-        Group::Document,
-        "Keep this run for comparison",
-        Vec::new(),
-        Command::Compare(CompareCommand::Keep(TrackId::Run)),
-    ));
-    entries.push(entry(
-        Group::Document,
-        "Keep this run smoothed",
-        Vec::new(),
-        Command::Compare(CompareCommand::KeepSmoothed),
     ));
     entries.extend(document());
     entries.extend(exports());

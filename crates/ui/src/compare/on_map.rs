@@ -1,25 +1,32 @@
-//! Trajectories that were kept to be compared, under those that are open.
+//! Trajectories that were kept to be compared, on the map.
 
 use egui::{Painter, Pos2, Shape, Stroke};
-use nalgebra::Isometry3;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 
-use super::transform::ScreenFromWorld;
-use crate::compare::KeptTrack;
+use super::shelf::{KeptTrack, Shelf};
+use crate::context::ViewContext;
+use crate::map::{MapLayer, ScreenFromWorld, carry};
 use crate::tokens::Tokens;
 
 /// Pieces that a trajectory is drawn in at most.
 const MOST_PIECES: usize = 2000;
 
-/// Motion that brings places of the world frame `from` into that of `to`; none where either lies nowhere on the globe.
-pub(super) fn carry(to: Option<LocalFrame>, from: Option<LocalFrame>) -> Isometry3<f64> {
-    to.zip(from).map_or_else(Isometry3::identity, |(to, from)| {
-        to.world_from_other_world(&from)
-    })
+impl MapLayer for Shelf {
+    fn paint(
+        &self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        context: &ViewContext<'_>,
+        frame: Option<LocalFrame>,
+    ) {
+        for kept in self.kept().iter().filter(|kept| kept.is_shown) {
+            paint_kept(painter, view, kept, frame, context.tokens);
+        }
+    }
 }
 
 /// Draws a trajectory into the world `frame`.
-pub(super) fn paint_kept(
+fn paint_kept(
     painter: &Painter,
     view: &ScreenFromWorld,
     kept: &KeptTrack,
