@@ -7,7 +7,7 @@ export async function run(page, tools) {
   await tools.waitReady();
   await tools.waitFor((s) => s.run_complete, "the demo to be flown", 150_000);
   await page.keyboard.press("Shift+C");
-  await tools.waitFor((s) => s.side_tab === "Compare", "the comparison");
+  await tools.waitFor((s) => s.side_tab === "compare", "the comparison");
   const rows = (s) => s.compare.errors;
   const first = await tools.waitFor((s) => rows(s).some((r) => r.name === "This run" && r.rms > 0), "errors of the run");
   const own = rows(first).find((r) => r.name === "This run");
