@@ -13,7 +13,6 @@ mod laps;
 pub mod link;
 mod noticed;
 mod session;
-mod session_v1;
 mod store;
 mod stored_session;
 

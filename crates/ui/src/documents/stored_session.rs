@@ -1,6 +1,6 @@
 //! The document in the storage.
 
-use super::{Session, session_v1};
+use super::Session;
 
 impl Session {
     /// As bytes for the storage: version 2, JSON behind a byte with the number.
@@ -13,7 +13,6 @@ impl Session {
     /// From the storage; `None` if it was written by a later version or is damaged.
     pub fn decode(bytes: &[u8]) -> Option<Self> {
         match bytes.split_first()? {
-            (1, body) => session_v1::read(body),
             (2, body) => serde_json::from_slice(body).ok(),
             _ => None,
         }

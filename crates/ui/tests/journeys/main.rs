@@ -33,6 +33,7 @@ mod plan;
 mod reload;
 mod reopen;
 mod save;
+mod saved_files;
 mod scrub;
 mod select_span;
 mod settings;
