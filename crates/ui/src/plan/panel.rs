@@ -170,7 +170,10 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
         let entries: Vec<_> = catalog()
             .into_iter()
-            .filter_map(|e| Some((e.label.strip_prefix("Export the ")?, e.command)))
+            .filter_map(|e| {
+                let label = e.label.strip_prefix("Export the ")?.to_owned();
+                Some((label, e.command))
+            })
             .collect();
         if ui.button("Print the mission brief…").clicked() {
             context.commands.push(Command::PrintBrief);

@@ -446,45 +446,25 @@ fn labels() -> Vec<Entry> {
     ]
 }
 
-/// Commands that write for other programs.
+/// Commands that write for other programs: whatever can be written, in every format that holds it.
 fn exports() -> Vec<Entry> {
-    let (route, track) = (Command::ExportRoute, Command::ExportTrack);
-    let landmarks = Command::ExportLandmarks;
-    let all = [
-        (
-            "Export the route as a QGroundControl plan",
-            route(Format::Plan),
-        ),
-        (
-            "Export the route as way-points (QGC WPL)",
-            route(Format::Waypoints),
-        ),
-        ("Export the route as KML", route(Format::Kml)),
-        ("Export the route as KMZ", route(Format::Kmz)),
-        (
-            "Export the route as a mission of DJI (WPML)",
-            route(Format::Wpml),
-        ),
-        (
-            "Export the route as a table of Litchi",
-            route(Format::Litchi),
-        ),
-        ("Export the route as GPX", route(Format::Gpx)),
-        ("Export the route as GeoJSON", route(Format::GeoJson)),
-        ("Export the route as CSV", route(Format::Csv)),
-        (
-            "Export the landmarks as GeoJSON",
-            landmarks(Format::GeoJson),
-        ),
-        ("Export the landmarks as KML", landmarks(Format::Kml)),
-        ("Export the landmarks as CSV", landmarks(Format::Csv)),
-        ("Save the flown track as KML", track(Format::Kml)),
-        ("Save the flown track as GPX", track(Format::Gpx)),
-        ("Save the flown track as GeoJSON", track(Format::GeoJson)),
-        ("Save the flown track as CSV", track(Format::Csv)),
-    ];
+    let routes = Format::WRITTEN.map(|format| {
+        let label = format!("Export the route as {}", format.as_words());
+        (label, Command::ExportRoute(format))
+    });
+    let landmarks = Format::WRITTEN.into_iter().filter(|f| f.holds_landmarks());
+    let landmarks = landmarks.map(|format| {
+        let label = format!("Export the landmarks as {}", format.as_words());
+        (label, Command::ExportLandmarks(format))
+    });
+    let tracks = Format::WRITTEN.into_iter().filter(|f| f.holds_tracks());
+    let tracks = tracks.map(|format| {
+        let label = format!("Save the flown track as {}", format.as_words());
+        (label, Command::ExportTrack(format))
+    });
+    let all = routes.into_iter().chain(landmarks).chain(tracks);
     all.map(|(label, command)| entry(Group::Document, label, vec![], command))
-        .into()
+        .collect()
 }
 
 fn document() -> Vec<Entry> {
@@ -550,7 +530,7 @@ mod tests {
                 if let Some((_, other)) = seen.iter().find(|(s, _)| s == shortcut) {
                     panic!("{} and {other} share {}", entry.label, describe(shortcut));
                 }
-                seen.push((*shortcut, entry.label));
+                seen.push((*shortcut, &entry.label));
             }
         }
     }

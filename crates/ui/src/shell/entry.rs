@@ -1,5 +1,7 @@
 //! A command as the table of all of them has it: its words, its group and its keys.
 
+use std::borrow::Cow;
+
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 use crate::command::Command;
@@ -45,7 +47,7 @@ impl Group {
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// Label of the command, in words.
-    pub label: &'static str,
+    pub label: Cow<'static, str>,
     /// Its group.
     pub group: Group,
     /// Its keys, the first shown first.
@@ -104,12 +106,12 @@ pub fn control(key: Key) -> KeyboardShortcut {
 /// A row of the table.
 pub fn entry(
     group: Group,
-    label: &'static str,
+    label: impl Into<Cow<'static, str>>,
     shortcuts: Vec<KeyboardShortcut>,
     command: Command,
 ) -> Entry {
     Entry {
-        label,
+        label: label.into(),
         group,
         shortcuts,
         command,

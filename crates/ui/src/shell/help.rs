@@ -49,7 +49,7 @@ fn group_ui(ui: &mut Ui, tokens: &Tokens, catalog: &[Entry], group: Group) {
             continue;
         }
         ui.horizontal(|ui| {
-            ui.label(RichText::new(entry.label).color(tokens.text));
+            ui.label(RichText::new(&*entry.label).color(tokens.text));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.add_space(24.0);
                 let (rect, _) =

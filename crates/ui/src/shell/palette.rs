@@ -54,7 +54,7 @@ impl Palette {
     fn matching(&self, catalog: &[Entry]) -> Vec<Entry> {
         let mut found: Vec<(i32, Entry)> = catalog
             .iter()
-            .filter_map(|e| Some((fuzzy_score(&self.query, e.label)?, e.clone())))
+            .filter_map(|e| Some((fuzzy_score(&self.query, &e.label)?, e.clone())))
             .collect();
         if !self.query.is_empty() {
             found.sort_by_key(|(score, _)| -score);
@@ -167,7 +167,7 @@ impl Palette {
 fn row(ui: &mut Ui, tokens: &Tokens, entry: &Entry, chosen: bool) -> egui::Response {
     let size = vec2(ui.available_width(), 4.0 * tokens.space);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, entry.label));
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &*entry.label));
     if ui.is_rect_visible(rect) {
         let painter = ui.painter();
         if chosen || response.hovered() {
@@ -187,7 +187,7 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &Entry, chosen: bool) -> egui::Respo
         let left = painter.text(
             inner.left_center(),
             Align2::LEFT_CENTER,
-            entry.label,
+            &entry.label,
             tokens.normal(),
             tokens.text,
         );

@@ -38,6 +38,30 @@ impl Format {
         Self::Csv,
     ];
 
+    /// All formats, in the order in which people are offered them.
+    pub const WRITTEN: [Self; 9] = [
+        Self::Plan,
+        Self::Waypoints,
+        Self::Kml,
+        Self::Kmz,
+        Self::Wpml,
+        Self::Litchi,
+        Self::Gpx,
+        Self::GeoJson,
+        Self::Csv,
+    ];
+
+    /// Words for a file of the format, as in "save the route as …".
+    pub fn as_words(self) -> &'static str {
+        match self {
+            Self::Plan => "a QGroundControl plan",
+            Self::Waypoints => "way-points (QGC WPL)",
+            Self::Wpml => "a mission of DJI (WPML)",
+            Self::Litchi => "a table of Litchi",
+            Self::Kml | Self::Kmz | Self::GeoJson | Self::Gpx | Self::Csv => self.name(),
+        }
+    }
+
     /// Name for people.
     pub fn name(self) -> &'static str {
         match self {
@@ -74,6 +98,11 @@ impl Format {
 
     /// Whether it holds more than one route.
     pub fn holds_several_routes(self) -> bool {
+        !self.is_mission()
+    }
+
+    /// Whether it holds a flown track.
+    pub fn holds_tracks(self) -> bool {
         !self.is_mission()
     }
 
