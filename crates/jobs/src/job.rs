@@ -8,6 +8,7 @@ use super::distinct::DistinctnessOrder;
 use super::envelope::EnvelopeOrder;
 use super::explain::ExplainOrder;
 use super::fly::FlyOrder;
+use super::frame_picture::FramePictureOrder;
 use super::log_series::SeriesOrder;
 use super::logs::ReadLogOrder;
 use super::map_view::{DescribeMapOrder, TileOrder};
@@ -113,6 +114,7 @@ orders! {
     Distinctness(DistinctnessOrder),
     ExplainMatch(ExplainOrder),
     DecodePicture(DecodeOrder),
+    FramePicture(FramePictureOrder),
     Predict(Box<PredictionOrder>),
     }
     whole {

@@ -63,7 +63,9 @@ impl App {
                 }
             }
             JobEvent::FramePicture { index, encoded } => {
-                self.documents.pictures.insert(index, encoded.into());
+                let looked_at = self.frame_looked_at();
+                let encoded = encoded.into();
+                self.documents.pictures.insert(index, encoded, looked_at);
             }
             // It could not be navigated, and all of its pictures are there.
             JobEvent::Finished if !fly.began() => {

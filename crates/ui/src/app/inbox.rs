@@ -64,6 +64,7 @@ impl App {
         if self.plan_event(id, &event, host.now())
             || self.evaluating.receive(id, &event)
             || self.feature_event(host, id, &event)
+            || self.fetched_picture_event(id, &event)
             || self.align_event(id, &event)
             || self.photos_event(host, id, &event)
         {

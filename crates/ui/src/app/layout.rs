@@ -70,7 +70,7 @@ impl Scene<'_> {
         show: impl FnOnce(&mut ViewContext<'_>) -> R,
     ) -> R {
         let pictures =
-            |index: usize| -> Option<Arc<[u8]>> { self.documents.pictures.get(&index).cloned() };
+            |index: usize| -> Option<Arc<[u8]>> { self.documents.pictures.get(index).cloned() };
         show(&mut ViewContext {
             mission: &self.documents.mission,
             flight: self.documents.flight.as_ref(),

@@ -14,6 +14,7 @@ mod feature_work;
 mod flight_change;
 mod flown_track;
 mod flying;
+mod frame_pictures;
 mod georeferencing;
 mod inbox;
 mod keeping;

@@ -121,7 +121,7 @@ impl App {
             }),
             "flight": documents.flight.as_ref().map(|f| f.name.clone()),
             "frames": documents.flight.as_ref().map_or(0, |f| f.frames.len()),
-            "pictures": documents.pictures.len(),
+            "pictures": documents.pictures.count(),
             "bookmarks": documents.bookmarks,
             "landmarks": landmarks,
             "selection": self.selection,

@@ -195,6 +195,7 @@ impl App {
         self.ask_for_tiles(host);
         self.ask_for_picture_tiles(host);
         self.watch_download(context, host);
+        self.fetch_pictures(host);
         self.decode_pictures(host);
         self.work_on_plan(context, host);
         let waiting = self.jobs.fly_again_at.is_some() && flies_now
@@ -324,7 +325,7 @@ impl App {
             [Some(next), next.checked_sub(2)]
         };
         let pictures = &self.documents.pictures;
-        let known = |frame| Some((frame, Arc::clone(pictures.get(&frame)?)));
+        let known = |frame| Some((frame, Arc::clone(pictures.get(frame)?)));
         likely.into_iter().flatten().filter_map(known)
     }
 

@@ -26,8 +26,8 @@ impl Documents {
                 run.steps.push(step);
             }
             for index in 0..lap_frames {
-                if let Some(picture) = self.pictures.get(&index).cloned() {
-                    self.pictures.insert(lap * lap_frames + index, picture);
+                if let Some(picture) = self.pictures.get(index).cloned() {
+                    self.pictures.insert(lap * lap_frames + index, picture, 0);
                 }
             }
         }

@@ -5,6 +5,7 @@ mod brought;
 mod edit;
 mod empty_mission;
 mod findings;
+mod frame_pictures;
 mod ground;
 mod history;
 pub mod kept;
@@ -18,6 +19,7 @@ mod stored_session;
 
 pub use add::Added;
 pub use brought::Brought;
+pub use frame_pictures::FramePictures;
 pub use ground::{Ground, TERRAIN_KEY};
 pub use history::History;
 pub use noticed::Noticed;

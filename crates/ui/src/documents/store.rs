@@ -1,7 +1,6 @@
 //! The open documents. Nothing else remembers what is shown.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
 use pilotage_core::calibration::CameraAdjustment;
 use pilotage_core::flight::Flight;
@@ -11,7 +10,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::SimulationChoice;
 
 use super::empty_mission::empty_mission;
-use super::{Brought, Ground, History, Noticed, Session};
+use super::{Brought, FramePictures, Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
 use crate::log::OpenLog;
 use crate::photos::Photos;
@@ -57,7 +56,7 @@ pub struct Documents {
     /// The ghost's generation.
     pub ghost_generation: u64,
     /// Encoded camera pictures by frame index.
-    pub pictures: HashMap<usize, Arc<[u8]>>,
+    pub pictures: FramePictures,
     /// Source of the flight.
     pub flight_source: FlightSource,
     /// Source of the map.
@@ -103,7 +102,7 @@ impl Documents {
             run_generation: 0,
             ghost: None,
             ghost_generation: 0,
-            pictures: HashMap::new(),
+            pictures: FramePictures::default(),
             flight_source: session.flight.clone(),
             map_source: session.map.clone(),
             map: None,

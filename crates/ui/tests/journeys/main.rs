@@ -22,6 +22,7 @@ mod log;
 mod log_against;
 mod log_presets;
 mod log_statistics;
+mod long_film;
 mod lost_worker;
 mod names;
 mod open_map;

@@ -71,6 +71,8 @@ pub struct ScriptedHost {
     pub opens: Option<Opened>,
     /// Look at opened files as a worker does.
     pub really_open: bool,
+    /// Bytes behind each camera picture, so that they take memory as large ones do.
+    pub padding: usize,
     /// Height of the ground in the elevation model that is opened, metres.
     pub heights: Option<fn(&GroundPoint) -> f64>,
 }
@@ -240,8 +242,7 @@ impl ScriptedHost {
         }
         say(JobEvent::RunStarted(Box::new(run_head(&mission))));
         say(JobEvent::Steps(steps));
-        let picture = Raster::filled(8, 6, [90, 110, 70]);
-        let encoded = pilotage_core::raster::encode_png(&picture).unwrap_or_default();
+        let encoded = encoded_picture(self.padding);
         for index in 0..flight().frames.len() {
             let encoded = encoded.clone();
             say(JobEvent::FramePicture { index, encoded });
@@ -262,6 +263,11 @@ impl ScriptedHost {
         match job {
             Job::Fly(FlyOrder { mission, .. }) if !self.silent_flights => {
                 self.fly(id, mission.as_ref());
+            }
+            Job::FramePicture(order) => {
+                let (index, encoded) = (order.index, encoded_picture(self.padding));
+                say(JobEvent::FramePicture { index, encoded });
+                say(JobEvent::Finished);
             }
             Job::Contest(order) => {
                 say(JobEvent::Progress(0.5, "Extended Kalman filter".into()));
@@ -346,6 +352,14 @@ impl ScriptedHost {
             _ => {}
         }
     }
+}
+
+/// A small camera picture as PNG, with so many bytes behind its end.
+fn encoded_picture(padding: usize) -> Vec<u8> {
+    let picture = Raster::filled(8, 6, [90, 110, 70]);
+    let mut encoded = pilotage_core::raster::encode_png(&picture).unwrap_or_default();
+    encoded.resize(encoded.len() + padding, 0);
+    encoded
 }
 
 /// The invented run as the judgement of every estimator.
