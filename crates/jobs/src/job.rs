@@ -146,5 +146,6 @@ orders! {
     Brief(BriefOrder),
     Pack(Box<PackOrder>),
     Export(Box<ExportOrder>),
+    Echo(super::echo::EchoOrder),
     }
 }

@@ -10,6 +10,7 @@ mod calibrate;
 mod contest;
 mod decode;
 mod distinct;
+pub mod echo;
 mod envelope;
 mod evaluate;
 mod explain;
