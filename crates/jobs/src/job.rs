@@ -146,6 +146,5 @@ orders! {
     Brief(BriefOrder),
     Pack(Box<PackOrder>),
     Export(Box<ExportOrder>),
-    Echo(super::echo::EchoOrder),
     }
 }

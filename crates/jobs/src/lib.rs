@@ -10,7 +10,6 @@ mod calibrate;
 mod contest;
 mod decode;
 mod distinct;
-pub mod echo;
 mod envelope;
 mod evaluate;
 mod explain;
