@@ -6,7 +6,11 @@ use crate::outage::Outages;
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
-    vec![Box::new(Compare::default()), Box::new(Outages::default())]
+    vec![
+        Box::new(Compare::default()),
+        Box::new(Outages::default()),
+        Box::new(crate::hello::Hello::default()),
+    ]
 }
 
 #[cfg(test)]

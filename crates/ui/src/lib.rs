@@ -11,6 +11,7 @@ pub mod feature;
 pub mod feature_command;
 pub mod features;
 pub mod georeference;
+pub mod hello;
 pub mod host;
 pub mod kept_mesh;
 pub mod labelling;

@@ -169,6 +169,7 @@ const UI: Order = Order {
         "compare",
         "outage",
         "dialogs",
+        "hello",
         "features",
         "app",
     ],

@@ -15,6 +15,7 @@ mod first_screen;
 mod fly_again;
 mod forget;
 mod georeference;
+mod hello;
 mod keyboard_landmark;
 mod labels;
 mod link;
