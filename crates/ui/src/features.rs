@@ -6,11 +6,7 @@ use crate::outage::Outages;
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
-    vec![
-        Box::new(Compare::default()),
-        Box::new(Outages::default()),
-        Box::new(crate::hello::Hello::default()),
-    ]
+    vec![Box::new(Compare::default()), Box::new(Outages::default())]
 }
 
 #[cfg(test)]

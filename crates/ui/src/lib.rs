@@ -11,7 +11,6 @@ pub mod feature;
 pub mod feature_command;
 pub mod features;
 pub mod georeference;
-pub mod hello;
 pub mod host;
 pub mod kept_mesh;
 pub mod labelling;

@@ -169,7 +169,6 @@ const UI: Order = Order {
         "compare",
         "outage",
         "dialogs",
-        "hello",
         "features",
         "app",
     ],

@@ -15,7 +15,6 @@ mod first_screen;
 mod fly_again;
 mod forget;
 mod georeference;
-mod hello;
 mod keyboard_landmark;
 mod labels;
 mod link;
