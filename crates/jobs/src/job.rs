@@ -22,6 +22,7 @@ use super::order::{Order, Reads, Role, Urgency};
 use super::prepare::PrepareMapOrder;
 use super::provided::{LetGoOrder, ProvideOrder};
 use super::running::once;
+use super::smooth::SmoothOrder;
 use super::suggest::{ProposeOrder, SuggestShareOrder};
 use super::tables::MakeFlightOrder;
 use super::{MapSource, RunningJob, WorkerState};
@@ -129,6 +130,7 @@ orders! {
     AskLog(Box<LogOrder>),
     Outage(Box<OutageOrder>),
     Contest(Box<ContestOrder>),
+    Smooth(SmoothOrder),
     Calibrate(Box<CalibrationOrder>),
     LayPhotos(Box<PhotosOrder>),
     DrapePhoto(Box<DrapeOrder>),

@@ -2,7 +2,7 @@
 //!
 //! A [`Job`] becomes a [`RunningJob`] that advances in slices, so that a worker stays able to
 //! listen; a [`JobRunner`] holds the jobs of one worker; a [`WorkerPool`] shares jobs out among workers
-//! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
+//! and replaces one that died; [`InlineWorkers`] does all of it on the calling thread, for tests.
 
 mod assess;
 mod brief;
@@ -49,6 +49,7 @@ mod running;
 mod samples;
 mod shared;
 mod simulated;
+mod smooth;
 mod suggest;
 mod tables;
 mod train;
@@ -92,6 +93,7 @@ pub use programs::{Abilities, Begin, Program};
 pub use provided::{LetGoOrder, ProvideOrder};
 pub use runner::JobRunner;
 pub use simulated::{scenario_route, scenario_wind};
+pub use smooth::SmoothOrder;
 pub use suggest::{ProposeOrder, SuggestShareOrder};
 pub use tables::{COLUMNS_FILE, MakeFlightOrder, write_columns};
 pub use vehicle::{VEHICLE_FILE, write_vehicle};

@@ -1,8 +1,6 @@
 //! Features: parts of the app with a panel, commands, jobs and a layer on the map of their own. The app holds a list
 //! of them and knows none by name; a new one is a folder and a line in `features.rs`.
 
-use std::collections::HashMap;
-
 use egui::Ui;
 use pilotage_jobs::{Job, JobEvent, JobId};
 use serde_json::Value;
@@ -40,7 +38,7 @@ pub struct FeatureContext<'a> {
     /// Feature that does it.
     pub own: FeatureId,
     /// Owners of jobs.
-    pub owners: &'a mut HashMap<JobId, FeatureId>,
+    pub owners: &'a mut Vec<(JobId, FeatureId)>,
     /// Whether the feature asks to be shown.
     pub is_to_be_shown: bool,
 }
@@ -49,13 +47,13 @@ impl FeatureContext<'_> {
     /// Starts a job whose events come to the feature.
     pub fn start(&mut self, job: Job) -> JobId {
         let id = self.host.start(job);
-        self.owners.insert(id, self.own);
+        self.owners.push((id, self.own));
         id
     }
 
     /// Stops a job; nothing more of it comes to the feature.
     pub fn cancel(&mut self, job: JobId) {
-        self.owners.remove(&job);
+        self.owners.retain(|(id, _)| *id != job);
         self.host.cancel(job);
     }
 

@@ -1,26 +1,26 @@
 //! Commands of features, which everybody passes on and only their owner knows.
 
 use std::any::Any;
-use std::fmt::Debug;
+use std::fmt;
 use std::sync::Arc;
 
 /// Identity of a feature: a short word that no other has.
 pub type FeatureId = &'static str;
 
 /// Action of a feature, which the app passes on without knowing it.
-pub trait FeatureAction: Any + Debug + Send + Sync {
+pub trait FeatureAction: Any + Send + Sync {
     /// Whether it is the same as `other`.
     fn is_same(&self, other: &dyn FeatureAction) -> bool;
 }
 
-impl<T: Any + Debug + PartialEq + Send + Sync> FeatureAction for T {
+impl<T: Any + PartialEq + Send + Sync> FeatureAction for T {
     fn is_same(&self, other: &dyn FeatureAction) -> bool {
         (other as &dyn Any).downcast_ref::<T>() == Some(self)
     }
 }
 
 /// Command of a feature, addressed to it.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct FeatureCommand {
     to: FeatureId,
     action: Arc<dyn FeatureAction>,
@@ -42,6 +42,12 @@ impl FeatureCommand {
     pub fn action<A: FeatureAction>(&self) -> Option<&A> {
         let action: &dyn Any = self.action.as_ref();
         action.downcast_ref()
+    }
+}
+
+impl fmt::Debug for FeatureCommand {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "command of {}", self.to)
     }
 }
 

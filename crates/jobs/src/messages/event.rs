@@ -49,6 +49,8 @@ pub enum JobEvent {
     PhotoDraped(Box<Draped>),
     /// Every estimator on one flight.
     ContestJudged(Box<Comparison>),
+    /// Places of a smoothed run: time (seconds), north and east (metres) of each step.
+    Smoothed(Vec<(f64, f64, f64)>),
     /// The mission that is flown.
     Mission(Box<Mission>),
     /// Why the flight cannot be navigated, after the flight and its mission; its pictures follow.

@@ -8,12 +8,12 @@ use pilotage_jobs::{JobEvent, JobId};
 
 impl App {
     /// Lends the app to the feature at `index` while it does something.
-    fn with_feature<R>(
+    fn with_feature(
         &mut self,
         index: usize,
         host: &mut dyn Host,
-        work: impl FnOnce(&mut dyn Feature, &mut FeatureContext<'_>) -> R,
-    ) -> R {
+        work: &mut dyn FnMut(&mut dyn Feature, &mut FeatureContext<'_>),
+    ) {
         let feature = &mut self.views.features[index];
         let own = feature.info().id;
         let mut context = FeatureContext {
@@ -25,11 +25,10 @@ impl App {
             owners: &mut self.owners,
             is_to_be_shown: false,
         };
-        let result = work(feature.as_mut(), &mut context);
+        work(feature.as_mut(), &mut context);
         if context.is_to_be_shown {
             self.show_feature(own);
         }
-        result
     }
 
     fn show_feature(&mut self, id: FeatureId) {
@@ -45,14 +44,16 @@ impl App {
 
     /// Has a feature carry out its command. One that nobody carries out is a fault of the program, and told.
     pub(super) fn execute_feature(&mut self, command: &FeatureCommand, host: &mut dyn Host) {
-        let owner = self.feature(command.to());
-        let is_done = owner.is_some_and(|index| {
-            self.with_feature(index, host, |feature, context| {
-                feature.execute(command, context)
-            })
-        });
+        let mut is_done = false;
+        if let Some(index) = self.feature(command.to()) {
+            self.with_feature(index, host, &mut |feature, context| {
+                is_done = feature.execute(command, context);
+            });
+        }
         if !is_done {
-            let text = format!("Nobody carries out {command:?}. This is a fault of the program.");
+            let of = command.to();
+            let text =
+                format!("Nobody carries out this command of {of}. This is a fault of the program.");
             self.toasts.trouble(host.now(), "Nothing was done", text);
         }
     }
@@ -64,14 +65,14 @@ impl App {
         id: JobId,
         event: &JobEvent,
     ) -> bool {
-        let owner = self.owners.get(&id).copied();
-        let Some(index) = owner.and_then(|owner| self.feature(owner)) else {
+        let owner = self.owners.iter().find(|(job, _)| *job == id);
+        let Some(index) = owner.and_then(|(_, owner)| self.feature(owner)) else {
             return false;
         };
         if event.is_last() {
-            self.owners.remove(&id);
+            self.owners.retain(|(job, _)| *job != id);
         }
-        self.with_feature(index, host, |feature, context| {
+        self.with_feature(index, host, &mut |feature, context| {
             feature.on_event(id, event, context);
         });
         true
@@ -79,14 +80,21 @@ impl App {
 
     /// Stops the work of the first feature that has any; whether one had.
     pub(super) fn stop_features(&mut self, host: &mut dyn Host) -> bool {
-        (0..self.views.features.len())
-            .any(|index| self.with_feature(index, host, |feature, context| feature.stop(context)))
+        let mut had_work = false;
+        for index in 0..self.views.features.len() {
+            if !had_work {
+                self.with_feature(index, host, &mut |feature, context| {
+                    had_work = feature.stop(context);
+                });
+            }
+        }
+        had_work
     }
 
     /// Tells every feature that another flight is open.
     pub(super) fn tell_features_of_flight(&mut self, host: &mut dyn Host) {
         for index in 0..self.views.features.len() {
-            self.with_feature(index, host, |feature, context| {
+            self.with_feature(index, host, &mut |feature, context| {
                 feature.on_flight_changed(context);
             });
         }

@@ -42,7 +42,7 @@ impl App {
         let detector = jobs.detector.take().map(|(id, ..)| id);
         let distinctness = jobs.distinctness.take().map(|(id, _)| id);
         let decoding = jobs.decoding.drain(..).map(|(id, ..)| id);
-        let fetching = jobs.fetching_pictures.drain().map(|(id, _)| id);
+        let fetching = jobs.fetching_pictures.drain(..).map(|(id, _)| id);
         for id in [explain, detector, distinctness]
             .into_iter()
             .flatten()

@@ -28,21 +28,23 @@ impl App {
             .collect();
         for index in lacking {
             let fetching = &mut self.jobs.fetching_pictures;
-            let is_under_way = fetching.values().any(|asked| *asked == index);
+            let is_under_way = fetching.iter().any(|(_, asked)| *asked == index);
             if is_under_way || fetching.len() >= FETCHED_AT_A_TIME {
                 continue;
             }
             let flight = self.documents.flight_source.clone();
             let id = host.start(Job::FramePicture(FramePictureOrder { flight, index }));
-            fetching.insert(id, index);
+            fetching.push((id, index));
         }
     }
 
     /// Takes what a worker says of a picture that was fetched; whether `id` was about one.
     pub(super) fn fetched_picture_event(&mut self, id: JobId, event: &JobEvent) -> bool {
-        let Some(index) = self.jobs.fetching_pictures.get(&id).copied() else {
+        let fetching = &mut self.jobs.fetching_pictures;
+        let Some(place) = fetching.iter().position(|(own, _)| *own == id) else {
             return false;
         };
+        let (_, index) = fetching[place];
         match event {
             JobEvent::FramePicture { index, encoded } => {
                 let looked_at = self.frame_looked_at();
@@ -53,7 +55,7 @@ impl App {
             _ => {}
         }
         if event.is_last() {
-            self.jobs.fetching_pictures.remove(&id);
+            self.jobs.fetching_pictures.remove(place);
         }
         true
     }

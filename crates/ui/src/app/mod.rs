@@ -39,8 +39,6 @@ mod training;
 mod web_maps;
 mod work;
 
-use std::collections::HashMap;
-
 use pilotage_jobs::{FlightSource, JobId};
 
 use crate::camera_log::CameraLogView;
@@ -176,7 +174,7 @@ pub struct App {
     views: Views,
     jobs: PendingJobs,
     /// Features by the jobs that they started.
-    owners: HashMap<JobId, FeatureId>,
+    owners: Vec<(JobId, FeatureId)>,
     /// Table of all commands, the features' among them.
     catalog: Vec<Entry>,
     evaluating: evaluation::Evaluating,

@@ -140,7 +140,7 @@ pub struct PendingJobs {
     /// The camera pictures being decoded: job, frame, encoded picture.
     pub decoding: Vec<(JobId, usize, Arc<[u8]>)>,
     /// Camera pictures being fetched again, by the index of their frame.
-    pub fetching_pictures: HashMap<JobId, usize>,
+    pub fetching_pictures: Vec<(JobId, usize)>,
     /// The landmark that could not be examined, and why.
     pub examined_in_vain: Option<(u32, String)>,
     /// Files being looked at.

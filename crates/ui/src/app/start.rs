@@ -1,7 +1,5 @@
 //! The first moments, and what is remembered of an earlier visit.
 
-use std::collections::HashMap;
-
 use super::App;
 use super::aside::Aside;
 use super::pending_jobs::PendingJobs;
@@ -71,7 +69,7 @@ impl App {
             evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),
             started: false,
-            owners: HashMap::new(),
+            owners: Vec::new(),
             catalog,
             followed: (0, session.flight.clone()),
             aside,

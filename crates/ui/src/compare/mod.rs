@@ -10,8 +10,8 @@ mod shelf;
 
 use egui::{Key, Ui};
 use pilotage_core::flight::trajectory::Track;
-use pilotage_core::navigator::{EstimatorChoice, Run, smooth};
-use pilotage_jobs::{ContestOrder, Job, JobEvent, JobId};
+use pilotage_core::navigator::{EstimatorChoice, Run};
+use pilotage_jobs::{ContestOrder, Job, JobEvent, JobId, SmoothOrder};
 use serde_json::{Value, json};
 
 use crate::context::ViewContext;
@@ -64,6 +64,8 @@ pub struct Compare {
     shelf: Shelf,
     /// The contest that is being flown.
     job: Option<JobId>,
+    /// The run that is being smoothed, and what its track will be, but for its places.
+    smoothing: Option<(JobId, Track)>,
 }
 
 /// Seconds since 1970 at time zero of the flight that is open, where its log says so.
@@ -107,31 +109,47 @@ impl Compare {
         Self::note(context, "Kept for comparison", name);
     }
 
-    /// Keeps the run with every step estimated from all of the flight.
-    fn keep_smoothed(&mut self, context: &mut FeatureContext<'_>) {
+    /// Has every step of the run estimated from all of the flight; the result is kept.
+    fn smooth(&mut self, context: &mut FeatureContext<'_>) {
         let documents = context.documents;
         let run = documents.run.as_ref().filter(|_| documents.run_complete);
         let (Some(flight), Some(run)) = (documents.flight.as_ref(), run) else {
             let text = "Wait until the flight is flown to its end.".to_owned();
             return Self::note(context, "Nothing to smooth yet", text);
         };
-        let estimates = match smooth(run) {
-            Ok(estimates) => estimates,
-            Err(cause) => {
-                let (now, title) = (context.host.now(), "The run cannot be smoothed");
-                context.toasts.trouble(now, title, cause.to_string());
-                return;
-            }
+        let track = Track {
+            name: format!("{}, smoothed", named_after(&flight.name, Some(run))),
+            frame: flight.frame_on_globe,
+            utc_at_zero: utc_at_zero(documents),
+            has_height: false,
+            places: Vec::new(),
         };
-        let places = run.steps.iter().zip(&estimates).map(|(step, estimate)| {
-            let place = estimate.position();
-            (step.time, place.north, place.east)
-        });
-        let name = format!("{}, smoothed", named_after(&flight.name, Some(run)));
-        let mut track = Track::on_the_ground(name, flight.frame_on_globe, places);
-        track.utc_at_zero = utc_at_zero(documents);
-        let name = self.shelf.keep(track).to_owned();
-        Self::note(context, "Kept for comparison", name);
+        let order = SmoothOrder(Box::new(run.clone()));
+        let job = context.start(Job::Smooth(order));
+        self.smoothing = Some((job, track));
+    }
+
+    /// Takes what a worker says of the run that is smoothed.
+    fn smoothing_event(&mut self, event: &JobEvent, context: &mut FeatureContext<'_>) {
+        match event {
+            JobEvent::Smoothed(places) => {
+                if let Some((_, track)) = self.smoothing.take() {
+                    let places = places.iter().copied();
+                    let mut kept = Track::on_the_ground(track.name, track.frame, places);
+                    kept.utc_at_zero = track.utc_at_zero;
+                    let name = self.shelf.keep(kept).to_owned();
+                    Self::note(context, "Kept for comparison", name);
+                }
+            }
+            JobEvent::Failed(why) => {
+                let (now, title) = (context.host.now(), "The run cannot be smoothed");
+                context.toasts.trouble(now, title, why.clone());
+            }
+            _ => {}
+        }
+        if event.is_last() {
+            self.smoothing = None;
+        }
     }
 
     /// Flies what is open by every estimator.
@@ -163,7 +181,7 @@ impl Feature for Compare {
         match *command {
             CompareCommand::Show => context.show(),
             CompareCommand::Keep(id) => self.keep(id, context),
-            CompareCommand::KeepSmoothed => self.keep_smoothed(context),
+            CompareCommand::KeepSmoothed => self.smooth(context),
             CompareCommand::FlyAll => self.fly_by_all(context),
             CompareCommand::Discard(number) => self.shelf.discard(number),
             CompareCommand::ToggleShown(number) => self.shelf.toggle_shown(number),
@@ -186,7 +204,10 @@ impl Feature for Compare {
         vec![&self.shelf]
     }
 
-    fn on_event(&mut self, _job: JobId, event: &JobEvent, _context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, job: JobId, event: &JobEvent, context: &mut FeatureContext<'_>) {
+        if self.smoothing.as_ref().is_some_and(|(id, _)| *id == job) {
+            return self.smoothing_event(event, context);
+        }
         let contest = &mut self.contest;
         match event {
             JobEvent::Progress(share, words) => {
@@ -215,6 +236,9 @@ impl Feature for Compare {
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
         self.stop(context);
         self.contest = Contest::default();
+        if let Some((job, _)) = self.smoothing.take() {
+            context.cancel(job);
+        }
     }
 
     fn state(&self) -> Value {

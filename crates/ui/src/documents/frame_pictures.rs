@@ -1,17 +1,27 @@
 //! Encoded camera pictures of the flight, in bounded memory.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Memory for encoded pictures, bytes: some 600 of a usual camera. A film of thousands does not fit into a page.
 const MOST: usize = 64 << 20;
 
+/// A picture as far as it is known.
+#[derive(Debug, Default)]
+enum Slot {
+    /// It was not told.
+    #[default]
+    Unknown,
+    /// It was told, and can be fetched again.
+    Told,
+    /// It is here.
+    Kept(Arc<[u8]>),
+}
+
 /// Encoded camera pictures of the flight by the index of their frame: those nearest to where people look. Others were
 /// told, and can be fetched again.
 #[derive(Debug)]
 pub struct FramePictures {
-    kept: BTreeMap<usize, Arc<[u8]>>,
-    told: BTreeSet<usize>,
+    slots: Vec<Slot>,
     bytes: usize,
     most: usize,
 }
@@ -26,8 +36,7 @@ impl FramePictures {
     /// No pictures yet, and memory for so many bytes.
     fn within(most: usize) -> Self {
         Self {
-            kept: BTreeMap::new(),
-            told: BTreeSet::new(),
+            slots: Vec::new(),
             bytes: 0,
             most,
         }
@@ -36,49 +45,63 @@ impl FramePictures {
     /// Takes the picture of frame `index`. Where there is no room for all, those go that are farthest from frame
     /// `looked_at`; one always stays.
     pub fn insert(&mut self, index: usize, encoded: Arc<[u8]>, looked_at: usize) {
-        self.told.insert(index);
-        self.bytes += encoded.len();
-        if let Some(old) = self.kept.insert(index, encoded) {
-            self.bytes -= old.len();
+        if self.slots.len() <= index {
+            self.slots.resize_with(index + 1, Slot::default);
         }
-        while self.bytes > self.most && self.kept.len() > 1 {
-            self.drop_farthest(looked_at);
+        self.bytes += encoded.len();
+        self.replace(index, Slot::Kept(encoded));
+        while self.bytes > self.most && self.drop_farthest(looked_at) {}
+    }
+
+    /// Puts something in the place of a picture.
+    fn replace(&mut self, index: usize, new: Slot) {
+        if let Slot::Kept(old) = std::mem::replace(&mut self.slots[index], new) {
+            self.bytes -= old.len();
         }
     }
 
-    fn drop_farthest(&mut self, looked_at: usize) {
-        let ends = [self.kept.first_key_value(), self.kept.last_key_value()];
-        let ends = ends.into_iter().flatten().map(|(index, _)| *index);
-        let farthest = ends.max_by_key(|index| index.abs_diff(looked_at));
-        if let Some(picture) = farthest.and_then(|index| self.kept.remove(&index)) {
-            self.bytes -= picture.len();
-        }
+    /// Lets go of the picture that is farthest from a frame; false if it is the last one.
+    fn drop_farthest(&mut self, looked_at: usize) -> bool {
+        let is_kept = |slot: &Slot| matches!(slot, Slot::Kept(_));
+        let first = self.slots.iter().position(is_kept);
+        let last = self.slots.iter().rposition(is_kept);
+        let Some((first, last)) = first.zip(last).filter(|(first, last)| first < last) else {
+            return false;
+        };
+        let is_first = first.abs_diff(looked_at) > last.abs_diff(looked_at);
+        self.replace(if is_first { first } else { last }, Slot::Told);
+        true
     }
 
     /// The picture of frame `index`, if it is here.
     pub fn get(&self, index: usize) -> Option<&Arc<[u8]>> {
-        self.kept.get(&index)
+        match self.slots.get(index)? {
+            Slot::Kept(encoded) => Some(encoded),
+            Slot::Told | Slot::Unknown => None,
+        }
     }
 
     /// Whether the picture of frame `index` was told and is not here any more.
     pub fn lacks(&self, index: usize) -> bool {
-        self.told.contains(&index) && !self.kept.contains_key(&index)
+        matches!(self.slots.get(index), Some(Slot::Told))
     }
 
     /// Takes note that the picture of frame `index` cannot be had again.
     pub fn give_up(&mut self, index: usize) {
-        self.told.remove(&index);
+        if self.lacks(index) {
+            self.slots[index] = Slot::Unknown;
+        }
     }
 
     /// Number of pictures that were told.
     pub fn count(&self) -> usize {
-        self.told.len()
+        let is_told = |slot: &&Slot| !matches!(slot, Slot::Unknown);
+        self.slots.iter().filter(is_told).count()
     }
 
     /// Forgets all of them.
     pub fn clear(&mut self) {
-        self.kept.clear();
-        self.told.clear();
+        self.slots.clear();
         self.bytes = 0;
     }
 }
@@ -99,7 +122,7 @@ mod tests {
             assert!(pictures.bytes <= 1000);
         }
         assert_eq!(pictures.count(), 2000);
-        let kept: Vec<usize> = pictures.kept.keys().copied().collect();
+        let kept: Vec<usize> = (0..2000).filter(|i| pictures.get(*i).is_some()).collect();
         assert_eq!(kept, (1195..1205).collect::<Vec<_>>());
         assert!(pictures.lacks(0) && !pictures.lacks(1200) && !pictures.lacks(3000));
         pictures.insert(0, picture(100), 0);

@@ -92,6 +92,7 @@ fn is_real(job: &Job) -> bool {
             | Job::Pack(_)
             | Job::Export(_)
             | Job::DecodePicture(_)
+            | Job::Smooth(_)
     )
 }
 
