@@ -86,9 +86,6 @@ impl Fly {
     }
 }
 
-/// Position driven by nothing but uncertainty: white noise for slow vehicles, m/√s.
-const UNKNOWN_MOTION: f64 = 6.0;
-
 /// Steps between two pictures that people may still want to look at one by one: more are taken together.
 const MOST_STEPS: usize = 50_000;
 
@@ -111,7 +108,6 @@ fn bare_mission(flight: &Flight) -> Mission {
     let mut navigator = NavigatorSettings::default();
     if flight.channel(ChannelName::Airspeed).is_none() {
         navigator.vehicle = VehicleChoice::RandomWalk;
-        navigator.process.position = UNKNOWN_MOTION;
     }
     navigator.shortest_step = shortest_step(flight);
     let origin = flight

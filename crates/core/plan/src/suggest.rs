@@ -196,7 +196,7 @@ pub struct Suggestion {
 pub fn fading(settings: &NavigatorSettings) -> f64 {
     match settings.vehicle {
         // Nothing is known of the way: it grows with the root of the time.
-        VehicleChoice::RandomWalk => (FIX / settings.process.position.max(1e-3))
+        VehicleChoice::RandomWalk => (FIX / settings.process.position_alone())
             .powi(2)
             .min(FADING),
         _ => FADING,

@@ -131,6 +131,21 @@ pub struct ProcessNoise {
     pub thesis_per_step: bool,
 }
 
+/// White noise of a position of which nothing is measured, for slow vehicles, m/√s.
+const UNKNOWN_MOTION: f64 = 6.0;
+
+impl ProcessNoise {
+    /// White noise of a position that moves by itself alone, as in a random walk, m/√s: as stated, or else that of an
+    /// unknown motion. Without any, the position would be believed to stand still.
+    pub fn position_alone(&self) -> f64 {
+        if self.position > 0.0 {
+            self.position
+        } else {
+            UNKNOWN_MOTION
+        }
+    }
+}
+
 fn usual_drag() -> f64 {
     Multirotor::default().drag
 }

@@ -18,7 +18,7 @@ fn settings(choice: EstimatorChoice, vehicle: VehicleChoice) -> NavigatorSetting
         ..NavigatorSettings::default()
     };
     if vehicle == VehicleChoice::RandomWalk {
-        // Without it a random walk stands still.
+        // A slow one.
         settings.process.position = 3.0;
     }
     settings
@@ -182,4 +182,22 @@ fn an_engine_that_looks_back_sees_from_where_it_was() {
         let of_then = GroundPoint::new(expected.mean[0], expected.mean[1]);
         assert!(of_then.distance(&was) < 0.1, "{vehicle:?}");
     }
+}
+
+#[test]
+fn a_random_walk_whose_noise_nobody_stated_is_not_believed_to_stand_still() {
+    let settings = NavigatorSettings {
+        vehicle: VehicleChoice::RandomWalk,
+        ..NavigatorSettings::default()
+    };
+    let mut walk = engine(&settings, GroundPoint::new(0.0, 0.0), 0.0).unwrap();
+    let spread = |walk: &dyn Engine| walk.state().position_covariance().trace();
+    let before = spread(walk.as_ref());
+    let input = ControlInput::new(0.0, Attitude::level(0.0));
+    for _ in 0..4 {
+        walk.predict(&input, 0.5).unwrap();
+    }
+    // 6 m/√s for two seconds, on both axes.
+    let grown = spread(walk.as_ref()) - before;
+    assert!((grown - 2.0 * 36.0 * 2.0).abs() < 1e-6, "{grown}");
 }

@@ -64,7 +64,7 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
             },
         }),
         VehicleChoice::RandomWalk => VehicleSettings::RandomWalk(RandomWalk {
-            position_noise_density: p.position,
+            position_noise_density: p.position_alone(),
         }),
         VehicleChoice::ConstantVelocity => VehicleSettings::ConstantVelocity(ConstantVelocity {
             velocity_noise_density: p.acceleration,
