@@ -75,8 +75,8 @@ impl App {
         };
         work.trouble = None;
         work.at_work = Some((0.0, "Estimating".to_owned()));
-        self.stop_aligning(host);
-        self.jobs.aligning = Some(host.start(Job::Calibrate(Box::new(order))));
+        self.stop_calibrating(host);
+        self.jobs.calibrating = Some(host.start(Job::Calibrate(Box::new(order))));
     }
 
     fn is_camera_log_possible(&self) -> bool {
@@ -104,13 +104,13 @@ impl App {
         self.documents.camera_log.trouble = None;
         self.jobs.document_changed = true;
         self.fly_again(host);
-        self.jobs.align_after_flight = true;
+        self.jobs.calibrate_after_flight = true;
     }
 
     /// The flight is over, as far as it went: what was asked for is estimated, and what nobody touched yet wherever
     /// its pictures allow it, so that the overview tells a lag by itself.
-    pub(super) fn align_after_flight(&mut self, host: &mut dyn Host, is_whole: bool) {
-        let is_asked = std::mem::take(&mut self.jobs.align_after_flight);
+    pub(super) fn calibrate_after_flight(&mut self, host: &mut dyn Host, is_whole: bool) {
+        let is_asked = std::mem::take(&mut self.jobs.calibrate_after_flight);
         let work = &self.documents.camera_log;
         let is_untouched = work.found.is_none() && work.by_hand.is_none();
         let applied = self.documents.mission.camera_to_log;
@@ -139,8 +139,8 @@ impl App {
     }
 
     /// Stops an estimate; whether there was one.
-    pub(super) fn stop_aligning(&mut self, host: &mut dyn Host) -> bool {
-        let job = self.jobs.aligning.take();
+    pub(super) fn stop_calibrating(&mut self, host: &mut dyn Host) -> bool {
+        let job = self.jobs.calibrating.take();
         if let Some(job) = job {
             host.cancel(job);
             self.documents.camera_log.at_work = None;
@@ -149,8 +149,8 @@ impl App {
     }
 
     /// Takes what a worker says of an estimate; whether `id` was about one.
-    pub(super) fn align_event(&mut self, id: JobId, event: &JobEvent) -> bool {
-        if self.jobs.aligning != Some(id) {
+    pub(super) fn calibration_event(&mut self, id: JobId, event: &JobEvent) -> bool {
+        if self.jobs.calibrating != Some(id) {
             return false;
         }
         let work = &mut self.documents.camera_log;
@@ -162,7 +162,7 @@ impl App {
         }
         if event.is_last() {
             work.at_work = None;
-            self.jobs.aligning = None;
+            self.jobs.calibrating = None;
         }
         true
     }

@@ -262,7 +262,7 @@ impl App {
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.jobs.fly.is_none() => {
                 let _ = self.stop_features(host)
-                    || self.stop_aligning(host)
+                    || self.stop_calibrating(host)
                     || self.stop_laying(host)
                     || self.stop_reading(host)
                     || self.stop_opening(host)

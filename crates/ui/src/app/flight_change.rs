@@ -17,7 +17,7 @@ impl App {
         let source = self.documents.flight_source.clone();
         let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
         self.tell_features_of_flight(host);
-        self.stop_aligning(host);
+        self.stop_calibrating(host);
         self.stop_explaining(host);
         self.evaluating.leave_flight(host);
         self.leave_strange_photos(host);

@@ -70,7 +70,7 @@ impl App {
             // It could not be navigated, and all of its pictures are there.
             JobEvent::Finished if !fly.began() => {
                 self.jobs.fly = None;
-                self.align_after_flight(host, false);
+                self.calibrate_after_flight(host, false);
             }
             JobEvent::Finished => {
                 let again = fly.again;
@@ -80,14 +80,14 @@ impl App {
                 if !again && self.views.map.is_fitted() && !self.planning() {
                     self.fit_to_flight_and_map();
                 }
-                self.align_after_flight(host, true);
+                self.calibrate_after_flight(host, true);
             }
             JobEvent::Cancelled => self.jobs.fly = None,
             JobEvent::Failed(why) => {
                 let began = fly.began();
                 let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
                 self.jobs.fly = None;
-                self.align_after_flight(host, false);
+                self.calibrate_after_flight(host, false);
                 self.documents.run_complete |= began;
                 let log = self.documents.log.as_mut().filter(|_| is_of_log);
                 let kept = if began {

@@ -65,7 +65,7 @@ impl App {
             || self.evaluating.receive(id, &event)
             || self.feature_event(host, id, &event)
             || self.fetched_picture_event(id, &event)
-            || self.align_event(id, &event)
+            || self.calibration_event(id, &event)
             || self.photos_event(host, id, &event)
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {

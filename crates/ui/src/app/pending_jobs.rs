@@ -90,9 +90,9 @@ pub struct Exporting {
 )]
 pub struct PendingJobs {
     /// The estimate of a camera beside its log.
-    pub aligning: Option<JobId>,
+    pub calibrating: Option<JobId>,
     /// Whether that is to be estimated once the flight under way is over.
-    pub align_after_flight: bool,
+    pub calibrate_after_flight: bool,
     /// The photos being laid on the map.
     pub laying: Option<JobId>,
     /// The photo that is to be shown on the map: job, and its number.

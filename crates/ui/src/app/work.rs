@@ -118,7 +118,7 @@ impl App {
             Some(fly) => {
                 fly.shown = Shown::Pictures;
                 self.jobs.fly_again_at = None;
-                self.jobs.align_after_flight = false;
+                self.jobs.calibrate_after_flight = false;
             }
             None => self.stop_flying(host),
         }
@@ -129,7 +129,7 @@ impl App {
     /// Stops what is being flown; what has streamed in stays.
     pub(super) fn stop_flying(&mut self, host: &mut dyn Host) {
         self.jobs.fly_again_at = None;
-        self.jobs.align_after_flight = false;
+        self.jobs.calibrate_after_flight = false;
         if let Some(fly) = self.jobs.fly.take() {
             host.cancel(fly.id);
         }
