@@ -448,21 +448,21 @@ fn labels() -> Vec<Entry> {
 
 /// Commands that write for other programs: whatever can be written, in every format that holds it.
 fn exports() -> Vec<Entry> {
-    let routes = Format::WRITTEN.map(|format| {
+    let routes = Format::all().map(|format| {
         let label = format!("Export the route as {}", format.as_words());
         (label, Command::ExportRoute(format))
     });
-    let landmarks = Format::WRITTEN.into_iter().filter(|f| f.holds_landmarks());
+    let landmarks = Format::all().filter(|f| f.holds_landmarks());
     let landmarks = landmarks.map(|format| {
         let label = format!("Export the landmarks as {}", format.as_words());
         (label, Command::ExportLandmarks(format))
     });
-    let tracks = Format::WRITTEN.into_iter().filter(|f| f.holds_tracks());
+    let tracks = Format::all().filter(|f| f.holds_tracks());
     let tracks = tracks.map(|format| {
         let label = format!("Save the flown track as {}", format.as_words());
         (label, Command::ExportTrack(format))
     });
-    let all = routes.into_iter().chain(landmarks).chain(tracks);
+    let all = routes.chain(landmarks).chain(tracks);
     all.map(|(label, command)| entry(Group::Document, label, vec![], command))
         .collect()
 }

@@ -4,10 +4,49 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
+use super::format_info::FormatInfo;
+use super::format_work::{FormatWork, Read, TrackWork};
+use super::written::Written;
+use super::{ExchangeError, Format, csv_read, fence, flown_text};
 use crate::mission::way_point_file::{action_word, frame_word};
 use crate::mission::{FEATURE_MEMBER, Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_vision::landmark::Landmark;
+
+/// The format.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    format: Format::Csv,
+    name: "CSV",
+    as_words: "CSV",
+    extensions: &["csv", "tsv"],
+    is_mission: false,
+    holds_tracks: true,
+};
+
+/// Its reader and writers.
+pub(super) const WORK: FormatWork = FormatWork {
+    format: INFO.format,
+    read: Read::Text(csv_read::read),
+    write: |places, frame| {
+        let text = match (places.routes, places.landmarks) {
+            ([], landmarks) => write_landmarks(landmarks, frame),
+            (routes, []) => write_routes(routes, frame),
+            _ => {
+                return Err(ExchangeError::CannotHold {
+                    format: INFO.name,
+                    what: "routes and landmarks in one table".to_owned(),
+                    advice: "write them into two files",
+                });
+            }
+        };
+        let notes = fence::left_out(&[], places.no_fly, frame);
+        Ok(Written::of_text((text, notes.into_iter().collect())))
+    },
+    track: Some(TrackWork {
+        write: |track| Ok(flown_text::csv(track).into_bytes()),
+        undated: None,
+    }),
+};
 
 /// Way-points of routes, one a row.
 pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {

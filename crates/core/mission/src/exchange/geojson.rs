@@ -4,8 +4,11 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::format_info::FormatInfo;
+use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{Found, POINT_BOX};
-use super::{ExchangeError, Places};
+use super::written::Written;
+use super::{ExchangeError, Format, Places, flown_text};
 use crate::mission::found::{Extent, FoundLandmark, FoundNoFly, FoundRoute, LonLat, on_globe};
 use crate::mission::text::Text;
 use crate::mission::{
@@ -13,6 +16,27 @@ use crate::mission::{
     write_features,
 };
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+
+/// The format.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    format: Format::GeoJson,
+    name: "GeoJSON",
+    as_words: "GeoJSON",
+    extensions: &["geojson", "json"],
+    is_mission: false,
+    holds_tracks: true,
+};
+
+/// Its reader and writers.
+pub(super) const WORK: FormatWork = FormatWork {
+    format: INFO.format,
+    read: Read::Text(read),
+    write: |places, frame| Ok(Written::of_text(write(places, frame))),
+    track: Some(TrackWork {
+        write: |track| Ok(flown_text::geojson(track).into_bytes()),
+        undated: Some("the date is not known: times are seconds"),
+    }),
+};
 
 /// Reads a collection, a single feature or a bare geometry.
 pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {

@@ -4,14 +4,42 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::ExchangeError;
 use super::embedded::{self, Item};
+use super::format_info::FormatInfo;
+use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{Found, POINT_BOX};
+use super::written::Written;
 use super::xml::{Element, Source, escape};
+use super::{ExchangeError, Format, fence, flown_text};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{Route, USUAL_ALTITUDE, WayPoint, degrees, globe};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_vision::landmark::Landmark;
+
+/// The format.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    format: Format::Gpx,
+    name: "GPX",
+    as_words: "GPX",
+    extensions: &["gpx"],
+    is_mission: false,
+    holds_tracks: true,
+};
+
+/// Its reader and writers.
+pub(super) const WORK: FormatWork = FormatWork {
+    format: INFO.format,
+    read: Read::Text(read),
+    write: |places, frame| {
+        let (text, mut notes) = write(places.routes, places.landmarks, frame);
+        notes.extend(fence::left_out(&[], places.no_fly, frame));
+        Ok(Written::of_text((text, notes)))
+    },
+    track: Some(TrackWork {
+        write: |track| Ok(flown_text::gpx(track).into_bytes()),
+        undated: Some("the date is not known: the points have no times"),
+    }),
+};
 
 /// Element in a route's extensions that holds what only we know.
 const OWN: &str = "feature";

@@ -5,9 +5,9 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::Places;
 use super::embedded::{self, Embedded};
 use super::xml::escape;
+use super::{ExchangeError, Places};
 use crate::mission::{degrees, globe, rings};
 use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
@@ -161,8 +161,13 @@ fn placemark(text: &mut String, name: &str, embedded: &Embedded, geometry: &str)
 }
 
 /// The KML in a zip.
-pub(super) fn pack(text: &str) -> Result<Vec<u8>, String> {
+pub(super) fn pack(text: &str) -> Result<Vec<u8>, ExchangeError> {
     let mut zip = ZipSink::default();
-    zip.write("doc.kml", text.as_bytes())?;
-    zip.finish()
+    let packed = zip
+        .write("doc.kml", text.as_bytes())
+        .and_then(|()| zip.finish());
+    packed.map_err(|cause| ExchangeError::File {
+        file: "doc.kml".to_owned(),
+        cause,
+    })
 }

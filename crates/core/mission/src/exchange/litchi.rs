@@ -6,9 +6,34 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 
 use super::csv_write::quoted;
-use super::{ExchangeError, Format};
+use super::format_info::FormatInfo;
+use super::format_work::{FormatWork, Read};
+use super::written::Written;
+use super::{ExchangeError, Format, csv_read, fence};
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::frames::{AltitudeFrame, LocalFrame};
+
+/// The format.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    format: Format::Litchi,
+    name: "Litchi CSV",
+    as_words: "a table of Litchi",
+    extensions: &["csv"],
+    is_mission: true,
+    holds_tracks: false,
+};
+
+/// Its reader and writers.
+pub(super) const WORK: FormatWork = FormatWork {
+    format: INFO.format,
+    read: Read::Text(csv_read::read),
+    write: |places, frame| {
+        let (text, mut notes) = write(&places.routes[0], frame)?;
+        notes.extend(fence::left_out(&[], places.no_fly, frame));
+        Ok(Written::of_text((text, notes)))
+    },
+    track: None,
+};
 
 /// Actions that a way-point may have.
 const ACTIONS: usize = 15;

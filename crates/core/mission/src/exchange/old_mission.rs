@@ -3,11 +3,38 @@
 
 use serde_json::{Map, Value, json};
 
+use super::format_info::FormatInfo;
+use super::format_work::{FormatWork, Read};
 use super::found::Found;
-use super::{ExchangeError, plan};
+use super::written::Written;
+use super::{ExchangeError, Format, plan};
+
+/// Plans, and what stood in their place before.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    format: Format::Plan,
+    name: "QGroundControl plan",
+    as_words: "a QGroundControl plan",
+    extensions: &["plan"],
+    is_mission: true,
+    holds_tracks: false,
+};
+
+/// Its reader and writers.
+pub(super) const WORK: FormatWork = FormatWork {
+    format: INFO.format,
+    read: Read::Text(|file, content| match as_plan(content) {
+        Some(plan) => read(file, &plan),
+        None => plan::read(file, content),
+    }),
+    write: |places, frame| {
+        let text = plan::write(&places.routes[0], places.no_fly, frame);
+        Ok(Written::of_text(text))
+    },
+    track: None,
+};
 
 /// The plan that says what an old mission says; `None` if the text is none.
-pub(super) fn as_plan(content: &str) -> Option<String> {
+fn as_plan(content: &str) -> Option<String> {
     let mut old: Map<String, Value> = serde_json::from_str(content).ok()?;
     let is_second = old.get("fileType").is_some_and(|kind| kind == "Mission");
     let is_first = !old.contains_key("fileType") && old.contains_key("MAV_AUTOPILOT");
@@ -28,7 +55,7 @@ pub(super) fn as_plan(content: &str) -> Option<String> {
 }
 
 /// Reads a plan that was made of an old mission.
-pub(super) fn read(file: &str, plan: &str) -> Result<Found, ExchangeError> {
+fn read(file: &str, plan: &str) -> Result<Found, ExchangeError> {
     let mut found = plan::read(file, plan).map_err(|error| match error {
         // Lines are those of the plan.
         ExchangeError::Place { file, cause, .. } => ExchangeError::File { file, cause },

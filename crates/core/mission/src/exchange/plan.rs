@@ -14,7 +14,7 @@ use super::fence;
 use super::found::Found;
 use super::item::Item;
 use super::item_route::{Home, Step, route_of};
-use super::route_items::{Written, home_of, members, steps_of_plan};
+use super::route_items::{RouteStep, home_of, members, steps_of_plan};
 use crate::mission::text::{Members, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, NoFlyZone, Route, degrees};
@@ -327,7 +327,7 @@ fn plan_mode(route: &Route) -> u8 {
 fn items(route: &Route, frame: &LocalFrame) -> String {
     let steps = steps_of_plan(route, frame);
     // Where commands jump to others by number, those with a number keep it.
-    let own_ids: Vec<Option<usize>> = steps.iter().map(Written::jump_id).collect();
+    let own_ids: Vec<Option<usize>> = steps.iter().map(RouteStep::jump_id).collect();
     let is_numbered_anew = !route
         .way_points
         .iter()
@@ -344,9 +344,9 @@ fn items(route: &Route, frame: &LocalFrame) -> String {
             next - 1
         });
         lines.push(match step {
-            Written::Kept(piece) => with_jump_id(piece.get(), id),
-            Written::Speed(item, _) => item.json(id),
-            Written::WayPoint(item, way_point) => {
+            RouteStep::Kept(piece) => with_jump_id(piece.get(), id),
+            RouteStep::Speed(item, _) => item.json(id),
+            RouteStep::WayPoint(item, way_point) => {
                 let mut text = item.json(id);
                 text.truncate(text.len() - " }".len());
                 // Writing into a string cannot fail.

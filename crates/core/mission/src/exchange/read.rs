@@ -1,8 +1,7 @@
 //! Reading of files in all formats that are known.
 
-use super::{
-    ExchangeError, Format, csv_read, geojson, gpx, kml_read, old_mission, plan, waypoints, wpml,
-};
+use super::format_work::Read;
+use super::{ExchangeError, Format};
 use crate::mission::found::{self, LonLat};
 use crate::mission::{NoFlyZone, Route};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
@@ -49,32 +48,10 @@ pub fn read_any(
         notes.push("the text is UTF-16".to_owned());
     }
     let format = Format::of(name, bytes).ok_or_else(unknown)?;
-    let unpacked = match format {
-        Format::Kmz => kml_read::unpack(name, bytes)?,
-        _ => Vec::new(),
-    };
-    let bytes = if format == Format::Kmz {
-        &unpacked
-    } else {
-        bytes
-    };
-    let found = {
-        let content = match format {
-            Format::Wpml => String::new(),
-            _ => text(bytes, &mut notes),
-        };
-        match format {
-            Format::Wpml => wpml::read(name, bytes)?,
-            Format::Plan => match old_mission::as_plan(&content) {
-                Some(plan) => old_mission::read(name, &plan)?,
-                None => plan::read(name, &content)?,
-            },
-            Format::Waypoints => waypoints::read(name, &content)?,
-            Format::GeoJson => geojson::read(name, &content)?,
-            Format::Kml | Format::Kmz => kml_read::read(name, &content)?,
-            Format::Gpx => gpx::read(name, &content)?,
-            Format::Csv | Format::Litchi => csv_read::read(name, &content)?,
-        }
+    let found = match format.work().read {
+        Read::Text(read) => read(name, &text(bytes, &mut notes))?,
+        Read::Packed(unpack, read) => read(name, &text(&unpack(name, bytes)?, &mut notes))?,
+        Read::Bytes(read) => read(name, bytes)?,
     };
     if found.routes.is_empty() && found.landmarks.is_empty() && found.no_fly.is_empty() {
         let mut cause = "there is neither a route nor a landmark in it".to_owned();

@@ -19,7 +19,7 @@ use pilotage_base::frames::LocalFrame;
 const STILL_AT_HOME: f64 = 0.01;
 
 /// Step of a route to be written.
-pub(super) enum Written<'a> {
+pub(super) enum RouteStep<'a> {
     /// A way-point: the command and where its altitude and unknown members stand.
     WayPoint(Item, &'a WayPoint),
     /// A change of speed, and the number by which the file that it comes from names it.
@@ -28,7 +28,7 @@ pub(super) enum Written<'a> {
     Kept(&'a RawValue),
 }
 
-impl Written<'_> {
+impl RouteStep<'_> {
     /// The number by which jumps name it, if the file that it comes from gave it one.
     pub(super) fn jump_id(&self) -> Option<usize> {
         match self {
@@ -47,12 +47,12 @@ fn jump_id_of(text: &str) -> Option<usize> {
 }
 
 /// The steps of a route, in order; surveys and the like as the commands that they stand for.
-pub(super) fn steps_of<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<Written<'a>> {
+pub(super) fn steps_of<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<RouteStep<'a>> {
     steps(route, frame, &[])
 }
 
 /// The steps of a route, in order, with surveys and the like as they were, unless somebody changed them.
-pub(super) fn steps_of_plan<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<Written<'a>> {
+pub(super) fn steps_of_plan<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<RouteStep<'a>> {
     steps(route, frame, &complex::unchanged(route, frame))
 }
 
@@ -61,7 +61,7 @@ fn steps<'a>(
     route: &'a Route,
     frame: &LocalFrame,
     whole: &[Option<&'a RawValue>],
-) -> Vec<Written<'a>> {
+) -> Vec<RouteStep<'a>> {
     let home = stated_home(route);
     let mut steps = Vec::new();
     let mut speed = None;
@@ -82,8 +82,8 @@ fn steps<'a>(
         let number = complex::number(way_point).filter(|number| in_whole(*number).is_some());
         match number.and_then(in_whole) {
             Some(_) if number == last => {}
-            Some(item) => steps.push(Written::Kept(item)),
-            None => steps.push(Written::WayPoint(
+            Some(item) => steps.push(RouteStep::Kept(item)),
+            None => steps.push(RouteStep::WayPoint(
                 command(way_point, frame, home),
                 way_point,
             )),
@@ -104,26 +104,26 @@ fn kept(list: Option<&String>) -> Vec<&RawValue> {
 /// Adds what was kept before the way-point `next`, whose leg has another speed than that before it or
 /// has not; the change stands where it stood in the file, as long as it says the same.
 fn between<'a>(
-    steps: &mut Vec<Written<'a>>,
+    steps: &mut Vec<RouteStep<'a>>,
     kept: &[&'a RawValue],
     next: Option<(&WayPoint, Option<f64>)>,
 ) {
     let mut change = next
         .filter(|(next, before)| next.speed != *before)
-        .map(|(next, _)| Written::Speed(speed_command(next), None));
+        .map(|(next, _)| RouteStep::Speed(speed_command(next), None));
     for piece in kept {
         if piece.get() == SPEED_PLACE {
             steps.extend(change.take());
         } else if let Some((item, id)) = kept_speed(piece.get()) {
             let wanted = next.and_then(|(next, _)| next.speed);
             if next.is_some() && item.parameters[1].filter(|v| *v > 0.0) == wanted {
-                steps.push(Written::Speed(item, id));
+                steps.push(RouteStep::Speed(item, id));
                 change = None;
-            } else if let Some(Written::Speed(item, _)) = change.take() {
-                steps.push(Written::Speed(item, id));
+            } else if let Some(RouteStep::Speed(item, _)) = change.take() {
+                steps.push(RouteStep::Speed(item, id));
             }
         } else {
-            steps.push(Written::Kept(piece));
+            steps.push(RouteStep::Kept(piece));
         }
     }
     steps.extend(change);

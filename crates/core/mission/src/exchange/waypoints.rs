@@ -8,13 +8,38 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::ExchangeError;
+use super::Format;
 use super::fence::{self, is_fence};
+use super::format_info::FormatInfo;
+use super::format_work::{FormatWork, Read};
 use super::found::Found;
 use super::item::{Item, JUMP, WAY_POINT, counted};
 use super::item_route::{Home, Step, route_of};
-use super::route_items::{Written, home_of, stated_home, steps_of};
+use super::route_items::{RouteStep, home_of, stated_home, steps_of};
+use super::written::Written;
 use crate::mission::{NoFlyZone, Route, degrees};
 use pilotage_base::frames::{Geodetic, LocalFrame};
+
+/// The format.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    format: Format::Waypoints,
+    name: "QGC WPL 110",
+    as_words: "way-points (QGC WPL)",
+    extensions: &["waypoints", "wpl", "txt"],
+    is_mission: true,
+    holds_tracks: false,
+};
+
+/// Its reader and writers.
+pub(super) const WORK: FormatWork = FormatWork {
+    format: INFO.format,
+    read: Read::Text(read),
+    write: |places, frame| {
+        let text = write(&places.routes[0], places.no_fly, frame);
+        Ok(Written::of_text(text))
+    },
+    track: None,
+};
 
 const HEADER: &str = "QGC WPL";
 const VERSION: &str = "110";
@@ -248,8 +273,8 @@ pub(super) fn write(
     for step in steps_of(route, frame) {
         let id = step.jump_id();
         match step {
-            Written::WayPoint(item, _) | Written::Speed(item, _) => items.push((item, id)),
-            Written::Kept(piece) => match Item::of_json(piece.get()) {
+            RouteStep::WayPoint(item, _) | RouteStep::Speed(item, _) => items.push((item, id)),
+            RouteStep::Kept(piece) => match Item::of_json(piece.get()) {
                 Ok(item) => items.push((item, id)),
                 Err(name) => left_out.push(name),
             },

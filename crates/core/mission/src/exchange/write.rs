@@ -1,21 +1,10 @@
 //! Writing of files in all formats that are known.
 
-use super::{
-    ExchangeError, Format, Places, csv_write, fence, geojson, gpx, kml_write, litchi, plan,
-    waypoints, wpml,
-};
+use super::written::Written;
+use super::{ExchangeError, Format, Places};
 use crate::mission::Route;
 use pilotage_base::frames::LocalFrame;
 use pilotage_vision::landmark::Landmark;
-
-/// A file that was written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Written {
-    /// Its contents.
-    pub bytes: Vec<u8>,
-    /// Notes on all that was assumed or left out, in sentences for people.
-    pub notes: Vec<String>,
-}
 
 /// Writes a single route, placed in the world `frame`, in any format.
 ///
@@ -66,9 +55,7 @@ pub fn write_places(
     frame: &LocalFrame,
 ) -> Result<Written, ExchangeError> {
     let Places {
-        routes,
-        landmarks,
-        no_fly,
+        routes, landmarks, ..
     } = *places;
     let cannot_hold = |what: String, advice| ExchangeError::CannotHold {
         format: format.name(),
@@ -93,38 +80,5 @@ pub fn write_places(
             "choose one of them",
         ));
     }
-    let (text, mut notes) = match (format, routes) {
-        (Format::Wpml, [route]) => {
-            let (bytes, mut notes) = wpml::write(route, frame)?;
-            notes.extend(fence::left_out(&[], no_fly, frame));
-            return Ok(Written { bytes, notes });
-        }
-        (Format::Litchi, [route]) => litchi::write(route, frame)?,
-        (Format::Plan, [route]) => plan::write(route, no_fly, frame),
-        (Format::Waypoints, [route]) => waypoints::write(route, no_fly, frame),
-        (Format::GeoJson, _) => geojson::write(places, frame),
-        (Format::Kml | Format::Kmz, _) => kml_write::write(places, frame),
-        (Format::Gpx, _) => gpx::write(routes, landmarks, frame),
-        (Format::Csv, []) => (csv_write::write_landmarks(landmarks, frame), Vec::new()),
-        (Format::Csv, _) if landmarks.is_empty() => {
-            (csv_write::write_routes(routes, frame), Vec::new())
-        }
-        _ => {
-            return Err(cannot_hold(
-                "routes and landmarks in one table".to_owned(),
-                "write them into two files",
-            ));
-        }
-    };
-    if matches!(format, Format::Gpx | Format::Csv | Format::Litchi) {
-        notes.extend(fence::left_out(&[], no_fly, frame));
-    }
-    let bytes = match format {
-        Format::Kmz => kml_write::pack(&text).map_err(|cause| ExchangeError::File {
-            file: "doc.kml".to_owned(),
-            cause,
-        })?,
-        _ => text.into_bytes(),
-    };
-    Ok(Written { bytes, notes })
+    (format.work().write)(places, frame)
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use super::super::ExchangeError;
 use super::super::item::{Item, RETURN_TO_LAUNCH, command_name, counted};
-use super::super::route_items::{Written, steps_of};
+use super::super::route_items::{RouteStep, steps_of};
 use super::super::xml::{Source, escape};
 use super::heights::heights;
 use super::{
@@ -208,7 +208,7 @@ fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'stati
     let mut left_out = Vec::new();
     let mut returns = false;
     for step in steps_of(route, frame) {
-        if let Written::Kept(piece) = step {
+        if let RouteStep::Kept(piece) = step {
             match Item::of_json(piece.get()) {
                 Ok(item) if item.command == RETURN_TO_LAUNCH => returns = true,
                 Ok(item) => left_out.push(command_name(item.command)),

@@ -1,0 +1,19 @@
+//! Description of a format, apart from the code that reads and writes it: menus link no readers.
+
+use super::Format;
+
+/// Description of a format; it stands beside the code that writes it.
+pub(super) struct FormatInfo {
+    /// The format.
+    pub format: Format,
+    /// Name for people.
+    pub name: &'static str,
+    /// Words for a file of the format, as in "save the route as …".
+    pub as_words: &'static str,
+    /// Extensions of file names, without the dot; the first is written.
+    pub extensions: &'static [&'static str],
+    /// Whether it holds one mission of an aircraft, and nothing else.
+    pub is_mission: bool,
+    /// Whether it holds a flown track.
+    pub holds_tracks: bool,
+}

@@ -1,0 +1,40 @@
+//! Reader and writers of a format.
+
+use super::flown_track::FlownTrack;
+use super::found::Found;
+use super::written::Written;
+use super::{ExchangeError, Format, Places};
+use pilotage_base::frames::LocalFrame;
+
+/// Reader and writers of a format.
+pub(super) struct FormatWork {
+    /// The format.
+    pub format: Format,
+    /// Reader of its files.
+    pub read: Read,
+    /// Writes places that the format holds: of a mission, its one route.
+    pub write: fn(&Places<'_>, &LocalFrame) -> Result<Written, ExchangeError>,
+    /// Writer of a flown track, if it has a form for one.
+    pub track: Option<TrackWork>,
+}
+
+/// Reader of a format, which gets the name of the file for its errors.
+pub(super) enum Read {
+    /// Of text.
+    Text(fn(&str, &str) -> Result<Found, ExchangeError>),
+    /// Of text in an archive: its unpacker and its reader.
+    Packed(
+        fn(&str, &[u8]) -> Result<Vec<u8>, ExchangeError>,
+        fn(&str, &str) -> Result<Found, ExchangeError>,
+    ),
+    /// Of bytes.
+    Bytes(fn(&str, &[u8]) -> Result<Found, ExchangeError>),
+}
+
+/// Writer of a flown track.
+pub(super) struct TrackWork {
+    /// Writes it.
+    pub write: fn(&FlownTrack) -> Result<Vec<u8>, ExchangeError>,
+    /// Note where the date of the track is not known.
+    pub undated: Option<&'static str>,
+}
