@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use pilotage_core::exchange::read_any;
+use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::foreign::foreign;
+use pilotage_core::flight::log::all_formats;
 use pilotage_core::flight::nmea::flight_of_sentences;
 use pilotage_core::flight::photo::{read_photo, read_photos};
 use pilotage_core::flight::srt::flight_of_subtitles;
@@ -335,11 +336,24 @@ fn unknown(pool: &FilePool) -> String {
     };
     format!(
         "{first}{more}: no {FLIGHT_FILE}, no flight log, no map with its georeference, no mission, no \
-         route and no run among them. Drop a log (.bin, .log, .ulg, .tlog), a flight folder, a zip of \
-         either, a map picture with its world file, a \
-         GeoTIFF, PMTiles or an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, or routes and \
-         landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV, or tables of a flight as CSV."
+         route and no run among them. Drop a log ({}), sentences of a receiver (.nmea) or MATLAB's variables (.mat), \
+         a flight folder, a zip of any of these, a film beside its log or its subtitles (.srt), a map picture with its \
+         world file, a GeoTIFF, PMTiles or an elevation model (.hgt), photos that say where they were taken, a mission or \
+         a run saved here, or routes and landmarks as {}, or tables of a flight as CSV.",
+        log_endings().join(", "),
+        exchange_names().join(", ")
     )
+}
+
+/// Endings of the names of flight logs, with their dots.
+fn log_endings() -> Vec<String> {
+    let endings = all_formats().iter().flat_map(|info| info.endings);
+    endings.map(|ending| format!(".{ending}")).collect()
+}
+
+/// Names of the formats of routes and landmarks.
+fn exchange_names() -> Vec<&'static str> {
+    Format::all().map(Format::name).collect()
 }
 
 /// Description of an elevation model in its own frame.
@@ -500,5 +514,27 @@ mod tests {
         let opened = look(&[("DJI_0001.SRT", text.as_bytes())]).unwrap();
         let (first, last) = opened.flight.unwrap().span();
         assert!((last - first - 29.0).abs() < 1e-9);
+    }
+
+    /// The page says what can be dropped before any program is there, in a text of its own.
+    #[test]
+    fn the_page_names_every_kind_of_log_that_is_read() {
+        let page = include_str!("../../../index.html");
+        let drop = page.lines().find(|line| line.contains("id=\"drop\""));
+        let drop = drop.expect("the page has a place for files");
+        for ending in log_endings() {
+            assert!(
+                drop.contains(&ending),
+                "{ending} is read: name it in {drop}"
+            );
+        }
+        let refused = look(&[("letter.xyz", &b"Dear all"[..])]).unwrap_err();
+        for ending in log_endings() {
+            assert!(refused.contains(&ending), "{refused}");
+        }
+        assert!(
+            refused.contains("QGroundControl plan, QGC WPL 110, KML"),
+            "{refused}"
+        );
     }
 }
