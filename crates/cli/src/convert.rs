@@ -55,7 +55,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
         }
     };
     let format = of_maker.ok_or_else(|| {
-        let known: Vec<_> = Format::ALL.iter().map(|f| f.extensions()[0]).collect();
+        let known: Vec<_> = Format::told_by_extension()
+            .map(|f| f.extensions()[0])
+            .collect();
         format!(
             "{name}: the extension names no format; known are .{}",
             known.join(", .")

@@ -19,6 +19,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "CSV",
     as_words: "CSV",
     extensions: &["csv", "tsv"],
+    is_told_by_extension: true,
     is_mission: false,
     holds_tracks: true,
 };

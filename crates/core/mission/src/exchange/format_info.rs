@@ -12,6 +12,8 @@ pub(super) struct FormatInfo {
     pub as_words: &'static str,
     /// Extensions of file names, without the dot; the first is written.
     pub extensions: &'static [&'static str],
+    /// Whether the extension of a file's name tells it; else that is another format's.
+    pub is_told_by_extension: bool,
     /// Whether it holds one mission of an aircraft, and nothing else.
     pub is_mission: bool,
     /// Whether it holds a flown track.

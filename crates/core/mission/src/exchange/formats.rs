@@ -22,17 +22,11 @@ impl Format {
         TABLE.iter().map(|info| info.format)
     }
 
-    /// The formats that the extension of a file's name tells, in the order in which people are offered
-    /// them; those of DJI and Litchi have extensions of others.
-    pub const ALL: [Self; 7] = [
-        Self::Plan,
-        Self::Waypoints,
-        Self::Kml,
-        Self::Kmz,
-        Self::GeoJson,
-        Self::Gpx,
-        Self::Csv,
-    ];
+    /// Formats that the extension of a file's name tells, in that order: those of makers have extensions of others.
+    pub fn told_by_extension() -> impl Iterator<Item = Self> {
+        let told = TABLE.iter().filter(|info| info.is_told_by_extension);
+        told.map(|info| info.format)
+    }
 
     /// Its description.
     fn info(self) -> &'static FormatInfo {
@@ -80,7 +74,7 @@ impl Format {
     /// ```
     pub fn of_name(name: &str) -> Option<Self> {
         let (_, extension) = name.rsplit_once('.')?;
-        Self::ALL.into_iter().find(|format| {
+        Self::told_by_extension().find(|format| {
             format
                 .extensions()
                 .iter()

@@ -23,6 +23,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "GeoJSON",
     as_words: "GeoJSON",
     extensions: &["geojson", "json"],
+    is_told_by_extension: true,
     is_mission: false,
     holds_tracks: true,
 };

@@ -22,6 +22,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "GPX",
     as_words: "GPX",
     extensions: &["gpx"],
+    is_told_by_extension: true,
     is_mission: false,
     holds_tracks: true,
 };

@@ -15,6 +15,7 @@ pub(super) const KML: FormatInfo = FormatInfo {
     name: "KML",
     as_words: "KML",
     extensions: &["kml"],
+    is_told_by_extension: true,
     is_mission: false,
     holds_tracks: true,
 };
@@ -36,6 +37,7 @@ pub(super) const KMZ: FormatInfo = FormatInfo {
     name: "KMZ",
     as_words: "KMZ",
     extensions: &["kmz"],
+    is_told_by_extension: true,
     is_mission: false,
     holds_tracks: true,
 };

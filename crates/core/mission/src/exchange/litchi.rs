@@ -19,6 +19,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "Litchi CSV",
     as_words: "a table of Litchi",
     extensions: &["csv"],
+    is_told_by_extension: false,
     is_mission: true,
     holds_tracks: false,
 };

@@ -15,6 +15,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "QGroundControl plan",
     as_words: "a QGroundControl plan",
     extensions: &["plan"],
+    is_told_by_extension: true,
     is_mission: true,
     holds_tracks: false,
 };

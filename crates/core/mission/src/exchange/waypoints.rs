@@ -26,6 +26,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "QGC WPL 110",
     as_words: "way-points (QGC WPL)",
     extensions: &["waypoints", "wpl", "txt"],
+    is_told_by_extension: true,
     is_mission: true,
     holds_tracks: false,
 };

@@ -12,6 +12,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     name: "DJI WPML",
     as_words: "a mission of DJI (WPML)",
     extensions: &["kmz"],
+    is_told_by_extension: false,
     is_mission: true,
     holds_tracks: false,
 };
