@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::{SLICE, once};
+use super::share::Shareable;
 use super::{
     Advance, Assessment, AssessmentOrder, Glance, JobEvent, MapSource, RunningJob, Share,
     WorkerState,
@@ -160,31 +161,14 @@ impl Order for AssessmentOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Assess::new(self, Share::WHOLE))
+        self.begin_share(Share::WHOLE)
     }
 }
 
-/// Share of the looks at a landmark: event `Views`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct AssessShareOrder(pub Box<AssessmentOrder>, pub Share);
-
-impl Order for AssessShareOrder {
-    const URGENCY: Urgency = Urgency::Awaited;
-
-    fn role(&self) -> Role {
-        Role::ALL[self.1.part]
-    }
-
-    fn files(&self) -> Vec<&str> {
-        self.0.files()
-    }
-
-    fn reads(&self) -> Option<(&MapSource, Reads)> {
-        self.0.reads()
-    }
-
-    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Assess::new(*self.0, self.1))
+impl Shareable for AssessmentOrder {
+    /// Its events are `Views`.
+    fn begin_share(self, share: Share) -> Box<dyn RunningJob> {
+        Box::new(Assess::new(self, share))
     }
 }
 

@@ -6,8 +6,8 @@ use pilotage_core::simulate::Scenario;
 
 use super::*;
 use crate::{
-    AssessShareOrder, FlightSource, FlyOrder, MapSource, ProposeOrder, SimulationOptions,
-    SuggestShareOrder, SumUpOrder, TileOrder,
+    FlightSource, FlyOrder, MapSource, ProposeOrder, ShareOrder, SimulationOptions, SumUpOrder,
+    TileOrder,
 };
 
 fn fly(scenario: &str) -> Job {
@@ -143,7 +143,7 @@ fn measure(shares: usize) -> crate::Assessment {
         Job::Assess(order)
     } else {
         for part in 0..shares {
-            let job = Job::AssessShare(AssessShareOrder(order.clone(), Share { part, of: shares }));
+            let job = Job::AssessShare(ShareOrder(order.clone(), Share { part, of: shares }));
             for event in run(&mut host, job) {
                 if let JobEvent::Views(mut some) = event {
                     views.append(&mut some);
@@ -198,8 +198,7 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
     } else {
         let mut found = Vec::new();
         for part in 0..shares {
-            let job =
-                Job::SuggestShare(SuggestShareOrder(order.clone(), Share { part, of: shares }));
+            let job = Job::SuggestShare(ShareOrder(order.clone(), Share { part, of: shares }));
             for event in run(&mut host, job) {
                 if let JobEvent::Candidates(of, mut some) = event {
                     assert_eq!(of, part);

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::assess::{AssessShareOrder, SumUpOrder};
+use super::assess::SumUpOrder;
 use super::decode::DecodeOrder;
 use super::distinct::DistinctnessOrder;
 use super::envelope::EnvelopeOrder;
@@ -22,8 +22,9 @@ use super::order::{Order, Reads, Role, Urgency};
 use super::prepare::PrepareMapOrder;
 use super::provided::{LetGoOrder, ProvideOrder};
 use super::running::once;
+use super::share::ShareOrder;
 use super::smooth::SmoothOrder;
-use super::suggest::{ProposeOrder, SuggestShareOrder};
+use super::suggest::ProposeOrder;
 use super::tables::MakeFlightOrder;
 use super::{MapSource, RunningJob, WorkerState};
 
@@ -136,12 +137,12 @@ orders! {
     DrapePhoto(Box<DrapeOrder>),
     Evaluate(Box<EvaluationOrder>),
     Assess(Box<AssessmentOrder>),
-    AssessShare(AssessShareOrder),
+    AssessShare(ShareOrder<AssessmentOrder>),
     SumUp(SumUpOrder),
     Envelope(EnvelopeOrder),
     Train(Box<TrainOrder>),
     Suggest(Box<SuggestOrder>),
-    SuggestShare(SuggestShareOrder),
+    SuggestShare(ShareOrder<SuggestOrder>),
     Propose(ProposeOrder),
     Field(Box<FieldOrder>),
     Find(Box<FindOrder>),

@@ -1,4 +1,4 @@
-//! Places of jobs: the role of each worker, the program that a job needs, and the files that it names.
+//! Places of workers: a role and a program each.
 
 use super::Program;
 use super::order::Role;
@@ -21,33 +21,4 @@ pub fn role_at(place: usize) -> usize {
 /// The program of a place.
 pub fn program_at(place: usize) -> Program {
     Program::ALL[place / ROLES]
-}
-
-#[cfg(test)]
-mod tests {
-    use pilotage_core::flight::photo::PhotoSearch;
-    use pilotage_core::frames::{GroundPoint, GroundRect};
-
-    use crate::{DescribeMapOrder, FlightSource, FlyOrder, Job, MapSource, PhotosOrder};
-
-    #[test]
-    fn photos_being_laid_keep_neither_their_flight_nor_the_map_waiting() {
-        let lay = Job::LayPhotos(Box::new(PhotosOrder {
-            key: "drop".to_owned(),
-            names: vec!["a.jpg".to_owned()],
-            map: MapSource::Files("map".to_owned()),
-            origin: None,
-            ground: GroundRect::centered(GroundPoint::default(), 100.0, 100.0),
-            search: PhotoSearch::default(),
-        }));
-        let fly = Job::Fly(FlyOrder {
-            flight: FlightSource::Files("drop".to_owned()),
-            map: MapSource::Files("map".to_owned()),
-            mission: None,
-        });
-        let describe = Job::DescribeMap(DescribeMapOrder(MapSource::Files("map".to_owned())));
-        assert_ne!(lay.role(), fly.role());
-        assert_ne!(lay.role(), describe.role());
-        assert_eq!(lay.files(), ["drop", "map"]);
-    }
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use pilotage_core::plan::{Candidate, Rehearsal, View};
 
 use super::{
-    AssessShareOrder, AssessmentOrder, Job, JobEvent, JobId, ProposeOrder, Share, SuggestOrder,
-    SuggestShareOrder, SumUpOrder,
+    AssessmentOrder, Job, JobEvent, JobId, ProposeOrder, Share, ShareOrder, SuggestOrder,
+    SumUpOrder,
 };
 
 /// Workers that share a job.
@@ -59,12 +59,8 @@ impl SharedJob {
         std::array::from_fn(|part| {
             let share = Share { part, of: SHARES };
             match &self.whole {
-                Whole::Measurement(order, _) => {
-                    Job::AssessShare(AssessShareOrder(order.clone(), share))
-                }
-                Whole::Proposal(order, _) => {
-                    Job::SuggestShare(SuggestShareOrder(order.clone(), share))
-                }
+                Whole::Measurement(order, _) => Job::AssessShare(ShareOrder(order.clone(), share)),
+                Whole::Proposal(order, _) => Job::SuggestShare(ShareOrder(order.clone(), share)),
             }
         })
     }

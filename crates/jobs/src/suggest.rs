@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Reads, Role, Urgency, keys_of};
 use super::running::{once, slice};
+use super::share::Shareable;
 use super::{Advance, JobEvent, MapSource, RunningJob, Share, SuggestOrder, WorkerState};
 
 /// Seed of the days: the same plan always has the same proposals.
@@ -117,31 +118,14 @@ impl Order for SuggestOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Suggest::new(self, Share::WHOLE))
+        self.begin_share(Share::WHOLE)
     }
 }
 
-/// Share of the places rehearsed for a proposal: event `Candidates`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SuggestShareOrder(pub Box<SuggestOrder>, pub Share);
-
-impl Order for SuggestShareOrder {
-    const URGENCY: Urgency = Urgency::Awaited;
-
-    fn role(&self) -> Role {
-        Role::ALL[self.1.part]
-    }
-
-    fn files(&self) -> Vec<&str> {
-        self.0.files()
-    }
-
-    fn reads(&self) -> Option<(&MapSource, Reads)> {
-        self.0.reads()
-    }
-
-    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Suggest::new(*self.0, self.1))
+impl Shareable for SuggestOrder {
+    /// Its events are `Candidates`.
+    fn begin_share(self, share: Share) -> Box<dyn RunningJob> {
+        Box::new(Suggest::new(self, share))
     }
 }
 
