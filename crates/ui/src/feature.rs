@@ -57,9 +57,61 @@ impl FeatureContext<'_> {
         self.host.cancel(job);
     }
 
+    /// Tells people something.
+    pub fn note(&mut self, title: &str, text: impl Into<String>) {
+        let now = self.host.now();
+        self.toasts.note(now, title, text);
+    }
+
     /// Opens the feature's panel.
     pub fn show(&mut self) {
         self.is_to_be_shown = true;
+    }
+}
+
+/// Job that a feature has under way, as its panel tells of it.
+#[derive(Debug, Default)]
+pub struct FeatureWork {
+    job: Option<JobId>,
+    /// Progress in words, while the job is under way.
+    pub words: Option<String>,
+    /// Why the last one failed.
+    pub trouble: Option<String>,
+}
+
+impl FeatureWork {
+    /// Starts a job in the place of the one under way.
+    pub fn begin(&mut self, words: String, job: Job, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        *self = Self {
+            job: Some(context.start(job)),
+            words: Some(words),
+            trouble: None,
+        };
+    }
+
+    /// Takes an event of the job: progress, failure and end; results are its owner's.
+    pub fn take(&mut self, event: &JobEvent) {
+        match event {
+            JobEvent::Progress(share, words) => {
+                self.words = Some(format!("{words}: {:.0} %", 100.0 * share));
+            }
+            JobEvent::Failed(why) => self.trouble = Some(why.clone()),
+            _ => {}
+        }
+        if event.is_last() {
+            (self.job, self.words) = (None, None);
+        }
+    }
+
+    /// Stops the job under way; whether there was one.
+    pub fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        self.words = None;
+        let job = self.job.take();
+        if let Some(job) = job {
+            context.cancel(job);
+        }
+        job.is_some()
     }
 }
 

@@ -6,18 +6,17 @@ use pilotage_core::study::{Comparison, ComparisonRow};
 use super::command::CompareCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::feature::FeatureWork;
 use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
 
 /// State of the contest of all estimators.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Debug, Default)]
 pub struct Contest {
-    /// Who flies and how far, while somebody does.
-    pub at_work: Option<String>,
+    /// Flight by all of them, while it is under way.
+    pub work: FeatureWork,
     /// Comparison of the estimators.
     pub found: Option<Comparison>,
-    /// Why nothing did, if so.
-    pub trouble: Option<String>,
 }
 
 impl Contest {
@@ -31,14 +30,14 @@ impl Contest {
         ui.label(small(
             "The same flight by every estimator, in flight and smoothed afterwards",
         ));
-        if let Some(words) = &self.at_work {
+        if let Some(words) = &self.work.words {
             if at_work(ui, tokens, words) {
                 context.commands.push(Command::CancelJob);
             }
         } else if text_button(ui, tokens, None, "Fly by all estimators", false).clicked() {
             context.commands.push(CompareCommand::FlyAll.into());
         }
-        if let Some(why) = &self.trouble {
+        if let Some(why) = &self.work.trouble {
             ui.label(RichText::new(why).color(tokens.warning));
         }
         let Some(found) = &self.found else { return };

@@ -62,8 +62,6 @@ pub struct Compare {
     view: CompareView,
     contest: Contest,
     shelf: Shelf,
-    /// The contest that is being flown.
-    job: Option<JobId>,
     /// The run that is being smoothed, and what its track will be, but for its places.
     smoothing: Option<(JobId, Track)>,
 }
@@ -83,11 +81,6 @@ fn named_after(of: &str, run: Option<&Run>) -> String {
 }
 
 impl Compare {
-    fn note(context: &mut FeatureContext<'_>, title: &str, text: String) {
-        let now = context.host.now();
-        context.toasts.note(now, title, text);
-    }
-
     /// Keeps one of the trajectories that are open.
     fn keep(&mut self, id: TrackId, context: &mut FeatureContext<'_>) {
         let documents = context.documents;
@@ -97,7 +90,7 @@ impl Compare {
         let wanted = open.into_iter().find(|(found, _)| *found == id);
         let Some((_, mut track)) = wanted else {
             let text = "Simulate or open a flight first.".to_owned();
-            return Self::note(context, "Nothing to keep", text);
+            return context.note("Nothing to keep", text);
         };
         let of = flight.map_or("the flight", |f| f.name.as_str());
         track.name = match id {
@@ -106,7 +99,7 @@ impl Compare {
             _ => named_after(of, run),
         };
         let name = self.shelf.keep(track).to_owned();
-        Self::note(context, "Kept for comparison", name);
+        context.note("Kept for comparison", name);
     }
 
     /// Has every step of the run estimated from all of the flight; the result is kept.
@@ -115,7 +108,7 @@ impl Compare {
         let run = documents.run.as_ref().filter(|_| documents.run_complete);
         let (Some(flight), Some(run)) = (documents.flight.as_ref(), run) else {
             let text = "Wait until the flight is flown to its end.".to_owned();
-            return Self::note(context, "Nothing to smooth yet", text);
+            return context.note("Nothing to smooth yet", text);
         };
         let track = Track {
             name: format!("{}, smoothed", named_after(&flight.name, Some(run))),
@@ -124,22 +117,25 @@ impl Compare {
             has_height: false,
             places: Vec::new(),
         };
+        self.stop_smoothing(context);
         let order = SmoothOrder(Box::new(run.clone()));
-        let job = context.start(Job::Smooth(order));
-        self.smoothing = Some((job, track));
+        self.smoothing = Some((context.start(Job::Smooth(order)), track));
     }
 
-    /// Takes what a worker says of the run that is smoothed.
-    fn smoothing_event(&mut self, event: &JobEvent, context: &mut FeatureContext<'_>) {
+    /// Takes an event of the job that smooths a run, whose track is `track` but for its places.
+    fn smoothing_event(
+        &mut self,
+        track: Track,
+        event: &JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) {
         match event {
             JobEvent::Smoothed(places) => {
-                if let Some((_, track)) = self.smoothing.take() {
-                    let places = places.iter().copied();
-                    let mut kept = Track::on_the_ground(track.name, track.frame, places);
-                    kept.utc_at_zero = track.utc_at_zero;
-                    let name = self.shelf.keep(kept).to_owned();
-                    Self::note(context, "Kept for comparison", name);
-                }
+                let places = places.iter().copied();
+                let mut kept = Track::on_the_ground(track.name, track.frame, places);
+                kept.utc_at_zero = track.utc_at_zero;
+                let name = self.shelf.keep(kept).to_owned();
+                context.note("Kept for comparison", name);
             }
             JobEvent::Failed(why) => {
                 let (now, title) = (context.host.now(), "The run cannot be smoothed");
@@ -152,20 +148,25 @@ impl Compare {
         }
     }
 
+    fn stop_smoothing(&mut self, context: &mut FeatureContext<'_>) {
+        if let Some((job, _)) = self.smoothing.take() {
+            context.cancel(job);
+        }
+    }
+
     /// Flies what is open by every estimator.
     fn fly_by_all(&mut self, context: &mut FeatureContext<'_>) {
-        self.stop(context);
-        self.contest = Contest {
-            at_work: Some("Beginning".to_owned()),
-            ..Contest::default()
-        };
         let documents = context.documents;
         let order = ContestOrder {
             flight: documents.flight_source.clone(),
             map: documents.map_source.clone(),
             mission: documents.mission.clone(),
         };
-        self.job = Some(context.start(Job::Contest(Box::new(order))));
+        let job = Job::Contest(Box::new(order));
+        self.contest.found = None;
+        self.contest
+            .work
+            .begin("Beginning".to_owned(), job, context);
     }
 }
 
@@ -205,40 +206,25 @@ impl Feature for Compare {
     }
 
     fn on_event(&mut self, job: JobId, event: &JobEvent, context: &mut FeatureContext<'_>) {
-        if self.smoothing.as_ref().is_some_and(|(id, _)| *id == job) {
-            return self.smoothing_event(event, context);
+        let smoothing = self.smoothing.as_ref().filter(|(id, _)| *id == job);
+        if let Some((_, track)) = smoothing.cloned() {
+            return self.smoothing_event(track, event, context);
         }
-        let contest = &mut self.contest;
-        match event {
-            JobEvent::Progress(share, words) => {
-                contest.at_work = Some(format!("{words}: {:.0} %", 100.0 * share));
-            }
-            JobEvent::ContestJudged(found) => contest.found = Some((**found).clone()),
-            JobEvent::Failed(why) => contest.trouble = Some(why.clone()),
-            _ => {}
+        if let JobEvent::ContestJudged(found) = event {
+            self.contest.found = Some((**found).clone());
         }
-        if event.is_last() {
-            contest.at_work = None;
-            self.job = None;
-        }
+        self.contest.work.take(event);
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        let job = self.job.take();
-        if let Some(job) = job {
-            context.cancel(job);
-            self.contest.at_work = None;
-        }
-        job.is_some()
+        self.contest.work.stop(context)
     }
 
     /// Forgets the contest; trajectories that were kept stay, to be compared with other flights.
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
         self.stop(context);
         self.contest = Contest::default();
-        if let Some((job, _)) = self.smoothing.take() {
-            context.cancel(job);
-        }
+        self.stop_smoothing(context);
     }
 
     fn state(&self) -> Value {

@@ -45,32 +45,26 @@ impl Outages {
             return self.begin(context, Outage::Stretch(from, to));
         }
         let text = "Hold Shift and drag over a plot or the time line.";
-        let now = context.host.now();
-        context.toasts.note(now, "No stretch is selected", text);
+        context.note("No stretch is selected", text);
     }
 
     fn begin(&mut self, context: &mut FeatureContext<'_>, cut: Outage) {
         let documents = context.documents;
         if documents.flight.is_none() {
-            let text = "Open a flight log first.";
-            let now = context.host.now();
-            context.toasts.note(now, "Nothing to cut", text);
-            return;
+            return context.note("Nothing to cut", "Open a flight log first.");
         }
-        self.stop(context);
         context.show();
         let words = match cut {
             Outage::Stretch(..) => "Navigating without GPS".to_owned(),
             Outage::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
         };
-        self.at_work = Some(words);
-        self.trouble = None;
         let order = OutageOrder {
             flight: documents.flight_source.clone(),
             cut,
             seen: seen(documents),
         };
-        self.job = Some(context.start(Job::Outage(Box::new(order))));
+        let job = Job::Outage(Box::new(order));
+        self.work.begin(words, job, context);
     }
 }
 
@@ -123,26 +117,15 @@ impl Feature for Outages {
 
     fn on_event(&mut self, _job: JobId, event: &JobEvent, _context: &mut FeatureContext<'_>) {
         match event {
-            JobEvent::Progress(share, words) => {
-                self.at_work = Some(format!("{words}: {:.0} %", 100.0 * share));
-            }
             JobEvent::OutageMade(report) => self.report = Some((**report).clone()),
             JobEvent::OutagesStudied(report) => self.study = Some((**report).clone()),
-            JobEvent::Failed(why) => self.trouble = Some(why.clone()),
             _ => {}
         }
-        if event.is_last() {
-            (self.at_work, self.job) = (None, None);
-        }
+        self.work.take(event);
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        let job = self.job.take();
-        if let Some(job) = job {
-            context.cancel(job);
-            self.at_work = None;
-        }
-        job.is_some()
+        self.work.stop(context)
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
@@ -172,7 +155,7 @@ impl Feature for Outages {
             });
             json!({"length": s.length, "rows": rows.collect::<Vec<_>>()})
         });
-        let is_there = report.is_some() || study.is_some() || self.trouble.is_some();
+        let is_there = report.is_some() || study.is_some() || self.work.trouble.is_some();
         if !is_there {
             return Value::Null;
         }
@@ -182,7 +165,7 @@ impl Feature for Outages {
             "remarks": report.map(|r| r.remarks.clone()),
             "winds": report.and_then(|r| r.winds.as_ref()),
             "study": study,
-            "trouble": self.trouble,
+            "trouble": self.work.trouble,
         })
     }
 }

@@ -40,12 +40,12 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageSc
              flight up to the cut, goes on by airspeed and heading alone, and is compared with the receiver.",
     );
     choose(ui, context, scene);
-    if let Some(words) = &scene.outages.at_work
+    if let Some(words) = &scene.outages.work.words
         && at_work(ui, tokens, words)
     {
         context.commands.push(Command::CancelJob);
     }
-    if let Some(trouble) = &scene.outages.trouble {
+    if let Some(trouble) = &scene.outages.work.trouble {
         wrapped(ui, tokens.warning, trouble);
     }
     if let Some(report) = &scene.outages.report {

@@ -1,8 +1,9 @@
 //! Results of outages, and what people can do about them.
 
-use pilotage_jobs::{JobId, OutageReport, StudyReport};
+use pilotage_jobs::{OutageReport, StudyReport};
 
 use crate::command::Command;
+use crate::feature::FeatureWork;
 use crate::feature_command::{FeatureCommand, FeatureId};
 
 /// Identity of the feature.
@@ -36,10 +37,6 @@ pub struct Outages {
     pub report: Option<OutageReport>,
     /// Outages all along the flight.
     pub study: Option<StudyReport>,
-    /// Why there is none.
-    pub trouble: Option<String>,
-    /// Computation under way, in words.
-    pub at_work: Option<String>,
-    /// Job that computes it.
-    pub(super) job: Option<JobId>,
+    /// Computation of either.
+    pub work: FeatureWork,
 }

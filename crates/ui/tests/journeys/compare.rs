@@ -1,6 +1,7 @@
 //! Runs and flights are kept, and compared with each other.
 
 use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::Job;
 use serde_json::Value;
 
 use super::support::{Rig, rig};
@@ -120,4 +121,30 @@ fn the_column_keeps_its_width() {
     let before = left(&rig);
     rig.frames(10);
     assert_eq!(left(&rig), before);
+}
+
+#[test]
+fn a_contest_under_way_can_be_stopped_after_a_run_was_smoothed() {
+    let mut rig = rig();
+    rig.host().silent_contests = true;
+    rig.open_tab("Compare");
+    rig.harness.get_by_label("Fly by all estimators").click();
+    rig.frames(4);
+    let is_contest = |(_, job): &&(u64, Job)| matches!(job, Job::Contest(_));
+    let contest = rig
+        .host()
+        .jobs
+        .iter()
+        .find(is_contest)
+        .expect("a contest")
+        .0;
+    rig.harness.get_by_label("Keep it smoothed").click();
+    rig.settle();
+    assert!(names(&rig).iter().any(|name| name.ends_with(", smoothed")));
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::K);
+    rig.harness
+        .event(egui::Event::Text("stop computing".into()));
+    rig.frames(2);
+    rig.key(egui::Key::Enter);
+    assert_eq!(rig.host().cancelled, [contest]);
 }

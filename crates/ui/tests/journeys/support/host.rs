@@ -65,6 +65,8 @@ pub struct ScriptedHost {
     pub laying: Laying,
     /// Leave flights without an answer.
     pub silent_flights: bool,
+    /// Leave contests of all estimators without an answer.
+    pub silent_contests: bool,
     /// Error that is told of opened files.
     pub opening_fails: Option<String>,
     /// Contents of opened files.
@@ -270,7 +272,7 @@ impl ScriptedHost {
                 say(JobEvent::FramePicture { index, encoded });
                 say(JobEvent::Finished);
             }
-            Job::Contest(order) => {
+            Job::Contest(order) if !self.silent_contests => {
                 say(JobEvent::Progress(0.5, "Extended Kalman filter".into()));
                 say(JobEvent::ContestJudged(Box::new(contest(order))));
                 say(JobEvent::Finished);
