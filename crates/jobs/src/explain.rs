@@ -53,7 +53,7 @@ impl Order for ExplainOrder {
     }
 
     fn is_small(&self) -> bool {
-        self.flight.is_simulated() && self.map.is_built_in()
+        self.flight.is_built_in() && self.map.is_built_in()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

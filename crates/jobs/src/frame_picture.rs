@@ -28,7 +28,7 @@ impl Order for FramePictureOrder {
     }
 
     fn is_small(&self) -> bool {
-        self.flight.is_simulated()
+        self.flight.is_built_in()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

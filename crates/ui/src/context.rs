@@ -9,6 +9,12 @@ use crate::tokens::Tokens;
 use crate::units::Units;
 use pilotage_jobs::MatchPictures;
 
+/// Index of the frame of `flight` that is shown at a time (seconds in its time base); `None` before the first.
+pub fn shown_frame(flight: &Flight, time: f64) -> Option<usize> {
+    let after = flight.frames.partition_point(|f| f.time <= time + 1e-9);
+    after.checked_sub(1)
+}
+
 /// Times that a view drew last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
@@ -51,6 +57,11 @@ pub struct ViewContext<'a> {
 }
 
 impl ViewContext<'_> {
+    /// Index of the frame at the time cursor; `None` before the first and without a flight.
+    pub fn shown_frame(&self) -> Option<usize> {
+        shown_frame(self.flight?, self.time)
+    }
+
     /// That a view drew what is of time `content` for the cursor.
     pub fn drawn(&self, content: f64) -> Option<Drawn> {
         let cursor = self.time;

@@ -140,8 +140,8 @@ impl FlightSource {
         }
     }
 
-    /// Whether the program makes it without any file.
-    pub fn is_simulated(&self) -> bool {
+    /// Whether the program has it without any file.
+    pub fn is_built_in(&self) -> bool {
         matches!(self, Self::Simulated(_) | Self::Nothing)
     }
 }

@@ -1,6 +1,7 @@
 //! Camera pictures that were let go of for lack of room, fetched again where people look.
 
 use super::App;
+use crate::context::shown_frame;
 use crate::host::Host;
 use pilotage_jobs::{FramePictureOrder, Job, JobEvent, JobId};
 
@@ -10,11 +11,9 @@ const FETCHED_AT_A_TIME: usize = 2;
 impl App {
     /// Index of the frame at the time cursor; zero before the first.
     pub(super) fn frame_looked_at(&self) -> usize {
-        let frames = self.documents.flight.as_ref().map(|f| &f.frames);
-        let after = frames.map_or(0, |f| {
-            f.partition_point(|f| f.time <= self.playback.time + 1e-9)
-        });
-        after.saturating_sub(1)
+        let flight = self.documents.flight.as_ref();
+        let shown = flight.and_then(|flight| shown_frame(flight, self.playback.time));
+        shown.unwrap_or(0)
     }
 
     /// Fetches the picture at the time cursor and the next ones, where they are not here any more.

@@ -13,10 +13,7 @@ use pilotage_jobs::{FileContent, FlightSource, Job, MapSource, ProvideOrder};
 
 /// Keys of the opened files that a session names.
 fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a str> {
-    let flight = match flight {
-        FlightSource::Files(set) => Some(set.as_str()),
-        FlightSource::Simulated(_) | FlightSource::Nothing => None,
-    };
+    let flight = flight.key();
     flight.into_iter().chain(map.key()).collect()
 }
 

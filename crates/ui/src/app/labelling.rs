@@ -7,6 +7,7 @@ use super::App;
 use super::exchange::sentences;
 use super::pending_jobs::Exporting;
 use crate::command::Workspace;
+use crate::context::shown_frame;
 use crate::host::Host;
 use crate::labelling::{LabelCommand, Labeller};
 use pilotage_jobs::{ExportOrder, Job};
@@ -75,9 +76,8 @@ impl App {
 
     /// The picture at the cursor.
     fn labelled_frame(&self) -> Option<LabelledFrame> {
-        let frames = &self.documents.flight.as_ref()?.frames;
-        let after = frames.partition_point(|f| f.time <= self.playback.time + 1e-9);
-        self.frame_numbered(after.checked_sub(1)?)
+        let flight = self.documents.flight.as_ref()?;
+        self.frame_numbered(shown_frame(flight, self.playback.time)?)
     }
 
     fn frame_numbered(&self, frame: usize) -> Option<LabelledFrame> {

@@ -8,6 +8,7 @@ use pilotage_core::navigator::Run;
 
 use super::App;
 use super::pending_jobs::{FlyJob, Shown};
+use crate::context::shown_frame;
 use crate::documents::{Session, Staged};
 use crate::host::Host;
 use pilotage_jobs::{
@@ -316,9 +317,9 @@ impl App {
     /// Frames and pictures that are about to be shown: in playback the next ones, else those to
     /// which one step leads.
     fn decoded_ahead(&self) -> impl Iterator<Item = (usize, Arc<[u8]>)> {
-        let now = self.playback.time;
-        let frames = self.documents.flight.as_ref().map(|f| &f.frames);
-        let next = frames.map_or(0, |f| f.partition_point(|f| f.time <= now + 1e-9));
+        let flight = self.documents.flight.as_ref();
+        let shown = flight.and_then(|flight| shown_frame(flight, self.playback.time));
+        let next = shown.map_or(0, |shown| shown + 1);
         let likely = if self.playback.playing {
             [Some(next), Some(next + 1)]
         } else {

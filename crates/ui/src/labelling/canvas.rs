@@ -7,7 +7,7 @@ use egui::{
 use pilotage_core::mission::LabelBox;
 
 use super::drag::Drag;
-use super::{LabelCommand, Labeller, color_of, frame_at};
+use super::{LabelCommand, Labeller, color_of};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::views::{CameraView, parts};
@@ -47,7 +47,7 @@ impl Labeller {
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, camera: &mut CameraView) {
         let tokens = context.tokens;
         let outer = ui.available_rect_before_wrap();
-        let (Some(flight), Some(frame)) = (context.flight, frame_at(context)) else {
+        let (Some(flight), Some(frame)) = (context.flight, context.shown_frame()) else {
             let hint = "Open a flight with pictures or simulate one, and go to its first picture.";
             return parts::empty(ui, tokens, "No picture to label", hint);
         };

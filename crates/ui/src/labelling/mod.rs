@@ -108,14 +108,6 @@ impl Labeller {
     }
 }
 
-/// Index of the frame at the cursor.
-pub fn frame_at(context: &ViewContext<'_>) -> Option<usize> {
-    let frames = &context.flight?.frames;
-    frames
-        .partition_point(|f| f.time <= context.time + 1e-9)
-        .checked_sub(1)
-}
-
 /// Colour of the landmark in that row of the list.
 fn color(row: usize) -> Color32 {
     COLORS[row % COLORS.len()]

@@ -3,7 +3,7 @@
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::exchange::labels::LabelFormat;
 
-use super::{LabelCommand, Labeller, color, frame_at};
+use super::{LabelCommand, Labeller, color};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
@@ -18,7 +18,7 @@ impl Labeller {
             commands.push(Command::Label(LabelCommand::Toggle));
         }
         ui.horizontal(|ui| {
-            let frame = frame_at(context);
+            let frame = context.shown_frame();
             let frames = context.flight.map_or(0, |f| f.frames.len());
             let number = frame.map_or(0, |i| i + 1);
             for (icon, label, step) in [
@@ -88,7 +88,7 @@ impl Labeller {
 
     fn rows(ui: &mut Ui, context: &ViewContext<'_>, commands: &mut Vec<Command>) {
         let tokens = context.tokens;
-        let frame = context.flight.zip(frame_at(context));
+        let frame = context.flight.zip(context.shown_frame());
         let labels = frame.and_then(|(f, i)| context.mission.labels_of(&f.frames[i].name));
         ui.horizontal(|ui| {
             caption(ui, tokens, "Landmark");
@@ -167,7 +167,7 @@ impl Labeller {
             ));
             return;
         };
-        let frame = context.flight.zip(frame_at(context));
+        let frame = context.flight.zip(context.shown_frame());
         let labels = frame.and_then(|(f, i)| context.mission.labels_of(&f.frames[i].name));
         let label = labels.and_then(|l| l.of(landmark.id));
         let is_said = label.is_some() || labels.is_some_and(|l| l.lacks(landmark.id));

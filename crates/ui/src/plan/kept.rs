@@ -4,7 +4,9 @@
 //! look, and on this program. Kept beside each is all of that, and what differs from the state of things is
 //! not used.
 
+use pilotage_core::camera::CameraModel;
 use pilotage_core::landmark::Landmark;
+use pilotage_core::navigator::NavigatorSettings;
 
 use super::flown;
 use crate::documents::Documents;
@@ -16,18 +18,23 @@ pub const MEASURED_KEY: &str = "measured landmarks";
 const FORM: u8 = 1;
 /// Basis of measurements on `order` over the open map; `None` while the map is not known.
 pub fn basis_of(documents: &Documents, order: &AssessmentOrder) -> Option<Basis> {
-    let (map, navigator) = (documents.map.as_ref()?, &order.navigator);
-    let source = &documents.map_source;
-    let (sensors, detector) = (navigator.sensors, navigator.detector);
-    Some(Basis::new(map, source, &order.camera, sensors, detector))
+    basis(documents, &order.camera, &order.navigator)
 }
 
 /// Basis of measurements that would be made now; `None` while the map is not known.
 fn basis_now(documents: &Documents) -> Option<Basis> {
-    let (map, navigator) = (documents.map.as_ref()?, &documents.mission.navigator);
-    let (source, camera) = (&documents.map_source, flown::camera(documents));
+    let camera = flown::camera(documents);
+    basis(documents, &camera, &documents.mission.navigator)
+}
+
+fn basis(
+    documents: &Documents,
+    camera: &CameraModel,
+    navigator: &NavigatorSettings,
+) -> Option<Basis> {
+    let (map, source) = (documents.map.as_ref()?, &documents.map_source);
     let (sensors, detector) = (navigator.sensors, navigator.detector);
-    Some(Basis::new(map, source, &camera, sensors, detector))
+    Some(Basis::new(map, source, camera, sensors, detector))
 }
 
 /// As bytes for the storage.
@@ -63,7 +70,6 @@ pub fn use_what_is_true(
 
 #[cfg(test)]
 mod tests {
-    use pilotage_core::camera::CameraModel;
     use pilotage_core::frames::{GroundPoint, GroundRect};
     use pilotage_core::landmark::DetectorChoice;
     use pilotage_core::plan::{Breakdown, DetectionStatistics, Envelope, Tally};

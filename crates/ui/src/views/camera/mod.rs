@@ -105,11 +105,7 @@ impl CameraView {
             let hint = "This flight was recorded without a camera.";
             return parts::empty(ui, tokens, "No pictures", hint);
         }
-        let Some(index) = flight
-            .frames
-            .partition_point(|f| f.time <= context.time + 1e-9)
-            .checked_sub(1)
-        else {
+        let Some(index) = context.shown_frame() else {
             parts::empty(
                 ui,
                 tokens,
