@@ -4,15 +4,7 @@ use pilotage_core::exchange::Format;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
-use crate::camera_log::CameraLogCommand;
-use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::feature_command::FeatureCommand;
-use crate::georeference::GeoreferenceCommand;
-use crate::labelling::LabelCommand;
-use crate::log::LogCommand;
-use crate::photos::PhotosCommand;
-use crate::plan::PlanCommand;
-use crate::views::DetectorCommand;
 use pilotage_jobs::SimulationOptions;
 use serde::{Deserialize, Serialize};
 
@@ -85,8 +77,6 @@ pub enum Command {
         /// Landmark id.
         landmark: u32,
     },
-    /// Something about what a trained detector saw and did.
-    Detector(DetectorCommand),
     /// Simulate a flight and navigate it.
     Simulate(Box<SimulationOptions>),
     /// Navigate with other settings; the run recomputes.
@@ -105,6 +95,8 @@ pub enum Command {
     ToggleHelp,
     /// Show or hide the dialog that simulates a flight.
     ToggleSimulate,
+    /// Show or hide the dialog that opens a map of the web.
+    ToggleWebMap,
     /// Show or hide the filter settings.
     ToggleSettings,
     /// Open files.
@@ -149,24 +141,8 @@ pub enum Command {
     ToggleFollow,
     /// Show how a landmark was matched.
     ShowMatch,
-    /// Something about a map of the web.
-    WebMap(WebMapCommand),
-    /// Something about the columns of tables that were opened.
-    Columns(ColumnsCommand),
-    /// Something about the picture that is put on the ground.
-    Georeference(GeoreferenceCommand),
-    /// Something about labels.
-    Label(LabelCommand),
-    /// Something about the open log.
-    Log(LogCommand),
     /// Something that a feature does.
     Feature(FeatureCommand),
-    /// Something about the camera beside its log.
-    CameraLog(CameraLogCommand),
-    /// Something about photos on the map.
-    Photos(PhotosCommand),
-    /// Something about the plan.
-    Plan(PlanCommand),
 }
 
 /// The three workspaces over the same documents.

@@ -3,18 +3,40 @@
 use crate::compare::Compare;
 use crate::feature::Feature;
 use crate::outage::Outages;
+use crate::shell::catalog::{self, Entry};
+use crate::{camera_log, labelling, log, photos, plan, views};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![Box::new(Compare::default()), Box::new(Outages::default())]
 }
 
+/// Table of all commands: the app's own, then those of its parts.
+pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<Entry> {
+    let parts = [
+        plan::commands,
+        labelling::commands,
+        views::detector_commands,
+        log::commands,
+        camera_log::commands,
+        photos::commands,
+    ];
+    let of_features = features.iter().map(|it| it.info().commands);
+    let all = parts.into_iter().chain(of_features);
+    let mut entries = catalog::catalog();
+    entries.extend(all.flat_map(|commands| commands()));
+    entries
+}
+
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
 
+    use egui::KeyboardShortcut;
+
     use super::*;
     use crate::command::Command;
+    use crate::shell::catalog::describe;
 
     #[test]
     fn no_two_features_share_an_identity_and_each_lists_commands_for_itself_alone() {
@@ -27,6 +49,20 @@ mod tests {
                     panic!("{} is no command of a feature", entry.label);
                 };
                 assert_eq!(command.to(), info.id, "{}", entry.label);
+            }
+        }
+    }
+
+    #[test]
+    fn no_two_commands_share_a_shortcut() {
+        let entries = catalog(&all());
+        let mut seen: Vec<(KeyboardShortcut, &str)> = Vec::new();
+        for entry in &entries {
+            for shortcut in &entry.shortcuts {
+                if let Some((_, other)) = seen.iter().find(|(s, _)| s == shortcut) {
+                    panic!("{} and {other} share {}", entry.label, describe(shortcut));
+                }
+                seen.push((*shortcut, &entry.label));
             }
         }
     }

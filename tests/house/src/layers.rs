@@ -13,13 +13,9 @@ pub struct Order {
     pub sources: &'static str,
     /// Names of the folders, the lowest first.
     pub folders: &'static [&'static str],
-    /// Arrows between folders that point upward all the same, each waiting to be turned: the list may shrink,
-    /// never grow.
-    pub upward: &'static [(&'static str, &'static str)],
 }
 
-/// Every crate with more than one folder. Those of the page's views have upward arrows from before there was
-/// an order.
+/// Every crate with more than one folder.
 pub const ORDERS: [&Order; 8] = [
     &Order {
         sources: "crates/core/base/src",
@@ -33,17 +29,14 @@ pub const ORDERS: [&Order; 8] = [
             "text",
             "viridis",
         ],
-        upward: &[],
     },
     &Order {
         sources: "crates/core/estimation/src",
         folders: &["filter", "vehicle"],
-        upward: &[],
     },
     &Order {
         sources: "crates/core/raster/src",
         folders: &["raster", "camera", "imagery"],
-        upward: &[],
     },
     &Order {
         sources: "crates/core/vision/src",
@@ -54,28 +47,24 @@ pub const ORDERS: [&Order; 8] = [
             "landmark",
             "registration",
         ],
-        upward: &[],
     },
     &Order {
         sources: "crates/core/mission/src",
         folders: &["settings", "mission", "exchange"],
-        upward: &[],
     },
     &Order {
         sources: "crates/core/navigator/src",
         folders: &["instruments", "navigator", "calibration", "study"],
-        upward: &[],
     },
     &Order {
         sources: "crates/core/simulate/src",
         folders: &["simulate", "other_days"],
-        upward: &[],
     },
     &UI,
 ];
 
 /// Imports in `source` (its path relative to the order's folder of sources) that point upward, by `crate::`
-/// or by a chain of `super::` that climbs out of the folder, and are not listed. Test code counts as well.
+/// or by a chain of `super::` that climbs out of the folder. Test code counts as well.
 pub fn upward_imports(source: &Source, order: &Order) -> Vec<Violation> {
     let module = module_of(&source.path);
     let Some(folder) = module.first() else {
@@ -102,33 +91,12 @@ pub fn upward_imports(source: &Source, order: &Order) -> Vec<Violation> {
                 let what = "name the folder it comes from, or give it a place in the order";
                 return Some(complain(path.line, format!("`{text}`: {what}")));
             }
-            let is_wrong =
-                order.points_up(folder, target) && !order.upward.contains(&(*folder, target));
-            is_wrong.then(|| {
+            order.points_up(folder, target).then(|| {
                 let text = path.text();
                 let what = format!("`{text}` imports upward, from {folder} to {target}");
                 complain(path.line, what)
             })
         })
-        .collect()
-}
-
-/// Arrows listed in `order` as upward that `sources` (all those of the crate) no longer have: take them off the
-/// list.
-pub fn turned_arrows(sources: &[Source], order: &Order) -> Vec<(&'static str, &'static str)> {
-    let has = |from: &str, to: &str| {
-        sources.iter().any(|source| {
-            let module = module_of(&source.path);
-            let paths = named_paths(&source.text);
-            module.first() == Some(&from)
-                && paths
-                    .iter()
-                    .any(|path| target_folder(&module, path) == Some(to))
-        })
-    };
-    let listed = order.upward.iter().copied();
-    listed
-        .filter(|(from, to)| !order.points_up(from, to) || !has(from, to))
         .collect()
 }
 
@@ -150,50 +118,27 @@ const UI: Order = Order {
         "units",
         "kept_mesh",
         "still",
-        "photos",
         "host",
         "feature_command",
         "command",
         "context",
         "shell",
         "timeline",
-        "documents",
+        "photos",
         "views",
+        "camera_log",
+        "log",
+        "documents",
         "map",
         "feature",
-        "log",
         "plan",
         "georeference",
         "labelling",
-        "camera_log",
         "compare",
         "outage",
         "dialogs",
         "features",
         "app",
-    ],
-    upward: &[
-        ("command", "camera_log"),
-        ("command", "dialogs"),
-        ("command", "georeference"),
-        ("command", "labelling"),
-        ("command", "log"),
-        ("command", "plan"),
-        ("command", "views"),
-        ("documents", "camera_log"),
-        ("documents", "log"),
-        ("documents", "plan"),
-        ("log", "camera_log"),
-        ("map", "georeference"),
-        ("map", "log"),
-        ("map", "plan"),
-        ("shell", "camera_log"),
-        ("shell", "dialogs"),
-        ("shell", "labelling"),
-        ("shell", "log"),
-        ("shell", "map"),
-        ("shell", "plan"),
-        ("shell", "views"),
     ],
 };
 
@@ -243,7 +188,6 @@ mod tests {
             "simulate",
             "study",
         ],
-        upward: &[("filter", "simulate")],
     };
 
     fn source(path: &str, text: &str) -> Source {
@@ -302,15 +246,5 @@ mod tests {
     fn a_folder_or_a_name_outside_the_order_is_noticed() {
         assert_eq!(complaints("helpers/mod.rs", ""), 1);
         assert_eq!(complaints("camera/model.rs", "use crate::Navigator;"), 1);
-    }
-
-    #[test]
-    fn a_listed_upward_arrow_passes_until_it_is_turned_and_is_asked_off_the_list_then() {
-        let text = "use crate::simulate::Wind;";
-        assert_eq!(complaints("filter/wind.rs", text), 0);
-        let with = [source("filter/wind.rs", text)];
-        assert!(turned_arrows(&with, &LADDER).is_empty());
-        let without = [source("filter/wind.rs", "use crate::frames::X;")];
-        assert_eq!(turned_arrows(&without, &LADDER), [("filter", "simulate")]);
     }
 }

@@ -107,7 +107,7 @@ impl App {
         } = &mut self.evaluating;
         let name = landmark.and_then(|id| self.documents.mission.landmark(id));
         let name = name.map_or("landmark", |l| l.name.as_str());
-        let mut send = |command| commands.push(Command::Detector(command));
+        let mut send = |command| commands.push(Command::from(command));
         let response = Modal::new(Id::unique("evaluation"))
             .frame(Frame::window(&context.global_style()).inner_margin(20))
             .show(context, |ui| {

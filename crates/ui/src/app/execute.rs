@@ -22,15 +22,7 @@ impl App {
             return;
         }
         match command {
-            Command::Plan(command) => self.plan(command, now),
-            Command::Label(command) => self.label(command, host),
-            Command::Log(command) => self.log(command, host),
             Command::Feature(command) => self.execute_feature(&command, host),
-            Command::CameraLog(command) => self.camera_log(command, host),
-            Command::Photos(command) => self.photos(command, host),
-            Command::WebMap(command) => self.web_map(command, host),
-            Command::Columns(command) => self.columns(command, host),
-            Command::Georeference(command) => self.georeference(&command, host),
             Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {
                 if let Some(georeferencer) = &mut self.views.georeferencer {
                     if command == Command::Undo {
@@ -64,7 +56,6 @@ impl App {
             | Command::Undo
             | Command::Redo => self.edit(command, now),
             Command::ExplainMatch { time, landmark } => self.explain(host, time, landmark),
-            Command::Detector(command) => self.detector(&command, host),
             Command::SetNavigator(settings) => {
                 let continues = context.input(|i| i.pointer.any_down());
                 if self.documents.set_navigator(&settings, continues) {
@@ -316,6 +307,7 @@ impl App {
             Command::TogglePalette => self.dialogs.palette.toggle(),
             Command::ToggleHelp => self.dialogs.help = !self.dialogs.help,
             Command::ToggleSimulate => self.dialogs.simulate.toggle(),
+            Command::ToggleWebMap => self.dialogs.web_map.toggle(),
             Command::ToggleSettings => self.dialogs.settings = !self.dialogs.settings,
             Command::ToggleTrackUp => {
                 let map = &mut self.views.map;

@@ -1,9 +1,17 @@
 //! Features: their commands and events brought to them, and what they ask of the app.
 
 use super::{App, SideTab};
+use crate::camera_log::CameraLogCommand;
 use crate::command::Workspace;
+use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureId};
+use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
+use crate::labelling::LabelCommand;
+use crate::log::LogCommand;
+use crate::photos::PhotosCommand;
+use crate::plan::PlanCommand;
+use crate::views::DetectorCommand;
 use pilotage_jobs::{JobEvent, JobId};
 
 impl App {
@@ -44,7 +52,7 @@ impl App {
 
     /// Has a feature carry out its command. One that nobody carries out is a fault of the program, and told.
     pub(super) fn execute_feature(&mut self, command: &FeatureCommand, host: &mut dyn Host) {
-        let mut is_done = false;
+        let mut is_done = self.execute_by_name(command, host);
         if let Some(index) = self.feature(command.to()) {
             self.with_feature(index, host, &mut |feature, context| {
                 is_done = feature.execute(command, context);
@@ -56,6 +64,33 @@ impl App {
                 format!("Nobody carries out this command of {of}. This is a fault of the program.");
             self.toasts.trouble(host.now(), "Nothing was done", text);
         }
+    }
+
+    /// Carries out a command of those parts that are no features; whether it was one.
+    fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
+        let now = host.now();
+        if let Some(command) = command.action::<PlanCommand>() {
+            self.plan(command.clone(), now);
+        } else if let Some(command) = command.action::<LabelCommand>() {
+            self.label(command.clone(), host);
+        } else if let Some(command) = command.action::<LogCommand>() {
+            self.log(command.clone(), host);
+        } else if let Some(command) = command.action::<CameraLogCommand>() {
+            self.camera_log(command.clone(), host);
+        } else if let Some(command) = command.action::<PhotosCommand>() {
+            self.photos(command.clone(), host);
+        } else if let Some(command) = command.action::<WebMapCommand>() {
+            self.web_map(command.clone(), host);
+        } else if let Some(command) = command.action::<ColumnsCommand>() {
+            self.columns(*command, host);
+        } else if let Some(command) = command.action::<GeoreferenceCommand>() {
+            self.georeference(command, host);
+        } else if let Some(command) = command.action::<DetectorCommand>() {
+            self.detector(command, host);
+        } else {
+            return false;
+        }
+        true
     }
 
     /// Brings an event to the feature that started its job; whether one did.

@@ -16,13 +16,13 @@ use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureId};
 use crate::labelling::LabelCommand;
-use crate::map::MapExtra;
+use crate::map::{MapExtra, MapTool};
 use crate::photos::Photos;
 use crate::plan::plan_readouts;
-use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
+use crate::shell::{TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
-use crate::views::{PhotosScene, photos_sheet};
+use crate::views::{Examined, PhotosScene, photos_sheet};
 use pilotage_jobs::MapSource;
 
 /// Windows narrower than this stack the side column below the map.
@@ -462,7 +462,7 @@ fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<
         );
         let label = "Label landmarks in the pictures (K)";
         if icon_button(&mut corner, scene.tokens, Icon::Pick, label).clicked() {
-            commands.push(Command::Label(LabelCommand::Toggle));
+            commands.push(Command::from(LabelCommand::Toggle));
         }
     }
 }
@@ -623,7 +623,6 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
     let tokens = scene.tokens;
     let georeferencing = views.georeferencer.is_some();
     let planning = scene.view.workspace == Workspace::Plan && !georeferencing;
-    let planner = &views.planner;
     egui::CentralPanel::default()
         .frame(Frame::new().fill(tokens.background))
         .show(ui, |ui| {
@@ -636,7 +635,6 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 distinctness: scene
                     .selection
                     .and_then(|id| scene.documents.distinctness_of(id)),
-                plan: planning.then_some(planner),
                 frame: scene.documents.world_origin().map(LocalFrame::new),
                 ground: &scene.documents.terrain,
                 attribution: scene.documents.attribution(),
@@ -650,10 +648,15 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                     // What was flown is Replay's; here lies what is to be flown, or each photo by itself.
                     (context.run, context.ghost, context.flight) = (None, None, None);
                 }
-                let georeferencer = views.georeferencer.as_mut();
-                views.map.show(ui, context, &extra, georeferencer);
+                let tool: Option<&mut dyn MapTool> = match &mut views.georeferencer {
+                    Some(georeferencer) => Some(georeferencer),
+                    None if planning => Some(&mut views.planner),
+                    None => None,
+                };
+                views.map.show(ui, context, &extra, tool);
             });
             if planning {
+                let planner = &views.planner;
                 let corner = rect.left_top() + vec2(16.0, 16.0);
                 if let Some(covered) = plan_readouts(ui, tokens, scene.view.units, planner, corner)
                 {

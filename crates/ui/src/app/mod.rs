@@ -54,10 +54,12 @@ use crate::map::MapView;
 use crate::plan::Planner;
 use crate::shell::catalog::Entry;
 use crate::shell::keys::ShortcutListener;
-use crate::shell::{LandmarkList, Palette, Toasts, apply_theme, keep_slow_clicks};
+use crate::shell::{Palette, Toasts, apply_theme, keep_slow_clicks};
 use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
-use crate::views::{CameraView, DetectorView, InspectorView, MatchView, PlotsView, Tour};
+use crate::views::{
+    CameraView, DetectorView, InspectorView, LandmarkList, MatchView, PlotsView, Tour,
+};
 
 use pending_jobs::PendingJobs;
 

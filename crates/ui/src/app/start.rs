@@ -8,7 +8,6 @@ use crate::documents::{
 };
 use crate::host::Host;
 use crate::log::{OwnPresets, PRESETS_KEY};
-use crate::shell::catalog::catalog;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
@@ -46,8 +45,7 @@ impl App {
         context.set_fonts(fonts());
         apply_theme(context, &tokens);
         let features = crate::features::all();
-        let mut catalog = catalog();
-        catalog.extend(features.iter().flat_map(|it| (it.info().commands)()));
+        let catalog = crate::features::catalog(&features);
         context.add_plugin(ShortcutListener::new(&catalog));
         let mut app = Self {
             documents: Documents::new(&session),
@@ -87,7 +85,7 @@ impl App {
         app.views.map.follow = true;
         app.views.map.camera.metres_per_point = 0.7;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
-        app.views.planner.preferences = app.view.plan.clone();
+        app.views.planner.restore(&app.view.plan);
         app.views.planner.assessments.recall(host);
         app
     }
@@ -166,7 +164,7 @@ impl App {
     pub(super) fn remember(&mut self, context: &egui::Context, host: &mut dyn Host) {
         self.view.speed = self.playback.speed;
         self.view.looping = self.playback.looping;
-        self.view.plan = self.views.planner.preferences.clone();
+        self.view.plan = self.views.planner.saved();
         self.view.hidden_layers = self.views.map.layers.hidden_names();
         if self.views.presets != self.stored_presets {
             host.store(PRESETS_KEY, &self.views.presets.encode());

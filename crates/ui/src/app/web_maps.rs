@@ -9,7 +9,6 @@ impl App {
     /// Carries a command out.
     pub(super) fn web_map(&mut self, command: WebMapCommand, host: &mut dyn Host) {
         match command {
-            WebMapCommand::Toggle => self.dialogs.web_map.toggle(),
             WebMapCommand::OpenTiles(map) => {
                 if self.documents.world_origin().is_none() {
                     self.documents.begin_world(map.origin, &map.template.name);

@@ -9,7 +9,12 @@ mod work;
 pub use panel::{CameraLogScene, CameraLogView};
 pub use work::{CameraLog, FoundCamera, Missing, Preview};
 
+use egui::Key;
 use pilotage_core::calibration::CameraAdjustment;
+
+use crate::command::Command;
+use crate::feature_command::FeatureCommand;
+use crate::shell::catalog::{Entry, Group, entry, shift};
 
 /// Something to do about a camera beside its log.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,4 +37,20 @@ pub enum CameraLogCommand {
     Reset,
     /// Change the flight as the hand has it, and fly it again.
     Apply,
+}
+
+impl From<CameraLogCommand> for Command {
+    fn from(command: CameraLogCommand) -> Self {
+        Self::Feature(FeatureCommand::new("camera log", command))
+    }
+}
+
+/// Rows of the table of all commands.
+pub fn commands() -> Vec<Entry> {
+    vec![entry(
+        Group::View,
+        "Camera to log: time offset, mount, focal length",
+        vec![shift(Key::T)],
+        CameraLogCommand::Show.into(),
+    )]
 }

@@ -29,7 +29,7 @@ pub struct CameraLogView {
 }
 
 fn send(context: &mut ViewContext<'_>, what: Do) {
-    context.commands.push(Command::CameraLog(what));
+    context.commands.push(Command::from(what));
 }
 
 /// A sentence that may take several lines.

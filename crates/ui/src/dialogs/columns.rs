@@ -8,6 +8,7 @@ use pilotage_core::flight::columns::{ColumnMap, ColumnRole, GuessedTable, tables
 
 use super::columns_rows::{rows, short};
 use crate::command::Command;
+use crate::feature_command::FeatureCommand;
 use crate::host::OpenedFile;
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
@@ -28,6 +29,12 @@ pub enum ColumnsCommand {
     OpenFlight,
     /// Leave the tables alone.
     Cancel,
+}
+
+impl From<ColumnsCommand> for Command {
+    fn from(command: ColumnsCommand) -> Self {
+        Self::Feature(FeatureCommand::new("columns", command))
+    }
 }
 
 /// A table that is asked about.
@@ -206,9 +213,9 @@ impl ColumnsDialog {
         // A click beside it is no reason to lose what was corrected.
         let leaves = response.should_close() && !response.backdrop_response.clicked();
         if response.inner || leaves {
-            commands.push(Command::Columns(ColumnsCommand::Cancel));
+            commands.push(Command::from(ColumnsCommand::Cancel));
         } else if takes_enter(context) {
-            commands.push(Command::Columns(ColumnsCommand::OpenFlight));
+            commands.push(Command::from(ColumnsCommand::OpenFlight));
         }
     }
 }
@@ -330,7 +337,7 @@ fn foot(ui: &mut Ui, tokens: &Tokens, draft: &ColumnsDraft, commands: &mut Vec<C
         let can = lacks.is_none() && !is_making;
         ui.add_enabled_ui(can, |ui| {
             if text_button(ui, tokens, Some(Icon::Play), "Open flight", can).clicked() {
-                commands.push(Command::Columns(ColumnsCommand::OpenFlight));
+                commands.push(Command::from(ColumnsCommand::OpenFlight));
             }
         });
         let cancelled = text_button(ui, tokens, None, "Cancel", false).clicked();

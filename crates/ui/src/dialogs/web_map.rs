@@ -5,6 +5,7 @@ use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::web_tiles::TileTemplate;
 
 use crate::command::Command;
+use crate::feature_command::FeatureCommand;
 use crate::host::Download;
 use crate::shell::{caption, muted, text_button, title};
 use crate::tokens::Tokens;
@@ -18,8 +19,6 @@ const USUAL_TILE: f64 = 22_000.0;
 /// Commands of the dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WebMapCommand {
-    /// Show or hide the dialog.
-    Toggle,
     /// Show a map of tiles.
     OpenTiles(Box<WebMap>),
     /// Open the file at an address.
@@ -28,6 +27,12 @@ pub enum WebMapCommand {
     Download(GroundRect, (u8, u8)),
     /// Stop that.
     StopDownload,
+}
+
+impl From<WebMapCommand> for Command {
+    fn from(command: WebMapCommand) -> Self {
+        Self::Feature(FeatureCommand::new("web map", command))
+    }
 }
 
 /// Scene of the dialog: the open map and the ground in sight.
@@ -161,7 +166,7 @@ impl WebMapDialog {
             if text_button(ui, tokens, None, "Open the map", true).clicked() {
                 match self.order(scene.origin, is_file) {
                     Ok(command) => {
-                        commands.push(Command::WebMap(command));
+                        commands.push(Command::from(command));
                         close = true;
                     }
                     Err(why) => self.wrong = Some(why),
@@ -216,7 +221,7 @@ impl WebMapDialog {
                     .text(format!("{} of {} tiles", download.done, download.all)),
             );
             if text_button(ui, tokens, None, "Stop the download", false).clicked() {
-                commands.push(Command::WebMap(WebMapCommand::StopDownload));
+                commands.push(Command::from(WebMapCommand::StopDownload));
             }
             return;
         }
@@ -244,7 +249,7 @@ impl WebMapDialog {
         ui.label(muted(tokens, words));
         ui.add_enabled_ui(count <= MOST_TILES, |ui| {
             if text_button(ui, tokens, None, "Download what is in sight", false).clicked() {
-                commands.push(Command::WebMap(WebMapCommand::Download(visible, zooms)));
+                commands.push(Command::from(WebMapCommand::Download(visible, zooms)));
             }
         });
         if let Some(download) = scene.download.filter(|d| d.over && d.all > 0) {

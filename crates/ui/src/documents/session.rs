@@ -2,9 +2,9 @@
 
 use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::command::Workspace;
-use crate::plan::PlanPreferences;
 use crate::units::Units;
 use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
 
@@ -77,8 +77,8 @@ pub struct ViewState {
     pub looping: bool,
     /// Map layers that are switched off, by name.
     pub hidden_layers: Vec<String>,
-    /// Preferences of planning.
-    pub plan: PlanPreferences,
+    /// Preferences of planning, as that writes them.
+    pub plan: Value,
 }
 
 impl Default for ViewState {
@@ -96,7 +96,7 @@ impl Default for ViewState {
             speed: 2.0,
             looping: true,
             hidden_layers: Vec::new(),
-            plan: PlanPreferences::default(),
+            plan: Value::Null,
         }
     }
 }

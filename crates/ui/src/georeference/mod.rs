@@ -10,6 +10,9 @@ mod state;
 
 pub use state::{Georeferencer, Place};
 
+use crate::command::Command;
+use crate::feature_command::FeatureCommand;
+
 /// Commands of the georeferencer to the app.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GeoreferenceCommand {
@@ -23,4 +26,10 @@ pub enum GeoreferenceCommand {
     Load,
     /// Leave, and keep the map as it is.
     Close,
+}
+
+impl From<GeoreferenceCommand> for Command {
+    fn from(command: GeoreferenceCommand) -> Self {
+        Self::Feature(FeatureCommand::new("georeference", command))
+    }
 }

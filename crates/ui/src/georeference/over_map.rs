@@ -1,20 +1,27 @@
 //! The georeferencer's points on the map.
 
-use egui::{Align2, Painter, Pos2, Response, vec2};
+use egui::{Align2, Pos2, Response, Ui, vec2};
 use nalgebra::Point2;
 
 use super::Georeferencer;
 use super::marks::{nearest, paint_pending, paint_point, stretch};
-use crate::map::{ScreenFromWorld, paint_halo_text};
-use crate::tokens::Tokens;
+use crate::context::ViewContext;
+use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, paint_halo_text};
 
 impl Georeferencer {
     fn screen(&self, view: &ScreenFromWorld, place: &Point2<f64>) -> Option<Pos2> {
         Some(view.apply(&self.ground_of(place)?))
     }
+}
 
-    /// Takes what the pointer does to points on the map; true if it is not for the map.
-    pub fn interact_on_map(&mut self, view: &ScreenFromWorld, response: &Response) -> bool {
+impl MapTool for Georeferencer {
+    fn interact(
+        &mut self,
+        _ui: &Ui,
+        view: &ScreenFromWorld,
+        response: &Response,
+        _context: &mut ViewContext<'_>,
+    ) -> bool {
         let off_screen = Pos2::new(f32::MAX, f32::MAX);
         let places = self.points.iter();
         let places = places.map(|p| self.screen(view, &p.place).unwrap_or(off_screen));
@@ -54,8 +61,11 @@ impl Georeferencer {
         false
     }
 
-    /// Draws the points over the map.
-    pub fn paint_on_map(&self, painter: &Painter, view: &ScreenFromWorld, tokens: &Tokens) {
+    fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {
+        if stage != MapStage::Last {
+            return;
+        }
+        let (painter, view, tokens) = (canvas.painter, canvas.view, canvas.tokens);
         let residuals = self.fitted().as_ref().map(|fit| fit.residuals.as_slice());
         let residuals = residuals.unwrap_or_default();
         let (sin, cos) = view.up.sin_cos();

@@ -15,7 +15,7 @@ use crate::units::Units;
 const COLUMNS: [f32; 5] = [44.0, 64.0, 72.0, 72.0, 32.0];
 
 fn send(commands: &mut Vec<Command>, command: GeoreferenceCommand) {
-    commands.push(Command::Georeference(command));
+    commands.push(Command::from(command));
 }
 
 impl Georeferencer {

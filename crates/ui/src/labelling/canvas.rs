@@ -178,7 +178,7 @@ impl Labeller {
                     label,
                     finished,
                 };
-                context.commands.push(Command::Label(set));
+                context.commands.push(Command::from(set));
             }
         }
         if is_over {
@@ -210,7 +210,7 @@ impl Labeller {
         // A slow frame may hold several presses of a key.
         let presses = |key| ui.input(|i| i.num_presses(key));
         let pressed = |key| presses(key) > 0;
-        let mut send = |command| context.commands.push(Command::Label(command));
+        let mut send = |command| context.commands.push(Command::from(command));
         if pressed(Key::Delete) || pressed(Key::Backspace) {
             send(LabelCommand::Delete);
         }

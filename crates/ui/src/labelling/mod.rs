@@ -1,15 +1,20 @@
 //! Labelling: boxes put around landmarks in the pictures of a flight, by hand or from a proposal.
 
 mod canvas;
+mod catalog;
 mod drag;
 mod panel;
 mod propose;
+
+pub use catalog::commands;
 
 use egui::{Color32, Rect, Vec2};
 use pilotage_core::exchange::labels::LabelFormat;
 use pilotage_core::mission::LabelBox;
 
+use crate::command::Command;
 use crate::context::ViewContext;
+use crate::feature_command::FeatureCommand;
 
 /// Something about labels.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +44,12 @@ pub enum LabelCommand {
     Choose(i32),
     /// Save all labels as a file of other programs.
     Export(LabelFormat),
+}
+
+impl From<LabelCommand> for Command {
+    fn from(command: LabelCommand) -> Self {
+        Self::Feature(FeatureCommand::new("label", command))
+    }
 }
 
 /// Colours of landmarks: those of Okabe and Ito, which colour-blind people tell apart.

@@ -15,7 +15,7 @@ impl Labeller {
         let tokens = context.tokens;
         let mut commands = Vec::new();
         if title(ui, tokens, "Label pictures") {
-            commands.push(Command::Label(LabelCommand::Toggle));
+            commands.push(Command::from(LabelCommand::Toggle));
         }
         ui.horizontal(|ui| {
             let frame = context.shown_frame();
@@ -75,7 +75,7 @@ impl Labeller {
             ] {
                 let button = text_button(ui, tokens, Some(Icon::Save), label, false);
                 if button.on_hover_text(hint).clicked() {
-                    commands.push(Command::Label(LabelCommand::Export(format)));
+                    commands.push(Command::from(LabelCommand::Export(format)));
                 }
             }
         });
@@ -210,7 +210,7 @@ impl Labeller {
                     ui.add_enabled_ui(*on, |ui| {
                         let button = text_button(ui, tokens, None, label, false);
                         if button.on_hover_text(*hint).clicked() {
-                            commands.push(Command::Label(command.clone()));
+                            commands.push(Command::from(command.clone()));
                         }
                     });
                 }

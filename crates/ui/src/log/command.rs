@@ -2,6 +2,8 @@
 
 use super::arrangement::Preset;
 use super::presets::PresetCommand;
+use crate::command::Command;
+use crate::feature_command::FeatureCommand;
 use pilotage_jobs::SeriesName;
 
 /// Something to do about the open log.
@@ -56,6 +58,12 @@ pub enum LogCommand {
     FlyVehicle(u32),
     /// Go on with reading it, once it was stopped.
     ReadAgain,
+}
+
+impl From<LogCommand> for Command {
+    fn from(command: LogCommand) -> Self {
+        Self::Feature(FeatureCommand::new("log", command))
+    }
 }
 
 /// Tab of a log in the column at the right.

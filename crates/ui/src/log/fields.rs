@@ -75,7 +75,7 @@ impl FieldList {
         };
         let series = SeriesName::expression(&text);
         own.remember_expression(&series, MOST_EXPRESSIONS);
-        context.commands.push(Command::Log(command(series)));
+        context.commands.push(Command::from(command(series)));
     }
 
     fn list(
@@ -240,7 +240,7 @@ fn row(
         });
         if response.clicked() {
             let command = LogCommand::Toggle(series.clone());
-            context.commands.push(Command::Log(command));
+            context.commands.push(Command::from(command));
         }
         ui.label(
             RichText::new(unit)
@@ -251,7 +251,7 @@ fn row(
             let alone = parts::chip(ui, tokens, false, "+", &format!("{full} in a new plot"));
             if alone.on_hover_text("In a new plot").clicked() {
                 let command = LogCommand::PlotAlone(series.clone());
-                context.commands.push(Command::Log(command));
+                context.commands.push(Command::from(command));
             }
             let track = parts::chip(
                 ui,
@@ -262,7 +262,7 @@ fn row(
             );
             if track.on_hover_text("Colour the track by it").clicked() {
                 let command = LogCommand::ColourTrack(Some(series));
-                context.commands.push(Command::Log(command));
+                context.commands.push(Command::from(command));
             }
         });
     });

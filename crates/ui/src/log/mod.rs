@@ -3,6 +3,7 @@
 mod against;
 mod against_menu;
 mod arrangement;
+mod catalog;
 mod cloud;
 mod command;
 mod completion_list;
@@ -24,6 +25,7 @@ mod svg;
 mod words;
 
 pub use arrangement::{PanelContent, Preset};
+pub use catalog::commands;
 pub use command::{LogCommand, LogTab};
 pub use fields::FieldList;
 pub use figures::SpanFigures;

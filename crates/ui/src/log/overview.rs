@@ -55,13 +55,13 @@ pub fn overview_panel(
         ui.label(RichText::new("Reading was stopped.").color(tokens.warning));
         let again = crate::shell::text_button(ui, tokens, None, "Read it again", false);
         if again.clicked() {
-            context.commands.push(Command::Log(LogCommand::ReadAgain));
+            context.commands.push(Command::from(LogCommand::ReadAgain));
         }
     }
     if outline.format == LogFormat::Photos {
         let words = "Lay them on the map one by one";
         if crate::shell::text_button(ui, tokens, None, words, false).clicked() {
-            let show = Command::Photos(PhotosCommand::Show);
+            let show = Command::from(PhotosCommand::Show);
             context.commands.push(show);
         }
     }
@@ -97,7 +97,7 @@ fn vehicles(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, is_re
                 let is_chosen = *system == chosen;
                 if ui.selectable_label(is_chosen, name(*system)).clicked() && !is_chosen {
                     let fly = LogCommand::FlyVehicle(*system);
-                    context.commands.push(Command::Log(fly));
+                    context.commands.push(Command::from(fly));
                 }
             }
         });
@@ -231,7 +231,7 @@ fn abilities(ui: &mut Ui, context: &mut ViewContext<'_>, abilities: &[Ability]) 
             let text = RichText::new(format!("{sign}  {}", ability.what)).color(color);
             if ability.lacks.is_none() && ability.is_camera_to_log() {
                 if ui.link(text).clicked() {
-                    let show = Command::CameraLog(CameraLogCommand::Show);
+                    let show = Command::from(CameraLogCommand::Show);
                     context.commands.push(show);
                 }
             } else {

@@ -243,7 +243,9 @@ impl LogPlots {
             });
         self.axis.hover = hover;
         TimeAxis::draw(ui, tokens, self.axis.span(whole));
-        context.commands.extend(asked.into_iter().map(Command::Log));
+        context
+            .commands
+            .extend(asked.into_iter().map(Command::from));
     }
 }
 
@@ -266,7 +268,7 @@ fn save_chips(ui: &mut Ui, context: &mut ViewContext<'_>) {
             let response = ui.add(button);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
             if response.clicked() {
-                context.commands.push(Command::Log(command));
+                context.commands.push(Command::from(command));
                 ui.close();
             }
         }

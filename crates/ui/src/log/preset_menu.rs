@@ -47,7 +47,7 @@ impl PresetMenu {
                 }
                 self.save(ui, tokens, &mut asked);
             });
-        let asked = asked.into_iter().map(Command::Log);
+        let asked = asked.into_iter().map(Command::from);
         context.commands.extend(asked);
     }
 

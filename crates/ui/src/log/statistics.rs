@@ -124,7 +124,7 @@ fn heading(ui: &mut Ui, context: &mut ViewContext<'_>, log: &OpenLog, span: (f64
         ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
         let name = "Save the plotted fields of this span as CSV";
         if parts::chip(ui, tokens, false, "Save as CSV", name).clicked() {
-            context.commands.push(Command::Log(LogCommand::SaveTable));
+            context.commands.push(Command::from(LogCommand::SaveTable));
         }
         let is_selected = context.selected_span.is_some();
         if is_selected

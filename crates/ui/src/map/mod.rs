@@ -4,7 +4,6 @@
 mod coloured_track;
 mod controls;
 mod furniture;
-mod heat;
 mod interact;
 mod landmarks;
 mod layer;
@@ -17,16 +16,17 @@ mod recorded;
 mod symbols;
 mod thin_track;
 mod tiles;
+mod tool;
 mod tracks;
 mod transform;
 mod view;
 
 pub(crate) use coloured_track::ColouredTrack;
-pub use heat::heat_image;
 pub use layer::MapLayer;
 pub use layers::{Layer, Layers};
 pub(crate) use other_world::carry;
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line};
 pub use tiles::{TileCache, TileKey};
+pub use tool::{MapCanvas, MapStage, MapTool};
 pub use transform::{MapCamera, ScreenFromWorld};
 pub use view::{MapExtra, MapView};

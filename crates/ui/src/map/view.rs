@@ -20,14 +20,13 @@ use super::symbols::{
     paint_sigma, paint_tried_footprint, sigma_points,
 };
 use super::tiles::TileCache;
+use super::tool::{MapCanvas, MapStage, MapTool};
 use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{Drawn, ViewContext};
 use crate::documents::Ground;
-use crate::georeference::Georeferencer;
 use crate::log::OpenLog;
 use crate::photos::Photos;
-use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
 use pilotage_jobs::{Distinctness, MapInfo, SeriesName};
 
 /// Data that the map needs beside what every view is given.
@@ -40,8 +39,6 @@ pub struct MapExtra<'a> {
     pub ghost_generation: u64,
     /// Distinctness of the selected landmark.
     pub distinctness: Option<&'a Distinctness>,
-    /// The plan, if that is what people work on.
-    pub plan: Option<&'a Planner>,
     /// The world frame, if it has a place on the globe.
     pub frame: Option<LocalFrame>,
     /// The height of the ground.
@@ -79,8 +76,6 @@ pub struct MapView {
     pub picking: bool,
     /// The landmark that is being named in place.
     pub naming: Option<u32>,
-    /// Tool of the pointer on routes.
-    pub plan_tool: PlanTool,
     /// Whether the plan is shown.
     pub(super) planning: bool,
     /// Whether the log has tracks beside that of the flight.
@@ -160,13 +155,13 @@ impl MapView {
     }
 
     /// Draws the map over all of the space that is left, and takes the pointer.
-    /// Points of a `georeferencer` lie over everything and come first.
+    /// A `tool` comes first.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
         extra: &MapExtra<'_>,
-        mut georeferencer: Option<&mut Georeferencer>,
+        mut tool: Option<&mut dyn MapTool>,
     ) {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Map"));
@@ -181,57 +176,46 @@ impl MapView {
             self.fitted = Some((self.camera.center, self.camera.metres_per_point));
         }
         self.steer(step);
-        self.planning = extra.plan.is_some();
+        self.planning = tool.as_ref().is_some_and(|tool| tool.hides_flight());
         self.has_recorded = extra.log.is_some_and(|log| !log.tracks.0.is_empty());
         let view = self.camera.screen_from_world(rect);
-        let tool = &mut self.plan_tool;
-        let chosen = extra
-            .plan
-            .is_some_and(|plan| plan.choose_on_map(ui, &view, &response, context));
-        let choosing = extra
-            .plan
-            .is_some_and(|plan| plan.finder.pick != FindPick::Nothing);
-        let busy = chosen
-            || (!choosing
-                && extra
-                    .plan
-                    .is_some_and(|plan| tool.interact(ui, &view, &response, plan, context)));
-        let georeferencing = georeferencer.as_mut();
-        let picks = georeferencing.is_some_and(|it| it.interact_on_map(&view, &response));
-        self.interact(ui, rect, &response, context, busy || picks);
+        let tool_now = tool.as_mut();
+        let is_busy = tool_now.is_some_and(|tool| tool.interact(ui, &view, &response, context));
+        self.interact(ui, rect, &response, context, is_busy);
         let view = self.camera.screen_from_world(rect);
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 0.0, context.tokens.background);
         if let Some(map) = extra.map {
             self.tiles.paint(&painter, &view, rect, map);
         }
-        if let Some(plan) = extra.plan {
-            plan.paint_heat(&painter, &view);
-        }
+        let tool = tool.as_deref();
+        let pointer = response.hover_pos();
+        let mission = context.mission;
+        let paint_tool = |map: &Self, stage| {
+            if let Some(tool) = tool {
+                let canvas = MapCanvas {
+                    painter: &painter,
+                    view: &view,
+                    rect,
+                    pointer,
+                    mission,
+                    layers: &map.layers,
+                    tokens: context.tokens,
+                };
+                tool.paint(stage, &canvas);
+            }
+        };
+        paint_tool(self, MapStage::Ground);
         if let Some(photos) = extra.photos {
             self.photo.paint(&painter, &view, photos, context.tokens);
         }
         self.paint_tracks(&painter, &view, rect, context, extra);
-        self.paint_plan(&painter, &view, context, extra, false);
+        paint_tool(self, MapStage::BelowMarks);
         self.paint_now(&painter, &view, rect, context, extra, &response);
-        self.paint_plan(&painter, &view, context, extra, true);
-        if let Some(plan) = extra.plan {
-            let pointer = response.hover_pos();
-            let tokens = context.tokens;
-            plan.paint_remedy(&painter, &view, tokens);
-            plan.paint_suggestions(&painter, &view, &context.mission.landmarks, tokens);
-            plan.paint_find(&painter, &view, context.mission, pointer, tokens);
-            if let Some(pointer) = pointer {
-                plan.paint_heat_readout(&painter, &view, pointer, tokens);
-            }
-            let finder = &plan.finder;
-            paint_hint(&painter, rect, finder.pick, finder.corners.len(), tokens);
-        }
+        paint_tool(self, MapStage::AboveMarks);
+        paint_tool(self, MapStage::Last);
         self.paint_drawing(&painter, &view, &response, context);
         self.paint_furniture(&painter, &view, rect, context, extra, &response);
-        if let Some(georeferencer) = georeferencer {
-            georeferencer.paint_on_map(&painter, &view, context.tokens);
-        }
         let step = context.run.and_then(|r| r.step_at(context.time));
         if let Some(step) = step {
             let corner = rect.left_top() + vec2(16.0, 16.0);
@@ -302,11 +286,11 @@ impl MapView {
         }
         if let Some(log) = extra
             .log
-            .filter(|_| shown(Layer::Recorded) && extra.plan.is_none())
+            .filter(|_| shown(Layer::Recorded) && !self.planning)
         {
             paint_recorded(painter, view, log, extra.frame, tokens);
         }
-        if extra.plan.is_none() {
+        if !self.planning {
             for layer in extra.layers {
                 layer.paint(painter, view, context, extra.frame);
             }
@@ -413,26 +397,6 @@ impl MapView {
             if spread > 2.0 {
                 paint_sigma(painter, view, sigma_points(step), tokens, 2.75);
             }
-        }
-    }
-
-    /// Draws the plan: the corridor below the landmarks, the routes above.
-    fn paint_plan(
-        &mut self,
-        painter: &egui::Painter,
-        view: &ScreenFromWorld,
-        context: &ViewContext<'_>,
-        extra: &MapExtra<'_>,
-        above: bool,
-    ) {
-        let Some(plan) = extra.plan else { return };
-        let tokens = context.tokens;
-        let shows = |layer| self.layers.shows(layer);
-        if above && shows(Layer::Route) {
-            let tool = &self.plan_tool;
-            plan.paint_routes(painter, view, context.mission, tool, tokens);
-        } else if !above && shows(Layer::Corridor) {
-            plan.paint_corridor(painter, view, tokens);
         }
     }
 

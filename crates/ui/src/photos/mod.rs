@@ -4,7 +4,12 @@ mod state;
 
 pub use state::{Photos, Shown, Sought};
 
+use egui::Key;
 use pilotage_core::flight::photo::PhotoSearch;
+
+use crate::command::Command;
+use crate::feature_command::FeatureCommand;
+use crate::shell::catalog::{Entry, Group, entry, shift};
 
 /// Something to do about photos on the map.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,4 +30,20 @@ pub enum PhotosCommand {
     Choose(usize),
     /// Show the chosen one on the map so.
     Display(Shown),
+}
+
+impl From<PhotosCommand> for Command {
+    fn from(command: PhotosCommand) -> Self {
+        Self::Feature(FeatureCommand::new("photos", command))
+    }
+}
+
+/// Rows of the table of all commands.
+pub fn commands() -> Vec<Entry> {
+    vec![entry(
+        Group::View,
+        "Lay photos on the map",
+        vec![shift(Key::O)],
+        PhotosCommand::Show.into(),
+    )]
 }

@@ -86,7 +86,7 @@ pub fn aircraft(ui: &mut Ui, preferences: &PlanPreferences, context: &mut ViewCo
             power: next.power,
             energy: next.energy,
         };
-        context.commands.push(Command::Plan(command));
+        context.commands.push(Command::from(command));
     }
 }
 

@@ -17,6 +17,6 @@ pub fn button(
     command: PlanCommand,
 ) {
     if text_button(ui, context.tokens, icon, label, strong).clicked() {
-        context.commands.push(Command::Plan(command));
+        context.commands.push(Command::from(command));
     }
 }

@@ -11,7 +11,9 @@ use super::purpose::Purpose;
 use super::suggest_command::SuggestCommand;
 use super::tab::PlanTab;
 use super::train_command::TrainCommand;
+use crate::command::Command;
 use crate::documents::landmarks::LandmarkChange;
+use crate::feature_command::FeatureCommand;
 
 /// A change of a no-fly area.
 #[derive(Clone, Debug, PartialEq)]
@@ -181,4 +183,10 @@ pub enum PlanCommand {
     FinishMarking,
     /// Forget the corners.
     CancelMarking,
+}
+
+impl From<PlanCommand> for Command {
+    fn from(command: PlanCommand) -> Self {
+        Self::Feature(FeatureCommand::new("plan", command))
+    }
 }

@@ -34,7 +34,7 @@ impl Planner {
         let mut say = |command| {
             context
                 .commands
-                .push(Command::Plan(PlanCommand::Find(command)));
+                .push(Command::from(PlanCommand::Find(command)));
         };
         if !ui.ctx().text_edit_focused() {
             let (enter, escape) =
@@ -204,7 +204,7 @@ pub fn hint(pick: FindPick, corners: usize) -> Option<&'static str> {
 }
 
 /// A line of words at the top of the map while something is chosen.
-pub(crate) fn paint_hint(
+pub(super) fn paint_hint(
     painter: &Painter,
     rect: egui::Rect,
     pick: FindPick,

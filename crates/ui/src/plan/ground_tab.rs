@@ -38,12 +38,12 @@ pub fn ground_tab(
 }
 
 fn say_heat(context: &mut ViewContext<'_>, command: HeatCommand) {
-    let command = Command::Plan(PlanCommand::Heat(command));
+    let command = Command::from(PlanCommand::Heat(command));
     context.commands.push(command);
 }
 
 fn say(context: &mut ViewContext<'_>, command: FindCommand) {
-    let command = Command::Plan(PlanCommand::Find(command));
+    let command = Command::from(PlanCommand::Find(command));
     context.commands.push(command);
 }
 
@@ -153,7 +153,7 @@ fn area_name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut Vie
     if field.lost_focus() {
         let name = draft.trim().to_owned();
         if !name.is_empty() && name != zone.name {
-            context.commands.push(Command::Plan(PlanCommand::EditArea {
+            context.commands.push(Command::from(PlanCommand::EditArea {
                 index,
                 change: AreaChange::Name(name),
                 finished: true,

@@ -79,7 +79,7 @@ impl LandmarkEditor {
             ui.spacing_mut().item_spacing.x = 0.0;
             if icon_button(ui, tokens, Icon::Pick, "Set the reference point on the map").clicked() {
                 let command = PlanCommand::Mark(Purpose::Reference);
-                context.commands.push(Command::Plan(command));
+                context.commands.push(Command::from(command));
             }
             let label = "Reference point to the middle";
             if north.hypot(east) >= 0.05 && icon_button(ui, tokens, Icon::Undo, label).clicked() {
@@ -91,7 +91,7 @@ impl LandmarkEditor {
         for (change, finished) in changes {
             context
                 .commands
-                .push(Command::Plan(PlanCommand::EditLandmarks {
+                .push(Command::from(PlanCommand::EditLandmarks {
                     ids: ids.clone(),
                     change,
                     finished,
@@ -138,7 +138,7 @@ impl LandmarkEditor {
                 }
             }
         });
-        context.commands.extend(say.into_iter().map(Command::Plan));
+        context.commands.extend(say.into_iter().map(Command::from));
     }
 
     fn category(

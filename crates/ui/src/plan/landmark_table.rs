@@ -10,10 +10,9 @@ use pilotage_core::mission::Mission;
 use super::assessments::{Assessments, assumed};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{
-    icon_button, icons::Icon, landmark_keyboard, muted, paint_focus_ring, text_button,
-};
+use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, text_button};
 use crate::tokens::Tokens;
+use crate::views::landmark_keyboard;
 
 /// Column that the table is sorted by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -13,10 +13,9 @@ use super::train_command::TrainCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{
-    Examined, LandmarkList, caption, chip, icon_button, icons::Icon, muted, text_button,
-};
+use crate::shell::{caption, chip, icon_button, icons::Icon, muted, text_button};
 use crate::views::ellipse::largest_sigma;
+use crate::views::{Examined, LandmarkList};
 use pilotage_jobs::Measured;
 
 /// Height of the table before it scrolls, points: what is selected stays in sight below it.
@@ -38,7 +37,7 @@ pub fn landmarks_tab(
         if let Some((done, of)) = planner.assessments.batch() {
             if icon_button(ui, tokens, Icon::Close, "Stop measuring").clicked() {
                 let stop = PlanCommand::StopAssessing;
-                context.commands.push(Command::Plan(stop));
+                context.commands.push(Command::from(stop));
             }
             let words = planner.assessments.under_way().map_or("", |(_, _, w)| w);
             let text = if of > 1 {
@@ -110,12 +109,12 @@ fn draw_menu(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
             ("Box  (N)", Command::TogglePickTool, false),
             (
                 "Outline  (Shift+N)",
-                Command::Plan(PlanCommand::Mark(Purpose::Outline)),
+                Command::from(PlanCommand::Mark(Purpose::Outline)),
                 under_way == Some(Purpose::Outline),
             ),
             (
                 "Point",
-                Command::Plan(PlanCommand::Mark(Purpose::Point)),
+                Command::from(PlanCommand::Mark(Purpose::Point)),
                 under_way == Some(Purpose::Point),
             ),
         ] {
@@ -177,7 +176,7 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
         ui.horizontal(|ui| {
             if icon_button(ui, tokens, Icon::Close, "Stop looking from other heights").clicked() {
                 let stop = PlanCommand::StopAssessing;
-                context.commands.push(Command::Plan(stop));
+                context.commands.push(Command::from(stop));
             }
             let bar = egui::ProgressBar::new(planner.assessments.survey_progress);
             ui.add(bar.desired_height(4.0))

@@ -8,8 +8,9 @@ use pilotage_core::plan::PredictionSample;
 use super::aircraft::{radius_at, tight_legs};
 use super::chart::sample_at;
 use super::corridor_paint::paint_corridor;
+use super::hit::{Hit, PlanPointer};
 use super::planner::Planner;
-use super::tool::{Hit, PlanTool, middles};
+use super::pointer::middles;
 use crate::map::{ScreenFromWorld, ellipse, paint_halo_text};
 use crate::tokens::Tokens;
 
@@ -44,7 +45,7 @@ impl Planner {
         painter: &Painter,
         view: &ScreenFromWorld,
         mission: &Mission,
-        tool: &PlanTool,
+        tool: &PlanPointer,
         tokens: &Tokens,
     ) {
         paint_routes(painter, view, mission, self, tool, tokens);
@@ -79,7 +80,7 @@ fn paint_routes(
     view: &ScreenFromWorld,
     mission: &Mission,
     planner: &Planner,
-    tool: &PlanTool,
+    tool: &PlanPointer,
     tokens: &Tokens,
 ) {
     for route in mission
@@ -116,7 +117,7 @@ fn paint_selected(
     view: &ScreenFromWorld,
     route: &Route,
     planner: &Planner,
-    tool: &PlanTool,
+    tool: &PlanPointer,
     tokens: &Tokens,
 ) {
     let line = screen_line(route, view);

@@ -14,7 +14,8 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::catalog::catalog;
-use crate::shell::{Examined, LandmarkList, caption, icon_button, icons::Icon, muted, tab};
+use crate::shell::{caption, icon_button, icons::Icon, muted, tab};
+use crate::views::{Examined, LandmarkList};
 
 impl Planner {
     /// Draws the column.
@@ -121,7 +122,7 @@ impl Planner {
             for (label, on) in [("Heights", profile), ("Uncertainty", !profile)] {
                 if tab(ui, tokens, label, on, 24.0).clicked() && !on {
                     let command = PlanCommand::ToggleProfile;
-                    context.commands.push(Command::Plan(command));
+                    context.commands.push(Command::from(command));
                 }
             }
         });

@@ -92,7 +92,7 @@ pub fn pattern_card(
             pattern: Box::new(next),
             finished,
         };
-        context.commands.push(Command::Plan(set));
+        context.commands.push(Command::from(set));
     }
 }
 

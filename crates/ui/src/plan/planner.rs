@@ -6,6 +6,7 @@ use pilotage_core::mission::{Mission, Route};
 use pilotage_core::simulate::{Airframe, Wind};
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::assessments::Assessments;
 use super::chart::Chart;
@@ -17,6 +18,7 @@ use super::flown::{
 use super::forecast::Forecast;
 use super::heat::Heat;
 use super::heat_command::HeatPreferences;
+use super::hit::PlanPointer;
 use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
@@ -79,6 +81,8 @@ pub struct Planner {
     pub route: Option<u32>,
     /// The selected way-point of it.
     pub way_point: Option<usize>,
+    /// Pointer on routes of the map.
+    pub pointer: PlanPointer,
     /// Whether clicks on the map add way-points.
     pub drawing: bool,
     /// Marking of places on the map by clicks.
@@ -118,6 +122,16 @@ pub struct Planner {
 }
 
 impl Planner {
+    /// Preferences, to be remembered until the next visit.
+    pub fn saved(&self) -> Value {
+        serde_json::to_value(&self.preferences).unwrap_or_default()
+    }
+
+    /// Takes up preferences that an earlier visit remembered; the usual ones if they are not readable.
+    pub fn restore(&mut self, saved: &Value) {
+        self.preferences = PlanPreferences::deserialize(saved).unwrap_or_default();
+    }
+
     /// Lets go of what does not exist any more, and selects the first route if none is.
     pub fn settle(&mut self, mission: &Mission) {
         let known = self.route.filter(|id| route_of(mission, *id).is_some());

@@ -169,7 +169,7 @@ pub fn ground(ui: &mut Ui, relief: &Relief<'_>, route: &Route, context: &mut Vie
                         height: height / factor,
                         finished: !field.dragged(),
                     };
-                    context.commands.push(Command::Plan(command));
+                    context.commands.push(Command::from(command));
                 }
                 ui.label(muted(tokens, "level at"));
             });

@@ -28,7 +28,7 @@ impl Planner {
                 FindCommand::Click(worst.end),
                 FindCommand::Start,
             ] {
-                let command = Command::Plan(PlanCommand::Find(command));
+                let command = Command::from(PlanCommand::Find(command));
                 context.commands.push(command);
             }
         }

@@ -199,7 +199,7 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
             }
         }
     });
-    context.commands.extend(say.into_iter().map(Command::Plan));
+    context.commands.extend(say.into_iter().map(Command::from));
 }
 
 fn prediction(
@@ -222,7 +222,7 @@ fn prediction(
                 .suffix(format!(" {unit}"));
             if ui.add(field).accessible_name("Limit of σ").changed() {
                 let limit = PlanCommand::SetLimit(limit / factor);
-                context.commands.push(Command::Plan(limit));
+                context.commands.push(Command::from(limit));
             }
             ui.label(muted(tokens, "limit of σ"));
         });
@@ -333,13 +333,13 @@ fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
                 wind.speed = speed / factor;
                 wind.from = from.to_radians();
                 let wind = PlanCommand::SetWind(Some(wind));
-                context.commands.push(Command::Plan(wind));
+                context.commands.push(Command::from(wind));
             }
             if own {
                 if icon_button(ui, tokens, Icon::Undo, "Use the flight's wind").clicked() {
                     context
                         .commands
-                        .push(Command::Plan(PlanCommand::SetWind(None)));
+                        .push(Command::from(PlanCommand::SetWind(None)));
                 }
             } else {
                 ui.label(muted(tokens, "as on the flight, from"));

@@ -76,7 +76,7 @@ impl Planner {
     /// Draws what is proposed beside the table of landmarks.
     pub(super) fn suggestions_card(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
-        let say = |command| Command::Plan(PlanCommand::Suggest(command));
+        let say = |command| Command::from(PlanCommand::Suggest(command));
         let under_way = self.suggestions.asked.is_some();
         ui.horizontal(|ui| {
             if under_way {
@@ -118,7 +118,7 @@ impl Planner {
     fn suggestions_list(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
         let mission = context.mission;
-        let say = |command| Command::Plan(PlanCommand::Suggest(command));
+        let say = |command| Command::from(PlanCommand::Suggest(command));
         let Some((order, list)) = &self.suggestions.found else {
             return;
         };

@@ -27,7 +27,7 @@ const ROW: f32 = 18.0;
 const PHOTOS: std::ops::RangeInclusive<usize> = 12..=1000;
 
 fn say(command: TrainCommand) -> Command {
-    Command::Plan(PlanCommand::Train(command))
+    Command::from(PlanCommand::Train(command))
 }
 
 impl Planner {
@@ -182,7 +182,7 @@ fn choices(
                     change: LandmarkChange::Detector(choice),
                     finished: true,
                 };
-                context.commands.push(Command::Plan(command));
+                context.commands.push(Command::from(command));
             }
         }
     });

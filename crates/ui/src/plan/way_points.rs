@@ -11,8 +11,8 @@ use super::PlanCommand;
 use super::flown::cruise;
 use super::legs::{Leg, time_text};
 use super::planner::Planner;
+use super::pointer::middle;
 use super::relief::Relief;
-use super::tool::middle;
 use super::words::distance_text;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -171,7 +171,7 @@ fn row(
     if response.clicked() {
         let which = (!chosen).then_some(index);
         let command = PlanCommand::SelectWayPoint(which);
-        context.commands.push(Command::Plan(command));
+        context.commands.push(Command::from(command));
     }
     if response.has_focus() {
         paint_focus_ring(painter, rect, tokens);
@@ -216,7 +216,7 @@ fn keyboard(ui: &Ui, widget: egui::Id, route: &Route, index: usize, context: &mu
             i.key_pressed(Key::Delete),
         )
     });
-    let mut say = |command| context.commands.push(Command::Plan(command));
+    let mut say = |command| context.commands.push(Command::from(command));
     let at = route.way_points[index].position;
     if north != 0.0 || east != 0.0 {
         say(PlanCommand::MoveWayPoint {
@@ -336,7 +336,7 @@ fn selected(
         ui.label(muted(tokens, place));
     });
     ui.add_space(4.0);
-    context.commands.extend(say.into_iter().map(Command::Plan));
+    context.commands.extend(say.into_iter().map(Command::from));
 }
 
 /// Draws the choice of the action at the way-point; returns the command that changes it.

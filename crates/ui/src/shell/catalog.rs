@@ -3,16 +3,9 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 use pilotage_core::exchange::Format;
-use pilotage_core::exchange::labels::LabelFormat;
 
 pub use super::entry::{Entry, Group, control, describe, entry, plain, shift};
-use crate::camera_log::CameraLogCommand;
 use crate::command::{Command, Workspace};
-use crate::dialogs::WebMapCommand;
-use crate::labelling::LabelCommand;
-use crate::photos::PhotosCommand;
-use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
-use crate::views::DetectorCommand;
 
 /// Speeds set by the digits 1 to 9 and 0.
 pub const DIGIT_SPEEDS: [(Key, f64); 10] = [
@@ -33,23 +26,6 @@ pub fn catalog() -> Vec<Entry> {
     let mut entries = playback();
     entries.extend(view());
     entries.extend(edit());
-    entries.extend(plan());
-    entries.extend(trainings());
-    entries.extend(ground());
-    entries.extend(labels());
-    entries.extend(super::catalog_log::log());
-    entries.push(entry(
-        Group::View,
-        "Camera to log: time offset, mount, focal length",
-        vec![shift(Key::T)],
-        Command::CameraLog(CameraLogCommand::Show),
-    ));
-    entries.push(entry(
-        Group::View,
-        "Lay photos on the map",
-        vec![shift(Key::O)],
-        Command::Photos(PhotosCommand::Show),
-    ));
     entries.extend(document());
     entries.extend(exports());
     entries
@@ -186,31 +162,6 @@ fn view() -> Vec<Entry> {
             vec![],
             Command::ShowMatch,
         ),
-        of(
-            "Show what a trained detector saw",
-            vec![plain(Key::Z)],
-            Command::Detector(DetectorCommand::Show),
-        ),
-        of(
-            "Detector: one stage back",
-            vec![plain(Key::Comma)],
-            Command::Detector(DetectorCommand::Stages(-1)),
-        ),
-        of(
-            "Detector: one stage on",
-            vec![plain(Key::Period)],
-            Command::Detector(DetectorCommand::Stages(1)),
-        ),
-        of(
-            "Detector: evaluate on days it has not seen",
-            vec![],
-            Command::Detector(DetectorCommand::Evaluate),
-        ),
-        of(
-            "Detector: let the stages pass",
-            vec![shift(Key::Z)],
-            Command::Detector(DetectorCommand::Play),
-        ),
         of("Show Learn: the guided tour", vec![], Command::ToggleTour),
         of("Dark or light", vec![], Command::ToggleTheme),
         of(
@@ -257,195 +208,6 @@ fn edit() -> Vec<Entry> {
     ]
 }
 
-fn plan() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::Plan(command));
-    vec![
-        of(
-            "Draw a route, or finish it",
-            vec![plain(Key::W)],
-            PlanCommand::ToggleDraw,
-        ),
-        of(
-            "Way-point in the middle of the map",
-            vec![plain(Key::I)],
-            PlanCommand::AddWayPoint(None),
-        ),
-        of(
-            "Fly the route the other way",
-            vec![plain(Key::X)],
-            PlanCommand::Reverse,
-        ),
-        of(
-            "Split the route at the way-point",
-            vec![plain(Key::C)],
-            PlanCommand::Split,
-        ),
-        of("Survey an area", vec![], PlanCommand::Mark(Purpose::Survey)),
-        of(
-            "Fly a corridor along the route",
-            vec![],
-            PlanCommand::CorridorAlong,
-        ),
-        of(
-            "Show the heights of the route, or its uncertainty",
-            vec![plain(Key::E)],
-            PlanCommand::ToggleProfile,
-        ),
-        of(
-            "Delete the way-point",
-            vec![],
-            PlanCommand::DeleteWayPoint(None),
-        ),
-        of("Duplicate the route", vec![], PlanCommand::DuplicateRoute),
-        of("Delete the route", vec![], PlanCommand::DeleteRoute),
-        of(
-            "Plan the route of the demo",
-            vec![],
-            PlanCommand::TakeFlightRoute,
-        ),
-        of(
-            "Measure how well the landmark is found",
-            vec![plain(Key::D)],
-            PlanCommand::AssessSelected,
-        ),
-        of(
-            "Measure all landmarks",
-            vec![shift(Key::D)],
-            PlanCommand::AssessAll,
-        ),
-        of("Stop measuring", vec![], PlanCommand::StopAssessing),
-        of(
-            "Draw the outline of a landmark",
-            vec![shift(Key::N)],
-            PlanCommand::Mark(Purpose::Outline),
-        ),
-        of(
-            "Mark a landmark as a point",
-            vec![],
-            PlanCommand::Mark(Purpose::Point),
-        ),
-        of(
-            "Set the reference point of the landmark",
-            vec![],
-            PlanCommand::Mark(Purpose::Reference),
-        ),
-        of(
-            "Duplicate the landmark",
-            vec![control(Key::D)],
-            PlanCommand::DuplicateLandmark,
-        ),
-    ]
-}
-
-fn trainings() -> Vec<Entry> {
-    let of = |label, shortcuts, command| {
-        let command = Command::Plan(PlanCommand::Train(command));
-        entry(Group::Plan, label, shortcuts, command)
-    };
-    vec![
-        of(
-            "Train a detector for the landmark",
-            vec![plain(Key::J)],
-            TrainCommand::Selected,
-        ),
-        of(
-            "Train detectors for all landmarks",
-            vec![shift(Key::J)],
-            TrainCommand::All,
-        ),
-        of(
-            "Pause all trainings of detectors",
-            vec![],
-            TrainCommand::Pause(None),
-        ),
-        of(
-            "Resume all trainings of detectors",
-            vec![],
-            TrainCommand::Resume(None),
-        ),
-        of(
-            "Cancel all trainings of detectors",
-            vec![],
-            TrainCommand::Cancel(None),
-        ),
-    ]
-}
-
-fn ground() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::Plan(command));
-    vec![
-        of(
-            "Show or hide where a fix would be had",
-            vec![plain(Key::H)],
-            PlanCommand::Heat(HeatCommand::Toggle),
-        ),
-        of(
-            "Show blind areas",
-            vec![shift(Key::H)],
-            PlanCommand::Heat(HeatCommand::ToggleBlind),
-        ),
-        of(
-            "Find a route: choose A and B",
-            vec![shift(Key::F)],
-            PlanCommand::Find(FindCommand::Begin),
-        ),
-        of(
-            "Find the route from A to B",
-            vec![],
-            PlanCommand::Find(FindCommand::Start),
-        ),
-        of(
-            "Draw a no-fly area",
-            vec![shift(Key::A)],
-            PlanCommand::Find(FindCommand::Pick(FindPick::Area)),
-        ),
-    ]
-}
-
-fn labels() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::Edit, label, shortcuts, Command::Label(command));
-    vec![
-        of(
-            "Label landmarks in the pictures",
-            vec![plain(Key::K)],
-            LabelCommand::Toggle,
-        ),
-        of(
-            "Propose the label of the landmark",
-            vec![plain(Key::Q)],
-            LabelCommand::Propose,
-        ),
-        of(
-            "The landmark is not in the picture",
-            vec![plain(Key::O)],
-            LabelCommand::MarkAbsent,
-        ),
-        of(
-            "The landmark is hard to see in the picture",
-            vec![plain(Key::Y)],
-            LabelCommand::ToggleDifficult,
-        ),
-        of(
-            "Delete the label of the landmark",
-            vec![],
-            LabelCommand::Delete,
-        ),
-        of(
-            "Export the labels as COCO",
-            vec![],
-            LabelCommand::Export(LabelFormat::Coco),
-        ),
-        of(
-            "Export the labels as Pascal VOC",
-            vec![],
-            LabelCommand::Export(LabelFormat::Voc),
-        ),
-    ]
-}
-
 /// Commands that write for other programs: whatever can be written, in every format that holds it.
 fn exports() -> Vec<Entry> {
     let routes = Format::all().map(|format| {
@@ -488,7 +250,7 @@ fn document() -> Vec<Entry> {
         of(
             "Map from the web: tiles, GeoTIFF, PMTiles…",
             vec![shift(Key::M)],
-            Command::WebMap(WebMapCommand::Toggle),
+            Command::ToggleWebMap,
         ),
         of(
             "Save the mission",
@@ -515,23 +277,4 @@ fn document() -> Vec<Entry> {
         of("Stop computing", vec![], Command::CancelJob),
         of("Open the built-in demo", vec![], Command::OpenDemo),
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_two_commands_share_a_shortcut() {
-        let entries = catalog();
-        let mut seen: Vec<(KeyboardShortcut, &str)> = Vec::new();
-        for entry in &entries {
-            for shortcut in &entry.shortcuts {
-                if let Some((_, other)) = seen.iter().find(|(s, _)| s == shortcut) {
-                    panic!("{} and {other} share {}", entry.label, describe(shortcut));
-                }
-                seen.push((*shortcut, &entry.label));
-            }
-        }
-    }
 }

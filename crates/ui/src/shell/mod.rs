@@ -1,14 +1,12 @@
 //! Surroundings of the views: look, top bar, palette, help, notices.
 
 pub mod catalog;
-mod catalog_log;
 mod clicks;
 mod entry;
 mod fonts;
 mod help;
 pub mod icons;
 pub mod keys;
-mod landmark_list;
 mod palette;
 mod theme;
 mod toasts;
@@ -18,8 +16,6 @@ mod widgets;
 pub use clicks::keep_slow_clicks;
 pub use fonts::fonts;
 pub use help::help_sheet;
-pub(crate) use landmark_list::keyboard as landmark_keyboard;
-pub use landmark_list::{Examined, LandmarkList};
 pub use palette::Palette;
 pub use theme::apply_theme;
 pub use toasts::{Toast, Toasts};

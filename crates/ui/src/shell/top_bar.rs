@@ -5,7 +5,6 @@ use egui::{Align, Layout, RichText, Ui};
 use super::icons::Icon;
 use super::widgets::{icon_button, icon_toggle, muted, tab, text_button};
 use crate::command::{Command, Workspace};
-use crate::dialogs::WebMapCommand;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
@@ -99,7 +98,7 @@ fn actions(
         ui.add_space(4.0);
     }
     if icon_button(ui, tokens, Icon::Layers, "Map from the web…").clicked() {
-        commands.push(Command::WebMap(WebMapCommand::Toggle));
+        commands.push(Command::ToggleWebMap);
     }
     if text_button(ui, tokens, Some(Icon::Aircraft), "Simulate…", true).clicked() {
         commands.push(Command::ToggleSimulate);

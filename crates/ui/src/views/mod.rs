@@ -11,7 +11,9 @@ pub(crate) mod ellipse;
 mod evaluation;
 #[cfg(test)]
 mod fixture;
+mod heat_image;
 mod inspector;
+mod landmark_list;
 mod matching;
 pub(crate) mod parts;
 mod photos;
@@ -25,9 +27,11 @@ mod time_axis;
 mod tour;
 
 pub use camera::CameraView;
-pub use detector::{DetectorCommand, DetectorView};
+pub use detector::{DetectorCommand, DetectorView, commands as detector_commands};
 pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 pub use inspector::InspectorView;
+pub(crate) use landmark_list::keyboard as landmark_keyboard;
+pub use landmark_list::{Examined, LandmarkList};
 pub use matching::MatchView;
 pub use photos::{PhotosScene, photos_sheet};
 pub use plots::PlotsView;

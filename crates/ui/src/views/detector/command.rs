@@ -1,5 +1,7 @@
 //! Commands about a trained detector.
 
+use crate::command::Command;
+use crate::feature_command::FeatureCommand;
 use crate::views::evaluation::EvaluationFile;
 
 /// Something about what a trained detector saw and did.
@@ -26,4 +28,10 @@ pub enum DetectorCommand {
     SaveEvaluation(EvaluationFile),
     /// Close what shows it.
     CloseEvaluation,
+}
+
+impl From<DetectorCommand> for Command {
+    fn from(command: DetectorCommand) -> Self {
+        Self::Feature(FeatureCommand::new("detector", command))
+    }
 }

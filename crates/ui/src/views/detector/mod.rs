@@ -1,6 +1,7 @@
 //! Search of a trained detector: windows as stages reject them, features over the patch, score over the
 //! ground, edges of the patch.
 
+mod catalog;
 mod command;
 mod drawn_feature;
 mod ground;
@@ -22,6 +23,7 @@ use crate::context::ViewContext;
 use patch::PatchState;
 use pilotage_jobs::DetectorSearch;
 
+pub use catalog::commands;
 pub use command::DetectorCommand;
 
 /// Seconds for which each stage is shown while they pass by themselves.
@@ -125,7 +127,7 @@ impl DetectorView {
                     time: step.time,
                     landmark,
                 };
-                context.commands.push(Command::Detector(ask));
+                context.commands.push(Command::from(ask));
                 let is_it = |s: &&DetectorSearch| s.landmark == landmark && s.time == step.time;
                 match search.filter(is_it) {
                     None => {
@@ -166,7 +168,7 @@ impl DetectorView {
         if parts::chip(ui, tokens, false, words, words).clicked() {
             context
                 .commands
-                .push(Command::Detector(DetectorCommand::Evaluate));
+                .push(Command::from(DetectorCommand::Evaluate));
         }
         parts::section(ui, tokens, "Windows that each stage rejects", true, |ui| {
             let texture = self.rejected(ui, tokens, evidence, passed);

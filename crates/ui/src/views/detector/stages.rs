@@ -181,7 +181,7 @@ pub(super) fn controls(
 ) {
     let tokens = context.tokens;
     let stages = evidence.stages.len();
-    let mut send = |command| context.commands.push(Command::Detector(command));
+    let mut send = |command| context.commands.push(Command::from(command));
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.25 * tokens.space;
         let (icon, label) = if is_playing {

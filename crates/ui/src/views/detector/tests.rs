@@ -164,7 +164,10 @@ impl State {
         };
         self.view.show(ui, &mut context, self.search.as_ref());
         for command in &commands {
-            if let Command::Detector(command) = command {
+            let Command::Feature(command) = command else {
+                continue;
+            };
+            if let Some(command) = command.action() {
                 self.view.act(command);
             }
         }
@@ -218,7 +221,7 @@ fn the_search_is_asked_for_and_another_one_is_not_shown() {
     harness.get_by_label("Looking …");
     let (time, landmark) = harness.state().view.wanted().unwrap();
     let ask = DetectorCommand::Explain { time, landmark };
-    assert!(harness.state().commands.contains(&Command::Detector(ask)));
+    assert!(harness.state().commands.contains(&Command::from(ask)));
     let mut other = harness.state().looked((time, landmark));
     other.time -= 1.0;
     harness.state_mut().search = Some(other);

@@ -16,5 +16,5 @@ pub struct PhotosScene<'a> {
 
 /// Asks for something about photos.
 pub(super) fn send(context: &mut ViewContext<'_>, what: PhotosCommand) {
-    context.commands.push(Command::Photos(what));
+    context.commands.push(Command::from(what));
 }

@@ -2,15 +2,15 @@
 
 use egui::Key;
 
-use super::entry::{Entry, Group, entry, shift};
+use super::LogCommand::{self, ShowPreset};
+use super::{LogTab, Preset};
 use crate::command::Command;
-use crate::log::LogCommand::{self, ShowPreset};
-use crate::log::{LogTab, Preset};
+use crate::shell::catalog::{Entry, Group, entry, shift};
 
-/// The part of the table that is about the open log.
-pub(super) fn log() -> Vec<Entry> {
+/// Rows of the table of all commands.
+pub fn commands() -> Vec<Entry> {
     let of =
-        |label, shortcuts, command| entry(Group::View, label, shortcuts, Command::Log(command));
+        |label, shortcuts, command| entry(Group::View, label, shortcuts, Command::from(command));
     vec![
         of("Show the flight log", vec![shift(Key::L)], LogCommand::Show),
         of(

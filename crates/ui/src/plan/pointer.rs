@@ -7,6 +7,7 @@ use pilotage_core::mission::{Mission, Route};
 
 use super::PlanCommand;
 use super::command::AreaChange;
+use super::hit::{Hit, PlanPointer};
 use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::command::Command;
@@ -18,36 +19,6 @@ use crate::map::ScreenFromWorld;
 const HIT_RADIUS: f32 = 14.0;
 /// Shortest leg on screen that has a handle in its middle, points.
 const SHORTEST_WITH_HANDLE: f32 = 56.0;
-
-/// Thing under the pointer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Hit {
-    /// A way-point of the selected route.
-    WayPoint(usize),
-    /// The middle of the leg behind a way-point of the selected route.
-    Middle(usize),
-    /// Another route.
-    Route(u32),
-    /// A corner of the selected landmark's outline.
-    Corner(usize),
-    /// A corner of a no-fly area: number of the area and of the corner.
-    Area(usize, usize),
-}
-
-/// The pointer's own state.
-#[derive(Debug, Default)]
-pub struct PlanTool {
-    /// The way-point that is being dragged.
-    dragged: Option<usize>,
-    /// The landmark and the corner of its outline that is being dragged.
-    corner: Option<(u32, usize)>,
-    /// The no-fly area and the corner of it that is being dragged.
-    area: Option<(usize, usize)>,
-    /// Thing that the pointer is over.
-    pub(super) hovered: Option<Hit>,
-    /// Place of the pointer, while something is drawn.
-    pub(super) pointer: Option<GroundPoint>,
-}
 
 /// The point in the middle of a leg.
 pub fn middle(a: GroundPoint, b: GroundPoint) -> GroundPoint {
@@ -129,7 +100,7 @@ fn hit(
     others.into_iter().find(near).map(|r| Hit::Route(r.id))
 }
 
-impl PlanTool {
+impl PlanPointer {
     /// Takes the pointer; true if it is busy with the plan, so that nobody else shall use it.
     pub fn interact(
         &mut self,
@@ -140,7 +111,7 @@ impl PlanTool {
         context: &mut ViewContext<'_>,
     ) -> bool {
         let mission = context.mission;
-        let mut say = |command| context.commands.push(Command::Plan(command));
+        let mut say = |command| context.commands.push(Command::from(command));
         let landmark = context.selection.and_then(|id| mission.landmark(id));
         let under = |at: Pos2| hit(mission, planner, landmark, view, at);
         let at = response.interact_pointer_pos();

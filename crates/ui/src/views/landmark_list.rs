@@ -7,11 +7,11 @@ use egui::{
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
 
-use super::icons::Icon;
-use super::widgets::{caption, chip, heading, icon_button, muted, paint_focus_ring, text_button};
+use super::heat_image::heat_image;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::map::heat_image;
+use crate::shell::icons::Icon;
+use crate::shell::{caption, chip, heading, icon_button, muted, paint_focus_ring, text_button};
 use pilotage_jobs::Distinctness;
 
 /// Distinctness of the selected landmark, as far as it is known.

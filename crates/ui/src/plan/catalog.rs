@@ -1,0 +1,162 @@
+//! Commands of planning, as the table of all commands has them.
+
+use egui::Key;
+
+use super::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
+use crate::command::Command;
+use crate::shell::catalog::{Entry, Group, control, entry, plain, shift};
+
+/// Rows of the table of all commands.
+pub fn commands() -> Vec<Entry> {
+    let mut entries = plan();
+    entries.extend(trainings());
+    entries.extend(ground());
+    entries
+}
+
+fn plan() -> Vec<Entry> {
+    let of =
+        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::from(command));
+    vec![
+        of(
+            "Draw a route, or finish it",
+            vec![plain(Key::W)],
+            PlanCommand::ToggleDraw,
+        ),
+        of(
+            "Way-point in the middle of the map",
+            vec![plain(Key::I)],
+            PlanCommand::AddWayPoint(None),
+        ),
+        of(
+            "Fly the route the other way",
+            vec![plain(Key::X)],
+            PlanCommand::Reverse,
+        ),
+        of(
+            "Split the route at the way-point",
+            vec![plain(Key::C)],
+            PlanCommand::Split,
+        ),
+        of("Survey an area", vec![], PlanCommand::Mark(Purpose::Survey)),
+        of(
+            "Fly a corridor along the route",
+            vec![],
+            PlanCommand::CorridorAlong,
+        ),
+        of(
+            "Show the heights of the route, or its uncertainty",
+            vec![plain(Key::E)],
+            PlanCommand::ToggleProfile,
+        ),
+        of(
+            "Delete the way-point",
+            vec![],
+            PlanCommand::DeleteWayPoint(None),
+        ),
+        of("Duplicate the route", vec![], PlanCommand::DuplicateRoute),
+        of("Delete the route", vec![], PlanCommand::DeleteRoute),
+        of(
+            "Plan the route of the demo",
+            vec![],
+            PlanCommand::TakeFlightRoute,
+        ),
+        of(
+            "Measure how well the landmark is found",
+            vec![plain(Key::D)],
+            PlanCommand::AssessSelected,
+        ),
+        of(
+            "Measure all landmarks",
+            vec![shift(Key::D)],
+            PlanCommand::AssessAll,
+        ),
+        of("Stop measuring", vec![], PlanCommand::StopAssessing),
+        of(
+            "Draw the outline of a landmark",
+            vec![shift(Key::N)],
+            PlanCommand::Mark(Purpose::Outline),
+        ),
+        of(
+            "Mark a landmark as a point",
+            vec![],
+            PlanCommand::Mark(Purpose::Point),
+        ),
+        of(
+            "Set the reference point of the landmark",
+            vec![],
+            PlanCommand::Mark(Purpose::Reference),
+        ),
+        of(
+            "Duplicate the landmark",
+            vec![control(Key::D)],
+            PlanCommand::DuplicateLandmark,
+        ),
+    ]
+}
+
+fn trainings() -> Vec<Entry> {
+    let of = |label, shortcuts, command| {
+        let command = Command::from(PlanCommand::Train(command));
+        entry(Group::Plan, label, shortcuts, command)
+    };
+    vec![
+        of(
+            "Train a detector for the landmark",
+            vec![plain(Key::J)],
+            TrainCommand::Selected,
+        ),
+        of(
+            "Train detectors for all landmarks",
+            vec![shift(Key::J)],
+            TrainCommand::All,
+        ),
+        of(
+            "Pause all trainings of detectors",
+            vec![],
+            TrainCommand::Pause(None),
+        ),
+        of(
+            "Resume all trainings of detectors",
+            vec![],
+            TrainCommand::Resume(None),
+        ),
+        of(
+            "Cancel all trainings of detectors",
+            vec![],
+            TrainCommand::Cancel(None),
+        ),
+    ]
+}
+
+fn ground() -> Vec<Entry> {
+    let of =
+        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::from(command));
+    vec![
+        of(
+            "Show or hide where a fix would be had",
+            vec![plain(Key::H)],
+            PlanCommand::Heat(HeatCommand::Toggle),
+        ),
+        of(
+            "Show blind areas",
+            vec![shift(Key::H)],
+            PlanCommand::Heat(HeatCommand::ToggleBlind),
+        ),
+        of(
+            "Find a route: choose A and B",
+            vec![shift(Key::F)],
+            PlanCommand::Find(FindCommand::Begin),
+        ),
+        of(
+            "Find the route from A to B",
+            vec![],
+            PlanCommand::Find(FindCommand::Start),
+        ),
+        of(
+            "Draw a no-fly area",
+            vec![shift(Key::A)],
+            PlanCommand::Find(FindCommand::Pick(FindPick::Area)),
+        ),
+    ]
+}

@@ -1,0 +1,66 @@
+//! The plan as a tool of the map.
+
+use egui::{Response, Ui};
+
+use super::find_command::FindPick;
+use super::find_tool::paint_hint;
+use super::planner::Planner;
+use crate::context::ViewContext;
+use crate::map::{Layer, MapCanvas, MapStage, MapTool, ScreenFromWorld};
+
+impl MapTool for Planner {
+    fn hides_flight(&self) -> bool {
+        true
+    }
+
+    fn interact(
+        &mut self,
+        ui: &Ui,
+        view: &ScreenFromWorld,
+        response: &Response,
+        context: &mut ViewContext<'_>,
+    ) -> bool {
+        if self.choose_on_map(ui, view, response, context) {
+            return true;
+        }
+        if self.finder.pick != FindPick::Nothing {
+            return false;
+        }
+        let mut pointer = std::mem::take(&mut self.pointer);
+        let is_busy = pointer.interact(ui, view, response, self, context);
+        self.pointer = pointer;
+        is_busy
+    }
+
+    fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {
+        let MapCanvas {
+            painter,
+            view,
+            rect,
+            pointer,
+            mission,
+            layers,
+            tokens,
+        } = *canvas;
+        match stage {
+            MapStage::Ground => self.paint_heat(painter, view),
+            MapStage::BelowMarks if layers.shows(Layer::Corridor) => {
+                self.paint_corridor(painter, view, tokens);
+            }
+            MapStage::AboveMarks if layers.shows(Layer::Route) => {
+                self.paint_routes(painter, view, mission, &self.pointer, tokens);
+            }
+            MapStage::BelowMarks | MapStage::AboveMarks => {}
+            MapStage::Last => {
+                self.paint_remedy(painter, view, tokens);
+                self.paint_suggestions(painter, view, &mission.landmarks, tokens);
+                self.paint_find(painter, view, mission, pointer, tokens);
+                if let Some(pointer) = pointer {
+                    self.paint_heat_readout(painter, view, pointer, tokens);
+                }
+                let finder = &self.finder;
+                paint_hint(painter, rect, finder.pick, finder.corners.len(), tokens);
+            }
+        }
+    }
+}
