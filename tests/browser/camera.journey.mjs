@@ -24,7 +24,7 @@ export async function run(page, tools) {
   await page.keyboard.type("camera to log");
   await page.waitForTimeout(500);
   await page.keyboard.press("Enter");
-  await tools.waitFor((s) => s.side_tab === "CameraLog" && s.camera_log.missing, "the sheet that says what is missing");
+  await tools.waitFor((s) => s.side_tab === "camera_log" && s.camera_log.missing, "the sheet that says what is missing");
   await page.waitForTimeout(500);
   await tools.screenshot("camera-missing");
 

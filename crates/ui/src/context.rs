@@ -52,6 +52,8 @@ pub struct ViewContext<'a> {
     pub tokens: &'a Tokens,
     /// The user's units.
     pub units: Units,
+    /// Progress of the flight that is being flown, in words.
+    pub flying: Option<&'a str>,
     /// Commands that the view sends.
     pub commands: &'a mut Vec<Command>,
 }

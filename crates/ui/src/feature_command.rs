@@ -19,6 +19,10 @@ impl<T: Any + PartialEq + Send + Sync> FeatureAction for T {
     }
 }
 
+/// Action that every feature has: to show its panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Show;
+
 /// Command of a feature, addressed to it.
 #[derive(Clone)]
 pub struct FeatureCommand {
@@ -31,6 +35,11 @@ impl FeatureCommand {
     pub fn new(to: FeatureId, action: impl FeatureAction) -> Self {
         let action = Arc::new(action);
         Self { to, action }
+    }
+
+    /// Command that shows the panel of the feature `of`.
+    pub fn show(of: FeatureId) -> Self {
+        Self::new(of, Show)
     }
 
     /// Feature that carries it out.

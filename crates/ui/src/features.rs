@@ -1,14 +1,19 @@
 //! All features of the app, in the order of their tabs: a new one is a folder, and a line here.
 
+use crate::camera_log::CameraLogFeature;
 use crate::compare::Compare;
 use crate::feature::Feature;
 use crate::outage::Outages;
 use crate::shell::catalog::{self, Entry};
-use crate::{camera_log, labelling, log, photos, plan, views};
+use crate::{labelling, log, photos, plan, views};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
-    vec![Box::new(Compare::default()), Box::new(Outages::default())]
+    vec![
+        Box::new(Compare::default()),
+        Box::new(Outages::default()),
+        Box::new(CameraLogFeature::default()),
+    ]
 }
 
 /// Table of all commands: the app's own, then those of its parts.
@@ -18,7 +23,6 @@ pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<Entry> {
         labelling::commands,
         views::detector_commands,
         log::commands,
-        camera_log::commands,
         photos::commands,
     ];
     let of_features = features.iter().map(|it| it.info().commands);

@@ -22,7 +22,7 @@ impl App {
             return;
         }
         match command {
-            Command::Feature(command) => self.execute_feature(&command, host),
+            Command::Feature(command) => self.execute_feature(&command, context, host),
             Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {
                 if let Some(georeferencer) = &mut self.views.georeferencer {
                     if command == Command::Undo {
@@ -75,7 +75,7 @@ impl App {
             | Command::ExportRoute(_)
             | Command::ExportTrack(_)
             | Command::ExportLandmarks(_)
-            | Command::OpenDemo => self.file(command, host),
+            | Command::OpenDemo => self.file(command, context, host),
             other => self.look(&other, context),
         }
     }
@@ -238,7 +238,7 @@ impl App {
         }
     }
 
-    fn file(&mut self, command: Command, host: &mut dyn Host) {
+    fn file(&mut self, command: Command, egui: &egui::Context, host: &mut dyn Host) {
         let now = host.now();
         match command {
             Command::Simulate(options) => {
@@ -252,8 +252,7 @@ impl App {
             }
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.jobs.fly.is_none() => {
-                let _ = self.stop_features(host)
-                    || self.stop_calibrating(host)
+                let _ = self.stop_features(egui, host)
                     || self.stop_laying(host)
                     || self.stop_reading(host)
                     || self.stop_opening(host)
@@ -262,6 +261,7 @@ impl App {
             Command::CancelJob => {
                 self.documents.run_complete |= self.jobs.fly.as_ref().is_some_and(FlyJob::began);
                 self.stop_flying(host);
+                self.tell_of_run_over(false, egui, host);
                 self.toasts
                     .note(now, "Stopped", "What had been computed stays on screen.");
             }

@@ -1,10 +1,11 @@
 //! Features: their commands and events brought to them, and what they ask of the app.
 
 use super::{App, SideTab};
-use crate::camera_log::CameraLogCommand;
 use crate::command::Workspace;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureId};
+use crate::documents::Documents;
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureId, FeatureWishes};
+use crate::feature_command::Show;
 use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
 use crate::labelling::LabelCommand;
@@ -12,31 +13,89 @@ use crate::log::LogCommand;
 use crate::photos::PhotosCommand;
 use crate::plan::PlanCommand;
 use crate::views::DetectorCommand;
+use pilotage_core::flight::overview::Finding;
 use pilotage_jobs::{JobEvent, JobId};
+
+/// Findings about the flight beside those of its log.
+pub(super) fn noticed(features: &[Box<dyn Feature>], documents: &Documents) -> Vec<Finding> {
+    let mut all: Vec<Finding> = features
+        .iter()
+        .flat_map(|it| it.findings(documents))
+        .collect();
+    all.extend_from_slice(documents.noticed());
+    all
+}
 
 impl App {
     /// Lends the app to the feature at `index` while it does something.
     fn with_feature(
         &mut self,
         index: usize,
+        egui: &egui::Context,
         host: &mut dyn Host,
         work: &mut dyn FnMut(&mut dyn Feature, &mut FeatureContext<'_>),
     ) {
         let feature = &mut self.views.features[index];
         let own = feature.info().id;
+        let is_shown =
+            self.view.workspace == Workspace::Replay && self.side_tab == SideTab::Feature(own);
         let mut context = FeatureContext {
-            documents: &self.documents,
-            playback: &self.playback,
+            documents: &mut self.documents,
+            playback: &mut self.playback,
+            selection: &mut self.selection,
+            map: &mut self.views.map,
+            view: &mut self.view,
             toasts: &mut self.toasts,
             host,
+            egui,
             own,
             owners: &mut self.owners,
-            is_to_be_shown: false,
+            is_shown,
+            wishes: FeatureWishes::default(),
         };
         work(feature.as_mut(), &mut context);
-        if context.is_to_be_shown {
-            self.show_feature(own);
+        let wishes = context.wishes;
+        match wishes.show {
+            Some(true) => self.show_feature(own),
+            Some(false) if is_shown => self.side_tab = SideTab::Match,
+            _ => {}
         }
+        if wishes.is_run_stale {
+            self.run_is_stale(host.now());
+        }
+        self.jobs.document_changed |= wishes.is_document_changed;
+        for command in wishes.commands {
+            self.execute(command, egui, host);
+        }
+    }
+
+    /// Lends the app to one feature after the other.
+    fn with_each_feature(
+        &mut self,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+        work: &mut dyn FnMut(&mut dyn Feature, &mut FeatureContext<'_>),
+    ) {
+        for index in 0..self.views.features.len() {
+            self.with_feature(index, egui, host, work);
+        }
+    }
+
+    /// Lets every feature do what is due.
+    pub(super) fn tend_features(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        self.with_each_feature(egui, host, &mut |feature, context| feature.tend(context));
+    }
+
+    /// Tells every feature that the run that was under way is over.
+    pub(super) fn tell_of_run_over(
+        &mut self,
+        is_whole: bool,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            feature.on_run_over(is_whole, context);
+        });
     }
 
     fn show_feature(&mut self, id: FeatureId) {
@@ -51,10 +110,18 @@ impl App {
     }
 
     /// Has a feature carry out its command. One that nobody carries out is a fault of the program, and told.
-    pub(super) fn execute_feature(&mut self, command: &FeatureCommand, host: &mut dyn Host) {
+    pub(super) fn execute_feature(
+        &mut self,
+        command: &FeatureCommand,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
         let mut is_done = self.execute_by_name(command, host);
         if let Some(index) = self.feature(command.to()) {
-            self.with_feature(index, host, &mut |feature, context| {
+            if command.action::<Show>().is_some() {
+                return self.show_feature(command.to());
+            }
+            self.with_feature(index, egui, host, &mut |feature, context| {
                 is_done = feature.execute(command, context);
             });
         }
@@ -75,8 +142,6 @@ impl App {
             self.label(command.clone(), host);
         } else if let Some(command) = command.action::<LogCommand>() {
             self.log(command.clone(), host);
-        } else if let Some(command) = command.action::<CameraLogCommand>() {
-            self.camera_log(command.clone(), host);
         } else if let Some(command) = command.action::<PhotosCommand>() {
             self.photos(command.clone(), host);
         } else if let Some(command) = command.action::<WebMapCommand>() {
@@ -96,6 +161,7 @@ impl App {
     /// Brings an event to the feature that started its job; whether one did.
     pub(super) fn feature_event(
         &mut self,
+        egui: &egui::Context,
         host: &mut dyn Host,
         id: JobId,
         event: &JobEvent,
@@ -107,18 +173,18 @@ impl App {
         if event.is_last() {
             self.owners.retain(|(job, _)| *job != id);
         }
-        self.with_feature(index, host, &mut |feature, context| {
+        self.with_feature(index, egui, host, &mut |feature, context| {
             feature.on_event(id, event, context);
         });
         true
     }
 
     /// Stops the work of the first feature that has any; whether one had.
-    pub(super) fn stop_features(&mut self, host: &mut dyn Host) -> bool {
+    pub(super) fn stop_features(&mut self, egui: &egui::Context, host: &mut dyn Host) -> bool {
         let mut had_work = false;
         for index in 0..self.views.features.len() {
             if !had_work {
-                self.with_feature(index, host, &mut |feature, context| {
+                self.with_feature(index, egui, host, &mut |feature, context| {
                     had_work = feature.stop(context);
                 });
             }
@@ -127,11 +193,9 @@ impl App {
     }
 
     /// Tells every feature that another flight is open.
-    pub(super) fn tell_features_of_flight(&mut self, host: &mut dyn Host) {
-        for index in 0..self.views.features.len() {
-            self.with_feature(index, host, &mut |feature, context| {
-                feature.on_flight_changed(context);
-            });
-        }
+    pub(super) fn tell_features_of_flight(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            feature.on_flight_changed(context);
+        });
     }
 }

@@ -9,15 +9,14 @@ use crate::photos::Photos;
 impl App {
     /// Leaves what is being done about the flight that was open, once another one is. To be called after whatever can
     /// change the flight, before anything else is done: an answer about the old one would be taken for the new one's.
-    pub(super) fn follow_flight(&mut self, host: &mut dyn Host) {
+    pub(super) fn follow_flight(&mut self, egui: &egui::Context, host: &mut dyn Host) {
         let generation = self.documents.flight_generation;
         if self.followed.0 == generation {
             return;
         }
         let source = self.documents.flight_source.clone();
         let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
-        self.tell_features_of_flight(host);
-        self.stop_calibrating(host);
+        self.tell_features_of_flight(egui, host);
         self.stop_explaining(host);
         self.evaluating.leave_flight(host);
         self.leave_strange_photos(host);

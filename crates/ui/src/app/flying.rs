@@ -16,7 +16,7 @@ const CANNOT_FLY: &str = "The flight cannot be flown";
 
 impl App {
     /// Takes what the worker that flies says.
-    pub(super) fn fly_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+    pub(super) fn fly_event(&mut self, egui: &egui::Context, host: &mut dyn Host, event: JobEvent) {
         let Some(fly) = &mut self.jobs.fly else {
             return;
         };
@@ -70,7 +70,7 @@ impl App {
             // It could not be navigated, and all of its pictures are there.
             JobEvent::Finished if !fly.began() => {
                 self.jobs.fly = None;
-                self.calibrate_after_flight(host, false);
+                self.tell_of_run_over(false, egui, host);
             }
             JobEvent::Finished => {
                 let again = fly.again;
@@ -80,14 +80,14 @@ impl App {
                 if !again && self.views.map.is_fitted() && !self.planning() {
                     self.fit_to_flight_and_map();
                 }
-                self.calibrate_after_flight(host, true);
+                self.tell_of_run_over(true, egui, host);
             }
             JobEvent::Cancelled => self.jobs.fly = None,
             JobEvent::Failed(why) => {
                 let began = fly.began();
                 let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
                 self.jobs.fly = None;
-                self.calibrate_after_flight(host, false);
+                self.tell_of_run_over(false, egui, host);
                 self.documents.run_complete |= began;
                 let log = self.documents.log.as_mut().filter(|_| is_of_log);
                 let kept = if began {

@@ -21,7 +21,7 @@ impl App {
         }
         for (id, event) in host.events() {
             self.event(context, host, id, event);
-            self.follow_flight(host);
+            self.follow_flight(context, host);
         }
         for batch in host.opened() {
             self.open_files(host, batch);
@@ -63,13 +63,12 @@ impl App {
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
         if self.plan_event(id, &event, host.now())
             || self.evaluating.receive(id, &event)
-            || self.feature_event(host, id, &event)
+            || self.feature_event(context, host, id, &event)
             || self.fetched_picture_event(id, &event)
-            || self.calibration_event(id, &event)
             || self.photos_event(host, id, &event)
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
-            self.fly_event(host, event);
+            self.fly_event(context, host, event);
         } else if self.jobs.logs.has(id) {
             self.log_event(host, id, event);
         } else if self.dialogs.columns.job() == Some(id) {

@@ -4,17 +4,17 @@ use std::sync::Arc;
 
 use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
-use pilotage_core::frames::{GroundPoint, LocalFrame};
+use pilotage_core::frames::LocalFrame;
 
 use super::advice::advice;
+use super::feature_work::noticed;
 use super::log_panels::{log_column, log_or_run_plots};
-use super::{App, SideTab, Views};
-use crate::camera_log::CameraLogScene;
+use super::{App, SideTab, Views, is_sheet};
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureId};
+use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::labelling::LabelCommand;
 use crate::map::{MapExtra, MapTool};
 use crate::photos::Photos;
@@ -23,7 +23,6 @@ use crate::shell::{TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 use crate::views::{Examined, PhotosScene, photos_sheet};
-use pilotage_jobs::MapSource;
 
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;
@@ -42,8 +41,6 @@ struct Scene<'a> {
     settings: &'a mut bool,
     job_words: Option<String>,
     examined_in_vain: Option<&'a (u32, String)>,
-    /// The ground that the frame at the cursor would show with the camera that is tried.
-    tried_footprint: Option<Vec<GroundPoint>>,
     /// Progress of the reading of a log, 0 to 1, if one is being read.
     reading: Option<f32>,
 }
@@ -84,6 +81,7 @@ impl Scene<'_> {
             match_pictures: self.documents.match_pictures.as_ref(),
             tokens: self.tokens,
             units: self.view.units,
+            flying: self.job_words.as_deref(),
             commands,
         })
     }
@@ -108,7 +106,6 @@ impl App {
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });
-        let tried_footprint = self.tried_footprint();
         let Self {
             documents,
             playback,
@@ -130,7 +127,6 @@ impl App {
             settings: &mut dialogs.settings,
             job_words: jobs.progress().map(|(_, words)| words.to_owned()),
             examined_in_vain: jobs.examined_in_vain.as_ref(),
-            tried_footprint,
             reading: jobs.logs.reading.as_ref().map(|r| r.progress),
         };
         let planning = scene.view.workspace == Workspace::Plan;
@@ -343,7 +339,7 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                 return;
             }
             match scene.view.workspace {
-                Workspace::Replay if scene.side_tab.is_sheet() => {
+                Workspace::Replay if is_sheet(*scene.side_tab, &views.features) => {
                     inner.show(ui, |ui| sheet(ui, scene, views, commands));
                 }
                 Workspace::Replay => {
@@ -402,7 +398,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                 match scene.view.workspace {
                     Workspace::Learn => tour(ui, scene, views, commands),
                     Workspace::Plan => plan_panel(ui, scene, views, commands),
-                    Workspace::Replay if scene.side_tab.is_sheet() => {
+                    Workspace::Replay if is_sheet(*scene.side_tab, &views.features) => {
                         sheet(ui, scene, views, commands);
                     }
                     Workspace::Replay => {
@@ -470,6 +466,7 @@ fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<
 /// The app's own tabs, and those of the features behind them.
 fn with_features(own: &[SideTab], views: &Views) -> Vec<SideTab> {
     let features = views.features.iter();
+    let features = features.filter(|it| it.info().place == FeaturePlace::Tab);
     let features = features.map(|it| SideTab::Feature(it.info().id));
     own.iter().copied().chain(features).collect()
 }
@@ -507,37 +504,35 @@ fn tabbed(
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
         SideTab::Log => {
             let (documents, progress) = (scene.documents, scene.reading);
-            scene.with_context(commands, |c| log_column(ui, c, views, documents, progress));
+            let noticed = noticed(&views.features, documents);
+            scene.with_context(commands, |c| {
+                log_column(ui, c, views, documents, &noticed, progress);
+            });
         }
         SideTab::Feature(id) => feature(ui, scene, &mut views.features, id, commands),
-        SideTab::CameraLog | SideTab::Photos => sheet(ui, scene, views, commands),
+        SideTab::Photos => sheet(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
     }
 }
 
-/// Draws the sheet that takes the whole column: the camera put in time and place beside the log, or photos on
-/// the map.
+/// Draws the sheet that takes the whole column.
 fn sheet(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let documents = scene.documents;
-    if *scene.side_tab == SideTab::Photos {
-        let frame = documents.world_origin().map(LocalFrame::new);
-        let shown = PhotosScene {
-            photos: &documents.photos,
-            has_map: documents.has_real_map() && frame.is_some(),
-            frame,
-        };
-        return scene.with_context(commands, |c| photos_sheet(ui, c, &shown));
+    if let SideTab::Feature(id) = *scene.side_tab {
+        let features = views.features.iter_mut();
+        if let Some(feature) = features.into_iter().find(|it| it.info().id == id) {
+            scene.with_context(commands, |c| feature.panel(ui, c, documents));
+        }
+        return;
     }
-    let shown = CameraLogScene {
-        work: &documents.camera_log,
-        has_map: documents.map_source != MapSource::Nothing,
-        flying: scene
-            .job_words
-            .as_deref()
-            .filter(|_| !documents.run_complete),
+    let frame = documents.world_origin().map(LocalFrame::new);
+    let shown = PhotosScene {
+        photos: &documents.photos,
+        has_map: documents.has_real_map() && frame.is_some(),
+        frame,
     };
-    scene.with_context(commands, |c| views.camera_log.show(ui, c, &shown));
+    scene.with_context(commands, |c| photos_sheet(ui, c, &shown));
 }
 
 /// Panel of a feature.
@@ -640,7 +635,6 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 attribution: scene.documents.attribution(),
                 log: scene.documents.log.as_ref(),
                 layers: &layers,
-                tried_footprint: scene.tried_footprint.as_deref(),
                 photos: scene.shown_photos(),
             };
             scene.with_context(commands, |context| {

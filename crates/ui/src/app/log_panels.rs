@@ -1,6 +1,7 @@
 //! Panels of the log in the window: its column at the right, its plots below the map.
 
 use egui::Ui;
+use pilotage_core::flight::overview::Finding;
 
 use super::Views;
 use crate::context::ViewContext;
@@ -15,6 +16,7 @@ pub(super) fn log_column(
     context: &mut ViewContext<'_>,
     views: &mut Views,
     documents: &Documents,
+    noticed: &[Finding],
     progress: Option<f32>,
 ) {
     let Some(log) = &documents.log else {
@@ -56,7 +58,7 @@ pub(super) fn log_column(
         .auto_shrink(false)
         .show(ui, |ui| {
             ui.set_max_width(width);
-            overview_panel(ui, context, log, &documents.noticed(), progress);
+            overview_panel(ui, context, log, noticed, progress);
         });
 }
 

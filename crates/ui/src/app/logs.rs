@@ -8,7 +8,7 @@ use pilotage_core::mission::Mission;
 use super::keeping::{provide, put_beside};
 use super::log_work::{LogAnswers, ReadingLog};
 use super::pending_jobs::Opening;
-use super::{App, SideTab};
+use super::{App, SideTab, is_sheet};
 use crate::command::Workspace;
 use crate::documents::{Documents, Session, Staged};
 use crate::host::Host;
@@ -181,7 +181,7 @@ impl App {
             self.view.workspace = Workspace::Replay;
         }
         // Whoever put a camera beside a log waits for this one, and whoever lays photos looks at them.
-        if !matches!(self.side_tab, SideTab::CameraLog | SideTab::Photos) {
+        if !is_sheet(self.side_tab, &self.views.features) {
             self.side_tab = SideTab::Log;
         }
         self.views.shows_log_plots = true;

@@ -3,7 +3,6 @@
 mod advice;
 mod aside;
 mod brief;
-mod calibrating;
 mod columns;
 mod detector;
 mod evaluating;
@@ -41,11 +40,10 @@ mod work;
 
 use pilotage_jobs::{FlightSource, JobId};
 
-use crate::camera_log::CameraLogView;
 use crate::command::{Command, Workspace};
 use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
-use crate::feature::{Feature, FeatureId};
+use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::labelling::Labeller;
@@ -78,8 +76,6 @@ pub enum SideTab {
     Log,
     /// Panel of a feature.
     Feature(FeatureId),
-    /// The camera put in time and place beside the log.
-    CameraLog,
     /// Photos laid on the map.
     Photos,
     /// The camera picture (narrow windows only).
@@ -90,11 +86,6 @@ pub enum SideTab {
 }
 
 impl SideTab {
-    /// Whether it takes the whole column, without a picture and tabs.
-    fn is_sheet(self) -> bool {
-        matches!(self, Self::CameraLog | Self::Photos)
-    }
-
     /// Name for journeys: of a feature, its identity.
     fn name(self) -> String {
         match self {
@@ -111,7 +102,6 @@ impl SideTab {
             Self::Filter => "Filter",
             Self::Landmarks => "Landmarks",
             Self::Log => "Log",
-            Self::CameraLog => "Camera to log",
             Self::Photos => "Photos",
             Self::Camera => "Camera",
             Self::Plots => "Plots",
@@ -123,6 +113,18 @@ impl SideTab {
                 info.map_or("", |info| info.tab)
             }
         }
+    }
+}
+
+/// Whether a tab takes the whole column, without a picture and tabs.
+fn is_sheet(tab: SideTab, features: &[Box<dyn Feature>]) -> bool {
+    match tab {
+        SideTab::Photos => true,
+        SideTab::Feature(id) => {
+            let mut infos = features.iter().map(|it| it.info());
+            infos.any(|info| info.id == id && info.place == FeaturePlace::Sheet)
+        }
+        _ => false,
     }
 }
 
@@ -152,7 +154,6 @@ struct Views {
     planner: Planner,
     georeferencer: Option<Georeferencer>,
     labeller: Option<Labeller>,
-    camera_log: CameraLogView,
     log_tab: LogTab,
     log_fields: FieldList,
     log_plots: LogPlots,
@@ -210,7 +211,7 @@ impl App {
         self.layout(ui, now, &mut commands);
         for command in commands {
             self.execute(command, ui.ctx(), host);
-            self.follow_flight(host);
+            self.follow_flight(ui.ctx(), host);
         }
         let takes_letters = self.dialogs.palette.is_open() || self.dialogs.columns.is_open();
         ShortcutListener::hold(ui.ctx(), takes_letters);

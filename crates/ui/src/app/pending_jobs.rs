@@ -89,10 +89,6 @@ pub struct Exporting {
     reason = "each is a wish of its own that waits for something"
 )]
 pub struct PendingJobs {
-    /// The estimate of a camera beside its log.
-    pub calibrating: Option<JobId>,
-    /// Whether that is to be estimated once the flight under way is over.
-    pub calibrate_after_flight: bool,
     /// The photos being laid on the map.
     pub laying: Option<JobId>,
     /// The photo that is to be shown on the map: job, and its number.

@@ -8,9 +8,9 @@ use pilotage_core::navigator::{RegistrationReport, Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
+use super::feature_work::noticed;
 use crate::context::Drawn;
 use crate::timeline::clock_text;
-use pilotage_jobs::MapSource;
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {
@@ -30,7 +30,7 @@ impl App {
     pub fn state_json(&self) -> String {
         let mut all = self.documents_json();
         let features = self.views.features.iter();
-        let features = features.map(|it| (it.info().id.to_owned(), it.state()));
+        let features = features.map(|it| (it.info().id.to_owned(), it.state(&self.documents)));
         let features = Value::Object(features.collect());
         for part in [
             self.run_json(),
@@ -76,7 +76,6 @@ impl App {
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
         json!({
             "log": self.log_json(),
-            "camera_log": self.camera_log_json(),
             "photos": self.photos_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
@@ -169,29 +168,6 @@ impl App {
         })
     }
 
-    /// Changes are told as in the file of a mission, root mean squares as opened, estimated and by hand.
-    fn camera_log_json(&self) -> Value {
-        let documents = &self.documents;
-        let work = &documents.camera_log;
-        let applied = documents.mission.camera_to_log;
-        let has_map = documents.map_source != MapSource::Nothing;
-        let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
-        let missing = work.missing(flight, run, has_map);
-        let summaries = work.preview().map(|preview| preview.summaries);
-        let rms = summaries.map(|of| of.map(|s| s.map(|s| s.place)));
-        let frames = flight.map_or(&[][..], |f| &f.frames);
-        json!({
-            "missing": missing.map(|missing| format!("{missing:?}")),
-            "at_work": work.at_work.is_some(),
-            "trouble": work.trouble,
-            "estimate": work.found.map(|found| json!({"told": found.told, "change": found.change})),
-            "by_hand": work.change(applied.as_ref()),
-            "applied": applied,
-            "position_rms": rms,
-            "frame_times": [frames.first().map(|f| f.time), frames.last().map(|f| f.time)],
-        })
-    }
-
     /// Places in degrees, deviations in metres, angles in degrees.
     fn photos_json(&self) -> Value {
         let photos = &self.documents.photos;
@@ -231,7 +207,7 @@ impl App {
         let panels: Vec<Vec<String>> = (self.views.log_plots.panels())
             .map(|fields| fields.iter().map(crate::log::series_name).collect())
             .collect();
-        let noticed = self.documents.noticed();
+        let noticed = noticed(&self.views.features, &self.documents);
         let findings = log
             .overview
             .iter()

@@ -119,7 +119,6 @@ impl App {
             Some(fly) => {
                 fly.shown = Shown::Pictures;
                 self.jobs.fly_again_at = None;
-                self.jobs.calibrate_after_flight = false;
             }
             None => self.stop_flying(host),
         }
@@ -130,7 +129,6 @@ impl App {
     /// Stops what is being flown; what has streamed in stays.
     pub(super) fn stop_flying(&mut self, host: &mut dyn Host) {
         self.jobs.fly_again_at = None;
-        self.jobs.calibrate_after_flight = false;
         if let Some(fly) = self.jobs.fly.take() {
             host.cancel(fly.id);
         }
@@ -188,7 +186,7 @@ impl App {
             self.examine(host);
         }
         self.documents.tend_noticed();
-        self.tend_camera_log(context);
+        self.tend_features(context, host);
         self.fetch_series(host);
         self.ask_for_figures(host);
         self.follow_world(host);

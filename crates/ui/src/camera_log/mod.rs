@@ -2,25 +2,24 @@
 //! by hand, applied to the flight.
 
 mod chart;
+mod feature;
 mod numbers;
 mod panel;
 mod work;
 
-pub use panel::{CameraLogScene, CameraLogView};
-pub use work::{CameraLog, FoundCamera, Missing, Preview};
+pub use feature::CameraLogFeature;
 
-use egui::Key;
 use pilotage_core::calibration::CameraAdjustment;
 
 use crate::command::Command;
-use crate::feature_command::FeatureCommand;
-use crate::shell::catalog::{Entry, Group, entry, shift};
+use crate::feature_command::{FeatureCommand, FeatureId};
+
+/// Identity of the feature.
+pub const ID: FeatureId = "camera_log";
 
 /// Something to do about a camera beside its log.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CameraLogCommand {
-    /// Show it.
-    Show,
     /// Show something else.
     Close,
     /// Estimate it from the run as it is.
@@ -41,16 +40,6 @@ pub enum CameraLogCommand {
 
 impl From<CameraLogCommand> for Command {
     fn from(command: CameraLogCommand) -> Self {
-        Self::Feature(FeatureCommand::new("camera log", command))
+        Self::Feature(FeatureCommand::new(ID, command))
     }
-}
-
-/// Rows of the table of all commands.
-pub fn commands() -> Vec<Entry> {
-    vec![entry(
-        Group::View,
-        "Camera to log: time offset, mount, focal length",
-        vec![shift(Key::T)],
-        CameraLogCommand::Show.into(),
-    )]
 }

@@ -9,6 +9,7 @@ use super::numbers;
 use super::work::{CameraLog, Missing, Preview};
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::feature::FeatureWork;
 use crate::shell::{at_work, caption, muted, text_button, title};
 use crate::views::{parts, table};
 
@@ -16,6 +17,8 @@ use crate::views::{parts, table};
 pub struct CameraLogScene<'a> {
     /// Camera beside its log.
     pub work: &'a CameraLog,
+    /// Estimate under way.
+    pub job: &'a FeatureWork,
     /// Whether there is a map.
     pub has_map: bool,
     /// Progress of the flight that is being flown, in words.
@@ -52,13 +55,12 @@ impl CameraLogView {
                 let words = "When and whither the camera looked by the flight log: each picture is laid on the map \
                              and compared with GPS, heading and height.";
                 ui.add(egui::Label::new(muted(tokens, words)).wrap());
-                if let Some((share, words)) = &scene.work.at_work {
-                    let words = format!("{words}: {:.0} %", 100.0 * share);
-                    if at_work(ui, tokens, &words) {
-                        context.commands.push(Command::CancelJob);
-                    }
+                if let Some(words) = &scene.job.words
+                    && at_work(ui, tokens, words)
+                {
+                    context.commands.push(Command::CancelJob);
                 }
-                if let Some(trouble) = &scene.work.trouble {
+                if let Some(trouble) = &scene.job.trouble {
                     wrapped(ui, tokens.warning, trouble);
                 }
                 let (flight, run) = (context.flight, context.run);

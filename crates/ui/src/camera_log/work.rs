@@ -57,17 +57,13 @@ type PreviewKey = (u64, CameraAdjustment, Option<FoundCamera>);
 #[derive(Clone, Debug)]
 pub struct CameraLog {
     /// Adjustment of the camera with which the flight was flown.
-    pub flown: CameraAdjustment,
+    flown: CameraAdjustment,
     /// The latest estimate.
     pub found: Option<FoundCamera>,
     /// Adjustment by hand, if it was moved.
     pub by_hand: Option<CameraAdjustment>,
     /// Standard deviation of the camera's clock before anything is known, seconds.
     pub clock: f64,
-    /// Computation under way: share done, and words.
-    pub at_work: Option<(f32, String)>,
-    /// Why the last estimate failed.
-    pub trouble: Option<String>,
     /// The laid frames of a run, by its generation.
     evidence: Option<(u64, CameraEvidence)>,
     preview: Option<(PreviewKey, Preview)>,
@@ -80,8 +76,6 @@ impl Default for CameraLog {
             found: None,
             by_hand: None,
             clock: CameraPrior::default().offset,
-            at_work: None,
-            trouble: None,
             evidence: None,
             preview: None,
         }
@@ -163,8 +157,8 @@ impl CameraLog {
 
     /// Remainder of the latest estimate for the flight as it is flown now, however much of the estimate was
     /// applied since.
-    pub fn left(&self) -> Option<CameraToLog> {
-        let of = |found: &FoundCamera| found.told.with(&found.change.beyond(&self.flown));
+    pub fn left(&self, flown: &CameraAdjustment) -> Option<CameraToLog> {
+        let of = |found: &FoundCamera| found.told.with(&found.change.beyond(flown));
         self.found.as_ref().map(of)
     }
 
@@ -174,8 +168,10 @@ impl CameraLog {
         flight: Option<&Flight>,
         run: Option<&Run>,
         generation: Option<u64>,
+        flown: &CameraAdjustment,
         applied: Option<&CameraAdjustment>,
     ) -> bool {
+        self.flown = *flown;
         let (Some(flight), Some(run), Some(generation)) = (flight, run, generation) else {
             let had = self.evidence.is_some();
             (self.evidence, self.preview) = (None, None);

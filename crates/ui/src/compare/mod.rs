@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapLayer;
 use crate::shell::catalog::{Entry, Group, entry, shift};
 
@@ -30,6 +30,7 @@ use shelf::Shelf;
 const INFO: FeatureInfo = FeatureInfo {
     id: ID,
     tab: "Compare",
+    place: FeaturePlace::Tab,
     commands,
 };
 
@@ -83,7 +84,7 @@ fn named_after(of: &str, run: Option<&Run>) -> String {
 impl Compare {
     /// Keeps one of the trajectories that are open.
     fn keep(&mut self, id: TrackId, context: &mut FeatureContext<'_>) {
-        let documents = context.documents;
+        let documents = &*context.documents;
         let utc = utc_at_zero(documents);
         let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
         let open = open_tracks(flight, run, documents.ghost.as_ref(), utc);
@@ -104,7 +105,7 @@ impl Compare {
 
     /// Has every step of the run estimated from all of the flight; the result is kept.
     fn smooth(&mut self, context: &mut FeatureContext<'_>) {
-        let documents = context.documents;
+        let documents = &*context.documents;
         let run = documents.run.as_ref().filter(|_| documents.run_complete);
         let (Some(flight), Some(run)) = (documents.flight.as_ref(), run) else {
             let text = "Wait until the flight is flown to its end.".to_owned();
@@ -117,8 +118,8 @@ impl Compare {
             has_height: false,
             places: Vec::new(),
         };
-        self.stop_smoothing(context);
         let order = SmoothOrder(Box::new(run.clone()));
+        self.stop_smoothing(context);
         self.smoothing = Some((context.start(Job::Smooth(order)), track));
     }
 
@@ -156,7 +157,7 @@ impl Compare {
 
     /// Flies what is open by every estimator.
     fn fly_by_all(&mut self, context: &mut FeatureContext<'_>) {
-        let documents = context.documents;
+        let documents = &*context.documents;
         let order = ContestOrder {
             flight: documents.flight_source.clone(),
             map: documents.map_source.clone(),
@@ -227,7 +228,7 @@ impl Feature for Compare {
         self.stop_smoothing(context);
     }
 
-    fn state(&self) -> Value {
+    fn state(&self, _documents: &Documents) -> Value {
         let kept = self.shelf.kept().iter();
         let kept = kept.map(|k| json!({"name": k.track.name, "shown": k.is_shown}));
         let errors = self.view.found().map(|(name, errors)| {

@@ -113,9 +113,6 @@ impl Documents {
 
     fn replace_mission(&mut self, mission: pilotage_core::mission::Mission) -> bool {
         let camera_differs = self.mission.camera_to_log != mission.camera_to_log;
-        if camera_differs {
-            self.camera_log.by_hand = None;
-        }
         let affected = camera_differs
             || self.mission.navigator != mission.navigator
             || self.mission.landmarks.len() != mission.landmarks.len()

@@ -1,6 +1,5 @@
-//! Findings of a run and its pictures about the flight, beside those of its log.
+//! Findings of a run about the flight, beside those of its log.
 
-use pilotage_core::calibration::camera_findings;
 use pilotage_core::flight::overview::Finding;
 
 use super::Documents;
@@ -14,12 +13,8 @@ impl Documents {
         }
     }
 
-    /// Findings of the pictures about the camera as it is flown, and doubts of the navigator in the run that
-    /// is shown.
-    pub fn noticed(&self) -> Vec<Finding> {
-        let left = self.camera_log.left();
-        let mut all = left.map_or_else(Vec::new, |left| camera_findings(&left));
-        all.extend_from_slice(self.noticed.of(self.run_generation));
-        all
+    /// Doubts of the navigator in the run that is shown.
+    pub fn noticed(&self) -> &[Finding] {
+        self.noticed.of(self.run_generation)
     }
 }

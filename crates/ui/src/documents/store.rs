@@ -11,7 +11,6 @@ use pilotage_core::simulate::SimulationChoice;
 
 use super::empty_mission::empty_mission;
 use super::{Brought, FramePictures, Ground, History, Noticed, Session};
-use crate::camera_log::CameraLog;
 use crate::log::OpenLog;
 use crate::photos::Photos;
 use pilotage_jobs::{
@@ -73,8 +72,8 @@ pub struct Documents {
     pub detector_search: Option<DetectorSearch>,
     /// The log that the flight was read from.
     pub log: Option<OpenLog>,
-    /// The camera beside its log.
-    pub camera_log: CameraLog,
+    /// Adjustment of the camera with which the flight was flown.
+    pub flown_camera: CameraAdjustment,
     /// Photos laid on the map.
     pub photos: Photos,
     /// Findings in the run.
@@ -114,7 +113,7 @@ impl Documents {
                 FlightSource::Files(key) => Some(OpenLog::new(key.clone(), file.clone())),
                 _ => None,
             }),
-            camera_log: CameraLog::default(),
+            flown_camera: CameraAdjustment::default(),
             photos: Photos::default(),
             noticed: Noticed::default(),
             bookmarks: session.bookmarks.clone(),
@@ -246,7 +245,7 @@ impl Documents {
             distinctness,
             match_pictures,
             detector_search,
-            camera_log,
+            flown_camera,
             noticed,
             // Counters.
             flight_generation,
@@ -260,7 +259,7 @@ impl Documents {
         pictures.clear();
         distinctness.clear();
         (*match_pictures, *detector_search) = (None, None);
-        *camera_log = CameraLog::default();
+        *flown_camera = CameraAdjustment::default();
         *noticed = Noticed::default();
         *flight_generation += 1;
         *run_generation += 1;
@@ -269,7 +268,7 @@ impl Documents {
     fn take_staged(&mut self, staged: Staged) {
         if let Some(flight) = staged.flight {
             self.flight = Some(flight);
-            self.camera_log.flown = staged.camera_to_log.unwrap_or_default();
+            self.flown_camera = staged.camera_to_log.unwrap_or_default();
         }
         if let Some(mission) = staged.mission {
             let edited = staged.keeps_edits && self.mission_edited;

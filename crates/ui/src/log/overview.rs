@@ -7,9 +7,9 @@ use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severi
 
 use super::words::{clock, date, duration, size};
 use super::{LogCommand, OpenLog};
-use crate::camera_log::CameraLogCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::feature_command::FeatureCommand;
 use crate::photos::PhotosCommand;
 use crate::views::parts::{self, Reading};
 
@@ -231,7 +231,7 @@ fn abilities(ui: &mut Ui, context: &mut ViewContext<'_>, abilities: &[Ability]) 
             let text = RichText::new(format!("{sign}  {}", ability.what)).color(color);
             if ability.lacks.is_none() && ability.is_camera_to_log() {
                 if ui.link(text).clicked() {
-                    let show = Command::from(CameraLogCommand::Show);
+                    let show = Command::Feature(FeatureCommand::show("camera_log"));
                     context.commands.push(show);
                 }
             } else {

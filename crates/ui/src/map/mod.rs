@@ -25,7 +25,7 @@ pub(crate) use coloured_track::ColouredTrack;
 pub use layer::MapLayer;
 pub use layers::{Layer, Layers};
 pub(crate) use other_world::carry;
-pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line};
+pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};
 pub use tiles::{TileCache, TileKey};
 pub use tool::{MapCanvas, MapStage, MapTool};
 pub use transform::{MapCamera, ScreenFromWorld};

@@ -17,7 +17,7 @@ use super::readouts::paint_readouts;
 use super::recorded::paint_recorded;
 use super::symbols::{
     paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
-    paint_sigma, paint_tried_footprint, sigma_points,
+    paint_sigma, sigma_points,
 };
 use super::tiles::TileCache;
 use super::tool::{MapCanvas, MapStage, MapTool};
@@ -47,8 +47,6 @@ pub struct MapExtra<'a> {
     pub attribution: Option<&'a str>,
     /// Layers of the features, over the tracks.
     pub layers: &'a [&'a dyn MapLayer],
-    /// Corners of the ground that a picture would show with a camera that is tried.
-    pub tried_footprint: Option<&'a [GroundPoint]>,
     /// Photos that were laid on the map, while they are looked at.
     pub photos: Option<&'a Photos>,
     /// The log of the flight, by a field of which the track may be coloured.
@@ -335,9 +333,6 @@ impl MapView {
             && shows(Layer::Footprint)
         {
             paint_footprint(painter, view, &frame.footprint, tokens);
-        }
-        if let Some(corners) = extra.tried_footprint {
-            paint_tried_footprint(painter, view, corners, tokens);
         }
         let aircraft = step.map(|s| view.apply(&s.after.position()));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));

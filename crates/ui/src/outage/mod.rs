@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapLayer;
 use crate::shell::catalog::{Entry, Group, entry, shift};
 
@@ -27,6 +27,7 @@ pub use state::Outages;
 const INFO: FeatureInfo = FeatureInfo {
     id: ID,
     tab: "GPS cut",
+    place: FeaturePlace::Tab,
     commands,
 };
 
@@ -49,11 +50,10 @@ impl Outages {
     }
 
     fn begin(&mut self, context: &mut FeatureContext<'_>, cut: Outage) {
-        let documents = context.documents;
+        let documents = &*context.documents;
         if documents.flight.is_none() {
             return context.note("Nothing to cut", "Open a flight log first.");
         }
-        context.show();
         let words = match cut {
             Outage::Stretch(..) => "Navigating without GPS".to_owned(),
             Outage::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
@@ -64,6 +64,7 @@ impl Outages {
             seen: seen(documents),
         };
         let job = Job::Outage(Box::new(order));
+        context.show();
         self.work.begin(words, job, context);
     }
 }
@@ -133,7 +134,7 @@ impl Feature for Outages {
         *self = Self::default();
     }
 
-    fn state(&self) -> Value {
+    fn state(&self, _documents: &Documents) -> Value {
         let report = self.report.as_ref();
         let results = report.iter().flat_map(|r| &r.results).map(|result| {
             let end = result.growth.last();

@@ -162,6 +162,8 @@ impl Scene {
                         match_pictures: matched.as_ref(),
                         tokens,
                         units: Units::Metric,
+
+                        flying: None,
                         commands: &mut commands,
                     };
                     draw(ui, &mut context);

@@ -55,12 +55,12 @@ fn flown_with(rig: &mut Rig) -> Option<CameraAdjustment> {
 fn the_palette_opens_it_and_it_says_what_is_missing() {
     let mut rig = rig();
     open(&mut rig);
-    assert_eq!(rig.state()["side_tab"], "CameraLog");
+    assert_eq!(rig.state()["side_tab"], "camera_log");
     rig.harness.get_by_label_contains("no satellite navigation");
     assert!(rig.harness.query_by_label("Estimate").is_none());
     rig.harness.get_by_label("Close").click();
     rig.frames(3);
-    assert_ne!(rig.state()["side_tab"], "CameraLog");
+    assert_ne!(rig.state()["side_tab"], "camera_log");
 }
 
 #[test]
@@ -206,7 +206,7 @@ fn its_shortcut_is_its_own() {
     let mut rig = rig();
     rig.key_with(Modifiers::SHIFT, Key::T);
     rig.frames(2);
-    assert_eq!(rig.state()["side_tab"], "CameraLog");
+    assert_eq!(rig.state()["side_tab"], "camera_log");
 }
 
 #[test]

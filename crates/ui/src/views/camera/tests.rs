@@ -36,6 +36,8 @@ fn harness(time: f64) -> Harness<'static, State> {
                 match_pictures: None,
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
+
+                flying: None,
                 commands: &mut state.commands,
             };
             state.view.show(ui, &mut context);

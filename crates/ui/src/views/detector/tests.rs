@@ -160,6 +160,8 @@ impl State {
             match_pictures: None,
             tokens,
             units: Units::Metric,
+
+            flying: None,
             commands: &mut commands,
         };
         self.view.show(ui, &mut context, self.search.as_ref());

@@ -34,6 +34,8 @@ fn harness() -> Harness<'static, State> {
                 match_pictures: None,
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
+
+                flying: None,
                 commands: &mut state.commands,
             };
             state.view.show(ui, &mut context);

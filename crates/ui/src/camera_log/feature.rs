@@ -1,0 +1,255 @@
+//! Camera beside its log, as a feature: its commands, its jobs and its mark on the map.
+
+use egui::{Key, Painter, Ui};
+use pilotage_core::calibration::{CameraAdjustment, CameraPrior, camera_findings};
+use pilotage_core::flight::ChannelName;
+use pilotage_core::flight::overview::Finding;
+use pilotage_core::frames::LocalFrame;
+use pilotage_core::navigator::VehicleChoice;
+use pilotage_core::registration::FollowSettings;
+use pilotage_jobs::{CalibrationOrder, Job, JobEvent, JobId, MapSource};
+use serde_json::{Value, json};
+
+use super::CameraLogCommand;
+use super::panel::{CameraLogScene, CameraLogView};
+use super::work::{CameraLog, Missing};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{
+    Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, FeatureWork,
+};
+use crate::map::{MapLayer, ScreenFromWorld, paint_tried_footprint};
+use crate::shell::catalog::{Entry, Group, entry, shift};
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: super::ID,
+    tab: "Camera to log",
+    place: FeaturePlace::Sheet,
+    commands,
+};
+
+fn commands() -> Vec<Entry> {
+    vec![entry(
+        Group::View,
+        "Camera to log: time offset, mount, focal length",
+        vec![shift(Key::T)],
+        Command::Feature(FeatureCommand::show(super::ID)),
+    )]
+}
+
+/// Camera beside its log.
+#[derive(Default)]
+pub struct CameraLogFeature {
+    work: CameraLog,
+    view: CameraLogView,
+    job: FeatureWork,
+    /// Adjustment of the mission as it was set here.
+    applied: Option<CameraAdjustment>,
+    /// Whether it is to be estimated once the flight under way is over.
+    is_after_flight: bool,
+    /// Whether its panel is shown.
+    is_shown: bool,
+}
+
+fn missing(work: &CameraLog, documents: &Documents) -> Option<Missing> {
+    let has_map = documents.map_source != MapSource::Nothing;
+    let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
+    work.missing(flight, run, has_map)
+}
+
+impl CameraLogFeature {
+    fn refresh(&mut self, documents: &Documents) -> bool {
+        let generation = (documents.run_complete).then_some(documents.run_generation);
+        self.work.refresh(
+            documents.flight.as_ref(),
+            documents.run.as_ref(),
+            generation,
+            &documents.flown_camera,
+            documents.mission.camera_to_log.as_ref(),
+        )
+    }
+
+    fn change(&mut self, camera: Option<CameraAdjustment>, context: &mut FeatureContext<'_>) {
+        self.applied = camera;
+        if context.documents.set_camera_to_log(camera) {
+            context.run_is_stale();
+        }
+    }
+
+    fn estimate(&mut self, context: &mut FeatureContext<'_>) {
+        let is_wanted = missing(&self.work, context.documents).is_none();
+        let (true, Some(evidence)) = (is_wanted, self.work.evidence()) else {
+            return;
+        };
+        let order = CalibrationOrder {
+            evidence: evidence.clone(),
+            believed: CameraPrior {
+                offset: self.work.clock,
+                ..CameraPrior::default()
+            },
+        };
+        let job = Job::Calibrate(Box::new(order));
+        self.job.begin("Estimating".to_owned(), job, context);
+    }
+
+    /// Registers whole pictures on the map in another run; what is estimated from it comes at its end.
+    fn fly_and_estimate(&mut self, context: &mut FeatureContext<'_>) {
+        context.show();
+        let documents = &mut *context.documents;
+        let Some(flight) = &documents.flight else {
+            return;
+        };
+        let mut settings = documents.mission.navigator.clone();
+        if settings.whole_frames.is_none() {
+            settings.whole_frames = Some(FollowSettings::default());
+        }
+        if flight.channel(ChannelName::Airspeed).is_none() {
+            settings.vehicle = VehicleChoice::ConstantVelocity;
+        }
+        documents.set_navigator(&settings, false);
+        self.job.trouble = None;
+        context.document_changed();
+        context.ask(Command::FlyAgain);
+        self.is_after_flight = true;
+    }
+}
+
+impl Feature for CameraLogFeature {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let Some(command) = command.action::<CameraLogCommand>() else {
+            return false;
+        };
+        let applied = context.documents.mission.camera_to_log;
+        let work = &mut self.work;
+        match command {
+            CameraLogCommand::Close => context.hide(),
+            CameraLogCommand::Estimate => {
+                context.show();
+                self.refresh(context.documents);
+                self.estimate(context);
+            }
+            CameraLogCommand::FlyAndEstimate => self.fly_and_estimate(context),
+            CameraLogCommand::Believe(clock) => work.clock = *clock,
+            CameraLogCommand::Adjust(change) => work.by_hand = Some(**change),
+            CameraLogCommand::UseEstimate => work.by_hand = work.found.map(|found| found.change),
+            CameraLogCommand::Reset => {
+                let middle = work.change(None).middle;
+                work.by_hand = Some(CameraAdjustment::none(middle));
+                self.change(None, context);
+            }
+            CameraLogCommand::Apply => {
+                let change = work.change(applied.as_ref());
+                self.change(Some(change).filter(|c| !c.is_none()), context);
+            }
+        }
+        true
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        let scene = CameraLogScene {
+            work: &self.work,
+            job: &self.job,
+            has_map: documents.map_source != MapSource::Nothing,
+            flying: context.flying.filter(|_| !documents.run_complete),
+        };
+        self.view.show(ui, context, &scene);
+    }
+
+    fn layers(&self) -> Vec<&dyn MapLayer> {
+        vec![self]
+    }
+
+    fn on_event(&mut self, _job: JobId, event: &JobEvent, _context: &mut FeatureContext<'_>) {
+        if let JobEvent::CameraCalibrated(found) = event {
+            self.work.take(**found);
+        }
+        self.job.take(event);
+    }
+
+    fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        self.job.stop(context)
+    }
+
+    /// Looks at the run and the hand anew, while that is shown.
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        self.is_shown = context.is_shown;
+        let applied = context.documents.mission.camera_to_log;
+        if self.applied != applied {
+            // Taken back or made again: the hand follows.
+            self.work.by_hand = None;
+            self.applied = applied;
+        }
+        if self.is_shown && self.refresh(context.documents) {
+            context.egui.request_repaint();
+        }
+    }
+
+    /// Estimates what was asked for, and what nobody touched yet wherever its pictures allow it, so that the overview
+    /// tells a lag by itself.
+    fn on_run_over(&mut self, is_whole: bool, context: &mut FeatureContext<'_>) {
+        let is_asked = std::mem::take(&mut self.is_after_flight);
+        let is_untouched = self.work.found.is_none() && self.work.by_hand.is_none();
+        let applied = context.documents.mission.camera_to_log;
+        if is_whole && (is_asked || is_untouched && applied.is_none()) {
+            self.refresh(context.documents);
+            self.estimate(context);
+        }
+    }
+
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        *self = Self::default();
+    }
+
+    fn findings(&self, documents: &Documents) -> Vec<Finding> {
+        let left = self.work.left(&documents.flown_camera);
+        left.map_or_else(Vec::new, |left| camera_findings(&left))
+    }
+
+    /// Changes are told as in the file of a mission, root mean squares as opened, estimated and by hand.
+    fn state(&self, documents: &Documents) -> Value {
+        let work = &self.work;
+        let applied = documents.mission.camera_to_log;
+        let missing = missing(work, documents);
+        let summaries = work.preview().map(|preview| preview.summaries);
+        let rms = summaries.map(|of| of.map(|s| s.map(|s| s.place)));
+        let frames = documents.flight.as_ref().map_or(&[][..], |f| &f.frames);
+        json!({
+            "missing": missing.map(|missing| format!("{missing:?}")),
+            "at_work": self.job.words.is_some(),
+            "trouble": self.job.trouble,
+            "estimate": work.found.map(|found| json!({"told": found.told, "change": found.change})),
+            "by_hand": work.change(applied.as_ref()),
+            "applied": applied,
+            "position_rms": rms,
+            "frame_times": [frames.first().map(|f| f.time), frames.last().map(|f| f.time)],
+        })
+    }
+}
+
+impl MapLayer for CameraLogFeature {
+    /// Draws the ground that the frame at the cursor would show as the hand has the camera, while that is shown.
+    fn paint(
+        &self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        context: &ViewContext<'_>,
+        _frame: Option<LocalFrame>,
+    ) {
+        let (true, Some(flight)) = (self.is_shown, context.flight) else {
+            return;
+        };
+        let after = (flight.frames).partition_point(|f| f.time <= context.time + 1e-6);
+        let applied = context.mission.camera_to_log.as_ref();
+        let corners = self.work.footprint(after.saturating_sub(1), applied);
+        if let Some(corners) = corners {
+            paint_tried_footprint(painter, view, &corners, context.tokens);
+        }
+    }
+}
