@@ -63,6 +63,11 @@ impl KeptFrames {
         }
     }
 
+    /// A picture that was rendered before, encoded.
+    pub fn rendered_before(&self, index: usize) -> Option<&[u8]> {
+        self.encoded.as_ref()?.get(&index).map(AsRef::as_ref)
+    }
+
     /// A picture, encoded.
     pub fn kept(&mut self, index: usize) -> Result<Arc<[u8]>, FrameError> {
         if let Some(encoded) = self.encoded.as_ref().and_then(|kept| kept.get(&index)) {

@@ -10,6 +10,7 @@ use pilotage_core::navigator::{Navigator, NavigatorSettings, StepReport, Vehicle
 use serde::{Deserialize, Serialize};
 
 use super::flights::OpenFlight;
+use super::frame_picture::digest;
 use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::{SLICE, slice};
 use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, WorkerState};
@@ -166,12 +167,10 @@ fn pictures(
     })
 }
 
-/// Tells a picture. One that cannot be had is told by the step's report.
-fn tell_picture(open: &mut OpenFlight, index: usize, emit: &mut dyn FnMut(JobEvent)) {
-    if let Ok(encoded) = open.frames.kept(index) {
-        let encoded = encoded.to_vec();
-        emit(JobEvent::FramePicture { index, encoded });
-    }
+/// Tells that a picture was taken. One that cannot be had is told by the step's report, and to whoever asks for it.
+fn tell_picture(open: &OpenFlight, index: usize, emit: &mut dyn FnMut(JobEvent)) {
+    let digest = open.frames.rendered_before(index).map(digest);
+    emit(JobEvent::FrameTaken { index, digest });
 }
 
 impl RunningJob for Fly {
@@ -216,7 +215,7 @@ impl RunningJob for Fly {
 }
 
 /// Flight to be flown and navigated: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and
-/// `FramePicture`; or `CannotNavigate` in the place of `RunStarted` and `Steps`.
+/// `FrameTaken`; or `CannotNavigate` in the place of `RunStarted` and `Steps`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlyOrder {
     /// The flight.

@@ -58,7 +58,7 @@ fn a_flight_tells_its_head_first_and_then_streams_steps_and_pictures() {
                 JobEvent::Flight(_),
                 JobEvent::Mission(_),
                 JobEvent::RunStarted(_),
-                JobEvent::FramePicture { index: 0, .. }
+                JobEvent::FrameTaken { index: 0, .. }
             ]
         ),
         "{kinds:?}"

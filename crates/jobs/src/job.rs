@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::assess::SumUpOrder;
-use super::decode::DecodeOrder;
 use super::distinct::DistinctnessOrder;
 use super::envelope::EnvelopeOrder;
 use super::explain::ExplainOrder;
@@ -115,7 +114,6 @@ orders! {
     Fly(FlyOrder),
     Distinctness(DistinctnessOrder),
     ExplainMatch(ExplainOrder),
-    DecodePicture(DecodeOrder),
     FramePicture(FramePictureOrder),
     Predict(Box<PredictionOrder>),
     }

@@ -12,9 +12,10 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport, StepTiming};
 use serde::{Deserialize, Serialize};
 
+use super::frame_picture::{PictureForm, digest};
 use super::{
-    DescribeMapOrder, EncodedPicture, FlightSource, FlyOrder, Job, JobEvent, JobId, MapInfo,
-    MapSource,
+    DescribeMapOrder, EncodedPicture, FlightSource, FlyOrder, FramePictureOrder, Job, JobEvent,
+    JobId, MapInfo, MapSource,
 };
 
 /// The map of the first seconds.
@@ -71,11 +72,6 @@ impl FirstSeconds {
         postcard::to_stdvec(self).unwrap_or_default()
     }
 
-    fn picture(&self, index: usize) -> Option<JobEvent> {
-        let encoded = self.pictures.get(&index)?.0.clone();
-        Some(JobEvent::FramePicture { index, encoded })
-    }
-
     /// Events that begin the run.
     fn heads(&self) -> [JobEvent; 3] {
         [
@@ -95,6 +91,8 @@ pub struct Prelude {
     flying: Option<JobId>,
     /// Steps of the flight that the worker has said.
     steps: usize,
+    /// Stored pictures that the worker took otherwise, by their index.
+    outdated: Vec<usize>,
     compared: usize,
     different: usize,
 }
@@ -125,12 +123,32 @@ impl Prelude {
             }) if *flight == stored.source && *map == stored.map.source => {
                 self.flying = Some(id);
                 self.steps = 0;
-                let pictures = stored.pictures.keys().filter_map(|i| stored.picture(*i));
+                let pictures = stored.pictures.iter();
+                let pictures = pictures.map(|(index, picture)| JobEvent::FrameTaken {
+                    index: *index,
+                    digest: Some(digest(&picture.0)),
+                });
                 let steps = JobEvent::Steps(stored.steps.clone());
                 let heads = stored.heads().into_iter();
                 heads.chain(pictures).chain([steps]).collect()
             }
             _ => Vec::new(),
+        }
+    }
+
+    /// A job that asks for a picture which is stored, with that picture.
+    pub fn complete(&self, job: Job) -> Job {
+        match (job, &self.stored) {
+            (Job::FramePicture(order), Some(stored)) if order.flight == stored.source => {
+                let is_known = !self.outdated.contains(&order.index);
+                let encoded = stored.pictures.get(&order.index).filter(|_| is_known);
+                let form = match (&order.form, encoded) {
+                    (PictureForm::Pixels, Some(it)) => PictureForm::PixelsOf(it.clone()),
+                    _ => order.form,
+                };
+                Job::FramePicture(FramePictureOrder { form, ..order })
+            }
+            (job, _) => job,
         }
     }
 
@@ -171,15 +189,16 @@ impl Prelude {
                 (2, *run == stored.run)
             }
             JobEvent::Steps(_) => return self.hear_steps(event),
-            JobEvent::FramePicture { index, encoded } => {
+            JobEvent::FrameTaken { index, digest: new } => {
                 let Some(twin) = stored.pictures.get(index) else {
                     return vec![event];
                 };
                 self.compared += 1;
-                if *encoded == twin.0 {
+                if *new == Some(digest(&twin.0)) {
                     return Vec::new();
                 }
                 self.different += 1;
+                self.outdated.push(*index);
                 return vec![event];
             }
             _ => {

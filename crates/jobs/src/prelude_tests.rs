@@ -75,14 +75,13 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
                     }
                 }
             }
-            JobEvent::FramePicture { index, encoded } if index % EVERY == 0 => {
-                pictures.insert(index, EncodedPicture(encoded));
+            JobEvent::FrameEncoded { index, encoded } => {
+                pictures.insert(index, encoded);
             }
             _ => {}
         }
     }
-    let seen = steps.iter().filter_map(|step| step.frame.as_ref());
-    let last = seen.map(|frame| frame.index).max();
+    let last = last_frame(&steps);
     pictures.retain(|index, _| Some(*index) <= last);
     let start = steps[0].after.position();
     let center = GroundPoint::new(start.north.round(), start.east.round());
@@ -100,6 +99,25 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
         steps,
         pictures,
     }
+}
+
+/// Index of the last frame in steps.
+fn last_frame(steps: &[StepReport]) -> Option<usize> {
+    let seen = steps.iter().filter_map(|step| step.frame.as_ref());
+    seen.map(|frame| frame.index).max()
+}
+
+/// Order of the file of a picture of the demo.
+fn asked_for(index: usize) -> FramePictureOrder {
+    FramePictureOrder {
+        flight: FlightSource::Simulated(SimulationOptions::demo()),
+        index,
+        form: PictureForm::Encoded,
+    }
+}
+
+fn ask_for_file(index: usize) -> Job {
+    Job::FramePicture(asked_for(index))
 }
 
 /// First seconds as this program computes them, and the picture of the ground.
@@ -129,6 +147,12 @@ fn computed() -> (FirstSeconds, Picture) {
             advance = running.advance(&mut worker, &clock, &mut tell).unwrap();
         }
     }
+    let last = last_frame(&steps(&events)).unwrap_or_default();
+    for index in (0..=last).step_by(EVERY) {
+        let mut running = (Abilities::FLYING.begin)(ask_for_file(index), &mut worker);
+        let mut tell = |event| events.push(event);
+        running.advance(&mut worker, &|| 0.0, &mut tell).unwrap();
+    }
     let first = of_events(events);
     let map = worker.map(&first.map.source).expect("the scenery");
     let pixels = map.window(&Window::covering(&first.map.ground, GROUND_GSD));
@@ -137,7 +161,7 @@ fn computed() -> (FirstSeconds, Picture) {
 
 /// First seconds as the page in a folder computes them, asked without a browser: to the last digit the values
 /// of its workers.
-fn computed_by_page(page: &OsStr) -> FirstSeconds {
+fn computed_by_page(page: &OsStr, pictures: impl Iterator<Item = usize>) -> FirstSeconds {
     let script = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../tests/browser/first-seconds.mjs"
@@ -150,7 +174,8 @@ fn computed_by_page(page: &OsStr) -> FirstSeconds {
         .spawn()
         .expect("node runs the page's program");
     let mut ask = node.stdin.take().unwrap();
-    for (id, job) in first_jobs().into_iter().enumerate() {
+    let jobs = first_jobs().into_iter().chain(pictures.map(ask_for_file));
+    for (id, job) in jobs.enumerate() {
         let request = Request::Start(id as u64, job);
         let bytes = postcard::to_stdvec(&request).unwrap();
         ask.write_all(&(bytes.len() as u32).to_le_bytes()).unwrap();
@@ -213,7 +238,11 @@ fn the_stored_first_seconds_are_what_the_program_computes() {
     let (seconds, picture) = (shipped("seconds.bin"), shipped("ground.jpg"));
     if let Some(page) = std::env::var_os("PILOTAGE_FIRST_SECONDS_OF") {
         std::fs::create_dir_all(shipped("")).unwrap();
-        std::fs::write(&seconds, computed_by_page(&page).encode()).unwrap();
+        std::fs::write(
+            &seconds,
+            computed_by_page(&page, computed.pictures.keys().copied()).encode(),
+        )
+        .unwrap();
         std::fs::write(&picture, encode_jpeg(&ground, GROUND_QUALITY).unwrap()).unwrap();
     }
     let anew =
@@ -321,11 +350,24 @@ fn a_run_that_comes_out_otherwise_replaces_the_stored_one_from_there_on() {
 #[test]
 fn a_flight_a_picture_or_a_map_that_comes_out_otherwise_is_told() {
     let (mut prelude, told) = begun();
-    let picture = JobEvent::FramePicture {
+    let ask = || {
+        Job::FramePicture(FramePictureOrder {
+            form: PictureForm::Pixels,
+            ..asked_for(0)
+        })
+    };
+    let form = |job| match job {
+        Job::FramePicture(order) => order.form,
+        other => panic!("{other:?}"),
+    };
+    let known = form(prelude.complete(ask()));
+    assert!(matches!(known, PictureForm::PixelsOf(_)), "it is shipped");
+    let picture = JobEvent::FrameTaken {
         index: 0,
-        encoded: vec![1, 2, 3],
+        digest: Some(7),
     };
     assert_eq!(prelude.hear(7, picture.clone()), [picture]);
+    assert_eq!(form(prelude.complete(ask())), PictureForm::Pixels);
     let JobEvent::Mission(mut mission) = told[1].clone() else {
         panic!("{:?}", told[1]);
     };

@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::places::{PLACES, ROLES, place, program_at, role_at};
 use super::shared::{Follows, SHARES, SharedJob};
 use super::{
-    COARSE, FileContent, Job, JobEvent, JobId, LetGoOrder, Program, ProvideOrder, ReadLogOrder,
-    Reply, Request,
+    COARSE, FileContent, FramePictureOrder, Job, JobEvent, JobId, LetGoOrder, PictureForm, Program,
+    ProvideOrder, ReadLogOrder, Reply, Request,
 };
 
 /// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
@@ -407,7 +407,10 @@ impl<P: WorkerPort> WorkerPool<P> {
                 let least = roles.min_by_key(|role| (trained(*role), long(*role)));
                 least.unwrap_or(role)
             }
-            Job::DecodePicture(_) => {
+            Job::FramePicture(FramePictureOrder {
+                form: PictureForm::PixelsOf(_),
+                ..
+            }) => {
                 let is_open = |role: &usize| {
                     let seats = Program::ALL.map(|program| place(*role, program));
                     seats.iter().any(|seat| self.seats[*seat].port.is_some())

@@ -8,9 +8,9 @@ use pilotage_core::plan::Candidate;
 use super::{WorkerPool, WorkerPort};
 use crate::FlightSource;
 use crate::{
-    AssessmentOrder, COARSE, DecodeOrder, DescribeMapOrder, FlyOrder, Job, JobEvent, JobId,
-    LetGoOrder, MapSource, PredictionOrder, ProposeOrder, ProvideOrder, ReadLogOrder, Reply,
-    Request, SimulationOptions, SuggestOrder,
+    AssessmentOrder, COARSE, DescribeMapOrder, EncodedPicture, FlyOrder, FramePictureOrder, Job,
+    JobEvent, JobId, LetGoOrder, MapSource, PictureForm, PredictionOrder, ProposeOrder,
+    ProvideOrder, ReadLogOrder, Reply, Request, SimulationOptions, SuggestOrder,
 };
 
 #[derive(Debug, PartialEq)]
@@ -91,8 +91,10 @@ fn a_picture_is_decoded_where_least_waits() {
     let (mut worker_pool, notes) = worker_pool();
     worker_pool.warm_up();
     let decode = || {
-        Job::DecodePicture(DecodeOrder {
-            encoded: vec![1, 2, 3].into(),
+        Job::FramePicture(FramePictureOrder {
+            flight: FlightSource::Simulated(SimulationOptions::demo()),
+            index: 3,
+            form: PictureForm::PixelsOf(EncodedPicture(vec![1, 2, 3])),
         })
     };
     let (first, second) = (worker_pool.start(decode()), worker_pool.start(decode()));

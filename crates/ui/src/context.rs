@@ -43,8 +43,8 @@ pub struct ViewContext<'a> {
     pub playing: bool,
     /// The selected landmark's id.
     pub selection: Option<u32>,
-    /// Encoded camera pictures (JPEG or PNG) by frame index, where they have arrived.
-    pub pictures: &'a dyn Fn(usize) -> Option<std::sync::Arc<[u8]>>,
+    /// Frame whose picture the frame of that index shows, if it was taken.
+    pub pictures: &'a dyn Fn(usize) -> Option<usize>,
     /// The pictures that explain a match, last asked for by [`Command::ExplainMatch`]; check its
     /// time and landmark before showing it.
     pub match_pictures: Option<&'a MatchPictures>,

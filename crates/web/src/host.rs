@@ -226,6 +226,7 @@ impl Host for PageHost {
         if addresses.is_empty() {
             let mut inner = self.inner.borrow_mut();
             let id = inner.pool.reserve();
+            let job = inner.prelude.complete(job);
             let first = inner.prelude.begin(id, &job);
             inner
                 .told_first

@@ -15,9 +15,9 @@ use pilotage_core::study::Comparison;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, BriefPictures, DetectorSearch, Distinctness, EvaluationReport, FoundPlan,
-    LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, Opened, OutageReport, PhotoReport,
-    ReadLog, StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
+    Assessment, BriefPictures, DetectorSearch, Distinctness, EncodedPicture, EvaluationReport,
+    FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, Opened, OutageReport,
+    PhotoReport, ReadLog, StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
 };
 
 /// Event by which a worker reports on a job.
@@ -59,16 +59,24 @@ pub enum JobEvent {
     RunStarted(Box<Run>),
     /// More steps of the run.
     Steps(Vec<StepReport>),
-    /// A camera picture, encoded.
+    /// A camera picture was taken and can be asked for.
+    FrameTaken {
+        /// Index in the flight.
+        index: usize,
+        /// Digest of its encoded bytes, where they are here.
+        digest: Option<u64>,
+    },
+    /// A camera picture as a file, JPEG or PNG.
+    FrameEncoded {
+        /// Index in the flight.
+        index: usize,
+        /// The file.
+        encoded: EncodedPicture,
+    },
+    /// The pixels of a camera picture.
     FramePicture {
         /// Index in the flight.
         index: usize,
-        /// JPEG or PNG bytes.
-        #[serde(with = "whole_bytes")]
-        encoded: Vec<u8>,
-    },
-    /// The pixels of a camera picture.
-    Picture {
         /// Pixels in a row.
         width: usize,
         /// Red, green, blue and opacity of each pixel, row by row.

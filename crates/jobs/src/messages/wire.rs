@@ -61,7 +61,7 @@ fn lost(id: JobId, cause: &Error) -> Reply {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DecodeOrder, Job};
+    use crate::{EncodedPicture, FlightSource, FramePictureOrder, Job, PictureForm};
 
     #[test]
     fn what_cannot_be_read_fails_its_job() {
@@ -82,11 +82,19 @@ mod tests {
 
     #[test]
     fn pictures_survive_the_way_between_page_and_worker() {
-        let encoded = (0..=255).collect();
-        let reply = Reply::Event(1, JobEvent::FramePicture { index: 3, encoded });
+        let told = JobEvent::FramePicture {
+            index: 3,
+            width: 8,
+            pixels: (0..=255).collect(),
+        };
+        let reply = Reply::Event(1, told);
         assert_eq!(Reply::from_bytes(&reply.to_bytes()), Some(reply));
-        let encoded = vec![1, 2, 3].into();
-        let request = Request::Start(2, Job::DecodePicture(DecodeOrder { encoded }));
+        let order = FramePictureOrder {
+            flight: FlightSource::Nothing,
+            index: 3,
+            form: PictureForm::PixelsOf(EncodedPicture(vec![1, 2, 3])),
+        };
+        let request = Request::Start(2, Job::FramePicture(order));
         let sent = request.to_bytes().unwrap();
         assert_eq!(Request::from_bytes(&sent).unwrap(), request);
     }

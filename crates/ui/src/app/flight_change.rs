@@ -26,6 +26,7 @@ impl App {
         if old != self.documents.flight_source {
             self.playback.selected_span = None;
         }
+        self.frame_pictures.leave(host);
         self.views.camera.clear();
         if let Some(labeller) = &mut self.views.labeller {
             *labeller = Labeller::default();
@@ -40,14 +41,7 @@ impl App {
         let explain = jobs.explain.take().map(|(id, ..)| id);
         let detector = jobs.detector.take().map(|(id, ..)| id);
         let distinctness = jobs.distinctness.take().map(|(id, _)| id);
-        let decoding = jobs.decoding.drain(..).map(|(id, ..)| id);
-        let fetching = jobs.fetching_pictures.drain(..).map(|(id, _)| id);
-        for id in [explain, detector, distinctness]
-            .into_iter()
-            .flatten()
-            .chain(decoding)
-            .chain(fetching)
-        {
+        for id in [explain, detector, distinctness].into_iter().flatten() {
             host.cancel(id);
         }
         (jobs.unexplained, jobs.examined_in_vain) = (None, None);

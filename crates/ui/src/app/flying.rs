@@ -62,10 +62,11 @@ impl App {
                     run.steps.append(&mut steps);
                 }
             }
-            JobEvent::FramePicture { index, encoded } => {
-                let looked_at = self.frame_looked_at();
-                let encoded = encoded.into();
-                self.documents.pictures.insert(index, encoded, looked_at);
+            JobEvent::FrameTaken { index, .. } => {
+                let was_taken = self.documents.pictures.take(index);
+                if was_taken && !fly.again {
+                    self.views.camera.forget(index);
+                }
             }
             // It could not be navigated, and all of its pictures are there.
             JobEvent::Finished if !fly.began() => {

@@ -1,61 +1,88 @@
-//! Camera pictures that were let go of for lack of room, fetched again where people look.
+//! Camera pictures at the time cursor, asked of the workers.
 
-use super::App;
+use pilotage_jobs::{FramePictureOrder, Job, JobEvent, JobId, PictureForm};
+
 use crate::context::shown_frame;
+use crate::documents::Documents;
 use crate::host::Host;
-use pilotage_jobs::{FramePictureOrder, Job, JobEvent, JobId};
+use crate::timeline::Playback;
+use crate::views::CameraView;
 
-/// Pictures that are fetched at a time.
-const FETCHED_AT_A_TIME: usize = 2;
+/// Pictures that are decoded at a time. A second one keeps the worker busy while the first is on its way.
+const AT_A_TIME: usize = 2;
 
-impl App {
-    /// Index of the frame at the time cursor; zero before the first.
-    pub(super) fn frame_looked_at(&self) -> usize {
-        let flight = self.documents.flight.as_ref();
-        let shown = flight.and_then(|flight| shown_frame(flight, self.playback.time));
-        shown.unwrap_or(0)
-    }
+/// Pictures that were asked for: job, frame, and the frame of which the workers have its picture.
+#[derive(Debug, Default)]
+pub struct FramePictureRequests(Vec<(JobId, usize, usize)>);
 
-    /// Fetches the picture at the time cursor and the next ones, where they are not here any more.
-    pub(super) fn fetch_pictures(&mut self, host: &mut dyn Host) {
-        let now = self.frame_looked_at();
-        let documents = &self.documents;
-        let wanted = [Some(now), Some(now + 1), now.checked_sub(1)];
-        let wanted = wanted.into_iter().flatten();
-        let lacking: Vec<usize> = wanted
-            .filter(|index| documents.pictures.lacks(*index))
-            .collect();
-        for index in lacking {
-            let fetching = &mut self.jobs.fetching_pictures;
-            let is_under_way = fetching.iter().any(|(_, asked)| *asked == index);
-            if is_under_way || fetching.len() >= FETCHED_AT_A_TIME {
-                continue;
-            }
-            let flight = self.documents.flight_source.clone();
-            let id = host.start(Job::FramePicture(FramePictureOrder { flight, index }));
-            fetching.push((id, index));
+impl FramePictureRequests {
+    /// Asks for the picture that is looked at, then for those that are likely to be next.
+    pub fn ask(
+        &mut self,
+        host: &mut dyn Host,
+        documents: &Documents,
+        playback: &Playback,
+        camera: &CameraView,
+    ) {
+        let is_idle = |key: usize| {
+            let is_under_way = self.0.iter().any(|(_, _, asked)| *asked == key);
+            !is_under_way && !camera.is_prepared(key)
+        };
+        let wanted = camera.wanted().filter(|(_, key)| is_idle(*key));
+        let next = match wanted {
+            Some(wanted) if self.0.len() < AT_A_TIME => Some(wanted),
+            None if self.0.is_empty() => likely(documents, playback).find(|(_, key)| is_idle(*key)),
+            _ => None,
+        };
+        if let Some((frame, index)) = next {
+            let id = host.start(Job::FramePicture(FramePictureOrder {
+                flight: documents.flight_source.clone(),
+                index,
+                form: PictureForm::Pixels,
+            }));
+            self.0.push((id, frame, index));
         }
     }
 
-    /// Takes what a worker says of a picture that was fetched; whether `id` was about one.
-    pub(super) fn fetched_picture_event(&mut self, id: JobId, event: &JobEvent) -> bool {
-        let fetching = &mut self.jobs.fetching_pictures;
-        let Some(place) = fetching.iter().position(|(own, _)| *own == id) else {
+    /// Takes what a worker says of a picture; whether `id` was about one.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent, camera: &mut CameraView) -> bool {
+        let Some(place) = self.0.iter().position(|(own, ..)| *own == id) else {
             return false;
         };
-        let (_, index) = fetching[place];
+        let (_, frame, key) = self.0[place];
         match event {
-            JobEvent::FramePicture { index, encoded } => {
-                let looked_at = self.frame_looked_at();
-                let encoded = encoded.as_slice().into();
-                self.documents.pictures.insert(*index, encoded, looked_at);
+            JobEvent::FramePicture { width, pixels, .. } => {
+                camera.prepare(frame, key, *width, pixels);
             }
-            JobEvent::Failed(_) => self.documents.pictures.give_up(index),
+            JobEvent::Failed(why) => camera.refuse(key, why),
             _ => {}
         }
         if event.is_last() {
-            self.jobs.fetching_pictures.remove(place);
+            self.0.remove(place);
         }
         true
     }
+
+    /// Wants none of them any more.
+    pub fn leave(&mut self, host: &mut dyn Host) {
+        for (id, ..) in self.0.drain(..) {
+            host.cancel(id);
+        }
+    }
+}
+
+/// Frames that are about to be shown and the pictures that they show: in playback the next ones, else those to which one
+/// step leads.
+fn likely(documents: &Documents, playback: &Playback) -> impl Iterator<Item = (usize, usize)> {
+    let flight = documents.flight.as_ref();
+    let shown = flight.and_then(|flight| shown_frame(flight, playback.time));
+    let next = shown.map_or(0, |shown| shown + 1);
+    let frames = if playback.playing {
+        [Some(next), Some(next + 1)]
+    } else {
+        [Some(next), next.checked_sub(2)]
+    };
+    let pictures = &documents.pictures;
+    let known = |frame| Some((frame, pictures.key(frame)?));
+    frames.into_iter().flatten().filter_map(known)
 }

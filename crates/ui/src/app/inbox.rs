@@ -64,7 +64,9 @@ impl App {
         if self.plan_event(id, &event, host.now())
             || self.evaluating.receive(id, &event)
             || self.feature_event(context, host, id, &event)
-            || self.fetched_picture_event(id, &event)
+            || self
+                .frame_pictures
+                .receive(id, &event, &mut self.views.camera)
             || self.photos_event(host, id, &event)
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
@@ -105,8 +107,6 @@ impl App {
             }
         } else if self.jobs.detector.is_some_and(|d| d.0 == id) {
             self.detector_event(event);
-        } else if self.jobs.decoding.iter().any(|d| d.0 == id) {
-            self.picture_event(id, event);
         } else if self.jobs.brief.as_ref().is_some_and(|b| b.0 == id) {
             self.brief_event(host, event);
         } else if self.jobs.packing.as_ref().is_some_and(|p| p.0 == id) {
@@ -118,27 +118,6 @@ impl App {
         } else if let JobEvent::Remark(text) = event {
             // Of a tile that nobody waits for any more: a worker says each thing once.
             self.tell_of_map(host, &text);
-        }
-    }
-
-    fn picture_event(&mut self, id: JobId, event: JobEvent) {
-        let decoding = &mut self.jobs.decoding;
-        let Some(place) = decoding.iter().position(|d| d.0 == id) else {
-            return;
-        };
-        let (_, frame, encoded) = &decoding[place];
-        match event {
-            JobEvent::Picture { width, pixels } => {
-                self.views.camera.prepare(*frame, encoded, width, &pixels);
-            }
-            JobEvent::Failed(why) => {
-                self.views.camera.refuse(*frame, encoded, &why);
-                decoding.remove(place);
-            }
-            JobEvent::Finished | JobEvent::Cancelled => {
-                decoding.remove(place);
-            }
-            _ => {}
         }
     }
 

@@ -1,7 +1,5 @@
 //! Layout of the window: top bar, map, side column, plots, timeline; reflowed for narrow windows.
 
-use std::sync::Arc;
-
 use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
 use pilotage_core::frames::LocalFrame;
@@ -66,8 +64,7 @@ impl Scene<'_> {
         commands: &mut Vec<Command>,
         show: impl FnOnce(&mut ViewContext<'_>) -> R,
     ) -> R {
-        let pictures =
-            |index: usize| -> Option<Arc<[u8]>> { self.documents.pictures.get(index).cloned() };
+        let pictures = |index: usize| self.documents.pictures.key(index);
         show(&mut ViewContext {
             mission: &self.documents.mission,
             flight: self.documents.flight.as_ref(),

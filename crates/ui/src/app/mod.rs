@@ -59,6 +59,7 @@ use crate::views::{
     CameraView, DetectorView, InspectorView, LandmarkList, MatchView, PlotsView, Tour,
 };
 
+use frame_pictures::FramePictureRequests;
 use pending_jobs::PendingJobs;
 
 /// Content of the column at the right below the camera picture.
@@ -176,6 +177,7 @@ pub struct App {
     toasts: Toasts,
     views: Views,
     jobs: PendingJobs,
+    frame_pictures: FramePictureRequests,
     /// Features by the jobs that they started.
     owners: Vec<(JobId, FeatureId)>,
     /// Table of all commands, the features' among them.

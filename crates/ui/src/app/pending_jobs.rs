@@ -1,7 +1,6 @@
 //! The jobs under way and what they are for.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
 use pilotage_core::frames::GroundRect;
 
@@ -133,10 +132,6 @@ pub struct PendingJobs {
     pub explain: Option<(JobId, f64, u32)>,
     /// The search of a trained detector being looked at again: job, time, landmark.
     pub detector: Option<(JobId, f64, u32)>,
-    /// The camera pictures being decoded: job, frame, encoded picture.
-    pub decoding: Vec<(JobId, usize, Arc<[u8]>)>,
-    /// Camera pictures being fetched again, by the index of their frame.
-    pub fetching_pictures: Vec<(JobId, usize)>,
     /// The landmark that could not be examined, and why.
     pub examined_in_vain: Option<(u32, String)>,
     /// Files being looked at.

@@ -2,6 +2,7 @@
 
 use super::App;
 use super::aside::Aside;
+use super::frame_pictures::FramePictureRequests;
 use super::pending_jobs::PendingJobs;
 use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
@@ -63,6 +64,7 @@ impl App {
                 features,
                 ..super::Views::default()
             },
+            frame_pictures: FramePictureRequests::default(),
             jobs: PendingJobs::default(),
             evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),

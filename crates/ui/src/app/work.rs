@@ -1,19 +1,16 @@
 //! Jobs asked of the workers, and the times at which they are asked for.
 
-use std::sync::Arc;
-
 use pilotage_core::frames::GroundRect;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
 use super::App;
 use super::pending_jobs::{FlyJob, Shown};
-use crate::context::shown_frame;
 use crate::documents::{Session, Staged};
 use crate::host::Host;
 use pilotage_jobs::{
-    DecodeOrder, DescribeMapOrder, Distinctness, DistinctnessOrder, ExplainOrder, ExplainedBy,
-    FlightSource, FlyOrder, Job, MapSource, TileOrder,
+    DescribeMapOrder, Distinctness, DistinctnessOrder, ExplainOrder, ExplainedBy, FlightSource,
+    FlyOrder, Job, MapSource, TileOrder,
 };
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
@@ -22,8 +19,6 @@ const FLY_AGAIN_AFTER: f64 = 350.0;
 const EXAMINE_AFTER: f64 = 120.0;
 /// Change of the distance within which look-alikes count that is worth another look, metres.
 const OTHER_RADIUS: f64 = 0.5;
-/// Most camera pictures decoded at a time: while one is scrubbed over, the next does not wait.
-const DECODED_AT_A_TIME: usize = 2;
 /// Most tiles asked for at a time.
 pub(super) const TILES_AT_A_TIME: usize = 4;
 
@@ -194,8 +189,9 @@ impl App {
         self.ask_for_tiles(host);
         self.ask_for_picture_tiles(host);
         self.watch_download(context, host);
-        self.fetch_pictures(host);
-        self.decode_pictures(host);
+        let camera = &self.views.camera;
+        let (documents, playback) = (&self.documents, &self.playback);
+        self.frame_pictures.ask(host, documents, playback, camera);
         self.work_on_plan(context, host);
         let waiting = self.jobs.fly_again_at.is_some() && flies_now
             || self.jobs.examine_at.is_some()
@@ -286,46 +282,6 @@ impl App {
             }));
             self.jobs.tiles.insert(id, key);
         }
-    }
-
-    /// Has the camera picture decoded that is looked at, then those that are likely to be next.
-    fn decode_pictures(&mut self, host: &mut dyn Host) {
-        let decoding = &self.jobs.decoding;
-        let is_idle = |encoded: &Arc<[u8]>| {
-            let is_under_way = decoding.iter().any(|d| Arc::ptr_eq(&d.2, encoded));
-            !is_under_way && !self.views.camera.is_prepared(encoded)
-        };
-        let wanted = self.views.camera.wanted();
-        let wanted = wanted.filter(|(_, encoded)| is_idle(encoded));
-        let next = match wanted {
-            Some((frame, encoded)) if decoding.len() < DECODED_AT_A_TIME => {
-                Some((frame, Arc::clone(encoded)))
-            }
-            None if decoding.is_empty() => self.decoded_ahead().find(|(_, e)| is_idle(e)),
-            _ => None,
-        };
-        if let Some((frame, encoded)) = next {
-            let id = host.start(Job::DecodePicture(DecodeOrder {
-                encoded: Arc::clone(&encoded),
-            }));
-            self.jobs.decoding.push((id, frame, encoded));
-        }
-    }
-
-    /// Frames and pictures that are about to be shown: in playback the next ones, else those to
-    /// which one step leads.
-    fn decoded_ahead(&self) -> impl Iterator<Item = (usize, Arc<[u8]>)> {
-        let flight = self.documents.flight.as_ref();
-        let shown = flight.and_then(|flight| shown_frame(flight, self.playback.time));
-        let next = shown.map_or(0, |shown| shown + 1);
-        let likely = if self.playback.playing {
-            [Some(next), Some(next + 1)]
-        } else {
-            [Some(next), next.checked_sub(2)]
-        };
-        let pictures = &self.documents.pictures;
-        let known = |frame| Some((frame, Arc::clone(pictures.get(frame)?)));
-        likely.into_iter().flatten().filter_map(known)
     }
 
     /// Asks for the pictures of a match, once.

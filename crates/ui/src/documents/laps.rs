@@ -25,12 +25,8 @@ impl Documents {
                 }
                 run.steps.push(step);
             }
-            for index in 0..lap_frames {
-                if let Some(picture) = self.pictures.get(index).cloned() {
-                    self.pictures.insert(lap * lap_frames + index, picture, 0);
-                }
-            }
         }
+        self.pictures.repeat(lap_frames);
         let steps = run.steps.len();
         if let Some(flight) = &mut self.flight {
             repeat(&mut flight.frames, laps, lap_time, |f| &mut f.time);

@@ -158,11 +158,10 @@ impl Scene {
                         selected_span: None,
                         playing: false,
                         selection,
-                        pictures: &*self.pictures,
+                        pictures: &|index| Some(index),
                         match_pictures: matched.as_ref(),
                         tokens,
                         units: Units::Metric,
-
                         flying: None,
                         commands: &mut commands,
                     };
@@ -181,7 +180,7 @@ impl Scene {
         size: [f32; 2],
         time: f64,
         selection: Option<u32>,
-        show: fn(&mut View, &mut Ui, &mut ViewContext<'_>),
+        show: impl Fn(&mut View, &mut Ui, &mut ViewContext<'_>),
     ) {
         for (theme, tokens) in [("dark", Tokens::dark()), ("light", Tokens::light())] {
             let mut view = View::default();
@@ -192,10 +191,30 @@ impl Scene {
         }
     }
 
+    /// Draws the camera view; what has to be decoded for it is there a frame later.
+    fn show_decoded(&self, view: &mut CameraView, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        view.show(ui, context);
+        if let Some((frame, key)) = view.wanted() {
+            let encoded = (self.pictures)(key).expect("the flight has the picture");
+            let picture = decode_picture(&encoded).expect("the fixture's pictures are whole");
+            let opaque = |[r, g, b]: &[u8; 3]| [*r, *g, *b, u8::MAX];
+            let pixels: Vec<u8> = picture.pixels().iter().flat_map(opaque).collect();
+            view.prepare(frame, key, picture.width(), &pixels);
+        }
+    }
+
     /// Draws every view, the camera, match and inspector at `time`.
     fn write_all(&self, name: &str, time: f64) {
         let named = |view: &str| format!("{name}-{view}");
-        self.both(&named("camera"), [420.0, 320.0], time, None, show_decoded);
+        self.both(
+            &named("camera"),
+            [420.0, 320.0],
+            time,
+            None,
+            |view, ui, context| {
+                self.show_decoded(view, ui, context);
+            },
+        );
         self.both(&named("match"), [360.0, 480.0], time, None, MatchView::show);
         self.both(&named("plots"), [480.0, 460.0], time, None, PlotsView::show);
         self.both(
@@ -221,18 +240,6 @@ impl Scene {
                 tour.show(ui, context);
             });
         }
-    }
-}
-
-/// Draws the camera view; what has to be decoded for it is there a frame later.
-fn show_decoded(view: &mut CameraView, ui: &mut Ui, context: &mut ViewContext<'_>) {
-    view.show(ui, context);
-    let wanted = view.wanted().map(|(frame, bytes)| (frame, bytes.clone()));
-    if let Some((frame, bytes)) = wanted {
-        let picture = decode_picture(&bytes).expect("the fixture's pictures are whole");
-        let opaque = |[r, g, b]: &[u8; 3]| [*r, *g, *b, u8::MAX];
-        let pixels: Vec<u8> = picture.pixels().iter().flat_map(opaque).collect();
-        view.prepare(frame, &bytes, picture.width(), &pixels);
     }
 }
 

@@ -1,5 +1,4 @@
 use egui::Vec2;
-use pilotage_core::raster::{Raster, encode_png};
 use pilotage_jobs::{JobEvent, Opened};
 use pilotage_ui::host::OpenedFile;
 
@@ -9,12 +8,11 @@ use super::support::{Rig, ScriptedHost, rig_on};
 
 /// The pictures of the frames `which`, as the flight tells them.
 fn pictures(which: std::ops::Range<usize>) -> Vec<JobEvent> {
-    let encoded = encode_png(&Raster::filled(8, 6, [90, 110, 70])).expect("a picture");
-    let picture = |index| JobEvent::FramePicture {
+    let taken = |index| JobEvent::FrameTaken {
         index,
-        encoded: encoded.clone(),
+        digest: None,
     };
-    which.map(picture).collect()
+    which.map(taken).collect()
 }
 
 fn say(rig: &mut Rig, events: impl IntoIterator<Item = JobEvent>) {

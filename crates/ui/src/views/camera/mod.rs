@@ -5,8 +5,6 @@ mod overlay;
 mod picture;
 mod placement;
 
-use std::sync::Arc;
-
 use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
 use pilotage_core::navigator::{FrameReport, Run};
 
@@ -47,29 +45,35 @@ impl CameraView {
         self.drawn
     }
 
-    /// Takes the pixels of a frame that is shown now or soon: red, green, blue and opacity of each.
-    pub fn prepare(&mut self, frame: usize, encoded: &Arc<[u8]>, width: usize, pixels: &[u8]) {
-        self.cache.prepare(frame, encoded, width, pixels);
+    /// Takes the pixels of the picture `key` for a frame that is shown now or soon: red, green, blue and opacity of
+    /// each.
+    pub fn prepare(&mut self, frame: usize, key: usize, width: usize, pixels: &[u8]) {
+        self.cache.prepare(frame, key, width, pixels);
     }
 
-    /// Takes why the picture of a frame cannot be decoded.
-    pub fn refuse(&mut self, frame: usize, encoded: &Arc<[u8]>, why: &str) {
-        self.cache.refuse(frame, encoded, why);
+    /// Takes why the picture `key` cannot be shown.
+    pub fn refuse(&mut self, key: usize, why: &str) {
+        self.cache.refuse(key, why);
     }
 
-    /// Whether the pixels of an encoded picture are here already.
-    pub fn is_prepared(&self, encoded: &Arc<[u8]>) -> bool {
-        self.cache.is_prepared(encoded)
+    /// Takes note that the picture `key` is another one by now.
+    pub fn forget(&mut self, key: usize) {
+        self.cache.forget(key);
     }
 
-    /// The frame that is to be shown and whose picture has to be decoded for it, with that picture.
-    pub fn wanted(&self) -> Option<(usize, &Arc<[u8]>)> {
+    /// Whether the pixels of the picture `key` are here already.
+    pub fn is_prepared(&self, key: usize) -> bool {
+        self.cache.is_prepared(key)
+    }
+
+    /// Frame that is to be shown, and the picture that is lacking for it.
+    pub fn wanted(&self) -> Option<(usize, usize)> {
         self.cache.wanted()
     }
 
     /// Shows nothing until there is something of another flight.
     pub fn clear(&mut self) {
-        self.cache.clear();
+        self.cache.leave_flight();
     }
 
     /// The texture of the picture of frame `index`, or of the one before it until that is decoded, and

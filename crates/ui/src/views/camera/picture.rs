@@ -1,111 +1,115 @@
-//! Camera pictures as textures. They are decoded by workers; this says which it lacks.
+//! Camera pictures as textures. Workers decode them; this says which is lacking.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 
-/// Pictures kept that were decoded before their time.
-const PREPARED: usize = 4;
-/// Pictures that cannot be read of which it is remembered.
+/// Memory for decoded pictures, bytes: some 50 of a usual camera.
+const MEMORY: usize = 64 << 20;
+/// Pictures that are kept whatever they need.
+const FEWEST: usize = 2;
+/// Pictures that cannot be shown of which it is remembered.
 const REFUSED: usize = 16;
 
-/// A frame's encoded picture; the same bytes are the same picture.
-#[derive(Clone)]
-struct Encoded {
+/// Picture that a frame shows. Frames of equal keys show the same one.
+#[derive(Clone, Copy, PartialEq)]
+struct Shown {
     frame: usize,
-    bytes: Arc<[u8]>,
+    key: usize,
 }
 
-impl Encoded {
-    fn is(&self, bytes: &Arc<[u8]>) -> bool {
-        Arc::ptr_eq(&self.bytes, bytes)
-    }
-}
-
-/// The texture of one frame, and pictures that are decoded for others.
+/// The texture of one frame, and decoded pictures: those that were shown or came last.
 #[derive(Default)]
 pub(super) struct PictureCache {
-    shown: Option<(Encoded, TextureHandle)>,
+    shown: Option<(Shown, TextureHandle)>,
     /// Picture that is to be shown and is not decoded.
-    wanted: Option<Encoded>,
-    /// Pictures that cannot be read, and why.
-    refused: VecDeque<(Encoded, String)>,
-    prepared: VecDeque<(Encoded, ColorImage)>,
+    wanted: Option<Shown>,
+    /// Pictures that cannot be shown, and why.
+    refused: VecDeque<(usize, String)>,
+    prepared: VecDeque<(Shown, Arc<ColorImage>)>,
+}
+
+fn bytes(picture: &ColorImage) -> usize {
+    4 * picture.pixels.len()
 }
 
 impl PictureCache {
-    /// Takes the pixels of an encoded picture: red, green, blue and opacity of each.
-    pub fn prepare(&mut self, frame: usize, bytes: &Arc<[u8]>, width: usize, pixels: &[u8]) {
+    /// Takes the pixels of a picture: red, green, blue and opacity of each.
+    pub fn prepare(&mut self, frame: usize, key: usize, width: usize, pixels: &[u8]) {
         let height = pixels.len() / (4 * width.max(1));
         if 4 * width * height != pixels.len() {
-            return self.refuse(frame, bytes, "its rows are of different lengths.");
+            return self.refuse(key, "its rows are of different lengths.");
         }
         let picture = ColorImage::from_rgba_premultiplied([width, height], pixels);
-        if self.prepared.len() >= PREPARED {
-            self.prepared.pop_front();
+        self.prepared.push_back((Shown { frame, key }, Arc::new(picture)));
+        let prepared = &mut self.prepared;
+        let mut all: usize = prepared.iter().map(|(_, it)| bytes(it)).sum();
+        while all > MEMORY && prepared.len() > FEWEST {
+            all -= prepared.pop_front().map_or(0, |(_, it)| bytes(&it));
         }
-        let bytes = Arc::clone(bytes);
-        self.prepared.push_back((Encoded { frame, bytes }, picture));
     }
 
-    /// Takes why a picture cannot be decoded.
-    pub fn refuse(&mut self, frame: usize, bytes: &Arc<[u8]>, why: &str) {
-        let bytes = Arc::clone(bytes);
+    /// Takes why a picture cannot be shown.
+    pub fn refuse(&mut self, key: usize, why: &str) {
         let why = format!("This picture cannot be read: {why}");
         if self.refused.len() >= REFUSED {
             self.refused.pop_front();
         }
-        self.refused.push_back((Encoded { frame, bytes }, why));
+        self.refused.push_back((key, why));
+    }
+
+    /// Takes note that a picture is another one by now.
+    pub fn forget(&mut self, key: usize) {
+        self.prepared.retain(|(own, _)| own.key != key);
+        self.refused.retain(|(own, _)| *own != key);
+        if self.shown.as_ref().is_some_and(|(own, _)| own.key == key) {
+            self.shown = None;
+        }
     }
 
     /// Whether the pixels of a picture are here, or it is known that there are none.
-    pub fn is_prepared(&self, bytes: &Arc<[u8]>) -> bool {
-        self.shown.iter().any(|(own, _)| own.is(bytes))
-            || self.refused.iter().any(|(own, _)| own.is(bytes))
-            || self.prepared.iter().any(|(own, _)| own.is(bytes))
+    pub fn is_prepared(&self, key: usize) -> bool {
+        self.shown.iter().any(|(own, _)| own.key == key)
+            || self.refused.iter().any(|(own, _)| *own == key)
+            || self.prepared.iter().any(|(own, _)| own.key == key)
     }
 
-    /// The frame and the encoded picture that is to be shown and has to be decoded for it.
-    pub fn wanted(&self) -> Option<(usize, &Arc<[u8]>)> {
-        let wanted = self.wanted.as_ref()?;
-        let lacks = !self.is_prepared(&wanted.bytes);
-        lacks.then_some((wanted.frame, &wanted.bytes))
+    /// Frame that is to be shown, and the picture that is lacking for it.
+    pub fn wanted(&self) -> Option<(usize, usize)> {
+        let Shown { frame, key } = self.wanted?;
+        (!self.is_prepared(key)).then_some((frame, key))
     }
 
     /// Shows the picture of a frame, or on the way there the one before it; returns the frame that
     /// is shown.
     ///
-    /// While the bytes of a frame have not arrived there is no picture: an older one would lie.
-    pub fn update(
-        &mut self,
-        context: &Context,
-        frame: usize,
-        bytes: Option<Arc<[u8]>>,
-    ) -> Option<usize> {
-        let Some(bytes) = bytes else {
+    /// While the picture of a frame was not taken there is none: an older one would lie.
+    pub fn update(&mut self, context: &Context, frame: usize, key: Option<usize>) -> Option<usize> {
+        let Some(key) = key else {
             self.clear();
             return None;
         };
         if let Some((shown, _)) = &mut self.shown
-            && shown.is(&bytes)
+            && shown.key == key
         {
             // Laps of a long flight share their pictures.
             shown.frame = frame;
             self.wanted = None;
             return Some(frame);
         }
-        if self.refused.iter().any(|(own, _)| own.is(&bytes)) {
+        if self.refused.iter().any(|(own, _)| *own == key) {
             self.shown = None;
-            self.wanted = Some(Encoded { frame, bytes });
+            self.wanted = Some(Shown { frame, key });
             return None;
         }
-        if let Some(place) = self.nearest(frame, &bytes)
+        if let Some(place) = self.nearest(frame, key)
             && let Some((mut own, picture)) = self.prepared.remove(place)
         {
-            if own.is(&bytes) {
+            if own.key == key {
                 own.frame = frame;
             }
+            self.prepared.push_back((own, Arc::clone(&picture)));
             let options = TextureOptions::LINEAR;
             let texture = if let Some((_, mut texture)) = self.shown.take() {
                 texture.set(picture, options);
@@ -115,16 +119,16 @@ impl PictureCache {
             };
             self.shown = Some((own, texture));
         }
-        let is_shown = self.shown.iter().any(|(own, _)| own.is(&bytes));
-        self.wanted = (!is_shown).then_some(Encoded { frame, bytes });
+        let is_shown = self.shown.iter().any(|(own, _)| own.key == key);
+        self.wanted = (!is_shown).then_some(Shown { frame, key });
         self.shown.as_ref().map(|(own, _)| own.frame)
     }
 
     /// The prepared picture that is closest to the wanted one: itself, or one on the way there from
     /// what is shown.
-    fn nearest(&self, frame: usize, bytes: &Arc<[u8]>) -> Option<usize> {
+    fn nearest(&self, frame: usize, key: usize) -> Option<usize> {
         let mut prepared = self.prepared.iter();
-        if let Some(place) = prepared.position(|(own, _)| own.is(bytes)) {
+        if let Some(place) = prepared.position(|(own, _)| own.key == key) {
             return Some(place);
         }
         let shown = self.shown.as_ref()?.0.frame;
@@ -142,6 +146,11 @@ impl PictureCache {
         (self.shown, self.wanted) = (None, None);
     }
 
+    /// Lets go of everything: the pictures are those of another flight.
+    pub fn leave_flight(&mut self) {
+        *self = Self::default();
+    }
+
     /// The texture, if there is a picture.
     pub fn texture(&self) -> Option<TextureId> {
         self.shown.as_ref().map(|(_, texture)| texture.id())
@@ -151,7 +160,7 @@ impl PictureCache {
     pub fn trouble(&self) -> Option<&str> {
         let wanted = self.wanted.as_ref()?;
         let mut refused = self.refused.iter();
-        let (_, why) = refused.find(|(own, _)| own.is(&wanted.bytes))?;
+        let (_, why) = refused.find(|(own, _)| *own == wanted.key)?;
         Some(why)
     }
 }
@@ -160,30 +169,27 @@ impl PictureCache {
 mod tests {
     use super::*;
 
-    fn encoded(text: &str) -> Arc<[u8]> {
-        Arc::from(text.as_bytes())
-    }
-
     #[test]
     fn a_picture_is_asked_for_and_the_one_before_it_stays_until_it_comes() {
         let context = Context::default();
         let mut cache = PictureCache::default();
-        let (first, second) = (encoded("first"), encoded("second"));
-        assert_eq!(cache.update(&context, 4, Some(first.clone())), None);
-        assert!(
-            cache
-                .wanted()
-                .is_some_and(|(f, b)| f == 4 && Arc::ptr_eq(b, &first))
-        );
-        cache.prepare(4, &first, 2, &[255; 16]);
+        assert_eq!(cache.update(&context, 4, Some(4)), None);
+        assert_eq!(cache.wanted(), Some((4, 4)));
+        cache.prepare(4, 4, 2, &[255; 16]);
         assert!(cache.wanted().is_none(), "it is here");
-        assert_eq!(cache.update(&context, 4, Some(first.clone())), Some(4));
+        assert_eq!(cache.update(&context, 4, Some(4)), Some(4));
         assert!(cache.texture().is_some());
-        assert_eq!(cache.update(&context, 5, Some(second.clone())), Some(4));
+        assert_eq!(cache.update(&context, 5, Some(5)), Some(4));
         assert!(cache.texture().is_some(), "no flicker");
-        assert_eq!(cache.wanted().map(|w| w.0), Some(5));
-        cache.prepare(5, &second, 2, &[0; 16]);
-        assert_eq!(cache.update(&context, 5, Some(second)), Some(5));
+        assert_eq!(cache.wanted(), Some((5, 5)));
+        cache.prepare(5, 5, 2, &[0; 16]);
+        assert_eq!(cache.update(&context, 5, Some(5)), Some(5));
+        cache.forget(5);
+        assert_eq!(
+            cache.update(&context, 5, Some(5)),
+            None,
+            "it is another one"
+        );
         assert_eq!(cache.update(&context, 6, None), None);
         assert!(cache.texture().is_none(), "an older picture would lie");
     }
@@ -192,15 +198,12 @@ mod tests {
     fn what_comes_on_the_way_of_a_long_scrub_is_shown() {
         let context = Context::default();
         let mut cache = PictureCache::default();
-        let pictures: Vec<_> = (0..9).map(|i| encoded(&i.to_string())).collect();
-        let at = |cache: &mut PictureCache, frame: usize| {
-            cache.update(&context, frame, Some(pictures[frame].clone()))
-        };
-        cache.prepare(2, &pictures[2], 2, &[255; 16]);
+        let at = |cache: &mut PictureCache, frame| cache.update(&context, frame, Some(frame));
+        cache.prepare(2, 2, 2, &[255; 16]);
         assert_eq!(at(&mut cache, 2), Some(2));
-        cache.prepare(4, &pictures[4], 2, &[255; 16]);
-        cache.prepare(5, &pictures[5], 2, &[255; 16]);
-        cache.prepare(8, &pictures[8], 2, &[255; 16]);
+        cache.prepare(4, 4, 2, &[255; 16]);
+        cache.prepare(5, 5, 2, &[255; 16]);
+        cache.prepare(8, 8, 2, &[255; 16]);
         assert_eq!(at(&mut cache, 7), Some(5), "not 8, which is to come");
         assert_eq!(at(&mut cache, 3), Some(4), "on the way back");
     }
@@ -209,13 +212,28 @@ mod tests {
     fn a_picture_that_cannot_be_read_is_told_and_not_asked_for_again() {
         let context = Context::default();
         let mut cache = PictureCache::default();
-        let (broken, good) = (encoded("broken"), encoded("good"));
-        cache.update(&context, 0, Some(broken.clone()));
-        cache.refuse(0, &broken, "it is cut off.");
-        assert_eq!(cache.update(&context, 0, Some(broken.clone())), None);
+        cache.update(&context, 0, Some(0));
+        cache.refuse(0, "it is cut off.");
+        assert_eq!(cache.update(&context, 0, Some(0)), None);
         assert!(cache.trouble().is_some_and(|why| why.contains("cut off")));
         assert!(cache.wanted().is_none());
-        cache.update(&context, 1, Some(good));
+        cache.update(&context, 1, Some(1));
         assert!(cache.trouble().is_none() && cache.wanted().is_some());
+    }
+
+    #[test]
+    fn decoded_pictures_stay_within_their_memory_and_two_always_stay() {
+        let mut cache = PictureCache::default();
+        let of = |bytes: usize| vec![7; bytes];
+        for frame in 0..40 {
+            cache.prepare(frame, frame, 1024, &of(4 << 20));
+        }
+        let kept: Vec<usize> = (0..40).filter(|key| cache.is_prepared(*key)).collect();
+        assert_eq!(kept, (24..40).collect::<Vec<_>>());
+        for frame in 40..43 {
+            cache.prepare(frame, frame, 1024, &of(48 << 20));
+        }
+        let kept: Vec<usize> = (0..43).filter(|key| cache.is_prepared(*key)).collect();
+        assert_eq!(kept, [41, 42]);
     }
 }

@@ -160,7 +160,6 @@ impl State {
             match_pictures: None,
             tokens,
             units: Units::Metric,
-
             flying: None,
             commands: &mut commands,
         };

@@ -38,7 +38,6 @@ fn harness(time: f64) -> Harness<'static, State> {
                     match_pictures: None,
                     tokens: &Tokens::dark(),
                     units: Units::Metric,
-
                     flying: None,
                     commands: &mut state.commands,
                 };

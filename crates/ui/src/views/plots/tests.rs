@@ -34,7 +34,6 @@ fn harness() -> Harness<'static, State> {
                 match_pictures: None,
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
-
                 flying: None,
                 commands: &mut state.commands,
             };

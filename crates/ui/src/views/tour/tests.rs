@@ -40,7 +40,6 @@ fn harness_while(playing: bool) -> Harness<'static, State> {
                 match_pictures: None,
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
-
                 flying: None,
                 commands: &mut state.commands,
             };

@@ -73,8 +73,6 @@ pub struct ScriptedHost {
     pub opens: Option<Opened>,
     /// Look at opened files as a worker does.
     pub really_open: bool,
-    /// Bytes behind each camera picture, so that they take memory as large ones do.
-    pub padding: usize,
     /// Height of the ground in the elevation model that is opened, metres.
     pub heights: Option<fn(&GroundPoint) -> f64>,
 }
@@ -93,7 +91,6 @@ fn is_real(job: &Job) -> bool {
             | Job::Find(_)
             | Job::Pack(_)
             | Job::Export(_)
-            | Job::DecodePicture(_)
             | Job::Smooth(_)
     )
 }
@@ -245,10 +242,9 @@ impl ScriptedHost {
         }
         say(JobEvent::RunStarted(Box::new(run_head(&mission))));
         say(JobEvent::Steps(steps));
-        let encoded = encoded_picture(self.padding);
         for index in 0..flight().frames.len() {
-            let encoded = encoded.clone();
-            say(JobEvent::FramePicture { index, encoded });
+            let digest = None;
+            say(JobEvent::FrameTaken { index, digest });
         }
         say(JobEvent::Finished);
     }
@@ -268,8 +264,7 @@ impl ScriptedHost {
                 self.fly(id, mission.as_ref());
             }
             Job::FramePicture(order) => {
-                let (index, encoded) = (order.index, encoded_picture(self.padding));
-                say(JobEvent::FramePicture { index, encoded });
+                say(picture(order.index));
                 say(JobEvent::Finished);
             }
             Job::Contest(order) if !self.silent_contests => {
@@ -357,12 +352,13 @@ impl ScriptedHost {
     }
 }
 
-/// A small camera picture as PNG, with so many bytes behind its end.
-fn encoded_picture(padding: usize) -> Vec<u8> {
-    let picture = Raster::filled(8, 6, [90, 110, 70]);
-    let mut encoded = pilotage_core::raster::encode_png(&picture).unwrap_or_default();
-    encoded.resize(encoded.len() + padding, 0);
-    encoded
+/// Pixels of a camera picture of the invented flight.
+pub fn picture(index: usize) -> JobEvent {
+    JobEvent::FramePicture {
+        index,
+        width: 8,
+        pixels: [90, 110, 70, 255].repeat(48),
+    }
 }
 
 /// The invented run as the judgement of every estimator.
