@@ -3,16 +3,21 @@ import { framesOf, isFilm } from "./video.js";
 
 /** Maps, heights and logs larger than this many bytes stay where they are; workers read pieces of them. */
 const LARGE = 4 << 20;
+/** Pictures that are more bytes than this together stay where they are as well. */
+const MANY = 16 << 20;
 const READ_BY_PIECES = /\.(tiff?|pmtiles|hgt|bin|log|ulg|tlog|mcap)$/i;
+const PICTURE = /\.(jpe?g|png)$/i;
 async function gather(list) {
   const paths = [], contents = [];
+  const pictures = list.filter(([path]) => PICTURE.test(path));
+  const areMany = pictures.reduce((sum, [, file]) => sum + file.size, 0) > MANY;
   for (const [path, file] of list) {
     try {
       if (isFilm(path)) {
-        for (const [frame, bytes] of await framesOf(path, file)) { paths.push(frame); contents.push(bytes); }
+        for (const [frame, content] of await framesOf(path, file)) { paths.push(frame); contents.push(content); }
         continue;
       }
-      const stays = file.size > LARGE && READ_BY_PIECES.test(path);
+      const stays = (file.size > LARGE && READ_BY_PIECES.test(path)) || (areMany && PICTURE.test(path));
       contents.push(stays ? file : new Uint8Array(await file.arrayBuffer()));
       paths.push(path);
     } catch (error) {

@@ -29,7 +29,8 @@ function progress(name) {
   return told;
 }
 
-/** [path, bytes] of the frames of a film and of `frames.csv` beside them; what was taken before a stop stays. */
+/** [path, picture] of the frames of a film, and [path, bytes] of `frames.csv` beside them; what was taken before a
+ * stop stays. The browser keeps the pictures, outside the memory of the page. */
 export async function framesOf(path, file) {
   const told = progress(path);
   const film = document.createElement("video");
@@ -53,7 +54,7 @@ export async function framesOf(path, file) {
       context.drawImage(film, 0, 0);
       const picture = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.92 });
       const frame = `frame-${String(i).padStart(5, "0")}.jpg`;
-      found.push([`${path}.frames/${frame}`, new Uint8Array(await picture.arrayBuffer())]);
+      found.push([`${path}.frames/${frame}`, picture]);
       table += `${film.currentTime.toFixed(3)},${frame}\n`;
     }
     found.push([`${path}.frames/frames.csv`, new TextEncoder().encode(table)]);
