@@ -23,13 +23,14 @@ impl From<Day> for FlightDay {
 
 /// The scenario of that name, or an error that lists those there are.
 pub fn scenario(name: &str) -> Result<Scenario, String> {
-    Scenario::named(name).ok_or_else(|| {
-        let names: Vec<&str> = Scenario::all().iter().map(|s| s.name).collect();
-        format!(
-            "there is no scenario \"{name}\"; there are: {}",
-            names.join(", ")
-        )
-    })
+    Scenario::named(name).ok_or_else(|| unknown(name))
+}
+
+/// The error about a name that no scenario has.
+pub fn unknown(name: &str) -> String {
+    let names: Vec<&str> = Scenario::all().iter().map(|s| s.name).collect();
+    let names = names.join(", ");
+    format!("there is no scenario \"{name}\"; there are: {names}")
 }
 
 /// The seeds "A..B".

@@ -5,14 +5,13 @@ use std::path::PathBuf;
 use pilotage_core::flight::files::FileSink;
 use pilotage_core::flight::write_flight;
 use pilotage_core::imagery::{Georeference, Imagery, Window, WorldFile};
-use pilotage_core::mission::{place_files, write_mission};
-use pilotage_core::navigator::VehicleChoice;
+use pilotage_core::mission::{MapReference, place_files, write_mission};
 use pilotage_core::raster::encode_png;
-use pilotage_core::simulate::{IndoorHall, Overrides, SimulationChoice};
+use pilotage_core::simulate::{Overrides, Scenario, SimulationChoice, lay_out_world};
 
 use crate::Outcome;
 use crate::files::Directory;
-use crate::scenario::{Day, scenario};
+use crate::scenario::{Day, unknown};
 
 /// Arguments of `pilotage simulate`.
 #[derive(clap::Args)]
@@ -40,7 +39,8 @@ pub fn list() {
             "{}\n    {}\n    {}",
             choice.name, choice.title, choice.description
         );
-        if choice.is_indoors {
+        // The other commands fly scenarios over the generated country.
+        if Scenario::named(choice.name).is_none() {
             println!(
                 "    For the page, and for `pilotage simulate`, which writes its map and its mission beside it."
             );
@@ -51,24 +51,36 @@ pub fn list() {
 
 /// Flies a scenario, or over a map of one's own, and writes it.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let is_hall = arguments.scenario.as_deref() == Some(IndoorHall::NAME);
-    let hall = is_hall.then(IndoorHall::default);
-    let mut flown = match (&hall, &arguments.scenario) {
-        (Some(hall), _) => hall.simulate(arguments.seed),
-        (None, Some(name)) => {
-            let overrides = Overrides {
-                day: Some(arguments.day.into()),
-                ..Overrides::default()
-            };
-            scenario(name)?.simulate(arguments.seed, &overrides)
-        }
-        (None, None) => crate::own_map::fly(&arguments.own, arguments.seed, arguments.day.into())?,
+    let (mut flown, beside) = if let Some(name) = &arguments.scenario {
+        let choice = SimulationChoice::named(name).ok_or_else(|| unknown(name))?;
+        let world = lay_out_world(choice.world.key()).ok_or_else(|| unknown(name))?;
+        let overrides = Overrides {
+            day: Some(arguments.day.into()),
+            ..Overrides::default()
+        };
+        let flown = world.fly(name, arguments.seed, &overrides);
+        let missions = world.missions(name, &overrides);
+        (flown.ok_or_else(|| unknown(name))?, Some((world, missions)))
+    } else {
+        let day = arguments.day.into();
+        (
+            crate::own_map::fly(&arguments.own, arguments.seed, day)?,
+            None,
+        )
     };
     std::fs::create_dir_all(&arguments.out)
         .map_err(|e| format!("{}: {e}", arguments.out.display()))?;
     let mut sink = Directory::open(&arguments.out)?;
-    if let Some(hall) = &hall {
-        write_hall(hall, &mut sink)?;
+    if let Some((world, missions)) = &beside {
+        let usual = missions
+            .first()
+            .and_then(|(_, mission)| mission.map.as_ref());
+        if let Some(MapReference::Picture(map)) = usual {
+            write_map(map, world.map().as_ref(), &mut sink)?;
+            for (file, mission) in missions {
+                sink.write(file, write_mission(mission).as_bytes())?;
+            }
+        }
     }
     let mut shown = usize::MAX;
     write_flight(
@@ -92,13 +104,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
     Ok(())
 }
 
-/// Writes the drawing of the floor with its place, and a mission for each process model.
-fn write_hall(hall: &IndoorHall, sink: &mut dyn FileSink) -> Outcome {
-    const MAP: &str = "map.png";
-    let map = IndoorHall::map();
+/// Writes a map as a picture with its place.
+fn write_map(name: &str, map: &dyn Imagery, sink: &mut dyn FileSink) -> Outcome {
     let (bounds, gsd) = (map.bounds(), map.native_gsd());
     let pixels = map.window(&Window::covering(&bounds, gsd));
-    sink.write(MAP, &encode_png(&pixels.map(|[r, g, b, _]| [r, g, b]))?)?;
+    sink.write(name, &encode_png(&pixels.map(|[r, g, b, _]| [r, g, b]))?)?;
     let place = Georeference::Metres(WorldFile {
         a: gsd,
         d: 0.0,
@@ -107,14 +117,8 @@ fn write_hall(hall: &IndoorHall, sink: &mut dyn FileSink) -> Outcome {
         c: bounds.west + 0.5 * gsd,
         f: bounds.north - 0.5 * gsd,
     });
-    for (name, bytes) in place_files(MAP, &place) {
+    for (name, bytes) in place_files(name, &place) {
         sink.write(&name, &bytes)?;
-    }
-    for (name, vehicle) in [
-        ("mission.geojson", VehicleChoice::Multirotor),
-        ("mission-velocity.geojson", VehicleChoice::VelocityDriven),
-    ] {
-        sink.write(name, write_mission(&hall.mission(vehicle)).as_bytes())?;
     }
     Ok(())
 }

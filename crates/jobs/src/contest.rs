@@ -170,7 +170,7 @@ mod tests {
                 wind: None,
                 height: None,
             }),
-            map: MapSource::Scenery,
+            map: MapSource::world("countryside"),
             mission,
         };
         let mut host = InlineWorkers::new();

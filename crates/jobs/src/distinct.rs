@@ -99,7 +99,7 @@ impl Order for DistinctnessOrder {
     }
 
     fn is_small(&self) -> bool {
-        self.map.is_built_in()
+        self.map.is_small()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

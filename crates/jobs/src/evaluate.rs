@@ -408,7 +408,7 @@ mod tests {
         }
         EvaluationOrder {
             about: AssessmentOrder {
-                map: MapSource::Scenery,
+                map: MapSource::world("countryside"),
                 landmark,
                 camera: Scenario::camera(),
                 height: scenario.height,

@@ -53,7 +53,7 @@ impl Order for ExplainOrder {
     }
 
     fn is_small(&self) -> bool {
-        self.flight.is_built_in() && self.map.is_built_in()
+        self.flight.is_small() && self.map.is_small()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

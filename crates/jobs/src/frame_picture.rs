@@ -50,7 +50,7 @@ impl Order for FramePictureOrder {
     }
 
     fn is_small(&self) -> bool {
-        matches!(self.form, PictureForm::PixelsOf(_)) || self.flight.is_built_in()
+        matches!(self.form, PictureForm::PixelsOf(_)) || self.flight.is_small()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

@@ -19,7 +19,7 @@ fn fly(scenario: &str) -> Job {
             wind: None,
             height: None,
         }),
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         mission: None,
     })
 }
@@ -94,7 +94,7 @@ fn a_tile_asked_for_during_a_flight_comes_before_the_flight_goes_on() {
         1.0,
     );
     let tile = host.start(Job::Tile(TileOrder {
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         window,
     }));
     let events = host.events();
@@ -130,7 +130,7 @@ fn measure(shares: usize) -> crate::Assessment {
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
     let mission = scenario.mission();
     let order = Box::new(AssessmentOrder {
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         landmark: mission.landmarks[0].clone(),
         camera: Scenario::camera(),
         height: scenario.height,
@@ -178,7 +178,7 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
     let navigator = scenario.navigator();
     let order = Box::new(SuggestOrder {
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         view: FieldView {
             camera: Scenario::camera(),
             height: scenario.height,

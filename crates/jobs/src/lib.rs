@@ -92,7 +92,7 @@ pub use programs::{Abilities, Begin, Program};
 pub use provided::{LetGoOrder, ProvideOrder};
 pub use runner::JobRunner;
 pub use share::{ShareOrder, Shareable};
-pub use simulated::{scenario_route, scenario_wind};
+pub use simulated::scenario_wind;
 pub use smooth::SmoothOrder;
 pub use suggest::ProposeOrder;
 pub use tables::{COLUMNS_FILE, MakeFlightOrder, write_columns};

@@ -24,7 +24,7 @@ impl Order for DescribeMapOrder {
     }
 
     fn is_small(&self) -> bool {
-        self.0.is_built_in()
+        self.0.is_small()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
@@ -63,7 +63,7 @@ impl Order for TileOrder {
     }
 
     fn is_small(&self) -> bool {
-        self.map.is_built_in()
+        self.map.is_small()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

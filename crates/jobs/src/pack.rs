@@ -35,7 +35,7 @@ pub fn pack(worker: &WorkerState, order: &PackOrder) -> Result<(Vec<u8>, Option<
 /// The files that a map is made from: its own and what belongs beside it.
 fn map_files(worker: &WorkerState, map: &MapSource) -> Files {
     let (key, stated) = match map {
-        MapSource::Scenery | MapSource::Hall | MapSource::Nothing => return Ok(Vec::new()),
+        MapSource::World(_) | MapSource::Nothing => return Ok(Vec::new()),
         MapSource::Web(web) => {
             let name = &web.template.name;
             return Err(format!(

@@ -186,7 +186,7 @@ fn what_a_mission_file_lacks_is_said_with_where_to_have_it() {
     let (_, lacks) = packed(&[], MapSource::Web(web));
     assert!(lacks.is_some_and(|l| l.contains("Some tiles")));
 
-    let (bytes, lacks) = packed(&[], MapSource::Scenery);
+    let (bytes, lacks) = packed(&[], MapSource::world("countryside"));
     assert_eq!(lacks, None);
     assert!(read_package(&bytes).unwrap().files.is_empty());
 }

@@ -17,7 +17,7 @@ fn order() -> TrainOrder {
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
     let mission = scenario.mission();
     TrainOrder {
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         landmark: mission.landmarks[0].clone(),
         camera: Scenario::camera(),
         height: scenario.height,

@@ -12,7 +12,9 @@ fn the_small_program_flies_and_the_whole_one_is_opened_by_the_first_job_that_nee
         NotingPort(seat, notes.clone())
     });
     worker_pool.start(fly());
-    worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
+    worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::world(
+        "countryside",
+    ))));
     assert_eq!(
         *opened.borrow(),
         [(0, Program::Flying), (1, Program::Flying)]
@@ -27,7 +29,7 @@ fn a_small_job_goes_to_the_whole_program_where_only_that_is_there() {
     let (mut worker_pool, notes) = worker_pool();
     worker_pool.start(provide());
     worker_pool.start(describe_files());
-    let scenery = || Job::DescribeMap(DescribeMapOrder(MapSource::Scenery));
+    let scenery = || Job::DescribeMap(DescribeMapOrder(MapSource::world("countryside")));
     let id = worker_pool.start(scenery());
     assert_eq!(
         sent_to(&notes, WHOLE_SHOWS).last(),

@@ -59,7 +59,7 @@ fn fly() -> Job {
             wind: None,
             height: None,
         }),
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         mission: None,
     })
 }
@@ -106,11 +106,13 @@ fn a_picture_is_decoded_where_least_waits() {
 fn a_question_does_not_wait_behind_a_flight() {
     let (mut worker_pool, notes) = worker_pool();
     let flight = worker_pool.start(fly());
-    let question = worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
+    let question = worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::world(
+        "countryside",
+    ))));
     assert_eq!(sent_to(&notes, 0), [Request::Start(flight, fly())]);
     let asked = Request::Start(
         question,
-        Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)),
+        Job::DescribeMap(DescribeMapOrder(MapSource::world("countryside"))),
     );
     assert_eq!(sent_to(&notes, 1), [asked]);
 }
@@ -272,7 +274,9 @@ fn a_worker_with_a_new_job_stays_without_the_files_that_nobody_needs() {
     worker_pool.start(provide());
     let id = worker_pool.start(describe_files());
     worker_pool.let_go(&std::collections::BTreeSet::new());
-    let next = worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
+    let next = worker_pool.start(Job::DescribeMap(DescribeMapOrder(MapSource::world(
+        "countryside",
+    ))));
     for id in [id, next] {
         worker_pool.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
     }
@@ -303,7 +307,7 @@ fn order() -> AssessmentOrder {
     let scenario = pilotage_core::simulate::Scenario::named("distinct-400ft-calm").unwrap();
     let mission = scenario.mission();
     AssessmentOrder {
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         landmark: mission.landmarks[0].clone(),
         camera: pilotage_core::simulate::Scenario::camera(),
         height: scenario.height,
@@ -399,7 +403,7 @@ fn a_coarse_prediction_does_not_wait_behind_a_whole_one() {
 fn two_workers_share_a_proposal_and_a_third_job_chooses() {
     let of = order();
     let asked = SuggestOrder {
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         view: pilotage_core::plan::FieldView {
             camera: of.camera,
             height: of.height,

@@ -7,7 +7,7 @@ fn train(left: Option<crate::TrainingLeft>) -> Job {
     use pilotage_core::frames::{GroundPoint, GroundRect};
     let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
     Job::Train(Box::new(crate::TrainOrder {
-        map: MapSource::Scenery,
+        map: MapSource::world("countryside"),
         landmark: pilotage_core::landmark::Landmark::new(1, "barn", bounds),
         camera: pilotage_core::camera::CameraModel::pinhole(640, 480, 1.0),
         height: 120.0,
@@ -56,7 +56,7 @@ fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() 
     let area = GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0);
     let window = pilotage_core::imagery::Window::covering(&area, 1.0);
     for _ in 0..4 {
-        let map = MapSource::Scenery;
+        let map = MapSource::world("countryside");
         worker_pool.start(Job::Tile(TileOrder { map, window }));
     }
     let training = worker_pool.start(train(None));

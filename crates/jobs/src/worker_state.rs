@@ -12,8 +12,7 @@ use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
 };
-use pilotage_core::simulate::Scenario;
-use pilotage_core::simulate::scenery::Scenery;
+use pilotage_core::simulate::LaidWorld;
 
 use super::fetched_tiles::{FetchedTiles, WEB_TILES};
 use super::file_pool::FilePool;
@@ -80,6 +79,8 @@ pub struct Opens {
     pub map: fn(&mut WorkerState, &MapSource) -> OpenedMap,
     /// Opens a flight; the error says in words why not.
     pub flight: fn(&mut WorkerState, &FlightSource) -> Result<OpenFlight, String>,
+    /// Lays out the world of a key, if there is one.
+    pub world: fn(&str) -> Option<Arc<dyn LaidWorld>>,
 }
 
 /// The store of a worker. Everything in it can be made anew from the files.
@@ -96,7 +97,8 @@ pub struct WorkerState {
     log: Option<(String, String, Rc<RefCell<Log>>)>,
     /// Series of that log which were asked for last.
     samples: KeptSamples,
-    scenery: Option<Scenery>,
+    /// Worlds that were laid out, by key.
+    worlds: Vec<(String, Arc<dyn LaidWorld>)>,
     /// A map and how it looks on other days; of one map at a time.
     days: Option<(Vec<u8>, Days)>,
     /// A map and the days on which its landmarks are rehearsed.
@@ -115,7 +117,7 @@ impl WorkerState {
             flights: BTreeMap::new(),
             log: None,
             samples: KeptSamples::default(),
-            scenery: None,
+            worlds: Vec::new(),
             days: None,
             rehearsal: None,
         }
@@ -304,11 +306,13 @@ impl WorkerState {
 
     /// Source of a map's looks on other days.
     pub(super) fn others(&mut self, source: &MapSource) -> Result<Box<dyn OtherDays>, String> {
-        Ok(match source {
-            MapSource::Scenery => Box::new(SceneryDays {
-                scenery: self.scenery(),
-            }),
-            _ => Box::new(PictureDays::new(self.map(source)?)),
+        let scenery = match source {
+            MapSource::World(key) => self.world(key)?.scenery(),
+            _ => None,
+        };
+        Ok(match scenery {
+            Some(scenery) => Box::new(SceneryDays { scenery }),
+            None => Box::new(PictureDays::new(self.map(source)?)),
         })
     }
 
@@ -317,9 +321,15 @@ impl WorkerState {
         &self.fetched
     }
 
-    /// The generated ground, laid out once; clones share it.
-    pub(super) fn scenery(&mut self) -> Scenery {
-        self.scenery.get_or_insert_with(Scenario::map).clone()
+    /// The world of a key, laid out once.
+    pub(super) fn world(&mut self, key: &str) -> Result<Arc<dyn LaidWorld>, String> {
+        if let Some((_, world)) = self.worlds.iter().find(|(own, _)| own == key) {
+            return Ok(world.clone());
+        }
+        let world = (self.opens.world)(key);
+        let world = world.ok_or("this worker does not know that world; load the page again")?;
+        self.worlds.push((key.to_owned(), world.clone()));
+        Ok(world)
     }
 
     /// A flight, opened once; the one before it is let go.

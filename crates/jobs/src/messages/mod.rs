@@ -27,6 +27,7 @@ mod predict;
 mod request;
 mod series;
 mod source;
+mod stored_map;
 mod suggest;
 mod train;
 mod web_map;

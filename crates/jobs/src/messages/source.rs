@@ -2,10 +2,13 @@
 
 use pilotage_core::frames::Geodetic;
 use pilotage_core::imagery::Georeference;
-use pilotage_core::simulate::IndoorHall;
+use pilotage_core::simulate::{
+    FlightDay, Overrides, SimulationChoice, WORLDS, Wind, World, is_small_world,
+};
 use serde::{Deserialize, Serialize};
 
 use super::WebMap;
+use super::stored_map::StoredMap;
 
 /// Options of a built-in scenario that the user may change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,26 +37,38 @@ impl SimulationOptions {
         }
     }
 
-    /// Whether it is the flight in the hall.
-    pub fn is_indoors(&self) -> bool {
-        self.scenario == IndoorHall::NAME
+    /// The world that it is flown in.
+    pub fn world(&self) -> &'static dyn World {
+        SimulationChoice::named(&self.scenario).map_or(WORLDS[0], |choice| choice.world)
     }
 
     /// The map that it is flown by.
     pub fn map(&self) -> MapSource {
-        if self.is_indoors() {
-            MapSource::Hall
+        MapSource::world(self.world().key())
+    }
+
+    /// Values that it has otherwise than its scenario.
+    pub fn overrides(&self) -> Overrides {
+        let day = if self.other_day {
+            FlightDay::Other
         } else {
-            MapSource::Scenery
+            FlightDay::Same
+        };
+        Overrides {
+            wind: self.wind.map(|(from, speed)| Wind { from, speed }),
+            height: self.height,
+            day: Some(day),
+            ..Overrides::default()
         }
     }
 }
 
 /// Source of a map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "StoredMap", into = "StoredMap")]
 pub enum MapSource {
-    /// The generated scenery that the built-in scenarios use as their map.
-    Scenery,
+    /// Map of the built-in world of this key.
+    World(String),
     /// Files that the page gave to the worker under this key (see [`crate::ProvideOrder`]).
     Files(String),
     /// The map among files of this key, put into the world frame around an origin.
@@ -78,20 +93,27 @@ pub enum MapSource {
     Web(WebMap),
     /// No map.
     Nothing,
-    /// The drawing of the floor of the hall.
-    Hall,
 }
 
 impl MapSource {
-    /// Whether the program has it without any file.
-    pub fn is_built_in(&self) -> bool {
-        matches!(self, Self::Scenery | Self::Hall | Self::Nothing)
+    /// Map of the built-in world of a key.
+    pub fn world(key: &str) -> Self {
+        Self::World(key.to_owned())
+    }
+
+    /// Whether the small program opens it.
+    pub fn is_small(&self) -> bool {
+        match self {
+            Self::World(key) => is_small_world(key),
+            Self::Nothing => true,
+            _ => false,
+        }
     }
 
     /// Key of the files that it is made from, if it is.
     pub fn key(&self) -> Option<&str> {
         match self {
-            Self::Scenery | Self::Hall | Self::Web(_) | Self::Nothing => None,
+            Self::World(_) | Self::Web(_) | Self::Nothing => None,
             Self::Files(key) | Self::Placed { key, .. } | Self::Picture { key, .. } => Some(key),
         }
     }
@@ -102,7 +124,7 @@ impl MapSource {
             Self::Placed { origin, .. } => Some(*origin),
             Self::Picture { origin, .. } => *origin,
             Self::Web(map) => Some(map.origin),
-            Self::Scenery | Self::Hall | Self::Files(_) | Self::Nothing => None,
+            Self::World(_) | Self::Files(_) | Self::Nothing => None,
         }
     }
 
@@ -114,7 +136,7 @@ impl MapSource {
             Self::Placed { origin, .. } => *origin = to,
             Self::Picture { origin, .. } => *origin = Some(to),
             Self::Web(map) => map.origin = to,
-            Self::Scenery | Self::Hall | Self::Files(_) | Self::Nothing => {}
+            Self::World(_) | Self::Files(_) | Self::Nothing => {}
         }
         moved
     }
@@ -140,8 +162,87 @@ impl FlightSource {
         }
     }
 
-    /// Whether the program has it without any file.
-    pub fn is_built_in(&self) -> bool {
-        matches!(self, Self::Simulated(_) | Self::Nothing)
+    /// Whether the small program opens it.
+    pub fn is_small(&self) -> bool {
+        match self {
+            Self::Simulated(options) => is_small_world(options.world().key()),
+            Self::Nothing => true,
+            Self::Files(_) => false,
+        }
+    }
+}
+
+impl From<MapSource> for StoredMap {
+    fn from(map: MapSource) -> Self {
+        match map {
+            MapSource::World(key) => match key.as_str() {
+                "countryside" => Self::Scenery,
+                "hall" => Self::Hall,
+                _ => Self::World(key),
+            },
+            MapSource::Files(key) => Self::Files(key),
+            MapSource::Placed { key, origin } => Self::Placed { key, origin },
+            MapSource::Picture {
+                key,
+                name,
+                origin,
+                place,
+            } => Self::Picture {
+                key,
+                name,
+                origin,
+                place,
+            },
+            MapSource::Web(map) => Self::Web(map),
+            MapSource::Nothing => Self::Nothing,
+        }
+    }
+}
+
+impl From<StoredMap> for MapSource {
+    fn from(map: StoredMap) -> Self {
+        match map {
+            StoredMap::Scenery => Self::world("countryside"),
+            StoredMap::Hall => Self::world("hall"),
+            StoredMap::World(key) => Self::World(key),
+            StoredMap::Files(key) => Self::Files(key),
+            StoredMap::Placed { key, origin } => Self::Placed { key, origin },
+            StoredMap::Picture {
+                key,
+                name,
+                origin,
+                place,
+            } => Self::Picture {
+                key,
+                name,
+                origin,
+                place,
+            },
+            StoredMap::Web(map) => Self::Web(map),
+            StoredMap::Nothing => Self::Nothing,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::simulate::WORLDS;
+
+    #[test]
+    fn worlds_older_than_keys_are_stored_under_their_names_and_each_is_one_that_there_is() {
+        for (stored, key) in [("\"Scenery\"", "countryside"), ("\"Hall\"", "hall")] {
+            let map: MapSource = serde_json::from_str(stored).unwrap();
+            assert_eq!(map, MapSource::world(key));
+            assert_eq!(serde_json::to_string(&map).unwrap(), stored);
+            assert!(WORLDS.iter().any(|world| world.key() == key));
+        }
+        let other = MapSource::world("another");
+        let stored = serde_json::to_string(&other).unwrap();
+        assert_eq!(stored, r#"{"World":"another"}"#);
+        assert_eq!(serde_json::from_str::<MapSource>(&stored).unwrap(), other);
+        // The order of the variants is that of the wire.
+        let hall = postcard::to_stdvec(&MapSource::world("hall")).unwrap();
+        assert_eq!(hall, [6]);
     }
 }

@@ -6,6 +6,8 @@
 mod flying;
 mod whole;
 
+use pilotage_core::simulate::{lay_out_small_world, lay_out_world};
+
 use super::worker_state::Opens;
 use super::{Job, RunningJob, WorkerState};
 
@@ -59,6 +61,7 @@ impl Abilities {
         opens: Opens {
             map: flying::open_map,
             flight: flying::open_flight,
+            world: lay_out_small_world,
         },
     };
 
@@ -68,6 +71,7 @@ impl Abilities {
         opens: Opens {
             map: whole::open_map,
             flight: whole::open_flight,
+            world: lay_out_world,
         },
     };
 }
@@ -75,6 +79,8 @@ impl Abilities {
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
+
+    use pilotage_core::simulate::{WORLDS, is_small_world};
 
     use super::super::{
         Advance, DescribeMapOrder, FlightSource, FlyOrder, JobEvent, MapSource, PrepareMapOrder,
@@ -124,12 +130,16 @@ mod tests {
                 height: None,
             })
         };
-        for job in [
-            fly(simulated("distinct-400ft-wind"), MapSource::Scenery),
-            fly(simulated("indoor-hall"), MapSource::Hall),
-            Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)),
+        // One flight of each of its worlds.
+        let worlds = WORLDS.iter().filter(|world| is_small_world(world.key()));
+        let flights = worlds.map(|world| {
+            let name = world.flights()[0].name;
+            fly(simulated(name), MapSource::world(world.key()))
+        });
+        for job in flights.chain([
+            Job::DescribeMap(DescribeMapOrder(MapSource::world("countryside"))),
             Job::DescribeMap(DescribeMapOrder(MapSource::Nothing)),
-        ] {
+        ]) {
             assert_eq!(Program::of(&job), Program::Flying, "{job:?}");
             let events = said(job.clone());
             assert!(
@@ -140,9 +150,12 @@ mod tests {
         let files = || MapSource::Files("drop".to_owned());
         for job in [
             fly(simulated("distinct-400ft-wind"), files()),
-            fly(FlightSource::Files("drop".to_owned()), MapSource::Scenery),
+            fly(
+                FlightSource::Files("drop".to_owned()),
+                MapSource::world("countryside"),
+            ),
             Job::DescribeMap(DescribeMapOrder(files())),
-            Job::PrepareMap(PrepareMapOrder(MapSource::Scenery)),
+            Job::PrepareMap(PrepareMapOrder(MapSource::world("countryside"))),
         ] {
             assert_eq!(Program::of(&job), Program::Whole, "{job:?}");
             let why = said(job.clone()).expect_err("the small program has no such ability");

@@ -15,9 +15,7 @@ use super::flying;
 /// Opens a map.
 pub fn open_map(worker: &mut WorkerState, source: &MapSource) -> OpenedMap {
     match source {
-        MapSource::Scenery | MapSource::Hall | MapSource::Nothing => {
-            flying::open_map(worker, source)
-        }
+        MapSource::World(_) | MapSource::Nothing => flying::open_map(worker, source),
         MapSource::Web(map) => Ok(Arc::new(map.open(worker.fetched()))),
         MapSource::Files(key) => {
             let files = worker.files(key)?;

@@ -152,9 +152,9 @@ impl App {
         }
         self.playback.playing = !self.planning() && !self.shows_photos();
         self.views.planner.fitted = false;
-        // All of a recorded flight is shown at once, and all of the hall.
+        // All of a recorded flight is shown at once, and all of a small world.
         let is_whole = match &self.documents.flight_source {
-            FlightSource::Simulated(options) => options.is_indoors(),
+            FlightSource::Simulated(options) => options.world().is_shown_whole(),
             FlightSource::Files(_) => true,
             FlightSource::Nothing => false,
         };

@@ -2,6 +2,7 @@
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::Route;
+use pilotage_core::simulate::SimulationChoice;
 
 use super::App;
 use crate::command::{Command, Workspace};
@@ -11,7 +12,7 @@ use crate::plan::{
     Cover, FindCommand, FindPick, HeatCommand, Outlook, Pattern, PlanCommand, PlanTab, flown,
     planner as planning,
 };
-use pilotage_jobs::{AssessmentOrder, FlightSource, JobEvent, JobId, scenario_route};
+use pilotage_jobs::{AssessmentOrder, FlightSource, JobEvent, JobId};
 
 /// Width of a corridor when it is made, metres.
 const CORRIDOR: f64 = 200.0;
@@ -136,14 +137,17 @@ impl App {
     }
 
     fn take_flight_route(&mut self, now: f64) {
-        let (route, title) = match &self.documents.flight_source {
-            FlightSource::Simulated(options) => (
-                scenario_route(options).ok(),
-                "The flight in the hall has no planned route",
-            ),
-            _ => (None, "A recorded flight has no planned route"),
+        let (route, flight) = match &self.documents.flight_source {
+            FlightSource::Simulated(options) => {
+                let choice = SimulationChoice::named(&options.scenario);
+                let route = choice.and_then(|choice| choice.route(options.height));
+                let place = options.world().place();
+                (route, format!("The flight in {place}"))
+            }
+            _ => (None, "A recorded flight".to_owned()),
         };
         let Some(route) = route else {
+            let title = format!("{flight} has no planned route");
             let text = "Draw a route instead: click on the map where it begins.";
             self.toasts.note(now, title, text);
             return;

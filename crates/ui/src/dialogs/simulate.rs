@@ -79,14 +79,14 @@ impl SimulateDialog {
 
     fn options(&self) -> SimulationOptions {
         let choice = &self.choices[self.scenario];
-        let is_outdoors = !choice.is_indoors;
+        let is_variable = choice.world.is_variable();
         let wind = (self.wind_from, self.wind_speed);
         SimulationOptions {
             scenario: choice.name.to_owned(),
             seed: self.seed,
-            other_day: is_outdoors && self.other_day,
-            wind: (is_outdoors && self.own_wind).then_some(wind),
-            height: (is_outdoors && self.own_height).then_some(self.height),
+            other_day: is_variable && self.other_day,
+            wind: (is_variable && self.own_wind).then_some(wind),
+            height: (is_variable && self.own_height).then_some(self.height),
         }
     }
 
@@ -149,14 +149,13 @@ impl SimulateDialog {
         }
         self.adopt();
         ui.add_space(tokens.space);
-        // The hall has a day, a draught and a height of its own.
-        if !self.choices[self.scenario].is_indoors {
-            self.outdoors(ui, tokens, units);
+        if self.choices[self.scenario].world.is_variable() {
+            self.variable(ui, tokens, units);
         }
         self.seed(ui, tokens);
     }
 
-    fn outdoors(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+    fn variable(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
         caption(ui, tokens, "Day");
         ui.horizontal(|ui| {
             ui.radio_value(&mut self.other_day, true, "Another day than the map");

@@ -133,10 +133,7 @@ impl Documents {
 
     /// Whether the map shows ground that was photographed.
     pub fn has_real_map(&self) -> bool {
-        !matches!(
-            self.map_source,
-            MapSource::Nothing | MapSource::Scenery | MapSource::Hall
-        )
+        !matches!(self.map_source, MapSource::Nothing | MapSource::World(_))
     }
 
     /// Who made the map, to be shown with it; `None` if nobody said.

@@ -58,7 +58,7 @@ fn the_hall_is_flown_over_its_floor_as_it_is() {
     };
     assert_eq!(options.scenario, "indoor-hall");
     assert_eq!((options.other_day, options.height), (false, None));
-    assert_eq!(map, MapSource::Hall);
+    assert_eq!(map, MapSource::world("hall"));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! A world to try the method in: flights with sensors, and the built-in scenarios.
 
 mod aerial_camera;
-mod choice;
+mod countryside;
 mod county;
 mod dryden;
 mod flight;
@@ -14,9 +14,10 @@ mod route;
 mod scenario;
 pub mod scenery;
 mod sensors;
+mod world;
+mod worlds;
 
 pub use aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
-pub use choice::SimulationChoice;
 pub use county::County;
 pub use dryden::{DrydenGust, Turbulence};
 pub use flight::{FlightPlan, Target, TrueFlight};
@@ -27,3 +28,5 @@ pub use guidance::{GuidanceSettings, PathFollower};
 pub use hall::IndoorHall;
 pub use scenario::{Overrides, Scenario, Wind, world_origin};
 pub use sensors::{SensorError, SensorSpec};
+pub use world::{LaidWorld, SimulationChoice, World};
+pub use worlds::{WORLDS, is_small_world, lay_out_small_world, lay_out_world};

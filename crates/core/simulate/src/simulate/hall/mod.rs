@@ -2,11 +2,14 @@
 
 mod floor;
 mod quadcopter;
+mod world;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::{Point3, Vector2, Vector3};
+
+pub(super) use self::world::Hall;
 
 use self::floor::{FLOOR_SIDE, Floor};
 use self::quadcopter::{Quadcopter, QuadcopterState, Reference};
