@@ -14,6 +14,7 @@ mod route;
 mod scenario;
 pub mod scenery;
 mod sensors;
+mod toy;
 mod world;
 mod worlds;
 

@@ -35,6 +35,7 @@ worlds! {
     small {
         Countryside,
         Hall,
+        super::toy::SaltFlat,
     }
     whole {}
 }
