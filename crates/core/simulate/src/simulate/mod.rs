@@ -14,7 +14,6 @@ mod route;
 mod scenario;
 pub mod scenery;
 mod sensors;
-mod toy;
 mod world;
 mod worlds;
 

@@ -35,7 +35,6 @@ worlds! {
     small {
         Countryside,
         Hall,
-        super::toy::SaltFlat,
     }
     whole {}
 }
