@@ -61,8 +61,8 @@ export async function run(page, tools) {
   await tools.waitFor((s) => s.plan.measured.length > 0, "it measured", 120_000);
   tools.say(`measured after ${((Date.now() - measuring) / 1e3).toFixed(1)} s`);
   await tools.screenshot("suggest-measured");
-  await tools.click(await resting("From which heights"));
-  const panel = (await resting("From which heights")).rect;
+  await tools.click(await resting("Best altitude"));
+  const panel = (await resting("Best altitude")).rect;
   await tools.waitFor((s) => s.plan.envelopes.some((e) => e.looks >= 60), "looks from every height", 120_000);
   await tools.find("Image", /^Detection envelope: 5 heights by 4 tilts, [1-9]\d* looks$/);
   await page.mouse.move((panel[0] + panel[2]) / 2, 620);

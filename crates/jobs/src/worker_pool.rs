@@ -330,8 +330,9 @@ impl<P: WorkerPort> WorkerPool<P> {
                 self.tell(id, JobEvent::Progress(0.0, text));
                 self.assign(id, assigned.job, assigned.restarts + 1);
             } else {
-                let text = "The work stopped again and again, perhaps for lack of memory. \
-                    Your documents are safe; try a smaller map or fewer frames."
+                let text = "The part of the app that does this stopped three times, for lack of memory or because it could \
+                    not be loaded. Your documents are safe. Check the connection and try again, or try a smaller map or \
+                    fewer frames."
                     .to_owned();
                 self.tell(id, JobEvent::Failed(text));
             }

@@ -28,4 +28,30 @@ impl Units {
             Self::Aviation => (3600.0 / 1852.0, "kt"),
         }
     }
+
+    /// A distance of metres that may be short, and its unit: centimetres below a metre, tenths of a foot.
+    pub fn short_distance(self, metres: f64) -> (String, &'static str) {
+        let (factor, unit) = self.length();
+        if self == Self::Metric && metres < 0.995 {
+            return (format!("{:.0}", 100.0 * metres), "cm");
+        }
+        (format!("{:.1}", metres * factor), unit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_distances_are_told_in_centimetres_where_people_have_them() {
+        let of = |metres| Units::Metric.short_distance(metres);
+        assert_eq!(of(0.043), ("4".to_owned(), "cm"));
+        assert_eq!(of(0.996), ("1.0".to_owned(), "m"));
+        assert_eq!(of(3.44), ("3.4".to_owned(), "m"));
+        assert_eq!(
+            Units::Aviation.short_distance(0.043),
+            ("0.1".to_owned(), "ft")
+        );
+    }
 }

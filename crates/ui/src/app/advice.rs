@@ -24,9 +24,8 @@ pub(super) fn advice(
         return None;
     }
     let text = if documents.run.is_some() {
-        "This aircraft finds its way without GPS. White dots are where it may be: they spread while \
-         nothing is recognised and shrink when the camera finds a landmark. Drag the time below, or press N and \
-         draw a landmark of your own."
+        "This aircraft finds its way without GPS. The dots show where it might be: they spread until the camera \
+         recognises a landmark, then draw together. Drag the time below, or press N and draw a landmark of your own."
             .to_owned()
     } else if let Some(words) = job_words {
         format!("Preparing the demo flight: {words}")

@@ -341,10 +341,7 @@ fn foot(ui: &mut Ui, tokens: &Tokens, draft: &ColumnsDraft, commands: &mut Vec<C
             }
         });
         let cancelled = text_button(ui, tokens, None, "Cancel", false).clicked();
-        ui.label(muted(
-            tokens,
-            "The present flight is replaced once this one begins.",
-        ));
+        ui.label(muted(tokens, "Replaces the current flight."));
         cancelled
     })
     .inner

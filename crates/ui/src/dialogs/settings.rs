@@ -183,7 +183,7 @@ fn spread(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
     meaning(
         ui,
         tokens,
-        "How far the sigma points stand from the mean: 1 is about one σ, 1e-4 is hardly apart.",
+        "Spread of the sigma points: α·√n standard deviations from the mean, n the number of states.",
     );
     named(ui, "β", "", |ui| {
         ui.add(

@@ -120,10 +120,7 @@ impl SimulateDialog {
                     if text_button(ui, tokens, None, "Cancel", false).clicked() {
                         close = true;
                     }
-                    ui.label(muted(
-                        tokens,
-                        "The present flight is replaced once this one begins.",
-                    ));
+                    ui.label(muted(tokens, "Replaces the current flight."));
                 });
                 close
             });
@@ -174,7 +171,7 @@ impl SimulateDialog {
 
     fn wind(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
         caption(ui, tokens, "Wind");
-        ui.checkbox(&mut self.own_wind, "Another wind than the scenario’s");
+        ui.checkbox(&mut self.own_wind, "Override wind");
         ui.add_enabled_ui(self.own_wind, |ui| {
             ui.horizontal(|ui| {
                 let mut degrees = self.wind_from.to_degrees();
@@ -232,7 +229,7 @@ impl SimulateDialog {
     }
 
     fn seed(&mut self, ui: &mut Ui, tokens: &Tokens) {
-        caption(ui, tokens, "Seed of all chance");
+        caption(ui, tokens, "Random seed");
         ui.horizontal(|ui| {
             ui.add(DragValue::new(&mut self.seed).range(0..=999_999))
                 .accessible_name("Seed");

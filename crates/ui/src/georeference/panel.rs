@@ -27,7 +27,7 @@ impl Georeferencer {
         units: Units,
         commands: &mut Vec<Command>,
     ) {
-        if title(ui, tokens, "Put the picture on the ground") {
+        if title(ui, tokens, "Georeference picture") {
             send(commands, GeoreferenceCommand::Close);
         }
         ui.label(muted(tokens, self.next_step()));
@@ -76,7 +76,7 @@ impl Georeferencer {
                 .hint_text("46.8571, -92.0765 or east north");
             let field = ui.add(field).accessible_name("Coordinates of the place");
             let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
-            let pressed = text_button(ui, tokens, None, "Take", false).clicked();
+            let pressed = text_button(ui, tokens, None, "Add point", false).clicked();
             if field.changed() {
                 self.typed_wrong = None;
             }

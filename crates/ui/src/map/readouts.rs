@@ -1,6 +1,7 @@
 //! The few numbers that matter at the time cursor, above the map.
 
 use egui::{Align2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use pilotage_core::filter::circle_radius;
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::navigator::StepReport;
 
@@ -12,28 +13,45 @@ use crate::tokens::Tokens;
 struct Readout {
     name: &'static str,
     value: String,
-    unit: String,
+    unit: &'static str,
+    /// Whether it is beyond what was promised.
+    is_broken: bool,
 }
+
+/// Probability with which the position is within the distance that is told.
+const HELD: f64 = 0.95;
 
 fn readouts(context: &ViewContext<'_>, ground: &Ground, step: &StepReport) -> Vec<Readout> {
     let (length, length_unit) = context.units.length();
     let (speed, speed_unit) = context.units.speed();
-    let mut list = Vec::new();
-    let mut add = |name, value: String, unit: &str| {
-        list.push(Readout {
-            name,
-            value,
-            unit: unit.to_owned(),
-        });
-    };
-    let deviation = step.after.position_covariance().trace().max(0.0).sqrt() * length;
-    add("Position known to", format!("±{deviation:.1}"), length_unit);
+    let radius = circle_radius(&step.after.position_covariance(), HELD);
+    let (within, within_unit) = context.units.short_distance(radius);
+    let mut list = vec![Readout {
+        name: "Position within (95 %)",
+        value: within,
+        unit: within_unit,
+        is_broken: false,
+    }];
     let truth = context.flight.and_then(|f| f.truth.as_ref());
     if let Some(truth) = truth.and_then(|t| t.position(step.time)) {
         let own = step.after.position();
-        let error = (own.north - truth.x).hypot(own.east - truth.y) * length;
-        add("Really off by", format!("{error:.1}"), length_unit);
+        let error = (own.north - truth.x).hypot(own.east - truth.y);
+        let (value, unit) = context.units.short_distance(error);
+        list.push(Readout {
+            name: "True error",
+            value,
+            unit,
+            is_broken: error > radius,
+        });
     }
+    let mut add = |name, value: String, unit| {
+        list.push(Readout {
+            name,
+            value,
+            unit,
+            is_broken: false,
+        });
+    };
     let wind = context.run.and_then(|run| {
         let at = |name| run.state_index(name).map(|i| step.after.mean[i]);
         Some((at("wind north")?, at("wind east")?))
@@ -42,7 +60,7 @@ fn readouts(context: &ViewContext<'_>, ground: &Ground, step: &StepReport) -> Ve
         let from = (-east).atan2(-north).to_degrees().rem_euclid(360.0);
         let strength = north.hypot(east) * speed;
         add(
-            "Wind learned",
+            "Wind (estimated) from",
             if strength < 0.05 {
                 "0.0".to_owned()
             } else {
@@ -78,7 +96,7 @@ pub fn paint_readouts(
 ) -> Rect {
     let tokens: &Tokens = context.tokens;
     let mut list = readouts(context, ground, step);
-    let cell = vec2(118.0, 44.0);
+    let cell = vec2(128.0, 44.0);
     list.truncate((room / cell.x).max(1.0) as usize);
     let size = vec2(cell.x * list.len() as f32 + 8.0, cell.y);
     let rect = Rect::from_min_size(left_top, size);
@@ -107,10 +125,15 @@ pub fn paint_readouts(
             tokens.small(),
             tokens.muted,
         );
+        let color = if readout.is_broken {
+            tokens.warning
+        } else {
+            tokens.text
+        };
         let unit = painter.text(
             pos2(right, rect.bottom() - 6.0),
             Align2::RIGHT_BOTTOM,
-            &readout.unit,
+            readout.unit,
             tokens.small(),
             tokens.muted,
         );
@@ -119,7 +142,7 @@ pub fn paint_readouts(
             Align2::RIGHT_BOTTOM,
             &readout.value,
             tokens.normal(),
-            tokens.text,
+            color,
         );
     }
     rect

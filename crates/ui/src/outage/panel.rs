@@ -36,8 +36,8 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageSc
     wrapped(
         ui,
         tokens.muted,
-        "What would be known of the position had satellite navigation failed: the program learns from the \
-             flight up to the cut, goes on by airspeed and heading alone, and is compared with the receiver.",
+        "How far off would it be if GPS failed here? The program learns from the flight up to the cut, goes on by \
+             airspeed and heading alone, and is compared with the receiver.",
     );
     choose(ui, context, scene);
     if let Some(words) = &scene.outages.work.words
@@ -191,7 +191,7 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
             .size(tokens.text_sizes[0])
             .color(tokens.muted)
     };
-    let titles = ["median", "9 of 10", "in 95 %"].map(str::to_owned);
+    let titles = ["median", "90th", "in ellipse"].map(str::to_owned);
     table::row(ui, tokens, &titles, tokens.muted, |ui| {
         ui.label(small(&format!("{cuts} cuts, end error, {unit}")));
     });

@@ -58,7 +58,7 @@ fn row(ui: &mut Ui, label: &str, add: impl FnOnce(&mut Ui)) {
 fn heat(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     let mut heat = planner.preferences.heat;
-    caption(ui, tokens, "Where a fix would be had");
+    caption(ui, tokens, "Where landmarks can be recognised");
     ui.horizontal(|ui| {
         ui.checkbox(&mut heat.shown, "Heat map");
         ui.add_enabled_ui(heat.shown, |ui| {
@@ -132,7 +132,7 @@ fn heat_state(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         ui.label(muted(
             tokens,
             format!(
-                "{:.0} % of the map is blind from {:.0} {unit} above ground.",
+                "No landmark in view over {:.0} % of the map from {:.0} {unit} above ground.",
                 100.0 * share,
                 order.view.height * factor
             ),
@@ -277,15 +277,15 @@ fn length(
 
 fn wishes(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
     let mut wanted = planner.preferences.find;
-    row(ui, "Lead it over", |ui| {
+    row(ui, "Use", |ui| {
         ui.selectable_value(&mut wanted.over, HeatOf::Map, "any good place");
         ui.selectable_value(&mut wanted.over, HeatOf::Landmarks, "my landmarks");
     });
-    row(ui, "Keep small", |ui| {
+    row(ui, "Minimise", |ui| {
         ui.selectable_value(&mut wanted.aim, Aim::Mean, "the mean");
         ui.selectable_value(&mut wanted.aim, Aim::Worst, "the worst uncertainty");
     });
-    row(ui, "For at most", |ui| {
+    row(ui, "Detour up to", |ui| {
         ui.selectable_value(&mut wanted.budget_of, BudgetOf::Length, "length");
         ui.selectable_value(&mut wanted.budget_of, BudgetOf::Time, "time");
         let mut percent = 100.0 * (wanted.budget - 1.0);
@@ -366,7 +366,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
             change(shortest.time, surest.time),
         ),
         (
-            "Worst σ",
+            "Largest error (1σ)",
             metres(shortest.worst),
             metres(surest.worst),
             change(shortest.worst, surest.worst),

@@ -137,7 +137,7 @@ fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut Vi
         };
         button(ui, context, None, label, true, PlanCommand::AssessSelected);
         let survey = PlanCommand::SurveyEnvelope;
-        button(ui, context, None, "From which heights", false, survey);
+        button(ui, context, None, "Best altitude", false, survey);
         let copy = PlanCommand::DuplicateLandmark;
         button(ui, context, None, "Duplicate", false, copy);
     });

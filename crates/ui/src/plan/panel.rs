@@ -83,10 +83,7 @@ impl Planner {
             } else {
                 ", refining …"
             };
-            Some((
-                shown,
-                format!("{count} ways in which detections may turn out{rough}"),
-            ))
+            Some((shown, format!("{count} simulated flights{rough}")))
         } else {
             None
         };

@@ -24,7 +24,7 @@ pub fn plan_readouts(
     };
     let cells = [
         (
-            "Worst σ",
+            "Largest error (1σ)",
             format!("{:.1} {unit}", outlook.sigma * factor),
             false,
         ),
@@ -38,9 +38,9 @@ pub fn plan_readouts(
             format!("{:.0} s", outlook.dead_reckoning),
             false,
         ),
-        ("Over the limit", over, outlook.stretches > 0),
+        ("Too uncertain", over, outlook.stretches > 0),
     ];
-    let cell = vec2(112.0, 44.0);
+    let cell = vec2(120.0, 44.0);
     let rect = Rect::from_min_size(left_top, vec2(cell.x * cells.len() as f32 + 8.0, cell.y));
     let response = ui.interact(rect, ui.scope_id().with("plan readouts"), Sense::hover());
     response.widget_info(|| {

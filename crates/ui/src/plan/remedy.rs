@@ -141,9 +141,9 @@ impl Remedies {
         let short = |metres: f64| format!("{:.1} {unit}", metres * factor);
         let begin = distance_text(worst.stretch.begin, units);
         let mut list = vec![format!(
-            "What mends the worst stretch: a landmark at {begin} of the way, or before.{}",
+            "To fix the worst stretch, add a landmark at {begin} of the way, or before.{}",
             self.would_be(1).map_or_else(String::new, |sigma| format!(
-                " One there, found as is assumed, makes its σ {} instead of {}.",
+                " Found as assumed, it makes the largest error {} instead of {} (1σ).",
                 short(sigma),
                 short(worst.stretch.sigma)
             ))

@@ -21,7 +21,7 @@ impl Planner {
         let Some(worst) = self.remedies.worst else {
             return;
         };
-        if text_button(ui, tokens, None, "Find another line past it", false).clicked() {
+        if text_button(ui, tokens, None, "Reroute around the worst stretch", false).clicked() {
             for command in [
                 FindCommand::Begin,
                 FindCommand::Click(worst.begin),

@@ -211,7 +211,7 @@ fn prediction(
 ) {
     let tokens = context.tokens;
     ui.horizontal(|ui| {
-        caption(ui, tokens, "How well it knows its place");
+        caption(ui, tokens, "Predicted accuracy");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let (factor, unit) = context.units.length();
             let mut limit = planner.preferences.limit * factor;

@@ -55,7 +55,7 @@ fn playback() -> Vec<Entry> {
             Command::Jump(-5.0),
         ),
         of(
-            "On 5 seconds",
+            "Forward 5 seconds",
             vec![shift(Key::ArrowRight)],
             Command::Jump(5.0),
         ),

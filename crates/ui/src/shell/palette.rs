@@ -141,7 +141,10 @@ impl Palette {
                                 }
                             }
                             if entries.is_empty() {
-                                ui.label(super::muted(tokens, "No command has these letters."));
+                                ui.label(super::muted(
+                                    tokens,
+                                    "No command found. Try “route”, “export” or “landmark”.",
+                                ));
                             }
                         });
                 });

@@ -159,7 +159,7 @@ fn the_app_is_drawn_for_people_to_look_at() {
         scene.work(40, 20.0);
         scene.click("Measure how well it is found");
         scene.until("/plan/measured/0");
-        scene.click("From which heights");
+        scene.click("Best altitude");
         scene.until("/plan/envelopes/0");
         while !scene.state()["plan"]["surveying"].is_null() {
             scene.work(1, 20.0);

@@ -47,9 +47,9 @@ impl EstimatorChoice {
     /// Description of the estimator, in a sentence.
     pub fn description(self) -> &'static str {
         match self {
-            Self::Unscented => "Sends sigma points through the models and believes in a Gaussian.",
+            Self::Unscented => "Propagates sigma points through the models; assumes a Gaussian.",
             Self::Extended => {
-                "Sends the mean and the slopes of the models, and believes in a Gaussian."
+                "Propagates the mean and the slopes of the models; assumes a Gaussian."
             }
             Self::Particles => {
                 "Sends many random states through the models and believes in any distribution."

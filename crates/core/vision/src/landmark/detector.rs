@@ -171,7 +171,7 @@ impl Refusal {
             Self::Ambiguous => "a second place looks nearly as good",
             Self::AtSearchEdge => "the best place lies at the edge of the search region",
             Self::OutOfPicture => "the patch is cut by the edge of the picture",
-            Self::OutsideGate => "the innovation is too large for its covariance",
+            Self::OutsideGate => "it lies too far from where it was expected",
             Self::Contradicted => "it contradicts the other landmarks of the frame",
             Self::LookAlike => {
                 "it may be a look-alike of the landmark, which may be out of the picture"

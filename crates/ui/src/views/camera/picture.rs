@@ -42,7 +42,8 @@ impl PictureCache {
             return self.refuse(key, "its rows are of different lengths.");
         }
         let picture = ColorImage::from_rgba_premultiplied([width, height], pixels);
-        self.prepared.push_back((Shown { frame, key }, Arc::new(picture)));
+        self.prepared
+            .push_back((Shown { frame, key }, Arc::new(picture)));
         let prepared = &mut self.prepared;
         let mut all: usize = prepared.iter().map(|(_, it)| bytes(it)).sum();
         while all > MEMORY && prepared.len() > FEWEST {

@@ -63,7 +63,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
             parts::reading(ui, tokens, &reading.deviation(sigma));
         }
         if let Some(scale) = candidate.log_scale {
-            let reading = Reading::new("Larger by", parts::brief(100.0 * scale.exp_m1()), "%");
+            let reading = Reading::new("Scale", parts::brief(100.0 * scale.exp_m1()), "%");
             parts::reading(ui, tokens, &reading.deviation(figures(100.0 * sigma(3))));
         }
         let place = sigma(0).max(sigma(1));
@@ -92,7 +92,7 @@ fn by_scores(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate: &Cand
     let ambiguity = picking::ambiguity(candidate);
     let second = Reading::new(
         format!(
-            "Second best over best (at most {})",
+            "Runner-up / best match (limit {})",
             figures(detector.greatest_ambiguity)
         ),
         parts::brief(ambiguity),

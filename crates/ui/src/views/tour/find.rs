@@ -61,7 +61,7 @@ fn shrinking(run: &Run, units: Units) -> Option<Moment> {
     let (factor, unit) = units.length();
     let text = format!(
         "The sigma points are a handful of guesses that together stand for how unsure the filter is; each is asked where the landmark would appear. \
-         Those that disagree with the camera lose: here the 1σ shrinks from {} to {} {unit} in one step.",
+         The estimate moves toward what the camera saw, and the less spread remains, the surer it is: here the 1σ shrinks from {} to {} {unit} in one step.",
         figures(factor * sigma(&step.predicted)),
         figures(factor * sigma(&step.after))
     );
@@ -127,7 +127,7 @@ fn refused(run: &Run) -> Option<Moment> {
             || {
                 if candidate.second_score > 0.0 {
                     format!(
-                        "score {:.2}, second place {:.2}",
+                        "score {:.2}, runner-up {:.2}",
                         candidate.score, candidate.second_score
                     )
                 } else {

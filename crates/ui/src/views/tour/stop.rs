@@ -89,7 +89,7 @@ impl Stop {
             }
             Self::Shrinking => look("Step to the next picture", vec![Command::StepFrames(1)]),
             Self::Refused => look(
-                "See its pictures in the match view (Learn leads back here)",
+                "Open in match view",
                 vec![
                     Command::SelectLandmark(moment.and_then(|m| m.landmark)),
                     Command::ShowMatch,

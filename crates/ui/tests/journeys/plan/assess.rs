@@ -36,7 +36,7 @@ fn a_landmark_is_looked_at_from_other_heights_and_with_other_tilts() {
     rig.open_tab("Landmarks");
     rig.harness.get_by_label_contains("Chapel: ").click();
     rig.settle();
-    rig.harness.get_by_label("From which heights").click();
+    rig.harness.get_by_label("Best altitude").click();
     rig.settle();
     assert_eq!(number(&rig, "/envelopes/0/id"), 2.0);
     assert_eq!(number(&rig, "/envelopes/0/looks"), 12.0);
@@ -61,7 +61,7 @@ fn what_was_measured_is_there_after_a_reload() {
     let measure = "Measure how well it is found";
     rig.harness.get_by_label(measure).click();
     rig.settle();
-    rig.harness.get_by_label("From which heights").click();
+    rig.harness.get_by_label("Best altitude").click();
     rig.settle();
     let host = ScriptedHost {
         stored: rig.host().stored.clone(),

@@ -14,7 +14,7 @@ fn the_heat_map_is_shown_by_its_key_and_tells_how_much_of_the_map_is_blind() {
     rig.harness
         .get_by_label_contains("Legend: Probability of a fix");
     rig.harness
-        .get_by_label_contains("50 % of the map is blind");
+        .get_by_label_contains("No landmark in view over 50 % of the map");
     rig.harness.get_by_label("Blind areas only").click();
     rig.settle();
     assert_eq!(rig.state()["plan"]["heat"]["blind"], true);

@@ -19,14 +19,14 @@ fn the_worst_stretch_is_told_with_what_a_landmark_or_more_height_would_do_and_an
         ["0", "1", "2"].map(|i| number(&rig, &format!("/remedies/sigmas/{i}")));
     assert!(aided < 0.95 * planned, "{planned} {aided} {higher}");
     rig.harness
-        .get_by_label_contains("What mends the worst stretch: a landmark at ");
+        .get_by_label_contains("To fix the worst stretch, add a landmark at ");
     rig.harness.get_by_label_contains("above ground its σ is");
     let (north, east) = (
         number(&rig, "/remedies/place/0"),
         number(&rig, "/remedies/place/1"),
     );
     rig.harness
-        .get_by_label("Find another line past it")
+        .get_by_label("Reroute around the worst stretch")
         .click();
     rig.settle();
     assert_eq!(rig.state()["plan"]["tab"], "Ground");

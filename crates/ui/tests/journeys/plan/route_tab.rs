@@ -98,7 +98,7 @@ fn a_lower_limit_marks_a_stretch_and_says_how_long_it_is() {
     assert_eq!(count(&rig, "Over your limit of 1.0 m"), 1);
     let readouts = |rig: &Rig| {
         let nowhere =
-            |text: Option<String>| text.is_some_and(|t| t.contains("Over the limit: nowhere"));
+            |text: Option<String>| text.is_some_and(|t| t.contains("Too uncertain: nowhere"));
         let found = rig
             .harness
             .query_all_by(|n| nowhere(n.label()) || nowhere(n.value()));
