@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use pilotage_core::calibration::{CameraPrior, CameraToLog, Estimated, camera_to_log};
 use pilotage_core::flight::read_flight;
-use pilotage_core::navigator::{Summary, summarize};
+use pilotage_core::navigator::{NavigatorSettings, Summary, summarize};
 use serde::Serialize;
 
 use crate::Outcome;
 use crate::files::{Directory, MAP_CACHE, open_map};
-use crate::replay::{by_whole_frames, navigate};
+use crate::replay::navigate;
 
 /// Arguments of `pilotage align`: a flight and the map beside it.
 #[derive(clap::Args)]
@@ -50,7 +50,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     for note in &folder.notes {
         eprintln!("note: {note}");
     }
-    let mut settings = by_whole_frames();
+    let mut settings = NavigatorSettings::without_mission(&folder.flight, true);
     crate::filter_options::apply(&mut settings, &arguments.filter)?;
     let map = open_map(&arguments.map, folder.flight.frame_on_globe, MAP_CACHE)?;
     let mut frames = folder.frames;

@@ -9,10 +9,7 @@ use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{
-    Navigator, NavigatorSettings, Run, Summary, VehicleChoice, summarize,
-};
-use pilotage_core::registration::FollowSettings;
+use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, Summary, summarize};
 use pilotage_core::simulate::{Overrides, Scenario};
 use serde::Serialize;
 
@@ -121,7 +118,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
             let mission = OpenMission::read(path)?.package.mission;
             (mission.landmarks, mission.navigator)
         }
-        None => (Vec::new(), by_whole_frames()),
+        None => (
+            Vec::new(),
+            NavigatorSettings::without_mission(&flight, true),
+        ),
     };
     crate::filter_options::apply(&mut settings, &arguments.filter)?;
     let imagery = open_map(map, flight.frame_on_globe, MAP_CACHE)?;
@@ -136,15 +136,6 @@ pub fn run(arguments: &Arguments) -> Outcome {
     )?;
     let summary = summarize(&flight, &run, None);
     report(arguments, &flight, &run, &summary)
-}
-
-/// Settings for a flight of which no mission is known: nothing but its pictures and the map.
-pub fn by_whole_frames() -> NavigatorSettings {
-    NavigatorSettings {
-        vehicle: VehicleChoice::ConstantVelocity,
-        whole_frames: Some(FollowSettings::default()),
-        ..NavigatorSettings::default()
-    }
 }
 
 /// Navigates a flight to its end; a `sparing` one takes no pictures in which nothing may lie.

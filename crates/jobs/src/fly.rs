@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use pilotage_core::flight::{ChannelName, Flight};
+use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Navigator, NavigatorSettings, StepReport, VehicleChoice};
+use pilotage_core::navigator::{Navigator, NavigatorSettings, StepReport};
 
 use serde::{Deserialize, Serialize};
 
@@ -87,35 +87,14 @@ impl Fly {
     }
 }
 
-/// Steps between two pictures that people may still want to look at one by one: more are taken together.
-const MOST_STEPS: usize = 50_000;
-
-/// Shortest step by which a flight makes no more than [`MOST_STEPS`], seconds; zero if it makes fewer anyway.
-fn shortest_step(flight: &Flight) -> f64 {
-    let times = |name| flight.channel(name).map_or(&[][..], |c| &c.times);
-    let names = [ChannelName::Airspeed, ChannelName::Heading];
-    let samples: usize = names.into_iter().map(|name| times(name).len()).sum();
-    let (first, last) = flight.span();
-    if samples > MOST_STEPS {
-        (last - first) / MOST_STEPS as f64
-    } else {
-        0.0
-    }
-}
-
 /// A mission without landmarks for a flight that came without one, so that landmarks can be picked
 /// over it.
 fn bare_mission(flight: &Flight) -> Mission {
-    let mut navigator = NavigatorSettings::default();
-    if flight.channel(ChannelName::Airspeed).is_none() {
-        navigator.vehicle = VehicleChoice::RandomWalk;
-    }
-    navigator.shortest_step = shortest_step(flight);
     let origin = flight
         .frame_on_globe
         .map_or_else(pilotage_core::simulate::world_origin, |frame| frame.origin);
     Mission {
-        navigator,
+        navigator: NavigatorSettings::without_mission(flight, false),
         ..Mission::new(flight.name.clone(), origin)
     }
 }
@@ -249,29 +228,5 @@ impl Order for FlyOrder {
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Fly::new(self.flight, self.map, self.mission))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use pilotage_core::flight::Channel;
-    use pilotage_core::simulate::{Overrides, Scenario};
-
-    use super::*;
-
-    #[test]
-    fn a_long_flight_of_fast_sensors_is_flown_in_steps_that_can_be_looked_at() {
-        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
-        let mut flight = scenario.fly(1, &Overrides::default());
-        assert_eq!(shortest_step(&flight), 0.0);
-        let times: Vec<f64> = (0..200_000).map(|i| 0.01 * f64::from(i)).collect();
-        flight.channels.retain(|c| c.name != ChannelName::Heading);
-        flight.channels.push(Channel {
-            name: ChannelName::Heading,
-            values: vec![0.0; times.len()],
-            times,
-        });
-        let step = shortest_step(&flight);
-        assert!((0.035..0.045).contains(&step), "{step}");
     }
 }

@@ -3,6 +3,7 @@
 mod adjustment;
 mod estimator;
 mod navigator;
+mod without_mission;
 
 pub use adjustment::CameraAdjustment;
 pub use estimator::{EstimatorChoice, EstimatorSettings};
