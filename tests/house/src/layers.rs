@@ -32,7 +32,7 @@ pub const ORDERS: [&Order; 8] = [
     },
     &Order {
         sources: "crates/core/estimation/src",
-        folders: &["filter", "vehicle"],
+        folders: &["filter", "vehicle", "estimator"],
     },
     &Order {
         sources: "crates/core/raster/src",

@@ -3,11 +3,12 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix4, Point2, Point3, Vector4};
 
 use super::attention::{attended, probability_of_view};
-use super::engine::{CorrectedStep, Engine, Expectation, MeasurementModel};
+use super::engine::{CorrectedStep, Engine, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
 use super::region::{may_be_in_view, reach};
 use super::{CandidateReport, Outcome};
 use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_estimation::estimator::Expectation;
 use pilotage_estimation::filter::{FilterError, Gate};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::raster::Pyramid;

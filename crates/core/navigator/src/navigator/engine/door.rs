@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::navigator::Estimate;
 use pilotage_base::frames::GroundPoint;
+use pilotage_estimation::estimator::Expectation;
 use pilotage_estimation::filter::FilterError;
 use pilotage_estimation::vehicle::ControlInput;
 
@@ -17,12 +18,6 @@ pub struct PredictedStep {
     pub after: Estimate,
     pub sigma_before: DMatrix<f64>,
     pub sigma_after: DMatrix<f64>,
-}
-
-/// Expected measurement, with its covariance.
-pub struct Expectation {
-    pub mean: DVector<f64>,
-    pub covariance: DMatrix<f64>,
 }
 
 /// A correction, for the report.

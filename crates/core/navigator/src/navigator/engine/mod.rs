@@ -1,25 +1,21 @@
 //! The filter behind one door, whatever the size of its state.
 
 mod door;
-mod estimator;
-mod extended;
-mod particles;
+mod filter_engine;
 #[cfg(test)]
 mod tests;
-mod unscented;
 mod vehicle;
 
 use std::sync::Arc;
 
-use self::estimator::FilterEngine;
+use self::filter_engine::FilterEngine;
 use pilotage_base::frames::GroundPoint;
-use pilotage_estimation::filter::{
-    Ekf, FilterError, ParticleFilter, Redraw, Ukf, UnscentedSettings,
-};
+use pilotage_estimation::estimator::{Estimator, EstimatorVisitor, FilterSettings};
+use pilotage_estimation::filter::{FilterError, Redraw, UnscentedSettings};
 use pilotage_estimation::vehicle::{AnyVehicle, VehicleModel, VehicleVisitor};
-use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings};
+use pilotage_mission::settings::NavigatorSettings;
 
-pub use door::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
+pub use door::{CorrectedStep, Engine, MeasurementModel, PredictedStep};
 pub use vehicle::{map_error, vehicle, visit_model};
 
 /// The settings of the sigma points, which every estimator shows.
@@ -32,6 +28,17 @@ pub fn unscented(settings: &NavigatorSettings) -> UnscentedSettings {
         } else {
             Redraw::CarriedThrough
         },
+    }
+}
+
+/// A vehicle model that waits for its estimator.
+struct On<const N: usize>(AnyVehicle<N>);
+
+impl<const N: usize> EstimatorVisitor<N> for On<N> {
+    type Output = Box<dyn Engine>;
+
+    fn visit<F: Estimator<N> + 'static>(self, estimator: F) -> Self::Output {
+        Box::new(FilterEngine::new(estimator, self.0))
     }
 }
 
@@ -55,20 +62,12 @@ pub fn engine(
         {
             let model: AnyVehicle<N> = Arc::new(model);
             let prior = model.prior(self.position, self.deviation);
-            let unscented = unscented(self.settings);
             let estimator = &self.settings.estimator;
-            Ok(match estimator.choice {
-                EstimatorChoice::Unscented => {
-                    Box::new(FilterEngine::new(Ukf::new(prior, unscented)?, model))
-                }
-                EstimatorChoice::Extended => {
-                    Box::new(FilterEngine::new(Ekf::new(prior, unscented)?, model))
-                }
-                EstimatorChoice::Particles => {
-                    let filter = ParticleFilter::new(&prior, estimator.particles, unscented)?;
-                    Box::new(FilterEngine::new(filter, model))
-                }
-            })
+            let settings = FilterSettings {
+                points: unscented(self.settings),
+                particles: estimator.particles,
+            };
+            estimator.choice.begin(&prior, &settings, On(model))
         }
     }
     visit_model(

@@ -1,13 +1,23 @@
-//! The unscented Kalman filter as an engine.
+//! The unscented Kalman filter as an estimator of a vehicle.
 
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::door::Expectation;
-use super::estimator::{Corrected, Estimator, StateModel};
-use pilotage_estimation::filter::{FilterError, Gaussian, Prediction, SigmaPoints, Ukf};
-use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
+use super::kind::{Corrected, Estimator, EstimatorInfo, Expectation, FilterSettings, StateModel};
+use crate::filter::{FilterError, Gaussian, Prediction, SigmaPoints, Ukf};
+use crate::vehicle::{ControlInput, VehicleModel};
+
+/// Description for people.
+pub(super) const INFO: EstimatorInfo = EstimatorInfo {
+    key: "ukf",
+    label: "Unscented Kalman filter",
+    description: "Propagates sigma points through the models; assumes a Gaussian.",
+};
 
 impl<const N: usize> Estimator<N> for Ukf<N> {
+    fn begin(prior: &Gaussian<N>, settings: &FilterSettings) -> Result<Self, FilterError> {
+        Self::new(*prior, settings.points)
+    }
+
     fn belief(&self) -> Gaussian<N> {
         self.state()
     }

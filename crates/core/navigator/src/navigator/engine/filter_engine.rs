@@ -1,87 +1,13 @@
 //! Engine for every kind of filter.
 
-use nalgebra::{DMatrix, DVector, Dyn, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
-use super::door::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
+use super::door::{CorrectedStep, Engine, MeasurementModel, PredictedStep};
 use crate::navigator::Estimate;
 use pilotage_base::frames::GroundPoint;
-use pilotage_estimation::filter::{
-    Correction, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints,
-};
+use pilotage_estimation::estimator::{Estimator, Expectation, StateModel};
+use pilotage_estimation::filter::{FilterError, SigmaPoints};
 use pilotage_estimation::vehicle::{ControlInput, MAP_ERROR_NORTH, VehicleModel};
-
-/// A measurement model over the whole state, and which components it looks at.
-pub struct StateModel<'a, const N: usize> {
-    /// Measurement function of the state.
-    pub of: &'a dyn Fn(&SVector<f64, N>) -> Option<DVector<f64>>,
-    /// The components on which it depends: the others have no slope.
-    pub depends_on: &'a [usize],
-}
-
-/// Result of a correction, in sizes known at run time only.
-pub struct Corrected<const N: usize> {
-    /// N × m.
-    pub gain: DMatrix<f64>,
-    pub innovation: DVector<f64>,
-    pub innovation_covariance: DMatrix<f64>,
-    pub after: Gaussian<N>,
-}
-
-impl<const N: usize> From<PredictedMeasurement<N, Dyn>> for Expectation {
-    fn from(predicted: PredictedMeasurement<N, Dyn>) -> Self {
-        Self {
-            mean: predicted.mean,
-            covariance: predicted.innovation_covariance,
-        }
-    }
-}
-
-impl<const N: usize> From<Correction<N, Dyn>> for Corrected<N> {
-    fn from(step: Correction<N, Dyn>) -> Self {
-        Self {
-            gain: DMatrix::from_column_slice(N, step.innovation.len(), step.gain.as_slice()),
-            innovation: step.innovation,
-            innovation_covariance: step.innovation_covariance,
-            after: step.after,
-        }
-    }
-}
-
-/// Operations that a filter must have to be an engine.
-pub trait Estimator<const N: usize>: Clone + Send {
-    fn belief(&self) -> Gaussian<N>;
-
-    /// Sigma points of the present belief.
-    fn points(&self) -> SigmaPoints<N>;
-
-    /// Those that the next correction begins with.
-    fn measurement_points(&self) -> SigmaPoints<N> {
-        self.points()
-    }
-
-    fn predict<V: VehicleModel<N>>(
-        &mut self,
-        model: &V,
-        input: &ControlInput,
-        dt: f64,
-    ) -> Result<Prediction<N>, FilterError>;
-
-    /// Widens the belief to `factor` times its covariance.
-    fn fade(&mut self, factor: f64) -> Result<(), FilterError>;
-
-    fn expect(
-        &self,
-        model: &StateModel<'_, N>,
-        noise: &DMatrix<f64>,
-    ) -> Result<Expectation, FilterError>;
-
-    fn correct(
-        &mut self,
-        model: &StateModel<'_, N>,
-        noise: &DMatrix<f64>,
-        measurement: &DVector<f64>,
-    ) -> Result<Corrected<N>, FilterError>;
-}
 
 /// A filter with its vehicle model.
 #[derive(Clone)]

@@ -1,13 +1,23 @@
-//! The particle filter as an engine.
+//! The particle filter as an estimator of a vehicle.
 
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::door::Expectation;
-use super::estimator::{Corrected, Estimator, StateModel};
-use pilotage_estimation::filter::{FilterError, Gaussian, ParticleFilter, Prediction, SigmaPoints};
-use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
+use super::kind::{Corrected, Estimator, EstimatorInfo, Expectation, FilterSettings, StateModel};
+use crate::filter::{FilterError, Gaussian, ParticleFilter, Prediction, SigmaPoints};
+use crate::vehicle::{ControlInput, VehicleModel};
+
+/// Description for people.
+pub(super) const INFO: EstimatorInfo = EstimatorInfo {
+    key: "particle",
+    label: "Particle filter",
+    description: "Propagates many random states through the models; assumes no form of the distribution.",
+};
 
 impl<const N: usize> Estimator<N> for ParticleFilter<N> {
+    fn begin(prior: &Gaussian<N>, settings: &FilterSettings) -> Result<Self, FilterError> {
+        Self::new(prior, settings.particles, settings.points)
+    }
+
     fn belief(&self) -> Gaussian<N> {
         *self.state()
     }

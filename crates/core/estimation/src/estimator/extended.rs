@@ -1,13 +1,19 @@
-//! The extended Kalman filter as an engine.
+//! The extended Kalman filter as an estimator of a vehicle.
 
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::door::Expectation;
-use super::estimator::{Corrected, Estimator, StateModel};
-use pilotage_estimation::filter::{
+use super::kind::{Corrected, Estimator, EstimatorInfo, Expectation, FilterSettings, StateModel};
+use crate::filter::{
     Ekf, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints, partial_jacobian,
 };
-use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
+use crate::vehicle::{ControlInput, VehicleModel};
+
+/// Description for people.
+pub(super) const INFO: EstimatorInfo = EstimatorInfo {
+    key: "ekf",
+    label: "Extended Kalman filter",
+    description: "Propagates the mean and the slopes of the models; assumes a Gaussian.",
+};
 
 impl<const N: usize> StateModel<'_, N> {
     /// Measurement that `filter` expects under this model.
@@ -24,6 +30,10 @@ impl<const N: usize> StateModel<'_, N> {
 }
 
 impl<const N: usize> Estimator<N> for Ekf<N> {
+    fn begin(prior: &Gaussian<N>, settings: &FilterSettings) -> Result<Self, FilterError> {
+        Self::new(*prior, settings.points)
+    }
+
     fn belief(&self) -> Gaussian<N> {
         self.state()
     }
