@@ -4,6 +4,7 @@ mod choice;
 mod extended;
 mod kind;
 mod particles;
+mod toy;
 mod unscented;
 
 pub use choice::{EstimatorChoice, EstimatorSettings};
