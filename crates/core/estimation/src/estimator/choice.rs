@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::kind::{Estimator, EstimatorInfo, EstimatorVisitor, FilterSettings};
-use super::{extended, particles, toy, toy::Halves, unscented};
+use super::{extended, particles, unscented};
 use crate::filter::{Ekf, FilterError, Gaussian, ParticleFilter, ParticleSettings, Ukf};
 
 /// Makes the enum of estimators, and passes every question about a choice on to its file.
@@ -48,8 +48,6 @@ estimators! {
     Extended(extended, Ekf),
     /// The regularised particle filter.
     Particles(particles, ParticleFilter),
-    /// The extended filter that takes each measurement in two halves.
-    Halves(toy, Halves),
 }
 
 impl EstimatorChoice {

@@ -4,7 +4,6 @@ mod choice;
 mod extended;
 mod kind;
 mod particles;
-mod toy;
 mod unscented;
 
 pub use choice::{EstimatorChoice, EstimatorSettings};
