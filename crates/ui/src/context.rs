@@ -1,13 +1,18 @@
 //! Context that a view is given to draw one frame.
 
 use pilotage_core::flight::Flight;
-use pilotage_core::mission::Mission;
+use pilotage_core::mission::{Mission, Route};
 use pilotage_core::navigator::Run;
 
 use crate::command::Command;
 use crate::tokens::Tokens;
 use crate::units::Units;
 use pilotage_jobs::MatchPictures;
+
+/// The route of `mission` with that id.
+pub fn route_of(mission: &Mission, id: u32) -> Option<&Route> {
+    mission.routes.iter().find(|r| r.id == id)
+}
 
 /// Index of the frame of `flight` that is shown at a time (seconds in its time base); `None` before the first.
 pub fn shown_frame(flight: &Flight, time: f64) -> Option<usize> {
@@ -43,6 +48,8 @@ pub struct ViewContext<'a> {
     pub playing: bool,
     /// The selected landmark's id.
     pub selection: Option<u32>,
+    /// The selected route's id.
+    pub route: Option<u32>,
     /// Frame whose picture the frame of that index shows, if it was taken.
     pub pictures: &'a dyn Fn(usize) -> Option<usize>,
     /// The pictures that explain a match, last asked for by [`Command::ExplainMatch`]; check its
@@ -58,7 +65,12 @@ pub struct ViewContext<'a> {
     pub commands: &'a mut Vec<Command>,
 }
 
-impl ViewContext<'_> {
+impl<'a> ViewContext<'a> {
+    /// The selected route.
+    pub fn selected_route(&self) -> Option<&'a Route> {
+        route_of(self.mission, self.route?)
+    }
+
     /// Index of the frame at the time cursor; `None` before the first and without a flight.
     pub fn shown_frame(&self) -> Option<usize> {
         shown_frame(self.flight?, self.time)

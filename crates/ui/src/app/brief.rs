@@ -15,8 +15,7 @@ use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent};
 impl App {
     /// Has the pictures of the brief made.
     pub(super) fn ask_for_brief(&mut self, host: &mut dyn Host) {
-        let mission = &self.documents.mission;
-        let Some(route) = self.views.planner.selected(mission) else {
+        let Some(route) = self.documents.selected_route() else {
             let text = "Draw a route in the Plan workspace first.";
             self.toasts.note(host.now(), "No route to print", text);
             return;
@@ -109,7 +108,7 @@ impl App {
         };
         let documents = &self.documents;
         let planner = &self.views.planner;
-        let Some(route) = planner.selected(&documents.mission) else {
+        let Some(route) = documents.selected_route() else {
             return;
         };
         let wind = planner.wind(documents);

@@ -50,7 +50,7 @@ impl App {
             map: documents.map_source.clone(),
             landmark: landmark.clone(),
             camera: flown::camera(documents),
-            height: self.views.planner.flown_height(documents),
+            height: flown::flown_height(documents),
             navigator: documents.mission.navigator.clone(),
             ground_down: flown::ground_down(documents),
         };

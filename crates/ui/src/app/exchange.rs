@@ -87,7 +87,7 @@ impl App {
             (true, false) => PlanTab::Landmarks,
             (true, true) => PlanTab::Ground,
         };
-        planner.route = added.routes.first().copied().or(planner.route);
+        self.documents.route = added.routes.first().copied().or(self.documents.route);
         self.jobs.document_changed = true;
         if !added.landmarks.is_empty() {
             self.run_is_stale(now);
@@ -102,7 +102,7 @@ impl App {
         let mission = &self.documents.mission;
         let (format, what, name, routes, landmarks) = match command {
             Command::ExportRoute(format) => {
-                let Some(route) = self.views.planner.selected(mission) else {
+                let Some(route) = self.documents.selected_route() else {
                     let text = "Draw one in the Plan workspace, or open a file with one.";
                     self.toasts.note(now, "No route to export", text);
                     return;

@@ -74,6 +74,7 @@ impl Scene<'_> {
             selected_span: self.playback.selected_span,
             playing: self.playback.playing,
             selection: self.selection,
+            route: self.documents.route,
             pictures: &pictures,
             match_pictures: self.documents.match_pictures.as_ref(),
             tokens: self.tokens,

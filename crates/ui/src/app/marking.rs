@@ -126,7 +126,7 @@ impl App {
         let planner = &mut self.views.planner;
         let documents = &mut self.documents;
         let usual = flown::usual_altitude(documents);
-        let altitude = planner.selected(&documents.mission);
+        let altitude = documents.selected_route();
         let altitude = altitude
             .and_then(|r| r.way_points.first())
             .map_or(usual, |w| w.altitude);
@@ -134,7 +134,7 @@ impl App {
         let pattern = Pattern::new(Cover::Survey, corners, &made_for.frame);
         let mut route = Route::default();
         pattern.apply(&mut route, altitude, &made_for);
-        planner.route = Some(documents.add_made(route, "Survey"));
+        documents.route = Some(documents.add_made(route, "Survey"));
         planner.tab = PlanTab::Route;
         planner.way_point = None;
         self.jobs.document_changed = true;

@@ -58,7 +58,7 @@ impl App {
             .collect();
         json!({"plan": {
             "routes": routes,
-            "route": planner.route,
+            "route": self.documents.route,
             "way_point": planner.way_point,
             "drawing": planner.drawing,
             "limit": planner.preferences.limit,

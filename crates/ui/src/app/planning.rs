@@ -49,7 +49,7 @@ impl App {
                 planner.drawing = true;
                 planner.finder.pick = FindPick::Nothing;
                 planner.marking = None;
-                planner.route = None;
+                self.documents.route = None;
                 planner.way_point = None;
                 self.views.map.picking = false;
                 self.selection = None;
@@ -57,7 +57,7 @@ impl App {
             PlanCommand::FinishDraw => self.finish_drawing(),
             PlanCommand::TakeFlightRoute => self.take_flight_route(now),
             PlanCommand::SelectRoute(id) => {
-                self.views.planner.route = Some(id);
+                self.documents.route = Some(id);
                 self.views.planner.way_point = None;
             }
             PlanCommand::SelectWayPoint(which) => {
@@ -129,7 +129,7 @@ impl App {
     fn finish_drawing(&mut self) {
         let planner = &mut self.views.planner;
         planner.drawing = false;
-        let short = planner.selected(&self.documents.mission);
+        let short = self.documents.selected_route();
         let short = short.filter(|r| r.way_points.len() < 2).map(|r| r.id);
         if let Some(id) = short {
             self.documents.delete_route(id);
@@ -155,7 +155,7 @@ impl App {
         let id = self
             .documents
             .add_route(Some(&route.name), route.way_points);
-        self.views.planner.route = Some(id);
+        self.documents.route = Some(id);
         self.views.planner.fitted = false;
         self.jobs.document_changed = true;
     }
@@ -168,18 +168,18 @@ impl App {
         if let PlanCommand::AddWayPoint(at) = &command {
             let at = at.unwrap_or(views.map.camera.center);
             let usual = flown::usual_altitude(documents);
-            if let Some(id) = planner.route {
+            if let Some(id) = documents.route {
                 documents.edit_route(id, Step::Whole, |route| {
                     let new = like(route.way_points.last(), at, usual);
                     route.way_points.push(new);
                 });
             } else {
-                planner.route = Some(documents.add_route(None, vec![like(None, at, usual)]));
+                documents.route = Some(documents.add_route(None, vec![like(None, at, usual)]));
                 planner.drawing = true;
             }
             return;
         }
-        let Some(id) = planner.route else { return };
+        let Some(id) = documents.route else { return };
         match command {
             PlanCommand::DeleteRoute => {
                 documents.delete_route(id);
@@ -195,11 +195,11 @@ impl App {
                 }
             }
             PlanCommand::DuplicateRoute => {
-                planner.route = documents.duplicate_route(id).or(Some(id));
+                documents.route = documents.duplicate_route(id).or(Some(id));
             }
             PlanCommand::SetPattern { pattern, finished } => {
                 let usual = flown::usual_altitude(documents);
-                let route = planner.selected(&documents.mission);
+                let route = documents.selected_route();
                 let made_for = planning::made_for(planner, documents, route);
                 documents.edit_route(id, Step::of(finished), |route| {
                     pattern.apply(route, usual, &made_for);
@@ -207,7 +207,7 @@ impl App {
                 planner.way_point = None;
             }
             PlanCommand::CorridorAlong => {
-                if let Some(route) = planner.selected(&documents.mission).cloned() {
+                if let Some(route) = documents.selected_route().cloned() {
                     let usual = flown::usual_altitude(documents);
                     let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
                     let made_for = planning::made_for(planner, documents, Some(&route));
@@ -217,7 +217,7 @@ impl App {
                     let pattern = Pattern::new(cover, &line, &made_for.frame);
                     let mut new = Route::default();
                     pattern.apply(&mut new, altitude, &made_for);
-                    planner.route = Some(documents.add_made(new, "Corridor"));
+                    documents.route = Some(documents.add_made(new, "Corridor"));
                     planner.way_point = None;
                 }
             }
@@ -227,9 +227,7 @@ impl App {
             }
             PlanCommand::DeleteWayPoint(which) => {
                 let which = which.or(planner.way_point);
-                let count = planner
-                    .selected(&documents.mission)
-                    .map_or(0, |r| r.way_points.len());
+                let count = documents.selected_route().map_or(0, |r| r.way_points.len());
                 if count <= 1 {
                     documents.delete_route(id);
                     return;
@@ -259,7 +257,7 @@ impl App {
         };
         let documents = &self.documents;
         let planner = &mut self.views.planner;
-        let height = planner.flown_height(documents);
+        let height = flown::flown_height(documents);
         let landmarks = ids.iter().filter_map(|id| documents.mission.landmark(*id));
         let mut orders = landmarks.map(|landmark| AssessmentOrder {
             map: documents.map_source.clone(),
@@ -293,7 +291,7 @@ impl App {
     /// Asks the workers for what the plan is missing.
     pub(super) fn work_on_plan(&mut self, context: &egui::Context, host: &mut dyn Host) {
         let planner = &mut self.views.planner;
-        planner.settle(&self.documents.mission);
+        planner.settle(&mut self.documents);
         planner.assessments.work(host, &self.documents);
         planner.trainings.work(host, &self.documents);
         self.keep_detectors(host.now());
@@ -331,7 +329,7 @@ impl App {
     /// The plan in a sentence or two.
     pub(super) fn plan_text(&self) -> String {
         let planner = &self.views.planner;
-        let Some(route) = planner.selected(&self.documents.mission) else {
+        let Some(route) = self.documents.selected_route() else {
             return "No route yet.".to_owned();
         };
         let mut parts = vec![format!(

@@ -8,6 +8,7 @@ use super::App;
 use super::pending_jobs::{FlyJob, Shown};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
+use crate::plan::flown;
 use pilotage_jobs::{
     DescribeMapOrder, Distinctness, DistinctnessOrder, ExplainOrder, ExplainedBy, FlightSource,
     FlyOrder, Job, MapSource, TileOrder,
@@ -227,7 +228,7 @@ impl App {
     /// metres.
     fn look_alike_radius(&self, bounds: &GroundRect) -> f64 {
         let planner = &self.views.planner;
-        let height = planner.flown_height(&self.documents);
+        let height = flown::flown_height(&self.documents);
         let view = planner.field_view(&self.documents, height);
         let sigmas = self.documents.mission.navigator.detector.search_sigmas;
         view.searched(sigmas, bounds.width().max(bounds.height()))

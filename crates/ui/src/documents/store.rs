@@ -5,12 +5,13 @@ use std::collections::HashMap;
 use pilotage_core::calibration::CameraAdjustment;
 use pilotage_core::flight::Flight;
 use pilotage_core::frames::Geodetic;
-use pilotage_core::mission::Mission;
+use pilotage_core::mission::{Mission, Route};
 use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::SimulationChoice;
 
 use super::empty_mission::empty_mission;
 use super::{Brought, FramePictures, Ground, History, Noticed, Session};
+use crate::context::route_of;
 use crate::log::OpenLog;
 use crate::photos::Photos;
 use pilotage_jobs::{
@@ -38,6 +39,8 @@ pub struct Documents {
     pub mission: Mission,
     /// Whether the mission differs from the scenario's own.
     pub mission_edited: bool,
+    /// The selected route's id.
+    pub route: Option<u32>,
     /// Its undo steps.
     pub history: History,
     /// Measured flight.
@@ -93,6 +96,7 @@ impl Documents {
         Self {
             mission: session.mission.clone().unwrap_or_else(Self::empty_mission),
             mission_edited: session.mission.is_some(),
+            route: None,
             history: History::default(),
             flight: None,
             run: None,
@@ -118,6 +122,11 @@ impl Documents {
             noticed: Noticed::default(),
             bookmarks: session.bookmarks.clone(),
         }
+    }
+
+    /// The selected route.
+    pub fn selected_route(&self) -> Option<&Route> {
+        route_of(&self.mission, self.route?)
     }
 
     /// Session to be remembered until the next visit.
@@ -224,6 +233,7 @@ impl Documents {
             // What people author or opened beside the flight.
             mission: _,
             mission_edited: _,
+            route: _,
             history: _,
             map_source: _,
             map: _,

@@ -33,6 +33,8 @@ pub struct MapCanvas<'a> {
     pub pointer: Option<Pos2>,
     /// Mission that people author.
     pub mission: &'a Mission,
+    /// The selected route's id.
+    pub route: Option<u32>,
     /// Layers that are on.
     pub layers: &'a Layers,
     /// The look.

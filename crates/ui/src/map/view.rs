@@ -188,7 +188,7 @@ impl MapView {
         }
         let tool = tool.as_deref();
         let pointer = response.hover_pos();
-        let mission = context.mission;
+        let (mission, route) = (context.mission, context.route);
         let paint_tool = |map: &Self, stage| {
             if let Some(tool) = tool {
                 let canvas = MapCanvas {
@@ -197,6 +197,7 @@ impl MapView {
                     rect,
                     pointer,
                     mission,
+                    route,
                     layers: &map.layers,
                     tokens: context.tokens,
                 };

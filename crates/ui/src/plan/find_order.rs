@@ -84,7 +84,7 @@ impl Planner {
 
     /// The altitude of a route that is found: that of the selected route.
     pub fn found_altitude(&self, documents: &Documents) -> Altitude {
-        let route = self.selected(&documents.mission);
+        let route = documents.selected_route();
         let first = route.and_then(|r| r.way_points.first());
         first.map_or_else(|| usual_altitude(documents), |w| w.altitude)
     }
@@ -146,7 +146,7 @@ impl Planner {
                 let altitude = self.found_altitude(documents);
                 let found = line(&found.surest.route.way_points, altitude);
                 let id = documents.add_route(Some("Found route"), found.way_points);
-                self.route = Some(id);
+                documents.route = Some(id);
                 self.way_point = None;
                 self.tab = PlanTab::Route;
                 return true;

@@ -73,6 +73,14 @@ pub fn height(route: &Route, documents: &Documents) -> f64 {
     mean.unwrap_or(USUAL_HEIGHT).max(1.0)
 }
 
+/// Height above ground of the selected route, or the usual one, metres.
+pub fn flown_height(documents: &Documents) -> f64 {
+    documents.selected_route().map_or_else(
+        || usual_altitude(documents).metres,
+        |route| height(route, documents),
+    )
+}
+
 /// Flown places of a route: its way-points with their heights above ground, metres, and airspeeds, and
 /// between them places from which on the ground lets the height change otherwise.
 pub fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Vec<Target>) {

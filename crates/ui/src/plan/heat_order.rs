@@ -3,7 +3,7 @@
 use pilotage_core::plan::{FieldView, FixSource, Localizability, PlannedLandmark};
 use serde_json::{Value, json};
 
-use super::flown::{camera, height, usual_altitude};
+use super::flown::{camera, flown_height};
 use super::heat::BLIND;
 use super::heat_command::{HeatCommand, HeatOf};
 use super::planner::Planner;
@@ -57,19 +57,11 @@ impl Planner {
         }
     }
 
-    /// Height above ground of the selected route, or the usual one, metres.
-    pub fn flown_height(&self, documents: &Documents) -> f64 {
-        self.selected(&documents.mission).map_or_else(
-            || usual_altitude(documents).metres,
-            |route| height(route, documents),
-        )
-    }
-
     /// Field that the heat map is to show; `None` while it is hidden.
     pub fn heat_order(&self, documents: &Documents) -> Option<FieldOrder> {
         let heat = &self.preferences.heat;
         if heat.shown {
-            self.field_order(documents, heat.of, self.flown_height(documents))
+            self.field_order(documents, heat.of, flown_height(documents))
         } else {
             None
         }

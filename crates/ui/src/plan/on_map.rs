@@ -39,6 +39,7 @@ impl MapTool for Planner {
             rect,
             pointer,
             mission,
+            route,
             layers,
             tokens,
         } = *canvas;
@@ -48,7 +49,7 @@ impl MapTool for Planner {
                 self.paint_corridor(painter, view, tokens);
             }
             MapStage::AboveMarks if layers.shows(Layer::Route) => {
-                self.paint_routes(painter, view, mission, &self.pointer, tokens);
+                self.paint_routes(painter, view, mission, route, &self.pointer, tokens);
             }
             MapStage::BelowMarks | MapStage::AboveMarks => {}
             MapStage::Last => {

@@ -11,6 +11,7 @@ use super::corridor_paint::paint_corridor;
 use super::hit::{Hit, PlanPointer};
 use super::planner::Planner;
 use super::pointer::middles;
+use crate::context::route_of;
 use crate::map::{ScreenFromWorld, ellipse, paint_halo_text};
 use crate::tokens::Tokens;
 
@@ -45,10 +46,11 @@ impl Planner {
         painter: &Painter,
         view: &ScreenFromWorld,
         mission: &Mission,
+        selected: Option<u32>,
         tool: &PlanPointer,
         tokens: &Tokens,
     ) {
-        paint_routes(painter, view, mission, self, tool, tokens);
+        paint_routes(painter, view, mission, selected, self, tool, tokens);
         if let Some(marking) = &self.marking {
             marking.paint(painter, view, tool.pointer, tokens);
         }
@@ -79,15 +81,12 @@ fn paint_routes(
     painter: &Painter,
     view: &ScreenFromWorld,
     mission: &Mission,
+    selected: Option<u32>,
     planner: &Planner,
     tool: &PlanPointer,
     tokens: &Tokens,
 ) {
-    for route in mission
-        .routes
-        .iter()
-        .filter(|r| Some(r.id) != planner.route)
-    {
+    for route in mission.routes.iter().filter(|r| Some(r.id) != selected) {
         let line = screen_line(route, view);
         let strong = tool.hovered == Some(Hit::Route(route.id));
         let color = if strong { tokens.text } else { tokens.ghost };
@@ -102,7 +101,7 @@ fn paint_routes(
             paint_halo_text(painter, at, Align2::CENTER_BOTTOM, &route.name, font, color);
         }
     }
-    if let Some(route) = planner.selected(mission) {
+    if let Some(route) = selected.and_then(|id| route_of(mission, id)) {
         paint_selected(painter, view, route, planner, tool, tokens);
     }
 }

@@ -127,7 +127,7 @@ impl Planner {
 
     /// Draws the heights of the route over the ground.
     fn heights(&self, ui: &mut Ui, documents: &Documents, context: &ViewContext<'_>) {
-        let Some(route) = self.selected(context.mission).filter(|r| r.length() > 1.0) else {
+        let Some(route) = context.selected_route().filter(|r| r.length() > 1.0) else {
             let words = "Here you will see how high a route lies over the ground.";
             ui.centered_and_justified(|ui| ui.label(muted(context.tokens, words)));
             return;
@@ -151,7 +151,7 @@ impl Planner {
         let tokens = context.tokens;
         let words = match self.forecast.trouble() {
             Some(why) => format!("This route cannot be predicted: {why}."),
-            None if self.selected(context.mission).is_none() => {
+            None if context.selected_route().is_none() => {
                 "Here you will see how well the aircraft knows its place along a route.".to_owned()
             }
             None => "Predicting …".to_owned(),

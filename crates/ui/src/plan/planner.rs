@@ -24,7 +24,6 @@ use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
 use super::patterns::Circumstances;
 use super::remedy::Remedies;
-use super::routes::route_of;
 use super::suggestions::Suggestions;
 use super::tab::PlanTab;
 use super::trainings::Trainings;
@@ -77,9 +76,7 @@ impl Default for PlanPreferences {
 /// The state of the Plan workspace.
 #[derive(Default)]
 pub struct Planner {
-    /// The selected route.
-    pub route: Option<u32>,
-    /// The selected way-point of it.
+    /// The selected way-point of the selected route.
     pub way_point: Option<usize>,
     /// Pointer on routes of the map.
     pub pointer: PlanPointer,
@@ -133,16 +130,16 @@ impl Planner {
     }
 
     /// Lets go of what does not exist any more, and selects the first route if none is.
-    pub fn settle(&mut self, mission: &Mission) {
-        let known = self.route.filter(|id| route_of(mission, *id).is_some());
-        let first = || mission.routes.first().map(|r| r.id);
-        self.route = if self.drawing {
+    pub fn settle(&mut self, documents: &mut Documents) {
+        let known = documents.selected_route().map(|r| r.id);
+        let first = || documents.mission.routes.first().map(|r| r.id);
+        documents.route = if self.drawing {
             known
         } else {
             known.or_else(first)
         };
-        self.table.settle(mission);
-        let count = self.selected(mission).map_or(0, |r| r.way_points.len());
+        self.table.settle(&documents.mission);
+        let count = documents.selected_route().map_or(0, |r| r.way_points.len());
         self.way_point = self.way_point.filter(|i| *i < count);
     }
 
@@ -166,11 +163,6 @@ impl Planner {
         self.table.mark(ids);
     }
 
-    /// The selected route.
-    pub fn selected<'m>(&self, mission: &'m Mission) -> Option<&'m Route> {
-        route_of(mission, self.route?)
-    }
-
     /// The wind that is planned with.
     pub fn wind(&self, documents: &Documents) -> Wind {
         self.preferences
@@ -181,7 +173,7 @@ impl Planner {
     /// Order of the prediction of the selected route; `None` while it is none that can be flown.
     pub fn order(&self, documents: &Documents) -> Option<PredictionOrder> {
         let mission = &documents.mission;
-        let route = self.selected(mission)?;
+        let route = documents.selected_route()?;
         if route.length() < 1.0 {
             return None;
         }

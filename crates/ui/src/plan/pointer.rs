@@ -56,6 +56,7 @@ fn distance_to_line(a: Pos2, b: Pos2, at: Pos2) -> f32 {
 
 fn hit(
     mission: &Mission,
+    selected: Option<&Route>,
     planner: &Planner,
     landmark: Option<&Landmark>,
     view: &ScreenFromWorld,
@@ -67,7 +68,7 @@ fn hit(
             return Some(Hit::Corner(index));
         }
     }
-    if let Some(route) = planner.selected(mission) {
+    if let Some(route) = selected {
         let places = route.way_points.iter().enumerate();
         let places = places.map(|(index, w)| (index, view.apply(&w.position)));
         if let Some(index) = nearest(places, at) {
@@ -90,7 +91,7 @@ fn hit(
     let others = mission
         .routes
         .iter()
-        .filter(|r| Some(r.id) != planner.route);
+        .filter(|r| Some(r.id) != selected.map(|s| s.id));
     let near = |route: &&Route| {
         route.way_points.windows(2).any(|pair| {
             let ends = [&pair[0], &pair[1]].map(|w| view.apply(&w.position));
@@ -111,9 +112,10 @@ impl PlanPointer {
         context: &mut ViewContext<'_>,
     ) -> bool {
         let mission = context.mission;
+        let selected = context.selected_route();
         let mut say = |command| context.commands.push(Command::from(command));
         let landmark = context.selection.and_then(|id| mission.landmark(id));
-        let under = |at: Pos2| hit(mission, planner, landmark, view, at);
+        let under = |at: Pos2| hit(mission, selected, planner, landmark, view, at);
         let at = response.interact_pointer_pos();
         self.hovered = response.hover_pos().and_then(under);
         let draws = planner.drawing || planner.marking.is_some();

@@ -51,12 +51,8 @@ fn route(metres: f64, frame: AltitudeFrame, east: &[f64]) -> Route {
 
 /// The order of a prediction along a route of the mission.
 fn order(documents: &mut Documents, route: Route) -> pilotage_jobs::PredictionOrder {
-    let id = documents.add_made(route, "Route");
-    let planner = Planner {
-        route: Some(id),
-        ..Planner::default()
-    };
-    planner.order(documents).unwrap()
+    documents.route = Some(documents.add_made(route, "Route"));
+    Planner::default().order(documents).unwrap()
 }
 
 #[test]
@@ -166,11 +162,9 @@ fn what_the_elevation_model_does_not_know_is_said() {
 fn ground_nearer_than_the_clearance_is_too_high_unless_the_route_follows_it() {
     let mut documents = documents(geoid());
     let highest = |documents: &mut Documents, metres, frame| {
-        let id = documents.add_made(route(metres, frame, &[0.0, 900.0]), "Route");
-        let mut planner = Planner {
-            route: Some(id),
-            ..Planner::default()
-        };
+        let route = route(metres, frame, &[0.0, 900.0]);
+        documents.route = Some(documents.add_made(route, "Route"));
+        let mut planner = Planner::default();
         planner.preferences.find.ground_clearance = 60.0;
         planner.finder.from = Some(GroundPoint::default());
         planner.highest_ground(documents)

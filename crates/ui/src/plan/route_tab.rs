@@ -30,9 +30,8 @@ pub fn route_tab(
     documents: &Documents,
     context: &mut ViewContext<'_>,
 ) {
-    let mission = context.mission;
     let tokens = context.tokens;
-    let Some(route) = planner.selected(mission) else {
+    let Some(route) = documents.selected_route() else {
         nothing(ui, planner, documents, context);
         return;
     };

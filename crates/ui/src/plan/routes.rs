@@ -1,9 +1,10 @@
 //! Edits of routes, each one undo step; a drag is one.
 
 use pilotage_core::frames::{Altitude, GroundPoint};
-use pilotage_core::mission::{Mission, Route, WayPoint};
+use pilotage_core::mission::{Route, WayPoint};
 
 use super::patterns::Pattern;
+use crate::context::route_of;
 use crate::documents::Documents;
 
 /// Extent of an edit: whole, or part of a drag that goes on.
@@ -20,11 +21,6 @@ impl Step {
     pub fn of(finished: bool) -> Self {
         if finished { Self::Whole } else { Self::Drag }
     }
-}
-
-/// The route with that id.
-pub fn route_of(mission: &Mission, id: u32) -> Option<&Route> {
-    mission.routes.iter().find(|r| r.id == id)
 }
 
 impl Documents {

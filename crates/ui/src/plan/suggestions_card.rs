@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::button::button;
 use super::command::PlanCommand;
-use super::flown::{cruise, ground_down};
+use super::flown::{cruise, flown_height, ground_down};
 use super::planner::Planner;
 use super::suggest_command::SuggestCommand;
 use super::suggestions::is_added;
@@ -25,11 +25,13 @@ impl Planner {
     pub fn suggest_order(&self, documents: &Documents) -> Option<SuggestOrder> {
         documents.map.as_ref()?;
         let mission = &documents.mission;
-        let way_points = self.selected(mission).map_or(&[][..], |r| &r.way_points);
+        let way_points = documents
+            .selected_route()
+            .map_or(&[][..], |r| &r.way_points);
         let speed = way_points.first().and_then(|w| w.speed);
         Some(SuggestOrder {
             map: documents.map_source.clone(),
-            view: self.field_view(documents, self.flown_height(documents)),
+            view: self.field_view(documents, flown_height(documents)),
             way_points: way_points.iter().map(|w| w.position).collect(),
             speed: speed.unwrap_or_else(cruise),
             ground_down: ground_down(documents),
@@ -92,7 +94,7 @@ impl Planner {
                 return;
             }
             let count = self.preferences.suggest;
-            let place = match self.selected(context.mission) {
+            let place = match context.selected_route() {
                 Some(_) => "this route",
                 None => "the map",
             };
@@ -132,7 +134,7 @@ impl Planner {
             let dismiss = PlanCommand::Suggest(SuggestCommand::Dismiss);
             button(ui, context, None, "Dismiss", false, dismiss);
         });
-        let route = self.selected(mission).map_or(&[][..], |r| &r.way_points);
+        let route = context.selected_route().map_or(&[][..], |r| &r.way_points);
         if !route.iter().map(|w| &w.position).eq(&order.way_points) {
             ui.label(muted(tokens, "The route is another one since."));
         }

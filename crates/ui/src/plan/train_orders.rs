@@ -5,7 +5,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, Mission};
 use pilotage_core::training::TrainingPlan;
 
-use super::flown::{camera, ground_down};
+use super::flown::{camera, flown_height, ground_down};
 use super::planner::Planner;
 use crate::documents::Documents;
 use pilotage_jobs::{FlightSource, LabelledFrames, TrainOrder};
@@ -45,7 +45,7 @@ impl Planner {
     /// Orders of trainings for landmarks.
     pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
         let mission = &documents.mission;
-        let height = self.flown_height(documents);
+        let height = flown_height(documents);
         let landmarks = ids.iter().filter_map(|id| mission.landmark(*id));
         let order = |landmark: &Landmark| {
             let mut landmark = landmark.clone();

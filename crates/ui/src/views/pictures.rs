@@ -158,6 +158,7 @@ impl Scene {
                         selected_span: None,
                         playing: false,
                         selection,
+                        route: None,
                         pictures: &|index| Some(index),
                         match_pictures: matched.as_ref(),
                         tokens,

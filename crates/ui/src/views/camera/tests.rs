@@ -32,6 +32,7 @@ fn harness(time: f64) -> Harness<'static, State> {
                 selected_span: None,
                 playing: false,
                 selection: None,
+                route: None,
                 pictures: &|index| Some(index),
                 match_pictures: None,
                 tokens: &Tokens::dark(),

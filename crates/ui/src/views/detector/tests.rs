@@ -156,6 +156,7 @@ impl State {
             selected_span: None,
             playing: false,
             selection,
+            route: None,
             pictures: &|_| None,
             match_pictures: None,
             tokens,

@@ -34,6 +34,7 @@ fn harness(time: f64) -> Harness<'static, State> {
                 selected_span: None,
                 playing: false,
                 selection: None,
+                route: None,
                 pictures: &|_| None,
                 match_pictures: state.pictures.as_ref(),
                 tokens: &Tokens::dark(),

@@ -30,6 +30,7 @@ fn harness() -> Harness<'static, State> {
                 selected_span: None,
                 playing: false,
                 selection: None,
+                route: None,
                 pictures: &|_| None,
                 match_pictures: None,
                 tokens: &Tokens::dark(),

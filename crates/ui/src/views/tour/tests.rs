@@ -36,6 +36,7 @@ fn harness_while(playing: bool) -> Harness<'static, State> {
                 selected_span: None,
                 playing: state.playing,
                 selection: None,
+                route: None,
                 pictures: &|_| None,
                 match_pictures: None,
                 tokens: &Tokens::dark(),
