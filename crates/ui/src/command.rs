@@ -105,8 +105,6 @@ pub enum Command {
     SaveMission,
     /// Save the mission alone as GeoJSON.
     SaveMissionAsGeoJson,
-    /// Print the selected route with its map, legs, landmarks and prediction.
-    PrintBrief,
     /// Copy a link to the view of the built-in flight.
     CopyLink,
     /// Go back to what was open before a link was followed.

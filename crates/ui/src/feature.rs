@@ -1,20 +1,21 @@
 //! Features: parts of the app with a panel, commands, jobs and a layer on the map of their own. The app holds a list
 //! of them and knows none by name; a new one is a folder and a line in `features.rs`.
 
-use egui::Ui;
+use egui::{Rect, Ui};
 use pilotage_core::flight::overview::Finding;
-use pilotage_jobs::{Job, JobEvent, JobId};
+use pilotage_jobs::{Beside, Job, JobEvent, JobId, Opened};
 use serde_json::Value;
 
-use crate::command::Command;
+use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::{Documents, ViewState};
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
 use crate::host::Host;
-use crate::map::{MapLayer, MapView};
+use crate::map::{MapLayer, MapTool, MapView};
 use crate::shell::Toasts;
 use crate::shell::catalog::Entry;
 use crate::timeline::Playback;
+use crate::units::Units;
 
 /// Place of a feature's panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +24,8 @@ pub enum FeaturePlace {
     Tab,
     /// The whole column at the right, while it is shown.
     Sheet,
+    /// The column at the right of a workspace that is its own.
+    Workspace(Workspace),
 }
 
 /// Description of a feature for whoever lists features.
@@ -47,6 +50,8 @@ pub struct FeatureWishes {
     pub is_run_stale: bool,
     /// Whether something changed that is stored with the documents.
     pub is_document_changed: bool,
+    /// Landmark that was just made, to be presented.
+    pub presented: Option<u32>,
     /// Commands that are carried out then.
     pub commands: Vec<Command>,
 }
@@ -128,6 +133,11 @@ impl FeatureContext<'_> {
     /// Asks the app, or another feature, to do something once this is over.
     pub fn ask(&mut self, command: impl Into<Command>) {
         self.wishes.commands.push(command.into());
+    }
+
+    /// Selects a landmark that was just made, and has people name it.
+    pub fn present(&mut self, landmark: u32) {
+        self.wishes.presented = Some(landmark);
     }
 }
 
@@ -219,4 +229,52 @@ pub trait Feature {
     fn state(&self, _documents: &Documents) -> Value {
         Value::Null
     }
+
+    /// Takes up its part of what is remembered between visits; null if there is nothing.
+    fn restore(&mut self, _saved: &Value) {}
+
+    /// Its part of what is remembered between visits; null if there is nothing.
+    fn save(&self) -> Value {
+        Value::Null
+    }
+
+    /// Takes up what it stored at an earlier visit itself, once, as the app starts.
+    fn start(&mut self, _context: &mut FeatureContext<'_>) {}
+
+    /// Hears of a command of the app before it is carried out; true if it is done here in the app's place.
+    fn intercept(&mut self, _command: &Command, _context: &mut FeatureContext<'_>) -> bool {
+        false
+    }
+
+    /// Tool that has the map now; of the owner of a workspace, while that is open.
+    fn tool(&mut self) -> Option<&mut dyn MapTool> {
+        None
+    }
+
+    /// Whether its workspace is about something else than the flight, which waits and is not shown meanwhile.
+    fn hides_flight(&self) -> bool {
+        false
+    }
+
+    /// Draws its panel below the map, in a workspace that hides the flight.
+    fn plots(&mut self, _ui: &mut Ui, _context: &mut ViewContext<'_>, _documents: &Documents) {}
+
+    /// Draws over the map of its workspace, which takes `rect` of the screen; the parts that it covers.
+    fn over_map(&self, _ui: &Ui, _rect: Rect, _context: &ViewContext<'_>) -> Vec<Rect> {
+        Vec::new()
+    }
+
+    /// Its workspace in a sentence or two, for screen readers.
+    fn summary(&self, _documents: &Documents, _units: Units) -> Option<String> {
+        None
+    }
+
+    /// Takes its part of what files turned out to hold.
+    fn take_opened(&mut self, _opened: &mut Opened, _context: &mut FeatureContext<'_>) {}
+
+    /// Puts what is to be saved with the mission beside it.
+    fn put_beside(&self, _beside: &mut Beside, _documents: &Documents) {}
+
+    /// Takes its part of what was saved beside a mission that was opened.
+    fn take_beside(&mut self, _beside: &mut Beside) {}
 }

@@ -4,12 +4,14 @@ use crate::camera_log::CameraLogFeature;
 use crate::compare::Compare;
 use crate::feature::Feature;
 use crate::outage::Outages;
+use crate::plan::Planner;
 use crate::shell::catalog::{self, Entry};
-use crate::{labelling, log, photos, plan, views};
+use crate::{labelling, log, photos, views};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
+        Box::<Planner>::default(),
         Box::new(Compare::default()),
         Box::new(Outages::default()),
         Box::new(CameraLogFeature::default()),
@@ -19,7 +21,6 @@ pub fn all() -> Vec<Box<dyn Feature>> {
 /// Table of all commands: the app's own, then those of its parts.
 pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<Entry> {
     let parts = [
-        plan::commands,
         labelling::commands,
         views::detector_commands,
         log::commands,

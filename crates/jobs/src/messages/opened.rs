@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::{Beside, ImportedFile, MapInfo, TerrainInfo, Unplaced};
 
 /// Contents of provided files.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Opened {
     /// Key of the files.
     pub key: String,

@@ -6,8 +6,6 @@ use super::{App, SideTab};
 use crate::command::{Command, Workspace};
 use crate::documents::{Session, encode_run};
 use crate::host::Host;
-use crate::plan::PlanTab;
-use crate::plan::planner::plan_ground;
 use crate::units::Units;
 
 impl App {
@@ -18,7 +16,7 @@ impl App {
         host: &mut dyn Host,
     ) {
         let now = host.now();
-        if self.is_out_of_place(&command) {
+        if self.is_intercepted(&command, context, host) {
             return;
         }
         match command {
@@ -70,7 +68,6 @@ impl App {
             | Command::SaveRun
             | Command::SaveMissionAsGeoJson
             | Command::CopyLink
-            | Command::PrintBrief
             | Command::OpenBeforeLink
             | Command::ExportRoute(_)
             | Command::ExportTrack(_)
@@ -162,25 +159,11 @@ impl App {
         match command {
             Command::SelectLandmark(id) => {
                 self.selection = id.filter(|id| self.documents.mission.landmark(*id).is_some());
-                if self.selection.is_some() {
-                    self.views.planner.way_point = None;
-                    self.views.planner.tab = PlanTab::Landmarks;
-                    self.examine_soon(now);
-                }
             }
-            Command::TogglePickTool => {
-                self.views.map.picking = !self.views.map.picking;
-                self.views.planner.drawing = false;
-                self.views.planner.marking = None;
-            }
+            Command::TogglePickTool => self.views.map.picking = !self.views.map.picking,
             Command::AddLandmark(bounds) => {
                 let id = self.documents.add_landmark(bounds);
-                self.selection = Some(id);
-                self.side_tab = SideTab::Landmarks;
-                self.views.planner.tab = PlanTab::Landmarks;
-                let name = self.documents.mission.landmark(id).map(|l| l.name.clone());
-                self.views.map.name_new(id, &name.unwrap_or_default());
-                self.examine_soon(now);
+                self.present_landmark(id);
                 self.run_is_stale(now);
             }
             Command::ReshapeLandmark {
@@ -197,12 +180,7 @@ impl App {
                 self.changed(changed, now);
             }
             Command::DeleteLandmark(id) => {
-                let marked = self.views.planner.marked(self.selection);
-                let changed = if self.planning() && marked.contains(&id) {
-                    self.documents.delete_landmarks(&marked)
-                } else {
-                    self.documents.delete_landmark(id)
-                };
+                let changed = self.documents.delete_landmark(id);
                 let mission = &self.documents.mission;
                 self.selection = self.selection.filter(|s| mission.landmark(*s).is_some());
                 self.changed(changed, now);
@@ -221,7 +199,6 @@ impl App {
                 let back = ids.rfind(|id| !known.contains(id));
                 let still = self.selection.filter(|id| mission.landmark(*id).is_some());
                 self.selection = back.or(still);
-                self.examine_soon(now);
                 if affected == Some(true) {
                     self.run_is_stale(now);
                 }
@@ -230,10 +207,17 @@ impl App {
         }
     }
 
+    /// Selects a landmark that was just made, and has people name it.
+    pub(super) fn present_landmark(&mut self, id: u32) {
+        self.selection = Some(id);
+        self.side_tab = SideTab::Landmarks;
+        let name = self.documents.mission.landmark(id).map(|l| l.name.clone());
+        self.views.map.name_new(id, &name.unwrap_or_default());
+    }
+
     /// After an edit that may have changed what the run depends on.
     fn changed(&mut self, changed: bool, now: f64) {
         if changed {
-            self.examine_soon(now);
             self.run_is_stale(now);
         }
     }
@@ -268,7 +252,6 @@ impl App {
             Command::Open => host.ask_for_files(),
             Command::SaveMission => self.save_mission(host),
             Command::SaveMissionAsGeoJson => self.save_geojson(host),
-            Command::PrintBrief => self.ask_for_brief(host),
             Command::CopyLink => self.copy_link(host),
             Command::OpenBeforeLink => self.open_before_link(host),
             Command::ExportRoute(_) | Command::ExportLandmarks(_) => self.export(&command, host),
@@ -317,10 +300,7 @@ impl App {
                 }
             }
             Command::FitMap => {
-                let plan = self
-                    .planning()
-                    .then(|| plan_ground(&self.documents.mission));
-                if let Some(ground) = plan.flatten().or_else(|| self.flight_ground()) {
+                if let Some(ground) = self.flight_ground() {
                     self.views.map.fit(ground);
                 }
             }

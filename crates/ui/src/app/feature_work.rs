@@ -1,20 +1,21 @@
 //! Features: their commands and events brought to them, and what they ask of the app.
 
 use super::{App, SideTab};
-use crate::command::Workspace;
+use crate::command::{Command, Workspace};
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureId, FeatureWishes};
+use crate::feature::{
+    Feature, FeatureCommand, FeatureContext, FeatureId, FeaturePlace, FeatureWishes,
+};
 use crate::feature_command::Show;
 use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
 use crate::labelling::LabelCommand;
 use crate::log::LogCommand;
 use crate::photos::PhotosCommand;
-use crate::plan::PlanCommand;
 use crate::views::DetectorCommand;
 use pilotage_core::flight::overview::Finding;
-use pilotage_jobs::{JobEvent, JobId};
+use pilotage_jobs::{JobEvent, JobId, Opened};
 
 /// Findings about the flight beside those of its log.
 pub(super) fn noticed(features: &[Box<dyn Feature>], documents: &Documents) -> Vec<Finding> {
@@ -36,9 +37,13 @@ impl App {
         work: &mut dyn FnMut(&mut dyn Feature, &mut FeatureContext<'_>),
     ) {
         let feature = &mut self.views.features[index];
-        let own = feature.info().id;
-        let is_shown =
-            self.view.workspace == Workspace::Replay && self.side_tab == SideTab::Feature(own);
+        let (own, place) = (feature.info().id, feature.info().place);
+        let is_shown = match place {
+            FeaturePlace::Workspace(own) => self.view.workspace == own,
+            FeaturePlace::Tab | FeaturePlace::Sheet => {
+                self.view.workspace == Workspace::Replay && self.side_tab == SideTab::Feature(own)
+            }
+        };
         let mut context = FeatureContext {
             documents: &mut self.documents,
             playback: &mut self.playback,
@@ -56,14 +61,20 @@ impl App {
         work(feature.as_mut(), &mut context);
         let wishes = context.wishes;
         match wishes.show {
-            Some(true) => self.show_feature(own),
-            Some(false) if is_shown => self.side_tab = SideTab::Match,
+            Some(true) => self.show_feature(own, place),
+            Some(false) if is_shown => {
+                self.view.workspace = Workspace::Replay;
+                self.side_tab = SideTab::Match;
+            }
             _ => {}
         }
         if wishes.is_run_stale {
             self.run_is_stale(host.now());
         }
         self.jobs.document_changed |= wishes.is_document_changed;
+        if let Some(id) = wishes.presented {
+            self.present_landmark(id);
+        }
         for command in wishes.commands {
             self.execute(command, egui, host);
         }
@@ -98,7 +109,11 @@ impl App {
         });
     }
 
-    fn show_feature(&mut self, id: FeatureId) {
+    fn show_feature(&mut self, id: FeatureId, place: FeaturePlace) {
+        if let FeaturePlace::Workspace(own) = place {
+            self.view.workspace = own;
+            return;
+        }
         self.view.workspace = Workspace::Replay;
         self.view.side_open = true;
         self.dialogs.settings = false;
@@ -119,7 +134,8 @@ impl App {
         let mut is_done = self.execute_by_name(command, host);
         if let Some(index) = self.feature(command.to()) {
             if command.action::<Show>().is_some() {
-                return self.show_feature(command.to());
+                let place = self.views.features[index].info().place;
+                return self.show_feature(command.to(), place);
             }
             self.with_feature(index, egui, host, &mut |feature, context| {
                 is_done = feature.execute(command, context);
@@ -135,10 +151,7 @@ impl App {
 
     /// Carries out a command of those parts that are no features; whether it was one.
     fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
-        let now = host.now();
-        if let Some(command) = command.action::<PlanCommand>() {
-            self.plan(command.clone(), now);
-        } else if let Some(command) = command.action::<LabelCommand>() {
+        if let Some(command) = command.action::<LabelCommand>() {
             self.label(command.clone(), host);
         } else if let Some(command) = command.action::<LogCommand>() {
             self.log(command.clone(), host);
@@ -196,6 +209,37 @@ impl App {
     pub(super) fn tell_features_of_flight(&mut self, egui: &egui::Context, host: &mut dyn Host) {
         self.with_each_feature(egui, host, &mut |feature, context| {
             feature.on_flight_changed(context);
+        });
+    }
+
+    /// Lets every feature take up what it stored at an earlier visit.
+    pub(super) fn start_features(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        self.with_each_feature(egui, host, &mut |feature, context| feature.start(context));
+    }
+
+    /// Tells every feature of a command; whether one carried it out in the app's place.
+    pub(super) fn is_intercepted(
+        &mut self,
+        command: &Command,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) -> bool {
+        let mut is_done = false;
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            is_done = is_done || feature.intercept(command, context);
+        });
+        is_done
+    }
+
+    /// Lets every feature take its part of what files turned out to hold.
+    pub(super) fn give_opened(
+        &mut self,
+        opened: &mut Opened,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            feature.take_opened(opened, context);
         });
     }
 }

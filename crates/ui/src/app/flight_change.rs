@@ -40,11 +40,10 @@ impl App {
         let jobs = &mut self.jobs;
         let explain = jobs.explain.take().map(|(id, ..)| id);
         let detector = jobs.detector.take().map(|(id, ..)| id);
-        let distinctness = jobs.distinctness.take().map(|(id, _)| id);
-        for id in [explain, detector, distinctness].into_iter().flatten() {
+        for id in [explain, detector].into_iter().flatten() {
             host.cancel(id);
         }
-        (jobs.unexplained, jobs.examined_in_vain) = (None, None);
+        jobs.unexplained = None;
     }
 
     /// Leaves photos that were laid in another world: their places mean nothing in this one.

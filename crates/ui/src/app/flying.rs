@@ -78,7 +78,7 @@ impl App {
                 self.documents.run_complete = true;
                 self.jobs.fly = None;
                 // Where a recorded flight went may be known only now.
-                if !again && self.views.map.is_fitted() && !self.planning() {
+                if !again && self.views.map.is_fitted() && !self.is_flight_hidden() {
                     self.fit_to_flight_and_map();
                 }
                 self.tell_of_run_over(true, egui, host);
@@ -150,8 +150,8 @@ impl App {
         if let Some((first, _)) = self.documents.span() {
             self.playback.time = first;
         }
-        self.playback.playing = !self.planning() && !self.shows_photos();
-        self.views.planner.fitted = false;
+        self.playback.playing = !self.is_flight_hidden() && !self.shows_photos();
+        self.views.map.is_placed = false;
         // All of a recorded flight is shown at once, and all of a small world.
         let is_whole = match &self.documents.flight_source {
             FlightSource::Simulated(options) => options.world().is_shown_whole(),

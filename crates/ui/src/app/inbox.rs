@@ -61,8 +61,7 @@ impl App {
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        if self.plan_event(id, &event, host.now())
-            || self.evaluating.receive(id, &event)
+        if self.evaluating.receive(id, &event)
             || self.feature_event(context, host, id, &event)
             || self
                 .frame_pictures
@@ -83,18 +82,6 @@ impl App {
             self.map_work_event(host, id, event);
         } else if self.jobs.describe == Some(id) {
             self.map_event(host, event);
-        } else if let Some((_, landmark)) = self.jobs.distinctness.filter(|d| d.0 == id) {
-            match event {
-                JobEvent::Distinctness(found) => {
-                    self.documents.distinctness.insert(landmark, *found);
-                }
-                JobEvent::Failed(why) => {
-                    self.jobs.distinctness = None;
-                    self.jobs.examined_in_vain = Some((landmark, why));
-                }
-                JobEvent::Finished | JobEvent::Cancelled => self.jobs.distinctness = None,
-                _ => {}
-            }
         } else if let Some((_, time, landmark)) = self.jobs.explain.filter(|e| e.0 == id) {
             match event {
                 JobEvent::Match(pictures) => self.documents.match_pictures = Some(*pictures),
@@ -107,14 +94,12 @@ impl App {
             }
         } else if self.jobs.detector.is_some_and(|d| d.0 == id) {
             self.detector_event(event);
-        } else if self.jobs.brief.as_ref().is_some_and(|b| b.0 == id) {
-            self.brief_event(host, event);
         } else if self.jobs.packing.as_ref().is_some_and(|p| p.0 == id) {
             self.pack_event(host, event);
         } else if self.jobs.exporting.iter().any(|e| e.id == id) {
             self.export_event(host, id, event);
         } else if self.jobs.opening.contains_key(&id) {
-            self.open_event(host, id, event);
+            self.open_event(context, host, id, event);
         } else if let JobEvent::Remark(text) = event {
             // Of a tile that nobody waits for any more: a worker says each thing once.
             self.tell_of_map(host, &text);
@@ -129,12 +114,18 @@ impl App {
         }
     }
 
-    fn open_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
+    fn open_event(
+        &mut self,
+        context: &egui::Context,
+        host: &mut dyn Host,
+        id: JobId,
+        event: JobEvent,
+    ) {
         let now = host.now();
         match event {
             JobEvent::Opened(opened) => {
                 if let Some(opening) = self.jobs.opening.remove(&id) {
-                    self.take_opened(host, &opening, *opened);
+                    self.take_opened(context, host, &opening, *opened);
                 }
             }
             JobEvent::Failed(why) => {
@@ -159,7 +150,13 @@ impl App {
         self.run_is_stale(host.now());
     }
 
-    fn take_opened(&mut self, host: &mut dyn Host, opening: &Opening, opened: Opened) {
+    fn take_opened(
+        &mut self,
+        context: &egui::Context,
+        host: &mut dyn Host,
+        opening: &Opening,
+        opened: Opened,
+    ) {
         let now = host.now();
         let Opened {
             key: _,
@@ -243,7 +240,11 @@ impl App {
         if !tables.is_empty() {
             self.ask_for_columns(opening, tables);
         }
-        self.add_imports(now, imports);
+        let mut left = Opened {
+            imports,
+            ..Opened::default()
+        };
+        self.give_opened(&mut left, context, host);
         if let Some(labels) = labels {
             self.add_labels(now, &opening.name, labels);
         }

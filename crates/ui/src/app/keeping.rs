@@ -6,9 +6,8 @@ use super::App;
 use super::storage::TRY_AGAIN_AFTER;
 use crate::command::Workspace;
 use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, recall_files};
-use crate::documents::{Documents, Ground, Session};
+use crate::documents::{Documents, Ground, Session, planned_ground};
 use crate::host::{Host, OpenedFile};
-use crate::plan::planner::plan_ground;
 use pilotage_jobs::{FileContent, FlightSource, Job, MapSource, ProvideOrder};
 
 /// Keys of the opened files that a session names.
@@ -192,7 +191,7 @@ impl App {
         } else {
             "Your mission is here. Open them again to go on where you were."
         };
-        if let Some(ground) = plan_ground(&self.documents.mission).filter(|_| planned) {
+        if let Some(ground) = planned_ground(&self.documents.mission).filter(|_| planned) {
             self.show_workspace(Workspace::Plan);
             self.views.map.fit(ground);
         }

@@ -16,11 +16,10 @@ use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::labelling::LabelCommand;
 use crate::map::{MapExtra, MapTool};
 use crate::photos::Photos;
-use crate::plan::plan_readouts;
 use crate::shell::{TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
-use crate::views::{Examined, PhotosScene, photos_sheet};
+use crate::views::{PhotosScene, photos_sheet};
 
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;
@@ -38,7 +37,6 @@ struct Scene<'a> {
     side_tab: &'a mut SideTab,
     settings: &'a mut bool,
     job_words: Option<String>,
-    examined_in_vain: Option<&'a (u32, String)>,
     /// Progress of the reading of a log, 0 to 1, if one is being read.
     reading: Option<f32>,
 }
@@ -124,19 +122,19 @@ impl App {
             side_tab,
             settings: &mut dialogs.settings,
             job_words: jobs.progress().map(|(_, words)| words.to_owned()),
-            examined_in_vain: jobs.examined_in_vain.as_ref(),
             reading: jobs.logs.reading.as_ref().map(|r| r.progress),
         };
-        let planning = scene.view.workspace == Workspace::Plan;
+        let owner = views.owner(scene.view.workspace);
+        let is_flight_hidden = owner.is_some_and(Feature::hides_flight);
         let labelling = scene.view.workspace == Workspace::Replay && views.labeller.is_some();
         if views.georeferencer.is_some() {
             georeferencing(ui, &mut scene, views, commands);
             self.overlays(ui, &tokens, now, commands, narrow);
             return;
         }
-        if planning {
+        if is_flight_hidden {
             if plots_open {
-                plan_strip(ui, &mut scene, views, commands);
+                strip(ui, &mut scene, views, commands);
             }
         } else {
             timeline(ui, &scene, views, commands);
@@ -153,7 +151,7 @@ impl App {
                 side(ui, &mut scene, views, commands);
             }
         }
-        if plots_open && !narrow && !planning {
+        if plots_open && !narrow && !is_flight_hidden {
             plots(ui, &mut scene, views, commands);
         }
         map(ui, &mut scene, views, commands);
@@ -358,7 +356,7 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                     });
                 }
                 Workspace::Plan => {
-                    inner.show(ui, |ui| plan_panel(ui, scene, views, commands));
+                    inner.show(ui, |ui| workspace(ui, scene, views, commands));
                 }
                 Workspace::Learn => {
                     let picture = picture_size(ui.available_size(), scene).y;
@@ -395,7 +393,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
             } else {
                 match scene.view.workspace {
                     Workspace::Learn => tour(ui, scene, views, commands),
-                    Workspace::Plan => plan_panel(ui, scene, views, commands),
+                    Workspace::Plan => workspace(ui, scene, views, commands),
                     Workspace::Replay if is_sheet(*scene.side_tab, &views.features) => {
                         sheet(ui, scene, views, commands);
                     }
@@ -552,30 +550,17 @@ fn feature(
         });
 }
 
-fn examined<'a>(scene: &Scene<'a>) -> Examined<'a> {
-    let selection = scene.selection;
-    Examined {
-        found: selection.and_then(|id| scene.documents.distinctness_of(id)),
-        trouble: scene
-            .examined_in_vain
-            .filter(|(id, _)| selection == Some(*id))
-            .map(|(_, why)| why.as_str()),
+/// The column of the open workspace, as its owner draws it.
+fn workspace(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    if let Some(owner) = views.owner_mut(scene.view.workspace) {
+        scene.with_context(commands, |context| {
+            owner.panel(ui, context, scene.documents);
+        });
     }
 }
 
-/// The column at the right while planning.
-fn plan_panel(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
-    let examined = examined(scene);
-    let Views {
-        planner, landmarks, ..
-    } = views;
-    scene.with_context(commands, |context| {
-        planner.panel(ui, scene.documents, context, landmarks, examined);
-    });
-}
-
-/// The prediction against distance, below the map.
-fn plan_strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+/// The panel of the open workspace below the map.
+fn strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let screen = ui.ctx().content_rect();
     let panel = Panel::bottom("plan strip")
         .resizable(true)
@@ -583,9 +568,11 @@ fn plan_strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &
         .size_range(112.0..=0.5 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
-            scene.with_context(commands, |context| {
-                views.planner.strip(ui, scene.documents, context);
-            });
+            if let Some(owner) = views.owner_mut(scene.view.workspace) {
+                scene.with_context(commands, |context| {
+                    owner.plots(ui, context, scene.documents);
+                });
+            }
             ui.take_available_space();
         });
     let height = panel.response.rect.height();
@@ -596,7 +583,7 @@ fn plan_strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &
 
 fn landmarks(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let (past, future) = scene.documents.history.depth();
-    let examined = examined(scene);
+    let examined = scene.documents.examined(scene.selection);
     egui::ScrollArea::vertical()
         .id_salt("landmarks")
         .auto_shrink(false)
@@ -615,12 +602,31 @@ fn tour(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Co
 fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let tokens = scene.tokens;
     let georeferencing = views.georeferencer.is_some();
-    let planning = scene.view.workspace == Workspace::Plan && !georeferencing;
+    let place = FeaturePlace::Workspace(scene.view.workspace);
+    let owner = views.owner(scene.view.workspace);
+    let is_flight_hidden = owner.is_some_and(Feature::hides_flight) && !georeferencing;
     egui::CentralPanel::default()
         .frame(Frame::new().fill(tokens.background))
         .show(ui, |ui| {
             let rect = ui.available_rect_before_wrap();
-            let layers: Vec<_> = views.features.iter().flat_map(|it| it.layers()).collect();
+            let Views {
+                map,
+                georeferencer,
+                features,
+                ..
+            } = views;
+            let mut layers = Vec::new();
+            let mut tool: Option<&mut dyn MapTool> = None;
+            for feature in features.iter_mut() {
+                if feature.info().place == place {
+                    tool = feature.tool();
+                } else {
+                    layers.extend(feature.layers());
+                }
+            }
+            if let Some(georeferencer) = georeferencer {
+                tool = Some(georeferencer);
+            }
             let extra = MapExtra {
                 map: scene.documents.map.as_ref(),
                 run_generation: scene.documents.run_generation,
@@ -636,37 +642,28 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 photos: scene.shown_photos(),
             };
             scene.with_context(commands, |context| {
-                if planning || georeferencing || extra.photos.is_some() {
+                if is_flight_hidden || georeferencing || extra.photos.is_some() {
                     // What was flown is Replay's; here lies what is to be flown, or each photo by itself.
                     (context.run, context.ghost, context.flight) = (None, None, None);
                 }
-                let tool: Option<&mut dyn MapTool> = match &mut views.georeferencer {
-                    Some(georeferencer) => Some(georeferencer),
-                    None if planning => Some(&mut views.planner),
-                    None => None,
-                };
-                views.map.show(ui, context, &extra, tool);
+                map.show(ui, context, &extra, tool);
             });
-            if planning {
-                let planner = &views.planner;
-                let corner = rect.left_top() + vec2(16.0, 16.0);
-                if let Some(covered) = plan_readouts(ui, tokens, scene.view.units, planner, corner)
-                {
-                    views.map.cover(covered);
-                }
-                let below = rect.left_top() + vec2(16.0, 68.0);
-                if let Some(covered) = planner.heat_legend(ui, tokens, below) {
-                    views.map.cover(covered);
-                }
+            if georeferencing {
                 return;
             }
-            if georeferencing {
+            for owner in features.iter().filter(|it| it.info().place == place) {
+                let covered = scene.with_context(commands, |c| owner.over_map(ui, rect, c));
+                for part in covered {
+                    map.cover(part);
+                }
+            }
+            if is_flight_hidden {
                 return;
             }
             let (documents, words) = (scene.documents, scene.job_words.as_deref());
             let covered = advice(ui, rect, tokens, documents, words, scene.view, commands);
             if let Some(covered) = covered {
-                views.map.cover(covered);
+                map.cover(covered);
             }
         });
 }

@@ -82,7 +82,6 @@ impl App {
         map.camera.center = link.center;
         map.camera.metres_per_point = link.scale;
         map.camera.up = link.up;
-        self.views.planner.fitted = true;
         self.playback.playing = false;
         self.playback.seek(link.time, self.documents.span());
     }

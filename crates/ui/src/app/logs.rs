@@ -177,7 +177,7 @@ impl App {
         self.documents.begin_log(OpenLog::new(key, file), &source);
         self.leave_log(host);
         self.jobs.document_changed = true;
-        if !self.planning() {
+        if !self.is_flight_hidden() {
             self.view.workspace = Workspace::Replay;
         }
         // Whoever put a camera beside a log waits for this one, and whoever lays photos looks at them.

@@ -2,9 +2,9 @@
 
 use super::App;
 use crate::command::Workspace;
+use crate::documents::planned_ground;
 use crate::documents::{Ground, TERRAIN_KEY};
 use crate::host::Host;
-use crate::plan::planner::plan_ground;
 use pilotage_core::frames::GroundRect;
 use pilotage_jobs::{
     FlightSource, HeightsOrder, Job, JobEvent, JobId, MapInfo, MapSource, PrepareMapOrder,
@@ -239,7 +239,7 @@ impl App {
         };
         let near = |r: &GroundRect| r.width().max(r.height()) <= HEIGHTS_REACH;
         let map = self.documents.map.as_ref().map(|m| m.bounds).filter(near);
-        let plan = plan_ground(&self.documents.mission).filter(near);
+        let plan = planned_ground(&self.documents.mission).filter(near);
         let area = match (map, plan) {
             (Some(a), Some(b)) => Some(a.union(&b)).filter(near).or(Some(b)),
             (a, b) => a.or(b),

@@ -2,7 +2,6 @@
 
 mod advice;
 mod aside;
-mod brief;
 mod columns;
 mod detector;
 mod evaluating;
@@ -25,16 +24,12 @@ mod log_panels;
 mod log_work;
 mod logs;
 mod maps;
-mod marking;
 mod package;
 mod pending_jobs;
 mod photos;
-mod plan_report;
-mod planning;
 mod report;
 mod start;
 mod storage;
-mod training;
 mod web_maps;
 mod work;
 
@@ -49,7 +44,6 @@ use crate::host::Host;
 use crate::labelling::Labeller;
 use crate::log::{FieldList, LogPlots, LogTab, OwnPresets};
 use crate::map::MapView;
-use crate::plan::Planner;
 use crate::shell::catalog::Entry;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Palette, Toasts, apply_theme, keep_slow_clicks};
@@ -152,7 +146,6 @@ struct Views {
     inspector: InspectorView,
     tour: Tour,
     landmarks: LandmarkList,
-    planner: Planner,
     georeferencer: Option<Georeferencer>,
     labeller: Option<Labeller>,
     log_tab: LogTab,
@@ -163,6 +156,21 @@ struct Views {
     shows_log_plots: bool,
     /// Features, in the order of their tabs.
     features: Vec<Box<dyn Feature>>,
+}
+
+impl Views {
+    /// Feature to which a workspace belongs.
+    fn owner(&self, workspace: Workspace) -> Option<&dyn Feature> {
+        let mut features = self.features.iter();
+        let owner = features.find(|it| it.info().place == FeaturePlace::Workspace(workspace));
+        owner.map(AsRef::as_ref)
+    }
+
+    /// Feature to which a workspace belongs, to be drawn.
+    fn owner_mut(&mut self, workspace: Workspace) -> Option<&mut Box<dyn Feature>> {
+        let mut features = self.features.iter_mut();
+        features.find(|it| it.info().place == FeaturePlace::Workspace(workspace))
+    }
 }
 
 /// The app.
@@ -242,7 +250,7 @@ impl App {
             || dialogs.help
             || views.map.picking
             || views.georeferencer.is_some()
-            || self.planning();
+            || self.is_flight_hidden();
         let is_pressed = || context.input(|i| i.key_pressed(egui::Key::Escape));
         if self.playback.selected_span.is_some() && !is_taken && is_pressed() {
             commands.push(Command::SelectSpan(None));
@@ -269,6 +277,17 @@ impl App {
     /// what long flights cost; returns how many steps it has then.
     pub fn repeat_laps(&mut self, least_steps: usize) -> usize {
         self.documents.repeat_laps(least_steps)
+    }
+
+    /// Opens a workspace.
+    fn show_workspace(&mut self, workspace: Workspace) {
+        self.view.workspace = workspace;
+    }
+
+    /// Whether the open workspace is about something else than the flight.
+    fn is_flight_hidden(&self) -> bool {
+        let owner = self.views.owner(self.view.workspace);
+        owner.is_some_and(Feature::hides_flight)
     }
 
     /// Whether the guided tour is on.

@@ -8,17 +8,17 @@ impl App {
     /// Has the mission made into a file, with the pictures of its map.
     pub(super) fn save_mission(&mut self, host: &mut dyn Host) {
         let documents = &self.documents;
-        let beside = Beside {
+        let mut beside = Beside {
             simulation: match &documents.flight_source {
                 FlightSource::Simulated(options) => Some(options.clone()),
                 FlightSource::Files(_) | FlightSource::Nothing => None,
             },
             bookmarks: documents.bookmarks.clone(),
-            measured: {
-                let assessments = &self.views.planner.assessments;
-                assessments.to_keep(&documents.mission.landmarks)
-            },
+            ..Beside::default()
         };
+        for feature in &self.views.features {
+            feature.put_beside(&mut beside, documents);
+        }
         let order = PackOrder {
             mission: documents.mission.clone(),
             beside,
@@ -58,7 +58,10 @@ impl App {
 
     /// Opens what was open beside a mission when it was saved.
     pub(super) fn open_beside(&mut self, host: &mut dyn Host, beside: Option<Beside>) {
-        let Some(beside) = beside else { return };
+        let Some(mut beside) = beside else { return };
+        for feature in &mut self.views.features {
+            feature.take_beside(&mut beside);
+        }
         if let Some(simulation) = beside.simulation {
             let flight = FlightSource::Simulated(simulation);
             if flight != self.documents.flight_source {
@@ -68,6 +71,5 @@ impl App {
             }
         }
         self.documents.bookmarks = beside.bookmarks;
-        self.views.planner.assessments.adopt(beside.measured);
     }
 }

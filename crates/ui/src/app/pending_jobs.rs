@@ -2,8 +2,6 @@
 
 use std::collections::HashMap;
 
-use pilotage_core::frames::GroundRect;
-
 use super::log_work::LogWork;
 use super::storage::Keeping;
 use crate::documents::link::Link;
@@ -11,7 +9,6 @@ use crate::documents::{Session, Staged};
 use crate::host::Download;
 use crate::host::OpenedFile;
 use crate::map::TileKey;
-use crate::plan::BriefLandmark;
 use pilotage_jobs::{FlightSource, JobId, MapSource};
 
 /// A flight being flown and navigated.
@@ -124,16 +121,10 @@ pub struct PendingJobs {
     pub(super) logs: LogWork,
     /// The question what the map is.
     pub describe: Option<JobId>,
-    /// The landmark whose distinctness is being examined.
-    pub distinctness: Option<(JobId, u32)>,
-    /// When to examine the selected landmark, milliseconds.
-    pub examine_at: Option<f64>,
     /// The match being explained: job, time, landmark.
     pub explain: Option<(JobId, f64, u32)>,
     /// The search of a trained detector being looked at again: job, time, landmark.
     pub detector: Option<(JobId, f64, u32)>,
-    /// The landmark that could not be examined, and why.
-    pub examined_in_vain: Option<(u32, String)>,
     /// Files being looked at.
     pub opening: HashMap<JobId, Opening>,
     /// Batches of files opened so far.
@@ -144,9 +135,6 @@ pub struct PendingJobs {
     pub keeping: Keeping,
     /// Whether the map is to be fitted once it is known how far it reaches.
     pub fit_when_known: bool,
-    /// The brief whose pictures are being made: job, the ground of its map, its landmarks, and how
-    /// many more there are.
-    pub brief: Option<(JobId, GroundRect, Vec<BriefLandmark>, usize)>,
     /// View of a link, to be shown once its flight is there.
     pub link: Option<Link>,
     /// Session that was open before a link was followed.

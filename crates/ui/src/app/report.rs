@@ -32,12 +32,7 @@ impl App {
         let features = self.views.features.iter();
         let features = features.map(|it| (it.info().id.to_owned(), it.state(&self.documents)));
         let features = Value::Object(features.collect());
-        for part in [
-            self.run_json(),
-            self.view_json(),
-            self.plan_json(),
-            features,
-        ] {
+        for part in [self.run_json(), self.view_json(), features] {
             if let (Value::Object(all), Value::Object(part)) = (&mut all, part) {
                 all.extend(part);
             }
@@ -315,11 +310,10 @@ impl App {
             let percent = 100.0 * fraction;
             parts.push(format!("Computing, {percent:.0} percent: {words}."));
         }
-        if self.planning() {
-            parts.push(self.plan_text());
-        }
+        let owner = self.views.owner(self.view.workspace);
+        parts.extend(owner.and_then(|it| it.summary(documents, self.view.units)));
         match (&documents.run, documents.span()) {
-            _ if self.planning() => {}
+            _ if self.is_flight_hidden() => {}
             (Some(run), Some(span)) => parts.push(self.run_text(run, span)),
             _ => parts.push("No run yet.".to_owned()),
         }

@@ -1,5 +1,7 @@
 //! The first moments, and what is remembered of an earlier visit.
 
+use serde_json::Value;
+
 use super::App;
 use super::aside::Aside;
 use super::frame_pictures::FramePictureRequests;
@@ -87,8 +89,10 @@ impl App {
         app.views.map.follow = true;
         app.views.map.camera.metres_per_point = 0.7;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
-        app.views.planner.restore(&app.view.plan);
-        app.views.planner.assessments.recall(host);
+        for feature in &mut app.views.features {
+            let saved = app.view.features.get(feature.info().id);
+            feature.restore(saved.unwrap_or(&Value::Null));
+        }
         app
     }
 
@@ -111,7 +115,7 @@ impl App {
                 until a version can read it; meanwhile, this is the demo.";
             self.toasts.trouble(host.now(), title, text);
         }
-        self.recall_trainings(host);
+        self.start_features(context, host);
         self.follow_link(host);
         if host
             .interrupted_saves()
@@ -166,7 +170,13 @@ impl App {
     pub(super) fn remember(&mut self, context: &egui::Context, host: &mut dyn Host) {
         self.view.speed = self.playback.speed;
         self.view.looping = self.playback.looping;
-        self.view.plan = self.views.planner.saved();
+        for feature in &self.views.features {
+            let part = feature.save();
+            if !part.is_null() {
+                let id = feature.info().id.to_owned();
+                self.view.features.insert(id, part);
+            }
+        }
         self.view.hidden_layers = self.views.map.layers.hidden_names();
         if self.views.presets != self.stored_presets {
             host.store(PRESETS_KEY, &self.views.presets.encode());

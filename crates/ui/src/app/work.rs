@@ -1,6 +1,5 @@
 //! Jobs asked of the workers, and the times at which they are asked for.
 
-use pilotage_core::frames::GroundRect;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
@@ -8,18 +7,12 @@ use super::App;
 use super::pending_jobs::{FlyJob, Shown};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
-use crate::plan::flown;
 use pilotage_jobs::{
-    DescribeMapOrder, Distinctness, DistinctnessOrder, ExplainOrder, ExplainedBy, FlightSource,
-    FlyOrder, Job, MapSource, TileOrder,
+    DescribeMapOrder, ExplainOrder, ExplainedBy, FlightSource, FlyOrder, Job, MapSource, TileOrder,
 };
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
-/// Time for which a landmark must rest before it is examined, milliseconds.
-const EXAMINE_AFTER: f64 = 120.0;
-/// Change of the distance within which look-alikes count that is worth another look, metres.
-const OTHER_RADIUS: f64 = 0.5;
 /// Most tiles asked for at a time.
 pub(super) const TILES_AT_A_TIME: usize = 4;
 
@@ -161,25 +154,13 @@ impl App {
         self.jobs.document_changed = true;
     }
 
-    /// A landmark is to be examined soon.
-    pub(super) fn examine_soon(&mut self, now: f64) {
-        self.jobs.examine_at = Some(now + EXAMINE_AFTER);
-    }
-
     /// Starts what is due.
     pub(super) fn work(&mut self, context: &egui::Context, host: &mut dyn Host) {
         let now = host.now();
         // While people plan, the flight waits: its time is better spent on the prediction.
-        let flies_now = !self.planning();
+        let flies_now = !self.is_flight_hidden();
         if flies_now && self.jobs.fly_again_at.is_some_and(|at| at <= now) {
             self.fly_again(host);
-        }
-        if self.is_examined_otherwise() {
-            self.examine_soon(now);
-        }
-        if self.jobs.examine_at.is_some_and(|at| at <= now) {
-            self.jobs.examine_at = None;
-            self.examine(host);
         }
         self.documents.tend_noticed();
         self.tend_features(context, host);
@@ -193,62 +174,10 @@ impl App {
         let camera = &self.views.camera;
         let (documents, playback) = (&self.documents, &self.playback);
         self.frame_pictures.ask(host, documents, playback, camera);
-        self.work_on_plan(context, host);
-        let waiting = self.jobs.fly_again_at.is_some() && flies_now
-            || self.jobs.examine_at.is_some()
-            || self.dirty_since.is_some();
+        let waiting = self.jobs.fly_again_at.is_some() && flies_now || self.dirty_since.is_some();
         if waiting {
             context.request_repaint_after(std::time::Duration::from_millis(60));
         }
-    }
-
-    fn examine(&mut self, host: &mut dyn Host) {
-        let Some(id) = self.selection else { return };
-        self.jobs.examined_in_vain = None;
-        let Some(bounds) = self.documents.mission.landmark(id).map(|l| l.bounds) else {
-            return;
-        };
-        let radius = self.look_alike_radius(&bounds);
-        let known = self.documents.distinctness_of(id);
-        if known.is_some_and(|d| (d.radius - radius).abs() < OTHER_RADIUS) {
-            return;
-        }
-        if let Some((job, _)) = self.jobs.distinctness.take() {
-            host.cancel(job);
-        }
-        let job = host.start(Job::Distinctness(DistinctnessOrder {
-            map: self.documents.map_source.clone(),
-            bounds,
-            radius,
-        }));
-        self.jobs.distinctness = Some((job, id));
-    }
-
-    /// Distance around a landmark within which the detector will look for it: that far look-alikes count,
-    /// metres.
-    fn look_alike_radius(&self, bounds: &GroundRect) -> f64 {
-        let planner = &self.views.planner;
-        let height = flown::flown_height(&self.documents);
-        let view = planner.field_view(&self.documents, height);
-        let sigmas = self.documents.mission.navigator.detector.search_sigmas;
-        view.searched(sigmas, bounds.width().max(bounds.height()))
-    }
-
-    /// Whether the selected landmark was compared for another uncertainty of the position.
-    fn is_examined_otherwise(&self) -> bool {
-        let jobs = &self.jobs;
-        let waits = jobs.distinctness.is_some() || jobs.examine_at.is_some();
-        let Some(id) = self.selection.filter(|_| !waits) else {
-            return false;
-        };
-        let known = self.documents.distinctness_of(id);
-        let other =
-            |d: &Distinctness| (d.radius - self.look_alike_radius(&d.bounds)).abs() >= OTHER_RADIUS;
-        let in_vain = jobs
-            .examined_in_vain
-            .as_ref()
-            .is_some_and(|(of, _)| *of == id);
-        known.is_some_and(other) && !in_vain
     }
 
     fn ask_for_tiles(&mut self, host: &mut dyn Host) {

@@ -2,7 +2,7 @@
 
 use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::command::Workspace;
 use crate::units::Units;
@@ -77,8 +77,9 @@ pub struct ViewState {
     pub looping: bool,
     /// Map layers that are switched off, by name.
     pub hidden_layers: Vec<String>,
-    /// Preferences of planning, as that writes them.
-    pub plan: Value,
+    /// Everything as it was stored: parts of features stand in it under their identities, beside the fields above.
+    #[serde(skip)]
+    pub features: Map<String, Value>,
 }
 
 impl Default for ViewState {
@@ -96,7 +97,7 @@ impl Default for ViewState {
             speed: 2.0,
             looping: true,
             hidden_layers: Vec::new(),
-            plan: Value::Null,
+            features: Map::new(),
         }
     }
 }
@@ -104,12 +105,21 @@ impl Default for ViewState {
 impl ViewState {
     /// As bytes for the storage.
     pub fn encode(&self) -> Vec<u8> {
-        serde_json::to_vec(self).unwrap_or_default()
+        let mut all = self.features.clone();
+        if let Ok(Value::Object(own)) = serde_json::to_value(self) {
+            all.extend(own);
+        }
+        serde_json::to_vec(&all).unwrap_or_default()
     }
 
     /// From the storage; the default if there is nothing readable.
     pub fn decode(bytes: &[u8]) -> Self {
-        serde_json::from_slice(bytes).unwrap_or_default()
+        let all: Map<String, Value> = serde_json::from_slice(bytes).unwrap_or_default();
+        let own = Self::deserialize(&Value::Object(all.clone())).unwrap_or_default();
+        Self {
+            features: all,
+            ..own
+        }
     }
 }
 
@@ -117,6 +127,7 @@ impl ViewState {
 mod tests {
     use super::*;
     use pilotage_core::mission::NoFlyZone;
+    use serde_json::json;
 
     #[test]
     fn a_session_survives_the_storage() {
@@ -150,6 +161,19 @@ mod tests {
         let before = text.replace("\"holes\":[],", "");
         assert_ne!(before, text);
         assert_eq!(Session::decode(before.as_bytes()), Some(session));
+    }
+
+    #[test]
+    fn parts_of_features_are_stored_beside_what_is_the_views_own() {
+        let stored = br#"{"dark":false,"plan":{"limit":7.5}}"#;
+        let mut view = ViewState::decode(stored);
+        assert!(!view.dark);
+        assert_eq!(view.features["plan"], json!({"limit": 7.5}));
+        view.dark = true;
+        let again: Value = serde_json::from_slice(&view.encode()).unwrap();
+        assert_eq!(again["dark"], json!(true));
+        assert_eq!(again["plan"], json!({"limit": 7.5}));
+        assert_eq!(ViewState::decode(&view.encode()).dark, view.dark);
     }
 
     #[test]

@@ -14,6 +14,7 @@ use super::{Brought, FramePictures, Ground, History, Noticed, Session};
 use crate::context::route_of;
 use crate::log::OpenLog;
 use crate::photos::Photos;
+use crate::views::Examined;
 use pilotage_jobs::{
     DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures,
 };
@@ -69,6 +70,8 @@ pub struct Documents {
     pub terrain: Ground,
     /// Distinctness of landmarks, by id; true only while the box is the same.
     pub distinctness: HashMap<u32, Distinctness>,
+    /// The landmark that could not be examined, and why.
+    pub examined_in_vain: Option<(u32, String)>,
     /// The pictures of the match asked for last.
     pub match_pictures: Option<MatchPictures>,
     /// Search of the trained detector asked for last.
@@ -111,6 +114,7 @@ impl Documents {
             map: None,
             terrain: Ground::default(),
             distinctness: HashMap::new(),
+            examined_in_vain: None,
             match_pictures: None,
             detector_search: None,
             log: session.log.as_ref().and_then(|file| match &session.flight {
@@ -250,6 +254,7 @@ impl Documents {
             run_complete,
             ghost,
             distinctness,
+            examined_in_vain,
             match_pictures,
             detector_search,
             flown_camera,
@@ -265,6 +270,7 @@ impl Documents {
         bookmarks.clear();
         pictures.clear();
         distinctness.clear();
+        *examined_in_vain = None;
         (*match_pictures, *detector_search) = (None, None);
         *flown_camera = CameraAdjustment::default();
         *noticed = Noticed::default();
@@ -351,5 +357,16 @@ impl Documents {
     pub fn distinctness_of(&self, id: u32) -> Option<&Distinctness> {
         let bounds = self.mission.landmark(id)?.bounds;
         self.distinctness.get(&id).filter(|d| d.bounds == bounds)
+    }
+
+    /// Distinctness of the selected landmark, as far as it is known.
+    pub fn examined(&self, selection: Option<u32>) -> Examined<'_> {
+        let in_vain = self.examined_in_vain.as_ref();
+        Examined {
+            found: selection.and_then(|id| self.distinctness_of(id)),
+            trouble: in_vain
+                .filter(|(id, _)| selection == Some(*id))
+                .map(|(_, why)| why.as_str()),
+        }
     }
 }

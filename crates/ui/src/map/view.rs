@@ -72,6 +72,8 @@ pub struct MapView {
     pub follow: bool,
     /// Whether the next drag draws a landmark.
     pub picking: bool,
+    /// Whether a place of the flight that is open was chosen for it, to be fitted to nothing else.
+    pub is_placed: bool,
     /// The landmark that is being named in place.
     pub naming: Option<u32>,
     /// Whether the plan is shown.
@@ -106,6 +108,7 @@ impl MapView {
 
     /// Stays at what its camera shows now.
     pub fn stay(&mut self) {
+        self.is_placed = true;
         self.wants_fit = None;
         self.follow = false;
     }

@@ -8,6 +8,7 @@ use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
 
 use super::kept::{MEASURED_KEY, basis_of, decode, encode, use_what_is_true};
 use crate::documents::Documents;
+use crate::feature::FeatureContext;
 use crate::host::Host;
 use pilotage_jobs::{
     Assessment, AssessmentOrder, Basis, EnvelopeOrder, Job, JobEvent, JobId, KeptMeasurement,
@@ -140,19 +141,19 @@ impl Assessments {
     }
 
     /// Stops measuring; what is known stays.
-    pub fn stop(&mut self, host: &mut dyn Host) {
+    pub fn stop(&mut self, context: &mut FeatureContext<'_>) {
         self.waiting.clear();
         self.wants_envelope = None;
         let asked = self.asked.take().map(|(id, _)| id);
         let surveyed = self.surveyed.take().map(|(id, _)| id);
         for id in asked.into_iter().chain(surveyed) {
-            host.cancel(id);
+            context.cancel(id);
         }
     }
 
     /// Forgets everything: another map is shown.
-    pub fn clear(&mut self, host: &mut dyn Host) {
-        self.stop(host);
+    pub fn clear(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop(context);
         self.measured.clear();
         self.envelopes.clear();
         self.bases.clear();
@@ -187,7 +188,8 @@ impl Assessments {
     }
 
     /// Uses what was recalled and is true, and stores what is new.
-    fn remember(&mut self, host: &mut dyn Host, documents: &Documents) {
+    fn remember(&mut self, context: &mut FeatureContext<'_>) {
+        let documents = &*context.documents;
         if !self.recalled.is_empty() {
             let mut recalled = std::mem::take(&mut self.recalled);
             use_what_is_true(&mut recalled, documents, |one, landmark| {
@@ -196,7 +198,7 @@ impl Assessments {
             self.recalled = recalled;
         }
         if std::mem::take(&mut self.changed) {
-            host.store(
+            context.host.store(
                 MEASURED_KEY,
                 &encode(&self.to_keep(&documents.mission.landmarks)),
             );
@@ -235,24 +237,23 @@ impl Assessments {
     }
 
     /// Begins the next one.
-    pub fn work(&mut self, host: &mut dyn Host, documents: &Documents) {
-        let map = &documents.map_source;
-        if self.map.as_ref() != Some(map) {
-            self.clear(host);
-            self.map = Some(map.clone());
+    pub fn work(&mut self, context: &mut FeatureContext<'_>) {
+        if self.map.as_ref() != Some(&context.documents.map_source) {
+            self.clear(context);
+            self.map = Some(context.documents.map_source.clone());
         }
-        self.remember(host, documents);
+        self.remember(context);
         if std::mem::take(&mut self.wants_stop) {
-            self.stop(host);
+            self.stop(context);
         }
         if let Some(order) = self.wants_envelope.take() {
             if let Some((id, _)) = self.surveyed.take() {
-                host.cancel(id);
+                context.cancel(id);
             }
             self.failed.remove(&order.landmark.id);
             self.survey_progress = 0.0;
-            self.note_basis(documents, &order);
-            let id = host.start(Job::Envelope(EnvelopeOrder(Box::new(order.clone()))));
+            self.note_basis(context.documents, &order);
+            let id = context.start(Job::Envelope(EnvelopeOrder(Box::new(order.clone()))));
             self.surveyed = Some((id, order));
         }
         if self.asked.is_none()
@@ -260,8 +261,8 @@ impl Assessments {
         {
             let landmark = order.landmark.id;
             self.progress = (0.0, "Waiting for a worker".to_owned());
-            self.note_basis(documents, &order);
-            let id = host.start(Job::Assess(Box::new(order)));
+            self.note_basis(context.documents, &order);
+            let id = context.start(Job::Assess(Box::new(order)));
             self.asked = Some((id, landmark));
         }
     }

@@ -11,6 +11,7 @@ use pilotage_core::plan::Prediction;
 
 use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
+use super::printing::BriefLandmark;
 use super::way_points::{action_words, altitude_words};
 use super::words::{Outlook, distance_text};
 use crate::units::Units;
@@ -26,15 +27,6 @@ const WIDTH: f64 = 1000.0;
 
 /// Style sheet of the page.
 pub const STYLE: &str = include_str!("../../style/brief.css");
-
-/// A landmark of the brief.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BriefLandmark {
-    /// The landmark.
-    pub landmark: Landmark,
-    /// Detection probability, in words.
-    pub found: String,
-}
 
 /// Content of a brief.
 pub struct BriefScene<'a> {

@@ -11,6 +11,12 @@ pub fn commands() -> Vec<Entry> {
     let mut entries = plan();
     entries.extend(trainings());
     entries.extend(ground());
+    entries.push(entry(
+        Group::Document,
+        "Print the mission brief",
+        vec![control(Key::P)],
+        Command::from(PlanCommand::PrintBrief),
+    ));
     entries
 }
 

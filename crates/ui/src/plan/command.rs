@@ -13,7 +13,10 @@ use super::tab::PlanTab;
 use super::train_command::TrainCommand;
 use crate::command::Command;
 use crate::documents::landmarks::LandmarkChange;
-use crate::feature_command::FeatureCommand;
+use crate::feature_command::{FeatureCommand, FeatureId};
+
+/// Identity of the feature.
+pub const ID: FeatureId = "plan";
 
 /// A change of a no-fly area.
 #[derive(Clone, Debug, PartialEq)]
@@ -183,10 +186,12 @@ pub enum PlanCommand {
     FinishMarking,
     /// Forget the corners.
     CancelMarking,
+    /// Print the selected route with its map, legs, landmarks and prediction.
+    PrintBrief,
 }
 
 impl From<PlanCommand> for Command {
     fn from(command: PlanCommand) -> Self {
-        Self::Feature(FeatureCommand::new("plan", command))
+        Self::Feature(FeatureCommand::new(ID, command))
     }
 }

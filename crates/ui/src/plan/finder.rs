@@ -3,7 +3,7 @@
 use pilotage_core::frames::GroundPoint;
 
 use super::find_command::FindPick;
-use crate::host::Host;
+use crate::feature::FeatureContext;
 use pilotage_jobs::{FindOrder, FoundPlan, Job, JobEvent, JobId};
 
 /// The search.
@@ -35,21 +35,21 @@ impl Finder {
     }
 
     /// Starts or stops what is wanted.
-    pub fn work(&mut self, order: impl FnOnce() -> Option<FindOrder>, host: &mut dyn Host) {
+    pub fn work(&mut self, order: Option<FindOrder>, context: &mut FeatureContext<'_>) {
         let Some(start) = self.wants.take() else {
             return;
         };
         if let Some(id) = self.asked.take() {
-            host.cancel(id);
+            context.cancel(id);
         }
         if !start {
             return;
         }
         self.trouble = None;
         self.found = None;
-        if let Some(order) = order() {
+        if let Some(order) = order {
             self.progress = (0.0, "Waiting for a worker".to_owned());
-            self.asked = Some(host.start(Job::Find(Box::new(order))));
+            self.asked = Some(context.start(Job::Find(Box::new(order))));
         } else {
             let why = "choose A and B on the map first, and wait until the map is there.";
             self.trouble = Some(why.to_owned());

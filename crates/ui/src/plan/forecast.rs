@@ -2,7 +2,7 @@
 
 use pilotage_core::plan::Prediction;
 
-use crate::host::Host;
+use crate::feature::FeatureContext;
 use pilotage_jobs::{COARSE, Job, JobEvent, JobId, PredictionOrder};
 
 /// Worlds of the fine one.
@@ -75,8 +75,13 @@ impl Forecast {
     }
 
     /// Asks for what is missing; true if time must pass first.
-    pub fn work(&mut self, plan: Option<PredictionOrder>, limit: f64, host: &mut dyn Host) -> bool {
-        let now = host.now();
+    pub fn work(
+        &mut self,
+        plan: Option<PredictionOrder>,
+        limit: f64,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
+        let now = context.host.now();
         if self.limit != limit {
             self.limit = limit;
             if let Some(shown) = &mut self.shown {
@@ -84,7 +89,7 @@ impl Forecast {
             }
         }
         let Some(plan) = plan else {
-            self.forget(host);
+            self.forget(context);
             return false;
         };
         if self.plan.as_ref().is_none_or(|(before, _)| *before != plan) {
@@ -98,7 +103,7 @@ impl Forecast {
         if let Some(asked) = &self.asked {
             // A fine one that has become old is in the way of the next coarse one.
             if asked.order.worlds == FINE && !self.is_of_now(&asked.order) {
-                host.cancel(asked.id);
+                context.cancel(asked.id);
                 self.asked = None;
             } else {
                 return false;
@@ -119,7 +124,7 @@ impl Forecast {
             return true;
         };
         let order = PredictionOrder { worlds, ..plan };
-        let id = host.start(Job::Predict(Box::new(order.clone())));
+        let id = context.start(Job::Predict(Box::new(order.clone())));
         self.asked = Some(Asked {
             id,
             order,
@@ -128,9 +133,9 @@ impl Forecast {
         false
     }
 
-    fn forget(&mut self, host: &mut dyn Host) {
+    fn forget(&mut self, context: &mut FeatureContext<'_>) {
         if let Some(asked) = self.asked.take() {
-            host.cancel(asked.id);
+            context.cancel(asked.id);
         }
         self.shown = None;
         self.plan = None;

@@ -3,7 +3,7 @@
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use pilotage_core::plan::Localizability;
 
-use crate::host::Host;
+use crate::feature::FeatureContext;
 use crate::views::color_map::viridis;
 use pilotage_jobs::{FieldOrder, Job, JobEvent, JobId};
 
@@ -84,25 +84,24 @@ impl Heat {
         &mut self,
         wanted: Option<FieldOrder>,
         blind: bool,
-        host: &mut dyn Host,
-        context: &Context,
+        context: &mut FeatureContext<'_>,
     ) -> bool {
-        let now = host.now();
+        let now = context.host.now();
         let Some(wanted) = wanted else {
-            self.cancel(host);
+            self.cancel(context);
             return false;
         };
         if self.wanted.as_ref().is_none_or(|(w, _)| *w != wanted) {
             self.wanted = Some((wanted.clone(), now));
-            self.cancel(host);
+            self.cancel(context);
             self.trouble = None;
             self.complete = false;
             self.stopped = false;
         }
         if self.stopped {
-            self.cancel(host);
+            self.cancel(context);
         }
-        self.paint(blind, context);
+        self.paint(blind, context.egui);
         if self.asked.is_some() || self.complete || self.stopped || self.trouble.is_some() {
             return false;
         }
@@ -110,15 +109,15 @@ impl Heat {
         if !first && self.wanted.as_ref().is_some_and(|(_, at)| now - at < REST) {
             return true;
         }
-        let id = host.start(Job::Field(Box::new(wanted.clone())));
+        let id = context.start(Job::Field(Box::new(wanted.clone())));
         self.progress = (0.0, "Waiting for a worker".to_owned());
         self.asked = Some(Asked { id, order: wanted });
         false
     }
 
-    fn cancel(&mut self, host: &mut dyn Host) {
+    fn cancel(&mut self, context: &mut FeatureContext<'_>) {
         if let Some(asked) = self.asked.take() {
-            host.cancel(asked.id);
+            context.cancel(asked.id);
         }
     }
 

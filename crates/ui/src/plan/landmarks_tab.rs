@@ -15,7 +15,6 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{caption, chip, icon_button, icons::Icon, muted, text_button};
 use crate::views::ellipse::largest_sigma;
-use crate::views::{Examined, LandmarkList};
 use pilotage_jobs::Measured;
 
 /// Height of the table before it scrolls, points: what is selected stays in sight below it.
@@ -27,8 +26,6 @@ pub fn landmarks_tab(
     planner: &mut Planner,
     documents: &Documents,
     context: &mut ViewContext<'_>,
-    list: &mut LandmarkList,
-    examined: Examined<'_>,
 ) {
     let tokens = context.tokens;
     let mission = context.mission;
@@ -92,7 +89,8 @@ pub fn landmarks_tab(
         ui.add_space(tokens.space);
         card(ui, planner, landmark, context);
         ui.add_space(tokens.space);
-        list.selected(ui, landmark, context, examined);
+        let examined = documents.examined(context.selection);
+        planner.list.selected(ui, landmark, context, examined);
         ui.add_space(tokens.space);
         planner.editor.one(ui, landmark, context);
     }

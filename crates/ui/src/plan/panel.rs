@@ -15,18 +15,10 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::catalog::catalog;
 use crate::shell::{caption, icon_button, icons::Icon, muted, tab};
-use crate::views::{Examined, LandmarkList};
 
 impl Planner {
     /// Draws the column.
-    pub fn panel(
-        &mut self,
-        ui: &mut Ui,
-        documents: &Documents,
-        context: &mut ViewContext<'_>,
-        list: &mut LandmarkList,
-        examined: Examined<'_>,
-    ) {
+    pub fn column(&mut self, ui: &mut Ui, documents: &Documents, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
@@ -63,7 +55,7 @@ impl Planner {
             .show(ui, |ui| match self.tab {
                 PlanTab::Route => route_tab(ui, self, documents, context),
                 PlanTab::Ground => ground_tab(ui, self, documents, context),
-                PlanTab::Landmarks => landmarks_tab(ui, self, documents, context, list, examined),
+                PlanTab::Landmarks => landmarks_tab(ui, self, documents, context),
             });
     }
 
@@ -174,7 +166,9 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
             })
             .collect();
         if ui.button("Print the mission brief…").clicked() {
-            context.commands.push(Command::PrintBrief);
+            context
+                .commands
+                .push(Command::from(PlanCommand::PrintBrief));
             ui.close();
         }
         for (title, part) in [("Route", "route as "), ("Landmarks", "landmarks as ")] {

@@ -1,8 +1,8 @@
 //! State of the Plan workspace beside the documents.
 
-use pilotage_core::frames::{Altitude, GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::frames::{Altitude, GroundPoint, LocalFrame};
+use pilotage_core::mission::Route;
 use pilotage_core::mission::turn::turn_radius;
-use pilotage_core::mission::{Mission, Route};
 use pilotage_core::simulate::{Airframe, Wind};
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::assessments::Assessments;
 use super::chart::Chart;
+use super::examination::Examination;
 use super::find_command::FindPreferences;
 use super::finder::Finder;
 use super::flown::{
@@ -23,11 +24,14 @@ use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
 use super::patterns::Circumstances;
+use super::printing::Printing;
 use super::remedy::Remedies;
 use super::suggestions::Suggestions;
 use super::tab::PlanTab;
 use super::trainings::Trainings;
 use crate::documents::Documents;
+use crate::map::ScreenFromWorld;
+use crate::views::LandmarkList;
 use pilotage_jobs::PredictionOrder;
 
 /// Preferences and assumptions of the user; remembered between visits.
@@ -116,6 +120,23 @@ pub struct Planner {
     pub(super) area_draft: Option<(usize, String)>,
     /// Whether the map was fitted to the plan.
     pub fitted: bool,
+    /// Comparison of the selected landmark with the map around it.
+    pub(super) examination: Examination,
+    /// The brief whose pictures are being made.
+    pub(super) printing: Option<Printing>,
+    /// The selected landmark in full, with the name being typed.
+    pub(super) list: LandmarkList,
+    /// Parts of the app beside it, as they were last.
+    pub(super) seen: Seen,
+}
+
+/// Parts of the app on which the plan's report for journeys depends, as they were last.
+#[derive(Debug, Default)]
+pub struct Seen {
+    /// Transform of the map to the screen.
+    pub view: Option<ScreenFromWorld>,
+    /// The selected landmark.
+    pub selection: Option<u32>,
 }
 
 impl Planner {
@@ -125,7 +146,7 @@ impl Planner {
     }
 
     /// Takes up preferences that an earlier visit remembered; the usual ones if they are not readable.
-    pub fn restore(&mut self, saved: &Value) {
+    pub fn restore_preferences(&mut self, saved: &Value) {
         self.preferences = PlanPreferences::deserialize(saved).unwrap_or_default();
     }
 
@@ -222,19 +243,4 @@ pub fn made_for(planner: &Planner, documents: &Documents, route: Option<&Route>)
     let altitude = first.unwrap_or_else(|| usual_altitude(documents));
     let places: Vec<GroundPoint> = way_points.iter().map(|w| w.position).collect();
     circumstances(planner, documents, altitude, &places)
-}
-
-/// The ground that the plan is about: routes and landmarks.
-pub fn plan_ground(mission: &Mission) -> Option<GroundRect> {
-    let routes = mission.routes.iter().flat_map(|r| &r.way_points);
-    let places = routes.map(|w| w.position);
-    let landmarks = mission.landmarks.iter();
-    let corners = landmarks.flat_map(|l| {
-        let b = l.bounds;
-        [
-            GroundPoint::new(b.north, b.west),
-            GroundPoint::new(b.south, b.east),
-        ]
-    });
-    GroundRect::around(places.chain(corners))
 }

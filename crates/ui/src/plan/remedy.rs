@@ -10,7 +10,7 @@ use super::chart::sample_at;
 use super::forecast::Forecast;
 use super::words::distance_text;
 use crate::documents::landmarks::POINT_SIDE;
-use crate::host::Host;
+use crate::feature::FeatureContext;
 use crate::units::Units;
 use pilotage_jobs::{Job, JobEvent, JobId, PredictionOrder};
 
@@ -64,14 +64,14 @@ impl Worst {
 
 impl Remedies {
     /// Asks for what is not known yet of the prediction on screen.
-    pub fn work(&mut self, forecast: &Forecast, limit: f64, host: &mut dyn Host) {
+    pub fn work(&mut self, forecast: &Forecast, limit: f64, context: &mut FeatureContext<'_>) {
         let Some(shown) = forecast.shown().filter(|_| forecast.is_fine()) else {
-            self.forget(host);
+            self.forget(context);
             return;
         };
         let known = self.of.as_ref();
         if known.is_none_or(|(order, l)| *order != shown.order || *l != limit) {
-            self.forget(host);
+            self.forget(context);
             self.of = Some((shown.order.clone(), limit));
             self.worst = Worst::of(&shown.prediction);
         }
@@ -95,12 +95,12 @@ impl Remedies {
             }
             _ => return,
         }
-        self.asked = Some(host.start(Job::Predict(Box::new(order))));
+        self.asked = Some(context.start(Job::Predict(Box::new(order))));
     }
 
-    fn forget(&mut self, host: &mut dyn Host) {
+    fn forget(&mut self, context: &mut FeatureContext<'_>) {
         if let Some(id) = self.asked.take() {
-            host.cancel(id);
+            context.cancel(id);
         }
         (self.of, self.worst) = (None, None);
         self.sigmas.clear();

@@ -165,7 +165,7 @@ mod tests {
         let frame = pilotage_core::frames::LocalFrame::new(documents.mission.origin);
         let places = route_of(&documents.mission, id).unwrap().way_points.clone();
         let places: Vec<GroundPoint> = places.iter().map(|w| w.position).collect();
-        let pattern = Pattern::new(super::super::Cover::Survey, &places, &frame);
+        let pattern = Pattern::new(super::super::patterns::Cover::Survey, &places, &frame);
         let text = serde_json::to_string(&pattern).unwrap();
         documents.edit_route(id, Step::Whole, |r| {
             r.properties.insert("pattern".to_owned(), text);

@@ -3,7 +3,7 @@
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::Suggestion;
 
-use crate::host::Host;
+use crate::feature::FeatureContext;
 use pilotage_jobs::{Job, JobEvent, JobId, MapSource, SuggestOrder};
 
 /// Proposed landmarks.
@@ -21,30 +21,30 @@ pub struct Suggestions {
 
 impl Suggestions {
     /// Forgets what is of another map than the one that is open.
-    pub fn keep_to(&mut self, map: &MapSource, host: &mut dyn Host) {
+    pub fn keep_to(&mut self, map: &MapSource, context: &mut FeatureContext<'_>) {
         if self.found.as_ref().is_some_and(|(of, _)| of.map != *map) {
             (self.found, self.hovered) = (None, None);
         }
         if let Some((id, _)) = self.asked.take_if(|(_, of)| of.map != *map) {
-            host.cancel(id);
+            context.cancel(id);
         }
     }
 
     /// Starts or stops what is wanted.
-    pub fn work(&mut self, order: impl FnOnce() -> Option<SuggestOrder>, host: &mut dyn Host) {
+    pub fn work(&mut self, order: Option<SuggestOrder>, context: &mut FeatureContext<'_>) {
         let Some(start) = self.wants.take() else {
             return;
         };
         if let Some((id, _)) = self.asked.take() {
-            host.cancel(id);
+            context.cancel(id);
         }
         if !start {
             return;
         }
         (self.trouble, self.found) = (None, None);
-        if let Some(order) = order() {
+        if let Some(order) = order {
             self.progress = (0.0, "Waiting for a worker".to_owned());
-            let id = host.start(Job::Suggest(Box::new(order.clone())));
+            let id = context.start(Job::Suggest(Box::new(order.clone())));
             self.asked = Some((id, order));
         } else {
             self.trouble = Some("wait until the map is there.".to_owned());

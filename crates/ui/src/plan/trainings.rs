@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::documents::Documents;
+use crate::feature::FeatureContext;
 use crate::host::Host;
 use pilotage_jobs::{
     Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
@@ -222,21 +223,21 @@ impl Trainings {
     }
 
     /// Begins, holds and stops what is due.
-    pub fn work(&mut self, host: &mut dyn Host, documents: &Documents) {
+    pub fn work(&mut self, context: &mut FeatureContext<'_>) {
         for id in self.unwanted.drain(..) {
-            host.cancel(id);
+            context.cancel(id);
         }
         for t in &mut self.list {
             // Of another map, or of a box that was changed, nothing is worked on.
-            if t.job.is_some() && !is_here(t, documents) {
+            if t.job.is_some() && !is_here(t, context.documents) {
                 t.wanted = false;
                 if let Some(id) = t.job.take() {
-                    host.cancel(id);
+                    context.cancel(id);
                 }
             }
             if let Some(id) = t.job.filter(|_| !t.wanted && !t.is_held) {
                 t.is_held = true;
-                host.hold(id, true);
+                context.host.hold(id, true);
             }
         }
         let at_work = |t: &&Training| t.state() == TrainingState::Working;
@@ -245,23 +246,23 @@ impl Trainings {
             if room == 0 {
                 break;
             }
-            if t.state() != TrainingState::Waiting || !is_here(t, documents) {
+            if t.state() != TrainingState::Waiting || !is_here(t, context.documents) {
                 continue;
             }
             room -= 1;
             t.is_held = false;
             if let Some(id) = t.job {
-                host.hold(id, false);
+                context.host.hold(id, false);
             } else {
                 "Waiting for a worker".clone_into(&mut t.words);
                 t.report = None;
-                t.job = Some(host.start(Job::Train(Box::new(t.order.clone()))));
+                t.job = Some(context.start(Job::Train(Box::new(t.order.clone()))));
                 // What was only asked for is kept, too.
                 self.changed = true;
             }
         }
         if std::mem::take(&mut self.changed) {
-            host.store(TRAININGS_KEY, &self.encode());
+            context.host.store(TRAININGS_KEY, &self.encode());
         }
     }
 

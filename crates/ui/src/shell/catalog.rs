@@ -263,11 +263,6 @@ fn document() -> Vec<Entry> {
             Command::SaveMissionAsGeoJson,
         ),
         of("Save the run", vec![], Command::SaveRun),
-        of(
-            "Print the mission brief",
-            vec![control(Key::P)],
-            Command::PrintBrief,
-        ),
         of("Copy a link to this view", vec![], Command::CopyLink),
         of(
             "Open what was open before the link",

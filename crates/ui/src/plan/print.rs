@@ -2,25 +2,27 @@
 
 use pilotage_core::frames::GroundPoint;
 
-use super::App;
-use crate::host::Host;
-use crate::plan::flown::{camera, cruise};
-use crate::plan::legs::legs;
-use crate::plan::route_tab::assumptions;
-use crate::plan::{
-    BRIEF_STYLE, BriefLandmark, BriefScene, MOST_LANDMARKS, brief, brief_area, energy_left,
-};
-use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent};
+use super::aircraft::energy_left;
+use super::brief::{BriefScene, MOST_LANDMARKS, STYLE, brief, brief_area};
+use super::flown::{camera, cruise};
+use super::legs::legs;
+use super::planner::Planner;
+use super::printing::{BriefLandmark, Printing};
+use super::route_tab::assumptions;
+use crate::documents::Documents;
+use crate::feature::FeatureContext;
+use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent, JobId};
 
-impl App {
+impl Planner {
     /// Has the pictures of the brief made.
-    pub(super) fn ask_for_brief(&mut self, host: &mut dyn Host) {
-        let Some(route) = self.documents.selected_route() else {
+    pub(super) fn ask_for_brief(&mut self, context: &mut FeatureContext<'_>) {
+        let documents = &*context.documents;
+        let Some(route) = documents.selected_route() else {
             let text = "Draw a route in the Plan workspace first.";
-            self.toasts.note(host.now(), "No route to print", text);
+            context.note("No route to print", text);
             return;
         };
-        let (landmarks, more) = self.brief_landmarks();
+        let (landmarks, more) = self.brief_landmarks(documents);
         let places = route.way_points.iter().map(|w| w.position);
         let boxes = landmarks.iter().flat_map(|l| {
             let b = l.landmark.bounds;
@@ -33,26 +35,28 @@ impl App {
             return;
         };
         let order = BriefOrder {
-            map: self.documents.map_source.clone(),
+            map: documents.map_source.clone(),
             area,
             boxes: landmarks.iter().map(|l| l.landmark.bounds).collect(),
         };
-        if let Some((old, ..)) = self.jobs.brief.take() {
-            host.cancel(old);
+        if let Some(old) = self.printing.take() {
+            context.cancel(old.job);
         }
-        let id = host.start(Job::Brief(order));
-        self.jobs.brief = Some((id, area, landmarks, more));
+        self.printing = Some(Printing {
+            job: context.start(Job::Brief(order)),
+            area,
+            landmarks,
+            more,
+        });
         let text = "The browser's print opens as soon as its pictures are drawn.";
-        self.toasts
-            .note(host.now(), "Preparing the mission brief", text);
+        context.note("Preparing the mission brief", text);
     }
 
     /// The landmarks that the prediction finds along the route, in that order; without a prediction
     /// those that are on. Beside them the number of those that are too many.
-    fn brief_landmarks(&self) -> (Vec<BriefLandmark>, usize) {
-        let planner = &self.views.planner;
+    fn brief_landmarks(&self, documents: &Documents) -> (Vec<BriefLandmark>, usize) {
         let of = |landmark: &pilotage_core::landmark::Landmark| {
-            let found = match planner.assessments.of(landmark) {
+            let found = match self.assessments.of(landmark) {
                 Some(measured) => {
                     let percent = 100.0 * measured.last.expected.probability();
                     format!("found {percent:.0} % of the time")
@@ -64,8 +68,8 @@ impl App {
                 found,
             }
         };
-        let Some(shown) = planner.forecast.shown() else {
-            let landmarks = self.documents.mission.landmarks.iter();
+        let Some(shown) = self.forecast.shown() else {
+            let landmarks = documents.mission.landmarks.iter();
             let on: Vec<_> = landmarks.filter(|l| l.enabled).collect();
             let more = on.len().saturating_sub(MOST_LANDMARKS);
             let shown = on.into_iter().take(MOST_LANDMARKS);
@@ -88,32 +92,41 @@ impl App {
         (landmarks.collect(), more)
     }
 
-    /// Takes what the worker says of the brief.
-    pub(super) fn brief_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+    /// Takes what the worker says of the brief; false if it is about something else.
+    pub(super) fn brief_event(
+        &mut self,
+        id: JobId,
+        event: &JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) -> bool {
+        let Some(printing) = self.printing.take_if(|it| it.job == id) else {
+            return false;
+        };
         match event {
-            JobEvent::BriefPictures(pictures) => self.print_brief(host, &pictures),
+            JobEvent::BriefPictures(pictures) => self.print_brief(&printing, pictures, context),
             JobEvent::Failed(why) => {
-                self.jobs.brief = None;
-                let title = "The mission brief cannot be drawn";
-                self.toasts.trouble(host.now(), title, why);
+                context.trouble("The mission brief cannot be drawn", why.as_str());
             }
-            JobEvent::Finished | JobEvent::Cancelled => self.jobs.brief = None,
-            _ => {}
+            JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => self.printing = Some(printing),
         }
+        true
     }
 
-    fn print_brief(&mut self, host: &mut dyn Host, pictures: &BriefPictures) {
-        let Some((_, area, landmarks, more_landmarks)) = self.jobs.brief.take() else {
-            return;
-        };
-        let documents = &self.documents;
-        let planner = &self.views.planner;
+    fn print_brief(
+        &self,
+        printing: &Printing,
+        pictures: &BriefPictures,
+        context: &mut FeatureContext<'_>,
+    ) {
+        let documents = &*context.documents;
+        let units = context.view.units;
         let Some(route) = documents.selected_route() else {
             return;
         };
-        let wind = planner.wind(documents);
+        let wind = self.wind(documents);
         let legs = legs(route, cruise(), &wind);
-        let (speed, speed_unit) = self.view.units.speed();
+        let (speed, speed_unit) = units.speed();
         let camera = camera(documents);
         let across = 2.0 * (0.5 * camera.width as f64 / camera.focal).atan();
         let mut assumed = vec![
@@ -129,22 +142,22 @@ impl App {
                 across.to_degrees()
             ),
         ];
-        assumed.extend(assumptions(planner, documents, route, self.view.units));
+        assumed.extend(assumptions(self, documents, route, units));
         let scene = BriefScene {
             mission: &documents.mission.name,
             route,
-            left: energy_left(&legs, &planner.preferences),
+            left: energy_left(&legs, &self.preferences),
             legs: &legs,
-            prediction: planner.forecast.shown().map(|s| &s.prediction),
-            limit: planner.preferences.limit,
+            prediction: self.forecast.shown().map(|s| &s.prediction),
+            limit: self.preferences.limit,
             assumptions: assumed,
-            landmarks: &landmarks,
-            more_landmarks,
+            landmarks: &printing.landmarks,
+            more_landmarks: printing.more,
             attribution: documents.attribution().unwrap_or_default(),
-            area,
+            area: printing.area,
             pictures,
-            units: self.view.units,
+            units,
         };
-        host.print(BRIEF_STYLE, &brief(&scene));
+        context.host.print(STYLE, &brief(&scene));
     }
 }

@@ -2,17 +2,18 @@
 
 use serde_json::{Value, json};
 
-use super::App;
-use crate::plan::{Outlook, Pattern};
+use super::patterns::Pattern;
+use super::planner::Planner;
+use super::words::Outlook;
+use crate::documents::Documents;
+use crate::units::Units;
 
-impl App {
+impl Planner {
     /// The plan for journeys.
-    pub(super) fn plan_json(&self) -> Value {
-        let planner = &self.views.planner;
-        let mission = &self.documents.mission;
-        let view = self.views.map.screen_from_world();
+    pub(super) fn json(&self, documents: &Documents) -> Value {
+        let mission = &documents.mission;
         let way_point = |w: &pilotage_core::mission::WayPoint| {
-            let screen = view.map(|v| v.apply(&w.position));
+            let screen = self.seen.view.map(|v| v.apply(&w.position));
             json!({
                 "north": w.position.north,
                 "east": w.position.east,
@@ -36,7 +37,7 @@ impl App {
                 })
             })
             .collect();
-        let shown = planner.forecast.shown();
+        let shown = self.forecast.shown();
         let outlook = shown.and_then(|s| Outlook::of(&s.prediction));
         let mean = shown.map(|s| {
             let samples = &s.prediction.samples;
@@ -46,7 +47,7 @@ impl App {
         let measured: Vec<Value> = mission
             .landmarks
             .iter()
-            .filter_map(|l| Some((l, planner.assessments.of(l)?)))
+            .filter_map(|l| Some((l, self.assessments.of(l)?)))
             .map(|(l, m)| {
                 json!({
                     "id": l.id,
@@ -56,25 +57,25 @@ impl App {
                 })
             })
             .collect();
-        json!({"plan": {
+        json!({
             "routes": routes,
-            "route": self.documents.route,
-            "way_point": planner.way_point,
-            "drawing": planner.drawing,
-            "limit": planner.preferences.limit,
-            "chart": planner.chart_rect().map(|r| [r.left(), r.top(), r.right(), r.bottom()]),
-            "marking": planner.marking.as_ref().map(|m| json!({
+            "route": documents.route,
+            "way_point": self.way_point,
+            "drawing": self.drawing,
+            "limit": self.preferences.limit,
+            "chart": self.chart_rect().map(|r| [r.left(), r.top(), r.right(), r.bottom()]),
+            "marking": self.marking.as_ref().map(|m| json!({
                 "purpose": format!("{:?}", m.purpose),
                 "corners": m.corners.len(),
             })),
-            "marked": planner.marked(self.selection),
-            "tab": format!("{:?}", planner.tab),
+            "marked": self.marked(self.seen.selection),
+            "tab": format!("{:?}", self.tab),
             "prediction": outlook.map(|o| json!({
-                "fine": planner.forecast.is_fine(),
+                "fine": self.forecast.is_fine(),
                 "worlds": shown.map(|s| s.order.worlds),
                 "took": shown.map(|s| s.took),
-                "coarse_took": planner.forecast.coarse_took().map(|t| t.0),
-                "coarse_computed": planner.forecast.coarse_took().map(|t| t.1),
+                "coarse_took": self.forecast.coarse_took().map(|t| t.0),
+                "coarse_computed": self.forecast.coarse_took().map(|t| t.1),
                 "landmarks": shown.map(|s| s.order.landmarks.len()),
                 "worst_sigma": o.sigma,
                 "widest": o.across,
@@ -84,27 +85,47 @@ impl App {
                 "over": o.over,
                 "length": o.length,
             })),
-            "trouble": planner.forecast.trouble(),
+            "trouble": self.forecast.trouble(),
             "measured": measured,
             "areas": mission.no_fly.iter().map(|z| json!({
                 "name": z.name,
                 "corners": z.corners.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
             })).collect::<Vec<_>>(),
             "no_fly": mission.no_fly.iter().map(|z| z.corners.len()).collect::<Vec<_>>(),
-            "heat": planner.heat_json(),
-            "remedies": planner.remedies.json(),
-            "find": planner.find_json(),
-            "suggested": planner.suggestions_json(&mission.landmarks),
+            "heat": self.heat_json(),
+            "remedies": self.remedies.json(),
+            "find": self.find_json(),
+            "suggested": self.suggestions_json(&mission.landmarks),
             "envelopes": mission.landmarks.iter().filter_map(|l| {
-                let (height, envelope) = planner.assessments.envelope(l)?;
+                let (height, envelope) = self.assessments.envelope(l)?;
                 let looks = envelope.cells.iter().map(|c| c.looks).sum::<usize>();
                 Some(json!({"id": l.id, "height": height, "looks": looks}))
             }).collect::<Vec<_>>(),
-            "surveying": planner.assessments.surveyed(),
-            "trainings": planner.trainings.json(&self.documents),
-            "measuring": planner.assessments.under_way().map(|(id, fraction, words)| {
+            "surveying": self.assessments.surveyed(),
+            "trainings": self.trainings.json(documents),
+            "measuring": self.assessments.under_way().map(|(id, fraction, words)| {
                 json!({"id": id, "progress": fraction, "words": words})
             }),
-        }})
+        })
+    }
+
+    /// The plan in a sentence or two.
+    pub(super) fn text(&self, documents: &Documents, units: Units) -> String {
+        let Some(route) = documents.selected_route() else {
+            return "No route yet.".to_owned();
+        };
+        let mut parts = vec![format!(
+            "{}: {} way-points.",
+            route.name,
+            route.way_points.len()
+        )];
+        let shown = self.forecast.shown();
+        if let Some(outlook) = shown.and_then(|s| Outlook::of(&s.prediction)) {
+            let landmarks = &documents.mission.landmarks;
+            let limit = self.preferences.limit;
+            parts.extend(outlook.sentences(limit, landmarks, units));
+            parts.extend(self.remedies.sentences(units));
+        }
+        parts.join(" ")
     }
 }

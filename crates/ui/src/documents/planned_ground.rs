@@ -1,0 +1,19 @@
+//! The ground that a mission is about.
+
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::mission::Mission;
+
+/// Ground around the routes and landmarks of a mission; `None` without any.
+pub fn planned_ground(mission: &Mission) -> Option<GroundRect> {
+    let routes = mission.routes.iter().flat_map(|r| &r.way_points);
+    let places = routes.map(|w| w.position);
+    let landmarks = mission.landmarks.iter();
+    let corners = landmarks.flat_map(|l| {
+        let b = l.bounds;
+        [
+            GroundPoint::new(b.north, b.west),
+            GroundPoint::new(b.south, b.east),
+        ]
+    });
+    GroundRect::around(places.chain(corners))
+}

@@ -1,0 +1,322 @@
+//! Commands of planning carried out.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::Route;
+use pilotage_core::simulate::SimulationChoice;
+
+use super::PlanCommand;
+use super::find_command::{FindCommand, FindPick};
+use super::flown;
+use super::heat_command::HeatCommand;
+use super::patterns::{Cover, Pattern};
+use super::planner::{Planner, made_for};
+use super::routes::{Step, like};
+use super::tab::PlanTab;
+use crate::feature::FeatureContext;
+use pilotage_jobs::{AssessmentOrder, FlightSource};
+
+/// Width of a corridor when it is made, metres.
+const CORRIDOR: f64 = 200.0;
+
+impl Planner {
+    /// Carries a command out.
+    pub(super) fn carry_out(&mut self, command: PlanCommand, context: &mut FeatureContext<'_>) {
+        if !context.is_shown {
+            context.show();
+        }
+        let Some(command) = self.edit_landmarks(command, context) else {
+            return;
+        };
+        match command {
+            PlanCommand::ToggleDraw if self.drawing => self.finish_drawing(context),
+            PlanCommand::ToggleDraw => {
+                self.drawing = true;
+                self.finder.pick = FindPick::Nothing;
+                self.marking = None;
+                self.way_point = None;
+                context.documents.route = None;
+                context.map.picking = false;
+                *context.selection = None;
+            }
+            PlanCommand::FinishDraw => self.finish_drawing(context),
+            PlanCommand::TakeFlightRoute => self.take_flight_route(context),
+            PlanCommand::SelectRoute(id) => {
+                context.documents.route = Some(id);
+                self.way_point = None;
+            }
+            PlanCommand::SelectWayPoint(which) => {
+                self.way_point = which;
+                if which.is_some() {
+                    *context.selection = None;
+                }
+            }
+            PlanCommand::SetLimit(limit) => self.preferences.limit = limit,
+            PlanCommand::SetAircraft {
+                bank,
+                power,
+                energy,
+            } => {
+                let preferences = &mut self.preferences;
+                (preferences.bank, preferences.power, preferences.energy) = (bank, power, energy);
+            }
+            PlanCommand::ToggleProfile => {
+                let shown = &mut self.preferences.profile;
+                *shown = !*shown;
+            }
+            PlanCommand::SetGround { height, finished } => {
+                context.documents.state_ground(height, Step::of(finished));
+                context.document_changed();
+            }
+            PlanCommand::SetWind(wind) => self.preferences.wind = wind,
+            PlanCommand::Assess(_)
+            | PlanCommand::AssessSelected
+            | PlanCommand::SurveyEnvelope
+            | PlanCommand::AssessAll
+            | PlanCommand::StopAssessing => self.assess(&command, context),
+            PlanCommand::Train(command) => self.train(command, context),
+            PlanCommand::PrintBrief => self.ask_for_brief(context),
+            PlanCommand::Heat(command) => {
+                if command == HeatCommand::ToggleBlind || command == HeatCommand::Toggle {
+                    self.tab = PlanTab::Ground;
+                }
+                self.heat_command(command);
+            }
+            PlanCommand::EditArea {
+                index,
+                change,
+                finished,
+            } => {
+                self.finder.found = None;
+                let step = Step::of(finished);
+                context.documents.edit_no_fly(index, step, change);
+                context.document_changed();
+            }
+            PlanCommand::Find(command) => {
+                if matches!(command, FindCommand::Begin | FindCommand::Pick(_)) {
+                    self.tab = PlanTab::Ground;
+                    self.drawing = false;
+                    self.marking = None;
+                    context.map.picking = false;
+                }
+                if self.find_command(command, context.documents) {
+                    context.document_changed();
+                }
+            }
+            PlanCommand::ShowTab(tab) => self.tab = tab,
+            other => {
+                context.document_changed();
+                self.edit_route(other, context);
+            }
+        }
+    }
+
+    fn finish_drawing(&mut self, context: &mut FeatureContext<'_>) {
+        self.drawing = false;
+        let short = context.documents.selected_route();
+        let short = short.filter(|r| r.way_points.len() < 2).map(|r| r.id);
+        if let Some(id) = short {
+            context.documents.delete_route(id);
+        }
+    }
+
+    fn take_flight_route(&mut self, context: &mut FeatureContext<'_>) {
+        let (route, flight) = match &context.documents.flight_source {
+            FlightSource::Simulated(options) => {
+                let choice = SimulationChoice::named(&options.scenario);
+                let route = choice.and_then(|choice| choice.route(options.height));
+                let place = options.world().place();
+                (route, format!("The flight in {place}"))
+            }
+            _ => (None, "A recorded flight".to_owned()),
+        };
+        let Some(route) = route else {
+            let title = format!("{flight} has no planned route");
+            let text = "Draw a route instead: click on the map where it begins.";
+            context.note(&title, text);
+            return;
+        };
+        let documents = &mut *context.documents;
+        documents.route = Some(documents.add_route(Some(&route.name), route.way_points));
+        self.fitted = false;
+        context.document_changed();
+    }
+
+    fn edit_route(&mut self, command: PlanCommand, context: &mut FeatureContext<'_>) {
+        let documents = &mut *context.documents;
+        if let PlanCommand::AddWayPoint(at) = &command {
+            let at = at.unwrap_or(context.map.camera.center);
+            let usual = flown::usual_altitude(documents);
+            if let Some(id) = documents.route {
+                documents.edit_route(id, Step::Whole, |route| {
+                    let new = like(route.way_points.last(), at, usual);
+                    route.way_points.push(new);
+                });
+            } else {
+                documents.route = Some(documents.add_route(None, vec![like(None, at, usual)]));
+                self.drawing = true;
+            }
+            return;
+        }
+        let Some(id) = documents.route else { return };
+        match command {
+            PlanCommand::DeleteRoute => {
+                documents.delete_route(id);
+                self.drawing = false;
+            }
+            PlanCommand::Split => {
+                let at = self.way_point;
+                if at
+                    .and_then(|index| documents.split_route(id, index))
+                    .is_some()
+                {
+                    self.way_point = None;
+                }
+            }
+            PlanCommand::DuplicateRoute => {
+                documents.route = documents.duplicate_route(id).or(Some(id));
+            }
+            PlanCommand::SetPattern { pattern, finished } => {
+                let usual = flown::usual_altitude(documents);
+                let route = documents.selected_route();
+                let made_for = made_for(self, documents, route);
+                documents.edit_route(id, Step::of(finished), |route| {
+                    pattern.apply(route, usual, &made_for);
+                });
+                self.way_point = None;
+            }
+            PlanCommand::CorridorAlong => {
+                if let Some(route) = documents.selected_route().cloned() {
+                    let usual = flown::usual_altitude(documents);
+                    let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
+                    let made_for = made_for(self, documents, Some(&route));
+                    let line: Vec<GroundPoint> =
+                        route.way_points.iter().map(|w| w.position).collect();
+                    let cover = Cover::Corridor { width_m: CORRIDOR };
+                    let pattern = Pattern::new(cover, &line, &made_for.frame);
+                    let mut new = Route::default();
+                    pattern.apply(&mut new, altitude, &made_for);
+                    documents.route = Some(documents.add_made(new, "Corridor"));
+                    self.way_point = None;
+                }
+            }
+            PlanCommand::InsertWayPoint { behind, .. } => {
+                documents.edit_route(id, step_of(&command), |r| change(r, &command));
+                self.way_point = Some(behind + 1);
+            }
+            PlanCommand::DeleteWayPoint(which) => {
+                let which = which.or(self.way_point);
+                let count = documents.selected_route().map_or(0, |r| r.way_points.len());
+                if count <= 1 {
+                    documents.delete_route(id);
+                    return;
+                }
+                let command = PlanCommand::DeleteWayPoint(which);
+                documents.edit_route(id, Step::Whole, |r| change(r, &command));
+                self.way_point = None;
+            }
+            other => documents.edit_route(id, step_of(&other), |r| change(r, &other)),
+        }
+    }
+
+    fn assess(&mut self, command: &PlanCommand, context: &FeatureContext<'_>) {
+        let documents = &*context.documents;
+        let ids: Vec<u32> = match command {
+            PlanCommand::Assess(ids) => ids.clone(),
+            PlanCommand::AssessSelected | PlanCommand::SurveyEnvelope => {
+                context.selection.iter().copied().collect()
+            }
+            PlanCommand::AssessAll => {
+                let landmarks = documents.mission.landmarks.iter();
+                landmarks.filter(|l| l.enabled).map(|l| l.id).collect()
+            }
+            _ => {
+                self.assessments.wants_stop = true;
+                return;
+            }
+        };
+        let height = flown::flown_height(documents);
+        let landmarks = ids.iter().filter_map(|id| documents.mission.landmark(*id));
+        let mut orders = landmarks.map(|landmark| AssessmentOrder {
+            map: documents.map_source.clone(),
+            landmark: landmark.clone(),
+            camera: flown::camera(documents),
+            height,
+            navigator: documents.mission.navigator.clone(),
+            ground_down: flown::ground_down(documents),
+        });
+        if *command == PlanCommand::SurveyEnvelope {
+            self.assessments.survey(orders.next());
+        } else {
+            self.assessments.ask(orders.collect());
+        }
+    }
+}
+
+fn step_of(command: &PlanCommand) -> Step {
+    match command {
+        PlanCommand::InsertWayPoint { finished, .. }
+        | PlanCommand::MoveWayPoint { finished, .. }
+        | PlanCommand::SetAltitude { finished, .. }
+        | PlanCommand::SetAction { finished, .. }
+        | PlanCommand::SetSpeed { finished, .. } => Step::of(*finished),
+        _ => Step::Whole,
+    }
+}
+
+/// Does to a route what a command says. Whoever moves way-points of a pattern has a pattern no more.
+fn change(route: &mut Route, command: &PlanCommand) {
+    if matches!(
+        command,
+        PlanCommand::MoveWayPoint { .. }
+            | PlanCommand::InsertWayPoint { .. }
+            | PlanCommand::DeleteWayPoint(_)
+            | PlanCommand::ReleasePattern
+            | PlanCommand::Reverse
+    ) {
+        Pattern::release(route);
+    }
+    match command {
+        PlanCommand::MoveWayPoint { index, to, .. } => {
+            if let Some(way_point) = route.way_points.get_mut(*index) {
+                way_point.position = *to;
+            }
+        }
+        PlanCommand::InsertWayPoint { behind, at, .. } => insert(route, *behind, *at),
+        PlanCommand::DeleteWayPoint(Some(index)) if *index < route.way_points.len() => {
+            route.way_points.remove(*index);
+        }
+        PlanCommand::SetAltitude {
+            index, altitude, ..
+        } => {
+            for (at, way_point) in route.way_points.iter_mut().enumerate() {
+                if index.is_none_or(|index| index == at) {
+                    way_point.altitude = *altitude;
+                }
+            }
+        }
+        PlanCommand::SetAction { index, action, .. } => {
+            if let Some(way_point) = route.way_points.get_mut(*index) {
+                way_point.action = *action;
+            }
+        }
+        PlanCommand::SetSpeed { index, speed, .. } => {
+            if let Some(way_point) = route.way_points.get_mut(*index) {
+                way_point.speed = *speed;
+            }
+        }
+        PlanCommand::Reverse => *route = route.reversed(),
+        PlanCommand::RenameRoute(name) => route.name.clone_from(name),
+        _ => {}
+    }
+}
+
+fn insert(route: &mut Route, behind: usize, at: GroundPoint) {
+    // Both parts of the leg keep its speed.
+    let after = route.way_points.get(behind + 1).and_then(|w| w.speed);
+    let Some(before) = route.way_points.get(behind) else {
+        return;
+    };
+    let mut new = like(Some(before), at, before.altitude);
+    new.speed = after;
+    route.way_points.insert(behind + 1, new);
+}

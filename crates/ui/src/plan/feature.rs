@@ -1,0 +1,164 @@
+//! The plan as a feature: what it is asked by the app.
+
+use egui::{Rect, Ui, vec2};
+use pilotage_jobs::{Beside, JobEvent, JobId, Opened};
+use serde_json::Value;
+
+use super::catalog::commands;
+use super::command::{ID, PlanCommand};
+use super::landmark_commands::delete;
+use super::planner::{Planner, Seen};
+use super::readouts::plan_readouts;
+use super::tab::PlanTab;
+use crate::command::{Command, Workspace};
+use crate::context::ViewContext;
+use crate::documents::{Documents, planned_ground};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::map::MapTool;
+use crate::units::Units;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "Plan",
+    place: FeaturePlace::Workspace(Workspace::Plan),
+    commands,
+};
+
+impl Feature for Planner {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let command = command.action::<PlanCommand>().cloned();
+        let is_known = command.is_some();
+        if let Some(command) = command {
+            self.carry_out(command, context);
+        }
+        is_known
+    }
+
+    /// Keeps to the landmark that is selected, and has its own answers to what is asked of the map and of landmarks
+    /// while people plan. What is about the flight is out of place then.
+    fn intercept(&mut self, command: &Command, context: &mut FeatureContext<'_>) -> bool {
+        match command {
+            Command::SelectLandmark(Some(id))
+                if context.documents.mission.landmark(*id).is_some() =>
+            {
+                self.way_point = None;
+                self.tab = PlanTab::Landmarks;
+            }
+            Command::AddLandmark(_) => self.tab = PlanTab::Landmarks,
+            Command::TogglePickTool => {
+                self.drawing = false;
+                self.marking = None;
+            }
+            _ if !context.is_shown => {}
+            Command::DeleteLandmark(id) => {
+                let marked = self.marked(*context.selection);
+                if marked.contains(id) {
+                    delete(&marked, context);
+                    return true;
+                }
+            }
+            Command::FitMap => {
+                let ground = planned_ground(&context.documents.mission);
+                if let Some(ground) = ground {
+                    context.map.fit(ground);
+                }
+                return ground.is_some();
+            }
+            Command::TogglePlay
+            | Command::StepFrames(_)
+            | Command::Jump(_)
+            | Command::GoToStart
+            | Command::GoToEnd => return true,
+            _ => {}
+        }
+        false
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        self.column(ui, documents, context);
+    }
+
+    fn plots(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        self.strip(ui, documents, context);
+    }
+
+    fn over_map(&self, ui: &Ui, rect: Rect, context: &ViewContext<'_>) -> Vec<Rect> {
+        let corner = rect.left_top() + vec2(16.0, 16.0);
+        let readouts = plan_readouts(ui, context.tokens, context.units, self, corner);
+        let below = rect.left_top() + vec2(16.0, 68.0);
+        let legend = self.heat_legend(ui, context.tokens, below);
+        readouts.into_iter().chain(legend).collect()
+    }
+
+    fn tool(&mut self) -> Option<&mut dyn MapTool> {
+        Some(self)
+    }
+
+    fn hides_flight(&self) -> bool {
+        true
+    }
+
+    fn start(&mut self, context: &mut FeatureContext<'_>) {
+        self.assessments.recall(context.host);
+        self.recall_trainings(context);
+    }
+
+    fn restore(&mut self, saved: &Value) {
+        self.restore_preferences(saved);
+    }
+
+    fn save(&self) -> Value {
+        self.saved()
+    }
+
+    fn on_event(&mut self, job: JobId, event: &JobEvent, context: &mut FeatureContext<'_>) {
+        self.receive(job, event, context);
+    }
+
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        if context.documents.flight.is_some() {
+            self.fitted = context.map.is_placed;
+        }
+        self.stop_examining(context);
+    }
+
+    /// Draws no longer once something else is looked at, and lets nothing play while people plan.
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        if context.is_shown {
+            context.playback.playing = false;
+        } else {
+            self.drawing = false;
+            self.marking = None;
+        }
+        self.work(context);
+        self.seen = Seen {
+            view: context.map.screen_from_world(),
+            selection: *context.selection,
+        };
+    }
+
+    fn take_opened(&mut self, opened: &mut Opened, context: &mut FeatureContext<'_>) {
+        self.add_imports(std::mem::take(&mut opened.imports), context);
+    }
+
+    fn put_beside(&self, beside: &mut Beside, documents: &Documents) {
+        beside.measured = self.assessments.to_keep(&documents.mission.landmarks);
+    }
+
+    fn take_beside(&mut self, beside: &mut Beside) {
+        self.assessments.adopt(std::mem::take(&mut beside.measured));
+    }
+
+    fn state(&self, documents: &Documents) -> Value {
+        self.json(documents)
+    }
+
+    fn summary(&self, documents: &Documents, units: Units) -> Option<String> {
+        Some(self.text(documents, units))
+    }
+}

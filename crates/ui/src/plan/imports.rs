@@ -1,0 +1,75 @@
+//! Routes and landmarks from the files of other programs.
+
+use super::planner::Planner;
+use super::tab::PlanTab;
+use crate::documents::Brought;
+use crate::feature::FeatureContext;
+use crate::shell::sentences;
+use pilotage_jobs::ImportedFile;
+
+fn counted(count: usize, one: &str) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        n => Some(format!("{n} {one}s")),
+    }
+}
+
+impl Planner {
+    /// Adds what files of other programs brought to the mission, as one step, and says what was
+    /// assumed, kept aside or left out.
+    pub(super) fn add_imports(
+        &mut self,
+        files: Vec<ImportedFile>,
+        context: &mut FeatureContext<'_>,
+    ) {
+        if files.is_empty() {
+            return;
+        }
+        let routes: usize = files.iter().map(|f| f.routes.len()).sum();
+        let landmarks: usize = files.iter().map(|f| f.landmarks.len()).sum();
+        let no_fly: usize = files.iter().map(|f| f.no_fly.len()).sum();
+        let what: Vec<String> = counted(routes, "route")
+            .into_iter()
+            .chain(counted(landmarks, "landmark"))
+            .chain(counted(no_fly, "no-fly area"))
+            .collect();
+        let names: Vec<String> = files
+            .iter()
+            .map(|f| format!("{} ({})", f.name, f.format))
+            .collect();
+        let several = files.len() > 1;
+        let notes: Vec<String> = files
+            .iter()
+            .flat_map(|f| {
+                let name = f.name.clone();
+                let of = move |note: &String| {
+                    if several {
+                        format!("{name}: {note}")
+                    } else {
+                        note.clone()
+                    }
+                };
+                f.notes.iter().map(of)
+            })
+            .collect();
+        let documents = &mut *context.documents;
+        let added = documents.add_all(files.into_iter().map(Brought::from).collect());
+        self.drawing = false;
+        self.fitted = false;
+        self.way_point = None;
+        self.tab = match (added.routes.is_empty(), added.landmarks.is_empty()) {
+            (false, _) => PlanTab::Route,
+            (true, false) => PlanTab::Landmarks,
+            (true, true) => PlanTab::Ground,
+        };
+        documents.route = added.routes.first().copied().or(documents.route);
+        context.show();
+        context.document_changed();
+        if !added.landmarks.is_empty() {
+            context.run_is_stale();
+        }
+        let title = format!("Added {} from {}", what.join(" and "), names.join(", "));
+        context.note(&title, sentences(&notes));
+    }
+}

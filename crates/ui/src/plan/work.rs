@@ -1,0 +1,75 @@
+//! Jobs of the plan: what it is missing is asked for, and what comes of it is taken.
+
+use std::time::Duration;
+
+use super::planner::Planner;
+use crate::documents::planned_ground;
+use crate::feature::FeatureContext;
+use pilotage_jobs::{JobEvent, JobId};
+
+/// Time after which to look again whether what rests is to be computed.
+const LOOK_AGAIN: Duration = Duration::from_millis(60);
+
+impl Planner {
+    /// Takes what a worker says about the plan.
+    pub(super) fn receive(
+        &mut self,
+        id: JobId,
+        event: &JobEvent,
+        context: &mut FeatureContext<'_>,
+    ) {
+        let now = context.host.now();
+        let _ = self.forecast.receive(id, event, now)
+            || self.remedies.receive(id, event)
+            || self.heat.receive(id, event)
+            || self.finder.receive(id, event)
+            || self.suggestions.receive(id, event)
+            || self.trainings.receive(id, event)
+            || self.examined(id, event, context.documents)
+            || self.brief_event(id, event, context)
+            || self
+                .assessments
+                .receive(id, event, &context.documents.mission.landmarks);
+    }
+
+    /// Asks the workers for what the plan is missing.
+    pub(super) fn work(&mut self, context: &mut FeatureContext<'_>) {
+        let mut waits = self.examine(context);
+        self.settle(context.documents);
+        self.assessments.work(context);
+        self.trainings.work(context);
+        self.keep_detectors(context);
+        if context.is_shown {
+            waits |= self.work_on_route(context);
+        }
+        if waits {
+            context.egui.request_repaint_after(LOOK_AGAIN);
+        }
+    }
+
+    /// Asks for what is shown along the routes; true if time must pass first.
+    fn work_on_route(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        if !self.fitted
+            && let Some(ground) = planned_ground(&context.documents.mission)
+        {
+            self.fitted = true;
+            context.map.fit(ground);
+        }
+        let heat = self.heat_order(context.documents);
+        let blind = self.preferences.heat.blind;
+        let mut waits = self.heat.work(heat, blind, context);
+        let begins = self.finder.wants == Some(true);
+        let order = begins.then(|| self.find_order(context.documents));
+        self.finder.work(order.flatten(), context);
+        let map = context.documents.map_source.clone();
+        self.suggestions.keep_to(&map, context);
+        let begins = self.suggestions.wants == Some(true);
+        let order = begins.then(|| self.suggest_order(context.documents));
+        self.suggestions.work(order.flatten(), context);
+        let order = self.order(context.documents);
+        let limit = self.preferences.limit;
+        waits |= self.forecast.work(order, limit, context);
+        self.remedies.work(&self.forecast, limit, context);
+        waits
+    }
+}
