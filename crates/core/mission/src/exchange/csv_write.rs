@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::written::Written;
-use super::{ExchangeError, Format, csv_read, fence, flown_text};
+use super::{ExchangeError, csv_read, fence, flown_text};
 use crate::mission::way_point_file::{action_word, frame_word};
 use crate::mission::{FEATURE_MEMBER, Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
@@ -15,18 +15,17 @@ use pilotage_vision::landmark::Landmark;
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
-    format: Format::Csv,
     name: "CSV",
     as_words: "CSV",
     extensions: &["csv", "tsv"],
     is_told_by_extension: true,
+    begins: None,
     is_mission: false,
     holds_tracks: true,
 };
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    format: INFO.format,
     read: Read::Text(csv_read::read),
     write: |places, frame| {
         let text = match (places.routes, places.landmarks) {

@@ -1,11 +1,7 @@
 //! Description of a format, apart from the code that reads and writes it: menus link no readers.
 
-use super::Format;
-
 /// Description of a format; it stands beside the code that writes it.
 pub(super) struct FormatInfo {
-    /// The format.
-    pub format: Format,
     /// Name for people.
     pub name: &'static str,
     /// Words for a file of the format, as in "save the route as …".
@@ -14,6 +10,8 @@ pub(super) struct FormatInfo {
     pub extensions: &'static [&'static str],
     /// Whether the extension of a file's name tells it; else that is another format's.
     pub is_told_by_extension: bool,
+    /// Text with which each of its files begins, if that tells it from all others.
+    pub begins: Option<&'static str>,
     /// Whether it holds one mission of an aircraft, and nothing else.
     pub is_mission: bool,
     /// Whether it holds a flown track.

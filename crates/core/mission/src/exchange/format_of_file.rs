@@ -15,8 +15,8 @@ impl Format {
         let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
         // A sequence of GeoJSON begins with the separator of its records.
         let head = head.trim_start_matches(['\u{feff}', '\u{1e}']).trim_start();
-        if head.starts_with("QGC WPL") {
-            return Some(Self::Waypoints);
+        if let Some(format) = Self::all().find(|format| format.begins(head)) {
+            return Some(format);
         }
         if head.starts_with('<') {
             return match () {

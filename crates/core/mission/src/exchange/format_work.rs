@@ -3,13 +3,11 @@
 use super::flown_track::FlownTrack;
 use super::found::Found;
 use super::written::Written;
-use super::{ExchangeError, Format, Places};
+use super::{ExchangeError, Places};
 use pilotage_base::frames::LocalFrame;
 
 /// Reader and writers of a format.
 pub(super) struct FormatWork {
-    /// The format.
-    pub format: Format,
     /// Reader of its files.
     pub read: Read,
     /// Writes places that the format holds: of a mission, its one route.

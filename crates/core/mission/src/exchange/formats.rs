@@ -1,37 +1,75 @@
-//! All formats in one table: a new one is a file with its description, and a line here.
+//! All formats in one table: a new one is a file with its description and its work, its module, and a line here.
+
+use serde::{Deserialize, Serialize};
 
 use super::format_info::FormatInfo;
-use super::{Format, csv_write, geojson, gpx, kml, litchi, old_mission, waypoints, wpml_format};
+use super::format_work::FormatWork;
+use super::{csv_write, geojson, gpx, kml, litchi, old_mission, waypoints, wpml_format};
 
-/// Every format, in the order in which people are offered them.
-const TABLE: [&FormatInfo; 9] = [
-    &old_mission::INFO,
-    &waypoints::INFO,
-    &kml::KML,
-    &kml::KMZ,
-    &wpml_format::INFO,
-    &litchi::INFO,
-    &gpx::INFO,
-    &geojson::INFO,
-    &csv_write::INFO,
-];
+/// Makes the enum of formats, in the order in which people are offered them. Descriptions and works are asked for apart:
+/// what only names formats links no reader.
+macro_rules! formats {
+    ($($(#[$about:meta])* $name:ident($info:expr, $work:expr),)*) => {
+        /// A format of files with routes or landmarks.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        pub enum Format {
+            $($(#[$about])* $name,)*
+        }
+
+        impl Format {
+            /// All formats, in the order in which people are offered them.
+            pub fn all() -> impl Iterator<Item = Self> {
+                [$(Self::$name,)*].into_iter()
+            }
+
+            /// Its description.
+            fn info(self) -> &'static FormatInfo {
+                match self {
+                    $(Self::$name => &$info,)*
+                }
+            }
+
+            /// Its reader and writers.
+            pub(super) fn work(self) -> &'static FormatWork {
+                match self {
+                    $(Self::$name => &$work,)*
+                }
+            }
+        }
+    };
+}
+
+formats! {
+    /// `QGroundControl`'s plan, JSON.
+    Plan(old_mission::INFO, old_mission::WORK),
+    /// `QGC WPL 110`, the plain text of way-points.
+    Waypoints(waypoints::INFO, waypoints::WORK),
+    /// Keyhole markup, XML.
+    Kml(kml::KML, kml::KML_WORK),
+    /// Zipped KML.
+    Kmz(kml::KMZ, kml::KMZ_WORK),
+    /// DJI's way-point mission, WPML in a KMZ.
+    Wpml(wpml_format::INFO, wpml_format::WORK),
+    /// Litchi's table of way-points.
+    Litchi(litchi::INFO, litchi::WORK),
+    /// GPS exchange, XML.
+    Gpx(gpx::INFO, gpx::WORK),
+    /// GeoJSON, ours or others'.
+    GeoJson(geojson::INFO, geojson::WORK),
+    /// Tables with a header.
+    Csv(csv_write::INFO, csv_write::WORK),
+}
 
 impl Format {
-    /// All formats, in the order in which people are offered them.
-    pub fn all() -> impl Iterator<Item = Self> {
-        TABLE.iter().map(|info| info.format)
-    }
-
     /// Formats that the extension of a file's name tells, in that order: those of makers have extensions of others.
     pub fn told_by_extension() -> impl Iterator<Item = Self> {
-        let told = TABLE.iter().filter(|info| info.is_told_by_extension);
-        told.map(|info| info.format)
+        Self::all().filter(|format| format.info().is_told_by_extension)
     }
 
-    /// Its description.
-    fn info(self) -> &'static FormatInfo {
-        let found = TABLE.iter().find(|info| info.format == self);
-        found.unwrap_or(&TABLE[0])
+    /// Whether a text that begins with `head` is of the format for sure.
+    pub(super) fn begins(self, head: &str) -> bool {
+        let begins = self.info().begins;
+        begins.is_some_and(|begins| head.starts_with(begins))
     }
 
     /// Words for a file of the format, as in "save the route as …".
@@ -88,21 +126,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_format_has_its_own_description() {
-        let all = [
-            Format::Plan,
-            Format::Waypoints,
-            Format::Kml,
-            Format::Kmz,
-            Format::GeoJson,
-            Format::Gpx,
-            Format::Csv,
-            Format::Wpml,
-            Format::Litchi,
-        ];
-        for format in all {
-            assert_eq!(format.info().format, format);
-            assert_eq!(Format::all().filter(|other| *other == format).count(), 1);
+    fn every_format_has_a_name_of_its_own_and_a_writer_of_tracks_if_it_says_so() {
+        for format in Format::all() {
+            let same = Format::all().filter(|other| other.name() == format.name());
+            assert_eq!(same.count(), 1, "{format:?}");
+            assert_eq!(format.work().track.is_some(), format.holds_tracks());
         }
     }
 }

@@ -8,7 +8,7 @@ use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{Found, POINT_BOX};
 use super::written::Written;
-use super::{ExchangeError, Format, Places, flown_text};
+use super::{ExchangeError, Places, flown_text};
 use crate::mission::found::{Extent, FoundLandmark, FoundNoFly, FoundRoute, LonLat, on_globe};
 use crate::mission::text::Text;
 use crate::mission::{
@@ -19,18 +19,17 @@ use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
-    format: Format::GeoJson,
     name: "GeoJSON",
     as_words: "GeoJSON",
     extensions: &["geojson", "json"],
     is_told_by_extension: true,
+    begins: None,
     is_mission: false,
     holds_tracks: true,
 };
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    format: INFO.format,
     read: Read::Text(read),
     write: |places, frame| Ok(Written::of_text(write(places, frame))),
     track: Some(TrackWork {

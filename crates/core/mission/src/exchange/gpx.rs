@@ -10,7 +10,7 @@ use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{Found, POINT_BOX};
 use super::written::Written;
 use super::xml::{Element, Source, escape};
-use super::{ExchangeError, Format, fence, flown_text};
+use super::{ExchangeError, fence, flown_text};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{Route, USUAL_ALTITUDE, WayPoint, degrees, globe};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
@@ -18,18 +18,17 @@ use pilotage_vision::landmark::Landmark;
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
-    format: Format::Gpx,
     name: "GPX",
     as_words: "GPX",
     extensions: &["gpx"],
     is_told_by_extension: true,
+    begins: None,
     is_mission: false,
     holds_tracks: true,
 };
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    format: INFO.format,
     read: Read::Text(read),
     write: |places, frame| {
         let (text, mut notes) = write(places.routes, places.landmarks, frame);

@@ -4,25 +4,24 @@ use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::kml_write::{pack, write};
 use super::written::Written;
-use super::{Format, flown_kml, kml_read};
+use super::{flown_kml, kml_read};
 
 /// Note of a flown track without a date.
 const UNDATED: &str = "the date is not known: times are counted from 1970-01-01T00:00:00Z";
 
 /// The format.
 pub(super) const KML: FormatInfo = FormatInfo {
-    format: Format::Kml,
     name: "KML",
     as_words: "KML",
     extensions: &["kml"],
     is_told_by_extension: true,
+    begins: None,
     is_mission: false,
     holds_tracks: true,
 };
 
 /// Its reader and writers.
 pub(super) const KML_WORK: FormatWork = FormatWork {
-    format: KML.format,
     read: Read::Text(kml_read::read),
     write: |places, frame| Ok(Written::of_text(write(places, frame))),
     track: Some(TrackWork {
@@ -33,18 +32,17 @@ pub(super) const KML_WORK: FormatWork = FormatWork {
 
 /// The same, zipped.
 pub(super) const KMZ: FormatInfo = FormatInfo {
-    format: Format::Kmz,
     name: "KMZ",
     as_words: "KMZ",
     extensions: &["kmz"],
     is_told_by_extension: true,
+    begins: None,
     is_mission: false,
     holds_tracks: true,
 };
 
 /// Its reader and writers.
 pub(super) const KMZ_WORK: FormatWork = FormatWork {
-    format: KMZ.format,
     read: Read::Packed(kml_read::unpack, kml_read::read),
     write: |places, frame| {
         let (text, notes) = write(places, frame);

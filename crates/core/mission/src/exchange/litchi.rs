@@ -9,24 +9,23 @@ use super::csv_write::quoted;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
 use super::written::Written;
-use super::{ExchangeError, Format, csv_read, fence};
+use super::{ExchangeError, csv_read, fence};
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::frames::{AltitudeFrame, LocalFrame};
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
-    format: Format::Litchi,
     name: "Litchi CSV",
     as_words: "a table of Litchi",
     extensions: &["csv"],
     is_told_by_extension: false,
+    begins: None,
     is_mission: true,
     holds_tracks: false,
 };
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    format: INFO.format,
     read: Read::Text(csv_read::read),
     write: |places, frame| {
         let (text, mut notes) = write(&places.routes[0], frame)?;
@@ -72,7 +71,7 @@ pub(super) fn write(
         .any(|w| w.altitude.frame == AltitudeFrame::Amsl)
     {
         return Err(ExchangeError::CannotHold {
-            format: Format::Litchi.name(),
+            format: INFO.name,
             what: "altitudes above mean sea level".to_owned(),
             advice: "let the altitudes count from take-off or from the ground",
         });

@@ -7,22 +7,21 @@ use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
 use super::found::Found;
 use super::written::Written;
-use super::{ExchangeError, Format, plan};
+use super::{ExchangeError, plan};
 
 /// Plans, and what stood in their place before.
 pub(super) const INFO: FormatInfo = FormatInfo {
-    format: Format::Plan,
     name: "QGroundControl plan",
     as_words: "a QGroundControl plan",
     extensions: &["plan"],
     is_told_by_extension: true,
+    begins: None,
     is_mission: true,
     holds_tracks: false,
 };
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    format: INFO.format,
     read: Read::Text(|file, content| match as_plan(content) {
         Some(plan) => read(file, &plan),
         None => plan::read(file, content),

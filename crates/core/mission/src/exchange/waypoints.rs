@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::ExchangeError;
-use super::Format;
 use super::fence::{self, is_fence};
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
@@ -22,18 +21,17 @@ use pilotage_base::frames::{Geodetic, LocalFrame};
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
-    format: Format::Waypoints,
     name: "QGC WPL 110",
     as_words: "way-points (QGC WPL)",
     extensions: &["waypoints", "wpl", "txt"],
     is_told_by_extension: true,
+    begins: Some("QGC WPL"),
     is_mission: true,
     holds_tracks: false,
 };
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    format: INFO.format,
     read: Read::Text(read),
     write: |places, frame| {
         let text = write(&places.routes[0], places.no_fly, frame);

@@ -1,25 +1,24 @@
 //! The format WPML.
 
+use super::fence;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
-use super::wpml::{read, write};
+use super::wpml::{NAME, read, write};
 use super::written::Written;
-use super::{Format, fence};
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
-    format: Format::Wpml,
-    name: "DJI WPML",
+    name: NAME,
     as_words: "a mission of DJI (WPML)",
     extensions: &["kmz"],
     is_told_by_extension: false,
+    begins: None,
     is_mission: true,
     holds_tracks: false,
 };
 
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
-    format: INFO.format,
     read: Read::Bytes(read),
     write: |places, frame| {
         let (bytes, mut notes) = write(&places.routes[0], frame)?;

@@ -1,7 +1,8 @@
 //! Heights of a route as both files state them.
 
-use super::super::{ExchangeError, Format};
+use super::super::ExchangeError;
 use super::UNDULATION;
+use super::name::NAME;
 use crate::mission::{Route, WayPoint, WayPointAction};
 use pilotage_base::frames::AltitudeFrame;
 
@@ -17,7 +18,7 @@ pub(super) struct Heights {
 /// The heights of a route, which in a file of DJI all count from the same.
 pub(super) fn heights(route: &Route) -> Result<Heights, ExchangeError> {
     let cannot_hold = |what: &str, advice| ExchangeError::CannotHold {
-        format: Format::Wpml.name(),
+        format: NAME,
         what: what.to_owned(),
         advice,
     };

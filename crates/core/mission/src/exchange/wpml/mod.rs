@@ -6,6 +6,7 @@
 
 mod folder;
 mod heights;
+mod name;
 mod read;
 mod write;
 
@@ -15,6 +16,7 @@ use super::shadow::is_shadow;
 use super::xml::{Element, escape};
 use pilotage_base::files::FileSet;
 
+pub(super) use name::NAME;
 pub(super) use read::read;
 pub(super) use write::write;
 
