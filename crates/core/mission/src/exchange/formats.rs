@@ -58,8 +58,6 @@ formats! {
     GeoJson(geojson::INFO, geojson::WORK),
     /// Tables with a header.
     Csv(csv_write::INFO, csv_write::WORK),
-    /// Toy routes.
-    Toy(super::toy::INFO, super::toy::WORK),
 }
 
 impl Format {

@@ -42,7 +42,6 @@ mod shadow;
 mod speed_command;
 #[cfg(test)]
 mod tests;
-mod toy;
 mod waypoints;
 mod wpml;
 mod wpml_format;
