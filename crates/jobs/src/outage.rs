@@ -149,7 +149,15 @@ impl RunningJob for MakeOutage {
                     };
                     let mut goes_on = |share| tell(share, &way.label);
                     let study = study_cuts(instruments, way, &plan, &settings, &mut goes_on);
-                    self.studies.push(study.map_err(|cause| cause.to_string())?);
+                    let study = study.map_err(|cause| cause.to_string())?;
+                    if study.cuts.is_empty() {
+                        let (start, end) = instruments.stretch;
+                        let air = end - start;
+                        return Err(format!(
+                            "{name}: {air:.0} s in the air are too few for GPS outages of {length:.0} s; choose shorter ones"
+                        ));
+                    }
+                    self.studies.push(study);
                     return Ok(Advance::More);
                 }
                 let studies = std::mem::take(&mut self.studies);
