@@ -15,8 +15,6 @@ use super::{
     WorkerState,
 };
 
-const SEED: u64 = 11;
-
 impl AssessmentOrder {
     /// Prepares to look at the landmark on `days`.
     pub(super) fn assessor(
@@ -39,7 +37,7 @@ impl AssessmentOrder {
             map,
             days,
             circumstances,
-            SEED,
+            self.seed,
         ))
     }
 }
@@ -85,7 +83,7 @@ impl Assess {
     }
 
     fn begin(&self, worker: &mut WorkerState) -> Result<Assessor, String> {
-        let days = worker.rehearsal_days(&self.order.map)?;
+        let days = worker.rehearsal_days(&self.order.map, self.order.seed)?;
         self.order.assessor(worker, &days)
     }
 }

@@ -1,4 +1,4 @@
-//! The flight that is open by every estimator, judged in one table.
+//! A flight by several estimators and vehicle models, judged in one table.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -6,23 +6,24 @@ use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::imagery::Imagery;
-use pilotage_core::navigator::{EstimatorChoice, Navigator, Run};
+use pilotage_core::navigator::Navigator;
 use pilotage_core::study::{Comparison, Contender, Tally};
 
 use super::flights::OpenFlight;
 use super::order::{Order, Reads, Role, Urgency, around, keys_of};
-use super::running::SLICE;
+use super::passage::Passage;
 use super::{Advance, ContestOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
-/// Seed of what an estimator draws.
-const SEED: u64 = 1;
+/// Event that tells what was tallied.
+type Judged = fn(&[Tally]) -> Result<JobEvent, String>;
 
-/// A contest under way: events `Progress`, at the end `ContestJudged`.
+/// A contest under way: events `Progress`, a `Remark` on each contender that had to stop, and at the end what
+/// `judged` makes of the tallies.
 pub struct Contest {
     order: ContestOrder,
+    judged: Judged,
     ground: Option<Ground>,
-    contenders: Vec<Contender>,
-    flying: Option<(Navigator, Run)>,
+    flying: Option<Passage>,
     tallies: Vec<Tally>,
 }
 
@@ -35,11 +36,10 @@ struct Ground {
 
 impl Contest {
     /// Nothing flown yet.
-    pub fn new(order: ContestOrder) -> Self {
-        let vehicle = order.mission.navigator.vehicle;
+    fn new(order: ContestOrder, judged: Judged) -> Self {
         Self {
-            contenders: Contender::all(&EstimatorChoice::ALL, &[vehicle]),
             order,
+            judged,
             ground: None,
             flying: None,
             tallies: Vec::new(),
@@ -47,40 +47,33 @@ impl Contest {
     }
 
     fn contender(&self) -> Option<Contender> {
-        self.contenders.get(self.tallies.len()).copied()
+        self.order.contenders.get(self.tallies.len()).copied()
     }
 
     /// Steps for about a slice; whether the contender is still flying.
-    fn fly(&mut self, ground: &Ground, clock: &dyn Fn() -> f64) -> Result<bool, String> {
-        let Some((navigator, run)) = &mut self.flying else {
-            return Ok(false);
-        };
-        let begun = clock();
-        let mut open = ground.open.borrow_mut();
-        while clock() - begun < SLICE {
-            match navigator.advance(&mut open.frames, clock) {
-                Some(step) => run.steps.push(step.map_err(|cause| cause.to_string())?),
-                None => return Ok(false),
+    fn fly(
+        &mut self,
+        ground: &Ground,
+        contender: Contender,
+        clock: &dyn Fn() -> f64,
+    ) -> Result<bool, String> {
+        let passage = match &mut self.flying {
+            Some(passage) => passage,
+            empty => {
+                let mission = &self.order.mission;
+                let settings = contender.settings(&mission.navigator, self.order.seed);
+                let (flight, map) = (ground.flight.clone(), ground.map.clone());
+                let navigator = Navigator::new(flight, &mission.landmarks, map, &settings);
+                let navigator = navigator.map_err(|cause| cause.to_string())?;
+                empty.insert(Passage::new(navigator.sparing()))
             }
-        }
-        Ok(true)
-    }
-
-    fn begin(&mut self, ground: &Ground, contender: Contender) -> Result<(), String> {
-        let mission = &self.order.mission;
-        let settings = contender.settings(&mission.navigator, SEED);
-        let (flight, map) = (ground.flight.clone(), ground.map.clone());
-        let navigator = Navigator::new(flight, &mission.landmarks, map, &settings);
-        let navigator = navigator.map_err(|cause| cause.to_string())?.sparing();
-        let run = navigator.run_head();
-        self.flying = Some((navigator, run));
-        Ok(())
+        };
+        passage.advance(&mut ground.open.borrow_mut().frames, clock)
     }
 
     fn progress(&self, contender: Contender) -> JobEvent {
-        let (done, all) = self.flying.as_ref().map_or((0, 1), |f| f.0.progress());
-        let flown = self.tallies.len() as f32 + done as f32 / all.max(1) as f32;
-        let share = flown / self.contenders.len() as f32;
+        let flown = self.flying.as_ref().map_or(0.0, Passage::progress);
+        let share = (self.tallies.len() as f32 + flown) / self.order.contenders.len() as f32;
         JobEvent::Progress(share, contender.estimator.label().to_owned())
     }
 }
@@ -100,25 +93,28 @@ impl RunningJob for Contest {
             return Ok(Advance::More);
         };
         let Some(contender) = self.contender() else {
-            emit(JobEvent::ContestJudged(Box::new(Comparison::of(
-                &self.tallies,
-            ))));
+            emit((self.judged)(&self.tallies)?);
             emit(JobEvent::Finished);
             return Ok(Advance::Done);
         };
-        if self.flying.is_none() {
-            self.begin(&ground, contender)?;
-        }
-        let outcome = self.fly(&ground, clock);
+        let outcome = self.fly(&ground, contender, clock);
         emit(self.progress(contender));
         if !matches!(outcome, Ok(true)) {
             // One that cannot go on is counted; the others fly all the same.
-            let mut tally = Tally::new(contender, true);
-            match self.flying.take().filter(|_| outcome.is_ok()) {
-                Some((_, run)) => tally
-                    .add(&ground.flight, &run, clock)
-                    .map_err(|cause| cause.to_string())?,
-                None => tally.fail(),
+            let mut tally = Tally::new(contender, self.order.smooth);
+            let flown = self.flying.take();
+            match outcome {
+                Ok(_) => {
+                    if let Some(passage) = flown {
+                        let tallied = tally.add(&ground.flight, &passage.into_run(), clock);
+                        tallied.map_err(|cause| cause.to_string())?;
+                    }
+                }
+                Err(cause) => {
+                    let label = contender.estimator.label();
+                    emit(JobEvent::Remark(format!("{label}: {cause}")));
+                    tally.fail();
+                }
             }
             self.tallies.push(tally);
         }
@@ -144,8 +140,37 @@ impl Order for ContestOrder {
         Some((&self.map, Reads::Areas(areas)))
     }
 
+    /// Its event is `ContestJudged`.
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Contest::new(self))
+        Box::new(Contest::new(self, |tallies| {
+            Ok(JobEvent::ContestJudged(Box::new(Comparison::of(tallies))))
+        }))
+    }
+}
+
+/// Contest over one of several flights: event `Figures` with the tallies ([`Tally`]) of its contenders, to be
+/// merged with those of the other flights.
+pub struct TallyOrder(pub ContestOrder);
+
+impl Order for TallyOrder {
+    const URGENCY: Urgency = ContestOrder::URGENCY;
+
+    fn role(&self) -> Role {
+        self.0.role()
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.0.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.0.reads()
+    }
+
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        Box::new(Contest::new(self.0, |tallies| {
+            JobEvent::of_figures(&tallies)
+        }))
     }
 }
 
@@ -154,6 +179,7 @@ mod tests {
     use super::super::InlineWorkers;
     use super::super::{FlightSource, Job, MapSource, SimulationOptions};
     use super::*;
+    use pilotage_core::navigator::EstimatorChoice;
     use pilotage_core::simulate::Scenario;
 
     #[test]
@@ -162,17 +188,14 @@ mod tests {
         let mut mission = scenario.mission();
         // Dead reckoning alone is quick, and all of them do it alike.
         mission.landmarks.clear();
-        let order = ContestOrder {
-            flight: FlightSource::Simulated(SimulationOptions {
-                scenario: scenario.name.to_owned(),
-                seed: 1,
-                other_day: false,
-                wind: None,
-                height: None,
-            }),
-            map: MapSource::world("countryside"),
-            mission,
-        };
+        let flight = FlightSource::Simulated(SimulationOptions {
+            scenario: scenario.name.to_owned(),
+            seed: 1,
+            other_day: false,
+            wind: None,
+            height: None,
+        });
+        let order = ContestOrder::of_all(flight, MapSource::world("countryside"), mission);
         let mut host = InlineWorkers::new();
         host.start(Job::Contest(Box::new(order)));
         let mut judged = None;
@@ -201,5 +224,52 @@ mod tests {
             "and particles: {rms:?}"
         );
         assert!(rows.iter().all(|row| row.failed == 0 && row.flights == 1));
+    }
+
+    #[test]
+    fn contests_over_two_flights_are_merged_and_one_that_cannot_fly_is_counted_and_named() {
+        use crate::running::{figures, finished};
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mut mission = scenario.mission();
+        mission.landmarks.clear();
+        let vehicle = mission.navigator.vehicle;
+        let order = |seed, alpha| {
+            let flight = FlightSource::Simulated(SimulationOptions {
+                scenario: scenario.name.to_owned(),
+                seed,
+                other_day: true,
+                wind: None,
+                height: None,
+            });
+            let mut mission = mission.clone();
+            mission.navigator.alpha = alpha;
+            TallyOrder(ContestOrder {
+                contenders: Contender::all(&[EstimatorChoice::Unscented], &[vehicle]),
+                smooth: false,
+                seed,
+                ..ContestOrder::of_all(flight, MapSource::world("countryside"), mission)
+            })
+        };
+        let mut tallies: Vec<Tally> = figures(order(1, 1.0));
+        let of_second: Vec<Tally> = figures(order(2, 1.0));
+        let rms = |tallies: &[Tally]| {
+            let rows = Comparison::of(tallies).rows;
+            (
+                rows.len(),
+                rows[0].flights,
+                rows[0].position_error_m.unwrap().rms,
+            )
+        };
+        let (one, other) = (rms(&tallies), rms(&of_second));
+        tallies[0].merge(of_second[0].clone());
+        let both = rms(&tallies);
+        assert_eq!((both.0, both.1), (1, 2));
+        assert!(both.2 > one.2.min(other.2) && both.2 < one.2.max(other.2));
+        // No sigma points can be drawn with an alpha that is no number.
+        let refused = finished(order(1, f64::NAN));
+        let named = |event: &JobEvent| matches!(event, JobEvent::Remark(why) if why.len() > 10);
+        assert!(refused.iter().any(named), "{refused:?}");
+        let tallies: Vec<Tally> = figures(order(1, f64::NAN));
+        assert_eq!(Comparison::of(&tallies).rows[0].failed, 1);
     }
 }

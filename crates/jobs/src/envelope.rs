@@ -39,7 +39,7 @@ impl RunningJob for SurveyEnvelope {
         let Some(survey) = &mut self.survey else {
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            let days = worker.envelope_days(&self.order.map)?;
+            let days = worker.envelope_days(&self.order.map, self.order.seed)?;
             let assessor = self.order.assessor(worker, &days)?;
             self.survey = Some(EnvelopeSurvey::usual(assessor));
             return Ok(Advance::More);

@@ -17,42 +17,35 @@ use super::flights::OpenFlight;
 use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::SLICE;
 use super::{
-    Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, MapSource, RunningJob,
-    WorkerState,
+    Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, JudgedDetector, MapSource,
+    RunningJob, WorkerState,
 };
 
-/// Most real frames that are looked at, evenly spread over the flight.
-const MOST_FRAMES: usize = 200;
 /// Photos between two evaluations of what has been seen so far.
 const TOLD_EVERY: usize = 50;
 /// Samples of days for these, which are soon replaced.
 const FEW_REPLICATES: usize = 100;
 
 impl EvaluationReport {
-    /// Report on `looks` for the detector whose own threshold is `least_score`.
-    ///
-    /// # Errors
-    /// If they tell nothing, in words.
+    /// Report on the evaluation of `looks` for the detector whose own threshold is `least_score`.
     pub fn of(
         (landmark, name): (u32, &str),
         looks: &[EvaluatedLook],
         least_score: f64,
-        settings: &EvaluationSettings,
-    ) -> Result<Self, String> {
-        let evaluation =
-            Evaluation::of(looks, settings).map_err(|why| format!("\"{name}\": {why}"))?;
+        evaluation: &Evaluation,
+    ) -> Self {
         let mut figures = in_use(looks, least_score);
-        figures.extend(figures_of(&evaluation));
+        figures.extend(figures_of(evaluation));
         let plots = evaluation.plots().into_iter();
-        Ok(Self {
+        Self {
             landmark,
             name: name.to_owned(),
             figures,
-            basis: basis(&evaluation),
+            basis: basis(evaluation),
             plots: plots.map(with_svg).collect(),
             csv: evaluation.csv(),
             is_partial: false,
-        })
+        }
     }
 }
 
@@ -145,14 +138,18 @@ struct RealFrames {
 
 impl RealFrames {
     /// Of a flight whose truth is known.
-    fn of(worker: &mut WorkerState, source: &FlightSource) -> Result<Option<Self>, String> {
+    fn of(
+        worker: &mut WorkerState,
+        source: &FlightSource,
+        most: usize,
+    ) -> Result<Option<Self>, String> {
         let flight = worker.flight(source)?;
         let frames = {
             let open = flight.borrow();
             let frames = open.flight.truth.as_ref().map(|_| open.flight.frames.len());
             frames.unwrap_or_default()
         };
-        let count = frames.min(MOST_FRAMES);
+        let count = frames.min(most);
         let left: Vec<_> = (0..count).rev().map(|i| i * frames / count).collect();
         Ok((count > 0).then_some(Self {
             flight,
@@ -171,18 +168,34 @@ struct Work {
     looks: Vec<EvaluatedLook>,
 }
 
+impl Work {
+    /// Looks so far.
+    fn looks(&self) -> &[EvaluatedLook] {
+        if self.looks.is_empty() {
+            self.judge.looks()
+        } else {
+            &self.looks
+        }
+    }
+}
+
+/// Event beside the report at the end, of the landmark's name, the looks and what they come to.
+type Detail = fn(&EvaluationOrder, &Work, Evaluation) -> Result<JobEvent, String>;
+
 /// A detector being judged.
 pub struct Evaluate {
     order: EvaluationOrder,
+    detail: Option<Detail>,
     work: Option<Work>,
     told: usize,
 }
 
 impl Evaluate {
     /// Nothing looked at yet.
-    pub fn new(order: EvaluationOrder) -> Self {
+    fn new(order: EvaluationOrder, detail: Option<Detail>) -> Self {
         Self {
             order,
+            detail,
             work: None,
             told: 0,
         }
@@ -192,7 +205,7 @@ impl Evaluate {
         JudgingPlan {
             photos: self.order.photos,
             days: self.order.days,
-            ..JudgingPlan::default()
+            seed: self.order.seed,
         }
     }
 
@@ -222,7 +235,7 @@ impl Evaluate {
             self.plan(),
         );
         let real = match &self.order.flight {
-            Some(source) => RealFrames::of(worker, source)?,
+            Some(source) => RealFrames::of(worker, source, self.order.most_frames)?,
             None => None,
         };
         Ok(Work {
@@ -285,22 +298,22 @@ impl Evaluate {
         (photos + frames, all_photos + all_frames, what)
     }
 
-    fn report(&self, replicates: usize) -> Result<EvaluationReport, String> {
+    fn report(&self, replicates: usize) -> Result<(EvaluationReport, Evaluation), String> {
         let Some(work) = &self.work else {
             return Err("nothing was looked at".to_owned());
         };
-        let looks = if work.looks.is_empty() {
-            work.judge.looks()
-        } else {
-            &work.looks
-        };
+        let looks = work.looks();
         let settings = EvaluationSettings {
             replicates,
-            ..EvaluationSettings::default()
+            false_alarms: self.order.false_alarms,
+            seed: self.order.seed,
         };
         let landmark = &self.order.about.landmark;
+        let evaluation = Evaluation::of(looks, &settings)
+            .map_err(|why| format!("\"{}\": {why}", landmark.name))?;
         let of = (landmark.id, landmark.name.as_str());
-        EvaluationReport::of(of, looks, work.trained.least_score, &settings)
+        let report = EvaluationReport::of(of, looks, work.trained.least_score, &evaluation);
+        Ok((report, evaluation))
     }
 }
 
@@ -325,15 +338,18 @@ impl RunningJob for Evaluate {
             if done >= self.told + TOLD_EVERY {
                 self.told = done;
                 // Of the first few pictures there may be nothing to tell.
-                if let Ok(mut report) = self.report(FEW_REPLICATES) {
+                if let Ok((mut report, _)) = self.report(FEW_REPLICATES) {
                     report.is_partial = true;
                     emit(JobEvent::Evaluation(Box::new(report)));
                 }
             }
             return Ok(Advance::More);
         }
-        let report = self.report(EvaluationSettings::default().replicates)?;
+        let (report, evaluation) = self.report(EvaluationSettings::default().replicates)?;
         emit(JobEvent::Evaluation(Box::new(report)));
+        if let (Some(detail), Some(work)) = (self.detail, &self.work) {
+            emit(detail(&self.order, work, evaluation)?);
+        }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
     }
@@ -356,8 +372,49 @@ impl Order for EvaluationOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Evaluate::new(self))
+        Box::new(Evaluate::new(self, None))
     }
+}
+
+/// Judging of which everything is told: after the last report an event `Figures` with a [`JudgedDetector`].
+pub struct EvaluationInDetail(pub EvaluationOrder);
+
+impl Order for EvaluationInDetail {
+    const URGENCY: Urgency = EvaluationOrder::URGENCY;
+
+    fn role(&self) -> Role {
+        self.0.role()
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.0.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.0.reads()
+    }
+
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        Box::new(Evaluate::new(self.0, Some(in_detail)))
+    }
+}
+
+fn in_detail(
+    order: &EvaluationOrder,
+    work: &Work,
+    evaluation: Evaluation,
+) -> Result<JobEvent, String> {
+    let (looks, threshold) = (work.looks().to_vec(), work.trained.least_score);
+    let real: Vec<_> = looks.iter().filter(|look| look.real).cloned().collect();
+    let asked = order.flight.as_ref();
+    JobEvent::of_figures(&JudgedDetector {
+        landmark: order.about.landmark.name.clone(),
+        threshold,
+        in_use: AtThreshold::over(&looks, threshold),
+        in_real_frames: asked.map(|_| AtThreshold::over(&real, threshold)),
+        evaluation,
+        looks,
+    })
 }
 
 #[cfg(test)]
@@ -406,25 +463,23 @@ mod tests {
         if is_trained {
             landmark.keep_trained(Some(&anything(landmark.bounds)));
         }
-        EvaluationOrder {
-            about: AssessmentOrder {
-                map: MapSource::world("countryside"),
-                landmark,
-                camera: Scenario::camera(),
-                height: scenario.height,
-                navigator: mission.navigator,
-                ground_down: 0.0,
-            },
-            flight: Some(FlightSource::Simulated(SimulationOptions {
-                scenario: scenario.name.to_owned(),
-                seed: 1,
-                other_day: true,
-                wind: None,
-                height: None,
-            })),
-            photos: 10,
-            days: 2,
-        }
+        let about = AssessmentOrder {
+            map: MapSource::world("countryside"),
+            landmark,
+            camera: Scenario::camera(),
+            height: scenario.height,
+            navigator: mission.navigator,
+            ground_down: 0.0,
+            seed: AssessmentOrder::SEED,
+        };
+        let flight = FlightSource::Simulated(SimulationOptions {
+            scenario: scenario.name.to_owned(),
+            seed: 1,
+            other_day: true,
+            wind: None,
+            height: None,
+        });
+        EvaluationOrder::usual(about, Some(flight), (10, 2))
     }
 
     fn events(order: EvaluationOrder) -> Vec<JobEvent> {
@@ -471,5 +526,27 @@ mod tests {
         let failed =
             matches!(events.last(), Some(JobEvent::Failed(why)) if why.contains("no detector"));
         assert!(failed, "{:?}", events.last());
+    }
+
+    #[test]
+    fn everything_that_a_detector_was_judged_by_is_told_to_those_who_ask() {
+        let mut order = order(true);
+        order.most_frames = 3;
+        order.false_alarms = 0.25;
+        let judged: JudgedDetector = crate::running::figures(EvaluationInDetail(order.clone()));
+        assert_eq!(judged.landmark, order.about.landmark.name);
+        assert_eq!(judged.evaluation.operating.allowed, 0.25);
+        let real = judged.looks.iter().filter(|look| look.real).count();
+        assert_eq!(
+            (judged.looks.len() - real, judged.evaluation.real),
+            (10, real)
+        );
+        assert!((1..=3).contains(&real), "{real} real frames");
+        let of_real = judged.in_real_frames.unwrap();
+        assert_eq!(of_real.deceived.of, real);
+        // Without a flight nothing is said of real frames.
+        order.flight = None;
+        let judged: JudgedDetector = crate::running::figures(EvaluationInDetail(order));
+        assert_eq!((judged.in_real_frames, judged.looks.len()), (None, 10));
     }
 }

@@ -8,8 +8,6 @@ use super::{Advance, FieldFrom, FieldOrder, JobEvent, MapSource, RunningJob, Wor
 
 /// Cells along the longer side of the map at most.
 const MOST_CELLS: f64 = 260.0;
-/// Other days on which the map's places are rehearsed.
-const DAYS: usize = 2;
 /// Milliseconds between two looks at what is known so far.
 const EVERY: f64 = 400.0;
 /// Why nothing can be seen.
@@ -26,11 +24,11 @@ impl FieldOrder {
     /// A field of what the map offers, to be computed.
     pub(super) fn offered(
         &self,
-        search_sigmas: f64,
+        (search_sigmas, days): (f64, usize),
         worker: &mut WorkerState,
     ) -> Result<OfferedField, String> {
         let across = self.view.across().ok_or(LOOKS_AWAY)?;
-        let days = worker.other_days(&self.map, DAYS)?;
+        let days = worker.other_days(&self.map, days)?;
         let map = worker.cached_map(&self.map)?;
         Ok(OfferedField::new(
             map,
@@ -83,8 +81,11 @@ impl ComputeField {
                 order.step(),
                 sources.clone(),
             )))),
-            FieldFrom::Map { search_sigmas } => {
-                let offered = order.offered(*search_sigmas, worker)?;
+            FieldFrom::Map {
+                search_sigmas,
+                days,
+            } => {
+                let offered = order.offered((*search_sigmas, *days), worker)?;
                 Ok(Work::Map(Box::new(offered)))
             }
         }

@@ -77,8 +77,11 @@ impl FindRoute {
         let pass = field.view.across().ok_or(LOOKS_AWAY)?;
         let sources = match &field.from {
             FieldFrom::Landmarks(sources) => sources.clone(),
-            FieldFrom::Map { search_sigmas } => {
-                let offered = field.offered(*search_sigmas, worker)?;
+            FieldFrom::Map {
+                search_sigmas,
+                days,
+            } => {
+                let offered = field.offered((*search_sigmas, *days), worker)?;
                 return Ok(Stage::Offer(Box::new(offered)));
             }
         };

@@ -136,6 +136,7 @@ fn measure(shares: usize) -> crate::Assessment {
         height: scenario.height,
         navigator: mission.navigator,
         ground_down: 0.0,
+        seed: AssessmentOrder::SEED,
     });
     let mut host = InlineWorkers::new();
     let mut views = Vec::new();
@@ -191,6 +192,8 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
         navigator,
         taken: Vec::new(),
         count: 4,
+        side: None,
+        seed: SuggestOrder::SEED,
     });
     let mut host = InlineWorkers::new();
     let last = if shares == 1 {

@@ -36,6 +36,7 @@ mod opening;
 mod order;
 mod outage;
 mod pack;
+mod passage;
 mod photos;
 mod places;
 mod predict;
@@ -43,6 +44,8 @@ mod prelude;
 mod prepare;
 mod programs;
 mod provided;
+mod rehearse;
+mod reliability;
 mod runner;
 mod running;
 mod samples;
@@ -51,6 +54,7 @@ mod shared;
 mod simulated;
 mod smooth;
 mod suggest;
+mod summary;
 mod tables;
 mod train;
 mod vehicle;
@@ -59,11 +63,14 @@ mod worker_pool;
 mod worker_state;
 
 pub use assess::SumUpOrder;
+pub use contest::TallyOrder;
 pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
+pub use evaluate::EvaluationInDetail;
 pub use explain::ExplainOrder;
 pub use fetched_tiles::WEB_TILES;
 pub use file_pool::has_ending;
+pub use flights::{KeptFrames, OpenFlight};
 pub use fly::FlyOrder;
 pub use frame_picture::{FramePictureOrder, PictureForm};
 pub use inline::InlineWorkers;
@@ -77,26 +84,31 @@ pub use messages::{
     COARSE, CalibrationOrder, ContestOrder, DetectorSearch, Distinctness, DrapeOrder,
     EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FieldFrom,
     FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder,
-    HighGround, ImportedFile, JobEvent, JobId, KeptMeasurement, LabelledFrames, LogAnswer,
-    LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures, Measured,
-    Opened, Outage, OutageOrder, OutageReport, PackOrder, PhotoReport, PhotosOrder,
+    HighGround, ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement, LabelledFrames,
+    LogAnswer, LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
+    Measured, Opened, Outage, OutageOrder, OutageReport, PackOrder, PhotoReport, PhotosOrder,
     PredictionOrder, ReadLog, RecordedPlaces, Reply, Request, SeriesName, Share, SimulationOptions,
     StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome,
     TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use order::{Order, Reads, Role, Urgency};
+pub use passage::Passage;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use prepare::PrepareMapOrder;
 pub use programs::{Abilities, Begin, Program};
 pub use provided::{LetGoOrder, ProvideOrder};
+pub use rehearse::{RehearseOrder, Rehearsed};
+pub use reliability::ReliabilityOrder;
 pub use runner::JobRunner;
 pub use share::{ShareOrder, Shareable};
 pub use simulated::scenario_wind;
 pub use smooth::SmoothOrder;
 pub use suggest::ProposeOrder;
+pub use summary::SummaryOrder;
 pub use tables::{COLUMNS_FILE, MakeFlightOrder, write_columns};
+pub use train::TrainWithinOrder;
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
 pub use worker_pool::{WorkerPool, WorkerPort};
-pub use worker_state::{Advance, Opens, RunningJob, WorkerState};
+pub use worker_state::{Advance, Elsewhere, Opens, RunningJob, WorkerState};

@@ -7,8 +7,6 @@ use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, world_origin};
 use super::order::{Order, Role, Urgency};
 use super::{Advance, JobEvent, PredictionOrder, RunningJob, WorkerState};
 
-/// Seed of the worlds: the same plan always has the same prediction.
-const SEED: u64 = 1;
 /// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
 const PATIENCE: f64 = 120.0;
 
@@ -34,8 +32,8 @@ impl RunningJob for Predict {
 }
 
 impl PredictionOrder {
-    /// Predicts. Stretches over a limit are not marked yet.
-    pub fn predict(&self) -> Result<Prediction, String> {
+    /// The flight that is planned.
+    pub fn plan(&self) -> FlightPlan {
         let mut airframe = Airframe::sig_kadet_senior();
         airframe.cruise = self.airspeed.unwrap_or(airframe.cruise);
         airframe.bank_limit = self.bank.unwrap_or(airframe.bank_limit);
@@ -44,7 +42,7 @@ impl PredictionOrder {
             .windows(2)
             .map(|pair| pair[0].distance(&pair[1]))
             .sum();
-        let plan = FlightPlan {
+        FlightPlan {
             name: String::new(),
             way_points: self.way_points.clone(),
             height: self.height,
@@ -56,23 +54,30 @@ impl PredictionOrder {
             camera: self.camera.clone(),
             frame_on_globe: LocalFrame::new(world_origin()),
             ground_down: self.ground_down,
-        };
-        let landmarks: Vec<PlannedLandmark> = self
-            .landmarks
-            .iter()
-            .map(|(landmark, detection)| PlannedLandmark {
-                landmark: landmark.clone(),
-                detection: detection.clone(),
-            })
-            .collect();
+        }
+    }
+
+    /// The landmarks, with what is expected of them.
+    pub fn planned_landmarks(&self) -> Vec<PlannedLandmark> {
+        let planned = self.landmarks.iter();
+        let planned = planned.map(|(landmark, detection)| PlannedLandmark {
+            landmark: landmark.clone(),
+            detection: detection.clone(),
+        });
+        planned.collect()
+    }
+
+    /// Predicts.
+    pub fn predict(&self) -> Result<Prediction, String> {
+        let (plan, landmarks) = (self.plan(), self.planned_landmarks());
         let request = PredictionRequest {
             plan: &plan,
             settings: &self.navigator,
             landmarks: &landmarks,
             wind_deviation: self.navigator.start.wind,
             worlds: self.worlds,
-            seed: SEED,
-            limit: f64::INFINITY,
+            seed: self.seed,
+            limit: self.limit,
         };
         request.predict().map_err(|error| error.to_string())
     }

@@ -44,3 +44,32 @@ where
 {
     Box::new(Once(Some(work)))
 }
+
+/// Events of an order that is worked on to its end, the last of them the first that says so.
+#[cfg(test)]
+pub fn finished(order: impl super::Order) -> Vec<JobEvent> {
+    let mut worker = WorkerState::new(super::Abilities::WHOLE.opens);
+    let mut job = order.begin(&mut worker);
+    let mut events = Vec::new();
+    loop {
+        match job.advance(&mut worker, &|| 0.0, &mut |event| events.push(event)) {
+            Ok(Advance::More) => {}
+            Ok(Advance::Done) => return events,
+            Err(why) => {
+                events.push(JobEvent::Failed(why));
+                return events;
+            }
+        }
+    }
+}
+
+/// Figures that an order tells.
+#[cfg(test)]
+pub fn figures<T: serde::de::DeserializeOwned>(order: impl super::Order) -> T {
+    let events = finished(order);
+    let told = events
+        .iter()
+        .find(|event| matches!(event, JobEvent::Figures(_)));
+    let told = told.unwrap_or_else(|| panic!("no figures, but {:?}", events.last()));
+    told.read_figures().expect("figures of that type")
+}

@@ -19,7 +19,7 @@ impl<O: Shareable> Order for ShareOrder<O> {
     const URGENCY: Urgency = O::URGENCY;
 
     fn role(&self) -> Role {
-        Role::ALL[self.1.part]
+        Role::ALL[self.1.part % Role::ALL.len()]
     }
 
     fn files(&self) -> Vec<&str> {

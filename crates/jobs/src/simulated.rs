@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use pilotage_core::imagery::CachedImagery;
 use pilotage_core::simulate::{LaidWorld, SimulationChoice, Wind};
 
 use super::SimulationOptions;
@@ -27,11 +28,18 @@ pub fn scenario_wind(options: &SimulationOptions) -> Wind {
         .unwrap_or_default()
 }
 
-/// Flies in `world`; pictures are taken when they are asked for.
-pub fn open(options: &SimulationOptions, world: &dyn LaidWorld) -> Result<OpenFlight, String> {
+/// Flies in `world`; pictures are taken when they are asked for, over ground that is `shown` where the host shares some.
+pub fn open(
+    options: &SimulationOptions,
+    world: &dyn LaidWorld,
+    shown: Option<Arc<CachedImagery>>,
+) -> Result<OpenFlight, String> {
     let overrides = options.overrides();
     let simulated = world.fly(&options.scenario, options.seed, &overrides);
-    let simulated = simulated.ok_or("the flight is one of another world")?;
+    let mut simulated = simulated.ok_or("the flight is one of another world")?;
+    if let Some(shown) = shown.filter(|_| world.scenery().is_some()) {
+        simulated.frames = simulated.frames.over(shown);
+    }
     let missions = world.missions(&options.scenario, &overrides).into_iter();
     Ok(OpenFlight {
         frames: KeptFrames::rendered(&simulated.flight, Box::new(simulated.frames)),

@@ -10,9 +10,6 @@ use super::running::{once, slice};
 use super::share::Shareable;
 use super::{Advance, JobEvent, MapSource, RunningJob, Share, SuggestOrder, WorkerState};
 
-/// Seed of the days: the same plan always has the same proposals.
-const SEED: u64 = 1;
-
 /// Places being rehearsed.
 pub struct Suggest {
     order: SuggestOrder,
@@ -32,7 +29,7 @@ impl Suggest {
 
     fn begin(&self, worker: &mut WorkerState) -> Result<Proposal, String> {
         let mut question = question(worker, self.order.clone())?;
-        question.days = worker.proposal_days(&self.order.map, SEED)?;
+        question.days = worker.proposal_days(&self.order.map, self.order.seed)?;
         let proposal = Proposal::new(question);
         let proposal = proposal.ok_or("the camera does not look down at the ground")?;
         Ok(proposal.part(self.share.part, self.share.of))
@@ -59,7 +56,7 @@ fn question(worker: &mut WorkerState, order: SuggestOrder) -> Result<ProposalQue
         speed: order.speed,
         ground_down: order.ground_down,
         navigator: order.navigator,
-        side: None,
+        side: order.side,
         taken: order.taken,
     })
 }

@@ -18,9 +18,20 @@ use super::{
 /// Time between two words on a training, milliseconds; what follows a whole stage is told at once.
 const TOLD_EVERY: f64 = 400.0;
 
+impl TrainOrder {
+    /// Envelope of the flights around the planned one.
+    pub fn envelope(&self) -> FlightEnvelope {
+        FlightEnvelope {
+            ground_down: self.ground_down,
+            ..FlightEnvelope::around(&self.camera, self.height, self.sensors)
+        }
+    }
+}
+
 /// A detector being trained.
 pub struct Train {
     order: TrainOrder,
+    envelope: FlightEnvelope,
     /// Photos of the labelled frames read so far, and the number of labels read.
     labelled: Vec<Photo>,
     read: usize,
@@ -33,11 +44,12 @@ pub struct Train {
 }
 
 impl Train {
-    /// Nothing done yet.
-    pub fn new(order: TrainOrder) -> Self {
+    /// Nothing done yet of an order for flights in an envelope.
+    pub fn new(order: TrainOrder, envelope: FlightEnvelope) -> Self {
         Self {
             told: order.left.as_ref().map_or(0, |left| left.stages.len()),
             order,
+            envelope,
             labelled: Vec::new(),
             read: 0,
             training: None,
@@ -79,14 +91,14 @@ impl Train {
         let order = &self.order;
         let map = worker.cached_map(&order.map)?;
         let others = worker.others(&order.map)?;
-        let envelope = FlightEnvelope {
-            ground_down: order.ground_down,
-            ..FlightEnvelope::around(&order.camera, order.height, order.sensors)
-        };
         let plan = order.plan.clone();
-        let training =
-            DetectorTraining::new(&order.landmark, &map, others.as_ref(), &envelope, plan)
+        let envelope = &self.envelope;
+        let mut training =
+            DetectorTraining::new(&order.landmark, &map, others.as_ref(), envelope, plan)
                 .with_labelled(std::mem::take(&mut self.labelled));
+        if let Some(elsewhere) = worker.elsewhere {
+            training = training.with_held_out(elsewhere);
+        }
         let left = order.left.as_ref();
         let progress = left.and_then(|left| postcard::from_bytes(&left.progress).ok());
         Ok(match progress {
@@ -210,7 +222,31 @@ impl Order for TrainOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Train::new(self))
+        let envelope = self.envelope();
+        Box::new(Train::new(self, envelope))
+    }
+}
+
+/// Training for flights in another envelope than that around the planned one.
+pub struct TrainWithinOrder(pub TrainOrder, pub FlightEnvelope);
+
+impl Order for TrainWithinOrder {
+    const URGENCY: Urgency = TrainOrder::URGENCY;
+
+    fn role(&self) -> Role {
+        self.0.role()
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.0.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.0.reads()
+    }
+
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        Box::new(Train::new(self.0, self.1))
     }
 }
 

@@ -133,7 +133,10 @@ mod tests {
                 from,
             }))
         };
-        let of_map = || FieldFrom::Map { search_sigmas: 3.0 };
+        let of_map = || FieldFrom::Map {
+            search_sigmas: 3.0,
+            days: FieldFrom::FEW_DAYS,
+        };
         assert_eq!(zooms(&field(of_map(), 2000.0)), ["17".to_owned()].into());
         assert_eq!(zooms(&field(of_map(), 20_000.0)), ["14".to_owned()].into());
         let of_landmarks = field(FieldFrom::Landmarks(Vec::new()), 2000.0);

@@ -313,6 +313,7 @@ fn order() -> AssessmentOrder {
         height: scenario.height,
         navigator: mission.navigator,
         ground_down: 0.0,
+        seed: AssessmentOrder::SEED,
     }
 }
 
@@ -382,6 +383,8 @@ fn a_coarse_prediction_does_not_wait_behind_a_whole_one() {
             navigator: of.navigator,
             landmarks: Vec::new(),
             worlds,
+            seed: PredictionOrder::SEED,
+            limit: f64::INFINITY,
         }))
     };
     let (mut worker_pool, notes) = worker_pool();
@@ -416,6 +419,8 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
         navigator: of.navigator,
         taken: Vec::new(),
         count: 3,
+        side: None,
+        seed: SuggestOrder::SEED,
     };
     let (mut worker_pool, notes) = worker_pool();
     let id = worker_pool.start(Job::Suggest(Box::new(asked)));

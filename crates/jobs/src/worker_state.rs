@@ -12,7 +12,8 @@ use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
 };
-use pilotage_core::simulate::LaidWorld;
+use pilotage_core::simulate::{FlightDay, LaidWorld};
+use pilotage_core::training::Photos;
 
 use super::fetched_tiles::{FetchedTiles, WEB_TILES};
 use super::file_pool::FilePool;
@@ -27,8 +28,6 @@ const CACHE_MEGABYTES: usize = 48;
 /// The same ground on several days.
 type Days = Vec<Arc<dyn Imagery>>;
 
-/// Seed of the days on which landmarks are rehearsed.
-const REHEARSAL_SEED: u64 = 11;
 /// Most maps that are kept open.
 const MOST_MAPS: usize = 2;
 /// Memory of a map: every worker that reads it takes as much, beside the textures of the page.
@@ -69,6 +68,9 @@ pub trait RunningJob {
     ) -> Result<Advance, String>;
 }
 
+/// Takes photos beside the worker that asks for them, and gives them in the same order.
+pub type Elsewhere = fn(Photos) -> Photos;
+
 /// A map that was opened, or why not, in words.
 pub type OpenedMap = Result<Arc<dyn Imagery>, String>;
 
@@ -101,8 +103,12 @@ pub struct WorkerState {
     worlds: Vec<(String, Arc<dyn LaidWorld>)>,
     /// A map and how it looks on other days; of one map at a time.
     days: Option<(Vec<u8>, Days)>,
-    /// A map and the days on which its landmarks are rehearsed.
+    /// A map with a seed, and the days on which its landmarks are rehearsed.
     rehearsal: Option<(Vec<u8>, Days)>,
+    /// Generated ground as cameras see it, laid out by the host for all flights of a day.
+    seen: Option<(FlightDay, Arc<CachedImagery>)>,
+    /// Taker of photos beside this worker, where the host has a processor to spare.
+    pub(super) elsewhere: Option<Elsewhere>,
 }
 
 impl WorkerState {
@@ -120,7 +126,25 @@ impl WorkerState {
             worlds: Vec::new(),
             days: None,
             rehearsal: None,
+            seen: None,
+            elsewhere: None,
         }
+    }
+
+    /// Shows cameras the generated ground of a day in this imagery, which hosts share among their workers.
+    pub fn show_ground(&mut self, day: FlightDay, seen: Arc<CachedImagery>) {
+        self.seen = Some((day, seen));
+    }
+
+    /// Imagery of that day which the host shares, if it does.
+    pub(super) fn shown_ground(&self, day: FlightDay) -> Option<Arc<CachedImagery>> {
+        let shown = self.seen.as_ref().filter(|(of, _)| *of == day);
+        shown.map(|(_, seen)| Arc::clone(seen))
+    }
+
+    /// Says by whom photos are taken beside this worker, if anybody.
+    pub fn take_photos_by(&mut self, elsewhere: Option<Elsewhere>) {
+        self.elsewhere = elsewhere;
     }
 
     /// Lends a file that is read by pieces under a number.
@@ -280,23 +304,23 @@ impl WorkerState {
         Ok(days)
     }
 
-    /// The days on which landmarks of a map are rehearsed, laid out once.
-    pub fn rehearsal_days(&mut self, source: &MapSource) -> Result<Days, String> {
-        let key = cache_key(source);
+    /// The days, drawn by `seed`, on which landmarks of a map are rehearsed, laid out once.
+    pub fn rehearsal_days(&mut self, source: &MapSource, seed: u64) -> Result<Days, String> {
+        let key = cache_key(&(source, seed));
         if let Some((of, days)) = &self.rehearsal
             && *of == key
         {
             return Ok(days.clone());
         }
-        let days = Rehearsal::days(self.others(source)?.as_ref(), REHEARSAL_SEED);
+        let days = Rehearsal::days(self.others(source)?.as_ref(), seed);
         self.rehearsal = Some((key, days.clone()));
         Ok(days)
     }
 
     /// The days on which an envelope is measured, evenly spread; not kept.
-    pub fn envelope_days(&mut self, source: &MapSource) -> Result<Days, String> {
+    pub fn envelope_days(&mut self, source: &MapSource, seed: u64) -> Result<Days, String> {
         let others = self.others(source)?;
-        Ok(others.spread(EnvelopeSurvey::DAYS, REHEARSAL_SEED))
+        Ok(others.spread(EnvelopeSurvey::DAYS, seed))
     }
 
     /// The days on which places are rehearsed before landmarks are proposed; not kept.

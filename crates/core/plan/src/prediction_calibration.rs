@@ -10,7 +10,7 @@ use pilotage_flight::Flight;
 use pilotage_navigator::navigator::Run;
 
 /// Frame of a flight beside the plan.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// Distance along the planned path of the place with which it is compared, metres.
     pub distance: f64,

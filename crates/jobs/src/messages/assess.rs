@@ -3,7 +3,7 @@
 use pilotage_core::camera::CameraModel;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{Breakdown, ExpectedDetection, Rehearsal};
+use pilotage_core::plan::{Breakdown, DetectionStatistics, ExpectedDetection, Rehearsal};
 use serde::{Deserialize, Serialize};
 
 use super::MapSource;
@@ -23,6 +23,13 @@ pub struct AssessmentOrder {
     pub navigator: NavigatorSettings,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
+    /// Seed of the other days and of the looks; [`Self::SEED`], so that the same landmark has the same measurement.
+    pub seed: u64,
+}
+
+impl AssessmentOrder {
+    /// Seed of all measurements that are kept.
+    pub const SEED: u64 = 11;
 }
 
 /// Single look at a landmark.
@@ -55,6 +62,16 @@ pub struct Assessment {
     pub views: Vec<Glance>,
     /// Views counted by heading, attitude error and day.
     pub breakdown: Breakdown,
+}
+
+impl Assessment {
+    /// Statistics for a prediction: what was measured at that height holds for all.
+    pub fn statistics(&self) -> DetectionStatistics {
+        DetectionStatistics {
+            by_height: vec![(self.height, self.expected)],
+            by_day: self.breakdown.day.clone(),
+        }
+    }
 }
 
 /// A share of the looks at a landmark: those on every `of`-th day, so that several workers draw the

@@ -1,9 +1,14 @@
 //! A detector to be judged, and what came of it.
 
-use pilotage_core::training::evaluation::Plot;
+use pilotage_core::training::evaluation::{
+    AtThreshold, EvaluatedLook, Evaluation, EvaluationSettings, Plot,
+};
 use serde::{Deserialize, Serialize};
 
 use super::{AssessmentOrder, FlightSource};
+
+/// Most real frames that are looked at where nobody states a number.
+const MOST_FRAMES: usize = 200;
 
 /// Detector to be judged, and the real frames to judge it by.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -16,6 +21,49 @@ pub struct EvaluationOrder {
     pub photos: usize,
     /// Days on which they are taken.
     pub days: usize,
+    /// Seed of photos and days.
+    pub seed: u64,
+    /// Most real frames that are looked at, evenly spread over the flight.
+    pub most_frames: usize,
+    /// False alarms per picture at which detections are told.
+    pub false_alarms: f64,
+}
+
+impl EvaluationOrder {
+    /// Order of so many photos on so many days, with the usual settings.
+    pub fn usual(
+        about: AssessmentOrder,
+        flight: Option<FlightSource>,
+        (photos, days): (usize, usize),
+    ) -> Self {
+        let settings = EvaluationSettings::default();
+        Self {
+            about,
+            flight,
+            photos,
+            days,
+            seed: settings.seed,
+            most_frames: MOST_FRAMES,
+            false_alarms: settings.false_alarms,
+        }
+    }
+}
+
+/// A detector that was judged, with everything that it was judged by.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JudgedDetector {
+    /// Name of its landmark.
+    pub landmark: String,
+    /// The detector's own threshold.
+    pub threshold: f64,
+    /// Outcome at that threshold.
+    pub in_use: AtThreshold,
+    /// The same in the real frames alone, if those of a flight were asked for.
+    pub in_real_frames: Option<AtThreshold>,
+    /// Curves and figures of all looks.
+    pub evaluation: Evaluation,
+    /// Every look.
+    pub looks: Vec<EvaluatedLook>,
 }
 
 /// Result of an evaluation, ready to be shown and saved.

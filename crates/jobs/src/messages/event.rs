@@ -12,6 +12,7 @@ use pilotage_core::plan::{Candidate, Envelope, Localizability, Prediction, Sugge
 use pilotage_core::raster::{Raster, Rgba};
 use pilotage_core::registration::Draped;
 use pilotage_core::study::Comparison;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -153,6 +154,9 @@ pub enum JobEvent {
     },
     /// Contents of provided files.
     Opened(Box<Opened>),
+    /// Figures of a result as the worker wrote them: who asked knows their type and reads them by
+    /// [`JobEvent::read_figures`], so that only that program links it.
+    Figures(#[serde(with = "whole_bytes")] Vec<u8>),
     /// Done.
     Finished,
     /// Stopped as asked.
@@ -162,6 +166,26 @@ pub enum JobEvent {
 }
 
 impl JobEvent {
+    /// Event with these figures.
+    ///
+    /// # Errors
+    /// If they cannot be written, in words.
+    pub fn of_figures(figures: &impl Serialize) -> Result<Self, String> {
+        let bytes = postcard::to_stdvec(figures).map_err(|cause| cause.to_string())?;
+        Ok(Self::Figures(bytes))
+    }
+
+    /// Figures of the type that was asked for.
+    ///
+    /// # Errors
+    /// If the event has none of that type, in words.
+    pub fn read_figures<T: DeserializeOwned>(&self) -> Result<T, String> {
+        let Self::Figures(bytes) = self else {
+            return Err("the job told something else than figures".to_owned());
+        };
+        postcard::from_bytes(bytes).map_err(|cause| cause.to_string())
+    }
+
     /// Whether nothing more comes of a job after this.
     pub fn is_last(&self) -> bool {
         matches!(self, Self::Finished | Self::Cancelled | Self::Failed(_))

@@ -15,7 +15,14 @@ pub enum FieldFrom {
     Map {
         /// Half width of the detector's search in standard deviations.
         search_sigmas: f64,
+        /// Other days on which they are rehearsed; [`FieldFrom::FEW_DAYS`] to be soon done.
+        days: usize,
     },
+}
+
+impl FieldFrom {
+    /// Days of a field that somebody waits for.
+    pub const FEW_DAYS: usize = 2;
 }
 
 /// Field of the probability of a fix to be computed.

@@ -40,7 +40,7 @@ pub use brief::{BriefOrder, BriefPictures, EncodedPicture};
 pub use calibrate::CalibrationOrder;
 pub use content::FileContent;
 pub use contest::ContestOrder;
-pub use evaluate::{EvaluationOrder, EvaluationReport};
+pub use evaluate::{EvaluationOrder, EvaluationReport, JudgedDetector};
 pub use event::JobEvent;
 pub use explain::{DetectorSearch, Distinctness, ExplainedBy, MatchPictures};
 pub use export::ExportOrder;

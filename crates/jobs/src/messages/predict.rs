@@ -33,6 +33,15 @@ pub struct PredictionOrder {
     pub landmarks: Vec<(Landmark, DetectionStatistics)>,
     /// Worlds to try: [`COARSE`], or 100 for a fine one.
     pub worlds: usize,
+    /// Seed of the worlds; [`Self::SEED`], so that the same plan has the same prediction.
+    pub seed: u64,
+    /// Standard deviation of the position (longer axis) over which stretches are marked, metres.
+    pub limit: f64,
+}
+
+impl PredictionOrder {
+    /// Seed of predictions where nobody states one.
+    pub const SEED: u64 = 1;
 }
 
 /// Worlds of a coarse prediction.

@@ -26,4 +26,13 @@ pub struct SuggestOrder {
     pub taken: Vec<GroundRect>,
     /// Greatest number of landmarks to propose.
     pub count: usize,
+    /// Side of their boxes, metres; a third of the picture's shorter side on the ground if `None`.
+    pub side: Option<f64>,
+    /// Seed of the days on which places are rehearsed; [`Self::SEED`], so that the same plan has the same proposals.
+    pub seed: u64,
+}
+
+impl SuggestOrder {
+    /// Seed of proposals where nobody states one.
+    pub const SEED: u64 = 1;
 }

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use pilotage_core::imagery::Blank;
+use pilotage_core::simulate::FlightDay;
 
 use super::super::flights::OpenFlight;
 use super::super::worker_state::OpenedMap;
@@ -23,7 +24,12 @@ pub fn open_flight(worker: &mut WorkerState, source: &FlightSource) -> Result<Op
     match source {
         FlightSource::Simulated(options) => {
             let world = worker.world(simulated::choice(options)?.world.key())?;
-            simulated::open(options, world.as_ref())
+            let day = if options.other_day {
+                FlightDay::Other
+            } else {
+                FlightDay::Same
+            };
+            simulated::open(options, world.as_ref(), worker.shown_ground(day))
         }
         FlightSource::Nothing => Err("no flight is open".to_owned()),
         FlightSource::Files(_) => {

@@ -53,13 +53,10 @@ impl App {
             height: flown::flown_height(documents),
             navigator: documents.mission.navigator.clone(),
             ground_down: flown::ground_down(documents),
+            seed: AssessmentOrder::SEED,
         };
-        let order = EvaluationOrder {
-            about,
-            flight: recorded.then(|| documents.flight_source.clone()),
-            photos: PHOTOS,
-            days: DAYS,
-        };
+        let flight = recorded.then(|| documents.flight_source.clone());
+        let order = EvaluationOrder::usual(about, flight, (PHOTOS, DAYS));
         let job = host.start(Job::Evaluate(Box::new(order)));
         (evaluating.landmark, evaluating.of) = (Some(id), of);
         (evaluating.report, evaluating.trouble) = (None, None);

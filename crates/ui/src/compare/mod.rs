@@ -158,11 +158,11 @@ impl Compare {
     /// Flies what is open by every estimator.
     fn fly_by_all(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
-        let order = ContestOrder {
-            flight: documents.flight_source.clone(),
-            map: documents.map_source.clone(),
-            mission: documents.mission.clone(),
-        };
+        let order = ContestOrder::of_all(
+            documents.flight_source.clone(),
+            documents.map_source.clone(),
+            documents.mission.clone(),
+        );
         let job = Job::Contest(Box::new(order));
         self.contest.found = None;
         self.contest

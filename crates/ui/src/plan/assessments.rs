@@ -325,7 +325,7 @@ impl Assessments {
             last: found.clone(),
             statistics: DetectionStatistics {
                 by_height,
-                by_day: found.breakdown.day.clone(),
+                ..found.statistics()
             },
         };
         self.measured.insert(id, measured);

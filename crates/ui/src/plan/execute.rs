@@ -243,6 +243,7 @@ impl Planner {
             height,
             navigator: documents.mission.navigator.clone(),
             ground_down: flown::ground_down(documents),
+            seed: AssessmentOrder::SEED,
         });
         if *command == PlanCommand::SurveyEnvelope {
             self.assessments.survey(orders.next());

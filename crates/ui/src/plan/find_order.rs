@@ -62,6 +62,8 @@ impl Planner {
                     .map(|l| (l.clone(), self.assessments.expected(l)))
                     .collect(),
                 worlds: 0,
+                seed: PredictionOrder::SEED,
+                limit: f64::INFINITY,
             },
             field,
             no_fly: mission.no_fly.iter().map(|z| z.corners.clone()).collect(),

@@ -36,6 +36,7 @@ impl Planner {
             }
             HeatOf::Map => FieldFrom::Map {
                 search_sigmas: mission.navigator.detector.search_sigmas,
+                days: FieldFrom::FEW_DAYS,
             },
         };
         Some(FieldOrder {

@@ -217,6 +217,8 @@ impl Planner {
                 .map(|l| (l.clone(), self.assessments.expected(l)))
                 .collect(),
             worlds: 0,
+            seed: PredictionOrder::SEED,
+            limit: f64::INFINITY,
         })
     }
 }

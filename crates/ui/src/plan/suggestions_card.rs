@@ -38,6 +38,8 @@ impl Planner {
             navigator: mission.navigator.clone(),
             taken: mission.landmarks.iter().map(|l| l.bounds).collect(),
             count: self.preferences.suggest,
+            side: None,
+            seed: SuggestOrder::SEED,
         })
     }
 

@@ -1,6 +1,7 @@
 //! Tally of one contender, flight by flight.
 
 use nalgebra::Vector2;
+use serde::{Deserialize, Serialize};
 
 use super::{ComparisonRow, Contender};
 use crate::navigator::{ErrorFigures, Estimate, Outcome, Run, smooth};
@@ -8,7 +9,7 @@ use pilotage_estimation::filter::{Consistency, FilterError};
 use pilotage_flight::Flight;
 
 /// Gathers the runs of one contender.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tally {
     contender: Contender,
     flights: usize,
@@ -25,7 +26,7 @@ pub struct Tally {
 }
 
 /// Errors of positions.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Errors {
     distances: Vec<f64>,
     nees: Consistency,

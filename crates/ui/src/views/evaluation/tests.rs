@@ -1,6 +1,8 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pilotage_core::training::evaluation::{EvaluatedLook, EvaluatedMark, EvaluationSettings};
+use pilotage_core::training::evaluation::{
+    EvaluatedLook, EvaluatedMark, Evaluation, EvaluationSettings,
+};
 
 use super::*;
 
@@ -38,7 +40,8 @@ fn evaluation() -> EvaluationReport {
         replicates: 200,
         ..EvaluationSettings::default()
     };
-    EvaluationReport::of((3, "Pool 1/2"), &looks, 0.5, &settings).unwrap()
+    let evaluation = Evaluation::of(&looks, &settings).unwrap();
+    EvaluationReport::of((3, "Pool 1/2"), &looks, 0.5, &evaluation)
 }
 
 struct State {

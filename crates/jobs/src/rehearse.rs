@@ -1,0 +1,191 @@
+//! A planned flight flown in a simulation, beside what was predicted of it.
+
+use std::sync::Arc;
+
+use pilotage_core::flight::{Flight, FrameSource};
+use pilotage_core::imagery::CachedImagery;
+use pilotage_core::landmark::{ChosenDetector, Detector, Landmark};
+use pilotage_core::navigator::Navigator;
+use pilotage_core::plan::{Comparison, Prediction, as_stated, compare};
+use pilotage_core::simulate::{FlightDay, SimulatedFrames};
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Role, Urgency, keys_of};
+use super::passage::Passage;
+use super::{Advance, JobEvent, MapSource, PredictionOrder, RunningJob, WorkerState};
+
+/// Seed of the day of the first flight, which was not rehearsed; that of another follows from its own.
+const FIRST_DAY: u64 = 770_001;
+/// Memory for tiles of one day, megabytes.
+const CACHE: usize = 256;
+
+/// Flight of a plan over its map. It has a wind and a day of its own, drawn by `seed` from what
+/// was predicted for: a prediction is a statement about all of them. Event `Figures` with a [`Rehearsed`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RehearseOrder {
+    /// The plan.
+    pub plan: PredictionOrder,
+    /// Prediction of it.
+    pub prediction: Prediction,
+    /// The map.
+    pub map: MapSource,
+    /// Whether there are no pictures: landmarks are found as often and as well as the plan expects.
+    pub as_stated: bool,
+    /// Seed of wind, day and sensors.
+    pub seed: u64,
+}
+
+/// Outcome of a flight of a plan.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rehearsed {
+    /// Every frame beside the plan.
+    pub frames: Vec<Comparison>,
+    /// Frames that corrected the estimate.
+    pub corrected: usize,
+}
+
+/// A flight under way.
+struct Rehearse {
+    order: RehearseOrder,
+    flying: Option<Flying>,
+}
+
+/// The flight, what it sees, and how far it is.
+type Flying = (Arc<Flight>, Box<dyn FrameSource>, Passage);
+
+impl Rehearse {
+    fn begin(&self, worker: &mut WorkerState) -> Result<Flying, String> {
+        let order = &self.order;
+        let (plan, seed, settings) = (order.plan.plan(), order.seed, &order.plan.navigator);
+        let flight = plan.in_wind_of(seed, settings.start.wind).simulate(seed);
+        let flight = flight.ok_or("the route needs two way-points")?;
+        let landmarks = order.plan.landmarks.iter();
+        let landmarks: Vec<Landmark> = landmarks.map(|(landmark, _)| landmark.clone()).collect();
+        let (detector, frames): (Box<dyn Detector>, Box<dyn FrameSource>) = if order.as_stated {
+            let stated = as_stated(&flight, &order.plan.planned_landmarks(), seed);
+            let (detector, frames) = stated.ok_or("there is no truth")?;
+            (Box::new(detector), Box::new(frames))
+        } else {
+            let day = worker.others(&order.map)?.drawn(FIRST_DAY + seed);
+            let day = Arc::new(CachedImagery::new(day, CACHE));
+            let frames = SimulatedFrames::new(&flight, FlightDay::Other, seed).over(day);
+            let map = worker.map(&order.map)?;
+            let detector = ChosenDetector::new(map, settings.detector, &landmarks);
+            (Box::new(detector), Box::new(frames))
+        };
+        let flight = Arc::new(flight);
+        let navigator = Navigator::with_detector(flight.clone(), &landmarks, detector, settings);
+        let navigator = navigator.map_err(|cause| cause.to_string())?;
+        Ok((flight, frames, Passage::new(navigator.sparing())))
+    }
+}
+
+impl RunningJob for Rehearse {
+    fn advance(
+        &mut self,
+        worker: &mut WorkerState,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        let Some((_, frames, passage)) = &mut self.flying else {
+            self.flying = Some(self.begin(worker)?);
+            return Ok(Advance::More);
+        };
+        let more = passage.advance(frames.as_mut(), clock)?;
+        emit(JobEvent::Progress(passage.progress(), "Flying".to_owned()));
+        if more {
+            return Ok(Advance::More);
+        }
+        if let Some((flight, _, passage)) = self.flying.take() {
+            let run = passage.into_run();
+            emit(JobEvent::of_figures(&Rehearsed {
+                frames: compare(&flight, &run, &self.order.prediction),
+                corrected: run.steps.iter().filter(|step| step.corrected()).count(),
+            })?);
+        }
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}
+
+impl Order for RehearseOrder {
+    const URGENCY: Urgency = Urgency::Flight;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.map))
+    }
+
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        Box::new(Rehearse {
+            order: self,
+            flying: None,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::frames::GroundPoint;
+    use pilotage_core::plan::{DetectionStatistics, Verification};
+    use pilotage_core::simulate::{Scenario, Wind};
+
+    use super::*;
+    use crate::running::{figures, finished};
+
+    fn order(seed: u64) -> RehearseOrder {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mission = scenario.mission();
+        let plan = PredictionOrder {
+            way_points: vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 500.0)],
+            height: scenario.height,
+            targets: Vec::new(),
+            airspeed: None,
+            bank: None,
+            wind: Wind::default(),
+            camera: Scenario::camera(),
+            ground_down: 0.0,
+            navigator: mission.navigator,
+            // Nothing is expected of them, so that nothing is found.
+            landmarks: mission
+                .landmarks
+                .into_iter()
+                .map(|landmark| (landmark, DetectionStatistics::default()))
+                .collect(),
+            worlds: 8,
+            seed: PredictionOrder::SEED,
+            limit: f64::INFINITY,
+        };
+        RehearseOrder {
+            prediction: plan.predict().unwrap(),
+            plan,
+            map: MapSource::world("countryside"),
+            as_stated: true,
+            seed,
+        }
+    }
+
+    #[test]
+    fn a_plan_without_fixes_is_flown_in_other_winds_within_what_was_predicted() {
+        let flights: Vec<Rehearsed> = (1..13).map(|seed| figures(order(seed))).collect();
+        assert!(flights.iter().all(|flight| flight.corrected == 0));
+        assert!(flights.iter().all(|flight| flight.frames.len() > 20));
+        let frames: Vec<_> = flights.into_iter().map(|flight| flight.frames).collect();
+        let all = Verification::of(&frames);
+        assert!(all.inside_ellipse > 0.8, "{all:?}");
+        let ratio = all.rms_m / all.predicted_rms_m;
+        assert!((0.6..1.5).contains(&ratio), "{all:?}");
+    }
+
+    #[test]
+    fn a_route_of_one_way_point_is_refused() {
+        let mut order = order(1);
+        order.plan.way_points.truncate(1);
+        let refused = finished(order);
+        let last = refused.last();
+        assert!(matches!(last, Some(JobEvent::Failed(why)) if why.contains("two way-points")));
+    }
+}
