@@ -61,14 +61,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     };
     let mut rounds = Vec::new();
     for _ in 0..arguments.rounds.max(1) {
-        let run = navigate(
-            &flight,
-            &[],
-            Arc::clone(&map),
-            &settings,
-            &mut frames,
-            false,
-        )?;
+        let run = navigate(&flight, &[], Arc::clone(&map), &settings, &mut frames)?;
         let found = camera_to_log(&flight, &run, &believed)?;
         rounds.push(Round {
             camera_to_log: found,

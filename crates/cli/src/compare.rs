@@ -2,23 +2,21 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Instant;
 
 use pilotage_core::filter::ConsistencySummary;
-use pilotage_core::flight::{Flight, FrameSource, read_flight};
-use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::flight::read_flight;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{EstimatorChoice, VehicleChoice};
-use pilotage_core::simulate::{Overrides, Scenario};
+use pilotage_core::simulate::Scenario;
 use pilotage_core::study::{Comparison, ComparisonRow, Contender, Tally};
+use pilotage_jobs::{ContestOrder, FlightSource, JobEvent, MapSource, TallyOrder};
 
 use crate::Outcome;
 use crate::files::{Directory, MAP_CACHE, open_map};
 use crate::filter_options::{VEHICLES, vehicle};
 use crate::mission_file::OpenMission;
-use crate::replay::navigate;
-use crate::scenario::{Day, scenario, seed_range};
+use crate::scenario::{Day, flown, scenario, scenery, seed_range};
+use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage compare`.
 #[derive(clap::Args)]
@@ -99,107 +97,72 @@ fn contenders(arguments: &Arguments, usual: VehicleChoice) -> Result<Vec<Contend
     Ok(Contender::all(&estimators, &vehicles))
 }
 
-/// Mission and map that all contenders share, by which they see.
-struct Sight<'a> {
-    arguments: &'a Arguments,
-    mission: Mission,
-    map: Arc<dyn Imagery>,
-}
-
-impl Sight<'_> {
-    /// Every contender over one flight; `frames` gives its pictures anew for each.
-    fn compare<F: FrameSource>(
-        &self,
-        flight: &Arc<Flight>,
-        seed: u64,
-        frames: impl Fn() -> F,
-    ) -> Result<Vec<Tally>, String> {
-        let begun = Instant::now();
-        let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
-        let mut base = self.mission.navigator.clone();
-        crate::filter_options::apply(&mut base, &self.arguments.filter)?;
-        let one = |contender: Contender| -> Result<Tally, String> {
-            let mut tally = Tally::new(contender, self.arguments.smooth);
-            let settings = contender.settings(&base, seed);
-            let map = Arc::clone(&self.map);
-            match navigate(
-                flight,
-                &self.mission.landmarks,
-                map,
-                &settings,
-                &mut frames(),
-                true,
-            ) {
-                Ok(run) => tally
-                    .add(flight, &run, &stopwatch)
-                    .map_err(|e| e.to_string())?,
-                Err(error) => {
-                    eprintln!("seed {seed}, {}: {error}", name(contender));
-                    tally.fail();
+/// The contest of these flights, each with the seed of what estimators draw over it.
+fn contest(
+    arguments: &Arguments,
+    mut mission: Mission,
+    flights: Vec<(FlightSource, u64)>,
+    map: &MapSource,
+    lent: &Lent,
+) -> Result<Comparison, Box<dyn std::error::Error>> {
+    let contenders = contenders(arguments, mission.navigator.vehicle)?;
+    crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
+    let seeds: Vec<u64> = flights.iter().map(|(_, seed)| *seed).collect();
+    let order = |(flight, seed)| {
+        TallyOrder(ContestOrder {
+            flight,
+            map: map.clone(),
+            mission: mission.clone(),
+            contenders: contenders.clone(),
+            smooth: arguments.smooth,
+            seed,
+        })
+    };
+    let orders = flights.into_iter().map(order).collect();
+    let mut tallies: Vec<Tally> = Vec::new();
+    workers::run(orders, lent, &mut |number, event| {
+        let seed = seeds[number];
+        match event {
+            JobEvent::Failed(why) => return Err(format!("seed {seed}: {why}")),
+            JobEvent::Remark(why) => eprintln!("seed {seed}, {why}"),
+            JobEvent::Figures(_) => {
+                let of_flight: Vec<Tally> = event.read_figures()?;
+                if tallies.is_empty() {
+                    tallies = of_flight;
+                } else {
+                    let both = tallies.iter_mut().zip(of_flight);
+                    both.for_each(|(tally, other)| tally.merge(other));
+                }
+                if seeds.len() > 1 {
+                    eprintln!("seed {seed} is done");
                 }
             }
-            Ok(tally)
-        };
-        let all = contenders(self.arguments, self.mission.navigator.vehicle)?;
-        all.into_iter().map(one).collect()
-    }
+            _ => {}
+        }
+        Ok(())
+    })?;
+    Ok(Comparison::of(&tallies))
 }
 
 fn simulated(
     arguments: &Arguments,
     scenario: &Scenario,
 ) -> Result<Comparison, Box<dyn std::error::Error>> {
-    let overrides = Overrides {
-        day: Some(arguments.day.into()),
-        ..Overrides::default()
+    let mission = match &arguments.mission {
+        Some(path) => OpenMission::read(path)?.package.mission,
+        None => scenario.mission(),
     };
-    let sight = Sight {
-        arguments,
-        mission: match &arguments.mission {
-            Some(path) => OpenMission::read(path)?.package.mission,
-            None => scenario.mission(),
-        },
-        map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
-    };
-    let seen = scenario.simulate(0, &overrides).frames.imagery();
     let (first, end) = seed_range(&arguments.seeds)?;
-    let next = AtomicU64::new(first);
-    let worker = || -> Result<Vec<(u64, Vec<Tally>)>, String> {
-        let mut done = Vec::new();
-        loop {
-            let seed = next.fetch_add(1, Ordering::Relaxed);
-            if seed >= end {
-                return Ok(done);
-            }
-            let flown = scenario.simulate(seed, &overrides);
-            let frames = flown.frames.over(Arc::clone(&seen));
-            let flight = Arc::new(flown.flight);
-            done.push((seed, sight.compare(&flight, seed, || frames.clone())?));
-            eprintln!("seed {seed} is done");
-        }
-    };
-    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let mut all = Vec::new();
-    std::thread::scope(|scope| -> Result<(), String> {
-        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
-        for handle in handles {
-            all.extend(handle.join().map_err(|_| "a run panicked".to_owned())??);
-        }
-        Ok(())
-    })?;
-    all.sort_by_key(|(seed, _)| *seed);
-    let mut tallies: Vec<Tally> = Vec::new();
-    for (_, of_seed) in all {
-        if tallies.is_empty() {
-            tallies = of_seed;
-        } else {
-            tallies
-                .iter_mut()
-                .zip(of_seed)
-                .for_each(|(t, o)| t.merge(o));
-        }
-    }
-    Ok(Comparison::of(&tallies))
+    let flight = |seed| (flown(scenario, seed, arguments.day), seed);
+    let flights = (first..end).map(flight).collect();
+    let lent = scenery(scenario, arguments.day);
+    contest(
+        arguments,
+        mission,
+        flights,
+        &MapSource::world("countryside"),
+        &lent,
+    )
 }
 
 fn recorded(arguments: &Arguments) -> Result<Comparison, Box<dyn std::error::Error>> {
@@ -209,15 +172,18 @@ fn recorded(arguments: &Arguments) -> Result<Comparison, Box<dyn std::error::Err
     let path = Path::new(&arguments.flight);
     let folder = read_flight(Arc::new(Directory::open(path)?))?;
     let map = open_map(map, folder.flight.frame_on_globe, MAP_CACHE)?;
-    let sight = Sight {
+    let mission = OpenMission::read(mission)?.package.mission;
+    let source = Lent::map_of_file();
+    let lent = Lent::default()
+        .with_map(source.clone(), map)
+        .with_flight(Arc::new(folder.flight), Some(folder.frames));
+    contest(
         arguments,
-        mission: OpenMission::read(mission)?.package.mission,
-        map,
-    };
-    let flight = Arc::new(folder.flight);
-    Ok(Comparison::of(
-        &sight.compare(&flight, 1, || folder.frames.clone())?,
-    ))
+        mission,
+        vec![(Lent::flight(), 1)],
+        &source,
+        &lent,
+    )
 }
 
 /// Name of a contender on the command line.

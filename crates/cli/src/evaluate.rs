@@ -2,19 +2,22 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
-use pilotage_core::flight::{FlightFolder, FrameSource as _, read_flight};
+use pilotage_core::flight::read_flight;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::training::FlightEnvelope;
-use pilotage_core::training::evaluation::{
-    AtThreshold, DetectorJudge, EvaluatedLook, Evaluation, EvaluationSettings, FrameJudge,
-    JudgingPlan, Rate,
+use pilotage_core::training::evaluation::Rate;
+use pilotage_jobs::{
+    AssessmentOrder, EvaluationInDetail, EvaluationOrder, JobEvent, JudgedDetector,
 };
-use serde::Serialize;
 
 use crate::Outcome;
 use crate::files::{Directory, write_whole};
 use crate::plan::{Ground, Source};
+use crate::workers::{self, Lent};
+
+/// Time between two words on a judging.
+const TOLD_EVERY: Duration = Duration::from_secs(2);
 
 /// Arguments of `pilotage evaluate`.
 #[derive(clap::Args)]
@@ -51,20 +54,7 @@ pub struct Arguments {
     json: Option<PathBuf>,
 }
 
-/// Evaluation of one landmark.
-#[derive(Serialize)]
-struct Evaluated {
-    landmark: String,
-    /// The detector's own threshold, and what happens there.
-    threshold: f64,
-    in_use: AtThreshold,
-    /// The same in the real frames alone.
-    in_real_frames: Option<AtThreshold>,
-    evaluation: Evaluation,
-    looks: Vec<EvaluatedLook>,
-}
-
-/// Evaluates the landmarks one after the other.
+/// Evaluates the landmarks.
 pub fn run(arguments: &Arguments) -> Outcome {
     if !(arguments.false_alarms >= 0.0 && arguments.false_alarms.is_finite()) {
         let stated = arguments.false_alarms;
@@ -72,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
     let ground = Ground::at(&arguments.source)?;
     let landmarks = with_detector(&ground.mission.landmarks, &arguments.landmark)?;
-    let mut folder = match &arguments.frames {
+    let folder = match &arguments.frames {
         Some(path) => Some(read_flight(Arc::new(Directory::open(path)?))?),
         None => None,
     };
@@ -83,12 +73,40 @@ pub fn run(arguments: &Arguments) -> Outcome {
         )
         .into());
     }
-    let mut all = Vec::new();
-    for landmark in &landmarks {
-        let evaluated = evaluate(arguments, &ground, landmark, folder.as_mut())?;
-        tell(&evaluated);
-        all.push(evaluated);
+    let flight = folder.as_ref().map(|_| Lent::flight());
+    let mut lent = ground.lent();
+    if let Some(folder) = folder {
+        lent = lent.with_flight(Arc::new(folder.flight), Some(folder.frames));
     }
+    let order = |landmark: &Landmark| {
+        EvaluationInDetail(EvaluationOrder {
+            about: ground.assessment(landmark, AssessmentOrder::SEED),
+            flight: flight.clone(),
+            photos: arguments.photos as usize,
+            days: arguments.days as usize,
+            seed: arguments.seed,
+            most_frames: usize::MAX,
+            false_alarms: arguments.false_alarms,
+        })
+    };
+    let orders = landmarks.iter().map(order).collect();
+    let (mut all, mut told) = (Vec::<JudgedDetector>::new(), Instant::now());
+    workers::run(orders, &lent, &mut |number, event| {
+        match event {
+            JobEvent::Failed(why) => return Err(format!("landmark {why}")),
+            JobEvent::Progress(_, words) if told.elapsed() >= TOLD_EVERY => {
+                eprintln!("{}: {words}", landmarks[number].name);
+                told = Instant::now();
+            }
+            JobEvent::Figures(_) => {
+                let judged = event.read_figures()?;
+                tell(&judged);
+                all.push(judged);
+            }
+            _ => {}
+        }
+        Ok(())
+    })?;
     if let Some(path) = &arguments.csv {
         write_whole(path, table(&all))?;
     }
@@ -126,73 +144,7 @@ fn with_detector(landmarks: &[Landmark], wanted: &[String]) -> Result<Vec<Landma
     Ok(chosen)
 }
 
-fn evaluate(
-    arguments: &Arguments,
-    ground: &Ground,
-    landmark: &Landmark,
-    folder: Option<&mut FlightFolder>,
-) -> Result<Evaluated, Box<dyn std::error::Error>> {
-    let trained = landmark
-        .trained_detector()
-        .ok_or("the landmark has no detector")?;
-    let sensors = ground.mission.navigator.sensors;
-    let envelope = FlightEnvelope::around(&ground.camera, ground.height, sensors);
-    let plan = JudgingPlan {
-        photos: arguments.photos as usize,
-        days: arguments.days as usize,
-        seed: arguments.seed,
-    };
-    let threshold = trained.least_score;
-    let days = ground.days.as_ref();
-    let mut judge = DetectorJudge::new(
-        landmark,
-        trained.clone(),
-        &ground.map,
-        days,
-        &envelope,
-        plan,
-    );
-    while judge.advance()? {
-        let (done, all) = judge.progress();
-        if done % 50 == 0 {
-            eprintln!("{}: {done} of {all} photos", landmark.name);
-        }
-    }
-    let mut looks = judge.looks().to_vec();
-    let mut in_real_frames = None;
-    if let Some(folder) = folder {
-        let frames = FrameJudge {
-            flight: &folder.flight,
-            envelope: &envelope,
-            day: plan.days,
-            seed: plan.seed,
-        };
-        let mut real = Vec::new();
-        for index in 0..folder.flight.frames.len() {
-            let picture = folder.frames.picture(index)?;
-            real.extend(frames.looks(landmark, &trained, index, &picture));
-        }
-        in_real_frames = Some(AtThreshold::over(&real, threshold));
-        looks.extend(real);
-    }
-    let settings = EvaluationSettings {
-        false_alarms: arguments.false_alarms,
-        seed: arguments.seed,
-        ..EvaluationSettings::default()
-    };
-    let evaluation = Evaluation::of(&looks, &settings)
-        .map_err(|e| format!("landmark \"{}\": {e}", landmark.name))?;
-    Ok(Evaluated {
-        landmark: landmark.name.clone(),
-        threshold,
-        in_use: AtThreshold::over(&looks, threshold),
-        in_real_frames,
-        evaluation,
-        looks,
-    })
-}
-
-fn tell(evaluated: &Evaluated) {
+fn tell(evaluated: &JudgedDetector) {
     let evaluation = &evaluated.evaluation;
     let rate = |rate: &Rate| {
         format!(
@@ -251,7 +203,7 @@ fn tell(evaluated: &Evaluated) {
 }
 
 /// All tables below each other, with the landmark's name in front.
-fn table(all: &[Evaluated]) -> String {
+fn table(all: &[JudgedDetector]) -> String {
     let mut rows = Vec::new();
     for evaluated in all {
         let csv = evaluated.evaluation.csv();

@@ -34,6 +34,7 @@ mod scenario;
 mod simulate;
 mod statistics;
 mod train;
+mod workers;
 
 use std::process::ExitCode;
 

@@ -1,42 +1,41 @@
 //! GPS outages all along a flight: how far off dead reckoning is at their ends.
 
+use std::sync::Arc;
+
 use pilotage_core::flight::Flight;
-use pilotage_core::instruments::{Instruments, OutagePlan, ReckonSettings, Way, study_cuts};
+use pilotage_core::instruments::OutageStudy;
+use pilotage_jobs::{JobEvent, Outage, OutageOrder};
 
 use crate::Outcome;
+use crate::workers::{self, Lent};
 
 /// Prints a line for each way to navigate without GPS, for outages of so many seconds all along the time in the air.
-pub fn study(flight: &Flight, seconds: f64) -> Outcome {
-    let instruments = Instruments::of(flight, None)?;
-    let mut ways = vec![Way::air_and_wind(), Way::plain()];
-    if instruments.has_gyros() {
-        ways.push(Way::by_gyros());
-    }
-    let plan = OutagePlan {
-        length: seconds,
-        ..OutagePlan::default()
+pub fn study(flight: &Arc<Flight>, seconds: f64) -> Outcome {
+    let order = OutageOrder {
+        flight: Lent::flight(),
+        cut: Outage::AllAlong(seconds),
+        seen: None,
     };
+    let lent = Lent::default().with_flight(Arc::clone(flight), None);
     println!("without GPS for {seconds:.0} s, again and again along the flight:");
-    for way in ways {
-        let settings = ReckonSettings::default();
-        let study = study_cuts(&instruments, &way, &plan, &settings, &mut |_| true)?;
-        if study.cuts.is_empty() {
-            let (start, end) = instruments.stretch;
-            return Err(format!(
-                "{}: {:.0} s in the air are too few for GPS outages of {seconds:.0} s; say a shorter --outage",
-                flight.name,
-                end - start
-            )
-            .into());
+    workers::run(vec![order], &lent, &mut |_, event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::OutagesStudied(report) => report.studies.iter().for_each(print),
+            _ => {}
         }
-        println!(
-            "    {:32} {:4} outages, off at the end {:6.1} m median, {:6.1} m in 90 %; the 95 % ellipse holds {:.0} %",
-            study.label,
-            study.cuts.len(),
-            study.error_quantile(0.5),
-            study.error_quantile(0.9),
-            100.0 * study.covered()
-        );
-    }
+        Ok(())
+    })?;
     Ok(())
+}
+
+fn print(study: &OutageStudy) {
+    println!(
+        "    {:32} {:4} outages, off at the end {:6.1} m median, {:6.1} m in 90 %; the 95 % ellipse holds {:.0} %",
+        study.label,
+        study.cuts.len(),
+        study.error_quantile(0.5),
+        study.error_quantile(0.9),
+        100.0 * study.covered()
+    );
 }

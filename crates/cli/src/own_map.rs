@@ -5,10 +5,12 @@ use std::sync::Arc;
 
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{CachedImagery, Imagery};
-use pilotage_core::plan::{OtherDays, PictureDays};
+use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
 use pilotage_core::simulate::{
     FlightDay, FlightPlan, Overrides, Scenario, SimulatedFlight, SimulatedFrames, Wind,
 };
+
+use pilotage_jobs::MapSource;
 
 use crate::files::MAP_CACHE;
 use crate::numbers::numbers;
@@ -101,10 +103,22 @@ fn by_mission(own: &OwnMap) -> Result<Own, Box<dyn std::error::Error>> {
     let plan = ground
         .plan
         .ok_or("the mission has no route to fly; add one, or leave it out and say --route")?;
+    let route = ground.mission.routes.first();
+    let plan = FlightPlan {
+        name: route.map_or_else(String::new, |route| route.name.clone()),
+        frame_on_globe: LocalFrame::new(ground.mission.origin),
+        ..plan.plan()
+    };
+    let days: Box<dyn OtherDays> = match ground.source {
+        MapSource::World(_) => Box::new(SceneryDays {
+            scenery: Scenario::map(),
+        }),
+        _ => Box::new(PictureDays::new(Arc::clone(&ground.map))),
+    };
     Ok(Own {
         plan,
         map: ground.map,
-        days: ground.days,
+        days,
     })
 }
 

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use pilotage_core::flight::{Flight, FrameSource};
@@ -11,6 +10,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, Summary, summarize};
 use pilotage_core::simulate::{Overrides, Scenario};
+use pilotage_jobs::{JobEvent, MapSource, Passage, SummaryOrder};
 use serde::Serialize;
 
 use crate::Outcome;
@@ -19,8 +19,9 @@ use crate::files::open_map;
 use crate::mission_file::OpenMission;
 use crate::opening::{Opened, no_flight, open};
 use crate::replay_frames::{print_frames, print_refusals};
-use crate::scenario::{Day, scenario, seed_range};
+use crate::scenario::{Day, flown, scenario, scenery, seed_range};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
+use crate::workers;
 
 /// Arguments of `pilotage replay`.
 #[derive(clap::Args)]
@@ -104,7 +105,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         eprintln!("note: {note}");
     }
     let Some(map) = &arguments.map else {
-        return crate::outage::study(&flight, arguments.outage);
+        return crate::outage::study(&Arc::new(flight), arguments.outage);
     };
     if flight.frames.is_empty() {
         return Err(format!(
@@ -113,130 +114,74 @@ pub fn run(arguments: &Arguments) -> Outcome {
         )
         .into());
     }
-    let (landmarks, mut settings) = match &arguments.mission {
-        Some(path) => {
-            let mission = OpenMission::read(path)?.package.mission;
-            (mission.landmarks, mission.navigator)
-        }
-        None => (
-            Vec::new(),
-            NavigatorSettings::without_mission(&flight, true),
-        ),
-    };
-    crate::filter_options::apply(&mut settings, &arguments.filter)?;
     let imagery = open_map(map, flight.frame_on_globe, MAP_CACHE)?;
     let flight = Arc::new(flight);
-    let run = navigate(
-        &flight,
-        &landmarks,
-        imagery,
-        &settings,
-        frames.as_mut(),
-        false,
-    )?;
+    let (flight, landmarks, mut settings) = if let Some(path) = &arguments.mission {
+        let mission = OpenMission::read(path)?.package.mission;
+        (mission.flown(&flight), mission.landmarks, mission.navigator)
+    } else {
+        let settings = NavigatorSettings::without_mission(&flight, true);
+        (flight, Vec::new(), settings)
+    };
+    crate::filter_options::apply(&mut settings, &arguments.filter)?;
+    let run = navigate(&flight, &landmarks, imagery, &settings, frames.as_mut())?;
     let summary = summarize(&flight, &run, None);
     report(arguments, &flight, &run, &summary)
 }
 
-/// Navigates a flight to its end; a `sparing` one takes no pictures in which nothing may lie.
+/// Navigates a flight to its end.
 pub fn navigate(
     flight: &Arc<Flight>,
     landmarks: &[Landmark],
     map: Arc<dyn Imagery>,
     settings: &NavigatorSettings,
     frames: &mut dyn FrameSource,
-    sparing: bool,
 ) -> Result<Run, Box<dyn std::error::Error>> {
     let begun = Instant::now();
     let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
-    let mut navigator = Navigator::new(Arc::clone(flight), landmarks, map, settings)?;
-    if sparing {
-        navigator = navigator.sparing();
-    }
-    let mut run = navigator.run_head();
-    while let Some(step) = navigator.advance(frames, &stopwatch) {
-        run.steps.push(step?);
-    }
-    Ok(run)
-}
-
-/// Map and mission that many runs of one scenario share.
-struct Ground {
-    map: Arc<dyn Imagery>,
-    seen: Arc<CachedImagery>,
-    mission: Mission,
+    let navigator = Navigator::new(Arc::clone(flight), landmarks, map, settings)?;
+    let mut passage = Passage::new(navigator);
+    while passage.advance(frames, &stopwatch)? {}
+    Ok(passage.into_run())
 }
 
 fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
-    let overrides = Overrides {
-        day: Some(arguments.day.into()),
-        ..Overrides::default()
-    };
-    let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE));
-    let mission = match &arguments.mission {
+    let mut mission = match &arguments.mission {
         Some(path) => OpenMission::read(path)?.package.mission,
         None => scenario.mission(),
     };
-    let ground = Ground {
-        mission,
-        map,
-        seen: scenario.simulate(0, &overrides).frames.imagery(),
-    };
-    // Of many flights nobody looks at the pictures in which there is nothing to find.
-    let sparing = arguments.seeds.is_some();
-    let one = |seed: u64| -> Result<(Flight, Run, Summary), String> {
-        let mut settings = ground.mission.navigator.clone();
-        crate::filter_options::apply(&mut settings, &arguments.filter)?;
-        let flown = scenario.simulate(seed, &overrides);
-        let mut frames = flown.frames.over(Arc::clone(&ground.seen));
-        let flight = Arc::new(flown.flight);
-        let map = Arc::clone(&ground.map);
-        let run = navigate(
-            &flight,
-            &ground.mission.landmarks,
-            map,
-            &settings,
-            &mut frames,
-            sparing,
-        )
-        .map_err(|e| format!("seed {seed}: {e}"))?;
-        let summary = summarize(&flight, &run, Some(&scenario.navigator()));
-        Ok((Arc::unwrap_or_clone(flight), run, summary))
-    };
+    crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let Some(seeds) = &arguments.seeds else {
-        let (flight, run, summary) = one(arguments.seed)?;
-        return report(arguments, &flight, &run, &summary);
+        return replay_seed(scenario, &mission, arguments);
     };
     let (first, end) = seed_range(seeds)?;
-    let next = AtomicU64::new(first);
-    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let worker = || -> Result<Vec<(u64, Summary)>, String> {
-        let mut done = Vec::new();
-        loop {
-            let seed = next.fetch_add(1, Ordering::Relaxed);
-            if seed >= end {
-                return Ok(done);
-            }
-            let (_, _, summary) = one(seed)?;
-            eprintln!(
-                "seed {seed}: rms {:.2} m, {} of {} frames updated",
-                summary.position_error_m.map_or(f64::NAN, |e| e.rms),
-                summary.frames_with_update,
-                summary.frames
-            );
-            done.push((seed, summary));
-        }
+    let order = |seed| SummaryOrder {
+        flight: flown(scenario, seed, arguments.day),
+        map: MapSource::world("countryside"),
+        mission: mission.clone(),
+        true_noise: Some(scenario.navigator()),
     };
-    let mut runs = Vec::new();
-    std::thread::scope(|scope| -> Result<(), String> {
-        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
-        for handle in handles {
-            runs.extend(handle.join().map_err(|_| "a run panicked".to_owned())??);
+    let orders = (first..end).map(order).collect();
+    let lent = scenery(scenario, arguments.day);
+    let mut runs: Vec<Summary> = Vec::new();
+    workers::run(orders, &lent, &mut |number, event| {
+        let seed = first + number as u64;
+        match event {
+            JobEvent::Failed(why) => return Err(format!("seed {seed}: {why}")),
+            JobEvent::Figures(_) => {
+                let summary: Summary = event.read_figures()?;
+                eprintln!(
+                    "seed {seed}: rms {:.2} m, {} of {} frames updated",
+                    summary.position_error_m.map_or(f64::NAN, |e| e.rms),
+                    summary.frames_with_update,
+                    summary.frames
+                );
+                runs.push(summary);
+            }
+            _ => {}
         }
         Ok(())
     })?;
-    runs.sort_by_key(|(seed, _)| *seed);
-    let runs: Vec<Summary> = runs.into_iter().map(|(_, summary)| summary).collect();
     let study = Study {
         quantiles: table(&runs),
         error_over_bound: error_over_bound(&runs),
@@ -250,6 +195,27 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
         write_json(path, &study)?;
     }
     Ok(())
+}
+
+/// Flies a scenario once, and tells everything of it.
+fn replay_seed(scenario: &Scenario, mission: &Mission, arguments: &Arguments) -> Outcome {
+    let overrides = Overrides {
+        day: Some(arguments.day.into()),
+        ..Overrides::default()
+    };
+    let mut simulated = scenario.simulate(arguments.seed, &overrides);
+    let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE));
+    let flight = mission.flown(&Arc::new(simulated.flight));
+    let run = navigate(
+        &flight,
+        &mission.landmarks,
+        map,
+        &mission.navigator,
+        &mut simulated.frames,
+    )
+    .map_err(|e| format!("seed {}: {e}", arguments.seed))?;
+    let summary = summarize(&flight, &run, Some(&scenario.navigator()));
+    report(arguments, &flight, &run, &summary)
 }
 
 fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) -> Outcome {

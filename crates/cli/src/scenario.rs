@@ -1,7 +1,14 @@
 //! Arguments that name a built-in scenario, its day and its seeds.
 
+use std::sync::Arc;
+
 use clap::ValueEnum;
-use pilotage_core::simulate::{FlightDay, Scenario};
+use pilotage_core::imagery::CachedImagery;
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario};
+use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
+
+use crate::files::MAP_CACHE;
+use crate::workers::Lent;
 
 /// Day on which the camera sees the ground.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -31,6 +38,30 @@ pub fn unknown(name: &str) -> String {
     let names: Vec<&str> = Scenario::all().iter().map(|s| s.name).collect();
     let names = names.join(", ");
     format!("there is no scenario \"{name}\"; there are: {names}")
+}
+
+/// Flight of a scenario, by the source that orders name.
+pub fn flown(scenario: &Scenario, seed: u64, day: Day) -> FlightSource {
+    FlightSource::Simulated(SimulationOptions {
+        scenario: scenario.name.to_owned(),
+        seed,
+        other_day: matches!(day, Day::Other),
+        wind: None,
+        height: None,
+    })
+}
+
+/// Map of a scenario and the ground as the camera sees it, for workers that fly it again and again.
+pub fn scenery(scenario: &Scenario, day: Day) -> Lent {
+    let day = FlightDay::from(day);
+    let overrides = Overrides {
+        day: Some(day),
+        ..Overrides::default()
+    };
+    let map = CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE);
+    Lent::default()
+        .with_map(MapSource::world("countryside"), Arc::new(map))
+        .with_ground(day, scenario.simulate(0, &overrides).frames.imagery())
 }
 
 /// The seeds "A..B".

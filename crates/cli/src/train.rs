@@ -1,23 +1,21 @@
 //! `pilotage train`: a detector for each landmark, from the map alone.
 
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use pilotage_core::flight::{FrameSource as _, read_flight};
+use pilotage_core::flight::{FlightFolder, read_flight};
 use pilotage_core::landmark::cascade::train::FeatureKind;
-use pilotage_core::landmark::trained::{Preparation, TrainedDetector};
+use pilotage_core::landmark::trained::Preparation;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
-use pilotage_core::training::evaluation::AtThreshold;
-use pilotage_core::training::{
-    DetectorTraining, FlightEnvelope, Photo, Photos, StageReport, TrainingPlan, labelled_photos,
-};
+use pilotage_core::training::{FlightEnvelope, StageReport, TrainingPlan};
+use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder, TrainWithinOrder, TrainingOutcome};
 use serde::Serialize;
 
 use crate::Outcome;
 use crate::files::{Directory, write_whole};
 use crate::plan::{Ground, Source};
+use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage train`.
 #[derive(clap::Args)]
@@ -114,14 +112,6 @@ pub fn run(arguments: &Arguments) -> Outcome {
         .filter(wanted)
         .cloned()
         .collect();
-    let sensors = ground.mission.navigator.sensors;
-    let usual = FlightEnvelope::around(&ground.camera, ground.height, sensors);
-    let heading_error = arguments.heading_error.map(f64::to_radians);
-    let envelope = FlightEnvelope {
-        heading_error: heading_error.unwrap_or(usual.heading_error),
-        tilt: arguments.tilt.to_radians(),
-        ..usual
-    };
     let plan = TrainingPlan {
         kind,
         photos: arguments.positives,
@@ -136,28 +126,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         seed: arguments.seed,
         ..TrainingPlan::default()
     };
-    let labelled = labelled(arguments, &ground, &landmarks)?;
-    let done = train_all(&ground, &landmarks, labelled, &envelope, &plan);
-    let mut rows = Vec::new();
-    for (landmark, result) in landmarks.iter().zip(done) {
-        let (row, trained) = result?;
-        print(&row);
-        rows.push(row);
-        if let Some(folder) = &arguments.out {
-            std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-            let path = folder.join(format!("{}.xml", landmark.name));
-            write_whole(&path, trained.cascade.to_xml())?;
-        }
-        let kept = ground
-            .mission
-            .landmarks
-            .iter_mut()
-            .find(|l| l.id == landmark.id);
-        if let Some(kept) = kept {
-            kept.keep_trained(Some(&trained));
-            kept.choose_detector(choice);
-        }
-    }
+    let rows = train(arguments, &mut ground, &landmarks, &plan, choice)?;
     if let Some(path) = &arguments.write_mission {
         write_whole(path, write_mission(&ground.mission))?;
     }
@@ -167,120 +136,114 @@ pub fn run(arguments: &Arguments) -> Outcome {
     Ok(())
 }
 
-type Trained = Result<(Row, TrainedDetector), String>;
+/// Trains a detector for each of the landmarks, and keeps it with them.
+fn train(
+    arguments: &Arguments,
+    ground: &mut Ground,
+    landmarks: &[Landmark],
+    plan: &TrainingPlan,
+    choice: DetectorChoice,
+) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
+    let mut lent = ground.lent();
+    let labelled = labelled_flight(arguments, ground)?.map(|folder| {
+        lent = lent
+            .clone()
+            .with_flight(Arc::new(folder.flight), Some(folder.frames));
+        LabelledFrames {
+            flight: Lent::flight(),
+            labels: ground.mission.labels.clone(),
+        }
+    });
+    let order = |landmark: &Landmark| {
+        let order = TrainOrder {
+            map: ground.source.clone(),
+            landmark: landmark.clone(),
+            camera: ground.camera.clone(),
+            height: ground.height,
+            sensors: ground.mission.navigator.sensors,
+            ground_down: ground.ground_down(),
+            plan: plan.clone(),
+            labelled: labelled.clone(),
+            left: None,
+        };
+        let usual = order.envelope();
+        let heading_error = arguments.heading_error.map(f64::to_radians);
+        let envelope = FlightEnvelope {
+            heading_error: heading_error.unwrap_or(usual.heading_error),
+            tilt: arguments.tilt.to_radians(),
+            ..usual
+        };
+        TrainWithinOrder(order, envelope)
+    };
+    let orders = landmarks.iter().map(order).collect();
+    let (mut rows, mut stages) = (Vec::new(), 0);
+    let mission = &mut ground.mission;
+    workers::run(orders, &lent, &mut |number, event| {
+        let name = &landmarks[number].name;
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Training(report) if report.stages.len() > stages => {
+                stages = report.stages.len();
+                eprintln!("{name}: stage {stages}");
+            }
+            JobEvent::Trained(outcome) => {
+                stages = 0;
+                let mut landmark = landmarks[number].clone();
+                landmark.keep_trained_text(Some(&outcome.detector));
+                if let Some(folder) = &arguments.out {
+                    write_cascade(folder, &landmark)?;
+                }
+                let kept = mission.landmarks.iter_mut().find(|l| l.id == landmark.id);
+                if let Some(kept) = kept {
+                    kept.keep_trained_text(Some(&outcome.detector));
+                    kept.choose_detector(choice);
+                }
+                let row = Row::of(name, *outcome);
+                print(&row);
+                rows.push(row);
+            }
+            _ => {}
+        }
+        Ok(())
+    })?;
+    Ok(rows)
+}
 
-/// Frames of the flight in which people labelled each landmark.
-fn labelled(
+impl Row {
+    fn of(landmark: &str, outcome: TrainingOutcome) -> Self {
+        let [sigma_north_m, sigma_east_m] = outcome.sigmas;
+        Self {
+            landmark: landmark.to_owned(),
+            seconds: outcome.seconds,
+            stages: outcome.stages,
+            judged: outcome.judged,
+            found: outcome.found,
+            false_alarms: outcome.false_alarms,
+            sigma_north_m,
+            sigma_east_m,
+        }
+    }
+}
+
+/// Writes the cascade of a landmark into a folder, which is made if missing.
+fn write_cascade(folder: &Path, landmark: &Landmark) -> Result<(), String> {
+    let trained = landmark.trained_detector();
+    let trained = trained.ok_or("the detector cannot be read back")?;
+    std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let path = folder.join(format!("{}.xml", landmark.name));
+    write_whole(&path, trained.cascade.to_xml())
+}
+
+/// The flight in whose frames people labelled landmarks, if there is one.
+fn labelled_flight(
     arguments: &Arguments,
     ground: &Ground,
-    landmarks: &[Landmark],
-) -> Result<Vec<Vec<Photo>>, Box<dyn std::error::Error>> {
-    let labels = &ground.mission.labels;
-    let Some(path) = arguments
-        .source
-        .flight
-        .as_ref()
-        .filter(|_| !labels.is_empty())
-    else {
-        return Ok(landmarks.iter().map(|_| Vec::new()).collect());
+) -> Result<Option<FlightFolder>, Box<dyn std::error::Error>> {
+    let path = arguments.source.flight.as_ref();
+    let Some(path) = path.filter(|_| !ground.mission.labels.is_empty()) else {
+        return Ok(None);
     };
-    let folder = read_flight(Arc::new(Directory::open(path)?))?;
-    let (flight, mut frames) = (folder.flight, folder.frames);
-    let photos = |landmark| labelled_photos(&flight, labels, landmark, |i| frames.picture(i));
-    Ok(landmarks.iter().map(photos).collect::<Result<_, _>>()?)
-}
-
-/// Trains one landmark after the other on every core.
-fn train_all(
-    ground: &Ground,
-    landmarks: &[Landmark],
-    labelled: Vec<Vec<Photo>>,
-    envelope: &FlightEnvelope,
-    plan: &TrainingPlan,
-) -> Vec<Trained> {
-    let next = AtomicUsize::new(0);
-    let labelled = Mutex::new(labelled);
-    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let number = next.fetch_add(1, Ordering::Relaxed);
-            let Some(landmark) = landmarks.get(number) else {
-                return done;
-            };
-            let photos = labelled
-                .lock()
-                .map_or_else(|_| Vec::new(), |mut all| std::mem::take(&mut all[number]));
-            // The last may have a core to itself, which takes the photos that it is judged by.
-            let is_core_free = number + 1 == landmarks.len() && number.is_multiple_of(workers);
-            let trained = train(
-                ground,
-                landmark,
-                photos,
-                envelope,
-                plan.clone(),
-                is_core_free,
-            );
-            done.push((number, trained));
-        }
-    };
-    let mut all: Vec<(usize, Trained)> = std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
-        let done = handles.into_iter().map(|h| h.join().unwrap_or_default());
-        done.flatten().collect()
-    });
-    all.sort_by_key(|(number, _)| *number);
-    all.into_iter().map(|(_, trained)| trained).collect()
-}
-
-/// The same photos, taken by a thread of their own.
-fn elsewhere(photos: Photos) -> Photos {
-    let (send, receive) = std::sync::mpsc::channel();
-    std::thread::spawn(move || {
-        for photo in photos {
-            if send.send(photo).is_err() {
-                break;
-            }
-        }
-    });
-    Box::new(receive.into_iter())
-}
-
-fn train(
-    ground: &Ground,
-    landmark: &Landmark,
-    labelled: Vec<Photo>,
-    envelope: &FlightEnvelope,
-    plan: TrainingPlan,
-    is_core_free: bool,
-) -> Trained {
-    let begun = std::time::Instant::now();
-    let days = ground.days.as_ref();
-    let mut training =
-        DetectorTraining::new(landmark, &ground.map, days, envelope, plan).with_labelled(labelled);
-    if is_core_free {
-        training = training.with_held_out(elsewhere);
-    }
-    let mut stages = 0;
-    while training.advance().map_err(|e| e.to_string())? {
-        if training.reports().len() > stages {
-            stages = training.reports().len();
-            eprintln!("{}: stage {stages}", landmark.name);
-        }
-    }
-    let trained = training.trained().ok_or("the training came to no end")?;
-    let judged = AtThreshold::over(training.looks(), trained.least_score);
-    let row = Row {
-        landmark: landmark.name.clone(),
-        seconds: begun.elapsed().as_secs_f64(),
-        stages: training.reports().to_vec(),
-        judged: judged.found.of,
-        found: judged.found.happened,
-        false_alarms: judged.deceived.happened,
-        sigma_north_m: trained.precision.covariance[(0, 0)].sqrt(),
-        sigma_east_m: trained.precision.covariance[(1, 1)].sqrt(),
-    };
-    Ok((row, trained))
+    Ok(Some(read_flight(Arc::new(Directory::open(path)?))?))
 }
 
 fn print(row: &Row) {

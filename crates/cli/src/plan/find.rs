@@ -4,27 +4,27 @@ use std::sync::Arc;
 
 use pilotage_core::frames::units::GRAVITY;
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use pilotage_core::imagery::terrain::{Dem, Terrain as _};
+use pilotage_core::imagery::terrain::{Dem, HeightGrid, Terrain as _};
 use pilotage_core::mission::{Route, WayPoint};
 use pilotage_core::plan::{
-    Aim, BudgetOf, FieldBuilder, FieldView, FixSource, Forbidden, FoundRoutes, PlannedLandmark,
-    Prediction, PredictionRequest, RouteQuestion, Turns, growth_before_first_fix,
+    Aim, BudgetOf, FieldView, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns,
 };
-use pilotage_core::simulate::{FlightPlan, GuidanceSettings};
+use pilotage_core::simulate::GuidanceSettings;
+use pilotage_jobs::{
+    FieldFrom, FieldOrder, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PredictionOrder,
+};
 use serde::Serialize;
 
 use super::arguments::{Arguments, FindArguments, Least, Of, Over};
 use super::ground::{Ground, way_points};
 use super::landmarks::expected;
-use super::propose::rehearsed;
 use crate::files::DiskFile;
+use crate::workers;
 
 /// Standard deviation of the position with which the field is computed, metres.
 const POSITION: f64 = 15.0;
-/// Most cells along the longer side of the field.
-const MOST_CELLS: f64 = 700.0;
-/// Worlds of each prediction.
-const WORLDS: usize = 32;
+/// Most posts of an elevation model along a side of the map.
+const MOST_POSTS: usize = 4096;
 
 /// Figures of one of the two routes.
 #[derive(Clone, Debug, Serialize)]
@@ -52,6 +52,36 @@ pub(super) fn find(
     ground: &mut Ground,
     ends: &[String],
 ) -> Result<Found, Box<dyn std::error::Error>> {
+    let order = order(arguments, ground, ends)?;
+    let mut found = None;
+    workers::run(vec![order], &ground.lent(), &mut |_, event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::FoundPlan(plan) => found = Some(*plan),
+            _ => {}
+        }
+        Ok(())
+    })?;
+    let FoundPlan { shortest, surest } = found.ok_or("nothing was found")?;
+    println!("            length    time  turns  worst blind   worst σ    mean σ");
+    let comparison = vec![
+        Compared::of("straight", &shortest),
+        Compared::of("found", &surest),
+    ];
+    comparison.iter().for_each(Compared::print);
+    take(ground, &surest.route.way_points);
+    let routes = FoundRoutes {
+        shortest: shortest.route,
+        surest: surest.route,
+    };
+    Ok(Found { routes, comparison })
+}
+
+fn order(
+    arguments: &Arguments,
+    ground: &Ground,
+    ends: &[String],
+) -> Result<FindOrder, Box<dyn std::error::Error>> {
     let wanted = &arguments.find;
     let ends = way_points(&ends.join(";"))?;
     let &[from, to] = &ends[..] else {
@@ -68,42 +98,42 @@ pub(super) fn find(
         position: POSITION,
         tilt: settings.sensors.roll.max(settings.sensors.pitch),
     };
-    let pass = view.across().ok_or("the camera does not see the ground")?;
     let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
-        expected(arguments, ground, plan.ground_down)
+        expected(arguments, ground)?
     } else {
         Vec::new()
     };
-    let sources: Vec<FixSource> = match wanted.over {
-        Over::Landmarks => landmarks
-            .iter()
-            .filter_map(|l| FixSource::of(l, ground.height))
-            .collect(),
-        Over::Map => rehearsed(arguments, ground, true)?
-            .ranked()
-            .iter()
-            .map(|c| FixSource {
-                bounds: c.bounds,
-                probability: c.probability(),
-            })
-            .collect(),
+    let field = FieldOrder {
+        map: ground.source.clone(),
+        region: ground.map.bounds(),
+        view,
+        from: match wanted.over {
+            Over::Landmarks => FieldFrom::Landmarks(
+                landmarks
+                    .iter()
+                    .filter_map(|(landmark, detection)| {
+                        let planned = PlannedLandmark {
+                            landmark: landmark.clone(),
+                            detection: detection.clone(),
+                        };
+                        FixSource::of(&planned, ground.height)
+                    })
+                    .collect(),
+            ),
+            Over::Map => FieldFrom::Map {
+                search_sigmas: settings.detector.search_sigmas,
+                days: Proposal::DAYS as usize,
+            },
+        },
     };
-    let region = ground.map.bounds();
-    let step = (pass / 6.0).max(region.width().max(region.height()) / MOST_CELLS);
-    let mut builder = FieldBuilder::new(view, &region, step, sources);
-    while builder.advance() {}
     let zones = ground.mission.no_fly.iter();
-    let routes = RouteQuestion {
+    Ok(FindOrder {
         from,
         to,
-        field: Arc::new(builder.into_field()),
-        pass,
+        field,
         no_fly: zones.map(|z| z.corners.clone()).collect(),
         clearance: wanted.clearance,
-        forbidden: high_ground(wanted, ground)?,
-        airspeed: plan.airframe.cruise,
-        wind: plan.wind,
-        before_first_fix: growth_before_first_fix(&ground.mission.navigator),
+        high_ground: high_ground(wanted, ground)?,
         turns: turns(&plan),
         budget: wanted.budget,
         budget_of: match wanted.budget_of {
@@ -114,19 +144,20 @@ pub(super) fn find(
             Least::Worst => Aim::Worst,
             Least::Mean => Aim::Mean,
         },
-    }
-    .find()?;
-    let mut comparison = Vec::new();
-    println!("            length    time  turns  worst blind   worst σ    mean σ");
-    for (name, route) in [("straight", &routes.shortest), ("found", &routes.surest)] {
-        let plan = FlightPlan {
-            way_points: route.way_points.clone(),
-            longest: 300.0 + 4.0 * route.time,
-            ..plan.clone()
-        };
-        let prediction = predict(&plan, ground, &landmarks)?;
+        flight: PredictionOrder {
+            navigator: settings.clone(),
+            landmarks,
+            targets: Vec::new(),
+            ..plan
+        },
+    })
+}
+
+impl Compared {
+    fn of(name: &'static str, foreseen: &Foreseen) -> Self {
+        let Foreseen { route, prediction } = foreseen;
         let sigmas = || prediction.samples.iter().map(|s| s.corridor.sigma_major);
-        let compared = Compared {
+        Self {
             name,
             length_m: route.length,
             time_s: prediction.samples.last().map_or(route.time, |s| s.time),
@@ -135,20 +166,21 @@ pub(super) fn find(
             mean_blind_m: route.mean_blind,
             worst_sigma_m: sigmas().fold(0.0, f64::max),
             mean_sigma_m: sigmas().sum::<f64>() / prediction.samples.len().max(1) as f64,
-        };
-        println!(
-            "{name:10} {:6.0} m {:5.0} s {:6} {:10.0} m {:7.1} m {:7.1} m",
-            compared.length_m,
-            compared.time_s,
-            compared.way_points.saturating_sub(2),
-            compared.worst_blind_m,
-            compared.worst_sigma_m,
-            compared.mean_sigma_m
-        );
-        comparison.push(compared);
+        }
     }
-    take(ground, &routes.surest.way_points);
-    Ok(Found { routes, comparison })
+
+    fn print(&self) {
+        println!(
+            "{:10} {:6.0} m {:5.0} s {:6} {:10.0} m {:7.1} m {:7.1} m",
+            self.name,
+            self.length_m,
+            self.time_s,
+            self.way_points.saturating_sub(2),
+            self.worst_blind_m,
+            self.worst_sigma_m,
+            self.mean_sigma_m
+        );
+    }
 }
 
 /// Plans the found way-points, and makes them the mission's first route.
@@ -174,27 +206,10 @@ fn take(ground: &mut Ground, way_points: &[GroundPoint]) {
     all.insert(0, found);
 }
 
-fn predict(
-    plan: &FlightPlan,
-    ground: &Ground,
-    landmarks: &[PlannedLandmark],
-) -> Result<Prediction, pilotage_core::plan::PredictionError> {
-    let request = PredictionRequest {
-        plan,
-        settings: &ground.mission.navigator,
-        landmarks,
-        wind_deviation: ground.mission.navigator.start.wind,
-        worlds: WORLDS,
-        seed: 1,
-        limit: f64::INFINITY,
-    };
-    request.predict()
-}
-
 /// Turns of the aircraft with the wind behind it.
-fn turns(plan: &FlightPlan) -> Turns {
+fn turns(plan: &PredictionOrder) -> Turns {
     let guidance = GuidanceSettings::default();
-    let speed = plan.airframe.cruise + plan.wind.norm();
+    let speed = Ground::cruise() + plan.wind.speed;
     Turns {
         radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
         roll_in: speed * guidance.roll_in,
@@ -206,7 +221,7 @@ fn turns(plan: &FlightPlan) -> Turns {
 fn high_ground(
     wanted: &FindArguments,
     ground: &Ground,
-) -> Result<Option<Forbidden>, Box<dyn std::error::Error>> {
+) -> Result<Option<HighGround>, Box<dyn std::error::Error>> {
     let Some(path) = &wanted.dem else {
         return Ok(None);
     };
@@ -216,8 +231,11 @@ fn high_ground(
         .map_err(|e| format!("{}: {e}", path.display()))?;
     let dem = Dem::open(Arc::new(file), Some(frame), None)?;
     let base = dem.height_at(&GroundPoint::default()).unwrap_or(0.0);
-    let highest = base + ground.height - wanted.ground_clearance;
-    Ok(Some(Arc::new(move |place: &GroundPoint| {
-        dem.height_at(place).is_some_and(|height| height > highest)
-    })))
+    let (datum, area) = (dem.datum().clone(), ground.map.bounds());
+    let mut heights = HeightGrid::over(dem.name(), datum, area, dem.spacing(), MOST_POSTS);
+    while !heights.take_rows(&dem, usize::MAX) {}
+    Ok(Some(HighGround {
+        heights,
+        highest: base + ground.height - wanted.ground_clearance,
+    }))
 }

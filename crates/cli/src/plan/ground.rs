@@ -6,23 +6,28 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::read_flight;
 use pilotage_core::frames::{AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route, WayPoint};
-use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays, random_route};
-use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec, Target};
+use pilotage_core::plan::random_route;
+use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
+use pilotage_jobs::{AssessmentOrder, MapSource, PredictionOrder};
 
 use super::arguments::Arguments;
 use super::source::Source;
 use crate::files::{Directory, MAP_CACHE};
 use crate::mission_file::OpenMission;
+use crate::workers::Lent;
 
 /// The map, the mission on it and how it is flown.
 pub struct Ground {
     pub map: Arc<dyn Imagery>,
-    pub days: Box<dyn OtherDays>,
+    /// The source by which orders name the map.
+    pub source: MapSource,
     pub mission: Mission,
     pub camera: CameraModel,
     pub height: f64,
-    pub plan: Option<FlightPlan>,
+    /// The planned flight, of whose landmarks nothing is expected yet.
+    pub plan: Option<PredictionOrder>,
 }
 
 impl Ground {
@@ -39,7 +44,7 @@ impl Ground {
             }
             if let Some(seed) = arguments.random_route {
                 plan.way_points = random_route(seed);
-                plan.wind = nalgebra::Vector2::zeros();
+                plan.wind = Wind::default();
             }
         }
         Ok(ground)
@@ -51,20 +56,18 @@ impl Ground {
             let scenario = Scenario::named(name).ok_or_else(|| {
                 format!("there is no scenario \"{name}\"; see pilotage scenarios")
             })?;
-            let overrides = Overrides {
-                height: arguments.height,
-                ..Overrides::default()
-            };
-            let plan = scenario.plan(&overrides);
-            return Ok(Self {
+            let ground = Self {
                 map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
-                days: Box::new(SceneryDays {
-                    scenery: Scenario::map(),
-                }),
+                source: MapSource::world("countryside"),
                 mission: scenario.mission(),
                 camera: Scenario::camera(),
                 height: arguments.height.unwrap_or(scenario.height),
+                plan: None,
+            };
+            let plan = ground.planned(scenario.route.clone(), Vec::new(), scenario.wind);
+            return Ok(Self {
                 plan: Some(plan),
+                ..ground
             });
         }
         let Some(path) = &arguments.mission else {
@@ -73,12 +76,10 @@ impl Ground {
         let opened = OpenMission::read(path)?;
         let frame = LocalFrame::new(opened.package.mission.origin);
         let map = opened.map(arguments.map.as_deref(), frame, MAP_CACHE)?;
-        let days: Box<dyn OtherDays> = if arguments.map.is_none() && opened.is_over_scenery() {
-            let scenery = Scenario::map();
-            Box::new(SceneryDays { scenery })
+        let source = if arguments.map.is_none() && opened.is_over_scenery() {
+            MapSource::world("countryside")
         } else {
-            let map = Arc::clone(&map);
-            Box::new(PictureDays::new(map))
+            Lent::map_of_file()
         };
         let of_scenery = opened.is_over_scenery().then(Scenario::camera);
         let mission = opened.package.mission;
@@ -92,30 +93,78 @@ impl Ground {
             .or_else(|| flown.map(|f| f.camera))
             .or(of_scenery)
             .ok_or("the mission states no camera; say --flight DIR to take that of a flight")?;
-        let route = mission.routes.first();
-        let targets = route.map_or_else(Vec::new, |route| targets(route, &mission, arguments));
+        let route = mission.routes.first().cloned();
+        let targets = route
+            .as_ref()
+            .map_or_else(Vec::new, |route| targets(route, &mission, arguments));
         let height = arguments
             .height
             .or_else(|| Some(targets.first()?.height))
             .ok_or("neither the route nor --height says how high to fly")?;
-        let plan = route.map(|route| FlightPlan {
-            name: route.name.clone(),
-            way_points: route.way_points.iter().map(|w| w.position).collect(),
-            height,
-            targets,
-            camera: camera.clone(),
-            sensors: SensorSpec::default(),
-            frame_on_globe: frame,
-            ..Scenario::all()[0].plan(&Overrides::default())
-        });
-        Ok(Self {
+        let ground = Self {
             map,
-            days,
+            source,
             mission,
             camera,
             height,
-            plan,
-        })
+            plan: None,
+        };
+        let plan = route.map(|route| {
+            let way_points = route.way_points.iter().map(|w| w.position).collect();
+            ground.planned(way_points, targets, Scenario::all()[0].wind)
+        });
+        Ok(Self { plan, ..ground })
+    }
+
+    fn planned(
+        &self,
+        way_points: Vec<GroundPoint>,
+        targets: Vec<Target>,
+        wind: Wind,
+    ) -> PredictionOrder {
+        PredictionOrder {
+            way_points,
+            height: self.height,
+            targets,
+            airspeed: None,
+            bank: None,
+            wind,
+            camera: self.camera.clone(),
+            ground_down: 0.0,
+            navigator: self.mission.navigator.clone(),
+            landmarks: Vec::new(),
+            worlds: 0,
+            seed: PredictionOrder::SEED,
+            limit: f64::INFINITY,
+        }
+    }
+
+    /// Airspeed that is flown, m/s.
+    pub fn cruise() -> f64 {
+        Airframe::sig_kadet_senior().cruise
+    }
+
+    /// Down coordinate of the ground plane, metres.
+    pub fn ground_down(&self) -> f64 {
+        self.plan.as_ref().map_or(0.0, |plan| plan.ground_down)
+    }
+
+    /// Order to measure a landmark.
+    pub fn assessment(&self, landmark: &Landmark, seed: u64) -> AssessmentOrder {
+        AssessmentOrder {
+            map: self.source.clone(),
+            landmark: landmark.clone(),
+            camera: self.camera.clone(),
+            height: self.height,
+            navigator: self.mission.navigator.clone(),
+            ground_down: self.ground_down(),
+            seed,
+        }
+    }
+
+    /// Its map, for the workers.
+    pub fn lent(&self) -> Lent {
+        Lent::default().with_map(self.source.clone(), Arc::clone(&self.map))
     }
 }
 

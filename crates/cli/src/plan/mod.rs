@@ -74,23 +74,22 @@ pub fn run(arguments: &Arguments) -> Outcome {
             .collect();
     }
     if let Some(passes) = arguments.calibrate {
-        let (reliability, _) = calibrate::calibrate(arguments, &ground, passes);
+        let reliability = calibrate::calibrate(arguments, &ground, passes)?;
         if let Some(path) = &arguments.diagram {
             write_whole(path, reliability.svg())?;
         }
         summary.reliability = Some(reliability);
     }
     if arguments.envelope {
-        summary.envelopes = envelopes(arguments, &ground);
+        summary.envelopes = envelopes(arguments, &ground)?;
     }
     if arguments.predict {
-        let (prediction, landmarks) = predict(arguments, &ground)?;
+        let (plan, prediction) = predict(arguments, &ground)?;
         summary.worst_stretch = prediction.worst_stretch();
         summary.samples = prediction.samples.iter().map(sample).collect();
-        if let Some((seeds, plan)) = arguments.fly.as_ref().zip(ground.plan.as_ref()) {
+        if let Some(seeds) = &arguments.fly {
             let seeds = crate::scenario::seed_range(seeds)?;
-            let stated = arguments.as_stated.then_some(landmarks.as_slice());
-            let found = verify::verify(&ground, plan, &prediction, seeds, stated)?;
+            let found = verify::verify(&ground, &plan, &prediction, seeds, arguments.as_stated)?;
             println!(
                 "{} flights, {} frames: {:.1} % inside the 95 % ellipse, {:.1} ± {:.1} % inside the corridor; \
                  error {:.2} m RMS where {:.2} m was predicted and the filter believed {:.2} m (NEES {:.2}), \

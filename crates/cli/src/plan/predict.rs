@@ -1,33 +1,34 @@
 //! `pilotage plan --predict`: the uncertainty along the route.
 
-use pilotage_core::plan::{PlannedLandmark, Prediction, PredictionRequest};
+use pilotage_core::plan::Prediction;
+use pilotage_jobs::PredictionOrder;
 
 use super::arguments::Arguments;
 use super::ground::Ground;
 use super::landmarks::expected;
 
-/// Measures the landmarks and predicts.
+/// Worlds of a prediction.
+const WORLDS: usize = 100;
+
+/// Measures the landmarks and predicts; what was predicted of comes with it.
 pub fn predict(
     arguments: &Arguments,
     ground: &Ground,
-) -> Result<(Prediction, Vec<PlannedLandmark>), Box<dyn std::error::Error>> {
+) -> Result<(PredictionOrder, Prediction), Box<dyn std::error::Error>> {
     let plan = ground
         .plan
         .as_ref()
         .ok_or("the mission has no route to predict along")?;
-    let settings = &ground.mission.navigator;
-    let landmarks = expected(arguments, ground, plan.ground_down);
-    let request = PredictionRequest {
-        plan,
-        settings,
-        landmarks: &landmarks,
-        wind_deviation: settings.start.wind,
-        worlds: 100,
+    let order = PredictionOrder {
+        landmarks: expected(arguments, ground)?,
+        navigator: ground.mission.navigator.clone(),
+        worlds: WORLDS,
         seed: arguments.seed,
         limit: arguments.limit,
+        ..plan.clone()
     };
     let begun = std::time::Instant::now();
-    let prediction = request.predict()?;
+    let prediction = order.predict()?;
     let largest = prediction
         .samples
         .iter()
@@ -50,5 +51,5 @@ pub fn predict(
             stretch.dead_reckoning
         );
     }
-    Ok((prediction, landmarks))
+    Ok((order, prediction))
 }

@@ -1,31 +1,23 @@
 //! `pilotage plan --suggest`: places of the map that would serve as landmarks.
 
-use std::sync::Arc;
-
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::plan::{FieldView, Proposal, ProposalQuestion, Suggestion};
+use pilotage_core::plan::{FieldView, Suggestion};
+use pilotage_jobs::{JobEvent, ProposeOrder, Share, ShareOrder, SuggestOrder};
 
 use super::arguments::Arguments;
 use super::ground::Ground;
+use crate::workers;
 
-/// The places of the map as landmarks are proposed from them, rehearsed; all over the map or only along
-/// the route.
-pub fn rehearsed(
-    arguments: &Arguments,
-    ground: &Ground,
-    all_over: bool,
-) -> Result<Proposal, Box<dyn std::error::Error>> {
-    let plan = ground.plan.as_ref().filter(|_| !all_over);
+/// Shares in which places are rehearsed: as many as most machines have processors.
+const SHARES: usize = 8;
+
+fn order(arguments: &Arguments, ground: &Ground, count: usize) -> SuggestOrder {
     let settings = &ground.mission.navigator;
-    let first = ground
-        .mission
-        .routes
-        .first()
-        .and_then(|r| r.way_points.first());
-    let cruise = plan.map_or(1.0, |p| p.airframe.cruise);
-    let mut proposal = Proposal::new(ProposalQuestion {
-        map: Arc::clone(&ground.map),
-        days: Proposal::days(ground.days.as_ref(), arguments.seed),
+    let route = ground.mission.routes.first();
+    let first = route.and_then(|r| r.way_points.first());
+    let plan = ground.plan.as_ref();
+    SuggestOrder {
+        map: ground.source.clone(),
         view: FieldView {
             camera: ground.camera.clone(),
             height: ground.height,
@@ -33,38 +25,62 @@ pub fn rehearsed(
             tilt: settings.sensors.roll.max(settings.sensors.pitch),
         },
         way_points: plan.map_or_else(Vec::new, |p| p.way_points.clone()),
-        speed: first.and_then(|w| w.speed).unwrap_or(cruise),
-        ground_down: plan.map_or(0.0, |p| p.ground_down),
+        speed: first
+            .and_then(|w| w.speed)
+            .unwrap_or_else(|| plan.map_or(1.0, |_| Ground::cruise())),
+        ground_down: ground.ground_down(),
         navigator: settings.clone(),
-        side: arguments.side,
         taken: Vec::new(),
-    })
-    .ok_or("the camera does not see the ground")?;
-    let begun = std::time::Instant::now();
-    let (_, places) = proposal.progress();
-    while proposal.advance() {
-        let (done, _) = proposal.progress();
-        if done % 500 == 0 {
-            eprintln!(
-                "{:3} %  {done} of {places} places",
-                100 * done / places.max(1)
-            );
-        }
+        count,
+        side: arguments.side,
+        seed: arguments.seed,
     }
-    eprintln!(
-        "{places} places of {:.0} m rehearsed, {:.1} s",
-        proposal.side(),
-        begun.elapsed().as_secs_f64()
-    );
-    Ok(proposal)
 }
 
+/// Proposes landmarks along the route, or all over the map where there is none.
 pub fn suggest(
     arguments: &Arguments,
     ground: &Ground,
     count: usize,
 ) -> Result<Vec<Suggestion>, Box<dyn std::error::Error>> {
-    let chosen = rehearsed(arguments, ground, false)?.chosen(count);
+    let order = Box::new(order(arguments, ground, count));
+    let lent = ground.lent();
+    let begun = std::time::Instant::now();
+    let share = |part| ShareOrder(order.clone(), Share { part, of: SHARES });
+    let (mut found, mut told) = (Vec::new(), 0);
+    workers::run(
+        (0..SHARES).map(share).collect(),
+        &lent,
+        &mut |part, event| {
+            match event {
+                JobEvent::Failed(why) => return Err(why),
+                JobEvent::Candidates(_, mut some) => found.append(&mut some),
+                JobEvent::Progress(done, _) => {
+                    let percent = (100.0 * (part as f32 + done) / SHARES as f32) as usize;
+                    if percent / 10 > told {
+                        told = percent / 10;
+                        eprintln!("{percent:3} % of the places");
+                    }
+                }
+                _ => {}
+            }
+            Ok(())
+        },
+    )?;
+    eprintln!(
+        "places rehearsed: {} of them would do, {:.1} s",
+        found.len(),
+        begun.elapsed().as_secs_f64()
+    );
+    let mut chosen = Vec::new();
+    workers::run(vec![ProposeOrder(order, found)], &lent, &mut |_, event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Suggestions(suggestions) => chosen = suggestions,
+            _ => {}
+        }
+        Ok(())
+    })?;
     if chosen.is_empty() {
         return Err(
             "no place of the map is distinct enough; try another --side or --height".into(),

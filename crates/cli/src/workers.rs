@@ -1,0 +1,294 @@
+//! Orders on the threads of the terminal, each thread with the store of a worker. Nothing else starts threads.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
+
+use pilotage_core::flight::{Flight, FolderFrames};
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::simulate::FlightDay;
+use pilotage_core::training::Photos;
+use pilotage_jobs::{
+    Abilities, Advance, FlightSource, JobEvent, KeptFrames, MapSource, OpenFlight, Order,
+    WorkerState,
+};
+
+/// Key of the files that the terminal has opened itself.
+const KEY: &str = "files";
+
+/// Everything that all workers share: each is given it before it begins.
+#[derive(Clone, Default)]
+pub struct Lent {
+    /// Opened maps, by the source that orders name.
+    maps: Vec<(MapSource, Arc<dyn Imagery>)>,
+    /// A flight, with its pictures if it has any.
+    flight: Option<(Arc<Flight>, Option<FolderFrames>)>,
+    /// Generated ground as cameras see it.
+    seen: Option<(FlightDay, Arc<CachedImagery>)>,
+}
+
+impl Lent {
+    /// The source by which orders name a map that was opened from a file.
+    pub fn map_of_file() -> MapSource {
+        MapSource::Files(KEY.to_owned())
+    }
+
+    /// The source by which orders name the flight.
+    pub fn flight() -> FlightSource {
+        FlightSource::Files(KEY.to_owned())
+    }
+
+    /// With a map, in place of the one that a worker would open from that source.
+    #[must_use]
+    pub fn with_map(mut self, source: MapSource, map: Arc<dyn Imagery>) -> Self {
+        self.maps.push((source, map));
+        self
+    }
+
+    /// With a flight and its pictures, if it has any.
+    #[must_use]
+    pub fn with_flight(mut self, flight: Arc<Flight>, frames: Option<FolderFrames>) -> Self {
+        self.flight = Some((flight, frames));
+        self
+    }
+
+    /// With the generated ground as cameras see it on a day.
+    #[must_use]
+    pub fn with_ground(mut self, day: FlightDay, seen: Arc<CachedImagery>) -> Self {
+        self.seen = Some((day, seen));
+        self
+    }
+
+    fn worker(&self) -> WorkerState {
+        let mut worker = WorkerState::new(Abilities::WHOLE.opens);
+        for (source, map) in &self.maps {
+            worker.insert_map(source, Arc::clone(map));
+        }
+        if let Some((day, seen)) = &self.seen {
+            worker.show_ground(*day, Arc::clone(seen));
+        }
+        if let Some((flight, frames)) = &self.flight {
+            let open = match frames {
+                None => OpenFlight::without_pictures(Flight::clone(flight)),
+                Some(frames) => OpenFlight {
+                    flight: Arc::clone(flight),
+                    mission: None,
+                    frames: KeptFrames::stored(flight, Box::new(frames.clone())),
+                },
+            };
+            worker.keep_flight(KEY, open);
+        }
+        worker
+    }
+}
+
+/// Does the orders on as many threads as there are processors. `hear` is told the events of each with its number, all
+/// of the first before those of the second, whoever is done first; the last of an order is `Finished` or `Failed`.
+///
+/// # Errors
+/// Whatever `hear` says; the orders that are left are not done then.
+pub fn run<O: Order + Send>(
+    orders: Vec<O>,
+    lent: &Lent,
+    hear: &mut dyn FnMut(usize, JobEvent) -> Result<(), String>,
+) -> Result<(), String> {
+    let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    run_on(processors, orders, lent, hear)
+}
+
+fn run_on<O: Order + Send>(
+    threads: usize,
+    orders: Vec<O>,
+    lent: &Lent,
+    hear: &mut dyn FnMut(usize, JobEvent) -> Result<(), String>,
+) -> Result<(), String> {
+    let count = orders.len();
+    let queue = Mutex::new(orders.into_iter().enumerate());
+    let is_over = AtomicBool::new(false);
+    let work = |events: Sender<(usize, JobEvent)>| {
+        let mut worker = lent.worker();
+        while !is_over.load(Ordering::Relaxed) {
+            let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((number, order)) = next else { return };
+            // The last may have a processor to itself.
+            let is_alone = number + 1 == count && number.is_multiple_of(threads) && threads > 1;
+            worker.take_photos_by(is_alone.then_some(elsewhere));
+            let mut tell = |event| {
+                // Nobody hears any more once the orders are given up.
+                events.send((number, event)).ok();
+            };
+            finish(order, &mut worker, &is_over, &mut tell);
+        }
+    };
+    std::thread::scope(|scope| {
+        let (send, receive) = channel();
+        for _ in 0..threads.min(count) {
+            let send = send.clone();
+            scope.spawn(|| work(send));
+        }
+        drop(send);
+        let mut in_order = InOrder::default();
+        let heard = receive
+            .into_iter()
+            .try_for_each(|(number, event)| in_order.take(number, event, hear));
+        is_over.store(true, Ordering::Relaxed);
+        heard
+    })
+}
+
+/// Works on an order until it is done, or until all of them are given up.
+fn finish<O: Order>(
+    order: O,
+    worker: &mut WorkerState,
+    is_over: &AtomicBool,
+    tell: &mut dyn FnMut(JobEvent),
+) {
+    let begun = Instant::now();
+    let clock = || begun.elapsed().as_secs_f64() * 1e3;
+    let mut job = order.begin(worker);
+    while !is_over.load(Ordering::Relaxed) {
+        match job.advance(worker, &clock, tell) {
+            Ok(Advance::More) => {}
+            Ok(Advance::Done) => return,
+            Err(why) => return tell(JobEvent::Failed(why)),
+        }
+    }
+}
+
+/// Events that came before their turn.
+#[derive(Default)]
+struct InOrder {
+    /// Number of the order whose turn it is.
+    turn: usize,
+    waiting: BTreeMap<usize, Vec<JobEvent>>,
+}
+
+impl InOrder {
+    /// Passes an event on, and what waited for it; or keeps it until its turn.
+    fn take(
+        &mut self,
+        number: usize,
+        event: JobEvent,
+        hear: &mut dyn FnMut(usize, JobEvent) -> Result<(), String>,
+    ) -> Result<(), String> {
+        if number != self.turn {
+            let waiting = self.waiting.entry(number).or_default();
+            // Of what is told late, how far it was once does not matter.
+            if matches!(event, JobEvent::Progress(..)) {
+                waiting.retain(|event| !matches!(event, JobEvent::Progress(..)));
+            }
+            waiting.push(event);
+            return Ok(());
+        }
+        let mut is_last = event.is_last();
+        hear(number, event)?;
+        while is_last {
+            self.turn += 1;
+            is_last = false;
+            for event in self.waiting.remove(&self.turn).unwrap_or_default() {
+                is_last |= event.is_last();
+                hear(self.turn, event)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The same photos, taken by a thread of their own.
+fn elsewhere(photos: Photos) -> Photos {
+    let (send, receive) = channel();
+    std::thread::spawn(move || {
+        for photo in photos {
+            if send.send(photo).is_err() {
+                break;
+            }
+        }
+    });
+    Box::new(receive.into_iter())
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_jobs::{Role, RunningJob, Urgency};
+
+    use super::*;
+
+    /// Order that takes so many slices and tells each; `None` fails.
+    struct Slices(Option<usize>);
+
+    struct Left(Option<usize>);
+
+    impl RunningJob for Left {
+        fn advance(
+            &mut self,
+            _: &mut WorkerState,
+            _: &dyn Fn() -> f64,
+            emit: &mut dyn FnMut(JobEvent),
+        ) -> Result<Advance, String> {
+            let left = self.0.as_mut().ok_or("it cannot be done")?;
+            emit(JobEvent::of_figures(left)?);
+            std::thread::sleep(std::time::Duration::from_millis(1));
+            if *left == 0 {
+                emit(JobEvent::Finished);
+                return Ok(Advance::Done);
+            }
+            *left -= 1;
+            Ok(Advance::More)
+        }
+    }
+
+    impl Order for Slices {
+        const URGENCY: Urgency = Urgency::Slow;
+
+        fn role(&self) -> Role {
+            Role::Flight
+        }
+
+        fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+            Box::new(Left(self.0))
+        }
+    }
+
+    /// Everything that is heard on so many threads: number of the order and slices left.
+    fn heard(threads: usize, slices: &[Option<usize>]) -> Vec<(usize, Result<usize, String>)> {
+        let mut all = Vec::new();
+        let orders = slices.iter().map(|count| Slices(*count)).collect();
+        run_on(threads, orders, &Lent::default(), &mut |number, event| {
+            match event {
+                JobEvent::Finished => {}
+                JobEvent::Failed(why) => all.push((number, Err(why))),
+                figures => all.push((number, Ok(figures.read_figures()?))),
+            }
+            Ok(())
+        })
+        .expect("orders that are done");
+        all
+    }
+
+    #[test]
+    fn what_is_heard_does_not_depend_on_the_number_of_threads() {
+        let slices = [Some(9), Some(0), None, Some(3), Some(1), Some(0)];
+        let alone = heard(1, &slices);
+        assert_eq!(alone.len(), 10 + 1 + 1 + 4 + 2 + 1);
+        assert_eq!(alone[11], (2, Err("it cannot be done".to_owned())));
+        for threads in [2, 3, 8] {
+            assert_eq!(heard(threads, &slices), alone, "{threads} threads");
+        }
+    }
+
+    #[test]
+    fn orders_that_are_left_are_given_up_once_somebody_has_enough() {
+        let orders = (0..100_000).map(|_| Slices(Some(0))).collect();
+        let mut last = 0;
+        let enough = run_on(2, orders, &Lent::default(), &mut |number, _| {
+            last = number;
+            if number == 3 {
+                return Err("enough".to_owned());
+            }
+            Ok(())
+        });
+        assert_eq!((enough, last), (Err("enough".to_owned()), 3));
+    }
+}
