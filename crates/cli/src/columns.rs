@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use pilotage_core::flight::columns::{
     ColumnMap, ColumnRole, MappedColumn, guess_tables, tables_lack,
 };
+use pilotage_jobs::COLUMNS_FILE;
 
 use crate::Outcome;
-use crate::opening::{COLUMNS_FILE, said, tables_at};
+use crate::opening::{said, tables_at};
 
 /// Tables to look at.
 #[derive(clap::Args)]

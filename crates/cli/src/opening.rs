@@ -17,13 +17,12 @@ use pilotage_core::flight::{
     FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameSource, NoPictures, read_flight,
 };
 use pilotage_core::imagery::ByteSource;
+use pilotage_jobs::COLUMNS_FILE;
 
 use crate::files::{Directory, DiskFile};
 
 /// Endings of tables.
 pub const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
-/// Name of the file, beside tables, that says what their columns mean.
-pub const COLUMNS_FILE: &str = "columns.json";
 
 /// Contents of a path.
 pub enum Opened {
@@ -366,6 +365,5 @@ pub fn said(
 
 /// Whether a file's name ends so.
 pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    ending.is_some_and(|ending| endings.iter().any(|e| ending.eq_ignore_ascii_case(e)))
+    pilotage_jobs::has_ending(&path.to_string_lossy(), endings)
 }
