@@ -5,8 +5,11 @@ import { framesOf, isFilm } from "./video.js";
 const LARGE = 4 << 20;
 /** Pictures that are more bytes than this together stay where they are as well. */
 const MANY = 16 << 20;
-const READ_BY_PIECES = /\.(tiff?|pmtiles|hgt|bin|log|ulg|tlog|mcap)$/i;
 const PICTURE = /\.(jpe?g|png)$/i;
+const MAPS = /\.(tiff?|pmtiles|hgt)$/i;
+/** Endings of logs, as the page names them. */
+const LOGS = document.getElementById("logs").textContent.split(", ");
+const isReadByPieces = (path) => MAPS.test(path) || LOGS.some((ending) => path.toLowerCase().endsWith(ending));
 async function gather(list) {
   const paths = [], contents = [];
   const pictures = list.filter(([path]) => PICTURE.test(path));
@@ -17,7 +20,7 @@ async function gather(list) {
         for (const [frame, content] of await framesOf(path, file)) { paths.push(frame); contents.push(content); }
         continue;
       }
-      const stays = (file.size > LARGE && READ_BY_PIECES.test(path)) || (areMany && PICTURE.test(path));
+      const stays = (file.size > LARGE && isReadByPieces(path)) || (areMany && PICTURE.test(path));
       contents.push(stays ? file : new Uint8Array(await file.arrayBuffer()));
       paths.push(path);
     } catch (error) {

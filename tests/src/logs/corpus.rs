@@ -1,6 +1,7 @@
 //! Corpus that a format's reader is tried on: small logs, real and made.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 
 use pilotage_core::flight::log::{LogFormat, recognise};
 
@@ -52,7 +53,8 @@ pub fn samples(format: LogFormat) -> Vec<Sample> {
             let file = |(version, count)| tlog::file(version, count);
             files.extend([(1, 7), (1, 40), (2, 7), (2, 40)].map(file));
         }
-        LogFormat::Ulog => {
+        // Recorded ones, and the example in the folder of the format. Logs made of tables and photos have no files.
+        _ => {
             for log in real_logs(format) {
                 let middle = log.len() / 2;
                 files.push(log[..log.len().min(2 * PIECE)].to_vec());
@@ -63,8 +65,6 @@ pub fn samples(format: LogFormat) -> Vec<Sample> {
                 files.push(parts.concat());
             }
         }
-        // No files of their own: they are made of tables and photos, which have readers of theirs.
-        LogFormat::Tables | LogFormat::Photos => {}
     }
     let sample = |bytes: Vec<u8>| Sample {
         seams: seams(format, &bytes),
@@ -73,14 +73,19 @@ pub fn samples(format: LogFormat) -> Vec<Sample> {
     files.into_iter().map(sample).collect()
 }
 
-/// Recorded logs of a format, whatever their names.
+/// Recorded logs of a format, whatever their names, and files named `example` in the folders of formats.
 fn real_logs(format: LogFormat) -> Vec<Vec<u8>> {
+    let entries = |folder: PathBuf| std::fs::read_dir(folder).into_iter().flatten().flatten();
     let folders = ["ardupilot_bin", "px4_ulog"].into_iter().filter_map(shared);
-    let entries = folders
-        .filter_map(|folder| std::fs::read_dir(folder).ok())
-        .flatten()
-        .flatten();
-    let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
+    let recorded = folders.flat_map(entries).map(|entry| entry.path());
+    let formats = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../crates/core/readers/src/log"
+    );
+    let examples = entries(formats.into()).flat_map(|folder| entries(folder.path()));
+    let examples = examples.map(|entry| entry.path());
+    let examples = examples.filter(|path| path.file_stem().is_some_and(|stem| stem == "example"));
+    let mut paths: Vec<_> = recorded.chain(examples).collect();
     paths.sort();
     let files = paths.iter().filter_map(|path| std::fs::read(path).ok());
     files
@@ -102,8 +107,7 @@ fn seams(format: LogFormat, bytes: &[u8]) -> Vec<f64> {
         // The upper bytes of a time before one of the two versions.
         LogFormat::Tlog => bytes[at] == 0 && matches!(bytes.get(at + 8), Some(0xfd | 0xfe)),
         LogFormat::DataflashText => at > 0 && matches!(bytes[at - 1], b'\n' | b','),
-        LogFormat::Ulog => at.is_multiple_of(16),
-        LogFormat::Tables | LogFormat::Photos => false,
+        _ => at.is_multiple_of(16),
     };
     let places = (0..bytes.len()).filter(|at| begins(*at));
     // A little behind the very part, so that no rounding falls short of it.

@@ -4,8 +4,6 @@ mod beside_flight;
 mod flight;
 mod origin;
 mod places;
-mod reading;
-mod ros;
 mod series;
 mod source;
 #[cfg(test)]

@@ -3,10 +3,9 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::origin;
-use super::reading::{Reading, Source};
 use super::source::{factor_of_unit, sources};
 use crate::log::{FieldLayout, Log, Topic, system_of};
-use crate::role::{Role, RoleSeries};
+use crate::role::{Reading, Role, RoleSeries, Source};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
 /// one: no unit tells which way an axis points.

@@ -1,37 +1,52 @@
-//! The formats of logs.
+//! The table of the formats of logs. Another one is a folder with its `INFO` and its `MEANING`, its module, and a line here.
 
 use serde::{Deserialize, Serialize};
 
-/// A format of logs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum LogFormat {
-    /// `ArduPilot`'s dataflash log, binary.
-    Dataflash,
-    /// `ArduPilot`'s dataflash log as text.
-    DataflashText,
-    /// PX4's `ULog`.
-    Ulog,
-    /// `MAVLink` messages with times, as ground stations write them.
-    Tlog,
-    /// MCAP, the container of Foxglove and ROS 2.
-    Mcap,
-    /// Tables of a flight, whose columns people or a file beside them told apart.
-    Tables,
-    /// Photos that say themselves when, where and how they were taken.
-    Photos,
+/// Hands the table to a macro. Each line has the name for people, the folder, and the folder's constant that knows the
+/// reader; the order is that in which formats are tried.
+macro_rules! log_formats {
+    ($make:ident) => {
+        $make! {
+            /// `ArduPilot`'s dataflash log, binary.
+            Dataflash("ArduPilot dataflash", dataflash BINARY),
+            /// `ArduPilot`'s dataflash log as text.
+            DataflashText("ArduPilot dataflash, text", dataflash TEXT),
+            /// PX4's `ULog`.
+            Ulog("PX4 ULog", ulog INFO),
+            /// MCAP, the container of Foxglove and ROS 2.
+            Mcap("MCAP", mcap INFO),
+            /// `MAVLink` messages with times, as ground stations write them.
+            Tlog("MAVLink telemetry log", tlog INFO),
+        }
+    };
 }
 
-impl LogFormat {
-    /// Name for people. Told here, beside the names, so that who only shows them needs no reader.
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::Dataflash => "ArduPilot dataflash",
-            Self::DataflashText => "ArduPilot dataflash, text",
-            Self::Ulog => "PX4 ULog",
-            Self::Tlog => "MAVLink telemetry log",
-            Self::Mcap => "MCAP",
-            Self::Tables => "Tables",
-            Self::Photos => "Photos",
+/// Makes the enum: who only shows names needs no reader.
+macro_rules! names {
+    ($($(#[$about:meta])* $name:ident($label:literal, $folder:ident $info:ident),)*) => {
+        /// A format of logs.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        pub enum LogFormat {
+            $($(#[$about])* $name,)*
+            /// Tables of a flight, whose columns people or a file beside them told apart.
+            Tables,
+            /// Photos that say themselves when, where and how they were taken.
+            Photos,
         }
-    }
+
+        impl LogFormat {
+            /// Name for people.
+            pub const fn label(self) -> &'static str {
+                match self {
+                    $(Self::$name => $label,)*
+                    Self::Tables => "Tables",
+                    Self::Photos => "Photos",
+                }
+            }
+        }
+    };
 }
+
+log_formats!(names);
+
+pub(super) use log_formats;

@@ -1,27 +1,33 @@
 //! Every format that logs are read from.
 
-use super::{FormatInfo, LogFormat, dataflash, mcap, tlog, ulog};
+use super::format::log_formats;
+use super::{FormatInfo, LogFormat};
+use crate::role::Meaning;
 
-/// Every format, in the order in which they are tried.
-pub fn all_formats() -> &'static [FormatInfo] {
-    &[
-        FormatInfo {
-            format: LogFormat::Dataflash,
-            endings: &["bin"],
-            begins: dataflash::begins,
-            reader: || Box::new(dataflash::DataflashReader::new()),
-        },
-        FormatInfo {
-            format: LogFormat::DataflashText,
-            endings: &["log"],
-            begins: dataflash::text_begins,
-            reader: || Box::new(dataflash::DataflashTextReader::new()),
-        },
-        ulog::INFO,
-        mcap::INFO,
-        tlog::INFO,
-    ]
+/// Makes the table of readers, and apart from it that of meanings.
+macro_rules! works {
+    ($($(#[$about:meta])* $name:ident($label:literal, $folder:ident $info:ident),)*) => {
+        /// Every format, in the order in which they are tried.
+        pub fn all_formats() -> &'static [FormatInfo] {
+            &[$(super::$folder::$info,)*]
+        }
+
+        impl LogFormat {
+            /// Meaning of its topics for a flight.
+            pub(crate) fn meaning(self) -> Meaning {
+                match self {
+                    $(Self::$name => super::$folder::MEANING,)*
+                    Self::Tables | Self::Photos => Meaning {
+                        roles: &[],
+                        triggers: &[],
+                    },
+                }
+            }
+        }
+    };
 }
+
+log_formats!(works);
 
 /// First bytes of a file that are enough to recognise it: logs that are text may begin with some lines of
 /// talk.

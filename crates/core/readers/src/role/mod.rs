@@ -1,9 +1,11 @@
 //! Roles of the series of a log in navigation.
 
+mod reading;
 mod series;
 
 use serde::{Deserialize, Serialize};
 
+pub(crate) use reading::{DEGREE, Meaning, Reading, Source, field, of};
 pub use series::RoleSeries;
 
 use pilotage_flight::ChannelName;

@@ -13,6 +13,7 @@ mod contents;
 mod format;
 mod letters;
 mod modes;
+mod roles;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -23,4 +24,23 @@ mod words;
 
 pub use binary::{DataflashReader, begins};
 pub use modes::Vehicle;
+pub(super) use roles::MEANING;
 pub use text::{DataflashTextReader, begins as text_begins};
+
+use super::{FormatInfo, LogFormat};
+
+/// The binary format.
+pub(super) const BINARY: FormatInfo = FormatInfo {
+    format: LogFormat::Dataflash,
+    endings: &["bin"],
+    begins,
+    reader: || Box::new(DataflashReader::new()),
+};
+
+/// The same as text.
+pub(super) const TEXT: FormatInfo = FormatInfo {
+    format: LogFormat::DataflashText,
+    endings: &["log"],
+    begins: text_begins,
+    reader: || Box::new(DataflashTextReader::new()),
+};

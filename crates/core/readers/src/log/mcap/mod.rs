@@ -17,6 +17,7 @@ mod magic;
 mod message_topic;
 mod reader;
 mod record;
+mod ros;
 mod schema;
 mod search;
 #[cfg(test)]
@@ -26,6 +27,8 @@ mod words;
 mod zstandard;
 
 use magic::MAGIC;
+
+pub(super) use ros::MEANING;
 
 use super::stepping::Stepping;
 use super::{FormatInfo, LogFormat};

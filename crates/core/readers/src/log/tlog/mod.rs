@@ -14,6 +14,7 @@ mod frame;
 mod meaning;
 mod parameters;
 mod reader;
+mod roles;
 mod row;
 mod units;
 mod vehicle;
@@ -21,6 +22,8 @@ mod words;
 
 #[cfg(test)]
 mod tests;
+
+pub(super) use roles::MEANING;
 
 use super::stepping::Stepping;
 use super::{FormatInfo, LogFormat};

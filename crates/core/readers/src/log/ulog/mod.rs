@@ -11,6 +11,7 @@ mod definition;
 mod header;
 mod message;
 mod reader;
+mod roles;
 mod rows;
 mod search;
 #[cfg(test)]
@@ -19,6 +20,8 @@ mod units;
 mod value;
 
 use header::MAGIC;
+
+pub(super) use roles::{MEANING, ROLES};
 pub(super) use units::unit_and_scale;
 
 use super::stepping::Stepping;

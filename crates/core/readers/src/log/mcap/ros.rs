@@ -1,7 +1,7 @@
 //! Fields of messages of ROS and of Foxglove that hold the roles.
 
-use super::Role;
-use super::reading::{DEGREE, Reading, Source, field, of};
+use super::super::ulog;
+use crate::role::{DEGREE, Meaning, Reading, Role, Source, field, of};
 
 const IMU: &str = "sensor_msgs/Imu";
 const FIX: &str = "sensor_msgs/NavSatFix";
@@ -16,8 +16,14 @@ const UNSURE_GPS_VELOCITY: &str = "geometry_msgs/TwistWithCovarianceStamped@gps"
 const HUD: &str = "mavros_msgs/VfrHud";
 const ALTITUDE: &str = "mavros_msgs/Altitude";
 
+/// Meaning of the topics for a flight: PX4's messages tell more plainly what they are.
+pub(in super::super) const MEANING: Meaning = Meaning {
+    roles: &[ulog::ROLES, ROS],
+    triggers: ulog::MEANING.triggers,
+};
+
 /// Places of the messages, for each role the best first.
-pub(super) const ROS: &[Source] = &[
+const ROS: &[Source] = &[
     field(Role::Airspeed, HUD, "airspeed", 1.0),
     of(Role::Heading, IMU, Reading::RosQuaternion("orientation")),
     of(Role::Roll, IMU, Reading::RosQuaternion("orientation")),

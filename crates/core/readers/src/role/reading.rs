@@ -2,7 +2,7 @@
 
 use super::Role;
 
-pub(super) const DEGREE: f64 = std::f64::consts::PI / 180.0;
+pub(crate) const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// Way to make a value of the fields of a row.
 ///
@@ -43,7 +43,7 @@ pub struct Source {
     pub reading: Reading,
 }
 
-pub(super) const fn field(
+pub(crate) const fn field(
     role: Role,
     topic: &'static str,
     name: &'static str,
@@ -56,10 +56,20 @@ pub(super) const fn field(
     }
 }
 
-pub(super) const fn of(role: Role, topic: &'static str, reading: Reading) -> Source {
+pub(crate) const fn of(role: Role, topic: &'static str, reading: Reading) -> Source {
     Source {
         role,
         topic,
         reading,
     }
+}
+
+/// Meaning of a format's topics for a flight.
+#[derive(Clone, Copy)]
+pub struct Meaning {
+    /// Tables of the places where roles may be found, for each role the best first.
+    pub roles: &'static [&'static [Source]],
+    /// Topics that tell photos, and of each its field that is 0 for a photo that was not taken, if there is one. The surest
+    /// stand first: that the shutter opened, before that it was asked to.
+    pub triggers: &'static [(&'static str, &'static str)],
 }
