@@ -23,6 +23,8 @@ pub struct Tokens {
     pub accent: Color32,
     /// Something is wrong.
     pub warning: Color32,
+    /// Areas that must not be flown over, and what leads over them: red.
+    pub no_fly: Color32,
     /// Truth: green.
     pub truth: Color32,
     /// The estimate when corrected: red.
@@ -60,6 +62,7 @@ impl Tokens {
             muted: Color32::from_rgb(140, 152, 164),
             accent: Color32::from_rgb(240, 180, 41),
             warning: Color32::from_rgb(240, 120, 70),
+            no_fly: Color32::from_rgb(255, 76, 70),
             truth: Color32::from_rgb(60, 190, 130),
             corrected: Color32::from_rgb(232, 72, 85),
             dead_reckoning: Color32::from_rgb(86, 156, 255),
@@ -86,6 +89,7 @@ impl Tokens {
             muted: Color32::from_rgb(98, 108, 118),
             accent: Color32::from_rgb(176, 112, 0),
             warning: Color32::from_rgb(190, 70, 20),
+            no_fly: Color32::from_rgb(196, 24, 24),
             truth: Color32::from_rgb(0, 128, 80),
             corrected: Color32::from_rgb(200, 30, 50),
             dead_reckoning: Color32::from_rgb(20, 90, 210),

@@ -89,7 +89,7 @@ fn beside(
     ]
 }
 
-fn edges(area: &NoFlyArea) -> impl Iterator<Item = (GroundPoint, GroundPoint)> + '_ {
+pub(super) fn edges(area: &NoFlyArea) -> impl Iterator<Item = (GroundPoint, GroundPoint)> + '_ {
     (0..area.len()).map(|i| (area[i], area[(i + 1) % area.len()]))
 }
 
@@ -118,7 +118,7 @@ pub fn inside(area: &[GroundPoint], p: &GroundPoint) -> bool {
 }
 
 /// Distance from a point to a segment, metres.
-fn distance(p: &GroundPoint, a: &GroundPoint, b: &GroundPoint) -> f64 {
+pub(super) fn distance(p: &GroundPoint, a: &GroundPoint, b: &GroundPoint) -> f64 {
     let way = b.to_vector() - a.to_vector();
     let to = p.to_vector() - a.to_vector();
     let share = (way.dot(&to) / way.norm_squared().max(1e-12)).clamp(0.0, 1.0);

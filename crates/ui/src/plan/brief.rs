@@ -6,7 +6,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{NoFlyZone, Route};
 use pilotage_core::plan::Prediction;
 
 use super::flown::cruise;
@@ -44,6 +44,10 @@ pub struct BriefScene<'a> {
     pub limit: f64,
     /// Wind, height, camera and what else is assumed, in sentences.
     pub assumptions: Vec<String>,
+    /// Warnings about no-fly areas.
+    pub warnings: Vec<String>,
+    /// No-fly areas of the mission.
+    pub no_fly: &'a [NoFlyZone],
     /// Landmarks in the order of the pictures.
     pub landmarks: &'a [BriefLandmark],
     /// Number of landmarks beyond these.
@@ -80,6 +84,9 @@ pub fn brief(scene: &BriefScene<'_>) -> String {
         escape(scene.mission),
         escape(&scene.route.name)
     );
+    for warning in &scene.warnings {
+        let _ = write!(text, "<p class=\"warning\">{}</p>", escape(warning));
+    }
     map(&mut text, scene);
     if !scene.attribution.is_empty() {
         let _ = write!(text, "<p>Map: {}</p>", escape(scene.attribution));
@@ -144,6 +151,22 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
         };
         let ring = points(&mut side(1.0).chain(side(-1.0).collect::<Vec<_>>().into_iter().rev()));
         let _ = write!(text, "<polygon class=\"corridor\" points=\"{ring}\"/>");
+    }
+    for zone in scene.no_fly {
+        // A hole is a ring of its own: the rule of even and odd leaves it out.
+        let rings = std::iter::once(&zone.corners).chain(&zone.holes);
+        let path: String = rings
+            .map(|ring| format!("M{}Z", points(&mut ring.iter().copied())))
+            .collect();
+        let _ = write!(text, "<path class=\"no-fly\" d=\"{path}\"/>");
+        if let Some(first) = zone.corners.first() {
+            let (x, y) = at(first);
+            let name = escape(&zone.name);
+            let _ = write!(
+                text,
+                "<text class=\"halo\" x=\"{x:.1}\" y=\"{y:.1}\">{name}</text>"
+            );
+        }
     }
     for (index, known) in scene.landmarks.iter().enumerate() {
         let b = known.landmark.bounds;
@@ -397,6 +420,12 @@ mod tests {
             landmark: Landmark::new(1, "Barn <old>", bounds),
             found: "found 80 % of the time".into(),
         }];
+        let corner = |n, e| GroundPoint::new(n, e);
+        let zones = [NoFlyZone {
+            name: "<Area>".into(),
+            corners: vec![corner(0.0, 100.0), corner(0.0, 140.0), corner(40.0, 120.0)],
+            ..NoFlyZone::default()
+        }];
         let area = brief_area(route.way_points.iter().map(|w| w.position)).expect("an area");
         brief(&BriefScene {
             mission: "Trip",
@@ -406,6 +435,8 @@ mod tests {
             prediction: None,
             limit: 10.0,
             assumptions: vec!["No wind.".into()],
+            warnings: vec!["Leg 1 crosses <Area> for 40 m.".into()],
+            no_fly: &zones,
             landmarks: &landmarks,
             more_landmarks: 5,
             attribution: "© <us>",
@@ -413,6 +444,14 @@ mod tests {
             pictures: &BriefPictures::default(),
             units,
         })
+    }
+
+    #[test]
+    fn no_fly_areas_are_drawn_and_what_leads_over_them_stands_at_the_top() {
+        let text = page(Units::Metric);
+        let warning = text.find("Leg 1 crosses &lt;Area&gt; for 40 m.");
+        assert!(warning < text.find("<svg"), "{text}");
+        assert!(text.contains("class=\"no-fly\"") && text.contains(">&lt;Area&gt;</text>"));
     }
 
     #[test]

@@ -26,6 +26,8 @@ pub struct ChartScene<'a> {
     pub prediction: &'a Prediction,
     /// The landmarks of it.
     pub landmarks: &'a [&'a Landmark],
+    /// Stretches on which the corridor reaches into no-fly areas, metres along the path.
+    pub no_fly: &'a [(f64, f64)],
     /// The limit, metres.
     pub limit: f64,
     /// Computation under way, or fineness of the prediction, in words.
@@ -163,6 +165,14 @@ fn paint_over(
     at: &impl Fn(f64, f64) -> Pos2,
     rect: Rect,
 ) {
+    for (begin, end) in scene.no_fly {
+        let (left, right) = (at(*begin, 0.0).x, at(*end, 0.0).x);
+        let shade = Rect::from_x_y_ranges(left..=right.max(left + 2.0), rect.y_range());
+        painter.rect_filled(shade, 0.0, scene.tokens.no_fly.gamma_multiply(0.22));
+        let place = pos2(shade.center().x, rect.bottom() - 4.0);
+        let (font, color) = (scene.tokens.small(), scene.tokens.no_fly);
+        painter.text(place, Align2::CENTER_BOTTOM, "no-fly area", font, color);
+    }
     for stretch in &scene.prediction.over_limit {
         let (left, right) = (at(stretch.begin, 0.0).x, at(stretch.end, 0.0).x);
         let shade = Rect::from_x_y_ranges(left..=right.max(left + 2.0), rect.y_range());

@@ -54,6 +54,7 @@ impl Feature for Planner {
                 self.drawing = false;
                 self.marking = None;
             }
+            Command::ExportRoute(_) => return self.asks_before_export(context),
             _ if !context.is_shown => {}
             Command::DeleteLandmark(id) => {
                 let marked = self.marked(*context.selection);
@@ -89,7 +90,14 @@ impl Feature for Planner {
 
     fn over_map(&self, ui: &Ui, rect: Rect, context: &ViewContext<'_>) -> Vec<Rect> {
         let corner = rect.left_top() + vec2(16.0, 16.0);
-        let readouts = plan_readouts(ui, context.tokens, context.units, self, corner);
+        let readouts = plan_readouts(
+            ui,
+            context.tokens,
+            context.units,
+            self,
+            (context.mission, context.selected_route()),
+            corner,
+        );
         let below = rect.left_top() + vec2(16.0, 68.0);
         let legend = self.heat_legend(ui, context.tokens, below);
         readouts.into_iter().chain(legend).collect()

@@ -150,17 +150,17 @@ fn paint_area(
     tokens: &Tokens,
 ) {
     if closed {
-        hatch(painter, &corners, tokens.warning.gamma_multiply(0.7));
+        hatch(painter, &corners, tokens.no_fly.gamma_multiply(0.7));
     }
     for at in &corners {
-        painter.circle_filled(*at, if held { 4.0 } else { 2.0 }, tokens.warning);
+        painter.circle_filled(*at, if held { 4.0 } else { 2.0 }, tokens.no_fly);
     }
     if closed {
         corners.extend(corners.first().copied());
     }
     let outline = Stroke::new(4.0, tokens.outline());
     painter.add(Shape::line(corners.clone(), outline));
-    painter.add(Shape::line(corners, Stroke::new(2.0, tokens.warning)));
+    painter.add(Shape::line(corners, Stroke::new(2.0, tokens.no_fly)));
 }
 
 /// Slanting lines inside a polygon.

@@ -26,6 +26,7 @@ mod heat_order;
 mod heat_paint;
 mod hit;
 mod imports;
+mod incursions;
 mod kept;
 mod landmark_commands;
 mod landmark_editor;

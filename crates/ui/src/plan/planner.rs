@@ -128,6 +128,8 @@ pub struct Planner {
     pub(super) list: LandmarkList,
     /// Parts of the app beside it, as they were last.
     pub(super) seen: Seen,
+    /// Warnings that people were told before an export.
+    pub(super) warned: Vec<String>,
 }
 
 /// Parts of the app on which the plan's report for journeys depends, as they were last.

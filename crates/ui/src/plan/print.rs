@@ -143,6 +143,7 @@ impl Planner {
             ),
         ];
         assumed.extend(assumptions(self, documents, route, units));
+        let warnings = self.no_fly_sentences(&documents.mission, route, units);
         let scene = BriefScene {
             mission: &documents.mission.name,
             route,
@@ -151,6 +152,8 @@ impl Planner {
             prediction: self.forecast.shown().map(|s| &s.prediction),
             limit: self.preferences.limit,
             assumptions: assumed,
+            warnings,
+            no_fly: &documents.mission.no_fly,
             landmarks: &printing.landmarks,
             more_landmarks: printing.more,
             attribution: documents.attribution().unwrap_or_default(),

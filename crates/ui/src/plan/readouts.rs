@@ -1,11 +1,17 @@
 //! The few numbers of a plan that matter, above the map.
 
 use egui::{Align2, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use pilotage_core::mission::{Mission, Route};
+use pilotage_core::plan::Incursion;
 
+use super::incursions::over as over_areas;
 use super::planner::Planner;
 use super::words::{Outlook, distance_text};
 use crate::tokens::Tokens;
 use crate::units::Units;
+
+/// Name of the number about no-fly areas.
+const NO_FLY: &str = "No-fly areas";
 
 /// Draws the numbers from `left_top` on; returns what they cover.
 pub fn plan_readouts(
@@ -13,6 +19,7 @@ pub fn plan_readouts(
     tokens: &Tokens,
     units: Units,
     planner: &Planner,
+    (mission, route): (&Mission, Option<&Route>),
     left_top: egui::Pos2,
 ) -> Option<Rect> {
     let outlook = Outlook::of(&planner.forecast.shown()?.prediction)?;
@@ -22,7 +29,7 @@ pub fn plan_readouts(
     } else {
         distance_text(outlook.over, units)
     };
-    let cells = [
+    let mut cells = vec![
         (
             "Largest error (1σ)",
             format!("{:.1} {unit}", outlook.sigma * factor),
@@ -40,6 +47,17 @@ pub fn plan_readouts(
         ),
         ("Too uncertain", over, outlook.stretches > 0),
     ];
+    if !mission.no_fly.is_empty() {
+        let legs = route.map_or_else(Vec::new, |route| over_areas(mission, route));
+        let over: f64 = legs.iter().map(Incursion::length).sum();
+        let is_reached = !planner.reached(mission).is_empty();
+        let words = match (legs.is_empty(), is_reached) {
+            (false, _) => format!("{} over", distance_text(over, units)),
+            (true, true) => "corridor reaches".to_owned(),
+            (true, false) => "clear".to_owned(),
+        };
+        cells.push((NO_FLY, words, !legs.is_empty() || is_reached));
+    }
     let cell = vec2(120.0, 44.0);
     let rect = Rect::from_min_size(left_top, vec2(cell.x * cells.len() as f32 + 8.0, cell.y));
     let response = ui.interact(rect, ui.scope_id().with("plan readouts"), Sense::hover());
@@ -56,7 +74,11 @@ pub fn plan_readouts(
         let top = pos2(right, rect.top() + 6.0);
         painter.text(top, Align2::RIGHT_TOP, name, tokens.small(), tokens.muted);
         let bottom = pos2(right, rect.bottom() - 5.0);
-        let color = if *bad { tokens.warning } else { tokens.text };
+        let color = match *bad {
+            true if *name == NO_FLY => tokens.no_fly,
+            true => tokens.warning,
+            false => tokens.text,
+        };
         painter.text(bottom, Align2::RIGHT_BOTTOM, value, tokens.normal(), color);
     }
     Some(rect)

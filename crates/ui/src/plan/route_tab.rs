@@ -209,6 +209,9 @@ fn prediction(
     context: &mut ViewContext<'_>,
 ) {
     let tokens = context.tokens;
+    for sentence in planner.no_fly_sentences(context.mission, route, context.units) {
+        ui.label(egui::RichText::new(sentence).color(tokens.no_fly));
+    }
     ui.horizontal(|ui| {
         caption(ui, tokens, "Predicted accuracy");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

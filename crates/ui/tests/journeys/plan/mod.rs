@@ -9,6 +9,7 @@ mod files;
 mod find;
 mod ground;
 mod heat;
+mod incursion;
 mod insert;
 mod keyboard;
 mod landmarks;

@@ -1,0 +1,189 @@
+//! No-fly areas that a route leads over, or that its corridor reaches into.
+
+use pilotage_base::frames::GroundPoint;
+use pilotage_mission::mission::NoFlyZone;
+
+use super::no_fly::{distance, edges, inside};
+use super::prediction::PredictionSample;
+
+/// Part of a route that leads over a no-fly area.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Incursion {
+    /// Number of the area.
+    pub zone: usize,
+    /// Number of the leg, counted from 0.
+    pub leg: usize,
+    /// Parts of the leg over the area, from begin to end.
+    pub parts: Vec<[GroundPoint; 2]>,
+}
+
+impl Incursion {
+    /// Length over the area, metres.
+    pub fn length(&self) -> f64 {
+        self.parts.iter().map(|[a, b]| a.distance(b)).sum()
+    }
+}
+
+/// Stretch of a predicted path on which the aircraft may be over a no-fly area.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachedZone {
+    /// Number of the area.
+    pub zone: usize,
+    /// Distances along the flown path between which the corridor reaches into it, metres.
+    pub between: (f64, f64),
+}
+
+/// Whether a place is in an area and in none of its holes.
+pub fn is_forbidden(zone: &NoFlyZone, place: &GroundPoint) -> bool {
+    inside(&zone.corners, place) && !zone.holes.iter().any(|hole| inside(hole, place))
+}
+
+/// Parts of the straight legs between `places` that lie over `zones`, in the order of the legs.
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_mission::mission::NoFlyZone;
+/// use pilotage_plan::incursions;
+///
+/// let corners = [(0.0, 0.0), (0.0, 100.0), (100.0, 100.0), (100.0, 0.0)];
+/// let zone = NoFlyZone {
+///     corners: corners.map(|(n, e)| GroundPoint::new(n, e)).to_vec(),
+///     ..NoFlyZone::default()
+/// };
+/// let line = [GroundPoint::new(50.0, -50.0), GroundPoint::new(50.0, 150.0)];
+/// let found = incursions(&line, &[zone]);
+/// assert!((found[0].length() - 100.0).abs() < 1e-9);
+/// ```
+pub fn incursions(places: &[GroundPoint], zones: &[NoFlyZone]) -> Vec<Incursion> {
+    let mut found = Vec::new();
+    for (leg, ends) in places.windows(2).enumerate() {
+        for (zone, of) in zones.iter().enumerate() {
+            let parts = parts_over(&ends[0], &ends[1], of);
+            if !parts.is_empty() {
+                found.push(Incursion { zone, leg, parts });
+            }
+        }
+    }
+    found
+}
+
+/// Parts of a segment over an area: between the places where it crosses an edge, it is over it or not.
+fn parts_over(a: &GroundPoint, b: &GroundPoint, zone: &NoFlyZone) -> Vec<[GroundPoint; 2]> {
+    let way = b.to_vector() - a.to_vector();
+    let at = |share: f64| GroundPoint::from(a.to_vector() + way * share);
+    let mut cuts = vec![0.0, 1.0];
+    for (c, d) in edges(&zone.corners).chain(zone.holes.iter().flat_map(edges)) {
+        let edge = d.to_vector() - c.to_vector();
+        let turn = way.perp(&edge);
+        let to = c.to_vector() - a.to_vector();
+        let (share, along) = (to.perp(&edge) / turn, to.perp(&way) / turn);
+        if (0.0..=1.0).contains(&share) && (0.0..=1.0).contains(&along) {
+            cuts.push(share);
+        }
+    }
+    cuts.sort_by(f64::total_cmp);
+    let mut parts: Vec<[GroundPoint; 2]> = Vec::new();
+    for pair in cuts.windows(2) {
+        let is_over = pair[1] > pair[0]
+            && way.norm() > 0.0
+            && is_forbidden(zone, &at(0.5 * (pair[0] + pair[1])));
+        if !is_over {
+            continue;
+        }
+        let (begin, end) = (at(pair[0]), at(pair[1]));
+        match parts.last_mut() {
+            Some(last) if last[1].distance(&begin) < 1e-9 => last[1] = end,
+            _ => parts.push([begin, end]),
+        }
+    }
+    parts
+}
+
+/// Stretches on which the corridor of a predicted path reaches into `zones`, by its half width across the course.
+pub fn reached_zones(samples: &[PredictionSample], zones: &[NoFlyZone]) -> Vec<ReachedZone> {
+    let mut found: Vec<ReachedZone> = Vec::new();
+    for (zone, of) in zones.iter().enumerate() {
+        let mut is_open = false;
+        for sample in samples {
+            let is_reached = is_within(of, &sample.position, sample.corridor.across);
+            let here = sample.distance;
+            match found.last_mut() {
+                Some(last) if is_reached && is_open => last.between.1 = here,
+                _ if is_reached => found.push(ReachedZone {
+                    zone,
+                    between: (here, here),
+                }),
+                _ => {}
+            }
+            is_open = is_reached;
+        }
+    }
+    found
+}
+
+/// Whether a place is over an area or closer to it than `margin`, metres.
+fn is_within(zone: &NoFlyZone, place: &GroundPoint, margin: f64) -> bool {
+    let mut rings = edges(&zone.corners).chain(zone.holes.iter().flat_map(edges));
+    is_forbidden(zone, place) || rings.any(|(a, b)| distance(place, &a, &b) < margin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring(corners: &[(f64, f64)]) -> Vec<GroundPoint> {
+        let place = |(n, e): &(f64, f64)| GroundPoint::new(*n, *e);
+        corners.iter().map(place).collect()
+    }
+
+    /// A square of 100 m with a hole of 20 m in its middle.
+    fn square() -> NoFlyZone {
+        NoFlyZone {
+            corners: ring(&[(0.0, 0.0), (0.0, 100.0), (100.0, 100.0), (100.0, 0.0)]),
+            holes: vec![ring(&[
+                (40.0, 40.0),
+                (40.0, 60.0),
+                (60.0, 60.0),
+                (60.0, 40.0),
+            ])],
+            ..NoFlyZone::default()
+        }
+    }
+
+    #[test]
+    fn a_route_is_told_by_leg_area_and_length_and_may_fly_in_holes() {
+        let zones = [square()];
+        let through = ring(&[(50.0, -30.0), (50.0, 130.0), (90.0, 130.0), (90.0, 50.0)]);
+        let found = incursions(&through, &zones);
+        let told: Vec<_> = found.iter().map(|i| (i.leg, i.parts.len())).collect();
+        assert_eq!(told, [(0, 2), (2, 1)]);
+        assert!((found[0].length() - 80.0).abs() < 1e-9);
+        assert!((found[1].length() - 50.0).abs() < 1e-9);
+        let inside = ring(&[(45.0, 45.0), (55.0, 55.0)]);
+        assert!(incursions(&inside, &zones).is_empty(), "in the hole");
+        let beside = ring(&[(-1.0, -30.0), (-1.0, 130.0)]);
+        assert!(incursions(&beside, &zones).is_empty());
+    }
+
+    #[test]
+    fn a_leg_along_an_edge_or_wholly_within_is_no_less_over_it() {
+        let zones = [square()];
+        let within = ring(&[(10.0, 10.0), (10.0, 90.0)]);
+        assert!((incursions(&within, &zones)[0].length() - 80.0).abs() < 1e-9);
+        let corner_to_corner = ring(&[(-10.0, -10.0), (110.0, 110.0)]);
+        let found = incursions(&corner_to_corner, &zones);
+        let diagonal = 2.0_f64.sqrt() * 80.0;
+        assert!((found[0].length() - diagonal).abs() < 1e-6, "{found:?}");
+        assert!(incursions(&ring(&[(5.0, 5.0), (5.0, 5.0)]), &zones).is_empty());
+    }
+
+    #[test]
+    fn the_margin_counts_from_every_edge() {
+        let zone = square();
+        let near = GroundPoint::new(50.0, 108.0);
+        assert!(!is_within(&zone, &near, 7.9) && is_within(&zone, &near, 8.1));
+        let in_hole = GroundPoint::new(50.0, 50.0);
+        assert!(!is_within(&zone, &in_hole, 9.9) && is_within(&zone, &in_hole, 10.1));
+        assert!(is_within(&zone, &GroundPoint::new(20.0, 20.0), 0.0));
+    }
+}
