@@ -3,21 +3,18 @@
 //! After OGC 19-008r4, chapter 7.
 
 use super::super::tiff::{Directory, Tag, TiffError};
+use crate::systems::keys::{
+    GEOGRAPHIC_CITATION, GEOGRAPHIC_TYPE, LINEAR_UNITS, MODEL_TYPE, USER_DEFINED,
+};
 use crate::systems::{self, KeyValues, SystemError};
 use pilotage_base::frames::ReferenceSystem;
 
-/// Kind of coordinates: 1 projected, 2 geographic.
-const MODEL_TYPE: u64 = 1024;
 /// 1: the coordinates are those of a pixel's corner, 2: of its centre.
 const RASTER_TYPE: u64 = 1025;
-/// Code of the geographic system.
-const GEOGRAPHIC_TYPE: u64 = 2048;
 /// Code of the projected system.
 const PROJECTED_TYPE: u64 = 3072;
-/// Code of the unit of lengths.
-const LINEAR_UNITS: u64 = 3076;
 /// Name of the projected or the whole system.
-const CITATIONS: [u64; 3] = [3073, 1026, 2049];
+const CITATIONS: [u64; 3] = [3073, 1026, GEOGRAPHIC_CITATION];
 /// Code of the unit of heights.
 const VERTICAL_UNITS: u64 = 4099;
 /// Code of the system of heights.
@@ -26,8 +23,6 @@ const VERTICAL_TYPE: u64 = 4096;
 const VERTICAL_CITATION: u64 = 4097;
 /// WGS 84 with heights above its ellipsoid, as a code of a geographic system.
 const GEOGRAPHIC_3D: u64 = 4979;
-/// A system that is described, not named.
-const USER_DEFINED: u64 = 32_767;
 
 /// Contents of the geographic keys of a `GeoTIFF`.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,13 +5,11 @@
 use pilotage_base::frames::{Datum, Ellipsoid, ProjectionMethod, ReferenceSystem};
 
 use super::definition::{Definition, Role};
+use super::keys::{GEOGRAPHIC_CITATION, GEOGRAPHIC_TYPE, LINEAR_UNITS, MODEL_TYPE, USER_DEFINED};
 use super::made::of_numbers;
 use super::names::shortened;
 use super::{SystemError, code_table, datums};
 
-const MODEL_TYPE: u64 = 1024;
-const GEOGRAPHIC_TYPE: u64 = 2048;
-const GEOGRAPHIC_CITATION: u64 = 2049;
 const DATUM: u64 = 2050;
 const ANGULAR_UNITS: u64 = 2054;
 const ANGULAR_UNIT_SIZE: u64 = 2055;
@@ -24,9 +22,7 @@ const TO_WGS84: u64 = 2062;
 /// UTM zones have codes of their own as projections: 16001-16060 north, 16101-16160 south.
 const PROJECTION: u64 = 3074;
 const TRANSFORMATION: u64 = 3075;
-const LINEAR_UNITS: u64 = 3076;
 const LINEAR_UNIT_SIZE: u64 = 3077;
-const USER_DEFINED: u64 = 32_767;
 
 /// Keys that hold a number of each role, by what the projections call them.
 const ROLES: &[(Role, &[u64])] = &[

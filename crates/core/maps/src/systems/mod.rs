@@ -10,6 +10,7 @@ mod codes;
 mod datums;
 mod definition;
 mod geo_keys;
+pub(crate) mod keys;
 mod made;
 mod methods;
 mod names;
