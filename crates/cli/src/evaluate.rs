@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use pilotage_core::flight::read_flight;
 use pilotage_core::landmark::Landmark;
+use pilotage_core::text::in_quotes;
 use pilotage_core::training::evaluation::Rate;
 use pilotage_jobs::{
     AssessmentOrder, EvaluationInDetail, EvaluationOrder, JobEvent, JudgedDetector,
@@ -207,7 +208,7 @@ fn table(all: &[JudgedDetector]) -> String {
     let mut rows = Vec::new();
     for evaluated in all {
         let csv = evaluated.evaluation.csv();
-        let quoted = format!("\"{}\"", evaluated.landmark.replace('"', "\"\""));
+        let quoted = in_quotes(&evaluated.landmark);
         let mut lines = csv.lines();
         let head = lines.next().unwrap_or_default();
         if rows.is_empty() {

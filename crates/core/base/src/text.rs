@@ -25,10 +25,15 @@ pub fn capitalised(text: &str) -> String {
 /// A cell of a CSV table, in quotation marks where it needs them.
 pub fn csv_cell(cell: &str) -> String {
     if cell.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", cell.replace('"', "\"\""))
+        in_quotes(cell)
     } else {
         cell.to_owned()
     }
+}
+
+/// A cell of a CSV table in quotation marks; its own are doubled.
+pub fn in_quotes(cell: &str) -> String {
+    format!("\"{}\"", cell.replace('"', "\"\""))
 }
 
 /// Date and time (UTC) of seconds since 1970 as ISO 8601 writes them, to the microsecond:
@@ -111,6 +116,7 @@ mod tests {
 
     #[test]
     fn a_cell_is_quoted_where_a_reader_would_part_it() {
+        assert_eq!(in_quotes("plain"), "\"plain\"");
         assert_eq!(csv_cell("plain"), "plain");
         assert_eq!(csv_cell("a,b"), "\"a,b\"");
         assert_eq!(csv_cell("5\" gun"), "\"5\"\" gun\"");

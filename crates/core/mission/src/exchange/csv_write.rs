@@ -11,6 +11,7 @@ use super::{ExchangeError, csv_read, fence, flown_text};
 use crate::mission::way_point_file::{action_word, frame_word};
 use crate::mission::{FEATURE_MEMBER, Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
+use pilotage_base::text::in_quotes;
 use pilotage_vision::landmark::Landmark;
 
 /// The format.
@@ -189,7 +190,7 @@ impl Table {
 
 pub(super) fn quoted(cell: &str) -> String {
     if cell.contains([',', ';', '\t', '"', '\n', '\r']) || cell.trim() != cell {
-        format!("\"{}\"", cell.replace('"', "\"\""))
+        in_quotes(cell)
     } else {
         cell.to_owned()
     }

@@ -11,6 +11,7 @@ use super::layout::{
 };
 use pilotage_base::files::FileSink;
 use pilotage_base::frames::Attitude;
+use pilotage_base::text::in_quotes;
 use pilotage_flight::{
     CameraFile, Channel, ChannelName, Flight, FrameError, FrameSource, FrameTruth, OriginFile,
     Quantity, Truth, TruthState,
@@ -193,7 +194,7 @@ fn attitude_cells(attitude: Option<&Attitude>) -> String {
 
 fn quoted(name: &str) -> String {
     if name.contains([',', '"', ';', '\n', ' ']) {
-        format!("\"{}\"", name.replace('"', "\"\""))
+        in_quotes(name)
     } else {
         name.to_owned()
     }

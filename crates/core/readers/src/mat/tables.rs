@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::value::Value;
+use pilotage_base::text::in_quotes;
 
 /// Endings of the variable that has the names of a matrix' columns, behind the name of the matrix.
 const LABELS: [&str; 6] = [
@@ -192,7 +193,7 @@ fn text(columns: &Columns) -> Vec<u8> {
     let mut text = String::new();
     for (index, (name, _)) in columns.iter().enumerate() {
         let comma = if index > 0 { "," } else { "" };
-        let _ = write!(text, "{comma}\"{}\"", name.replace('"', "\"\""));
+        let _ = write!(text, "{comma}{}", in_quotes(name));
     }
     text.push('\n');
     let rows = columns
