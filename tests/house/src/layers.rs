@@ -27,6 +27,7 @@ pub const ORDERS: [&Order; 8] = [
             "frames",
             "georeference",
             "text",
+            "tiff_entry",
             "viridis",
         ],
     },

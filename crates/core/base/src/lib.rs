@@ -1,7 +1,7 @@
 //! Foundations of every other crate of the method: frames of reference and units, where pictures lie on
 //! the ground, bytes and files by name, and the distributions behind gates and intervals.
 //!
-//! Knows no aircraft, no picture and no file format.
+//! Knows no aircraft and no picture, and of file formats only what maps and photos share.
 
 pub mod angle_text;
 pub mod bytes;
@@ -10,4 +10,5 @@ pub mod frames;
 pub mod georeference;
 pub mod statistics;
 pub mod text;
+pub mod tiff_entry;
 pub mod viridis;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::error::Blame;
 use super::{Tag, TiffError};
 use pilotage_base::bytes::ByteSource;
+use pilotage_base::tiff_entry::{TiffEntry, size_of_kind, unsigned};
 
 /// Most directories that are followed.
 const MOST_DIRECTORIES: usize = 64;
@@ -142,13 +143,11 @@ impl<'a> Reader<'a> {
         let table = self.bytes(offset + head, count * entry + word, place)?;
         let mut entries = BTreeMap::new();
         for bytes in table.chunks_exact(entry as usize).take(count as usize) {
-            let tag = unsigned(&bytes[..2], self.is_little_endian) as u16;
-            let kind = unsigned(&bytes[2..4], self.is_little_endian) as u16;
-            let (count, inline) = bytes[4..].split_at(word as usize);
-            let count = unsigned(count, self.is_little_endian);
-            if let Some(values) = self.values(tag, kind, count, inline)? {
+            let read = TiffEntry::read(bytes, self.is_little_endian);
+            if let Some(values) = self.values(&read)? {
                 // The first of several is the one that counts.
-                entries.entry(tag).or_insert(Entry { kind, values });
+                let kind = read.kind;
+                entries.entry(read.tag).or_insert(Entry { kind, values });
             }
         }
         let next = &table[(count * entry) as usize..];
@@ -162,18 +161,14 @@ impl<'a> Reader<'a> {
     }
 
     /// The bytes of a tag's values; `None` for tags that are of no use here.
-    fn values(
-        &mut self,
-        tag: u16,
-        kind: u16,
-        count: u64,
-        inline: &[u8],
-    ) -> Result<Option<Vec<u8>>, TiffError> {
+    fn values(&mut self, entry: &TiffEntry<'_>) -> Result<Option<Vec<u8>>, TiffError> {
+        let TiffEntry {
+            tag, count, inline, ..
+        } = *entry;
         let place = format!("tag {tag}");
-        if !Tag::is_read(tag) || size_of_kind(kind) == 0 {
+        let Some(length) = entry.length().filter(|_| Tag::is_read(tag)) else {
             return Ok(None);
-        }
-        let length = count.saturating_mul(size_of_kind(kind));
+        };
         if length <= inline.len() as u64 {
             return Ok(Some(inline[..length as usize].to_vec()));
         }
@@ -199,26 +194,6 @@ fn fetch(source: &dyn ByteSource, offset: u64, length: u64) -> Result<Vec<u8>, S
     }
 }
 
-fn unsigned(bytes: &[u8], is_little_endian: bool) -> u64 {
-    let join = |sum: u64, byte: &u8| sum << 8 | u64::from(*byte);
-    if is_little_endian {
-        bytes.iter().rev().fold(0, join)
-    } else {
-        bytes.iter().fold(0, join)
-    }
-}
-
-/// Bytes of a value of a TIFF type; 0 for one that is not known.
-fn size_of_kind(kind: u16) -> u64 {
-    match kind {
-        1 | 2 | 6 | 7 => 1,
-        3 | 8 => 2,
-        4 | 9 | 11 | 13 => 4,
-        5 | 10 | 12 | 16..=18 => 8,
-        _ => 0,
-    }
-}
-
 impl Directory {
     /// Bytes of the file.
     pub fn length(&self) -> u64 {
@@ -241,7 +216,7 @@ impl Directory {
         };
         match entry.kind {
             1 | 3 | 4 | 7 | 13 | 16 | 18 => {
-                let size = size_of_kind(entry.kind) as usize;
+                let size = size_of_kind(entry.kind).unwrap_or(1) as usize;
                 let values = entry.values.chunks_exact(size);
                 Ok(values.map(|v| unsigned(v, self.is_little_endian)).collect())
             }

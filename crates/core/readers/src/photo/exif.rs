@@ -1,7 +1,11 @@
 //! EXIF: directories of tags as in TIFF. What makes no sense is passed over tag by tag.
 
+use pilotage_base::tiff_entry::{TiffEntry, unsigned};
+
 /// Most tags of a directory.
 const MOST_TAGS: usize = 1000;
+/// Last type of values that EXIF has; those beyond are of `BigTIFF`.
+const LAST_KIND: u16 = 13;
 
 /// Width, height and XMP of a picture that is a TIFF itself.
 pub(super) const WIDTH: u16 = 0x0100;
@@ -70,7 +74,7 @@ impl<'a> Exif<'a> {
             _ => return Self::default(),
         };
         let directory = |offset| Directory::read(tiff, offset, is_little);
-        let image = number(tiff.get(4..8).unwrap_or_default(), is_little);
+        let image = unsigned(tiff.get(4..8).unwrap_or_default(), is_little);
         let image = directory(Some(image));
         let photo = directory(image.whole(EXIF_DIRECTORY));
         let gps = directory(image.whole(GPS_DIRECTORY));
@@ -84,22 +88,12 @@ impl<'a> Directory<'a> {
         let table = offset.and_then(|offset| tiff.get(usize::try_from(offset).ok()?..));
         let count = table
             .and_then(|table| table.get(..2))
-            .map_or(0, |b| number(b, is_little));
+            .map_or(0, |b| unsigned(b, is_little));
         let table = table.and_then(|table| table.get(2..)).unwrap_or_default();
         for bytes in table.chunks_exact(12).take((count as usize).min(MOST_TAGS)) {
-            let [tag, kind] = [0, 2].map(|at| number(&bytes[at..at + 2], is_little) as u16);
-            let count = number(&bytes[4..8], is_little);
-            let length = count.saturating_mul(size_of_kind(kind));
-            let values = if length <= 4 {
-                bytes.get(8..8 + length as usize)
-            } else {
-                let start = number(&bytes[8..12], is_little) as usize;
-                let end = usize::try_from(length)
-                    .ok()
-                    .and_then(|length| start.checked_add(length));
-                end.and_then(|end| tiff.get(start..end))
-            };
-            if let Some(values) = values {
+            let read = TiffEntry::read(bytes, is_little);
+            let TiffEntry { tag, kind, .. } = read;
+            if let Some(values) = values(tiff, &read, is_little) {
                 entries.push(Entry { tag, kind, values });
             }
         }
@@ -119,7 +113,7 @@ impl<'a> Directory<'a> {
             4 | 13 => 4,
             _ => return None,
         };
-        Some(number(entry.values.get(..size)?, self.is_little))
+        Some(unsigned(entry.values.get(..size)?, self.is_little))
     }
 
     /// The numbers of a tag; those over zero are left out.
@@ -127,7 +121,7 @@ impl<'a> Directory<'a> {
         let Some(entry) = self.entry(tag) else {
             return Vec::new();
         };
-        let whole = |bytes: &[u8]| number(bytes, self.is_little);
+        let whole = |bytes: &[u8]| unsigned(bytes, self.is_little);
         let signed = |bytes: &[u8]| f64::from(whole(bytes) as u32 as i32);
         let values = entry.values;
         let reals: Vec<f64> = match entry.kind {
@@ -167,24 +161,15 @@ impl<'a> Directory<'a> {
     }
 }
 
-fn number(bytes: &[u8], is_little: bool) -> u64 {
-    let join = |sum: u64, byte: &u8| sum << 8 | u64::from(*byte);
-    if is_little {
-        bytes.iter().rev().fold(0, join)
-    } else {
-        bytes.iter().fold(0, join)
+/// The bytes of an entry's values; `None` where they lie out of the file or are of a type that EXIF does not have.
+fn values<'a>(tiff: &'a [u8], entry: &TiffEntry<'a>, is_little: bool) -> Option<&'a [u8]> {
+    let is_known = entry.kind <= LAST_KIND;
+    let length = usize::try_from(entry.length().filter(|_| is_known)?).ok()?;
+    if let Some(values) = entry.inline.get(..length) {
+        return Some(values);
     }
-}
-
-/// Bytes of a value of a TIFF type; so many for one that is not known that no tag of it is read.
-fn size_of_kind(kind: u16) -> u64 {
-    match kind {
-        1 | 2 | 6 | 7 => 1,
-        3 | 8 => 2,
-        4 | 9 | 11 | 13 => 4,
-        5 | 10 | 12 => 8,
-        _ => u64::MAX,
-    }
+    let start = unsigned(entry.inline, is_little) as usize;
+    tiff.get(start..start.checked_add(length)?)
 }
 
 #[cfg(test)]
