@@ -9,6 +9,9 @@ use crate::tokens::Tokens;
 use crate::units::Units;
 use pilotage_jobs::MatchPictures;
 
+/// Frames at most so long after the cursor are shown at it, seconds: times are computed in several ways.
+const SAME_TIME: f64 = 1e-9;
+
 /// The route of `mission` with that id.
 pub fn route_of(mission: &Mission, id: u32) -> Option<&Route> {
     mission.routes.iter().find(|r| r.id == id)
@@ -16,8 +19,23 @@ pub fn route_of(mission: &Mission, id: u32) -> Option<&Route> {
 
 /// Index of the frame of `flight` that is shown at a time (seconds in its time base); `None` before the first.
 pub fn shown_frame(flight: &Flight, time: f64) -> Option<usize> {
-    let after = flight.frames.partition_point(|f| f.time <= time + 1e-9);
+    let after = flight
+        .frames
+        .partition_point(|f| f.time <= time + SAME_TIME);
     after.checked_sub(1)
+}
+
+/// Index of the frame `count` frames after the one that is shown at a time (seconds), before it for negative counts;
+/// between two frames the one before is the first step back. The first or last where there are no more.
+pub fn frame_after(flight: &Flight, time: f64, count: i32) -> usize {
+    let frames = &flight.frames;
+    let here = if count > 0 {
+        shown_frame(flight, time).map_or(-1, |index| index as i64)
+    } else {
+        frames.partition_point(|f| f.time < time - SAME_TIME) as i64
+    };
+    let last = frames.len() as i64 - 1;
+    (here + i64::from(count)).clamp(0, last.max(0)) as usize
 }
 
 /// Times that a view drew last.
@@ -80,5 +98,54 @@ impl<'a> ViewContext<'a> {
     pub fn drawn(&self, content: f64) -> Option<Drawn> {
         let cursor = self.time;
         Some(Drawn { cursor, content })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::camera::CameraModel;
+    use pilotage_core::flight::{Frame, StartFix};
+    use pilotage_core::frames::GroundPoint;
+
+    use super::*;
+
+    #[test]
+    fn a_step_begins_from_the_frame_that_is_shown() {
+        let frame = |time| Frame {
+            time,
+            name: String::new(),
+            stored_turn: 0.0,
+        };
+        let position = GroundPoint::new(0.0, 0.0);
+        let flight = Flight {
+            name: String::new(),
+            camera: CameraModel::pinhole(640, 480, 1.0),
+            channels: Vec::new(),
+            frames: [1.0, 2.0, 3.0].map(frame).to_vec(),
+            start: StartFix {
+                time: 0.0,
+                position,
+                standard_deviation: 5.0,
+            },
+            frame_on_globe: None,
+            ground_down: 0.0,
+            truth: None,
+        };
+        // Half a microsecond before the second frame the first one is shown.
+        for (time, shown, next, before) in [
+            (0.5, None, 0, 0),
+            (1.0, Some(0), 1, 0),
+            (1.5, Some(0), 1, 0),
+            (2.0 - 5e-7, Some(0), 1, 0),
+            (2.0 - 1e-12, Some(1), 2, 0),
+            (2.0, Some(1), 2, 0),
+            (2.5, Some(1), 2, 1),
+            (9.0, Some(2), 2, 2),
+        ] {
+            assert_eq!(shown_frame(&flight, time), shown, "{time}");
+            assert_eq!(frame_after(&flight, time, 1), next, "{time}");
+            assert_eq!(frame_after(&flight, time, -1), before, "{time}");
+        }
+        assert_eq!(frame_after(&flight, 1.0, 2), 2);
     }
 }

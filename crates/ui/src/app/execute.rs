@@ -4,6 +4,7 @@ use super::exchange::stem;
 use super::pending_jobs::FlyJob;
 use super::{App, SideTab};
 use crate::command::{Command, Workspace};
+use crate::context::frame_after;
 use crate::documents::{Session, encode_run};
 use crate::host::Host;
 use crate::units::Units;
@@ -136,17 +137,8 @@ impl App {
         let Some(flight) = &self.documents.flight else {
             return;
         };
-        let time = self.playback.time;
-        let frames = &flight.frames;
-        let after = frames.partition_point(|f| f.time <= time + 1e-6);
-        let index = if count > 0 {
-            after as i64 + i64::from(count) - 1
-        } else {
-            let before = frames.partition_point(|f| f.time < time - 1e-6);
-            before as i64 + i64::from(count)
-        };
-        let last = frames.len() as i64 - 1;
-        if let Some(frame) = frames.get(index.clamp(0, last.max(0)) as usize) {
+        let index = frame_after(flight, self.playback.time, count);
+        if let Some(frame) = flight.frames.get(index) {
             self.playback.seek(frame.time, self.documents.span());
         }
     }

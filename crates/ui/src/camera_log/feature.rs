@@ -242,12 +242,12 @@ impl MapLayer for CameraLogFeature {
         context: &ViewContext<'_>,
         _frame: Option<LocalFrame>,
     ) {
-        let (true, Some(flight)) = (self.is_shown, context.flight) else {
+        if !self.is_shown || context.flight.is_none() {
             return;
-        };
-        let after = (flight.frames).partition_point(|f| f.time <= context.time + 1e-6);
+        }
         let applied = context.mission.camera_to_log.as_ref();
-        let corners = self.work.footprint(after.saturating_sub(1), applied);
+        let index = context.shown_frame().unwrap_or(0);
+        let corners = self.work.footprint(index, applied);
         if let Some(corners) = corners {
             paint_tried_footprint(painter, view, &corners, context.tokens);
         }
