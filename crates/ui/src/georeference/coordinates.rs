@@ -1,6 +1,7 @@
 //! Coordinates as people type them.
 
 use nalgebra::Point2;
+use pilotage_core::angle_text::{degrees_of_text, sexagesimal};
 use pilotage_core::frames::{Geodetic, ReferenceSystem};
 
 /// The place in the plane of `system` that a text names: latitude and longitude in degrees (also with
@@ -34,65 +35,41 @@ pub enum Typed {
 
 /// The two numbers of a text; degrees, minutes and seconds count as one, and S and W are negative.
 fn numbers(text: &str) -> Option<[f64; 2]> {
-    let mut found: Vec<Vec<f64>> = vec![Vec::new()];
-    let mut signs = vec![1.0];
-    let has_letters = text.chars().any(|c| "NSEWnsew".contains(c));
-    let mut word = String::new();
-    let flush = |word: &mut String, found: &mut Vec<Vec<f64>>| -> Option<()> {
-        if !word.is_empty() {
-            let value: f64 = word.parse().ok().filter(|v: &f64| v.is_finite())?;
-            found.last_mut()?.push(value);
-            word.clear();
-        }
-        Some(())
-    };
-    let next = |found: &mut Vec<Vec<f64>>, signs: &mut Vec<f64>| {
-        if found.last().is_some_and(|v| !v.is_empty()) {
-            found.push(Vec::new());
-            signs.push(1.0);
-        }
-    };
-    for c in text.trim().chars() {
-        match c {
-            '0'..='9' | '.' | '-' | '+' => word.push(c),
-            'N' | 'n' | 'E' | 'e' | 'S' | 's' | 'W' | 'w' => {
-                flush(&mut word, &mut found)?;
-                if "SsWw".contains(c) {
-                    *signs.last_mut()? = -1.0;
-                }
-                // A letter stands behind its number, or before it.
-                next(&mut found, &mut signs);
-            }
-            ',' | ';' => {
-                flush(&mut word, &mut found)?;
-                next(&mut found, &mut signs);
-            }
-            _ if c.is_whitespace() => {
-                flush(&mut word, &mut found)?;
-                if !has_letters && !text.contains(['°', '\'', ',', ';']) {
-                    next(&mut found, &mut signs);
-                }
-            }
-            '°' | '\'' | '"' | '′' | '″' => flush(&mut word, &mut found)?,
-            _ => return None,
-        }
+    let [first, second] = halves(text.trim())?;
+    Some([number(first)?, number(second)?])
+}
+
+/// The parts of a text at its comma or semicolon, or beside the letters N, S, E, W, or at its only blank.
+fn halves(text: &str) -> Option<[&str; 2]> {
+    let is_part = |part: &&str| !part.trim().is_empty();
+    if text.contains([',', ';']) {
+        let parts: Vec<_> = text.split([',', ';']).filter(is_part).collect();
+        return parts.try_into().ok();
     }
-    flush(&mut word, &mut found)?;
-    let values: Vec<f64> = found
-        .iter()
-        .zip(&signs)
-        .filter(|(parts, _)| !parts.is_empty() && parts.len() <= 3)
-        .map(|(parts, sign)| {
-            let negative = parts[0].is_sign_negative();
-            let size: f64 = parts
-                .iter()
-                .enumerate()
-                .map(|(i, v)| v.abs() / 60_f64.powi(i as i32))
-                .sum();
-            if negative { -sign * size } else { sign * size }
-        })
+    let letters: Vec<_> = text
+        .char_indices()
+        .filter(|(_, c)| "NSEWnsew".contains(*c))
+        .map(|(place, _)| place)
         .collect();
-    values.try_into().ok()
+    match letters[..] {
+        // A letter stands before its number, or behind it.
+        [0, second] => Some(text.split_at(second).into()),
+        [first, _] => Some(text.split_at(first + 1).into()),
+        [] => {
+            let parts: Vec<_> = text.split_whitespace().collect();
+            parts.try_into().ok()
+        }
+        _ => None,
+    }
+}
+
+/// An angle in degrees, or a bare number with its sign.
+fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    degrees_of_text(text).or_else(|| match text.strip_prefix('-') {
+        Some(size) => sexagesimal(size).map(|size| -size),
+        None => sexagesimal(text.strip_prefix('+').unwrap_or(text)),
+    })
 }
 
 #[cfg(test)]
@@ -117,6 +94,10 @@ mod tests {
             "46.5° N, 92.25° W",
             "46°30'N 92°15'W",
             "46° 30' 0\" N, 92° 15' 0\" W",
+            "46 30 N 92 15 W",
+            "N46.5 W92.25",
+            "N 46° 30', W 92° 15'",
+            "46°30', -92°15'",
         ] {
             let (latitude, longitude) = degrees(text).unwrap_or((0.0, 0.0));
             assert!(
@@ -137,7 +118,7 @@ mod tests {
 
     #[test]
     fn what_is_no_place_is_refused_with_an_example() {
-        for text in ["", "here", "46.5", "46.5, x", "1, 2, 3"] {
+        for text in ["", "here", "46.5", "46.5, x", "1, 2, 3", "46 30 92 15"] {
             let why = parse(text, None).unwrap_err();
             assert!(why.contains("46.8571"), "{text}: {why}");
         }
