@@ -27,6 +27,7 @@ mod stepping;
 mod testing;
 mod tlog;
 mod topic;
+mod toy;
 mod ulog;
 mod vehicles;
 mod whole;
