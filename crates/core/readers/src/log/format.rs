@@ -17,8 +17,6 @@ macro_rules! log_formats {
             Mcap("MCAP", mcap INFO),
             /// `MAVLink` messages with times, as ground stations write them.
             Tlog("MAVLink telemetry log", tlog INFO),
-            /// Rows of a toy.
-            Toy("Toy log", toy INFO),
         }
     };
 }

@@ -27,7 +27,6 @@ mod stepping;
 mod testing;
 mod tlog;
 mod topic;
-mod toy;
 mod ulog;
 mod vehicles;
 mod whole;
