@@ -50,6 +50,11 @@ pub struct Tokens {
 }
 
 impl Tokens {
+    /// The dark set, or the light one.
+    pub fn of(dark: bool) -> Self {
+        if dark { Self::dark() } else { Self::light() }
+    }
+
     /// The dark set.
     pub fn dark() -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! Numbers with the user's units.
+//! Numbers with the user's units, and times.
 
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +39,13 @@ impl Units {
     }
 }
 
+/// Minutes and seconds since `first`: `4:07.3`.
+pub fn clock(time: f64, first: f64) -> String {
+    let since = (time - first).max(0.0);
+    let minutes = (since / 60.0).floor();
+    format!("{minutes:.0}:{:04.1}", since - 60.0 * minutes)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,5 +60,10 @@ mod tests {
             Units::Aviation.short_distance(0.043),
             ("0.1".to_owned(), "ft")
         );
+    }
+
+    #[test]
+    fn times_read_as_minutes_and_seconds() {
+        assert_eq!(clock(130.25, 3.0), "2:07.2");
     }
 }

@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use super::App;
 use super::keeping::{provide, put_beside};
-use super::logs::with_origin;
 use super::pending_jobs::Opening;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
+use crate::documents::with_origin;
 use crate::host::Host;
 use pilotage_jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, MakeFlightOrder, write_columns};
 
@@ -74,7 +74,7 @@ impl App {
         };
         self.keep_files(host, &draft.key, &draft.name, &draft.files);
         let frame = made.flight.frame_on_globe;
-        let map = with_origin(self.map_under(frame), frame);
+        let map = with_origin(self.documents.map_under(frame), frame);
         let title = format!("Opened a flight from {}", draft.name);
         self.toasts.note(host.now(), title, sentences(&made.notes));
         self.open_measured(host, draft.key, &made.flight, map, None);

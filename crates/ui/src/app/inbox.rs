@@ -109,7 +109,7 @@ impl App {
     /// The map over which a flight is flown that came without one: the open one, unless it is known to lie elsewhere.
     fn map_beneath(&self, flight: Option<&Flight>) -> MapSource {
         match flight.and_then(|flight| flight.frame_on_globe) {
-            Some(frame) => self.map_under(Some(frame)),
+            Some(frame) => self.documents.map_under(Some(frame)),
             None => self.documents.map_source.clone(),
         }
     }

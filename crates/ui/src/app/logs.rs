@@ -2,7 +2,6 @@
 //! they are plotted.
 
 use pilotage_core::flight::Flight;
-use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::Mission;
 
 use super::keeping::{provide, put_beside};
@@ -10,17 +9,13 @@ use super::log_work::{LogAnswers, ReadingLog};
 use super::pending_jobs::Opening;
 use super::{App, SideTab, is_sheet};
 use crate::command::Workspace;
-use crate::documents::{Documents, Session, Staged};
+use crate::documents::{Documents, Session, Staged, with_origin};
 use crate::host::Host;
 use crate::log::{LogCommand, OpenLog, PresetCommand};
 use pilotage_jobs::{
     FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, ReadLogOrder, SeriesName, SeriesOrder,
     VEHICLE_FILE, write_vehicle,
 };
-
-/// Farthest from a flight that the origin of the map may lie that was open before, metres: what lies
-/// further is a map of somewhere else.
-const NEAR: f64 = 60_000.0;
 
 /// Times that a log is read again because nobody has it any more.
 const MOST_REREADS: u8 = 2;
@@ -211,7 +206,7 @@ impl App {
         match read.flight {
             Ok(frame) => {
                 let map = reading.map.clone();
-                let map = map.unwrap_or_else(|| self.map_under(frame));
+                let map = map.unwrap_or_else(|| self.documents.map_under(frame));
                 let map = with_origin(map, frame);
                 let source = FlightSource::Files(reading.key);
                 if reading.is_again {
@@ -245,21 +240,6 @@ impl App {
                     self.change_map(host, MapSource::Nothing);
                 }
             }
-        }
-    }
-
-    /// The map that is open, if it lies where a flight is whose world frame is `frame`; else none.
-    pub(super) fn map_under(&self, frame: Option<LocalFrame>) -> MapSource {
-        let open = &self.documents.map_source;
-        let map = self.documents.map.as_ref();
-        let at = open.origin().or_else(|| map.and_then(|map| map.origin));
-        let is_near = |at: Geodetic| {
-            let away = frame?.world_from_geodetic(&at);
-            Some(away.x.hypot(away.y) < NEAR)
-        };
-        match at.and_then(is_near) {
-            Some(true) => open.clone(),
-            _ => MapSource::Nothing,
         }
     }
 
@@ -365,17 +345,5 @@ impl App {
                 self.views.log_plots.execute(other);
             }
         }
-    }
-}
-
-/// A map among the log's own files, put into the world of the flight.
-pub(super) fn with_origin(map: MapSource, frame: Option<LocalFrame>) -> MapSource {
-    match (map, frame) {
-        (MapSource::Files(key), Some(frame)) => MapSource::Placed {
-            key,
-            origin: frame.origin,
-        },
-        (map, Some(frame)) => map.moved(frame.origin),
-        (map, None) => map,
     }
 }

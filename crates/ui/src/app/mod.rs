@@ -296,11 +296,7 @@ impl App {
     }
 
     fn restyle(&mut self, context: &egui::Context) {
-        self.tokens = if self.view.dark {
-            Tokens::dark()
-        } else {
-            Tokens::light()
-        };
+        self.tokens = Tokens::of(self.view.dark);
         apply_theme(context, &self.tokens);
     }
 }

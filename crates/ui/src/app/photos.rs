@@ -7,6 +7,7 @@ use pilotage_core::registration::Draped;
 
 use super::{App, SideTab};
 use crate::command::Workspace;
+use crate::documents::with_origin;
 use crate::host::Host;
 use crate::photos::{PhotosCommand, Sought};
 use pilotage_jobs::{FlightSource, Job, JobEvent, JobId, MapInfo, MapSource};
@@ -193,7 +194,7 @@ impl App {
         self.documents.photos.seek(Sought {
             key,
             names,
-            map: super::logs::with_origin(map, Some(world)),
+            map: with_origin(map, Some(world)),
             origin: Some(world.origin),
             ground,
         });

@@ -40,11 +40,7 @@ impl App {
             .recall(VIEW_KEY)
             .map(|bytes| ViewState::decode(&bytes))
             .unwrap_or_default();
-        let tokens = if view.dark {
-            Tokens::dark()
-        } else {
-            Tokens::light()
-        };
+        let tokens = Tokens::of(view.dark);
         context.set_fonts(fonts());
         apply_theme(context, &tokens);
         let features = crate::features::all();

@@ -35,5 +35,4 @@ pub use plots::LogPlots;
 pub use presets::{OwnPreset, OwnPresets, PRESETS_KEY, PresetCommand};
 pub(crate) use scene::colour as field_colour;
 pub use statistics::statistics_panel;
-pub(crate) use words::clock;
 pub use words::series_name;

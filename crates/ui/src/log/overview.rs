@@ -5,12 +5,13 @@ use pilotage_core::exchange::Format;
 use pilotage_core::flight::log::{LogFormat, Outline};
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
 
-use super::words::{clock, date, duration, size};
+use super::words::{date, duration, size};
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::feature_command::FeatureCommand;
 use crate::photos::PhotosCommand;
+use crate::units::clock;
 use crate::views::parts::{self, Reading};
 
 /// Messages shown before the rest is folded.

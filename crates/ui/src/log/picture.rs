@@ -7,9 +7,10 @@ use super::arrangement::PanelContent;
 use super::cloud::{Cloud, CloudKey};
 use super::scene::{PanelScene, colour, curve, mode_bands, y_range};
 use super::svg::{Anchor, Svg};
-use super::words::{clock, series_name};
+use super::words::series_name;
 use super::{OpenLog, PlottedSeries};
 use crate::tokens::Tokens;
+use crate::units::clock;
 use crate::views::chart::Axes;
 use crate::views::{TimeAxis, curve_points};
 

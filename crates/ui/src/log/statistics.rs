@@ -4,11 +4,12 @@ use egui::{Align, Align2, Color32, Layout, RichText, ScrollArea, Sense, Ui, pos2
 use pilotage_core::flight::SpanStatistics;
 
 use super::figures::FieldFigures;
-use super::words::{clock, series_name};
+use super::words::series_name;
 use super::{LogCommand, LogPlots, OpenLog, field_colour};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
+use crate::units::clock;
 use crate::views::parts;
 use pilotage_jobs::SeriesName;
 

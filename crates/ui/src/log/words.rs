@@ -2,13 +2,6 @@
 
 use pilotage_jobs::SeriesName;
 
-/// Minutes and seconds since `first`: `4:07.3`.
-pub fn clock(time: f64, first: f64) -> String {
-    let since = (time - first).max(0.0);
-    let minutes = (since / 60.0).floor();
-    format!("{minutes:.0}:{:04.1}", since - 60.0 * minutes)
-}
-
 /// A length of time: `12 s`, `5 min 20 s`.
 pub fn duration(seconds: f64) -> String {
     let whole = seconds.round().max(0.0);
@@ -60,8 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn times_read_as_minutes_and_seconds() {
-        assert_eq!(clock(130.25, 3.0), "2:07.2");
+    fn lengths_and_sizes_read_as_people_say_them() {
         assert_eq!(duration(59.6), "1 min 0 s");
         assert_eq!(duration(12.2), "12 s");
         assert_eq!(size(4_050_000), "4.0 MB");

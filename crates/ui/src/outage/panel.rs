@@ -65,8 +65,8 @@ fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
         if let Some((from, to)) = scene.selected {
             let text = format!(
                 "Cut GPS from {} to {}",
-                crate::log::clock(from, scene.first),
-                crate::log::clock(to, scene.first)
+                crate::units::clock(from, scene.first),
+                crate::units::clock(to, scene.first)
             );
             if text_button(ui, tokens, None, &text, true).clicked() {
                 context.commands.push(OutageCommand::Selected.into());
@@ -108,8 +108,8 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport, fi
     let (from, to) = report.span;
     let title = format!(
         "No GPS from {} to {} ({:.0} s)",
-        crate::log::clock(from, first),
-        crate::log::clock(to, first),
+        crate::units::clock(from, first),
+        crate::units::clock(to, first),
         to - from
     );
     ui.label(RichText::new(title).color(tokens.text).strong());
