@@ -41,7 +41,7 @@ export async function run(page, tools) {
   tools.check(!failed, `${failed?.title}: ${failed?.text}`);
   const log = flown.log;
   tools.check(log?.read && log.format === "Tables" && log.topics === 4, JSON.stringify(log));
-  tools.check(flown.side_tab === "Log" && log.panels.flat().includes("Roll"), `${flown.side_tab}, ${JSON.stringify(log.panels)}`);
+  tools.check(flown.side_tab === "log" && log.panels.flat().includes("Roll"), `${flown.side_tab}, ${JSON.stringify(log.panels)}`);
   tools.say(`${log.topics} tables, ${log.messages} rows; ${log.findings.join("; ")}`);
   await tools.find(null, /^In the air/);
   await tools.find(null, "TestLog2_ATT.Roll");

@@ -18,7 +18,7 @@ export async function run(page, tools) {
   const photos = ["IMG_9360_original.jpg", "IMG_9400_original.jpg"].map((name) => join(folder, name));
   await page.setInputFiles("#files", photos);
   const opened = await tools.waitFor((s) => s.log?.read && s.log.format === "Photos", "the photos to open", 120_000);
-  tools.check(opened.log.messages === photos.length && opened.side_tab === "Log", JSON.stringify(opened.log));
+  tools.check(opened.log.messages === photos.length && opened.side_tab === "log", JSON.stringify(opened.log));
   // Two photos say no heading: that they cannot be flown by airspeed is said, and takes nothing away.
   const flown = await tools.waitFor((s) => s.log.unnavigable, "why they are not flown", 60_000);
   tools.check(/heading/.test(flown.log.unnavigable), flown.log.unnavigable);

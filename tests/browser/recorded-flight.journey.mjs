@@ -26,7 +26,7 @@ export async function run(page, tools) {
   tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
   const flown = await tools.waitFor((s) => s.run_complete, "the flight to be navigated", 150_000);
   tools.check(flown.frames === 18, `${flown.frames} frames`);
-  tools.check(flown.log?.read && flown.log.format === "Tables" && flown.side_tab === "Log", JSON.stringify(flown.log));
+  tools.check(flown.log?.read && flown.log.format === "Tables" && flown.side_tab === "log", JSON.stringify(flown.log));
   tools.say(`${flown.log.topics} tables, ${flown.log.messages} rows; ${flown.log.findings.join("; ")}`);
   tools.say(`${flown.landmarks.length} landmarks, ${flown.candidates} looked for, ${flown.accepted} accepted`);
   tools.check(flown.landmarks.length === 0 || flown.accepted >= 10, "hardly a landmark was accepted");

@@ -2,15 +2,18 @@
 //! of them and knows none by name; a new one is a folder and a line in `features.rs`.
 
 use egui::{Rect, Ui};
+use pilotage_core::exchange::FlownValues;
 use pilotage_core::flight::overview::Finding;
-use pilotage_jobs::{Beside, Job, JobEvent, JobId, Opened};
+use pilotage_core::mission::Mission;
+use pilotage_jobs::{Beside, FlightSource, Job, JobEvent, JobId, MapSource, Opened};
 use serde_json::Value;
 
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
-use crate::documents::{Documents, ViewState};
+use crate::documents::kept::provide;
+use crate::documents::{Documents, Session, ViewState};
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
-use crate::host::Host;
+use crate::host::{Host, OpenedFile};
 use crate::map::{MapLayer, MapTool, MapView};
 use crate::shell::Toasts;
 use crate::shell::catalog::Entry;
@@ -26,6 +29,8 @@ pub enum FeaturePlace {
     Sheet,
     /// The column at the right of a workspace that is its own.
     Workspace(Workspace),
+    /// A tab in front of all others, whose panel scrolls by itself.
+    FirstTab,
 }
 
 /// Description of a feature for whoever lists features.
@@ -54,6 +59,88 @@ pub struct FeatureWishes {
     pub presented: Option<u32>,
     /// Commands that are carried out then.
     pub commands: Vec<Command>,
+    /// Whether its panel is to be shown, unless one is that takes the whole column.
+    pub is_offered: bool,
+    /// Map to be shown.
+    pub map: Option<MapSource>,
+    /// Flight to be flown in the place of the one that is being flown.
+    pub flight: Option<FlightWish>,
+    /// Files to be kept for the next visit.
+    pub kept: Vec<OpenedSet>,
+}
+
+/// Flight to be flown in the place of the one that is being flown.
+#[derive(Debug)]
+pub enum FlightWish {
+    /// None.
+    Nothing,
+    /// A flight of files, over this map.
+    Read(Box<(FlightFiles, MapSource)>),
+}
+
+/// Set of files that were opened at once.
+#[derive(Debug)]
+pub struct OpenedSet {
+    /// Key under which the workers have them.
+    pub key: String,
+    /// Name of the files for people.
+    pub name: String,
+    /// The files themselves.
+    pub files: Vec<OpenedFile>,
+}
+
+/// Flight in opened files.
+#[derive(Clone, Debug)]
+pub struct FlightFiles {
+    /// Key under which the workers have the files.
+    pub key: String,
+    /// Name of its log among them, or of the flight if it is tables or photos.
+    pub name: String,
+    /// Map over which it is flown, where that is known already.
+    pub map: Option<MapSource>,
+    /// Mission to fly it with, where there is one.
+    pub mission: Option<Mission>,
+    /// Whether it is the flight that is open, so that the mission that is open is its own.
+    pub is_open: bool,
+}
+
+impl FlightFiles {
+    /// Flight of files that were opened.
+    pub fn opened(
+        key: String,
+        name: String,
+        map: Option<MapSource>,
+        mission: Option<Mission>,
+    ) -> Self {
+        Self {
+            key,
+            name,
+            map,
+            mission,
+            is_open: false,
+        }
+    }
+
+    /// Flight of files that is open, to be read once more; none if no flight of files is.
+    pub fn open(documents: &Documents) -> Option<Self> {
+        let Session {
+            flight: FlightSource::Files(key),
+            map,
+            mission,
+            log,
+            ..
+        } = documents.session()
+        else {
+            return None;
+        };
+        Some(Self {
+            key,
+            name: log.unwrap_or_else(|| "The flight".to_owned()),
+            map: Some(map),
+            mission,
+            is_open: true,
+        })
+    }
 }
 
 /// Part of the app that a feature may use while it does something.
@@ -80,6 +167,8 @@ pub struct FeatureContext<'a> {
     pub owners: &'a mut Vec<(JobId, FeatureId)>,
     /// Whether its panel is shown.
     pub is_shown: bool,
+    /// Files of the set with a key, if the browser keeps them.
+    pub kept: &'a dyn Fn(&str) -> Option<Vec<OpenedFile>>,
     /// Wishes that the app fulfils once the feature is done.
     pub wishes: FeatureWishes,
 }
@@ -138,6 +227,32 @@ impl FeatureContext<'_> {
     /// Selects a landmark that was just made, and has people name it.
     pub fn present(&mut self, landmark: u32) {
         self.wishes.presented = Some(landmark);
+    }
+
+    /// Opens the feature's panel wherever the flight is looked at, unless one is shown that takes the whole column.
+    pub fn offer(&mut self) {
+        self.wishes.is_offered = true;
+    }
+
+    /// Stops what is being flown; what has streamed in stays.
+    pub fn stop_flying(&mut self) {
+        self.wishes.flight = Some(FlightWish::Nothing);
+    }
+
+    /// Shows another map.
+    pub fn change_map(&mut self, map: MapSource) {
+        self.wishes.map = Some(map);
+    }
+
+    /// Flies a flight of files over `map`.
+    pub fn fly(&mut self, flight: FlightFiles, map: MapSource) {
+        self.wishes.flight = Some(FlightWish::Read(Box::new((flight, map))));
+    }
+
+    /// Gives the workers files, and has the browser keep them for the next visit.
+    pub fn provide(&mut self, set: OpenedSet) {
+        provide(self.host, &set.key, &set.files);
+        self.wishes.kept.push(set);
     }
 }
 
@@ -256,7 +371,7 @@ pub trait Feature {
         false
     }
 
-    /// Draws its panel below the map, in a workspace that hides the flight.
+    /// Draws its panel below the map: in a workspace that hides the flight, or where it has plots of that.
     fn plots(&mut self, _ui: &mut Ui, _context: &mut ViewContext<'_>, _documents: &Documents) {}
 
     /// Draws over the map of its workspace, which takes `rect` of the screen; the parts that it covers.
@@ -277,4 +392,41 @@ pub trait Feature {
 
     /// Takes its part of what was saved beside a mission that was opened.
     fn take_beside(&mut self, _beside: &mut Beside) {}
+
+    /// Progress of its work that people wait for, 0 to 1, and its words.
+    fn progress(&self) -> Option<(f32, &str)> {
+        None
+    }
+
+    /// Whether its tab is there.
+    fn has_tab(&self) -> bool {
+        true
+    }
+
+    /// Whether it has plots of the flight for the panel below the map.
+    fn has_plots(&self) -> bool {
+        false
+    }
+
+    /// Whether the plots of the run are shown beneath what it drew there.
+    fn leaves_room_for_run(&self) -> bool {
+        true
+    }
+
+    /// Reads a flight in opened files, which is flown once it is read.
+    fn read_flight(&mut self, _files: &FlightFiles, _context: &mut FeatureContext<'_>) {}
+
+    /// Leaves a flight that it prepares: another one is about to be flown.
+    fn on_other_flight(&mut self, _context: &mut FeatureContext<'_>) {}
+
+    /// Keys of the opened files that it needs beside those of the documents.
+    fn used_files(&self) -> Vec<&str> {
+        Vec::new()
+    }
+
+    /// Values to be saved beside the flown track: what they are, and one for each of `times` (seconds in the flight's
+    /// time base), where there is one.
+    fn values_along(&self, _times: &[f64]) -> Option<(FlownValues, Vec<Option<f64>>)> {
+        None
+    }
 }

@@ -3,15 +3,17 @@
 use crate::camera_log::CameraLogFeature;
 use crate::compare::Compare;
 use crate::feature::Feature;
+use crate::log::LogFeature;
 use crate::outage::Outages;
 use crate::plan::Planner;
 use crate::shell::catalog::{self, Entry};
-use crate::{labelling, log, photos, views};
+use crate::{labelling, photos, views};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
         Box::<Planner>::default(),
+        Box::new(LogFeature::default()),
         Box::new(Compare::default()),
         Box::new(Outages::default()),
         Box::new(CameraLogFeature::default()),
@@ -23,7 +25,6 @@ pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<Entry> {
     let parts = [
         labelling::commands,
         views::detector_commands,
-        log::commands,
         photos::commands,
     ];
     let of_features = features.iter().map(|it| it.info().commands);

@@ -112,3 +112,20 @@ pub trait Host {
     /// A short text of what is on screen, for screen readers.
     fn announce(&mut self, _text: &str) {}
 }
+
+/// A name as it can stand in a file's name.
+pub fn stem(name: &str) -> String {
+    let allowed = |c: char| {
+        if c.is_alphanumeric() || c == '-' {
+            c
+        } else {
+            '-'
+        }
+    };
+    let stem: String = name.chars().map(allowed).collect();
+    if stem.is_empty() {
+        "pilotage".to_owned()
+    } else {
+        stem
+    }
+}

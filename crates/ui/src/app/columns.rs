@@ -5,10 +5,11 @@ use pilotage_core::text::capitalised;
 use serde_json::{Value, json};
 
 use super::App;
-use super::keeping::{provide, put_beside};
 use super::pending_jobs::Opening;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
+use crate::documents::kept::{provide, put_beside};
 use crate::documents::with_origin;
+use crate::feature::FlightFiles;
 use crate::host::Host;
 use pilotage_jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, MakeFlightOrder, write_columns};
 
@@ -50,9 +51,14 @@ impl App {
         draft.job = Some(host.start(Job::MakeFlight(MakeFlightOrder { key })));
     }
 
-    pub(super) fn columns_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+    pub(super) fn columns_event(
+        &mut self,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+        event: JobEvent,
+    ) {
         match event {
-            JobEvent::FlightMade(made) => self.take_flight_of_tables(host, &made),
+            JobEvent::FlightMade(made) => self.take_flight_of_tables(egui, host, &made),
             JobEvent::Failed(why) => {
                 if let Some(draft) = self.dialogs.columns.draft_mut() {
                     draft.job = None;
@@ -68,7 +74,12 @@ impl App {
         }
     }
 
-    fn take_flight_of_tables(&mut self, host: &mut dyn Host, made: &MadeFlight) {
+    fn take_flight_of_tables(
+        &mut self,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+        made: &MadeFlight,
+    ) {
         let Some(draft) = self.dialogs.columns.close() else {
             return;
         };
@@ -77,7 +88,9 @@ impl App {
         let map = with_origin(self.documents.map_under(frame), frame);
         let title = format!("Opened a flight from {}", draft.name);
         self.toasts.note(host.now(), title, sentences(&made.notes));
-        self.open_measured(host, draft.key, &made.flight, map, None);
+        let name = made.flight.name.clone();
+        let files = FlightFiles::opened(draft.key, name, Some(map), None);
+        self.read_flight(&files, egui, host);
     }
 
     /// The tables that are asked about.

@@ -3,7 +3,7 @@
 use super::App;
 use super::pending_jobs::Exporting;
 use crate::command::Command;
-use crate::host::Host;
+use crate::host::{Host, stem};
 pub(super) use crate::shell::sentences;
 use pilotage_jobs::{ExportOrder, Job, JobEvent, JobId};
 
@@ -80,22 +80,5 @@ impl App {
             }
             _ => {}
         }
-    }
-}
-
-/// A name as it can stand in a file's name.
-pub(super) fn stem(name: &str) -> String {
-    let allowed = |c: char| {
-        if c.is_alphanumeric() || c == '-' {
-            c
-        } else {
-            '-'
-        }
-    };
-    let stem: String = name.chars().map(allowed).collect();
-    if stem.is_empty() {
-        "pilotage".to_owned()
-    } else {
-        stem
     }
 }

@@ -1,12 +1,11 @@
 //! Commands carried out, once a frame, after everything is drawn.
 
-use super::exchange::stem;
 use super::pending_jobs::FlyJob;
 use super::{App, SideTab};
 use crate::command::{Command, Workspace};
 use crate::context::frame_after;
 use crate::documents::{Session, encode_run};
-use crate::host::Host;
+use crate::host::{Host, stem};
 use crate::units::Units;
 
 impl App {
@@ -220,17 +219,16 @@ impl App {
             Command::Simulate(options) => {
                 let map = options.map();
                 let flight = pilotage_jobs::FlightSource::Simulated(*options);
-                self.fly_new(host, flight, map, None);
+                self.fly_new(egui, host, flight, map, None);
             }
             Command::OpenDemo => {
                 let demo = Session::demo();
-                self.fly_new(host, demo.flight, demo.map, None);
+                self.fly_new(egui, host, demo.flight, demo.map, None);
             }
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.jobs.fly.is_none() => {
                 let _ = self.stop_features(egui, host)
                     || self.stop_laying(host)
-                    || self.stop_reading(host)
                     || self.stop_opening(host)
                     || self.stop_preparing(host);
             }
@@ -245,7 +243,7 @@ impl App {
             Command::SaveMission => self.save_mission(host),
             Command::SaveMissionAsGeoJson => self.save_geojson(host),
             Command::CopyLink => self.copy_link(host),
-            Command::OpenBeforeLink => self.open_before_link(host),
+            Command::OpenBeforeLink => self.open_before_link(egui, host),
             Command::ExportRoute(_) | Command::ExportLandmarks(_) => self.export(&command, host),
             Command::ExportTrack(format) => self.export_track(format, host),
             Command::SaveRun => match self.documents.run.as_ref().map(encode_run) {

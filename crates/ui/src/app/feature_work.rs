@@ -1,31 +1,20 @@
 //! Features: their commands and events brought to them, and what they ask of the app.
 
-use super::{App, SideTab};
+use super::{App, SideTab, is_sheet};
 use crate::command::{Command, Workspace};
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
-use crate::documents::Documents;
+use crate::documents::Session;
 use crate::feature::{
-    Feature, FeatureCommand, FeatureContext, FeatureId, FeaturePlace, FeatureWishes,
+    Feature, FeatureCommand, FeatureContext, FeatureId, FeaturePlace, FeatureWishes, FlightFiles,
+    FlightWish,
 };
 use crate::feature_command::Show;
 use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
 use crate::labelling::LabelCommand;
-use crate::log::LogCommand;
 use crate::photos::PhotosCommand;
 use crate::views::DetectorCommand;
-use pilotage_core::flight::overview::Finding;
-use pilotage_jobs::{JobEvent, JobId, Opened};
-
-/// Findings about the flight beside those of its log.
-pub(super) fn noticed(features: &[Box<dyn Feature>], documents: &Documents) -> Vec<Finding> {
-    let mut all: Vec<Finding> = features
-        .iter()
-        .flat_map(|it| it.findings(documents))
-        .collect();
-    all.extend_from_slice(documents.noticed());
-    all
-}
+use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource, Opened};
 
 impl App {
     /// Lends the app to the feature at `index` while it does something.
@@ -40,10 +29,12 @@ impl App {
         let (own, place) = (feature.info().id, feature.info().place);
         let is_shown = match place {
             FeaturePlace::Workspace(own) => self.view.workspace == own,
-            FeaturePlace::Tab | FeaturePlace::Sheet => {
+            FeaturePlace::Tab | FeaturePlace::Sheet | FeaturePlace::FirstTab => {
                 self.view.workspace == Workspace::Replay && self.side_tab == SideTab::Feature(own)
             }
         };
+        let keeping = &self.jobs.keeping;
+        let kept = |key: &str| keeping.files(key);
         let mut context = FeatureContext {
             documents: &mut self.documents,
             playback: &mut self.playback,
@@ -56,6 +47,7 @@ impl App {
             own,
             owners: &mut self.owners,
             is_shown,
+            kept: &kept,
             wishes: FeatureWishes::default(),
         };
         work(feature.as_mut(), &mut context);
@@ -78,6 +70,51 @@ impl App {
         for command in wishes.commands {
             self.execute(command, egui, host);
         }
+        if wishes.is_offered {
+            self.offer_feature(own);
+        }
+        for set in wishes.kept {
+            self.keep_files(host, &set.key, &set.name, &set.files);
+        }
+        if let Some(map) = wishes.map {
+            self.change_map(host, map);
+        }
+        match wishes.flight {
+            Some(FlightWish::Nothing) => self.stop_flying(host),
+            Some(FlightWish::Read(read)) => self.fly_read(*read, egui, host),
+            None => {}
+        }
+    }
+
+    /// Shows the panel of a feature wherever the flight is looked at, unless a sheet is open.
+    fn offer_feature(&mut self, id: FeatureId) {
+        if !self.is_flight_hidden() {
+            self.view.workspace = Workspace::Replay;
+        }
+        if !is_sheet(self.side_tab, &self.views.features) {
+            self.side_tab = SideTab::Feature(id);
+        }
+    }
+
+    /// Flies a flight of files that was read, over a map.
+    fn fly_read(
+        &mut self,
+        (read, map): (FlightFiles, MapSource),
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
+        let flight = FlightSource::Files(read.key);
+        if read.is_open {
+            // It may have been edited while it was read.
+            let session = Session {
+                flight,
+                map,
+                ..self.documents.session()
+            };
+            self.fly_open(host, session);
+        } else {
+            self.fly_new(egui, host, flight, map, read.mission);
+        }
     }
 
     /// Lends the app to one feature after the other.
@@ -95,6 +132,11 @@ impl App {
     /// Lets every feature do what is due.
     pub(super) fn tend_features(&mut self, egui: &egui::Context, host: &mut dyn Host) {
         self.with_each_feature(egui, host, &mut |feature, context| feature.tend(context));
+        let features = self.views.features.iter();
+        let found = features.flat_map(|it| it.findings(&self.documents));
+        if self.documents.take_found(found.collect()) {
+            egui.request_repaint();
+        }
     }
 
     /// Tells every feature that the run that was under way is over.
@@ -153,8 +195,6 @@ impl App {
     fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
         if let Some(command) = command.action::<LabelCommand>() {
             self.label(command.clone(), host);
-        } else if let Some(command) = command.action::<LogCommand>() {
-            self.log(command.clone(), host);
         } else if let Some(command) = command.action::<PhotosCommand>() {
             self.photos(command.clone(), host);
         } else if let Some(command) = command.action::<WebMapCommand>() {
@@ -241,5 +281,30 @@ impl App {
         self.with_each_feature(egui, host, &mut |feature, context| {
             feature.take_opened(opened, context);
         });
+    }
+
+    /// Has a flight in opened files read, and flown then.
+    pub(super) fn read_flight(
+        &mut self,
+        files: &FlightFiles,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            feature.read_flight(files, context);
+        });
+    }
+
+    /// Tells every feature that another flight is about to be flown.
+    pub(super) fn tell_of_other_flight(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            feature.on_other_flight(context);
+        });
+    }
+
+    /// Progress of the computation under way, 0 to 1, and its words.
+    pub(super) fn progress(&self) -> Option<(f32, &str)> {
+        let mut features = self.views.features.iter();
+        self.jobs.progress(features.find_map(|it| it.progress()))
     }
 }

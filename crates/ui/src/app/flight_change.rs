@@ -1,7 +1,6 @@
 //! Another flight is open: nothing that was computed, asked or looked at of the one before is of use.
 
 use super::App;
-use super::log_work::LogAnswers;
 use crate::host::Host;
 use crate::labelling::Labeller;
 use crate::photos::Photos;
@@ -20,9 +19,6 @@ impl App {
         self.stop_explaining(host);
         self.evaluating.leave_flight(host);
         self.leave_strange_photos(host);
-        if self.documents.log.is_none() {
-            self.leave_log(host);
-        }
         if old != self.documents.flight_source {
             self.playback.selected_span = None;
         }
@@ -62,29 +58,5 @@ impl App {
             photos.search = self.documents.photos.search;
             self.documents.photos = photos;
         }
-    }
-
-    /// Leaves what was asked of a log that is open no longer.
-    pub(super) fn leave_log(&mut self, host: &mut dyn Host) {
-        let logs = &mut self.jobs.logs;
-        let answers = std::mem::take(&mut logs.answers);
-        let LogAnswers {
-            asked: _,
-            figures,
-            table,
-        } = answers;
-        let figures = figures.map(|(id, _)| id);
-        let table = table.map(|table| table.id);
-        for id in logs
-            .fetching
-            .drain()
-            .map(|(id, _)| id)
-            .chain(figures)
-            .chain(table)
-        {
-            host.cancel(id);
-        }
-        self.views.log_plots.begin(Vec::new());
-        self.views.shows_log_plots = false;
     }
 }

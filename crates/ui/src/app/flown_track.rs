@@ -1,12 +1,11 @@
 //! The estimated track as a file of another program.
 
-use pilotage_core::exchange::{FlownTrack, FlownValues, Format};
+use pilotage_core::exchange::{FlownTrack, Format};
 use pilotage_core::frames::LocalFrame;
 
 use super::App;
 use super::pending_jobs::Exporting;
 use crate::host::Host;
-use crate::log::series_name;
 use pilotage_jobs::{ExportOrder, Job};
 
 impl App {
@@ -33,20 +32,17 @@ impl App {
         let documents = &self.documents;
         let run = documents.run.as_ref().filter(|run| !run.steps.is_empty())?;
         let flight = documents.flight.as_ref()?;
-        let log = documents.log.as_ref();
-        let field = self.views.map.track_field();
-        let coloured = field.and_then(|name| Some((name, log?.series.get(name)?)));
-        let values = coloured.map(|(name, series)| FlownValues {
-            name: series_name(name),
-            unit: series.unit.clone(),
-        });
         let frame = flight.frame_on_globe;
         let frame = frame.unwrap_or_else(|| LocalFrame::new(documents.mission.origin));
         let mut track = run.estimated_track(&flight.name, &frame);
-        track.utc_at_zero = log.and_then(|log| log.outline.as_ref()?.utc_at_zero);
-        track.values = values;
-        for point in &mut track.points {
-            point.value = coloured.and_then(|(_, series)| series.at(point.time));
+        track.utc_at_zero = documents.log.as_ref().and_then(|log| log.utc_at_zero);
+        let times: Vec<f64> = track.points.iter().map(|point| point.time).collect();
+        let mut features = self.views.features.iter();
+        if let Some((what, values)) = features.find_map(|it| it.values_along(&times)) {
+            track.values = Some(what);
+            for (point, value) in track.points.iter_mut().zip(values) {
+                point.value = value;
+            }
         }
         Some(track)
     }

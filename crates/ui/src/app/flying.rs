@@ -5,6 +5,7 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 use super::App;
 use super::pending_jobs::Shown;
 use crate::host::Host;
+use crate::map::MapLayer;
 use pilotage_jobs::{FlightSource, JobEvent, MapSource};
 
 /// Scales of the map at which an aircraft can be followed, metres per point.
@@ -94,7 +95,7 @@ impl App {
                 let kept = if began {
                     "What had been computed stays."
                 } else if let Some(log) = log {
-                    if let Some((first, _)) = log.span() {
+                    if let Some((first, _)) = log.span {
                         self.playback.time = first;
                     }
                     log.unnavigable = Some(why.clone());
@@ -206,8 +207,8 @@ impl App {
         let estimate = steps.map(|s| s.after.position());
         let landmarks = documents.mission.landmarks.iter().map(|l| l.reference);
         let flight = truth.chain(estimate).chain(landmarks);
-        let beside = documents.log.iter().flat_map(|log| &log.tracks.0);
-        let beside = beside.flat_map(|track| track.places.iter().step_by(10).copied());
+        let layers = self.views.features.iter().flat_map(|it| it.layers());
+        let beside = layers.flat_map(MapLayer::places);
         let near = GroundRect::centered(GroundPoint::default(), NEARBY, NEARBY);
         GroundRect::around(flight.chain(beside.filter(|place| near.contains(place))))
             .or_else(|| documents.map.as_ref().map(|m| m.bounds))

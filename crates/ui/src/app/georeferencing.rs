@@ -1,9 +1,9 @@
 //! A picture put on the ground: its jobs, its files, and what becomes of it.
 
 use super::App;
-use super::keeping::provide;
 use super::pending_jobs::Opening;
 use super::work::TILES_AT_A_TIME;
+use crate::documents::kept::provide;
 use crate::georeference::{GeoreferenceCommand, Georeferencer, Place};
 use crate::host::{Host, OpenedFile};
 use pilotage_jobs::{

@@ -5,8 +5,9 @@ use pilotage_core::mission::Mission;
 
 use super::App;
 use super::columns::sentences;
-use super::keeping::provide;
 use super::pending_jobs::Opening;
+use crate::documents::kept::provide;
+use crate::feature::FlightFiles;
 use crate::host::{Host, OpenedFile};
 use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, Opened};
 
@@ -70,10 +71,8 @@ impl App {
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(context, host, event);
-        } else if self.jobs.logs.has(id) {
-            self.log_event(host, id, event);
         } else if self.dialogs.columns.job() == Some(id) {
-            self.columns_event(host, event);
+            self.columns_event(context, host, event);
         } else if self.jobs.tiles.contains_key(&id) {
             self.tile_event(context, host, id, event);
         } else if self.is_georeferencing(id) {
@@ -206,17 +205,19 @@ impl App {
         if let Some(file) = log {
             // What it is, is told at the right; a notice would cover it.
             let over = has_map.then_some(map_source);
-            self.open_log(host, opening, file, over, mission);
+            let files = FlightFiles::opened(opening.key.clone(), file, over, mission);
+            self.read_flight(&files, context, host);
         } else if let Some(flight) = flight {
             parts.push("a flight");
             if mission.is_some() {
                 parts.push("a mission");
             }
-            let (key, over) = (opening.key.clone(), map_source.clone());
-            self.open_measured(host, key.clone(), &flight, map_source, mission);
+            let (name, over) = (flight.name.clone(), Some(map_source.clone()));
+            let files = FlightFiles::opened(opening.key.clone(), name, over, mission);
+            self.read_flight(&files, context, host);
             if !photos.is_empty() {
                 let info = map.as_ref();
-                self.take_photo_flight(host, key, photos, &flight, over, info);
+                self.take_photo_flight(host, files.key, photos, &flight, map_source, info);
             }
         } else {
             if let Some(info) = map {
@@ -229,7 +230,7 @@ impl App {
             if let Some(mission) = mission {
                 parts.push("a mission");
                 self.take_mission(host, mission);
-                self.open_beside(host, beside);
+                self.open_beside(context, host, beside);
             }
             if let Some(run) = run {
                 parts.push("a run");

@@ -16,24 +16,6 @@ fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a s
     flight.into_iter().chain(map.key()).collect()
 }
 
-/// Gives the workers files under a key.
-pub(super) fn provide(host: &mut dyn Host, key: &str, files: &[OpenedFile]) {
-    let files = files.iter();
-    host.start(Job::Provide(ProvideOrder {
-        key: key.to_owned(),
-        files: files.map(|f| (f.path.clone(), f.content.clone())).collect(),
-    }));
-}
-
-/// Puts what people said of files beside them, in place of what they said before.
-pub(super) fn put_beside(files: &mut Vec<OpenedFile>, path: &str, said: Vec<u8>) {
-    files.retain(|file| file.path != path);
-    files.push(OpenedFile {
-        path: path.to_owned(),
-        content: said.into(),
-    });
-}
-
 impl App {
     /// Keeps files that were opened for the next visit, if they are not too many.
     pub(super) fn keep_files(
@@ -121,9 +103,8 @@ impl App {
         if let Some(fly) = &self.jobs.fly {
             used.extend(file_sets(&fly.flight, &fly.map));
         }
-        if let Some(reading) = &self.jobs.logs.reading {
-            used.insert(&reading.key);
-        }
+        let features = self.views.features.iter();
+        used.extend(features.flat_map(|it| it.used_files()));
         used.into_iter().map(str::to_owned).collect()
     }
 

@@ -5,8 +5,6 @@ use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 use pilotage_core::frames::LocalFrame;
 
 use super::advice::advice;
-use super::feature_work::noticed;
-use super::log_panels::{log_column, log_or_run_plots};
 use super::{App, SideTab, Views, is_sheet};
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
@@ -37,8 +35,6 @@ struct Scene<'a> {
     side_tab: &'a mut SideTab,
     settings: &'a mut bool,
     job_words: Option<String>,
-    /// Progress of the reading of a log, 0 to 1, if one is being read.
-    reading: Option<f32>,
 }
 
 impl Scene<'_> {
@@ -94,7 +90,7 @@ impl App {
             let bar = TopBar {
                 workspace: self.view.workspace,
                 title: &title,
-                progress: self.jobs.progress(),
+                progress: self.progress(),
                 units: self.view.units,
                 settings_open: self.dialogs.settings,
                 side_open: self.view.side_open,
@@ -102,6 +98,7 @@ impl App {
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });
+        let job_words = self.progress().map(|(_, words)| words.to_owned());
         let Self {
             documents,
             playback,
@@ -110,7 +107,6 @@ impl App {
             side_tab,
             dialogs,
             views,
-            jobs,
             ..
         } = self;
         let mut scene = Scene {
@@ -121,8 +117,7 @@ impl App {
             selection: *selection,
             side_tab,
             settings: &mut dialogs.settings,
-            job_words: jobs.progress().map(|(_, words)| words.to_owned()),
-            reading: jobs.logs.reading.as_ref().map(|r| r.progress),
+            job_words,
         };
         let owner = views.owner(scene.view.workspace);
         let is_flight_hidden = owner.is_some_and(Feature::hides_flight);
@@ -293,10 +288,10 @@ fn timeline(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Ve
 
 fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let screen = ui.ctx().content_rect();
-    // A log is looked at by its fields first.
-    let has_log = scene.documents.log.is_some();
-    let (id, usual) = if has_log {
-        ("log plots", 0.42 * screen.height())
+    // A flight that has plots of its own is looked at by those first.
+    let of_feature = views.features.iter().position(|it| it.has_plots());
+    let (id, usual) = if of_feature.is_some() {
+        ("plots of the flight", 0.42 * screen.height())
     } else {
         let kept = scene.view.plots_height;
         ("plots", kept.unwrap_or(PLOTS_HEIGHT))
@@ -307,14 +302,20 @@ fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
         .size_range(96.0..=0.75 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
-            scene.with_context(commands, |context| match &scene.documents.log {
-                Some(log) => log_or_run_plots(ui, context, views, log),
-                None => views.plots.show(ui, context),
+            scene.with_context(commands, |context| {
+                let feature = of_feature.map(|index| &mut views.features[index]);
+                if let Some(feature) = feature {
+                    feature.plots(ui, context, scene.documents);
+                    if !feature.leaves_room_for_run() {
+                        return;
+                    }
+                }
+                views.plots.show(ui, context);
             });
             ui.take_available_space();
         });
     let height = panel.response.rect.height();
-    if !has_log && (height - usual).abs() > 1.0 {
+    if of_feature.is_none() && (height - usual).abs() > 1.0 {
         scene.view.plots_height = Some(height);
     }
 }
@@ -345,13 +346,12 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                     }
                     inner.show(ui, |ui| {
                         let tabs = [
-                            SideTab::Log,
                             SideTab::Match,
                             SideTab::Detector,
                             SideTab::Filter,
                             SideTab::Landmarks,
                         ];
-                        let tabs = with_features(&tabs[usize::from(!has_log)..], views);
+                        let tabs = with_features(&tabs, views);
                         tabbed(ui, scene, views, commands, &tabs);
                     });
                 }
@@ -399,7 +399,6 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                     }
                     Workspace::Replay => {
                         let tabs = [
-                            SideTab::Log,
                             SideTab::Camera,
                             SideTab::Match,
                             SideTab::Detector,
@@ -407,8 +406,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                             SideTab::Plots,
                             SideTab::Landmarks,
                         ];
-                        let has_log = scene.documents.log.is_some();
-                        let tabs = with_features(&tabs[usize::from(!has_log)..], views);
+                        let tabs = with_features(&tabs, views);
                         tabbed(ui, scene, views, commands, &tabs);
                     }
                 }
@@ -459,12 +457,17 @@ fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<
     }
 }
 
-/// The app's own tabs, and those of the features behind them.
+/// The app's own tabs, and those of the features before and behind them.
 fn with_features(own: &[SideTab], views: &Views) -> Vec<SideTab> {
-    let features = views.features.iter();
-    let features = features.filter(|it| it.info().place == FeaturePlace::Tab);
-    let features = features.map(|it| SideTab::Feature(it.info().id));
-    own.iter().copied().chain(features).collect()
+    let at = |place| {
+        let features = views.features.iter().filter(|it| it.has_tab());
+        let features = features.map(|it| it.info());
+        let there: Vec<_> = features.filter(|info| info.place == place).collect();
+        there.into_iter().map(|info| SideTab::Feature(info.id))
+    };
+    let first = at(FeaturePlace::FirstTab);
+    let own = first.chain(own.iter().copied());
+    own.chain(at(FeaturePlace::Tab)).collect()
 }
 
 fn tabbed(
@@ -498,13 +501,6 @@ fn tabbed(
         }
         SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
-        SideTab::Log => {
-            let (documents, progress) = (scene.documents, scene.reading);
-            let noticed = noticed(&views.features, documents);
-            scene.with_context(commands, |c| {
-                log_column(ui, c, views, documents, &noticed, progress);
-            });
-        }
         SideTab::Feature(id) => feature(ui, scene, &mut views.features, id, commands),
         SideTab::Photos => sheet(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
@@ -542,6 +538,10 @@ fn feature(
     let Some(feature) = features.iter_mut().find(|it| it.info().id == id) else {
         return;
     };
+    if feature.info().place == FeaturePlace::FirstTab {
+        scene.with_context(commands, |c| feature.panel(ui, c, scene.documents));
+        return;
+    }
     egui::ScrollArea::vertical()
         .id_salt(id)
         .auto_shrink(false)
@@ -637,7 +637,6 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 frame: scene.documents.world_origin().map(LocalFrame::new),
                 ground: &scene.documents.terrain,
                 attribution: scene.documents.attribution(),
-                log: scene.documents.log.as_ref(),
                 layers: &layers,
                 photos: scene.shown_photos(),
             };

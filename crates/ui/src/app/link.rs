@@ -87,7 +87,7 @@ impl App {
     }
 
     /// Goes back to what was open before a link was followed.
-    pub(super) fn open_before_link(&mut self, host: &mut dyn Host) {
+    pub(super) fn open_before_link(&mut self, egui: &egui::Context, host: &mut dyn Host) {
         let kept = self.jobs.before_link.take();
         let kept = kept.or_else(|| Session::decode(&host.recall(BEFORE_LINK_KEY)?));
         let Some(session) = kept else {
@@ -101,6 +101,6 @@ impl App {
         self.describe_map(host);
         host.store(SESSION_KEY, &session.encode());
         host.forget(BEFORE_LINK_KEY);
-        self.fly_session(host);
+        self.fly_session(egui, host);
     }
 }

@@ -19,10 +19,6 @@ mod keeping;
 mod labelling;
 mod layout;
 mod link;
-mod log_answers;
-mod log_panels;
-mod log_work;
-mod logs;
 mod maps;
 mod package;
 mod pending_jobs;
@@ -42,7 +38,6 @@ use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::labelling::Labeller;
-use crate::log::{FieldList, LogPlots, LogTab, OwnPresets};
 use crate::map::MapView;
 use crate::shell::catalog::Entry;
 use crate::shell::keys::ShortcutListener;
@@ -67,8 +62,6 @@ pub enum SideTab {
     Filter,
     /// The list of landmarks.
     Landmarks,
-    /// The log that is open.
-    Log,
     /// Panel of a feature.
     Feature(FeatureId),
     /// Photos laid on the map.
@@ -96,7 +89,6 @@ impl SideTab {
             Self::Detector => "Detector",
             Self::Filter => "Filter",
             Self::Landmarks => "Landmarks",
-            Self::Log => "Log",
             Self::Photos => "Photos",
             Self::Camera => "Camera",
             Self::Plots => "Plots",
@@ -148,12 +140,6 @@ struct Views {
     landmarks: LandmarkList,
     georeferencer: Option<Georeferencer>,
     labeller: Option<Labeller>,
-    log_tab: LogTab,
-    log_fields: FieldList,
-    log_plots: LogPlots,
-    presets: OwnPresets,
-    /// Whether the plots are those of the log, not of the run.
-    shows_log_plots: bool,
     /// Features, in the order of their tabs.
     features: Vec<Box<dyn Feature>>,
 }
@@ -200,7 +186,6 @@ pub struct App {
     last_now: Option<f64>,
     stored_session: Vec<u8>,
     stored_view: Vec<u8>,
-    stored_presets: OwnPresets,
     dirty_since: Option<f64>,
 }
 

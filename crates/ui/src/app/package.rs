@@ -57,7 +57,12 @@ impl App {
     }
 
     /// Opens what was open beside a mission when it was saved.
-    pub(super) fn open_beside(&mut self, host: &mut dyn Host, beside: Option<Beside>) {
+    pub(super) fn open_beside(
+        &mut self,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+        beside: Option<Beside>,
+    ) {
         let Some(mut beside) = beside else { return };
         for feature in &mut self.views.features {
             feature.take_beside(&mut beside);
@@ -67,7 +72,7 @@ impl App {
             if flight != self.documents.flight_source {
                 let map = self.documents.map_source.clone();
                 let mission = self.documents.mission.clone();
-                self.fly_new(host, flight, map, Some(mission));
+                self.fly_new(egui, host, flight, map, Some(mission));
             }
         }
         self.documents.bookmarks = beside.bookmarks;

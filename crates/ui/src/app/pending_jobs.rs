@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::log_work::LogWork;
 use super::storage::Keeping;
 use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
@@ -117,8 +116,6 @@ pub struct PendingJobs {
     pub downloading: bool,
     /// Heights being taken.
     pub heights: Option<JobId>,
-    /// Logs being read and their fields.
-    pub(super) logs: LogWork,
     /// The question what the map is.
     pub describe: Option<JobId>,
     /// The match being explained: job, time, landmark.
@@ -154,8 +151,8 @@ impl PendingJobs {
         self.opened_batches = self.opened_batches.max(number.unwrap_or(0));
     }
 
-    /// Progress of the computation under way, 0 to 1, and its words.
-    pub fn progress(&self) -> Option<(f32, &str)> {
+    /// Progress of the computation under way, 0 to 1, and its words; `of_features` is that of the features.
+    pub fn progress<'a>(&'a self, of_features: Option<(f32, &'a str)>) -> Option<(f32, &'a str)> {
         let fly = self.fly.as_ref().map(|f| (f.progress, f.words.as_str()));
         let opening = || {
             let (_, opening) = self.opening.iter().next()?;
@@ -165,14 +162,6 @@ impl PendingJobs {
             let (_, part, words) = self.preparing.as_ref()?;
             Some((*part, words.as_str()))
         };
-        let reading = || {
-            let reading = self.logs.reading.as_ref()?;
-            Some((reading.progress, reading.words.as_str()))
-        };
-        let table = || self.logs.answers.table_progress();
-        fly.or_else(reading)
-            .or_else(table)
-            .or_else(opening)
-            .or_else(preparing)
+        fly.or(of_features).or_else(opening).or_else(preparing)
     }
 }

@@ -28,7 +28,9 @@ impl App {
                 self.show_photos();
                 self.seek_photos_of_flight();
             }
-            PhotosCommand::Close if self.documents.log.is_some() => self.side_tab = SideTab::Log,
+            PhotosCommand::Close if self.documents.log.is_some() => {
+                self.side_tab = SideTab::Feature(crate::log::ID);
+            }
             PhotosCommand::Close => self.side_tab = SideTab::Match,
             PhotosCommand::Lay => {
                 self.seek_on_open_map();
@@ -68,8 +70,8 @@ impl App {
     /// The photos of the flight that is open, if nothing else is to be laid and it is one of photos.
     fn seek_photos_of_flight(&mut self) {
         let documents = &self.documents;
-        let log = documents.log.as_ref().and_then(|log| log.outline.as_ref());
-        let is_of_photos = log.is_some_and(|outline| outline.format == LogFormat::Photos);
+        let format = documents.log.as_ref().and_then(|log| log.format);
+        let is_of_photos = format == Some(LogFormat::Photos);
         let (FlightSource::Files(key), Some(flight)) =
             (&documents.flight_source, &documents.flight)
         else {

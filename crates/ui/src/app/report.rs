@@ -8,7 +8,6 @@ use pilotage_core::navigator::{RegistrationReport, Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
-use super::feature_work::noticed;
 use crate::context::Drawn;
 use crate::timeline::clock_text;
 
@@ -70,7 +69,6 @@ impl App {
         let navigator = &documents.mission.navigator;
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
         json!({
-            "log": self.log_json(),
             "photos": self.photos_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
@@ -139,7 +137,7 @@ impl App {
                 .flat_map(|r| &r.steps)
                 .filter_map(|s| s.frame.as_ref())
         };
-        let job = self.jobs.progress();
+        let job = self.progress();
         json!({
             "job": job.map(|(f, w)| json!({"progress": f, "words": w})),
             "run_steps": run.map_or(0, |r| r.steps.len()),
@@ -194,45 +192,6 @@ impl App {
             "draped": photos.draped().is_some(),
             "within": photos.search.within,
         })
-    }
-
-    fn log_json(&self) -> Option<Value> {
-        let log = self.documents.log.as_ref()?;
-        let outline = log.outline.as_ref();
-        let panels: Vec<Vec<String>> = (self.views.log_plots.panels())
-            .map(|fields| fields.iter().map(crate::log::series_name).collect())
-            .collect();
-        let noticed = noticed(&self.views.features, &self.documents);
-        let findings = log
-            .overview
-            .iter()
-            .flat_map(|o| &o.findings)
-            .chain(&noticed);
-        let points: usize = log.series.values().map(|s| s.times.len()).sum();
-        Some(json!({
-            "file": log.file,
-            "read": log.is_read(),
-            "format": outline.map(|o| format!("{:?}", o.format)),
-            "topics": outline.map(|o| o.topics.len()),
-            "messages": outline.map(|o| o.report.messages),
-            "skipped": outline.map(|o| o.report.skipped_bytes),
-            "parameters": outline.map(|o| o.parameters.len()),
-            "modes": outline.map(|o| o.modes.len()),
-            "vehicles": outline.map(|o| o.vehicles.clone()),
-            "vehicle": outline.and_then(|o| o.chosen_vehicle),
-            "tracks": log.tracks.0.iter().map(|t| json!([t.name, t.places.len()])).collect::<Vec<_>>(),
-            "unnavigable": log.unnavigable,
-            "findings": findings.map(|f| f.title.clone()).collect::<Vec<_>>(),
-            "panels": panels,
-            "against": self.views.log_plots.arrangement().iter().map(|panel| {
-                panel.against.as_ref().map(crate::log::series_name)
-            }).collect::<Vec<_>>(),
-            "figures": log.figures.fields.len(),
-            "presets": self.views.presets.all().iter().map(|p| &p.name).collect::<Vec<_>>(),
-            "fields": log.series.len(),
-            "points": points,
-            "track_by": self.views.map.track_field().map(crate::log::series_name),
-        }))
     }
 
     fn view_json(&self) -> Value {
@@ -306,7 +265,7 @@ impl App {
         let documents = &self.documents;
         let workspace = self.view.workspace.label();
         let mut parts = vec![format!("{workspace} workspace. {}.", documents.title())];
-        if let Some((fraction, words)) = self.jobs.progress() {
+        if let Some((fraction, words)) = self.progress() {
             let percent = 100.0 * fraction;
             parts.push(format!("Computing, {percent:.0} percent: {words}."));
         }

@@ -9,13 +9,13 @@ use super::pending_jobs::PendingJobs;
 use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
+use crate::feature::FlightFiles;
 use crate::host::Host;
-use crate::log::{OwnPresets, PRESETS_KEY};
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
 use crate::tokens::Tokens;
-use pilotage_jobs::{FirstMap, FirstSeconds, FlightSource};
+use pilotage_jobs::{FirstMap, FirstSeconds};
 
 /// Delay between a change and its storing, milliseconds.
 const STORE_AFTER: f64 = 600.0;
@@ -74,14 +74,9 @@ impl App {
             last_now: None,
             stored_session: session.encode(),
             stored_view: view.encode(),
-            stored_presets: OwnPresets::default(),
             dirty_since: None,
             view,
         };
-        if let Some(bytes) = host.recall(PRESETS_KEY) {
-            app.views.presets = OwnPresets::decode(&bytes);
-            app.stored_presets = app.views.presets.clone();
-        }
         app.views.map.follow = true;
         app.views.map.camera.metres_per_point = 0.7;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
@@ -129,7 +124,7 @@ impl App {
         if !map.is_some_and(|key| gone.contains(key)) {
             self.describe_map(host);
         }
-        self.fly_session(host);
+        self.fly_session(context, host);
     }
 
     /// Shows the stored picture of the demo's ground until its tiles are there.
@@ -153,12 +148,10 @@ impl App {
     }
 
     /// Flies what is open by name only: of files, what they tell is read first.
-    pub(super) fn fly_session(&mut self, host: &mut dyn Host) {
-        if matches!(self.documents.flight_source, FlightSource::Files(_)) {
-            self.reopen_log(host);
-        } else {
-            let session = self.documents.session();
-            self.fly_open(host, session);
+    pub(super) fn fly_session(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        match FlightFiles::open(&self.documents) {
+            Some(files) => self.read_flight(&files, egui, host),
+            None => self.fly_open(host, self.documents.session()),
         }
     }
 
@@ -174,10 +167,6 @@ impl App {
             }
         }
         self.view.hidden_layers = self.views.map.layers.hidden_names();
-        if self.views.presets != self.stored_presets {
-            host.store(PRESETS_KEY, &self.views.presets.encode());
-            self.stored_presets = self.views.presets.clone();
-        }
         let view = self.view.encode();
         let view_changed = view != self.stored_view;
         let session_changed = self.jobs.document_changed;

@@ -20,12 +20,13 @@ impl App {
     /// Flies another flight; what is open stays until it begins.
     pub(super) fn fly_new(
         &mut self,
+        egui: &egui::Context,
         host: &mut dyn Host,
         flight: FlightSource,
         map: MapSource,
         mission: Option<Mission>,
     ) {
-        self.stop_reading(host);
+        self.tell_of_other_flight(egui, host);
         let staged = Staged {
             flight: None,
             mission: mission.clone(),
@@ -164,8 +165,6 @@ impl App {
         }
         self.documents.tend_noticed();
         self.tend_features(context, host);
-        self.fetch_series(host);
-        self.ask_for_figures(host);
         self.follow_world(host);
         self.ask_for_heights(host);
         self.ask_for_tiles(host);

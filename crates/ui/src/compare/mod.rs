@@ -69,7 +69,7 @@ pub struct Compare {
 
 /// Seconds since 1970 at time zero of the flight that is open, where its log says so.
 fn utc_at_zero(documents: &Documents) -> Option<f64> {
-    documents.log.as_ref()?.outline.as_ref()?.utc_at_zero
+    documents.log.as_ref()?.utc_at_zero
 }
 
 /// Name of a kept run of the flight `of`: with its estimator where that is not the usual one.

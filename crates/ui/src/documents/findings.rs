@@ -1,4 +1,4 @@
-//! Findings of a run about the flight, beside those of its log.
+//! Findings about the flight beside those of its log.
 
 use pilotage_core::flight::overview::Finding;
 
@@ -13,8 +13,13 @@ impl Documents {
         }
     }
 
-    /// Doubts of the navigator in the run that is shown.
-    pub fn noticed(&self) -> &[Finding] {
+    /// Findings of the features, then doubts of the navigator in the run that is shown.
+    pub fn noticed(&self) -> Vec<Finding> {
         self.noticed.of(self.run_generation)
+    }
+
+    /// Takes what the features found about the flight; whether that is something else than before.
+    pub fn take_found(&mut self, found: Vec<Finding>) -> bool {
+        self.noticed.take_found(found)
     }
 }

@@ -1,8 +1,8 @@
 //! Opened files in the browser's storage, so that a session over them survives a reload: each file
 //! under a key of its own, and one list of their paths, written last, so that a set is whole or none.
 
-use crate::host::Host;
-use pilotage_jobs::FileContent;
+use crate::host::{Host, OpenedFile};
+use pilotage_jobs::{FileContent, Job, ProvideOrder};
 
 /// Most bytes of one set of files that are kept between visits.
 pub const MOST_KEPT: u64 = 64 << 20;
@@ -47,4 +47,22 @@ pub fn recall_files(host: &dyn Host, set: &str) -> Result<Vec<(String, FileConte
     };
     let files: Option<_> = paths.into_iter().enumerate().map(file).collect();
     files.ok_or(count)
+}
+
+/// Gives the workers files under a key.
+pub fn provide(host: &mut dyn Host, key: &str, files: &[OpenedFile]) {
+    let files = files.iter();
+    host.start(Job::Provide(ProvideOrder {
+        key: key.to_owned(),
+        files: files.map(|f| (f.path.clone(), f.content.clone())).collect(),
+    }));
+}
+
+/// Puts what people said of files beside them, in place of what they said before.
+pub fn put_beside(files: &mut Vec<OpenedFile>, path: &str, said: Vec<u8>) {
+    files.retain(|file| file.path != path);
+    files.push(OpenedFile {
+        path: path.to_owned(),
+        content: said.into(),
+    });
 }

@@ -1,14 +1,15 @@
-//! Findings in a run.
+//! Findings in a run, and those of the features about its flight.
 
 use pilotage_core::flight::overview::Finding;
 use pilotage_core::navigator::Run;
 
-/// Findings in a run.
+/// Findings in a run, and those of the features about its flight.
 #[derive(Clone, Debug, Default)]
 pub struct Noticed {
     /// The generation of the run.
     run: Option<u64>,
     findings: Vec<Finding>,
+    of_features: Vec<Finding>,
 }
 
 impl Noticed {
@@ -19,18 +20,20 @@ impl Noticed {
 
     /// Looks over a run.
     pub fn look_over(&mut self, run: &Run, generation: u64) {
-        *self = Self {
-            run: Some(generation),
-            findings: run.findings(),
-        };
+        self.run = Some(generation);
+        self.findings = run.findings();
     }
 
-    /// Findings in the run of that generation; empty while it was not looked over.
-    pub fn of(&self, generation: u64) -> &[Finding] {
-        if self.is_of(generation) {
-            &self.findings
-        } else {
-            &[]
-        }
+    /// Takes what the features found; whether that is something else than before.
+    pub fn take_found(&mut self, found: Vec<Finding>) -> bool {
+        let is_other = self.of_features != found;
+        self.of_features = found;
+        is_other
+    }
+
+    /// Findings of the features, then those in the run of that generation, once that was looked over.
+    pub fn of(&self, generation: u64) -> Vec<Finding> {
+        let of_run = self.findings.iter().filter(|_| self.is_of(generation));
+        self.of_features.iter().chain(of_run).cloned().collect()
     }
 }

@@ -10,9 +10,8 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::SimulationChoice;
 
 use super::empty_mission::empty_mission;
-use super::{Brought, FramePictures, Ground, History, Noticed, Session};
+use super::{Brought, FramePictures, Ground, History, LogFile, Noticed, Session};
 use crate::context::route_of;
-use crate::log::OpenLog;
 use crate::photos::Photos;
 use crate::views::Examined;
 use pilotage_jobs::{
@@ -77,7 +76,7 @@ pub struct Documents {
     /// Search of the trained detector asked for last.
     pub detector_search: Option<DetectorSearch>,
     /// The log that the flight was read from.
-    pub log: Option<OpenLog>,
+    pub log: Option<LogFile>,
     /// Adjustment of the camera with which the flight was flown.
     pub flown_camera: CameraAdjustment,
     /// Photos laid on the map.
@@ -118,7 +117,7 @@ impl Documents {
             match_pictures: None,
             detector_search: None,
             log: session.log.as_ref().and_then(|file| match &session.flight {
-                FlightSource::Files(key) => Some(OpenLog::new(key.clone(), file.clone())),
+                FlightSource::Files(_) => Some(LogFile::named(file.clone())),
                 _ => None,
             }),
             flown_camera: CameraAdjustment::default(),
@@ -313,9 +312,9 @@ impl Documents {
     }
 
     /// Leaves the flight for a log, whose flight is yet to come. The mission stays.
-    pub fn begin_log(&mut self, log: OpenLog, source: &FlightSource) {
+    pub fn begin_log(&mut self, file: String, source: &FlightSource) {
         self.leave_flight_for(source);
-        self.log = Some(log);
+        self.log = Some(LogFile::named(file));
     }
 
     /// Leaves the flight and begins an empty mission in a world of its own, one undo step away from the mission
@@ -340,13 +339,13 @@ impl Documents {
         match (flight, run) {
             (Some((a, b)), Some((c, _))) if a.is_finite() => Some((a.max(c), b)),
             (Some((a, b)), None) if a.is_finite() => Some((a, b)),
-            (_, run) => run.or_else(|| self.log.as_ref()?.span()),
+            (_, run) => run.or_else(|| self.log.as_ref()?.span),
         }
     }
 
     /// First and last time of the flight and of what its log holds around it.
     pub fn whole_span(&self) -> Option<(f64, f64)> {
-        let log = self.log.as_ref().and_then(OpenLog::span);
+        let log = self.log.as_ref().and_then(|log| log.span);
         match (self.span(), log) {
             (Some((a, b)), Some((c, d))) => Some((a.min(c), b.max(d))),
             (span, log) => span.or(log),

@@ -3,8 +3,9 @@
 use egui::Key;
 
 use super::LogCommand::{self, ShowPreset};
-use super::{LogTab, Preset};
+use super::{ID, LogTab, Preset};
 use crate::command::Command;
+use crate::feature_command::FeatureCommand;
 use crate::shell::catalog::{Entry, Group, entry, shift};
 
 /// Rows of the table of all commands.
@@ -12,7 +13,12 @@ pub fn commands() -> Vec<Entry> {
     let of =
         |label, shortcuts, command| entry(Group::View, label, shortcuts, Command::from(command));
     vec![
-        of("Show the flight log", vec![shift(Key::L)], LogCommand::Show),
+        entry(
+            Group::View,
+            "Show the flight log",
+            vec![shift(Key::L)],
+            Command::Feature(FeatureCommand::show(ID)),
+        ),
         of(
             "Fields of the log, expressions over them",
             vec![shift(Key::X)],

@@ -3,8 +3,11 @@
 use super::arrangement::Preset;
 use super::presets::PresetCommand;
 use crate::command::Command;
-use crate::feature_command::FeatureCommand;
+use crate::feature_command::{FeatureCommand, FeatureId};
 use pilotage_jobs::SeriesName;
+
+/// Identity of the feature.
+pub const ID: FeatureId = "log";
 
 /// Something to do about the open log.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,8 +51,6 @@ pub enum LogCommand {
     SavePng,
     /// Colour the track by a field, or no more.
     ColourTrack(Option<SeriesName>),
-    /// Show the log in the column at the right.
-    Show,
     /// Show a part of what is known of it there.
     ShowTab(LogTab),
     /// Save the plotted fields of the selected span, or of the one shown, as comma-separated values.
@@ -62,7 +63,7 @@ pub enum LogCommand {
 
 impl From<LogCommand> for Command {
     fn from(command: LogCommand) -> Self {
-        Self::Feature(FeatureCommand::new("log", command))
+        Self::Feature(FeatureCommand::new(ID, command))
     }
 }
 

@@ -103,8 +103,6 @@ pub struct OpenLog {
     pub overview: Option<Overview>,
     /// Tracks beside that of the flight, and the world frame that they are in.
     pub tracks: (Vec<RecordedPlaces>, Option<LocalFrame>),
-    /// Why it cannot be navigated, if it cannot.
-    pub unnavigable: Option<String>,
     /// Fields that have arrived.
     pub series: BTreeMap<SeriesName, PlottedSeries>,
     /// Amount of the log that was read when a field was looked for last: the count of outlines.

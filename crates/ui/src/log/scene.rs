@@ -34,7 +34,7 @@ pub(super) fn mode_bands(log: &OpenLog, whole: (f64, f64)) -> Vec<(f64, f64, Str
 }
 
 /// Colours of the fields of a panel, in order, over and over.
-pub(crate) fn colour(tokens: &Tokens, index: usize) -> Color32 {
+pub(super) fn colour(tokens: &Tokens, index: usize) -> Color32 {
     let colours = [
         tokens.dead_reckoning,
         tokens.accent,

@@ -4,8 +4,9 @@ use egui::{Align, Align2, Color32, Layout, RichText, ScrollArea, Sense, Ui, pos2
 use pilotage_core::flight::SpanStatistics;
 
 use super::figures::FieldFigures;
+use super::scene::colour as field_colour;
 use super::words::series_name;
-use super::{LogCommand, LogPlots, OpenLog, field_colour};
+use super::{LogCommand, LogPlots, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;

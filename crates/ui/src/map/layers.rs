@@ -4,9 +4,13 @@ use egui::{
     Color32, Frame, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::recorded::track_colour;
 use crate::shell::icons::Icon;
 use crate::tokens::Tokens;
+
+/// Colour of the track of that number, of those beside the flight's.
+pub(crate) fn track_colour(tokens: &Tokens, number: usize) -> Color32 {
+    [tokens.sigma, tokens.accent, tokens.observed, tokens.ghost][number % 4]
+}
 
 /// A layer of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,7 +1,6 @@
 //! The map: any imagery drawn as textured meshes under a typed screen-from-world transform, with
 //! the flight and the landmarks on it.
 
-mod coloured_track;
 mod controls;
 mod furniture;
 mod interact;
@@ -12,7 +11,6 @@ mod other_world;
 mod photos;
 mod picking;
 mod readouts;
-mod recorded;
 mod symbols;
 mod thin_track;
 mod tiles;
@@ -21,8 +19,8 @@ mod tracks;
 mod transform;
 mod view;
 
-pub(crate) use coloured_track::ColouredTrack;
 pub use layer::MapLayer;
+pub(crate) use layers::track_colour;
 pub use layers::{Layer, Layers};
 pub(crate) use other_world::carry;
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};

@@ -4,7 +4,6 @@ use egui::{Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::navigator::{Run, StepReport};
 
-use super::ColouredTrack;
 use super::furniture::{
     coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
@@ -14,7 +13,6 @@ use super::layers::{Layer, Layers};
 use super::photos::PhotoTexture;
 use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
-use super::recorded::paint_recorded;
 use super::symbols::{
     paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
     paint_sigma, sigma_points,
@@ -25,9 +23,8 @@ use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{Drawn, ViewContext};
 use crate::documents::Ground;
-use crate::log::OpenLog;
 use crate::photos::Photos;
-use pilotage_jobs::{Distinctness, MapInfo, SeriesName};
+use pilotage_jobs::{Distinctness, MapInfo};
 
 /// Data that the map needs beside what every view is given.
 pub struct MapExtra<'a> {
@@ -49,8 +46,6 @@ pub struct MapExtra<'a> {
     pub layers: &'a [&'a dyn MapLayer],
     /// Photos that were laid on the map, while they are looked at.
     pub photos: Option<&'a Photos>,
-    /// The log of the flight, by a field of which the track may be coloured.
-    pub log: Option<&'a OpenLog>,
 }
 
 /// The map's own state: how it is looked at, its textures and thinned tracks.
@@ -78,7 +73,7 @@ pub struct MapView {
     pub naming: Option<u32>,
     /// Whether the plan is shown.
     pub(super) planning: bool,
-    /// Whether the log has tracks beside that of the flight.
+    /// Whether a layer has tracks beside that of the flight.
     pub(super) has_recorded: bool,
     pub(super) drag: Drag,
     pub(super) name_draft: String,
@@ -86,8 +81,6 @@ pub struct MapView {
     unaided: DrawnTrack,
     truth: DrawnTrack,
     ghost: DrawnTrack,
-    /// The field by which the track is coloured.
-    track_field: Option<SeriesName>,
     photo: PhotoTexture,
     wants_fit: Option<GroundRect>,
     /// Centre and scale to which the map was fitted last.
@@ -117,22 +110,6 @@ impl MapView {
     pub fn is_fitted(&self) -> bool {
         let now = (self.camera.center, self.camera.metres_per_point);
         self.wants_fit.is_some() || (!self.follow && self.fitted == Some(now))
-    }
-
-    /// Colours the recorded track by a field of its log, or no more.
-    pub fn colour_track(&mut self, field: Option<SeriesName>) {
-        self.track_field = field;
-    }
-
-    /// The field by which the track is coloured.
-    pub fn track_field(&self) -> Option<&SeriesName> {
-        self.track_field.as_ref()
-    }
-
-    fn coloured<'a>(&'a self, extra: &MapExtra<'a>) -> Option<ColouredTrack<'a>> {
-        let name = self.track_field.as_ref()?;
-        let series = extra.log?.series.get(name)?;
-        Some(ColouredTrack { name, series })
     }
 
     /// Step whose aircraft was drawn last.
@@ -178,7 +155,8 @@ impl MapView {
         }
         self.steer(step);
         self.planning = tool.as_ref().is_some_and(|tool| tool.hides_flight());
-        self.has_recorded = extra.log.is_some_and(|log| !log.tracks.0.is_empty());
+        let rows = extra.layers.iter().filter_map(|layer| layer.row());
+        self.has_recorded = rows.into_iter().any(|row| row == Layer::Recorded);
         let view = self.camera.screen_from_world(rect);
         let tool_now = tool.as_mut();
         let is_busy = tool_now.is_some_and(|tool| tool.interact(ui, &view, &response, context));
@@ -225,9 +203,9 @@ impl MapView {
                 paint_readouts(ui, context, extra.ground, step, corner, rect.width() - 96.0);
             self.cover(covered);
         }
-        if let Some(coloured) = self.coloured(extra) {
+        for layer in extra.layers {
             let corner = rect.left_top() + vec2(16.0, 68.0);
-            if let Some(covered) = coloured.paint_scale(ui.painter(), corner, context.tokens) {
+            if let Some(covered) = layer.paint_scale(ui.painter(), corner, context.tokens) {
                 self.cover(covered);
             }
         }
@@ -279,21 +257,15 @@ impl MapView {
             self.ghost.paint(painter, view, rect, context.time, look);
         }
         let truth = context.flight.and_then(|f| f.truth.as_ref());
-        if let Some((truth, coloured)) = truth.zip(self.coloured(extra)) {
-            coloured.paint(painter, view, truth, tokens);
-        } else if let Some(truth) = truth.filter(|_| show_truth) {
+        let is_replaced = extra.layers.iter().any(|layer| layer.replaces_truth());
+        if let Some(truth) = truth.filter(|_| show_truth && !is_replaced) {
             self.truth.follow_truth(truth, extra.run_generation, scale);
             let look = style(tokens.truth, 2.0, None);
             self.truth.paint(painter, view, rect, context.time, look);
         }
-        if let Some(log) = extra
-            .log
-            .filter(|_| shown(Layer::Recorded) && !self.planning)
-        {
-            paint_recorded(painter, view, log, extra.frame, tokens);
-        }
         if !self.planning {
-            for layer in extra.layers {
+            let layers = extra.layers.iter();
+            for layer in layers.filter(|layer| layer.row().is_none_or(shown)) {
                 layer.paint(painter, view, context, extra.frame);
             }
         }

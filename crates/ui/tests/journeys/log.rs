@@ -65,7 +65,7 @@ fn a_dropped_log_shows_its_overview_and_its_first_fields() {
     let state = rig.state();
     assert_eq!(state["log"]["file"], "east.log");
     assert_eq!(state["log"]["read"], true);
-    assert_eq!(state["side_tab"], "Log");
+    assert_eq!(state["side_tab"], "log");
     assert_eq!(
         panels(&rig),
         [

@@ -37,7 +37,7 @@ fn the_flight_of_tables_opens_with_its_overview_and_its_first_fields() {
     );
     assert_eq!(log["topics"], 2);
     assert_eq!(log["messages"], 600);
-    assert_eq!(state["side_tab"], "Log");
+    assert_eq!(state["side_tab"], "log");
     assert_eq!(panels(&rig), [vec!["GPS height"], vec!["Roll", "Pitch"]]);
     assert!(log["points"].as_u64() >= Some(600), "{log}");
     assert_eq!(state["run_complete"], true);

@@ -4,8 +4,8 @@ use egui::{Align2, Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
 use pilotage_core::flight::Truth;
 use pilotage_core::frames::GroundPoint;
 
-use super::transform::ScreenFromWorld;
-use crate::log::PlottedSeries;
+use super::{PlottedSeries, series_name};
+use crate::map::ScreenFromWorld;
 use crate::tokens::Tokens;
 use crate::views::color_map::viridis;
 use crate::views::parts;
@@ -17,7 +17,7 @@ const MOST_PIECES: usize = 3000;
 const SCALE: egui::Vec2 = vec2(160.0, 10.0);
 
 /// The field by which the track is coloured.
-pub(crate) struct ColouredTrack<'a> {
+pub(super) struct ColouredTrack<'a> {
     /// Name of the field.
     pub name: &'a SeriesName,
     /// Its values.
@@ -73,7 +73,7 @@ impl ColouredTrack<'_> {
         let size = vec2(SCALE.x + 24.0, SCALE.y + 2.0 * text + 22.0);
         let card = Rect::from_min_size(corner, size);
         painter.rect_filled(card, tokens.radius, tokens.over_map());
-        let title = crate::log::series_name(self.name);
+        let title = series_name(self.name);
         let unit = &self.series.unit;
         let title = if unit.is_empty() {
             title

@@ -1,0 +1,177 @@
+//! The log as a feature: its commands, jobs, panels and layers.
+
+use egui::{Painter, Pos2, Rect, Ui};
+use pilotage_core::exchange::FlownValues;
+use pilotage_core::frames::LocalFrame;
+use pilotage_jobs::{JobEvent, JobId};
+use serde_json::Value;
+
+use super::catalog::commands;
+use super::coloured_track::ColouredTrack;
+use super::work::LogFeature;
+use super::{ID, LogCommand, OwnPresets, PRESETS_KEY, series_name};
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{
+    Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, FlightFiles,
+};
+use crate::map::{MapLayer, ScreenFromWorld};
+use crate::tokens::Tokens;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "Log",
+    place: FeaturePlace::FirstTab,
+    commands,
+};
+
+impl LogFeature {
+    /// The field by which the recorded track is coloured, as far as it has come.
+    fn coloured(&self) -> Option<ColouredTrack<'_>> {
+        let name = self.track_field.as_ref()?;
+        let series = self.log.as_ref()?.series.get(name)?;
+        Some(ColouredTrack { name, series })
+    }
+}
+
+impl Feature for LogFeature {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let command = command.action::<LogCommand>();
+        if let Some(command) = command {
+            self.carry_out(command.clone(), context);
+        }
+        command.is_some()
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        self.column(ui, context, documents);
+    }
+
+    fn layers(&self) -> Vec<&dyn MapLayer> {
+        let tracks = self.log.iter().filter(|log| !log.tracks.0.is_empty());
+        let coloured: &dyn MapLayer = self;
+        [coloured]
+            .into_iter()
+            .chain(tracks.map(|log| -> &dyn MapLayer { log }))
+            .collect()
+    }
+
+    fn on_event(&mut self, job: JobId, event: &JobEvent, context: &mut FeatureContext<'_>) {
+        if self.fetches(job) {
+            self.series_event(job, event);
+        } else if self.answers.has(job) {
+            self.answer_event(job, event, context);
+        } else if self.reading.as_ref().is_some_and(|r| r.job == job) {
+            self.reading_event(event, context);
+        }
+    }
+
+    fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        self.stop_reading(context)
+    }
+
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        if context.documents.log.is_none() {
+            self.leave(context);
+            self.log = None;
+        }
+    }
+
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        if self.presets != self.stored_presets {
+            context.host.store(PRESETS_KEY, &self.presets.encode());
+            self.stored_presets = self.presets.clone();
+        }
+        self.fetch(context);
+        self.ask_for_figures(context);
+    }
+
+    fn state(&self, documents: &Documents) -> Value {
+        self.report(documents)
+    }
+
+    fn start(&mut self, context: &mut FeatureContext<'_>) {
+        if let Some(bytes) = context.host.recall(PRESETS_KEY) {
+            self.presets = OwnPresets::decode(&bytes);
+            self.stored_presets = self.presets.clone();
+        }
+    }
+
+    fn progress(&self) -> Option<(f32, &str)> {
+        let reading = self.reading.as_ref();
+        let reading = reading.map(|it| (it.progress, it.words.as_str()));
+        let table = self.answers.table.as_ref();
+        reading.or_else(|| Some((table?.progress, "Writing the table")))
+    }
+
+    fn has_tab(&self) -> bool {
+        self.log.is_some()
+    }
+
+    fn has_plots(&self) -> bool {
+        self.log.is_some()
+    }
+
+    fn plots(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, _documents: &Documents) {
+        self.draw_plots(ui, context);
+    }
+
+    fn leaves_room_for_run(&self) -> bool {
+        !self.shows_plots
+    }
+
+    fn read_flight(&mut self, files: &FlightFiles, context: &mut FeatureContext<'_>) {
+        if !files.is_open {
+            self.rereads = 0;
+        }
+        self.read(files.clone(), context);
+    }
+
+    fn on_other_flight(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop_reading(context);
+    }
+
+    fn used_files(&self) -> Vec<&str> {
+        let reading = self.reading.iter();
+        reading.map(|reading| reading.flight.key.as_str()).collect()
+    }
+
+    /// Values of the field that colours the recorded track.
+    fn values_along(&self, times: &[f64]) -> Option<(FlownValues, Vec<Option<f64>>)> {
+        let ColouredTrack { name, series } = self.coloured()?;
+        let what = FlownValues {
+            name: series_name(name),
+            unit: series.unit.clone(),
+        };
+        Some((what, times.iter().map(|time| series.at(*time)).collect()))
+    }
+}
+
+impl MapLayer for LogFeature {
+    /// Draws the recorded track coloured by a field.
+    fn paint(
+        &self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        context: &ViewContext<'_>,
+        _frame: Option<LocalFrame>,
+    ) {
+        let truth = context.flight.and_then(|flight| flight.truth.as_ref());
+        if let Some((coloured, truth)) = self.coloured().zip(truth) {
+            coloured.paint(painter, view, truth, context.tokens);
+        }
+    }
+
+    fn replaces_truth(&self) -> bool {
+        self.coloured().is_some()
+    }
+
+    fn paint_scale(&self, painter: &Painter, corner: Pos2, tokens: &Tokens) -> Option<Rect> {
+        self.coloured()?.paint_scale(painter, corner, tokens)
+    }
+}
