@@ -13,8 +13,8 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Navigator;
 use pilotage_core::plan::{
     Aim, Assessor, BudgetOf, Circumstances, DetectionStatistics, ExpectedDetection, FieldBuilder,
-    FieldView, FixSource, FoundRoute, FoundRoutes, Localizability, PlannedLandmark, Prediction,
-    PredictionRequest, Rehearsal, RouteQuestion, SceneryDays, Turns, as_stated,
+    FieldView, FixSource, FoundRoute, FoundRoutes, Localizability, PlannedLandmark,
+    PredictionRequest, Rehearsal, RoutePrediction, RouteQuestion, SceneryDays, Turns, as_stated,
     growth_before_first_fix,
 };
 use pilotage_core::simulate::scenery::Day;
@@ -312,7 +312,7 @@ fn predict(
     mission: &Mission,
     landmarks: &[PlannedLandmark],
     plan: &FlightPlan,
-) -> Result<Prediction, String> {
+) -> Result<RoutePrediction, String> {
     let request = PredictionRequest {
         plan,
         settings: &mission.navigator,
@@ -326,7 +326,7 @@ fn predict(
 }
 
 /// Largest standard deviation of the longer axis, metres.
-fn worst(prediction: &Prediction) -> f64 {
+fn worst(prediction: &RoutePrediction) -> f64 {
     let sigmas = prediction.samples.iter();
     sigmas.map(|s| s.corridor.sigma_major).fold(0.0, f64::max)
 }

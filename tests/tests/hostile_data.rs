@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pilotage_core::flight::{ChannelName, Flight, NoPictures};
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{
-    Instruments, OutagePlan, ReckonSettings, Way, reckon, study_cuts,
+    Instruments, OutagePlan, ReckonSettings, ReckoningWay, reckon, study_cuts,
 };
 use pilotage_core::navigator::{Navigator, NavigatorSettings};
 use pilotage_core::simulate::{FlightDay, Scenario};
@@ -38,7 +38,7 @@ fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
         ..OutagePlan::default()
     };
     let settings = ReckonSettings::default();
-    let way = Way::air_and_wind();
+    let way = ReckoningWay::air_and_wind();
     let mut study = study_cuts(&instruments, &way, &plan, &settings, &mut |_| true)
         .expect("the filter goes on");
     study
@@ -49,7 +49,7 @@ fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
     let found = reckon(
         &instruments,
         (middle, middle + 30.0),
-        &[way, Way::gps_throughout()],
+        &[way, ReckoningWay::gps_throughout()],
         &settings,
         |_| true,
     )

@@ -8,8 +8,8 @@ use pilotage_core::flight::read_flight;
 use pilotage_core::navigator::{NavigatorSettings, Summary, summarize};
 use serde::Serialize;
 
-use crate::Outcome;
-use crate::files::{Directory, MAP_CACHE, open_map};
+use crate::CommandResult;
+use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
 use crate::replay::navigate;
 
 /// Arguments of `pilotage align`: a flight and the map beside it.
@@ -37,7 +37,7 @@ pub struct Arguments {
 
 /// Results of a round.
 #[derive(Serialize)]
-struct Round {
+struct CalibrationRound {
     camera_to_log: CameraToLog,
     /// The run that it was found from, before the flight was changed so; errors in it are against the truth that
     /// the flight states, whatever that is of.
@@ -45,8 +45,8 @@ struct Round {
 }
 
 /// Puts the camera of a flight beside its log.
-pub fn run(arguments: &Arguments) -> Outcome {
-    let folder = read_flight(Arc::new(Directory::open(&arguments.flight)?))?;
+pub fn run(arguments: &Arguments) -> CommandResult {
+    let folder = read_flight(Arc::new(DirectoryFiles::open(&arguments.flight)?))?;
     for note in &folder.notes {
         eprintln!("note: {note}");
     }
@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     for _ in 0..arguments.rounds.max(1) {
         let run = navigate(&flight, &[], Arc::clone(&map), &settings, &mut frames)?;
         let found = camera_to_log(&flight, &run, &believed)?;
-        rounds.push(Round {
+        rounds.push(CalibrationRound {
             camera_to_log: found,
             summary: summarize(&flight, &run, None),
         });
@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     Ok(())
 }
 
-fn print(number: usize, round: &Round) {
+fn print(number: usize, round: &CalibrationRound) {
     let found = &round.camera_to_log;
     println!(
         "round {number}: {} of {} frames on the map; satellite navigation {:.2} m about them, then {:.2} m",

@@ -10,7 +10,7 @@ use std::time::Instant;
 use pilotage_core::filter::{UnscentedSettings, reference_flight, reference_loop};
 use pilotage_core::raster::{Gray, Template};
 
-use crate::Outcome;
+use crate::CommandResult;
 
 /// Arguments of `pilotage bench`.
 #[derive(clap::Args)]
@@ -92,7 +92,7 @@ except ImportError: pass
 ";
 
 /// Prints the table.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     if let (Some(folder), Some(picture)) = (&arguments.cascades, &arguments.picture) {
         let wasm = arguments.wasm.as_deref();
         let wasm = wasm.map(|program| in_wasm::times(&arguments.node, program, folder, picture));

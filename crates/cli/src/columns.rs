@@ -7,7 +7,7 @@ use pilotage_core::flight::columns::{
 };
 use pilotage_jobs::COLUMNS_FILE;
 
-use crate::Outcome;
+use crate::CommandResult;
 use crate::opening::{said, tables_at};
 
 /// Tables to look at.
@@ -32,7 +32,7 @@ pub struct Arguments {
 }
 
 /// Shows or saves what the columns mean.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let (files, names) = tables_at(&arguments.tables)?;
     let known = if arguments.guess {
         None

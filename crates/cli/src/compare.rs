@@ -8,14 +8,14 @@ use pilotage_core::flight::read_flight;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{EstimatorChoice, VehicleChoice};
 use pilotage_core::simulate::Scenario;
-use pilotage_core::study::{Comparison, ComparisonRow, Contender, Tally};
+use pilotage_core::study::{ComparisonRow, Contender, ContenderTally, EstimatorComparison};
 use pilotage_jobs::{ContestOrder, FlightSource, JobEvent, MapSource, TallyOrder};
 
-use crate::Outcome;
-use crate::files::{Directory, MAP_CACHE, open_map};
+use crate::CommandResult;
+use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
 use crate::filter_options::{VEHICLES, vehicle};
 use crate::mission_file::OpenMission;
-use crate::scenario::{Day, flown, scenario, scenery, seed_range};
+use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage compare`.
@@ -36,8 +36,8 @@ pub struct Arguments {
     #[arg(long, value_name = "A..B", default_value = "1..2")]
     seeds: String,
     /// Day on which the camera sees the ground of the scenario.
-    #[arg(long, value_enum, default_value_t = Day::Other)]
-    day: Day,
+    #[arg(long, value_enum, default_value_t = DayChoice::Other)]
+    day: DayChoice,
     /// Mission file (GeoJSON).
     #[arg(long)]
     mission: Option<PathBuf>,
@@ -53,7 +53,7 @@ pub struct Arguments {
 }
 
 /// Compares what the arguments say.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let comparison = if Path::new(&arguments.flight).exists() {
         recorded(arguments)?
     } else {
@@ -104,7 +104,7 @@ fn contest(
     flights: Vec<(FlightSource, u64)>,
     map: &MapSource,
     lent: &Lent,
-) -> Result<Comparison, Box<dyn std::error::Error>> {
+) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
     let contenders = contenders(arguments, mission.navigator.vehicle)?;
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let seeds: Vec<u64> = flights.iter().map(|(_, seed)| *seed).collect();
@@ -119,14 +119,14 @@ fn contest(
         })
     };
     let orders = flights.into_iter().map(order).collect();
-    let mut tallies: Vec<Tally> = Vec::new();
+    let mut tallies: Vec<ContenderTally> = Vec::new();
     workers::run(orders, lent, &mut |number, event| {
         let seed = seeds[number];
         match event {
             JobEvent::Failed(why) => return Err(format!("seed {seed}: {why}")),
             JobEvent::Remark(why) => eprintln!("seed {seed}, {why}"),
             JobEvent::Figures(_) => {
-                let of_flight: Vec<Tally> = event.read_figures()?;
+                let of_flight: Vec<ContenderTally> = event.read_figures()?;
                 if tallies.is_empty() {
                     tallies = of_flight;
                 } else {
@@ -141,13 +141,13 @@ fn contest(
         }
         Ok(())
     })?;
-    Ok(Comparison::of(&tallies))
+    Ok(EstimatorComparison::of(&tallies))
 }
 
 fn simulated(
     arguments: &Arguments,
     scenario: &Scenario,
-) -> Result<Comparison, Box<dyn std::error::Error>> {
+) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
     let mission = match &arguments.mission {
         Some(path) => OpenMission::read(path)?.package.mission,
         None => scenario.mission(),
@@ -165,12 +165,12 @@ fn simulated(
     )
 }
 
-fn recorded(arguments: &Arguments) -> Result<Comparison, Box<dyn std::error::Error>> {
+fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
     let (Some(mission), Some(map)) = (&arguments.mission, &arguments.map) else {
         return Err("a flight folder needs --mission FILE and --map FILE".into());
     };
     let path = Path::new(&arguments.flight);
-    let folder = read_flight(Arc::new(Directory::open(path)?))?;
+    let folder = read_flight(Arc::new(DirectoryFiles::open(path)?))?;
     let map = open_map(map, folder.flight.frame_on_globe, MAP_CACHE)?;
     let mission = OpenMission::read(mission)?.package.mission;
     let source = Lent::map_of_file();
@@ -194,7 +194,7 @@ fn name(contender: Contender) -> String {
 }
 
 /// Prints the table for people.
-fn print(comparison: &Comparison) {
+fn print(comparison: &EstimatorComparison) {
     println!(
         "{:36} {:>7} {:>8} {:>8} {:>8}  {:>22}  {:>22} {:>8} {:>8} {:>10}",
         "position error, m:",

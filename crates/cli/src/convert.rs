@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use pilotage_core::exchange::{Format, Imported, Places, read_any, write_landmarks, write_places};
 use pilotage_core::mission::Route;
 
-use crate::Outcome;
+use crate::CommandResult;
 
 /// Arguments of `pilotage convert`.
 #[derive(clap::Args)]
@@ -38,7 +38,7 @@ enum Maker {
 }
 
 /// Reads, chooses and writes; what was assumed or left out is told on the error stream.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let (from, to) = (&arguments.from, &arguments.to);
     if let Some((_, labels)) = crate::labels::read(from)? {
         return crate::labels::convert(labels, to);

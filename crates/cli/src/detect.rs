@@ -10,7 +10,7 @@ use pilotage_core::landmark::cascade::{
 use pilotage_core::raster::{Raster, decode_picture};
 use serde::Serialize;
 
-use crate::Outcome;
+use crate::CommandResult;
 
 /// Share of a window's margin that better ones must leave it to be told with --soft.
 const LEFT: f64 = 0.3;
@@ -47,7 +47,7 @@ pub struct Arguments {
 
 /// Detections in a picture.
 #[derive(Serialize)]
-struct Answer {
+struct PictureDetections {
     image: String,
     width: usize,
     height: usize,
@@ -56,7 +56,7 @@ struct Answer {
     windows: usize,
     /// For the scan of this picture.
     seconds: f64,
-    detections: Vec<Detection>,
+    detections: Vec<DetectionBox>,
 }
 
 /// Description of the cascade.
@@ -71,7 +71,7 @@ struct About {
 
 /// Rectangle of a detection, pixels from the upper left corner.
 #[derive(Serialize)]
-struct Detection {
+struct DetectionBox {
     x: i32,
     y: i32,
     width: i32,
@@ -89,7 +89,7 @@ struct Detection {
 }
 
 /// Scans the pictures one after the other.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let step = arguments.scale_step;
     if !(step > 1.0 && step.is_finite()) {
         return Err(format!("--scale-step: {step} is not over 1").into());
@@ -124,7 +124,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             detection.keep_within(&picture);
         }
         detections.sort_by(|a, b| b.score.total_cmp(&a.score));
-        answers.push(Answer {
+        answers.push(PictureDetections {
             image: image.display().to_string(),
             width: picture.width(),
             height: picture.height(),
@@ -142,7 +142,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     Ok(())
 }
 
-impl Detection {
+impl DetectionBox {
     fn new(rectangle: Rectangle, score: f64, members: usize, stages: usize) -> Self {
         Self {
             x: rectangle.x,
@@ -171,25 +171,25 @@ impl Detection {
 }
 
 /// Groups of more than `least` windows, or every window.
-fn merged(found: &[Scanned], least: usize, stages: usize) -> Vec<Detection> {
+fn merged(found: &[Scanned], least: usize, stages: usize) -> Vec<DetectionBox> {
     if least == 0 {
-        let one = |w: &Scanned| Detection::new(w.rectangle, w.score, 1, w.stages);
+        let one = |w: &Scanned| DetectionBox::new(w.rectangle, w.score, 1, w.stages);
         return found.iter().map(one).collect();
     }
     let groups = group(found, least);
     let one = groups
         .iter()
-        .map(|g| Detection::new(g.rectangle, g.score, g.members, stages));
+        .map(|g| DetectionBox::new(g.rectangle, g.score, g.members, stages));
     one.collect()
 }
 
-fn softly(cascade: &Cascade, picture: &Raster<u8>, found: &[Scanned]) -> Vec<Detection> {
+fn softly(cascade: &Cascade, picture: &Raster<u8>, found: &[Scanned]) -> Vec<DetectionBox> {
     let kept = soft_suppressed(found, LEFT);
     let one = kept.iter().map(|kept| {
         let window = &kept.window;
-        Detection {
+        DetectionBox {
             centre: refined(cascade, picture, window).map(|r| r.centre),
-            ..Detection::new(window.rectangle, kept.score, 1, window.stages)
+            ..DetectionBox::new(window.rectangle, kept.score, 1, window.stages)
         }
     });
     one.collect()
@@ -208,7 +208,7 @@ fn read(path: &Path) -> Result<Cascade, String> {
     Cascade::read(&name, &text).map_err(|e| e.to_string())
 }
 
-fn tell(answer: &Answer) {
+fn tell(answer: &PictureDetections) {
     println!(
         "{}: {} × {} pixels, {} windows passed {} stages in {:.0} ms",
         answer.image,

@@ -12,9 +12,9 @@ use pilotage_jobs::{
     AssessmentOrder, EvaluationInDetail, EvaluationOrder, JobEvent, JudgedDetector,
 };
 
-use crate::Outcome;
-use crate::files::{Directory, write_whole};
-use crate::plan::{Ground, Source};
+use crate::CommandResult;
+use crate::files::{DirectoryFiles, write_whole};
+use crate::plan::{PlanSource, PlannedFlight};
 use crate::workers::{self, Lent};
 
 /// Time between two words on a judging.
@@ -24,7 +24,7 @@ const TOLD_EVERY: Duration = Duration::from_secs(2);
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    source: Source,
+    source: PlanSource,
     /// Landmark whose detector is evaluated, by its name or its id; may be said again. Every landmark with
     /// a detector if absent.
     #[arg(long, value_name = "NAME")]
@@ -56,15 +56,15 @@ pub struct Arguments {
 }
 
 /// Evaluates the landmarks.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     if !(arguments.false_alarms >= 0.0 && arguments.false_alarms.is_finite()) {
         let stated = arguments.false_alarms;
         return Err(format!("--false-alarms: {stated} is no rate").into());
     }
-    let ground = Ground::at(&arguments.source)?;
+    let ground = PlannedFlight::at(&arguments.source)?;
     let landmarks = with_detector(&ground.mission.landmarks, &arguments.landmark)?;
     let folder = match &arguments.frames {
-        Some(path) => Some(read_flight(Arc::new(Directory::open(path)?))?),
+        Some(path) => Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?),
         None => None,
     };
     if let Some(folder) = folder.as_ref().filter(|f| f.flight.truth.is_none()) {

@@ -7,11 +7,11 @@ use pilotage_core::exchange::{Format, write_flown};
 use pilotage_core::flight::log::{Log, Topic};
 use pilotage_core::text::csv_cell;
 
-use crate::Outcome;
+use crate::CommandResult;
 use crate::export_parquet::parquet;
 use crate::export_track::{TrackKind, track};
-use crate::export_value::{Value, value};
-use crate::opening::{Opened, no_flight, open};
+use crate::export_value::{ExportValue, value};
+use crate::opening::{OpenedPath, no_flight, open};
 
 /// Arguments of `pilotage export`.
 #[derive(clap::Args)]
@@ -33,7 +33,7 @@ pub struct Arguments {
     vehicle: Option<u32>,
     /// Form of the output; without it as the ending of --out says, else CSV.
     #[arg(long, value_enum)]
-    format: Option<Form>,
+    format: Option<OutputForm>,
     /// File to write; the terminal without it.
     #[arg(long, short, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -44,7 +44,7 @@ pub struct Arguments {
 
 /// Forms of the output.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Form {
+enum OutputForm {
     /// A line a row: `time_s`, then the fields with their units; of a track a line a place.
     Csv,
     /// An object by topic of an object by field of the list of its values.
@@ -61,7 +61,7 @@ enum Form {
     Geojson,
 }
 
-impl Form {
+impl OutputForm {
     /// The format of a track; `None` of the one that is for topics alone.
     fn of_track(self) -> Option<Format> {
         Some(match self {
@@ -77,20 +77,20 @@ impl Form {
 
 impl Arguments {
     /// The form that was asked for, else that of the ending of the file to write, else CSV.
-    fn form(&self) -> Form {
+    fn form(&self) -> OutputForm {
         let ending = self.out.as_ref().and_then(|out| out.extension());
         let ending = ending.map(|ending| ending.to_string_lossy().into_owned());
         let by_name =
-            ending.and_then(|ending| <Form as clap::ValueEnum>::from_str(&ending, true).ok());
-        self.format.or(by_name).unwrap_or(Form::Csv)
+            ending.and_then(|ending| <OutputForm as clap::ValueEnum>::from_str(&ending, true).ok());
+        self.format.or(by_name).unwrap_or(OutputForm::Csv)
     }
 }
 
 /// Writes the rows of topics, in the units of the log.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let path = &arguments.log;
     let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
-    if let Opened::Nothing(told) = &opened {
+    if let OpenedPath::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }
     let form = arguments.form();
@@ -104,19 +104,19 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return put(arguments.out.as_deref(), &written.bytes);
     }
     let log = match opened {
-        Opened::Log(log, _) => *log,
-        Opened::Folder(folder) => folder.log(),
-        Opened::Nothing(told) => return Err(no_flight(path, &told).into()),
+        OpenedPath::Log(log, _) => *log,
+        OpenedPath::Folder(folder) => folder.log(),
+        OpenedPath::Nothing(told) => return Err(no_flight(path, &told).into()),
     };
     let topics = chosen(&log, &arguments.topic)?;
     let bytes = match (form, topics.as_slice()) {
-        (Form::Csv, [topic]) => csv(topic).into_bytes(),
-        (Form::Parquet, [topic]) => parquet(topic)?,
-        (Form::Csv | Form::Parquet, _) => {
+        (OutputForm::Csv, [topic]) => csv(topic).into_bytes(),
+        (OutputForm::Parquet, [topic]) => parquet(topic)?,
+        (OutputForm::Csv | OutputForm::Parquet, _) => {
             let names = names(&topics);
             return Err(format!("a table has one topic; say which with --topic: {names}").into());
         }
-        (Form::Json, topics) => json(topics)?.into_bytes(),
+        (OutputForm::Json, topics) => json(topics)?.into_bytes(),
         _ => return Err("values are written as csv, json or parquet; a track by --track".into()),
     };
     put(arguments.out.as_deref(), &bytes)?;
@@ -127,7 +127,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 /// Writes to a file, or to the terminal without one.
-fn put(out: Option<&Path>, bytes: &[u8]) -> Outcome {
+fn put(out: Option<&Path>, bytes: &[u8]) -> CommandResult {
     match out {
         Some(out) => crate::files::write_whole(out, bytes)?,
         None => std::io::stdout().lock().write_all(bytes)?,
@@ -178,9 +178,9 @@ fn csv(topic: &Topic) -> String {
         for field in &topic.fields {
             text.push(',');
             match value(field, row) {
-                Some(Value::Whole(whole)) => text += &whole.to_string(),
-                Some(Value::Real(real)) => text += &real.to_string(),
-                Some(Value::Text(words)) => text += &csv_cell(&words),
+                Some(ExportValue::Whole(whole)) => text += &whole.to_string(),
+                Some(ExportValue::Real(real)) => text += &real.to_string(),
+                Some(ExportValue::Text(words)) => text += &csv_cell(&words),
                 None => {}
             }
         }
@@ -197,12 +197,12 @@ fn json(topics: &[&Topic]) -> Result<String, serde_json::Error> {
         fields.insert("time_s".to_owned(), topic.times.clone().into());
         for field in &topic.fields {
             let values = topic.rows.iter().map(|row| match value(field, row) {
-                Some(Value::Whole(whole)) => i64::try_from(whole)
+                Some(ExportValue::Whole(whole)) => i64::try_from(whole)
                     .map(Json::from)
                     .or_else(|_| u64::try_from(whole).map(Json::from))
                     .unwrap_or(Json::Null),
-                Some(Value::Real(real)) => Json::from(real),
-                Some(Value::Text(words)) => Json::from(words),
+                Some(ExportValue::Real(real)) => Json::from(real),
+                Some(ExportValue::Text(words)) => Json::from(words),
                 None => Json::Null,
             });
             fields.insert(field.name.clone(), values.collect());

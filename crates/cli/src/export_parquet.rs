@@ -12,35 +12,42 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 use pilotage_core::flight::log::{FieldLayout, Topic};
 
-use crate::export_value::{Value, value};
+use crate::export_value::{ExportValue, value};
 
 /// Values of a field, `None` where a row has none.
-enum Column {
+enum ParquetColumn {
     /// Whole numbers, and whether they have no sign.
     Whole(Vec<Option<i64>>, bool),
     Real(Vec<Option<f64>>),
     Text(Vec<Option<String>>),
 }
 
-impl Column {
+impl ParquetColumn {
     /// The values of a field in all rows. Whole numbers that do not fit into 64 bits are null.
     fn of(topic: &Topic, field: &FieldLayout) -> Self {
-        let values: Vec<Option<Value>> = topic.rows.iter().map(|row| value(field, row)).collect();
-        let is_text = values.iter().flatten().any(|v| matches!(v, Value::Text(_)));
-        let is_real = values.iter().flatten().any(|v| matches!(v, Value::Real(_)));
+        let values: Vec<Option<ExportValue>> =
+            topic.rows.iter().map(|row| value(field, row)).collect();
+        let is_text = values
+            .iter()
+            .flatten()
+            .any(|v| matches!(v, ExportValue::Text(_)));
+        let is_real = values
+            .iter()
+            .flatten()
+            .any(|v| matches!(v, ExportValue::Real(_)));
         if is_text {
             let text = |value| match value {
-                Value::Whole(whole) => whole.to_string(),
-                Value::Real(real) => real.to_string(),
-                Value::Text(text) => text,
+                ExportValue::Whole(whole) => whole.to_string(),
+                ExportValue::Real(real) => real.to_string(),
+                ExportValue::Text(text) => text,
             };
             return Self::Text(values.into_iter().map(|value| value.map(text)).collect());
         }
         if is_real {
             let real = |value| match value {
-                Value::Whole(whole) => Some(whole as f64),
-                Value::Real(real) => Some(real),
-                Value::Text(_) => None,
+                ExportValue::Whole(whole) => Some(whole as f64),
+                ExportValue::Real(real) => Some(real),
+                ExportValue::Text(_) => None,
             };
             return Self::Real(
                 values
@@ -49,12 +56,13 @@ impl Column {
                     .collect(),
             );
         }
-        let large =
-            |value: &Value| matches!(value, Value::Whole(whole) if i64::try_from(*whole).is_err());
+        let large = |value: &ExportValue| matches!(value, ExportValue::Whole(whole) if i64::try_from(*whole).is_err());
         let is_unsigned = values.iter().flatten().any(large);
         let whole = |value| match value {
-            Value::Whole(whole) if is_unsigned => u64::try_from(whole).ok().map(u64::cast_signed),
-            Value::Whole(whole) => i64::try_from(whole).ok(),
+            ExportValue::Whole(whole) if is_unsigned => {
+                u64::try_from(whole).ok().map(u64::cast_signed)
+            }
+            ExportValue::Whole(whole) => i64::try_from(whole).ok(),
             _ => None,
         };
         Self::Whole(
@@ -121,12 +129,13 @@ pub fn parquet(topic: &Topic) -> Result<Vec<u8>, String> {
 }
 
 fn write(topic: &Topic) -> Result<Vec<u8>, ParquetError> {
-    let times = Column::Real(topic.times.iter().copied().map(Some).collect());
+    let times = ParquetColumn::Real(topic.times.iter().copied().map(Some).collect());
     let fields = topic
         .fields
         .iter()
-        .map(|field| (field.name.as_str(), Column::of(topic, field)));
-    let columns: Vec<(&str, Column)> = std::iter::once(("time_s", times)).chain(fields).collect();
+        .map(|field| (field.name.as_str(), ParquetColumn::of(topic, field)));
+    let columns: Vec<(&str, ParquetColumn)> =
+        std::iter::once(("time_s", times)).chain(fields).collect();
     let kinds = columns
         .iter()
         .map(|(name, column)| Ok(Arc::new(column.kind(name)?)));

@@ -9,8 +9,8 @@ use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::frames::{Geodetic, GroundPoint};
 use pilotage_core::navigator::Run;
 
-use crate::Outcome;
-use crate::opening::Opened;
+use crate::CommandResult;
+use crate::opening::OpenedPath;
 
 /// Source of the places of a track.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -35,9 +35,13 @@ impl TrackKind {
 ///
 /// # Errors
 /// A flight without places of that kind, or without such a field.
-pub fn track(opened: Opened, kind: TrackKind, channel: Option<&str>) -> Result<FlownTrack, String> {
+pub fn track(
+    opened: OpenedPath,
+    kind: TrackKind,
+    channel: Option<&str>,
+) -> Result<FlownTrack, String> {
     let (log, places, has_height) = match opened {
-        Opened::Log(log, _) => {
+        OpenedPath::Log(log, _) => {
             let interpreted = flight_from_log(&log);
             let found = interpreted.measured().found;
             let (by, height) = match kind {
@@ -47,17 +51,19 @@ pub fn track(opened: Opened, kind: TrackKind, channel: Option<&str>) -> Result<F
             let has_height = found.iter().any(|series| series.role == height);
             (*log, places(found, by), has_height)
         }
-        Opened::Folder(folder) => {
+        OpenedPath::Folder(folder) => {
             let (places, has_height) = of_flight(&folder.flight, kind);
             (folder.log(), places, has_height)
         }
-        Opened::Nothing(told) => return Err(told),
+        OpenedPath::Nothing(told) => return Err(told),
     };
     if places.is_empty() {
         let words = kind.words();
         return Err(format!("{}: no places by the {words} in it", log.name));
     }
-    let values = channel.map(|name| Values::of(&log, name)).transpose()?;
+    let values = channel
+        .map(|name| FieldValues::of(&log, name))
+        .transpose()?;
     let points = places.into_iter().map(|(time, place)| FlownPoint {
         time,
         place,
@@ -110,7 +116,7 @@ fn of_flight(flight: &Flight, kind: TrackKind) -> (Vec<(f64, Geodetic)>, bool) {
 ///
 /// # Errors
 /// An ending of no format that holds tracks, or a flight that lies nowhere on the globe.
-pub fn write_estimate(flight: &Flight, run: &Run, path: &Path) -> Outcome {
+pub fn write_estimate(flight: &Flight, run: &Run, path: &Path) -> CommandResult {
     let name = path.to_string_lossy();
     let format = Format::of_name(&name)
         .ok_or_else(|| format!("{name}: a track ends in .kml, .kmz, .gpx, .geojson or .csv"))?;
@@ -125,12 +131,12 @@ pub fn write_estimate(flight: &Flight, run: &Run, path: &Path) -> Outcome {
 }
 
 /// Values of a field, in order of time.
-struct Values {
+struct FieldValues {
     called: FlownValues,
     samples: Vec<(f64, f64)>,
 }
 
-impl Values {
+impl FieldValues {
     fn of(log: &Log, name: &str) -> Result<Self, String> {
         let is_topic = |topic: &&Topic, wanted: &str| {
             !topic.is_empty() && (topic.name.to_string() == wanted || topic.name.name == wanted)

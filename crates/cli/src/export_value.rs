@@ -1,9 +1,9 @@
 //! A value of a log as it is exported.
 
-use pilotage_core::flight::log::{FieldLayout, Scale};
+use pilotage_core::flight::log::{FieldLayout, ValueScale};
 
 /// A value of a row.
-pub enum Value {
+pub enum ExportValue {
     /// Of an integer that nothing scales.
     Whole(i128),
     /// In the unit of its field.
@@ -14,17 +14,17 @@ pub enum Value {
 
 /// The value of a field in its unit; whole numbers that nothing scales keep all their digits, and bytes that are neither
 /// number nor letters are written as hexadecimal digits.
-pub fn value(field: &FieldLayout, row: &[u8]) -> Option<Value> {
+pub fn value(field: &FieldLayout, row: &[u8]) -> Option<ExportValue> {
     let bytes = field.bytes(row)?;
-    if field.scale == Scale::One
+    if field.scale == ValueScale::One
         && let Some(whole) = field.kind.integer(bytes)
     {
-        return Some(Value::Whole(whole));
+        return Some(ExportValue::Whole(whole));
     }
-    let real = field.value(row).map(Value::Real);
-    let text = || field.text(row).map(Value::Text);
+    let real = field.value(row).map(ExportValue::Real);
+    let text = || field.text(row).map(ExportValue::Text);
     real.or_else(text)
-        .or_else(|| Some(Value::Text(hex_digits(bytes))))
+        .or_else(|| Some(ExportValue::Text(hex_digits(bytes))))
 }
 
 fn hex_digits(bytes: &[u8]) -> String {

@@ -52,12 +52,12 @@ impl ByteSource for DiskFile {
 }
 
 /// The files of a directory and its sub-directories.
-pub struct Directory {
+pub struct DirectoryFiles {
     root: PathBuf,
     names: Vec<String>,
 }
 
-impl Directory {
+impl DirectoryFiles {
     /// The folder in which `file` lies, without a list of what else is there: what lies beside a
     /// file is asked for by name.
     pub fn around(file: &Path) -> Result<Self, String> {
@@ -99,7 +99,7 @@ fn list(directory: &Path, prefix: &str, names: &mut BTreeSet<String>) -> std::io
     Ok(())
 }
 
-impl FileSet for Directory {
+impl FileSet for DirectoryFiles {
     fn names(&self) -> Vec<String> {
         self.names.clone()
     }
@@ -114,7 +114,7 @@ impl FileSet for Directory {
     }
 }
 
-impl FileSink for Directory {
+impl FileSink for DirectoryFiles {
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
         let path = self.root.join(name);
         let parent = path.parent().unwrap_or(&self.root);
@@ -170,7 +170,7 @@ fn open_map_in(
     frame: Option<LocalFrame>,
     megabytes: usize,
 ) -> Result<MapInFrame, Box<dyn std::error::Error>> {
-    let directory = Directory::around(path)?;
+    let directory = DirectoryFiles::around(path)?;
     let name = path
         .file_name()
         .map(|n| n.to_string_lossy().into_owned())

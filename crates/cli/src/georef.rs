@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use nalgebra::Point2;
 use pilotage_core::frames::ReferenceSystem;
 use pilotage_core::imagery::georeferencer::{
-    ControlPoint, Fit, TransformKind, fit, in_metres, read_points_in,
+    ControlPoint, TransformFit, TransformKind, fit, in_metres, read_points_in,
 };
 use pilotage_core::imagery::systems;
 use pilotage_core::mission::{MapOptions, open_map_with};
 use serde::Serialize;
 
-use crate::Outcome;
-use crate::files::Directory;
+use crate::CommandResult;
+use crate::files::DirectoryFiles;
 
 /// Arguments of `pilotage map georef`: the picture, and the points.
 #[derive(clap::Args)]
@@ -23,8 +23,8 @@ pub struct Arguments {
     #[arg(long)]
     points: PathBuf,
     /// Kind of transform from the picture to the ground.
-    #[arg(long, value_enum, default_value_t = Kind::Affine)]
-    kind: Kind,
+    #[arg(long, value_enum, default_value_t = TransformKindArgument::Affine)]
+    kind: TransformKindArgument,
     /// World file to write; a .prj is written beside it.
     #[arg(long)]
     out: Option<PathBuf>,
@@ -37,7 +37,7 @@ pub struct Arguments {
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
-enum Kind {
+enum TransformKindArgument {
     /// Shift, turn, one scale: two points.
     Similarity,
     /// Also other scales and a skew: three points.
@@ -48,7 +48,7 @@ enum Kind {
 
 /// Summary of the fit.
 #[derive(Serialize)]
-struct Summary {
+struct FitSummary {
     picture: String,
     width: usize,
     height: usize,
@@ -82,7 +82,7 @@ struct PointSummary {
 }
 
 /// Does what the arguments say.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let file = arguments.points.display();
     let text = std::fs::read_to_string(&arguments.points).map_err(|e| format!("{file}: {e}"))?;
     let named = match &arguments.system {
@@ -104,9 +104,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
         )
     })?;
     let kind = match arguments.kind {
-        Kind::Similarity => TransformKind::Similarity,
-        Kind::Affine => TransformKind::Affine,
-        Kind::Projective => TransformKind::Projective,
+        TransformKindArgument::Similarity => TransformKind::Similarity,
+        TransformKindArgument::Affine => TransformKind::Affine,
+        TransformKindArgument::Projective => TransformKind::Projective,
     };
     let fitted = fit(&points, kind).map_err(|e| format!("{file}: {e}"))?;
     let summary = summarize(&arguments.picture, &points, plane, &fitted)?;
@@ -129,10 +129,10 @@ fn summarize(
     picture: &Path,
     points: &[ControlPoint],
     plane: ReferenceSystem,
-    fitted: &Fit,
-) -> Result<Summary, Box<dyn std::error::Error>> {
+    fitted: &TransformFit,
+) -> Result<FitSummary, Box<dyn std::error::Error>> {
     let name = picture.file_name().unwrap_or_default().to_string_lossy();
-    let directory = Directory::around(picture)?;
+    let directory = DirectoryFiles::around(picture)?;
     let options = MapOptions {
         place: Some(fitted.georeference(plane)),
         ..MapOptions::default()
@@ -150,7 +150,7 @@ fn summarize(
     });
     let told = points.iter().zip(&fitted.residuals);
     let m = fitted.plane_from_pixel / fitted.plane_from_pixel[(2, 2)];
-    Ok(Summary {
+    Ok(FitSummary {
         picture: name.clone().into_owned(),
         width,
         height,

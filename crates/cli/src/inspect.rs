@@ -6,8 +6,8 @@ use pilotage_core::flight::Flight;
 use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::log::HEAD;
 
-use crate::opening::{Opened, open};
-use crate::{Outcome, inspect_log};
+use crate::opening::{OpenedPath, open};
+use crate::{CommandResult, inspect_log};
 
 /// Arguments of `pilotage inspect`.
 #[derive(clap::Args)]
@@ -29,7 +29,7 @@ pub struct Arguments {
 }
 
 /// Says what the path holds.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let path = &arguments.path;
     if !path.is_dir()
         && let Some((format, found)) = crate::labels::read(path)?
@@ -39,7 +39,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
     let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
     let told = match opened {
-        Opened::Folder(folder) => {
+        OpenedPath::Folder(folder) => {
             describe(&folder.flight);
             inspect_log::describe_folder(&folder);
             if arguments.counts {
@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             }
             return Ok(());
         }
-        Opened::Log(log, beside) => {
+        OpenedPath::Log(log, beside) => {
             inspect_log::describe(&log, &beside);
             if arguments.counts {
                 inspect_log::counts(&log);
@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             }
             return Ok(());
         }
-        Opened::Nothing(told) => told,
+        OpenedPath::Nothing(told) => told,
     };
     let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
     if let Ok(run) = pilotage_core::navigator::decode_run(&path.to_string_lossy(), &bytes) {

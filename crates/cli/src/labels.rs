@@ -6,8 +6,8 @@ use std::path::Path;
 use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels, write_labels};
 use pilotage_core::flight::files::{FileSet, ZipFiles};
 
-use crate::Outcome;
-use crate::files::Directory;
+use crate::CommandResult;
+use crate::files::DirectoryFiles;
 use crate::opening::has_ending;
 
 /// The labels at a path: a file, a zip or a folder of them, with the format of the first. `None` if there are none.
@@ -18,7 +18,7 @@ pub fn read(path: &Path) -> Result<Option<(LabelFormat, FoundLabels)>, Box<dyn s
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     if path.is_dir() || has_ending(path, &["zip"]) {
         let set: Box<dyn FileSet> = if path.is_dir() {
-            Box::new(Directory::open(path)?)
+            Box::new(DirectoryFiles::open(path)?)
         } else {
             let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
             Box::new(ZipFiles::open(&bytes).map_err(|e| format!("{}: {e}", path.display()))?)
@@ -71,7 +71,7 @@ pub fn describe(format: LabelFormat, labels: FoundLabels) {
 }
 
 /// Writes labels to a file: COCO where it ends in .json, Pascal VOC where in .zip.
-pub fn convert(labels: FoundLabels, to: &Path) -> Outcome {
+pub fn convert(labels: FoundLabels, to: &Path) -> CommandResult {
     let format = if has_ending(to, &["json"]) {
         LabelFormat::Coco
     } else if has_ending(to, &["zip"]) {

@@ -40,18 +40,18 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use outcome::Outcome;
+use outcome::CommandResult;
 
 /// Navigate aircraft by what can be seen on the ground.
 #[derive(Parser)]
 #[command(version, about)]
 struct Arguments {
     #[command(subcommand)]
-    job: Job,
+    job: CommandChoice,
 }
 
 #[derive(Subcommand)]
-enum Job {
+enum CommandChoice {
     /// List the built-in scenarios.
     Scenarios,
     /// Fly a built-in scenario, or over a map of your own, and write it as a flight folder.
@@ -90,25 +90,25 @@ fn main() -> ExitCode {
     // Who reads no further (`pilotage … | head`) ends the program, as with any other tool.
     sigpipe::reset();
     let outcome = match Arguments::parse().job {
-        Job::Scenarios => {
+        CommandChoice::Scenarios => {
             simulate::list();
             Ok(())
         }
-        Job::Simulate(arguments) => simulate::run(&arguments),
-        Job::Replay(arguments) => replay::run(&arguments),
-        Job::Compare(arguments) => compare::run(&arguments),
-        Job::Align(arguments) => align::run(&arguments),
-        Job::Plan(arguments) => plan::run(&arguments),
-        Job::Train(arguments) => train::run(&arguments),
-        Job::Evaluate(arguments) => evaluate::run(&arguments),
-        Job::Detect(arguments) => detect::run(&arguments),
-        Job::Register(arguments) => register::run(&arguments),
-        Job::Convert(arguments) => convert::run(&arguments),
-        Job::Export(arguments) => export::run(&arguments),
-        Job::Columns(arguments) => columns::run(&arguments),
-        Job::Inspect(arguments) => inspect::run(&arguments),
-        Job::Map(arguments) => map::run(&arguments),
-        Job::Bench(arguments) => bench::run(&arguments),
+        CommandChoice::Simulate(arguments) => simulate::run(&arguments),
+        CommandChoice::Replay(arguments) => replay::run(&arguments),
+        CommandChoice::Compare(arguments) => compare::run(&arguments),
+        CommandChoice::Align(arguments) => align::run(&arguments),
+        CommandChoice::Plan(arguments) => plan::run(&arguments),
+        CommandChoice::Train(arguments) => train::run(&arguments),
+        CommandChoice::Evaluate(arguments) => evaluate::run(&arguments),
+        CommandChoice::Detect(arguments) => detect::run(&arguments),
+        CommandChoice::Register(arguments) => register::run(&arguments),
+        CommandChoice::Convert(arguments) => convert::run(&arguments),
+        CommandChoice::Export(arguments) => export::run(&arguments),
+        CommandChoice::Columns(arguments) => columns::run(&arguments),
+        CommandChoice::Inspect(arguments) => inspect::run(&arguments),
+        CommandChoice::Map(arguments) => map::run(&arguments),
+        CommandChoice::Bench(arguments) => bench::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

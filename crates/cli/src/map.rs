@@ -15,8 +15,8 @@ use pilotage_core::mission::{MapOptions, OpenMap, open_map_with};
 use pilotage_core::raster::encode_png_with_coverage;
 use serde::Serialize;
 
-use crate::Outcome;
-use crate::files::{Directory, DiskFile};
+use crate::CommandResult;
+use crate::files::{DirectoryFiles, DiskFile};
 use crate::numbers::numbers;
 
 /// Most pixels of a picture that is written.
@@ -26,11 +26,11 @@ const MOST_PIXELS: usize = 100_000_000;
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(subcommand)]
-    job: Job,
+    job: MapCommand,
 }
 
 #[derive(clap::Subcommand)]
-enum Job {
+enum MapCommand {
     /// Say what a map is and where it lies, as JSON.
     Info {
         #[command(flatten)]
@@ -93,17 +93,17 @@ struct Info {
     #[serde(flatten)]
     pixels: Option<Pixels>,
     #[serde(flatten)]
-    tiles: Option<Tiles>,
+    tiles: Option<TileArchiveSummary>,
     /// Number of pictures that it is made of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pictures: Option<usize>,
     #[serde(flatten)]
-    heights: Option<Heights>,
+    heights: Option<ElevationSummary>,
 }
 
 /// Description of an archive of tiles.
 #[derive(Serialize)]
-struct Tiles {
+struct TileArchiveSummary {
     /// Coarsest and deepest.
     zooms: (u8, u8),
     attribution: Option<String>,
@@ -123,7 +123,7 @@ struct Pixels {
 
 /// Description of an elevation model.
 #[derive(Serialize)]
-struct Heights {
+struct ElevationSummary {
     #[serde(rename = "heights_above")]
     above: String,
     /// Name of the frame that heights are in.
@@ -135,16 +135,16 @@ struct Heights {
 }
 
 /// Does what the arguments say.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     match &arguments.job {
-        Job::Info { map, height_at } => info(map, height_at.as_deref()),
-        Job::Tile {
+        MapCommand::Info { map, height_at } => info(map, height_at.as_deref()),
+        MapCommand::Tile {
             map,
             out,
             window,
             gsd,
         } => tile(map, out, window.as_deref(), *gsd),
-        Job::Georef(arguments) => crate::georef::run(arguments),
+        MapCommand::Georef(arguments) => crate::georef::run(arguments),
     }
 }
 
@@ -169,7 +169,7 @@ impl MapArguments {
     }
 }
 
-fn info(arguments: &MapArguments, height_at: Option<&str>) -> Outcome {
+fn info(arguments: &MapArguments, height_at: Option<&str>) -> CommandResult {
     let system = arguments.system()?;
     let place = height_at.map(lat_lon).transpose()?;
     let is_tiff = arguments.has_ending(&["tif", "tiff"]);
@@ -224,7 +224,7 @@ fn elevation(
     for note in dem.notes() {
         eprintln!("note: {note}");
     }
-    let heights = Heights {
+    let heights = ElevationSummary {
         above: dem.datum().name().to_owned(),
         frame: dem.datum().frame(),
         height_in_the_middle_m: dem.height_at(&dem.placement().ground_at(&middle)),
@@ -293,7 +293,7 @@ fn picture(
         _ => placement.map_or((0, 0), Placement::size),
     };
     let tiles = match &map {
-        OpenMap::PmTiles(tiles) => Some(Tiles {
+        OpenMap::PmTiles(tiles) => Some(TileArchiveSummary {
             zooms: tiles.zooms(),
             attribution: tiles.attribution().map(str::to_owned),
         }),
@@ -402,7 +402,7 @@ fn open(
     arguments: &MapArguments,
     system: Option<ReferenceSystem>,
 ) -> Result<OpenMap, Box<dyn std::error::Error>> {
-    let directory = Directory::around(&arguments.file)?;
+    let directory = DirectoryFiles::around(&arguments.file)?;
     let options = MapOptions {
         system,
         ..MapOptions::default()
@@ -410,7 +410,12 @@ fn open(
     Ok(open_map_with(&directory, &arguments.name(), &options)?)
 }
 
-fn tile(arguments: &MapArguments, out: &Path, window: Option<&str>, gsd: Option<f64>) -> Outcome {
+fn tile(
+    arguments: &MapArguments,
+    out: &Path,
+    window: Option<&str>,
+    gsd: Option<f64>,
+) -> CommandResult {
     let map = open(arguments, arguments.system()?)?;
     for note in map.notes() {
         eprintln!("note: {note}");

@@ -8,7 +8,7 @@ use pilotage_core::flight::files::MemoryFiles;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::package::{MissionPackage, read_package};
-use pilotage_core::mission::{MapError, MapReference, open_map};
+use pilotage_core::mission::{MapFileError, MapReference, open_map};
 use pilotage_core::simulate::Scenario;
 
 /// Endings of files in a mission file that can be its map, the likeliest first.
@@ -63,7 +63,7 @@ impl OpenMission {
         for name in MAPS.iter().flat_map(ending_in) {
             match open_map(&files, &name, Some(frame)) {
                 // Another picture may be the map.
-                Err(MapError::NoGeoreference { .. }) => {}
+                Err(MapFileError::NoGeoreference { .. }) => {}
                 map => {
                     let map = map.map_err(|e| format!("{}: {e}", self.name))?;
                     return Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)));

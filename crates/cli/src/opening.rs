@@ -19,13 +19,13 @@ use pilotage_core::flight::{
 use pilotage_core::imagery::ByteSource;
 use pilotage_jobs::COLUMNS_FILE;
 
-use crate::files::{Directory, DiskFile};
+use crate::files::{DirectoryFiles, DiskFile};
 
 /// Endings of tables.
 pub const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
 /// Contents of a path.
-pub enum Opened {
+pub enum OpenedPath {
     /// A flight out of a folder, tables or photos.
     Folder(Box<FlightFolder>),
     /// A log of another program, and the files beside it.
@@ -37,7 +37,7 @@ pub enum Opened {
 /// Pictures of a flight.
 pub type Frames = Box<dyn FrameSource>;
 
-impl Opened {
+impl OpenedPath {
     /// The contents with the vehicle of that system as the one that flies; all but telemetry logs know one vehicle.
     ///
     /// # Errors
@@ -81,10 +81,10 @@ impl Opened {
 ///
 /// # Errors
 /// Files that are there and cannot be read.
-pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::error::Error>> {
+pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn std::error::Error>> {
     let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
     if path.is_dir() || is_flight_file {
-        let files: Arc<dyn FileSet> = Arc::new(Directory::open(path)?);
+        let files: Arc<dyn FileSet> = Arc::new(DirectoryFiles::open(path)?);
         return open_folder(&files, columns);
     }
     if let Some(files) = unpacked(path)? {
@@ -93,34 +93,34 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
     let file = DiskFile::open(path, &path.to_string_lossy());
     let file = file.map_err(|e| format!("{}: {e}", path.display()))?;
     if let Some(log) = read_log(&file)? {
-        let beside: Arc<dyn FileSet> = Arc::new(Directory::around(path)?);
-        return Ok(Opened::Log(Box::new(log), beside));
+        let beside: Arc<dyn FileSet> = Arc::new(DirectoryFiles::around(path)?);
+        return Ok(OpenedPath::Log(Box::new(log), beside));
     }
     let length = HEAD.min(usize::try_from(file.length()).unwrap_or(HEAD));
     if file.read(0, length).is_ok_and(|head| is_nmea(&head)) {
         let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
         let name = path.file_name().map(|name| name.to_string_lossy());
         let folder = read_nmea(&name.unwrap_or_default(), &bytes)?;
-        return Ok(folder.map_or(Opened::Nothing(String::new()), |folder| {
-            Opened::Folder(Box::new(folder))
+        return Ok(folder.map_or(OpenedPath::Nothing(String::new()), |folder| {
+            OpenedPath::Folder(Box::new(folder))
         }));
     }
     if has_ending(path, &["srt"]) {
         let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
         let name = path.file_name().map(|name| name.to_string_lossy());
         let folder = read_srt(&name.unwrap_or_default(), &bytes)?;
-        return Ok(folder.map_or(Opened::Nothing(String::new()), |folder| {
-            Opened::Folder(Box::new(folder))
+        return Ok(folder.map_or(OpenedPath::Nothing(String::new()), |folder| {
+            OpenedPath::Folder(Box::new(folder))
         }));
     }
     if !has_ending(path, &TABLES) {
-        return Ok(Opened::Nothing(String::new()));
+        return Ok(OpenedPath::Nothing(String::new()));
     }
     let (files, names) = tables_at(&[path.to_owned()])?;
     let folder = open_tables(&files, &names, columns)?;
     Ok(match folder {
-        Some(folder) => Opened::Folder(Box::new(folder)),
-        None => Opened::Nothing(nothing(files.as_ref(), &names)),
+        Some(folder) => OpenedPath::Folder(Box::new(folder)),
+        None => OpenedPath::Nothing(nothing(files.as_ref(), &names)),
     })
 }
 
@@ -167,29 +167,29 @@ fn unpacked(path: &Path) -> Result<Option<Arc<dyn FileSet>>, String> {
 fn open_folder(
     files: &Arc<dyn FileSet>,
     columns: Option<&Path>,
-) -> Result<Opened, Box<dyn std::error::Error>> {
+) -> Result<OpenedPath, Box<dyn std::error::Error>> {
     match read_flight(Arc::clone(files)) {
         Err(FolderError::NoFlightFile) => {}
-        other => return Ok(Opened::Folder(Box::new(other?))),
+        other => return Ok(OpenedPath::Folder(Box::new(other?))),
     }
     if columns.is_none()
         && let Some(source) = log_among(files.as_ref())
         && let Some(log) = read_log(source.as_ref())?
     {
-        return Ok(Opened::Log(Box::new(log), Arc::clone(files)));
+        return Ok(OpenedPath::Log(Box::new(log), Arc::clone(files)));
     }
     let names = table_names(files.as_ref());
     if let Some(folder) = open_tables(files, &names, columns)? {
-        return Ok(Opened::Folder(Box::new(folder)));
+        return Ok(OpenedPath::Folder(Box::new(folder)));
     }
     if let Some(filmed) = flight_of_subtitles(files)? {
-        return Ok(Opened::Folder(Box::new(filmed)));
+        return Ok(OpenedPath::Folder(Box::new(filmed)));
     }
     if let Some(recorded) = flight_of_sentences(files)? {
-        return Ok(Opened::Folder(Box::new(recorded)));
+        return Ok(OpenedPath::Folder(Box::new(recorded)));
     }
     if let Some(photos) = read_photos(files) {
-        return Ok(Opened::Folder(Box::new(photos)));
+        return Ok(OpenedPath::Folder(Box::new(photos)));
     }
     let why = photos_lack(files.as_ref()).filter(|_| names.is_empty());
     Err(why
@@ -286,7 +286,7 @@ pub fn tables_at(paths: &[PathBuf]) -> Result<(Arc<dyn FileSet>, Vec<String>), S
         return Err("say which tables".to_owned());
     };
     if first.is_dir() {
-        let files = Directory::open(first).map_err(|e| format!("{}: {e}", first.display()))?;
+        let files = DirectoryFiles::open(first).map_err(|e| format!("{}: {e}", first.display()))?;
         let names = table_names(&files);
         return Ok((Arc::new(files), names));
     }
@@ -294,7 +294,7 @@ pub fn tables_at(paths: &[PathBuf]) -> Result<(Arc<dyn FileSet>, Vec<String>), S
         let names = table_names(files.as_ref());
         return Ok((files, names));
     }
-    let files = Directory::around(first)?;
+    let files = DirectoryFiles::around(first)?;
     if let Some(other) = others.iter().find(|other| other.parent() != first.parent()) {
         return Err(format!(
             "{}: it is in another folder than {}",

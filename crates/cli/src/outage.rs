@@ -6,11 +6,11 @@ use pilotage_core::flight::Flight;
 use pilotage_core::instruments::OutageStudy;
 use pilotage_jobs::{JobEvent, Outage, OutageOrder};
 
-use crate::Outcome;
+use crate::CommandResult;
 use crate::workers::{self, Lent};
 
 /// Prints a line for each way to navigate without GPS, for outages of so many seconds all along the time in the air.
-pub fn study(flight: &Arc<Flight>, seconds: f64) -> Outcome {
+pub fn study(flight: &Arc<Flight>, seconds: f64) -> CommandResult {
     let order = OutageOrder {
         flight: Lent::flight(),
         cut: Outage::AllAlong(seconds),

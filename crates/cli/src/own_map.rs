@@ -14,7 +14,7 @@ use pilotage_jobs::MapSource;
 
 use crate::files::MAP_CACHE;
 use crate::numbers::numbers;
-use crate::plan::{Ground, Source};
+use crate::plan::{PlanSource, PlannedFlight};
 
 /// Height of a flight without a mission, metres above ground.
 const HEIGHT: f64 = 120.0;
@@ -48,7 +48,7 @@ pub struct OwnMap {
 }
 
 /// Route, map and days of such a flight.
-struct Own {
+struct OwnRouteAndMap {
     plan: FlightPlan,
     map: Arc<dyn Imagery>,
     days: Box<dyn OtherDays>,
@@ -63,7 +63,7 @@ pub fn fly(
     seed: u64,
     day: FlightDay,
 ) -> Result<SimulatedFlight, Box<dyn std::error::Error>> {
-    let Own {
+    let OwnRouteAndMap {
         mut plan,
         map,
         days,
@@ -92,8 +92,8 @@ pub fn fly(
     })
 }
 
-fn by_mission(own: &OwnMap) -> Result<Own, Box<dyn std::error::Error>> {
-    let ground = Ground::at(&Source {
+fn by_mission(own: &OwnMap) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>> {
+    let ground = PlannedFlight::at(&PlanSource {
         scenario: None,
         mission: own.mission.clone(),
         map: own.map.clone(),
@@ -115,7 +115,7 @@ fn by_mission(own: &OwnMap) -> Result<Own, Box<dyn std::error::Error>> {
         }),
         _ => Box::new(PictureDays::new(Arc::clone(&ground.map))),
     };
-    Ok(Own {
+    Ok(OwnRouteAndMap {
         plan,
         map: ground.map,
         days,
@@ -125,7 +125,7 @@ fn by_mission(own: &OwnMap) -> Result<Own, Box<dyn std::error::Error>> {
 fn by_map(
     own: &OwnMap,
     (map, frame): (Arc<dyn Imagery>, Option<LocalFrame>),
-) -> Result<Own, Box<dyn std::error::Error>> {
+) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>> {
     let frame = frame.ok_or(
         "the map counts in metres of no place on the globe; name its reference system in a .prj file beside it",
     )?;
@@ -149,7 +149,7 @@ fn by_map(
         frame_on_globe: frame,
         ..Scenario::all()[0].plan(&Overrides::default())
     };
-    Ok(Own {
+    Ok(OwnRouteAndMap {
         plan,
         days: Box::new(PictureDays::new(Arc::clone(&map))),
         map,

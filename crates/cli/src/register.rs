@@ -13,8 +13,8 @@ use pilotage_core::raster::encode_png;
 use pilotage_core::registration::{RegistrationMethod, overlay};
 use serde::Serialize;
 
-use crate::Outcome;
-use crate::files::{Directory, DiskFile, MAP_CACHE};
+use crate::CommandResult;
+use crate::files::{DirectoryFiles, DiskFile, MAP_CACHE};
 use crate::numbers::numbers;
 use crate::photo_picture::decode_photo;
 
@@ -68,13 +68,13 @@ pub struct Arguments {
 
 /// Result of a photo.
 #[derive(Serialize)]
-struct Answer {
+struct PhotoResult {
     photo: String,
     seconds: f64,
     /// Assumptions, and their sources.
     assumed: Vec<String>,
     #[serde(flatten)]
-    laid: Option<Laid>,
+    laid: Option<LaidPhoto>,
     /// Why it was not laid.
     #[serde(skip_serializing_if = "Option::is_none")]
     refused: Option<String>,
@@ -84,7 +84,7 @@ struct Answer {
 
 /// Place at which a photo was laid.
 #[derive(Serialize)]
-struct Laid {
+struct LaidPhoto {
     /// Ground in the middle of the picture, degrees.
     centre_lat_lon: Option<[f64; 2]>,
     /// The same in metres north and east of the map's origin, with its covariance, m².
@@ -110,15 +110,15 @@ struct Laid {
 }
 
 /// The map and where it lies.
-struct Ground {
+struct PlacedMap {
     map: Arc<dyn Imagery>,
     world: Option<LocalFrame>,
 }
 
 /// Lays every photo.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let search = arguments.search()?;
-    let ground = Ground::open(&arguments.map)?;
+    let ground = PlacedMap::open(&arguments.map)?;
     let mut answers = Vec::new();
     for path in &arguments.photos {
         let answer = answer(arguments, &search, &ground, path)?;
@@ -136,9 +136,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
     Ok(())
 }
 
-impl Ground {
+impl PlacedMap {
     fn open(path: &Path) -> Result<Self, Box<dyn std::error::Error>> {
-        let directory = Directory::around(path)?;
+        let directory = DirectoryFiles::around(path)?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let map: OpenMap = pilotage_core::mission::open_map(&directory, &name, None)?;
         let world = map.frame().copied();
@@ -174,9 +174,9 @@ impl Arguments {
 fn answer(
     arguments: &Arguments,
     search: &PhotoSearch,
-    ground: &Ground,
+    ground: &PlacedMap,
     path: &Path,
-) -> Result<Answer, Box<dyn std::error::Error>> {
+) -> Result<PhotoResult, Box<dyn std::error::Error>> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let told = |cause: &dyn std::fmt::Display| format!("{}: {cause}", path.display());
     let file = DiskFile::open(path, &name).map_err(|e| told(&e))?;
@@ -195,7 +195,7 @@ fn answer(
                 .map_err(|e| format!("{}: {e}", target.display()))?;
         }
     }
-    Ok(Answer {
+    Ok(PhotoResult {
         photo: name.into_owned(),
         seconds,
         assumed: said.assumed,
@@ -215,11 +215,11 @@ fn lat_lon(text: &str) -> Result<Geodetic, String> {
     Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
 }
 
-fn laid(ground: &Ground, photo: &RegisteredPhoto) -> Laid {
+fn laid(ground: &PlacedMap, photo: &RegisteredPhoto) -> LaidPhoto {
     let below = photo.below();
     let attitude = photo.camera.attitude;
     let covariance = photo.centre_covariance;
-    Laid {
+    LaidPhoto {
         centre_lat_lon: ground.lat_lon(photo.centre),
         centre_north_east_m: [photo.centre.north, photo.centre.east],
         centre_covariance_m2: [
@@ -245,7 +245,7 @@ fn laid(ground: &Ground, photo: &RegisteredPhoto) -> Laid {
     }
 }
 
-fn print(answer: &Answer) {
+fn print(answer: &PhotoResult) {
     println!(
         "{} ({:.2} s): {}",
         answer.photo,

@@ -13,13 +13,13 @@ use pilotage_core::simulate::{Overrides, Scenario};
 use pilotage_jobs::{JobEvent, MapSource, Passage, SummaryOrder};
 use serde::Serialize;
 
-use crate::Outcome;
+use crate::CommandResult;
 use crate::files::MAP_CACHE;
 use crate::files::open_map;
 use crate::mission_file::OpenMission;
-use crate::opening::{Opened, no_flight, open};
+use crate::opening::{OpenedPath, no_flight, open};
 use crate::replay_frames::{print_frames, print_refusals};
-use crate::scenario::{Day, flown, scenario, scenery, seed_range};
+use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 use crate::workers;
 
@@ -41,8 +41,8 @@ pub struct Arguments {
     #[arg(long, value_name = "A..B", conflicts_with = "seed")]
     seeds: Option<String>,
     /// Day on which the camera sees the ground.
-    #[arg(long, value_enum, default_value_t = Day::Other)]
-    day: Day,
+    #[arg(long, value_enum, default_value_t = DayChoice::Other)]
+    day: DayChoice,
     /// Mission file (GeoJSON); a flight without one is navigated by whole frames alone.
     #[arg(long)]
     mission: Option<PathBuf>,
@@ -80,7 +80,7 @@ pub struct Arguments {
 
 /// The summary of many runs.
 #[derive(Serialize)]
-struct Study {
+struct RunStudy {
     quantiles: Vec<Quantiles>,
     /// Root mean squares over all runs: error over the Cramér-Rao bound.
     error_over_bound: Option<f64>,
@@ -88,7 +88,7 @@ struct Study {
 }
 
 /// Replays what the arguments say.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(name) = &arguments.scenario {
         return replay_scenario(&scenario(name)?, arguments);
     }
@@ -96,7 +96,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return Err("say what was flown, or --scenario NAME".into());
     };
     let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
-    if let Opened::Nothing(told) = &opened {
+    if let OpenedPath::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }
     let found = opened.into_flight()?;
@@ -145,7 +145,7 @@ pub fn navigate(
     Ok(passage.into_run())
 }
 
-fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
+fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> CommandResult {
     let mut mission = match &arguments.mission {
         Some(path) => OpenMission::read(path)?.package.mission,
         None => scenario.mission(),
@@ -182,7 +182,7 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
         }
         Ok(())
     })?;
-    let study = Study {
+    let study = RunStudy {
         quantiles: table(&runs),
         error_over_bound: error_over_bound(&runs),
         runs,
@@ -198,7 +198,7 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
 }
 
 /// Flies a scenario once, and tells everything of it.
-fn replay_seed(scenario: &Scenario, mission: &Mission, arguments: &Arguments) -> Outcome {
+fn replay_seed(scenario: &Scenario, mission: &Mission, arguments: &Arguments) -> CommandResult {
     let overrides = Overrides {
         day: Some(arguments.day.into()),
         ..Overrides::default()
@@ -218,7 +218,7 @@ fn replay_seed(scenario: &Scenario, mission: &Mission, arguments: &Arguments) ->
     report(arguments, &flight, &run, &summary)
 }
 
-fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) -> Outcome {
+fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) -> CommandResult {
     if arguments.verbose {
         print_frames(flight, run);
         print_refusals(summary);
@@ -237,7 +237,7 @@ fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) 
     Ok(())
 }
 
-fn write_json(path: &Path, value: &impl Serialize) -> Outcome {
+fn write_json(path: &Path, value: &impl Serialize) -> CommandResult {
     Ok(crate::files::write_whole(
         path,
         serde_json::to_string_pretty(value)?,

@@ -12,18 +12,18 @@ use crate::workers::Lent;
 
 /// Day on which the camera sees the ground.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Day {
+pub enum DayChoice {
     /// The day of the map.
     Same,
     /// Another season, sun and traffic.
     Other,
 }
 
-impl From<Day> for FlightDay {
-    fn from(day: Day) -> Self {
+impl From<DayChoice> for FlightDay {
+    fn from(day: DayChoice) -> Self {
         match day {
-            Day::Same => Self::Same,
-            Day::Other => Self::Other,
+            DayChoice::Same => Self::Same,
+            DayChoice::Other => Self::Other,
         }
     }
 }
@@ -41,18 +41,18 @@ pub fn unknown(name: &str) -> String {
 }
 
 /// Flight of a scenario, by the source that orders name.
-pub fn flown(scenario: &Scenario, seed: u64, day: Day) -> FlightSource {
+pub fn flown(scenario: &Scenario, seed: u64, day: DayChoice) -> FlightSource {
     FlightSource::Simulated(SimulationOptions {
         scenario: scenario.name.to_owned(),
         seed,
-        other_day: matches!(day, Day::Other),
+        other_day: matches!(day, DayChoice::Other),
         wind: None,
         height: None,
     })
 }
 
 /// Map of a scenario and the ground as the camera sees it, for workers that fly it again and again.
-pub fn scenery(scenario: &Scenario, day: Day) -> Lent {
+pub fn scenery(scenario: &Scenario, day: DayChoice) -> Lent {
     let day = FlightDay::from(day);
     let overrides = Overrides {
         day: Some(day),

@@ -9,9 +9,9 @@ use pilotage_core::mission::{MapReference, place_files, write_mission};
 use pilotage_core::raster::encode_png;
 use pilotage_core::simulate::{Overrides, Scenario, SimulationChoice, lay_out_world};
 
-use crate::Outcome;
-use crate::files::Directory;
-use crate::scenario::{Day, unknown};
+use crate::CommandResult;
+use crate::files::DirectoryFiles;
+use crate::scenario::{DayChoice, unknown};
 
 /// Arguments of `pilotage simulate`.
 #[derive(clap::Args)]
@@ -25,8 +25,8 @@ pub struct Arguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Day on which the camera sees the ground.
-    #[arg(long, value_enum, default_value_t = Day::Other)]
-    day: Day,
+    #[arg(long, value_enum, default_value_t = DayChoice::Other)]
+    day: DayChoice,
     /// Folder to write; made if missing.
     #[arg(long)]
     out: PathBuf,
@@ -50,7 +50,7 @@ pub fn list() {
 }
 
 /// Flies a scenario, or over a map of one's own, and writes it.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let (mut flown, beside) = if let Some(name) = &arguments.scenario {
         let choice = SimulationChoice::named(name).ok_or_else(|| unknown(name))?;
         let world = lay_out_world(choice.world.key()).ok_or_else(|| unknown(name))?;
@@ -70,7 +70,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     };
     std::fs::create_dir_all(&arguments.out)
         .map_err(|e| format!("{}: {e}", arguments.out.display()))?;
-    let mut sink = Directory::open(&arguments.out)?;
+    let mut sink = DirectoryFiles::open(&arguments.out)?;
     if let Some((world, missions)) = &beside {
         let usual = missions
             .first()
@@ -105,7 +105,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 /// Writes a map as a picture with its place.
-fn write_map(name: &str, map: &dyn Imagery, sink: &mut dyn FileSink) -> Outcome {
+fn write_map(name: &str, map: &dyn Imagery, sink: &mut dyn FileSink) -> CommandResult {
     let (bounds, gsd) = (map.bounds(), map.native_gsd());
     let pixels = map.window(&Window::covering(&bounds, gsd));
     sink.write(name, &encode_png(&pixels.map(|[r, g, b, _]| [r, g, b]))?)?;

@@ -12,16 +12,16 @@ use pilotage_core::training::{FlightEnvelope, StageReport, TrainingPlan};
 use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder, TrainWithinOrder, TrainingOutcome};
 use serde::Serialize;
 
-use crate::Outcome;
-use crate::files::{Directory, write_whole};
-use crate::plan::{Ground, Source};
+use crate::CommandResult;
+use crate::files::{DirectoryFiles, write_whole};
+use crate::plan::{PlanSource, PlannedFlight};
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage train`.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    source: Source,
+    source: PlanSource,
     /// Only the landmarks with these names; all that are switched on if none is named.
     #[arg(long)]
     landmark: Vec<String>,
@@ -66,7 +66,7 @@ pub struct Arguments {
 
 /// Report of the training of one landmark.
 #[derive(Serialize)]
-struct Row {
+struct TrainedRow {
     landmark: String,
     seconds: f64,
     stages: Vec<StageReport>,
@@ -79,7 +79,7 @@ struct Row {
 }
 
 /// Trains what the arguments say.
-pub fn run(arguments: &Arguments) -> Outcome {
+pub fn run(arguments: &Arguments) -> CommandResult {
     let kind = FeatureKind::ALL
         .into_iter()
         .find(|k| k.key() == arguments.features);
@@ -95,7 +95,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             arguments.detector
         )
     })?;
-    let mut ground = Ground::at(&arguments.source)?;
+    let mut ground = PlannedFlight::at(&arguments.source)?;
     for name in &arguments.landmark {
         if !ground.mission.landmarks.iter().any(|l| l.name == *name) {
             return Err(format!("--landmark: the mission has none called \"{name}\"").into());
@@ -139,11 +139,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
 /// Trains a detector for each of the landmarks, and keeps it with them.
 fn train(
     arguments: &Arguments,
-    ground: &mut Ground,
+    ground: &mut PlannedFlight,
     landmarks: &[Landmark],
     plan: &TrainingPlan,
     choice: DetectorChoice,
-) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
+) -> Result<Vec<TrainedRow>, Box<dyn std::error::Error>> {
     let mut lent = ground.lent();
     let labelled = labelled_flight(arguments, ground)?.map(|folder| {
         lent = lent
@@ -198,7 +198,7 @@ fn train(
                     kept.keep_trained_text(Some(&outcome.detector));
                     kept.choose_detector(choice);
                 }
-                let row = Row::of(name, *outcome);
+                let row = TrainedRow::of(name, *outcome);
                 print(&row);
                 rows.push(row);
             }
@@ -209,7 +209,7 @@ fn train(
     Ok(rows)
 }
 
-impl Row {
+impl TrainedRow {
     fn of(landmark: &str, outcome: TrainingOutcome) -> Self {
         let [sigma_north_m, sigma_east_m] = outcome.sigmas;
         Self {
@@ -237,16 +237,16 @@ fn write_cascade(folder: &Path, landmark: &Landmark) -> Result<(), String> {
 /// The flight in whose frames people labelled landmarks, if there is one.
 fn labelled_flight(
     arguments: &Arguments,
-    ground: &Ground,
+    ground: &PlannedFlight,
 ) -> Result<Option<FlightFolder>, Box<dyn std::error::Error>> {
     let path = arguments.source.flight.as_ref();
     let Some(path) = path.filter(|_| !ground.mission.labels.is_empty()) else {
         return Ok(None);
     };
-    Ok(Some(read_flight(Arc::new(Directory::open(path)?))?))
+    Ok(Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?))
 }
 
-fn print(row: &Row) {
+fn print(row: &TrainedRow) {
     println!("{} ({:.1} s)", row.landmark, row.seconds);
     println!("  stage  votes  hit rate  false alarms  windows that came to it");
     for (number, stage) in row.stages.iter().enumerate() {

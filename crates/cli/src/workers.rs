@@ -9,7 +9,7 @@ use std::time::Instant;
 use pilotage_core::flight::{Flight, FolderFrames};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::simulate::FlightDay;
-use pilotage_core::training::Photos;
+use pilotage_core::training::TrainingPhotos;
 use pilotage_jobs::{
     Abilities, Advance, FlightSource, JobEvent, KeptFrames, MapSource, OpenFlight, Order,
     WorkerState,
@@ -197,7 +197,7 @@ impl InOrder {
 }
 
 /// The same photos, taken by a thread of their own.
-fn elsewhere(photos: Photos) -> Photos {
+fn elsewhere(photos: TrainingPhotos) -> TrainingPhotos {
     let (send, receive) = channel();
     std::thread::spawn(move || {
         for photo in photos {
@@ -211,7 +211,7 @@ fn elsewhere(photos: Photos) -> Photos {
 
 #[cfg(test)]
 mod tests {
-    use pilotage_jobs::{Role, RunningJob, Urgency};
+    use pilotage_jobs::{RunningJob, Urgency, WorkerRole};
 
     use super::*;
 
@@ -242,8 +242,8 @@ mod tests {
     impl Order for Slices {
         const URGENCY: Urgency = Urgency::Slow;
 
-        fn role(&self) -> Role {
-            Role::Flight
+        fn role(&self) -> WorkerRole {
+            WorkerRole::Flight
         }
 
         fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

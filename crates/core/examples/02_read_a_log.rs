@@ -10,7 +10,7 @@ use pilotage_core::flight::{
     ChannelName, SpanStatistics,
     expression::Expression,
     interpret::flight_from_log,
-    log::{Outline, read_log},
+    log::{LogOutline, read_log},
     overview::overview,
 };
 use pilotage_core::imagery::MemoryBytes;
@@ -46,7 +46,7 @@ fn a_log() -> Result<String, std::fmt::Error> {
 fn main() -> Result<(), Box<dyn Error>> {
     let source = MemoryBytes::new("flight.log", a_log()?.into_bytes());
     let log = read_log(&source)?.ok_or("this is no log")?;
-    for topic in &Outline::of(&log).topics {
+    for topic in &LogOutline::of(&log).topics {
         let (name, rows, rate) = (&topic.name, topic.rows, topic.rate());
         println!("{name}: {rows} rows, {rate:.1} Hz");
     }

@@ -10,7 +10,7 @@ use pilotage_core::frames::{Attitude, GroundPoint, Pose, wrap_pi};
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::raster::{PYRAMID_LEVELS, Pyramid};
 use pilotage_core::registration::{
-    HeadingPrior, Look, MapShape, PosePrior, deviation_within, log_deviation_within, register,
+    FrameLook, HeadingPrior, MapShape, PosePrior, deviation_within, log_deviation_within, register,
 };
 use pilotage_core::simulate::{AerialCamera, AerialCameraSettings, Scenario, frame_random};
 
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         shape_deviation: 0.002,
         map_deviation: 0.1,
     };
-    let look = Look {
+    let look = FrameLook {
         camera: camera.model(),
         ground_down: 0.0,
         luminance: &Pyramid::new(frame.picture.to_gray(), PYRAMID_LEVELS),

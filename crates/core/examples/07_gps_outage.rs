@@ -7,7 +7,7 @@ use std::error::Error;
 
 use pilotage_core::flight::{Channel, ChannelName, Flight};
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::instruments::{Instruments, ReckonSettings, Way, reckon};
+use pilotage_core::instruments::{Instruments, ReckonSettings, ReckoningWay, reckon};
 use pilotage_core::simulate::{FlightPlan, Overrides, Scenario};
 
 /// When GPS is lost and when it comes back, seconds.
@@ -56,7 +56,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut flight = plan.simulate(4).ok_or("there is nothing to fly")?;
     add_gps(&mut flight).ok_or("a simulated flight has a truth")?;
     let instruments = Instruments::of(&flight, None)?;
-    let ways = [Way::air_and_wind(), Way::plain()];
+    let ways = [ReckoningWay::air_and_wind(), ReckoningWay::plain()];
     let settings = ReckonSettings::default();
     let found = reckon(&instruments, OUTAGE, &ways, &settings, |_| true)?;
     for track in &found.tracks {

@@ -9,7 +9,7 @@ use nalgebra::{Matrix4, Vector4};
 use pilotage_core::navigator::{EstimatorChoice, Navigator, VehicleChoice};
 use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
 use pilotage_core::simulate::{Overrides, Scenario};
-use pilotage_core::study::{Comparison, Contender, Tally};
+use pilotage_core::study::{Contender, ContenderTally, EstimatorComparison};
 
 /// Flights of each contender; take 20 for a verdict.
 const FLIGHTS: u64 = 2;
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // `EstimatorChoice::ALL` has the particle filter as well, whose steps take a hundred times as long.
     let estimators = [EstimatorChoice::Unscented, EstimatorChoice::Extended];
     for contender in Contender::all(&estimators, &vehicles) {
-        let mut tally = Tally::new(contender, false);
+        let mut tally = ContenderTally::new(contender, false);
         for seed in 1..=FLIGHTS {
             let flight = Arc::new(scenario.fly(seed, &Overrides::default()));
             let settings = contender.settings(&mission.navigator, seed);
@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "{:63} RMS, m  NEES (2 is honest)  ms a step",
         "estimator, model"
     );
-    for row in Comparison::of(&tallies).rows {
+    for row in EstimatorComparison::of(&tallies).rows {
         let Contender { estimator, vehicle } = row.contender;
         let name = format!("{}, {}", estimator.label(), vehicle.label());
         let rms = row.position_error_m.ok_or("no truth")?.rms;

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use pilotage_core::imagery::Imagery;
-use pilotage_core::plan::{Assessor, Breakdown, Circumstances, Rehearsal, View};
+use pilotage_core::plan::{Assessor, Circumstances, Rehearsal, ViewBreakdown, ViewResult};
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
 use super::running::{SLICE, once};
 use super::share::Shareable;
 use super::{
@@ -43,9 +43,9 @@ impl AssessmentOrder {
 }
 
 /// Assessment of a landmark by all its views, which are in the order of their looks.
-pub fn sum_up(order: &AssessmentOrder, views: &[View]) -> Result<Assessment, String> {
+pub fn sum_up(order: &AssessmentOrder, views: &[ViewResult]) -> Result<Assessment, String> {
     let expected = Rehearsal::expected(views).ok_or("there was nothing to look at")?;
-    let glance = |view: &View| Glance {
+    let glance = |view: &ViewResult| Glance {
         heading: view.heading,
         off_centre: view.off_centre,
         day: view.day,
@@ -58,7 +58,7 @@ pub fn sum_up(order: &AssessmentOrder, views: &[View]) -> Result<Assessment, Str
         expected,
         false_matches: Rehearsal::false_matches(views),
         views: views.iter().map(glance).collect(),
-        breakdown: Breakdown::of(views, &order.navigator.sensors, Rehearsal::DAYS),
+        breakdown: ViewBreakdown::of(views, &order.navigator.sensors, Rehearsal::DAYS),
     })
 }
 
@@ -146,8 +146,8 @@ impl RunningJob for Assess {
 impl Order for AssessmentOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {
@@ -172,13 +172,13 @@ impl Shareable for AssessmentOrder {
 
 /// Sum of all looks at a landmark: event `Assessment`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SumUpOrder(pub Box<AssessmentOrder>, pub Vec<View>);
+pub struct SumUpOrder(pub Box<AssessmentOrder>, pub Vec<ViewResult>);
 
 impl Order for SumUpOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

@@ -3,7 +3,7 @@
 use pilotage_core::imagery::Imagery;
 use pilotage_core::raster::encode_jpeg;
 
-use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, keys_of};
 use super::{
     Advance, BriefOrder, BriefPictures, EncodedPicture, JobEvent, MapSource, RunningJob,
     WorkerState,
@@ -66,8 +66,8 @@ impl RunningJob for Brief {
 impl Order for BriefOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {

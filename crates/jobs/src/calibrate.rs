@@ -2,7 +2,7 @@
 
 use pilotage_core::calibration::CameraSearch;
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::SLICE;
 use super::{Advance, CalibrationOrder, JobEvent, RunningJob, WorkerState};
 
@@ -58,8 +58,8 @@ impl RunningJob for Calibrate {
 impl Order for CalibrationOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

@@ -7,28 +7,28 @@ use std::sync::Arc;
 use pilotage_core::flight::Flight;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::navigator::Navigator;
-use pilotage_core::study::{Comparison, Contender, Tally};
+use pilotage_core::study::{Contender, ContenderTally, EstimatorComparison};
 
 use super::flights::OpenFlight;
-use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
 use super::passage::Passage;
 use super::{Advance, ContestOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
 /// Event that tells what was tallied.
-type Judged = fn(&[Tally]) -> Result<JobEvent, String>;
+type Judged = fn(&[ContenderTally]) -> Result<JobEvent, String>;
 
 /// A contest under way: events `Progress`, a `Remark` on each contender that had to stop, and at the end what
 /// `judged` makes of the tallies.
 pub struct Contest {
     order: ContestOrder,
     judged: Judged,
-    ground: Option<Ground>,
+    ground: Option<ContestGround>,
     flying: Option<Passage>,
-    tallies: Vec<Tally>,
+    tallies: Vec<ContenderTally>,
 }
 
 /// Flight and map that all contenders share.
-struct Ground {
+struct ContestGround {
     open: Rc<RefCell<OpenFlight>>,
     flight: Arc<Flight>,
     map: Arc<dyn Imagery>,
@@ -53,7 +53,7 @@ impl Contest {
     /// Steps for about a slice; whether the contender is still flying.
     fn fly(
         &mut self,
-        ground: &Ground,
+        ground: &ContestGround,
         contender: Contender,
         clock: &dyn Fn() -> f64,
     ) -> Result<bool, String> {
@@ -89,7 +89,7 @@ impl RunningJob for Contest {
             let map = worker.map(&self.order.map)?;
             let open = worker.flight(&self.order.flight)?;
             let flight = self.order.mission.flown(&open.borrow().flight);
-            self.ground = Some(Ground { open, flight, map });
+            self.ground = Some(ContestGround { open, flight, map });
             return Ok(Advance::More);
         };
         let Some(contender) = self.contender() else {
@@ -101,7 +101,7 @@ impl RunningJob for Contest {
         emit(self.progress(contender));
         if !matches!(outcome, Ok(true)) {
             // One that cannot go on is counted; the others fly all the same.
-            let mut tally = Tally::new(contender, self.order.smooth);
+            let mut tally = ContenderTally::new(contender, self.order.smooth);
             let flown = self.flying.take();
             match outcome {
                 Ok(_) => {
@@ -126,8 +126,8 @@ impl RunningJob for Contest {
 impl Order for ContestOrder {
     const URGENCY: Urgency = Urgency::Flight;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {
@@ -143,19 +143,21 @@ impl Order for ContestOrder {
     /// Its event is `ContestJudged`.
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(Contest::new(self, |tallies| {
-            Ok(JobEvent::ContestJudged(Box::new(Comparison::of(tallies))))
+            Ok(JobEvent::ContestJudged(Box::new(EstimatorComparison::of(
+                tallies,
+            ))))
         }))
     }
 }
 
-/// Contest over one of several flights: event `Figures` with the tallies ([`Tally`]) of its contenders, to be
+/// Contest over one of several flights: event `Figures` with the tallies ([`ContenderTally`]) of its contenders, to be
 /// merged with those of the other flights.
 pub struct TallyOrder(pub ContestOrder);
 
 impl Order for TallyOrder {
     const URGENCY: Urgency = ContestOrder::URGENCY;
 
-    fn role(&self) -> Role {
+    fn role(&self) -> WorkerRole {
         self.0.role()
     }
 
@@ -250,10 +252,10 @@ mod tests {
                 ..ContestOrder::of_all(flight, MapSource::world("countryside"), mission)
             })
         };
-        let mut tallies: Vec<Tally> = figures(order(1, 1.0));
-        let of_second: Vec<Tally> = figures(order(2, 1.0));
-        let rms = |tallies: &[Tally]| {
-            let rows = Comparison::of(tallies).rows;
+        let mut tallies: Vec<ContenderTally> = figures(order(1, 1.0));
+        let of_second: Vec<ContenderTally> = figures(order(2, 1.0));
+        let rms = |tallies: &[ContenderTally]| {
+            let rows = EstimatorComparison::of(tallies).rows;
             (
                 rows.len(),
                 rows[0].flights,
@@ -269,7 +271,7 @@ mod tests {
         let refused = finished(order(1, f64::NAN));
         let named = |event: &JobEvent| matches!(event, JobEvent::Remark(why) if why.len() > 10);
         assert!(refused.iter().any(named), "{refused:?}");
-        let tallies: Vec<Tally> = figures(order(1, f64::NAN));
-        assert_eq!(Comparison::of(&tallies).rows[0].failed, 1);
+        let tallies: Vec<ContenderTally> = figures(order(1, f64::NAN));
+        assert_eq!(EstimatorComparison::of(&tallies).rows[0].failed, 1);
     }
 }

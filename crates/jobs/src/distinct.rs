@@ -6,7 +6,7 @@ use pilotage_core::landmark::{PatchDistinctness, TemplateSettings, distinctness}
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, keys_of};
 use super::running::once;
 use super::{Distinctness, JobEvent, MapSource, RunningJob, WorkerState};
 
@@ -83,8 +83,8 @@ pub struct DistinctnessOrder {
 impl Order for DistinctnessOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {

@@ -4,7 +4,7 @@ use pilotage_core::plan::EnvelopeSurvey;
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Reads, Role, Urgency};
+use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::running::slice;
 use super::{Advance, AssessmentOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
@@ -67,8 +67,8 @@ pub struct EnvelopeOrder(pub Box<AssessmentOrder>);
 impl Order for EnvelopeOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

@@ -14,7 +14,7 @@ use pilotage_core::training::evaluation::{
 };
 
 use super::flights::OpenFlight;
-use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
 use super::running::SLICE;
 use super::{
     Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, JudgedDetector, MapSource,
@@ -160,7 +160,7 @@ impl RealFrames {
 }
 
 /// Everything that is needed once the judging has begun.
-struct Work {
+struct JudgingWork {
     judge: DetectorJudge,
     trained: TrainedDetector,
     envelope: FlightEnvelope,
@@ -168,7 +168,7 @@ struct Work {
     looks: Vec<EvaluatedLook>,
 }
 
-impl Work {
+impl JudgingWork {
     /// Looks so far.
     fn looks(&self) -> &[EvaluatedLook] {
         if self.looks.is_empty() {
@@ -180,13 +180,13 @@ impl Work {
 }
 
 /// Event beside the report at the end, of the landmark's name, the looks and what they come to.
-type Detail = fn(&EvaluationOrder, &Work, Evaluation) -> Result<JobEvent, String>;
+type Detail = fn(&EvaluationOrder, &JudgingWork, Evaluation) -> Result<JobEvent, String>;
 
 /// A detector being judged.
 pub struct Evaluate {
     order: EvaluationOrder,
     detail: Option<Detail>,
-    work: Option<Work>,
+    work: Option<JudgingWork>,
     told: usize,
 }
 
@@ -209,7 +209,7 @@ impl Evaluate {
         }
     }
 
-    fn begin(&self, worker: &mut WorkerState) -> Result<Work, String> {
+    fn begin(&self, worker: &mut WorkerState) -> Result<JudgingWork, String> {
         let about = &self.order.about;
         let landmark = &about.landmark;
         let trained = landmark.trained_detector();
@@ -238,7 +238,7 @@ impl Evaluate {
             Some(source) => RealFrames::of(worker, source, self.order.most_frames)?,
             None => None,
         };
-        Ok(Work {
+        Ok(JudgingWork {
             judge,
             trained,
             envelope,
@@ -358,8 +358,8 @@ impl RunningJob for Evaluate {
 impl Order for EvaluationOrder {
     const URGENCY: Urgency = Urgency::Ahead;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {
@@ -382,7 +382,7 @@ pub struct EvaluationInDetail(pub EvaluationOrder);
 impl Order for EvaluationInDetail {
     const URGENCY: Urgency = EvaluationOrder::URGENCY;
 
-    fn role(&self) -> Role {
+    fn role(&self) -> WorkerRole {
         self.0.role()
     }
 
@@ -401,7 +401,7 @@ impl Order for EvaluationInDetail {
 
 fn in_detail(
     order: &EvaluationOrder,
-    work: &Work,
+    work: &JudgingWork,
     evaluation: Evaluation,
 ) -> Result<JobEvent, String> {
     let (looks, threshold) = (work.looks().to_vec(), work.trained.least_score);
@@ -419,7 +419,9 @@ fn in_detail(
 
 #[cfg(test)]
 mod tests {
-    use pilotage_core::landmark::cascade::{Cascade, Feature, Split, TrainedStage, TrainedTree};
+    use pilotage_core::landmark::cascade::{
+        Cascade, CascadeFeature, NodeSplit, TrainedStage, TrainedTree,
+    };
     use pilotage_core::landmark::trained::{DetectorWindow, Likelihood, MarkPrecision, Variants};
     use pilotage_core::simulate::Scenario;
 
@@ -430,11 +432,11 @@ mod tests {
 
     /// A detector that marks every place of the ground alike.
     fn anything(bounds: pilotage_core::frames::GroundRect) -> TrainedDetector {
-        let feature = Feature::Hog {
+        let feature = CascadeFeature::Hog {
             cell: [0, 0, 8, 8],
             component: 3,
         };
-        let stump = TrainedTree::stump(0, Split::Threshold(0.1), -1.0, 1.0);
+        let stump = TrainedTree::stump(0, NodeSplit::Threshold(0.1), -1.0, 1.0);
         let stage = TrainedStage {
             trees: vec![stump],
             threshold: -2.0,

@@ -11,7 +11,7 @@ use pilotage_core::raster::Picture;
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
 use super::running::once;
 use super::{
     DetectorSearch, ExplainedBy, FlightSource, JobEvent, MapSource, MatchPictures, RunningJob,
@@ -38,8 +38,8 @@ pub struct ExplainOrder {
 impl Order for ExplainOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {

@@ -1,16 +1,16 @@
 //! Files for other programs, as a job: the page needs no writer of theirs.
 
 use pilotage_core::exchange::labels::write_labels;
-use pilotage_core::exchange::{Places, Written, write_flown, write_places};
+use pilotage_core::exchange::{Places, WrittenFile, write_flown, write_places};
 use pilotage_core::frames::LocalFrame;
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
 use super::{ExportOrder, JobEvent, RunningJob, WorkerState};
 
 impl ExportOrder {
     /// The file; the error says in words why there is none.
-    pub fn write(&self) -> Result<Written, String> {
+    pub fn write(&self) -> Result<WrittenFile, String> {
         match self {
             Self::Places {
                 format,
@@ -42,13 +42,13 @@ impl ExportOrder {
 impl Order for ExportOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         once(move |_, emit| {
-            let Written { bytes, notes } = self.write()?;
+            let WrittenFile { bytes, notes } = self.write()?;
             emit(JobEvent::Exported { bytes, notes });
             Ok(())
         })

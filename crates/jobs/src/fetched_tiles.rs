@@ -17,10 +17,10 @@ const UNPACKED: usize = 32 << 20;
 
 /// Tiles as they were fetched, by address; clones share them.
 #[derive(Clone, Default)]
-pub struct FetchedTiles(Arc<Mutex<Fetched>>);
+pub struct FetchedTiles(Arc<Mutex<FetchedTile>>);
 
 #[derive(Default)]
-struct Fetched {
+struct FetchedTile {
     tiles: HashMap<String, (u64, Arc<[u8]>)>,
     bytes: usize,
     clock: u64,

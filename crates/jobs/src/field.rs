@@ -2,7 +2,7 @@
 
 use pilotage_core::plan::{FieldBuilder, FixSource, Localizability, OfferedField};
 
-use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, keys_of};
 use super::running::slice;
 use super::{Advance, FieldFrom, FieldOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
@@ -48,7 +48,7 @@ impl FieldOrder {
     }
 }
 
-enum Work {
+enum FieldWork {
     Waiting,
     Landmarks(Box<FieldBuilder>),
     Map(Box<OfferedField>),
@@ -57,7 +57,7 @@ enum Work {
 /// A field being computed.
 pub struct ComputeField {
     order: FieldOrder,
-    work: Work,
+    work: FieldWork,
     told: f64,
 }
 
@@ -66,16 +66,16 @@ impl ComputeField {
     pub fn new(order: FieldOrder) -> Self {
         Self {
             order,
-            work: Work::Waiting,
+            work: FieldWork::Waiting,
             told: 0.0,
         }
     }
 
-    fn begin(&self, worker: &mut WorkerState) -> Result<Work, String> {
+    fn begin(&self, worker: &mut WorkerState) -> Result<FieldWork, String> {
         let order = &self.order;
         match &order.from {
             _ if order.view.across().is_none() => Err(LOOKS_AWAY.to_owned()),
-            FieldFrom::Landmarks(sources) => Ok(Work::Landmarks(Box::new(FieldBuilder::new(
+            FieldFrom::Landmarks(sources) => Ok(FieldWork::Landmarks(Box::new(FieldBuilder::new(
                 order.view.clone(),
                 &order.region,
                 order.step(),
@@ -86,7 +86,7 @@ impl ComputeField {
                 days,
             } => {
                 let offered = order.offered((*search_sigmas, *days), worker)?;
-                Ok(Work::Map(Box::new(offered)))
+                Ok(FieldWork::Map(Box::new(offered)))
             }
         }
     }
@@ -100,26 +100,26 @@ impl RunningJob for ComputeField {
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let more = match &mut self.work {
-            Work::Waiting => {
+            FieldWork::Waiting => {
                 let words = "Laying out the ground of other days".to_owned();
                 emit(JobEvent::Progress(0.0, words));
                 self.told = clock();
                 self.work = self.begin(worker)?;
                 return Ok(Advance::More);
             }
-            Work::Landmarks(builder) => slice(clock, || builder.advance()),
-            Work::Map(offered) => slice(clock, || offered.advance()),
+            FieldWork::Landmarks(builder) => slice(clock, || builder.advance()),
+            FieldWork::Map(offered) => slice(clock, || offered.advance()),
         };
         let (done, of, what, field) = match &self.work {
-            Work::Landmarks(builder) => {
+            FieldWork::Landmarks(builder) => {
                 let (done, of) = builder.progress();
                 (done, of, "Row", builder.field())
             }
-            Work::Map(offered) => {
+            FieldWork::Map(offered) => {
                 let (done, of) = offered.progress();
                 (done, of, "Place", offered.field())
             }
-            Work::Waiting => return Ok(Advance::More),
+            FieldWork::Waiting => return Ok(Advance::More),
         };
         let share = done as f32 / of.max(1) as f32;
         emit(JobEvent::Progress(share, format!("{what} {done} of {of}")));
@@ -138,8 +138,8 @@ impl RunningJob for ComputeField {
 impl Order for FieldOrder {
     const URGENCY: Urgency = Urgency::Flight;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

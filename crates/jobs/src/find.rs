@@ -11,7 +11,7 @@ use pilotage_core::plan::{
 use pilotage_core::simulate::Airframe;
 
 use super::field::LOOKS_AWAY;
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::slice;
 use super::{
     Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PredictionOrder,
@@ -49,7 +49,7 @@ impl HighGround {
     }
 }
 
-enum Stage {
+enum FindStage {
     Field,
     Offer(Box<OfferedField>),
     Search(Box<RouteSearch>),
@@ -59,7 +59,7 @@ enum Stage {
 /// A search under way.
 pub struct FindRoute {
     order: FindOrder,
-    stage: Stage,
+    stage: FindStage,
 }
 
 impl FindRoute {
@@ -67,12 +67,12 @@ impl FindRoute {
     pub fn new(order: FindOrder) -> Self {
         Self {
             order,
-            stage: Stage::Field,
+            stage: FindStage::Field,
         }
     }
 
     /// The field of the landmarks, or what the map offers as work to be done.
-    fn begin(&self, worker: &mut WorkerState) -> Result<Stage, String> {
+    fn begin(&self, worker: &mut WorkerState) -> Result<FindStage, String> {
         let field = &self.order.field;
         let pass = field.view.across().ok_or(LOOKS_AWAY)?;
         let sources = match &field.from {
@@ -82,7 +82,7 @@ impl FindRoute {
                 days,
             } => {
                 let offered = field.offered((*search_sigmas, *days), worker)?;
-                return Ok(Stage::Offer(Box::new(offered)));
+                return Ok(FindStage::Offer(Box::new(offered)));
             }
         };
         if sources.is_empty() {
@@ -96,7 +96,7 @@ impl FindRoute {
         self.search(field.of_landmarks(sources, step))
     }
 
-    fn search(&self, field: Localizability) -> Result<Stage, String> {
+    fn search(&self, field: Localizability) -> Result<FindStage, String> {
         let order = &self.order;
         let pass = order.field.view.across().ok_or(LOOKS_AWAY)?;
         let cruise = Airframe::sig_kadet_senior().cruise;
@@ -116,7 +116,7 @@ impl FindRoute {
             budget_of: order.budget_of,
             aim: order.aim,
         })
-        .map(|search| Stage::Search(Box::new(search)))
+        .map(|search| FindStage::Search(Box::new(search)))
         .map_err(|e| e.to_string())
     }
 }
@@ -129,12 +129,12 @@ impl RunningJob for FindRoute {
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         match &mut self.stage {
-            Stage::Field => {
+            FindStage::Field => {
                 let words = "Where a fix would be had".to_owned();
                 emit(JobEvent::Progress(0.02, words));
                 self.stage = self.begin(worker)?;
             }
-            Stage::Offer(offered) => {
+            FindStage::Offer(offered) => {
                 let more = slice(clock, || offered.advance());
                 let (done, of) = offered.progress();
                 let share = 0.7 * done as f32 / of.max(1) as f32;
@@ -145,7 +145,7 @@ impl RunningJob for FindRoute {
                     self.stage = self.search(field)?;
                 }
             }
-            Stage::Search(search) => {
+            FindStage::Search(search) => {
                 let more = slice(clock, || search.advance());
                 let by_map = matches!(self.order.field.from, FieldFrom::Map { .. });
                 let begin = if by_map { 0.7 } else { 0.05 };
@@ -153,15 +153,15 @@ impl RunningJob for FindRoute {
                 let words = "Comparing ways from fix to fix".to_owned();
                 emit(JobEvent::Progress(share, words));
                 if !more {
-                    let stage = std::mem::replace(&mut self.stage, Stage::Field);
-                    if let Stage::Search(search) = stage {
+                    let stage = std::mem::replace(&mut self.stage, FindStage::Field);
+                    if let FindStage::Search(search) = stage {
                         let found = search.found().map_err(|e| e.to_string())?;
                         let both = vec![found.surest, found.shortest];
-                        self.stage = Stage::Predict(both, Vec::new());
+                        self.stage = FindStage::Predict(both, Vec::new());
                     }
                 }
             }
-            Stage::Predict(left, done) => {
+            FindStage::Predict(left, done) => {
                 if let Some(route) = left.pop() {
                     let share = 0.75 + 0.12 * done.len() as f32;
                     emit(JobEvent::Progress(share, "Predicting both".to_owned()));
@@ -193,8 +193,8 @@ impl RunningJob for FindRoute {
 impl Order for FindOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

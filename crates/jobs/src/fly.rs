@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::OpenFlight;
 use super::frame_picture::digest;
-use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
 use super::running::{SLICE, slice};
 use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, WorkerState};
 
@@ -20,10 +20,10 @@ pub struct Fly {
     flight: FlightSource,
     map: MapSource,
     mission: Option<Mission>,
-    stage: Stage,
+    stage: FlyStage,
 }
 
-enum Stage {
+enum FlyStage {
     /// Nothing done; the first slice only says so, that the page has something to show.
     Asked,
     /// The next slice opens the map.
@@ -45,7 +45,7 @@ impl Fly {
             flight,
             map,
             mission,
-            stage: Stage::Asked,
+            stage: FlyStage::Asked,
         }
     }
 
@@ -73,7 +73,7 @@ impl Fly {
             Ok(navigator) => navigator,
             Err(cause) => {
                 emit(JobEvent::CannotNavigate(cause.to_string()));
-                self.stage = Stage::Looking(open, 0);
+                self.stage = FlyStage::Looking(open, 0);
                 return Ok(());
             }
         };
@@ -82,7 +82,7 @@ impl Fly {
             0.0,
             "Taking the first picture".to_owned(),
         ));
-        self.stage = Stage::Flying(open, Box::new(navigator));
+        self.stage = FlyStage::Flying(open, Box::new(navigator));
         Ok(())
     }
 }
@@ -160,30 +160,30 @@ impl RunningJob for Fly {
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let more = match &mut self.stage {
-            Stage::Asked => {
+            FlyStage::Asked => {
                 emit(JobEvent::Progress(0.0, "Opening the map".to_owned()));
-                self.stage = Stage::Map;
+                self.stage = FlyStage::Map;
                 true
             }
-            Stage::Map => {
+            FlyStage::Map => {
                 worker.map(&self.map)?;
                 emit(JobEvent::Progress(0.0, "Preparing the flight".to_owned()));
-                self.stage = Stage::Flight;
+                self.stage = FlyStage::Flight;
                 true
             }
-            Stage::Flight => {
+            FlyStage::Flight => {
                 worker.flight(&self.flight)?;
-                self.stage = Stage::Navigator;
+                self.stage = FlyStage::Navigator;
                 true
             }
-            Stage::Navigator => {
+            FlyStage::Navigator => {
                 self.open(worker, emit)?;
                 true
             }
-            Stage::Flying(open, navigator) => {
+            FlyStage::Flying(open, navigator) => {
                 steps(&mut open.borrow_mut(), navigator, clock, emit)?
             }
-            Stage::Looking(open, index) => pictures(&mut open.borrow_mut(), index, clock, emit),
+            FlyStage::Looking(open, index) => pictures(&mut open.borrow_mut(), index, clock, emit),
         };
         if more {
             return Ok(Advance::More);
@@ -208,8 +208,8 @@ pub struct FlyOrder {
 impl Order for FlyOrder {
     const URGENCY: Urgency = Urgency::Flight;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use pilotage_core::raster::decode_picture;
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Role, Urgency, keys_of};
+use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::running::once;
 use super::{EncodedPicture, FlightSource, JobEvent, RunningJob, WorkerState};
 
@@ -35,10 +35,10 @@ impl Order for FramePictureOrder {
     const URGENCY: Urgency = Urgency::First;
 
     /// The worker that flies has the flight open.
-    fn role(&self) -> Role {
+    fn role(&self) -> WorkerRole {
         match self.form {
-            PictureForm::PixelsOf(_) => Role::Questions,
-            PictureForm::Pixels | PictureForm::Encoded => Role::Flight,
+            PictureForm::PixelsOf(_) => WorkerRole::Questions,
+            PictureForm::Pixels | PictureForm::Encoded => WorkerRole::Flight,
         }
     }
 

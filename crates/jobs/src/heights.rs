@@ -3,7 +3,7 @@
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::terrain::{Dem, HeightGrid, Terrain as _};
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::SLICE;
 use super::{Advance, HeightsOrder, JobEvent, RunningJob, WorkerState, opening};
 
@@ -77,8 +77,8 @@ impl RunningJob for TakeHeights {
 impl Order for HeightsOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {

@@ -17,7 +17,7 @@ use super::messages::{
     PhotosOrder, PredictionOrder, SuggestOrder, TrainOrder,
 };
 use super::open::{OpenOrder, ReadPlacesOrder};
-use super::order::{Order, Reads, Role, Urgency};
+use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::prepare::PrepareMapOrder;
 use super::provided::{LetGoOrder, ProvideOrder};
 use super::rehearse::RehearseOrder;
@@ -54,7 +54,7 @@ macro_rules! orders {
             }
 
             /// Role of the worker that does it.
-            pub fn role(&self) -> Role {
+            pub fn role(&self) -> WorkerRole {
                 match self {
                     $(Self::$small(order) => order.role(),)*
                     $(Self::$name(order) => order.role(),)*

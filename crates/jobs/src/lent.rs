@@ -20,12 +20,12 @@ pub struct LentFiles {
 }
 
 /// A file under the name that it has among its like.
-struct Named {
+struct NamedFile {
     name: String,
     source: Arc<dyn ByteSource>,
 }
 
-impl ByteSource for Named {
+impl ByteSource for NamedFile {
     fn name(&self) -> &str {
         &self.name
     }
@@ -58,7 +58,7 @@ impl FileContent {
             Self::Lent { number, .. } => {
                 let source = lent.files.get(number).cloned();
                 let source = source.ok_or("the file is not here any more; open it again")?;
-                Ok(Arc::new(Named {
+                Ok(Arc::new(NamedFile {
                     name: name.to_owned(),
                     source,
                 }))

@@ -80,19 +80,19 @@ pub use log_series::SeriesOrder;
 pub use logs::ReadLogOrder;
 pub use map_view::{DescribeMapOrder, TileOrder};
 pub use messages::{
-    AidedResult, Assessment, AssessmentOrder, BESIDE, Basis, Beside, BriefOrder, BriefPictures,
-    COARSE, CalibrationOrder, ContestOrder, DetectorSearch, Distinctness, DrapeOrder,
-    EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FieldFrom,
-    FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder,
-    HighGround, ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement, LabelledFrames,
-    LogAnswer, LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
-    Measured, Opened, Outage, OutageOrder, OutageReport, PackOrder, PhotoReport, PhotosOrder,
-    PredictionOrder, ReadLog, RecordedPlaces, Reply, Request, SeriesName, Share, SimulationOptions,
-    StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome,
-    TrainingReport, Unplaced, WebMap, WindReport,
+    AidedResult, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder, BriefPictures, COARSE,
+    CalibrationOrder, ContestOrder, DetectorSearch, Distinctness, DrapeOrder, EncodedPicture,
+    EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FieldFrom, FieldOrder,
+    FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder, HighGround,
+    ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement, LabelledFrames, LogAnswer,
+    LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
+    MeasuredLandmark, MeasurementBasis, OpenedFiles, Outage, OutageOrder, OutageReport, PackOrder,
+    PhotoReport, PhotosOrder, PredictionOrder, ReadLog, RecordedPlaces, Reply, Request, SeriesName,
+    Share, SimulationOptions, StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft,
+    TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
-pub use order::{Order, Reads, Role, Urgency};
+pub use order::{Order, Reads, Urgency, WorkerRole};
 pub use passage::Passage;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use prepare::PrepareMapOrder;

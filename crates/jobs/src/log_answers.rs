@@ -2,10 +2,10 @@
 
 use std::rc::Rc;
 
-use pilotage_core::flight::expression::Samples;
+use pilotage_core::flight::expression::TimedSamples;
 use pilotage_core::flight::{SpanStatistics, SpanTable};
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::slice;
 use super::{Advance, JobEvent, LogAnswer, LogOrder, LogQuestion, RunningJob, WorkerState};
 
@@ -17,9 +17,9 @@ pub struct AnswerLog {
     order: LogOrder,
     /// Series looked at.
     next: usize,
-    columns: Vec<(String, Rc<Samples>)>,
+    columns: Vec<(String, Rc<TimedSamples>)>,
     lacks: Vec<String>,
-    table: Option<(SpanTable<Rc<Samples>>, String)>,
+    table: Option<(SpanTable<Rc<TimedSamples>>, String)>,
 }
 
 impl AnswerLog {
@@ -102,8 +102,8 @@ impl RunningJob for AnswerLog {
 impl Order for LogOrder {
     const URGENCY: Urgency = Urgency::First;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

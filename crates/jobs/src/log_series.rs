@@ -2,11 +2,11 @@
 
 use std::rc::Rc;
 
-use pilotage_core::flight::expression::Samples;
+use pilotage_core::flight::expression::TimedSamples;
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::slice;
 use super::{Advance, JobEvent, LogSeries, RunningJob, SeriesName, WorkerState};
 
@@ -17,7 +17,7 @@ pub struct SendSeries {
     key: String,
     file: String,
     series: SeriesName,
-    samples: Option<Rc<Samples>>,
+    samples: Option<Rc<TimedSamples>>,
     sent: usize,
 }
 
@@ -81,8 +81,8 @@ pub struct SeriesOrder {
 impl Order for SeriesOrder {
     const URGENCY: Urgency = Urgency::First;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

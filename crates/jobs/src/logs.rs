@@ -8,7 +8,7 @@ use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::flight::interpret::{
     RecordedTrack, flight_from_log, log_of_flight, recorded_tracks,
 };
-use pilotage_core::flight::log::{Log, LogReader, Outline, recognise};
+use pilotage_core::flight::log::{Log, LogOutline, LogReader, recognise};
 use pilotage_core::flight::overview::overview;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::ByteSource;
@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use super::file_pool::FilePool;
 use super::log_flights::{head, with_pictures};
 use super::opening::{flight_folder, open_folder};
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::slice;
 use super::vehicle::choose_vehicle;
 use super::{Advance, JobEvent, ReadLog, RecordedPlaces, RunningJob, WorkerState};
@@ -29,14 +29,14 @@ const PIECE: usize = 2 << 20;
 const FIRST_WORD: f64 = 300.0;
 
 /// A log that is read.
-struct Reading {
+struct LogReading {
     source: Arc<dyn ByteSource>,
     reader: Box<dyn LogReader>,
     log: Rc<RefCell<Log>>,
     offset: u64,
 }
 
-impl Reading {
+impl LogReading {
     /// Nothing read yet; `None` if no file of that name is a log.
     fn begin(pool: &FilePool, file: &str) -> Option<Self> {
         let source = pool.source(file)?;
@@ -76,7 +76,7 @@ impl Reading {
 pub struct ReadingLog {
     key: String,
     file: String,
-    reading: Option<Reading>,
+    reading: Option<LogReading>,
     begun: f64,
     /// When what was read so far is told next, milliseconds after the beginning.
     word: f64,
@@ -105,7 +105,7 @@ impl RunningJob for ReadingLog {
         if self.reading.is_none() {
             self.begun = clock();
             let pool = worker.files(&self.key)?;
-            let Some(reading) = Reading::begin(pool.as_ref(), &self.file) else {
+            let Some(reading) = LogReading::begin(pool.as_ref(), &self.file) else {
                 return self.read_folder(worker, &pool, emit);
             };
             worker.keep_log(&self.key, &self.file, reading.log.clone());
@@ -131,7 +131,7 @@ impl RunningJob for ReadingLog {
             emit(JobEvent::Progress(reading.share(), words));
             if clock() - self.begun > self.word {
                 self.word *= 2.0;
-                let outline = Outline::of(&reading.log.borrow());
+                let outline = LogOutline::of(&reading.log.borrow());
                 emit(JobEvent::LogOutline(Box::new(outline)));
             }
             return Ok(Advance::More);
@@ -141,7 +141,7 @@ impl RunningJob for ReadingLog {
         let interpreted = flight_from_log(&log);
         let tracks = recorded_tracks(&mut log, interpreted.measured().found);
         let mut read = ReadLog {
-            outline: Outline::of(&log),
+            outline: LogOutline::of(&log),
             overview: overview(&log, &interpreted.measured()),
             flight: Ok(None),
             tracks: Vec::new(),
@@ -202,7 +202,7 @@ impl ReadingLog {
         let mut overview = overview(&log, &beside.measured());
         overview.add_pictures(folder.flight.frames.len());
         let read = ReadLog {
-            outline: Outline::of(&log),
+            outline: LogOutline::of(&log),
             overview,
             flight: Ok(folder.flight.frame_on_globe),
             tracks: on_ground(&tracks, folder.flight.frame_on_globe),
@@ -230,8 +230,8 @@ pub struct ReadLogOrder {
 impl Order for ReadLogOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

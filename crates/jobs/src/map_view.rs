@@ -3,7 +3,7 @@
 use pilotage_core::imagery::Window;
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, keys_of};
 use super::running::once;
 use super::worker_state::describe;
 use super::{JobEvent, MapSource, RunningJob, WorkerState};
@@ -15,8 +15,8 @@ pub struct DescribeMapOrder(pub MapSource);
 impl Order for DescribeMapOrder {
     const URGENCY: Urgency = Urgency::First;
 
-    fn role(&self) -> Role {
-        Role::Map
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Map
     }
 
     fn files(&self) -> Vec<&str> {
@@ -50,8 +50,8 @@ pub struct TileOrder {
 impl Order for TileOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Map
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Map
     }
 
     fn files(&self) -> Vec<&str> {

@@ -6,7 +6,9 @@ use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::{ByteSource, Window};
 
 use super::*;
-use crate::{HeightsOrder, MapSource, OpenOrder, Opened, PrepareMapOrder, ProvideOrder, TileOrder};
+use crate::{
+    HeightsOrder, MapSource, OpenOrder, OpenedFiles, PrepareMapOrder, ProvideOrder, TileOrder,
+};
 
 fn words(values: &[u16]) -> Vec<u8> {
     values.iter().flat_map(|v| v.to_le_bytes()).collect()
@@ -100,7 +102,7 @@ fn all(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
     events.map(|(_, event)| event).collect()
 }
 
-fn open(host: &mut InlineWorkers, files: &[(&str, FileContent)]) -> Result<Opened, String> {
+fn open(host: &mut InlineWorkers, files: &[(&str, FileContent)]) -> Result<OpenedFiles, String> {
     let files = files.iter().map(|(n, c)| ((*n).to_owned(), c.clone()));
     let key = "drop".to_owned();
     host.start(Job::Provide(ProvideOrder {

@@ -4,7 +4,7 @@ use pilotage_core::frames::Geodetic;
 use serde::{Deserialize, Serialize};
 
 use super::opening::{look_through, places};
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
 use super::{JobEvent, RunningJob, WorkerState};
 
@@ -22,8 +22,8 @@ pub struct OpenOrder {
 impl Order for OpenOrder {
     const URGENCY: Urgency = Urgency::First;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {
@@ -50,8 +50,8 @@ pub struct ReadPlacesOrder {
 impl Order for ReadPlacesOrder {
     const URGENCY: Urgency = Urgency::First;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {

@@ -16,7 +16,9 @@ use pilotage_core::imagery::GeoTiffError;
 use pilotage_core::imagery::terrain::{Dem, Terrain as _, holds_heights};
 use pilotage_core::imagery::tiff::TiffFile;
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
-use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
+use pilotage_core::mission::{
+    MapFileError, MapOptions, Mission, OpenMap, open_map_with, read_mission,
+};
 use pilotage_core::navigator::{Run, decode_run};
 use pilotage_core::text::capitalised;
 
@@ -26,7 +28,7 @@ use super::imports::{imports, is_mission, is_picture_table, labels};
 use super::log_flights::{flight_of_log, head, log_among};
 use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
 use super::worker_state::{MAP_MEMORY, describe};
-use super::{BESIDE, MapInfo, Opened, TerrainInfo, Unplaced};
+use super::{BESIDE, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
@@ -51,7 +53,7 @@ pub fn look_through(
     pool: &Arc<FilePool>,
     near: Option<Geodetic>,
     origin: Geodetic,
-) -> Result<Opened, String> {
+) -> Result<OpenedFiles, String> {
     let flight = flight_folder(pool)?;
     let frame = flight.as_ref().and_then(|f| f.flight.frame_on_globe);
     let options = MapOptions {
@@ -110,7 +112,7 @@ pub fn look_through(
         origin: map.frame().map(|frame| frame.origin),
         ..describe(&map)
     });
-    Ok(Opened {
+    Ok(OpenedFiles {
         key,
         flight,
         log,
@@ -248,10 +250,10 @@ pub fn map(pool: &FilePool, options: &MapOptions) -> Result<Option<(String, Open
         match open_map_with(pool, &name, options) {
             Ok(map) => return Ok(Some((name, map))),
             Err(
-                MapError::NoGeoreference { .. }
-                | MapError::NoOverlay { .. }
-                | MapError::Overlay { .. }
-                | MapError::GeoTiff(GeoTiffError::NoPlace { .. }),
+                MapFileError::NoGeoreference { .. }
+                | MapFileError::NoOverlay { .. }
+                | MapFileError::Overlay { .. }
+                | MapFileError::GeoTiff(GeoTiffError::NoPlace { .. }),
             ) => {}
             Err(other) => return Err(other.to_string()),
         }
@@ -373,7 +375,7 @@ mod tests {
     use super::super::LentFiles;
     use super::*;
 
-    fn look(files: &[(&str, &[u8])]) -> Result<Opened, String> {
+    fn look(files: &[(&str, &[u8])]) -> Result<OpenedFiles, String> {
         let files: Vec<_> = (files.iter())
             .map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec().into()))
             .collect();

@@ -31,7 +31,7 @@ pub enum Urgency {
 
 /// Role of a worker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub enum WorkerRole {
     /// Flies and measures.
     Flight,
     /// Shows the map.
@@ -40,7 +40,7 @@ pub enum Role {
     Questions,
 }
 
-impl Role {
+impl WorkerRole {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Flight, Self::Map, Self::Questions];
 }
@@ -59,7 +59,7 @@ pub trait Order {
     const URGENCY: Urgency;
 
     /// Role of the worker that does it.
-    fn role(&self) -> Role;
+    fn role(&self) -> WorkerRole;
 
     /// Keys of the provided files that it names.
     fn files(&self) -> Vec<&str> {
@@ -83,7 +83,7 @@ pub trait Order {
 impl<O: Order> Order for Box<O> {
     const URGENCY: Urgency = O::URGENCY;
 
-    fn role(&self) -> Role {
+    fn role(&self) -> WorkerRole {
         (**self).role()
     }
 

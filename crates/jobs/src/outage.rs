@@ -1,11 +1,11 @@
 //! Satellite navigation cut out of a flight, in a worker.
 
 use pilotage_core::instruments::{
-    GpsWindSettings, Instruments, OutagePlan, OutageStudy, ReckonSettings, Reckoning, Track, Way,
-    WindComparison, reckon, study_cuts,
+    BeliefTrack, GpsWindSettings, Instruments, OutagePlan, OutageStudy, ReckonSettings, Reckoning,
+    ReckoningWay, WindComparison, reckon, study_cuts,
 };
 
-use super::order::{Order, Role, Urgency, keys_of};
+use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::{
     Advance, AidedResult, JobEvent, Outage, OutageOrder, OutageReport, RunningJob, StudyReport,
     WindReport, WorkerState,
@@ -39,16 +39,16 @@ fn thinned(winds: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
 
 impl OutageOrder {
     /// The ways that are shown side by side.
-    fn ways(&self, instruments: &Instruments) -> Vec<Way> {
-        let mut ways = vec![Way::air_and_wind(), Way::plain()];
+    fn ways(&self, instruments: &Instruments) -> Vec<ReckoningWay> {
+        let mut ways = vec![ReckoningWay::air_and_wind(), ReckoningWay::plain()];
         if matches!(self.cut, Outage::Stretch(..)) {
-            ways.push(Way::gps_throughout());
+            ways.push(ReckoningWay::gps_throughout());
         }
         if let Some((label, fixes)) = &self.seen {
-            ways.push(Way::with_fixes(label, fixes.clone()));
+            ways.push(ReckoningWay::with_fixes(label, fixes.clone()));
         }
         if instruments.has_gyros() {
-            ways.push(Way::by_gyros());
+            ways.push(ReckoningWay::by_gyros());
         }
         ways
     }
@@ -84,7 +84,7 @@ fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> Outag
             remarks.push(words);
         }
     }
-    let result = |track: Track| {
+    let result = |track: BeliefTrack| {
         let inside = track.points.iter();
         let inside = inside.filter(|p| (span.0..=span.1).contains(&p.time));
         AidedResult {
@@ -173,8 +173,8 @@ impl RunningJob for MakeOutage {
 impl Order for OutageOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

@@ -7,7 +7,7 @@ use pilotage_core::imagery::Georeference;
 use pilotage_core::mission::package::{MissionPackage, write_package};
 use pilotage_core::mission::{MapOptions, belongs_to, place_files};
 
-use super::order::{Order, Role, Urgency, keys_of};
+use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::running::once;
 use super::{BESIDE, JobEvent, MapSource, PackOrder, RunningJob, WorkerState, opening};
 
@@ -86,8 +86,8 @@ fn map_files(worker: &WorkerState, map: &MapSource) -> Files {
 impl Order for PackOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {

@@ -8,7 +8,7 @@ use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{Blank, Imagery};
 use pilotage_core::registration::{Draped, drape};
 
-use super::order::{Order, Reads, Role, Urgency};
+use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::running::once;
 use super::{
     Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, WorkerState,
@@ -133,8 +133,8 @@ pub fn draped(files: &FilePool, order: &DrapeOrder) -> Result<Draped, String> {
 impl Order for PhotosOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {
@@ -154,8 +154,8 @@ impl Order for PhotosOrder {
 impl Order for DrapeOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn files(&self) -> Vec<&str> {

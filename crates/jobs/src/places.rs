@@ -1,10 +1,10 @@
 //! Places of workers: a role and a program each.
 
 use super::Program;
-use super::order::Role;
+use super::order::WorkerRole;
 
 /// Number of roles of workers.
-pub const ROLES: usize = Role::ALL.len();
+pub const ROLES: usize = WorkerRole::ALL.len();
 /// Places of workers: each role may be filled twice, with the small program and with the whole one.
 pub const PLACES: usize = ROLES * Program::ALL.len();
 

@@ -1,10 +1,10 @@
 //! The uncertainty along a planned route, as a job.
 
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::plan::{PlannedLandmark, Prediction, PredictionRequest};
+use pilotage_core::plan::{PlannedLandmark, PredictionRequest, RoutePrediction};
 use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, world_origin};
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::{Advance, JobEvent, PredictionOrder, RunningJob, WorkerState};
 
 /// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
@@ -68,7 +68,7 @@ impl PredictionOrder {
     }
 
     /// Predicts.
-    pub fn predict(&self) -> Result<Prediction, String> {
+    pub fn predict(&self) -> Result<RoutePrediction, String> {
         let (plan, landmarks) = (self.plan(), self.planned_landmarks());
         let request = PredictionRequest {
             plan: &plan,
@@ -86,8 +86,8 @@ impl PredictionOrder {
 impl Order for PredictionOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn is_small(&self) -> bool {

@@ -6,7 +6,7 @@ use pilotage_core::imagery::Imagery;
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Role, Urgency, keys_of};
+use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::running::SLICE;
 use super::{Advance, JobEvent, MapSource, RunningJob, WorkerState};
 
@@ -61,8 +61,8 @@ pub struct PrepareMapOrder(pub MapSource);
 impl Order for PrepareMapOrder {
     const URGENCY: Urgency = Urgency::Ahead;
 
-    fn role(&self) -> Role {
-        Role::Map
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Map
     }
 
     fn files(&self) -> Vec<&str> {

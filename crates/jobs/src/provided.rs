@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
 use super::{FileContent, RunningJob, WorkerState};
 
@@ -18,8 +18,8 @@ pub struct ProvideOrder {
 impl Order for ProvideOrder {
     const URGENCY: Urgency = Urgency::Files;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn begin(self, worker: &mut WorkerState) -> Box<dyn RunningJob> {
@@ -38,8 +38,8 @@ pub struct LetGoOrder {
 impl Order for LetGoOrder {
     const URGENCY: Urgency = Urgency::Leaving;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

@@ -6,11 +6,11 @@ use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::landmark::{ChosenDetector, Detector, Landmark};
 use pilotage_core::navigator::Navigator;
-use pilotage_core::plan::{Comparison, Prediction, as_stated, compare};
+use pilotage_core::plan::{PlanComparison, RoutePrediction, as_stated, compare};
 use pilotage_core::simulate::{FlightDay, SimulatedFrames};
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Role, Urgency, keys_of};
+use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::passage::Passage;
 use super::{Advance, JobEvent, MapSource, PredictionOrder, RunningJob, WorkerState};
 
@@ -26,7 +26,7 @@ pub struct RehearseOrder {
     /// The plan.
     pub plan: PredictionOrder,
     /// Prediction of it.
-    pub prediction: Prediction,
+    pub prediction: RoutePrediction,
     /// The map.
     pub map: MapSource,
     /// Whether there are no pictures: landmarks are found as often and as well as the plan expects.
@@ -39,7 +39,7 @@ pub struct RehearseOrder {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rehearsed {
     /// Every frame beside the plan.
-    pub frames: Vec<Comparison>,
+    pub frames: Vec<PlanComparison>,
     /// Frames that corrected the estimate.
     pub corrected: usize,
 }
@@ -111,8 +111,8 @@ impl RunningJob for Rehearse {
 impl Order for RehearseOrder {
     const URGENCY: Urgency = Urgency::Flight;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

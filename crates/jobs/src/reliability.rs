@@ -1,9 +1,9 @@
 //! A place rehearsed and then passed over again and again: whether it is found as often as was said.
 
-use pilotage_core::plan::{Assessor, ExpectedDetection, Pass, Rehearsal, Tally};
+use pilotage_core::plan::{Assessor, ExpectedDetection, LookTally, Pass, Rehearsal};
 use pilotage_core::simulate::SensorSpec;
 
-use super::order::{Order, Role, Urgency, keys_of};
+use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::{Advance, AssessmentOrder, JobEvent, RunningJob, WorkerState};
 
 /// Passes over each place, each on a day of its own.
@@ -59,7 +59,8 @@ impl ReliabilityOrder {
         let seed = FIRST_DAY + of_place * 100 + number as u64;
         let day = [worker.others(&about.map)?.drawn(seed)];
         let mut assessor: Assessor = self.with_seed(!seed).assessor(worker, &day)?;
-        let tally = Tally::of(&assessor.pass(self.speed, 1.0 / SensorSpec::default().frame_rate));
+        let tally =
+            LookTally::of(&assessor.pass(self.speed, 1.0 / SensorSpec::default().frame_rate));
         Ok(Pass {
             predicted: said.probability(),
             frames: tally.looks,
@@ -106,8 +107,8 @@ impl RunningJob for PassOver {
 impl Order for ReliabilityOrder {
     const URGENCY: Urgency = Urgency::Slow;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

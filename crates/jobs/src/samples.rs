@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use pilotage_core::flight::expression::{Expression, Samples, SeriesSource as _};
+use pilotage_core::flight::expression::{Expression, SeriesSource as _, TimedSamples};
 use pilotage_core::flight::log::Log;
 
 use super::SeriesName;
@@ -15,7 +15,7 @@ const MOST_KEPT: usize = 1 << 24;
 ///
 /// # Errors
 /// Why the log has no such series, in words.
-pub fn samples(log: &Log, name: &SeriesName) -> Result<Samples, String> {
+pub fn samples(log: &Log, name: &SeriesName) -> Result<TimedSamples, String> {
     let lacks = |what: &str| format!("{}: there is no {what}", log.name);
     if name.is_expression() {
         let values = Expression::parse(&name.field).and_then(|it| it.evaluate(log));
@@ -32,14 +32,14 @@ pub fn samples(log: &Log, name: &SeriesName) -> Result<Samples, String> {
     let values = topic.rows.iter().map(|row| field.value(row));
     let samples = topic.times.iter().copied();
     let samples = samples.zip(values.map(|value| value.unwrap_or(f64::NAN)));
-    Ok(Samples::in_order(samples, field.unit.clone()))
+    Ok(TimedSamples::in_order(samples, field.unit.clone()))
 }
 
 /// Series that were asked for last.
 #[derive(Default)]
 pub struct KeptSamples {
     /// The one asked for last at the end.
-    kept: VecDeque<(SeriesName, Rc<Samples>)>,
+    kept: VecDeque<(SeriesName, Rc<TimedSamples>)>,
 }
 
 impl KeptSamples {
@@ -52,8 +52,8 @@ impl KeptSamples {
     pub fn get(
         &mut self,
         name: &SeriesName,
-        make: impl FnOnce() -> Result<Samples, String>,
-    ) -> Result<Rc<Samples>, String> {
+        make: impl FnOnce() -> Result<TimedSamples, String>,
+    ) -> Result<Rc<TimedSamples>, String> {
         let place = self.kept.iter().position(|(kept, _)| kept == name);
         if let Some(found) = place.and_then(|place| self.kept.remove(place)) {
             let samples = found.1.clone();
@@ -62,7 +62,7 @@ impl KeptSamples {
         }
         let samples = Rc::new(make()?);
         self.kept.push_back((name.clone(), samples.clone()));
-        let count = |kept: &VecDeque<(_, Rc<Samples>)>| -> usize {
+        let count = |kept: &VecDeque<(_, Rc<TimedSamples>)>| -> usize {
             kept.iter().map(|(_, samples)| samples.times.len()).sum()
         };
         while count(&self.kept) > MOST_KEPT {

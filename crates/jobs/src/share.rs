@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Reads, Role, Urgency};
+use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::{MapSource, RunningJob, Share, WorkerState};
 
 /// Order of which a worker can do a share.
@@ -18,8 +18,8 @@ pub struct ShareOrder<O>(pub Box<O>, pub Share);
 impl<O: Shareable> Order for ShareOrder<O> {
     const URGENCY: Urgency = O::URGENCY;
 
-    fn role(&self) -> Role {
-        Role::ALL[self.1.part % Role::ALL.len()]
+    fn role(&self) -> WorkerRole {
+        WorkerRole::ALL[self.1.part % WorkerRole::ALL.len()]
     }
 
     fn files(&self) -> Vec<&str> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use pilotage_core::plan::{Candidate, Rehearsal, View};
+use pilotage_core::plan::{LandmarkCandidate, Rehearsal, ViewResult};
 
 use super::{
     AssessmentOrder, Job, JobEvent, JobId, ProposeOrder, Share, ShareOrder, SuggestOrder,
@@ -23,9 +23,9 @@ pub struct SharedJob {
 /// Job that is shared, and its results so far.
 enum Whole {
     /// A landmark that is measured, and the views of it, each with the number of its look.
-    Measurement(Box<AssessmentOrder>, Vec<(usize, View)>),
+    Measurement(Box<AssessmentOrder>, Vec<(usize, ViewResult)>),
     /// Landmarks that are proposed, and the places that passed, by the number of the share.
-    Proposal(Box<SuggestOrder>, BTreeMap<usize, Vec<Candidate>>),
+    Proposal(Box<SuggestOrder>, BTreeMap<usize, Vec<LandmarkCandidate>>),
 }
 
 /// Consequence for the whole of an event of one of the jobs.

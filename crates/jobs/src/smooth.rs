@@ -3,7 +3,7 @@
 use pilotage_core::navigator::{Run, smooth};
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
 use super::{JobEvent, RunningJob, WorkerState};
 
@@ -14,8 +14,8 @@ pub struct SmoothOrder(pub Box<Run>);
 impl Order for SmoothOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Questions
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Questions
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

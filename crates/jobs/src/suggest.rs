@@ -1,11 +1,11 @@
 //! Landmarks proposed for a route, as a job: the very proposal of the command line.
 
 use pilotage_core::frames::GroundRect;
-use pilotage_core::plan::{Candidate, Proposal, ProposalQuestion, Suggestion};
+use pilotage_core::plan::{LandmarkCandidate, Proposal, ProposalQuestion, Suggestion};
 
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, keys_of};
 use super::running::{once, slice};
 use super::share::Shareable;
 use super::{Advance, JobEvent, MapSource, RunningJob, Share, SuggestOrder, WorkerState};
@@ -40,7 +40,7 @@ impl Suggest {
 pub fn choose(
     worker: &mut WorkerState,
     order: SuggestOrder,
-    found: Vec<Candidate>,
+    found: Vec<LandmarkCandidate>,
 ) -> Result<Vec<Suggestion>, String> {
     let count = order.count;
     Ok(question(worker, order)?.chosen_of(found, count))
@@ -99,8 +99,8 @@ impl RunningJob for Suggest {
 impl Order for SuggestOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {
@@ -128,13 +128,13 @@ impl Shareable for SuggestOrder {
 
 /// Proposal of all places that passed: event `Suggestions`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ProposeOrder(pub Box<SuggestOrder>, pub Vec<Candidate>);
+pub struct ProposeOrder(pub Box<SuggestOrder>, pub Vec<LandmarkCandidate>);
 
 impl Order for ProposeOrder {
     const URGENCY: Urgency = Urgency::Asked;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

@@ -9,7 +9,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, NavigatorSettings, summarize};
 
 use super::flights::OpenFlight;
-use super::order::{Order, Role, Urgency, keys_of};
+use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::passage::Passage;
 use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, WorkerState};
 
@@ -85,8 +85,8 @@ impl RunningJob for SumUpFlight {
 impl Order for SummaryOrder {
     const URGENCY: Urgency = Urgency::Flight;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::file_pool::FilePool;
 use super::flights::OpenFlight;
-use super::order::{Order, Role, Urgency};
+use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
 use super::{JobEvent, MadeFlight, RunningJob, WorkerState};
 
@@ -73,8 +73,8 @@ pub struct MakeFlightOrder {
 impl Order for MakeFlightOrder {
     const URGENCY: Urgency = Urgency::Awaited;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {

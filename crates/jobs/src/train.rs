@@ -6,9 +6,9 @@
 use pilotage_core::flight::FrameSource as _;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::training::evaluation::AtThreshold;
-use pilotage_core::training::{DetectorTraining, FlightEnvelope, Photo, labelled_photos};
+use pilotage_core::training::{DetectorTraining, FlightEnvelope, TrainingPhoto, labelled_photos};
 
-use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
 use super::running::SLICE;
 use super::{
     Advance, JobEvent, MapSource, RunningJob, TrainOrder, TrainingLeft, TrainingOutcome,
@@ -33,7 +33,7 @@ pub struct Train {
     order: TrainOrder,
     envelope: FlightEnvelope,
     /// Photos of the labelled frames read so far, and the number of labels read.
-    labelled: Vec<Photo>,
+    labelled: Vec<TrainingPhoto>,
     read: usize,
     training: Option<DetectorTraining>,
     /// Whole stages that were told.
@@ -203,8 +203,8 @@ impl RunningJob for Train {
 impl Order for TrainOrder {
     const URGENCY: Urgency = Urgency::Slow;
 
-    fn role(&self) -> Role {
-        Role::Flight
+    fn role(&self) -> WorkerRole {
+        WorkerRole::Flight
     }
 
     fn files(&self) -> Vec<&str> {
@@ -233,7 +233,7 @@ pub struct TrainWithinOrder(pub TrainOrder, pub FlightEnvelope);
 impl Order for TrainWithinOrder {
     const URGENCY: Urgency = TrainOrder::URGENCY;
 
-    fn role(&self) -> Role {
+    fn role(&self) -> WorkerRole {
         self.0.role()
     }
 

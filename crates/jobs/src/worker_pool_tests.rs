@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use pilotage_core::plan::Candidate;
+use pilotage_core::plan::LandmarkCandidate;
 
 use super::{WorkerPool, WorkerPort};
 use crate::FlightSource;
@@ -428,7 +428,7 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
         [Request::Start(share, Job::SuggestShare(_))] => share,
         _ => panic!("{:?}", notes.borrow()),
     });
-    let place = |score| Candidate {
+    let place = |score| LandmarkCandidate {
         bounds: of.landmark.bounds,
         score,
         rival: 0.0,

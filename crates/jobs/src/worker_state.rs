@@ -6,14 +6,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
-use pilotage_core::flight::expression::Samples;
+use pilotage_core::flight::expression::TimedSamples;
 use pilotage_core::flight::log::Log;
 use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
 };
 use pilotage_core::simulate::{FlightDay, LaidWorld};
-use pilotage_core::training::Photos;
+use pilotage_core::training::TrainingPhotos;
 
 use super::fetched_tiles::{FetchedTiles, WEB_TILES};
 use super::file_pool::FilePool;
@@ -69,7 +69,7 @@ pub trait RunningJob {
 }
 
 /// Takes photos beside the worker that asks for them, and gives them in the same order.
-pub type Elsewhere = fn(Photos) -> Photos;
+pub type Elsewhere = fn(TrainingPhotos) -> TrainingPhotos;
 
 /// A map that was opened, or why not, in words.
 pub type OpenedMap = Result<Arc<dyn Imagery>, String>;
@@ -217,7 +217,7 @@ impl WorkerState {
         key: &str,
         file: &str,
         series: &SeriesName,
-    ) -> Result<Result<Rc<Samples>, String>, String> {
+    ) -> Result<Result<Rc<TimedSamples>, String>, String> {
         let log = self.log(key, file);
         let log = log.ok_or_else(|| format!("{file}: it is not read yet"))?;
         let log = log.clone();

@@ -40,7 +40,7 @@ pub fn frame_after(flight: &Flight, time: f64, count: i32) -> usize {
 
 /// Times that a view drew last.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drawn {
+pub struct DrawnTimes {
     /// Time of the cursor, seconds in the flight's time base.
     pub cursor: f64,
     /// Time of what was shown for it: of the step, or of the picture, seconds.
@@ -95,9 +95,9 @@ impl<'a> ViewContext<'a> {
     }
 
     /// That a view drew what is of time `content` for the cursor.
-    pub fn drawn(&self, content: f64) -> Option<Drawn> {
+    pub fn drawn(&self, content: f64) -> Option<DrawnTimes> {
         let cursor = self.time;
-        Some(Drawn { cursor, content })
+        Some(DrawnTimes { cursor, content })
     }
 }
 

@@ -5,7 +5,7 @@ use egui::{Rect, Ui};
 use pilotage_core::exchange::FlownValues;
 use pilotage_core::flight::overview::Finding;
 use pilotage_core::mission::Mission;
-use pilotage_jobs::{Beside, FlightSource, Job, JobEvent, JobId, MapSource, Opened};
+use pilotage_jobs::{Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenedFiles};
 use serde_json::Value;
 
 use crate::command::{Command, Workspace};
@@ -16,7 +16,7 @@ pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
 use crate::host::{Host, OpenedFile};
 use crate::map::{MapLayer, MapTool, MapView};
 use crate::shell::Toasts;
-use crate::shell::catalog::Entry;
+use crate::shell::catalog::CommandEntry;
 use crate::timeline::Playback;
 use crate::units::Units;
 
@@ -43,7 +43,7 @@ pub struct FeatureInfo {
     /// Place of its panel.
     pub place: FeaturePlace,
     /// Its rows of the table of all commands.
-    pub commands: fn() -> Vec<Entry>,
+    pub commands: fn() -> Vec<CommandEntry>,
 }
 
 /// Wishes of a feature that the app fulfils once the feature is done.
@@ -385,7 +385,7 @@ pub trait Feature {
     }
 
     /// Takes its part of what files turned out to hold.
-    fn take_opened(&mut self, _opened: &mut Opened, _context: &mut FeatureContext<'_>) {}
+    fn take_opened(&mut self, _opened: &mut OpenedFiles, _context: &mut FeatureContext<'_>) {}
 
     /// Puts what is to be saved with the mission beside it.
     fn put_beside(&self, _beside: &mut Beside, _documents: &Documents) {}

@@ -6,7 +6,7 @@ use crate::feature::Feature;
 use crate::log::LogFeature;
 use crate::outage::Outages;
 use crate::plan::Planner;
-use crate::shell::catalog::{self, Entry};
+use crate::shell::catalog::{self, CommandEntry};
 use crate::{labelling, photos, views};
 
 /// Every feature, as it is when the app starts.
@@ -21,7 +21,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
 }
 
 /// Table of all commands: the app's own, then those of its parts.
-pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<Entry> {
+pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<CommandEntry> {
     let parts = [
         labelling::commands,
         views::detector_commands,

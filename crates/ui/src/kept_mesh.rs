@@ -16,7 +16,7 @@ const WORTH_KEEPING: usize = 600;
 
 /// Some triangles of a mesh and how strongly they are drawn.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct MeshPart {
     /// The corners that are theirs alone.
     pub vertices: Range<usize>,
     /// Their place in the list of indices.
@@ -35,13 +35,13 @@ pub struct PlacedMesh {
     /// Angle by which the mesh is turned to the left on the screen, radians.
     pub turned: f32,
     /// Parts of the mesh that are drawn.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MeshPart>,
 }
 
 impl PlacedMesh {
     /// The whole mesh, as it lies.
     pub fn whole(mesh: Arc<Mesh>) -> Self {
-        let part = Part {
+        let part = MeshPart {
             vertices: 0..mesh.vertices.len(),
             indices: 0..mesh.indices.len(),
             strength: 1.0,
@@ -186,7 +186,7 @@ mod tests {
             mesh: strip(6),
             origin: pos2(10.0, 20.0),
             turned: std::f32::consts::FRAC_PI_2,
-            parts: vec![Part {
+            parts: vec![MeshPart {
                 vertices: 3..6,
                 indices: 9..12,
                 strength: 0.5,

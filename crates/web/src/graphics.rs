@@ -95,11 +95,11 @@ struct Card {
     screen: Option<WebGlUniformLocation>,
     place: Option<WebGlUniformLocation>,
     strength: Option<WebGlUniformLocation>,
-    kept: HashMap<usize, Kept>,
+    kept: HashMap<usize, MeshOnCard>,
 }
 
 /// A mesh on the card, and the one it is the copy of.
-struct Kept {
+struct MeshOnCard {
     origin: Weak<Mesh>,
     arrangement: WebGlVertexArrayObject,
     buffers: [WebGlBuffer; 2],
@@ -165,7 +165,7 @@ impl Card {
         Some(())
     }
 
-    fn send(&self, mesh: &Arc<Mesh>) -> Option<Kept> {
+    fn send(&self, mesh: &Arc<Mesh>) -> Option<MeshOnCard> {
         let gl = &self.gl;
         let arrangement = gl.create_vertex_array()?;
         let buffers = [gl.create_buffer()?, gl.create_buffer()?];
@@ -192,7 +192,7 @@ impl Card {
             &Uint32Array::from(mesh.indices.as_slice()),
             Gl::STATIC_DRAW,
         );
-        Some(Kept {
+        Some(MeshOnCard {
             origin: Arc::downgrade(mesh),
             arrangement,
             buffers,

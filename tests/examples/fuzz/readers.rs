@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pilotage_core::flight::columns::{flight_of_tables, guess_tables, preview};
 use pilotage_core::flight::files::{FileSet, MemoryFiles};
 use pilotage_core::flight::foreign::foreign;
-use pilotage_core::flight::log::{FormatInfo, all_formats};
+use pilotage_core::flight::log::{LogFormatInfo, all_formats};
 use pilotage_core::flight::nmea::{is_nmea, read_nmea};
 use pilotage_core::flight::photo::{read_photo, read_photos};
 use pilotage_core::flight::srt::read_srt;
@@ -34,7 +34,7 @@ pub struct Reader {
 
 /// Every reader of files that anybody may drop on the page as a flight.
 pub fn all_readers() -> Vec<Reader> {
-    let of_log = |info: &'static FormatInfo| Reader {
+    let of_log = |info: &'static LogFormatInfo| Reader {
         name: format!("{:?}", info.format),
         samples: Box::new(|| samples(info.format)),
         execute: Box::new(|bytes, ends| log(info, bytes, ends)),
@@ -109,7 +109,7 @@ fn subtitles(is_old: bool) -> Vec<u8> {
     (0..20).map(cue).collect::<String>().into_bytes()
 }
 
-fn log(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Execution {
+fn log(info: &LogFormatInfo, bytes: &[u8], ends: &[usize]) -> Execution {
     let log = checked(info, bytes, &[])?;
     if !ends.is_empty() {
         same(&log, &checked(info, bytes, ends)?)?;

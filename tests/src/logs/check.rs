@@ -1,6 +1,6 @@
 //! Checks that must hold of every reader, whatever it reads.
 
-use pilotage_core::flight::log::{FormatInfo, Log};
+use pilotage_core::flight::log::{Log, LogFormatInfo};
 
 /// Bytes of memory that a byte of a file may cost at the most: a line of text that says hardly anything
 /// still becomes a row.
@@ -9,7 +9,7 @@ const MEMORY_PER_BYTE: usize = 64;
 const MEMORY: usize = 1 << 17;
 
 /// Reads a file in pieces that end at `ends` (and at its end).
-pub fn read(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Log {
+pub fn read(info: &LogFormatInfo, bytes: &[u8], ends: &[usize]) -> Log {
     let mut reader = (info.reader)();
     let mut log = Log::new("log", info.format);
     let mut start = 0;
@@ -27,7 +27,7 @@ pub fn read(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Log {
 /// # Errors
 /// In words, if bytes are not accounted for, topics contradict themselves, or the memory is out of
 /// proportion.
-pub fn checked(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Result<Log, String> {
+pub fn checked(info: &LogFormatInfo, bytes: &[u8], ends: &[usize]) -> Result<Log, String> {
     let log = read(info, bytes, ends);
     let report = &log.report;
     let length = bytes.len() as u64;

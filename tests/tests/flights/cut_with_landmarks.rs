@@ -7,8 +7,8 @@
 use std::sync::Arc;
 
 use pilotage_core::instruments::{
-    Instruments, OutagePlan, OutageStudy, PositionFix, ReckonSettings, Way, quantile, reckon,
-    study_cuts,
+    Instruments, OutagePlan, OutageStudy, PositionFix, ReckonSettings, ReckoningWay, quantile,
+    reckon, study_cuts,
 };
 use pilotage_core::navigator::{Navigator, Run, position_fixes};
 use pilotage_core::simulate::{Overrides, Scenario};
@@ -62,9 +62,11 @@ fn landmarks_hold_the_position_through_cuts_in_which_airspeed_alone_drifts() {
         warm_up: 15.0,
         every: 2.0,
     };
-    let study = |way: &Way| study_cuts(&instruments, way, &plan, &settings, &mut |_| true).unwrap();
-    let alone = study(&Way::air_and_wind());
-    let seen = study(&Way::with_fixes("with landmarks", fixes.clone()));
+    let study = |way: &ReckoningWay| {
+        study_cuts(&instruments, way, &plan, &settings, &mut |_| true).unwrap()
+    };
+    let alone = study(&ReckoningWay::air_and_wind());
+    let seen = study(&ReckoningWay::with_fixes("with landmarks", fixes.clone()));
     assert_eq!(alone.cuts.len(), seen.cuts.len());
     // The cuts at whose end a landmark was seen shortly before.
     let is_fresh = |time: f64| (fixes.iter()).any(|f| (time - FRESH..=time).contains(&f.time));
@@ -88,7 +90,7 @@ fn landmarks_hold_the_position_through_cuts_in_which_airspeed_alone_drifts() {
 
     // One cut says the same as the study's.
     let cut = seen.cuts[seen.cuts.len() / 2];
-    let way = Way::with_fixes("with landmarks", fixes);
+    let way = ReckoningWay::with_fixes("with landmarks", fixes);
     let one = reckon(&instruments, (cut.from, cut.to), &[way], &settings, |_| {
         true
     })

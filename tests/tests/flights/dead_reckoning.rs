@@ -7,8 +7,8 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::{Channel, ChannelName, Flight, StartFix};
 use pilotage_core::frames::{GroundPoint, wrap_pi};
 use pilotage_core::instruments::{
-    Instruments, OutagePlan, OutageStudy, ReckonSettings, Way, likeliest, reckon, rolling_track,
-    study_cuts,
+    Instruments, OutagePlan, OutageStudy, ReckonSettings, ReckoningWay, likeliest, reckon,
+    rolling_track, study_cuts,
 };
 use pilotage_tests::recorded;
 
@@ -21,7 +21,7 @@ fn flight(name: &str) -> Option<Flight> {
 }
 
 /// Cuts of `length` seconds, one every `every` seconds of the flight.
-fn study(flight: &Flight, way: &Way, length: f64, every: f64) -> OutageStudy {
+fn study(flight: &Flight, way: &ReckoningWay, length: f64, every: f64) -> OutageStudy {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
     let plan = OutagePlan {
         length,
@@ -46,7 +46,10 @@ fn a_minute_without_gps_costs_less_than_42_metres_in_half_of_the_cuts() {
     let Some(flight) = flight("testlog2") else {
         return;
     };
-    for way in [Way::air_and_wind(), Way::by_logged_heading()] {
+    for way in [
+        ReckoningWay::air_and_wind(),
+        ReckoningWay::by_logged_heading(),
+    ] {
         let study = study(&flight, &way, 60.0, 2.0);
         assert!(study.cuts.len() > 100, "{} cuts", study.cuts.len());
         assert!(study.error_quantile(0.5) <= 36.0 && study.error_quantile(0.9) <= 62.0);
@@ -63,7 +66,7 @@ fn by_the_gyros_heading_it_costs_less_than_52() {
     let Some(flight) = flight("testlog2") else {
         return;
     };
-    let study = study(&flight, &Way::by_gyros(), 60.0, 2.0);
+    let study = study(&flight, &ReckoningWay::by_gyros(), 60.0, 2.0);
     assert!(study.error_quantile(0.5) <= 52.0);
     assert!(
         (0.85..=1.0).contains(&study.covered()),
@@ -80,7 +83,13 @@ fn tuned_to_ends(flight: &Flight) -> OutageStudy {
         settings.plain.air_data.position_noise_density = noise[0];
         settings.plain.wind_noise_density = noise[1];
         let plan = OutagePlan::default();
-        let study = study_cuts(&instruments, &Way::plain(), &plan, &settings, &mut |_| true);
+        let study = study_cuts(
+            &instruments,
+            &ReckoningWay::plain(),
+            &plan,
+            &settings,
+            &mut |_| true,
+        );
         study.expect("the filter goes on")
     };
     let plain = ReckonSettings::default().plain;
@@ -106,7 +115,7 @@ fn delays_pitch_gusts_and_sideslip_halve_the_errors_of_the_plain_filter() {
     let Some(flight) = flight("testlog2") else {
         return;
     };
-    let full = study(&flight, &Way::air_and_wind(), 60.0, 2.0);
+    let full = study(&flight, &ReckoningWay::air_and_wind(), 60.0, 2.0);
     let beside = |plain: &OutageStudy| {
         let ratio = |share| full.error_quantile(share) / plain.error_quantile(share);
         let (median, ninety) = (ratio(0.5), ratio(0.9));
@@ -114,7 +123,7 @@ fn delays_pitch_gusts_and_sideslip_halve_the_errors_of_the_plain_filter() {
         (median, ninety)
     };
     // The default noise makes the innovations likeliest among winds that hardly change.
-    let by_innovations = study(&flight, &Way::plain(), 60.0, 2.0);
+    let by_innovations = study(&flight, &ReckoningWay::plain(), 60.0, 2.0);
     let (median, ninety) = beside(&by_innovations);
     assert!(median <= 0.6 && ninety <= 0.6, "{median} {ninety}");
     // Noise that fits the ends of these very cuts, beside noise from before each: what is left there is mostly how the
@@ -129,13 +138,13 @@ fn a_heading_that_its_gyros_contradict_is_told_and_not_believed() {
     let Some(flight) = flight("inputfiles_px4") else {
         return;
     };
-    let study = study(&flight, &Way::air_and_wind(), 30.0, 2.0);
+    let study = study(&flight, &ReckoningWay::air_and_wind(), 30.0, 2.0);
     assert!(study.error_quantile(0.5) <= 12.0);
     assert!(study.covered() >= 0.85, "{}", study.covered());
     let instruments = Instruments::of(&flight, None).expect("it has instruments");
     let (begin, end) = instruments.stretch;
     let cut = (0.5 * (begin + end), 0.5 * (begin + end) + 30.0);
-    let ways = [Way::air_and_wind(), Way::gps_throughout()];
+    let ways = [ReckoningWay::air_and_wind(), ReckoningWay::gps_throughout()];
     let settings = ReckonSettings::default();
     let found = reckon(&instruments, cut, &ways, &settings, |_| true).expect("the filter goes on");
     let titles: Vec<&str> = found.findings.iter().map(|f| f.title.as_str()).collect();
@@ -161,9 +170,13 @@ fn the_wind_is_that_of_the_whole_flight_after_two_turns() {
     let instruments = Instruments::of(&flight, None).expect("it has instruments");
     let (begin, end) = instruments.stretch;
     let settings = ReckonSettings::default();
-    let whole = instruments.calibrate(end, Way::air_and_wind().heading, &settings.calibration);
+    let whole = instruments.calibrate(
+        end,
+        ReckoningWay::air_and_wind().heading,
+        &settings.calibration,
+    );
     let whole = whole.fit.expect("a fit over the whole flight").wind;
-    let track = rolling_track(&instruments, &Way::air_and_wind(), &settings);
+    let track = rolling_track(&instruments, &ReckoningWay::air_and_wind(), &settings);
     let track = track.expect("the filter goes on");
     let later = track.points.iter().filter(|p| p.time > begin + 60.0);
     let errors: Vec<f64> = later.map(|p| (p.wind - whole).norm_squared()).collect();
@@ -242,7 +255,7 @@ fn a_sideslip_is_known_by_its_side_force() {
     let mut flight = slipping();
     let cut = |flight: &Flight| {
         let instruments = Instruments::of(flight, None).expect("it has instruments");
-        let ways = [Way::air_and_wind()];
+        let ways = [ReckoningWay::air_and_wind()];
         let settings = ReckonSettings::default();
         let found = reckon(&instruments, (98.0, 158.0), &ways, &settings, |_| true);
         let track = &found.expect("the filter goes on").tracks[0];

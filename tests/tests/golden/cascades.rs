@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use pilotage_core::landmark::cascade::{
-    Cascade, CascadeError, Kind, Rectangle, ScanSettings, group, scan,
+    Cascade, CascadeError, CascadeKind, Rectangle, ScanSettings, group, scan,
 };
 use pilotage_core::raster::{Raster, decode_picture};
 use pilotage_tests::data::shared;
@@ -116,7 +116,7 @@ fn every_file_comes_back_from_what_is_written_of_it() {
             files += 1;
             read += text.len();
             written += bytes.len();
-            if cascade.kind() == Kind::Haar {
+            if cascade.kind() == CascadeKind::Haar {
                 let former = cascade.to_former_xml().unwrap();
                 let once = Cascade::read("former", &former).unwrap();
                 let twice = Cascade::read("former", &once.to_former_xml().unwrap()).unwrap();

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use pilotage_core::flight::log::{FormatInfo, all_formats, recognise};
+use pilotage_core::flight::log::{LogFormatInfo, all_formats, recognise};
 use pilotage_tests::logs::check::{checked, same};
 use pilotage_tests::logs::corpus::{Sample, samples};
 use pilotage_tests::logs::damage::{Damage, apply};
@@ -10,8 +10,8 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 
 /// Every reader that there are logs for, with what it is tried on.
-fn corpora() -> &'static [(&'static FormatInfo, Vec<Sample>)] {
-    static CORPORA: OnceLock<Vec<(&'static FormatInfo, Vec<Sample>)>> = OnceLock::new();
+fn corpora() -> &'static [(&'static LogFormatInfo, Vec<Sample>)] {
+    static CORPORA: OnceLock<Vec<(&'static LogFormatInfo, Vec<Sample>)>> = OnceLock::new();
     CORPORA.get_or_init(|| {
         let formats = all_formats().iter();
         let corpora = formats.map(|info| (info, samples(info.format)));

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use pilotage_core::flight::log::{
-    FieldKind, FieldLayout, Log, LogFormat, Scale, Topic, TopicName, recognise,
+    FieldKind, FieldLayout, Log, LogFormat, Topic, TopicName, ValueScale, recognise,
 };
 use pilotage_tests::data::shared;
 use pilotage_tests::logs::check::checked;
@@ -68,10 +68,10 @@ fn is_equal(a: f64, b: f64) -> bool {
 }
 
 /// The scale that a letter implies: the only one that pymavlink applies to values.
-fn scale_of_letter(letter: char) -> Option<Scale> {
+fn scale_of_letter(letter: char) -> Option<ValueScale> {
     match letter {
-        'c' | 'C' | 'e' | 'E' => Some(Scale::Over(100.0)),
-        'L' => Some(Scale::Over(1e7)),
+        'c' | 'C' | 'e' | 'E' => Some(ValueScale::Over(100.0)),
+        'L' => Some(ValueScale::Over(1e7)),
         _ => None,
     }
 }

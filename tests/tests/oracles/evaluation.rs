@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Vector2};
 use pilotage_core::training::evaluation::{
-    CurveKind, EvaluatedLook, EvaluatedMark, Isotonic, Judged, Probability, RobustFit,
+    CurveKind, EvaluatedLook, EvaluatedMark, Isotonic, JudgedMark, Probability, RobustFit,
     average_precision, brier_score, log_loss, trace, wilson,
 };
 use pilotage_tests::oracle::ask;
@@ -209,8 +209,8 @@ fn curves_intervals_calibration_and_covariance_are_those_of_scikit_learn() {
         .collect();
     let isotonic = apart(&isotonic, &answer.isotonic);
     let judged = question.marks.scores.iter().zip(&question.marks.right);
-    let judged: Vec<Judged> = judged
-        .map(|(&score, &right)| Judged { score, right })
+    let judged: Vec<JudgedMark> = judged
+        .map(|(&score, &right)| JudgedMark { score, right })
         .collect();
     let logistic = Probability::logistic(&judged);
     let logistic: Vec<f64> = (question.logistic_at.iter())

@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 use pilotage_core::flight::trajectory::{
-    Alignment, Delta, ErrorStatistics, Pair, absolute_errors, relative_errors,
+    Delta, ErrorStatistics, PlacePair, TrajectoryAlignment, absolute_errors, relative_errors,
 };
 use pilotage_tests::oracle::ask;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ struct Question {
     times: Vec<f64>,
     estimate: Vec<[f64; 3]>,
     reference: Vec<[f64; 3]>,
-    alignment: Alignment,
+    alignment: TrajectoryAlignment,
     samples: usize,
 }
 
@@ -40,7 +40,7 @@ struct Answer {
 }
 
 /// A flight in spirals, and an estimate of it that drifts, is turned, a little too large, and jumps once.
-fn trajectories() -> Vec<Pair> {
+fn trajectories() -> Vec<PlacePair> {
     let pair = |i: u32| {
         let t = 0.2 * f64::from(i);
         let reference = Point3::new(
@@ -55,7 +55,7 @@ fn trajectories() -> Vec<Pair> {
             1.03 * (sin * reference.x + cos * reference.y) - 7.0 + 0.08 * t,
             1.03 * reference.z + 2.0 * (0.9 * t).sin(),
         );
-        Pair {
+        PlacePair {
             time: t,
             estimate,
             reference,
@@ -96,10 +96,10 @@ fn errors_are_those_of_evo_for_every_alignment() {
     let pairs = trajectories();
     let samples = 25;
     for alignment in [
-        Alignment::None,
-        Alignment::Origin,
-        Alignment::Rigid,
-        Alignment::Similarity,
+        TrajectoryAlignment::None,
+        TrajectoryAlignment::Origin,
+        TrajectoryAlignment::Rigid,
+        TrajectoryAlignment::Similarity,
     ] {
         let question = Question {
             times: pairs.iter().map(|p| p.time).collect(),

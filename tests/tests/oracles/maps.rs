@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use nalgebra::Point2;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame, ReferenceSystem, wrap_pi};
-use pilotage_core::imagery::tiff::{Samples, TiffFile};
+use pilotage_core::imagery::tiff::{TiffFile, TileSamples};
 use pilotage_core::imagery::{
     ByteSource, GeoTiff, GeoTiffFile, Imagery, MapMemory, MemoryBytes, Window,
 };
@@ -303,7 +303,7 @@ fn samples_with_a_sign_are_no_picture() {
     let file = files.iter().find(|f| f.name == "no-data").unwrap();
     let opened = file.open();
     let chunk = opened.tiff.chunk(0, 0, 0).unwrap().unwrap();
-    assert!(matches!(chunk.samples, Samples::I16(_)));
+    assert!(matches!(chunk.samples, TileSamples::I16(_)));
     let refused = GeoTiff::new(opened, &file.frame(), MapMemory::default());
     let message = refused.err().unwrap().to_string();
     assert!(message.contains("terrain"), "{message}");

@@ -9,7 +9,7 @@ use std::time::Instant;
 use pilotage_core::landmark::cascade::{Cascade, ScanSettings, scan};
 use pilotage_core::raster::{decode_picture, luminance};
 
-use crate::Outcome;
+use crate::CommandResult;
 
 /// Runs of which the best counts.
 const RUNS: usize = 7;
@@ -70,7 +70,7 @@ pub fn run(
     picture: &Path,
     python: Option<&str>,
     wasm: Option<&BTreeMap<String, f64>>,
-) -> Outcome {
+) -> CommandResult {
     let files = files(folder)?;
     let gray = decode_picture(&fs::read(picture)?)?.map(|colour| luminance(colour).round() as u8);
     println!(

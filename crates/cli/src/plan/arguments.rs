@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use pilotage_core::plan::Proposal;
 
-use super::source::Source;
+use super::source::PlanSource;
 
 /// Arguments of `pilotage plan`.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
-    pub source: Source,
+    pub source: PlanSource,
     /// Propose that many landmarks from the map alone.
     #[arg(long, value_name = "N")]
     pub suggest: Option<usize>,

@@ -6,21 +6,21 @@ use pilotage_core::plan::{Pass, Reliability, random_places};
 use pilotage_jobs::{JobEvent, ReliabilityOrder};
 
 use super::arguments::Arguments;
-use super::ground::Ground;
+use super::ground::PlannedFlight;
 use crate::workers;
 
 /// Flies about `passes` passes over places of every quality and compares what was found with what
 /// their assessment on other days said.
 pub fn calibrate(
     arguments: &Arguments,
-    ground: &Ground,
+    ground: &PlannedFlight,
     passes: usize,
 ) -> Result<Reliability, String> {
     let seed = arguments.seed;
     let places = random_places(passes.div_ceil(ReliabilityOrder::PASSES), seed);
     let order = |place| ReliabilityOrder {
         about: ground.assessment(place, seed),
-        speed: Ground::cruise(),
+        speed: PlannedFlight::cruise(),
     };
     let orders = places.iter().map(order).collect();
     let begun = std::time::Instant::now();

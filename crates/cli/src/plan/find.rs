@@ -16,7 +16,7 @@ use pilotage_jobs::{
 use serde::Serialize;
 
 use super::arguments::{Arguments, FindArguments, Least, Of, Over};
-use super::ground::{Ground, way_points};
+use super::ground::{PlannedFlight, way_points};
 use super::landmarks::expected;
 use crate::files::DiskFile;
 use crate::workers;
@@ -28,7 +28,7 @@ const MOST_POSTS: usize = 4096;
 
 /// Figures of one of the two routes.
 #[derive(Clone, Debug, Serialize)]
-pub struct Compared {
+pub struct ComparedRoute {
     name: &'static str,
     length_m: f64,
     time_s: f64,
@@ -41,17 +41,17 @@ pub struct Compared {
 
 /// Both routes and what they come to.
 #[derive(Clone, Debug, Serialize)]
-pub struct Found {
+pub struct BothRoutes {
     routes: FoundRoutes,
-    comparison: Vec<Compared>,
+    comparison: Vec<ComparedRoute>,
 }
 
 /// Finds a route and flies it instead of the plan's.
 pub(super) fn find(
     arguments: &Arguments,
-    ground: &mut Ground,
+    ground: &mut PlannedFlight,
     ends: &[String],
-) -> Result<Found, Box<dyn std::error::Error>> {
+) -> Result<BothRoutes, Box<dyn std::error::Error>> {
     let order = order(arguments, ground, ends)?;
     let mut found = None;
     workers::run(vec![order], &ground.lent(), &mut |_, event| {
@@ -65,21 +65,21 @@ pub(super) fn find(
     let FoundPlan { shortest, surest } = found.ok_or("nothing was found")?;
     println!("            length    time  turns  worst blind   worst σ    mean σ");
     let comparison = vec![
-        Compared::of("straight", &shortest),
-        Compared::of("found", &surest),
+        ComparedRoute::of("straight", &shortest),
+        ComparedRoute::of("found", &surest),
     ];
-    comparison.iter().for_each(Compared::print);
+    comparison.iter().for_each(ComparedRoute::print);
     take(ground, &surest.route.way_points);
     let routes = FoundRoutes {
         shortest: shortest.route,
         surest: surest.route,
     };
-    Ok(Found { routes, comparison })
+    Ok(BothRoutes { routes, comparison })
 }
 
 fn order(
     arguments: &Arguments,
-    ground: &Ground,
+    ground: &PlannedFlight,
     ends: &[String],
 ) -> Result<FindOrder, Box<dyn std::error::Error>> {
     let wanted = &arguments.find;
@@ -153,7 +153,7 @@ fn order(
     })
 }
 
-impl Compared {
+impl ComparedRoute {
     fn of(name: &'static str, foreseen: &Foreseen) -> Self {
         let Foreseen { route, prediction } = foreseen;
         let sigmas = || prediction.samples.iter().map(|s| s.corridor.sigma_major);
@@ -184,7 +184,7 @@ impl Compared {
 }
 
 /// Plans the found way-points, and makes them the mission's first route.
-fn take(ground: &mut Ground, way_points: &[GroundPoint]) {
+fn take(ground: &mut PlannedFlight, way_points: &[GroundPoint]) {
     if let Some(plan) = &mut ground.plan {
         plan.way_points = way_points.to_vec();
         plan.targets.clear();
@@ -209,7 +209,7 @@ fn take(ground: &mut Ground, way_points: &[GroundPoint]) {
 /// Turns of the aircraft with the wind behind it.
 fn turns(plan: &PredictionOrder) -> Turns {
     let guidance = GuidanceSettings::default();
-    let speed = Ground::cruise() + plan.wind.speed;
+    let speed = PlannedFlight::cruise() + plan.wind.speed;
     Turns {
         radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
         roll_in: speed * guidance.roll_in,
@@ -220,7 +220,7 @@ fn turns(plan: &PredictionOrder) -> Turns {
 /// at its origin.
 fn high_ground(
     wanted: &FindArguments,
-    ground: &Ground,
+    ground: &PlannedFlight,
 ) -> Result<Option<HighGround>, Box<dyn std::error::Error>> {
     let Some(path) = &wanted.dem else {
         return Ok(None);

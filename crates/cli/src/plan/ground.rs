@@ -13,13 +13,13 @@ use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
 use pilotage_jobs::{AssessmentOrder, MapSource, PredictionOrder};
 
 use super::arguments::Arguments;
-use super::source::Source;
-use crate::files::{Directory, MAP_CACHE};
+use super::source::PlanSource;
+use crate::files::{DirectoryFiles, MAP_CACHE};
 use crate::mission_file::OpenMission;
 use crate::workers::Lent;
 
 /// The map, the mission on it and how it is flown.
-pub struct Ground {
+pub struct PlannedFlight {
     pub map: Arc<dyn Imagery>,
     /// The source by which orders name the map.
     pub source: MapSource,
@@ -30,7 +30,7 @@ pub struct Ground {
     pub plan: Option<PredictionOrder>,
 }
 
-impl Ground {
+impl PlannedFlight {
     /// Opens the ground that the arguments of a plan name.
     pub fn of(arguments: &Arguments) -> Result<Self, Box<dyn std::error::Error>> {
         let mut ground = Self::at(&arguments.source)?;
@@ -51,7 +51,7 @@ impl Ground {
     }
 
     /// Opens the ground that a source names.
-    pub fn at(arguments: &Source) -> Result<Self, Box<dyn std::error::Error>> {
+    pub fn at(arguments: &PlanSource) -> Result<Self, Box<dyn std::error::Error>> {
         if let Some(name) = &arguments.scenario {
             let scenario = Scenario::named(name).ok_or_else(|| {
                 format!("there is no scenario \"{name}\"; see pilotage scenarios")
@@ -84,7 +84,7 @@ impl Ground {
         let of_scenery = opened.is_over_scenery().then(Scenario::camera);
         let mission = opened.package.mission;
         let flown = match &arguments.flight {
-            Some(path) => Some(read_flight(Arc::new(Directory::open(path)?))?.flight),
+            Some(path) => Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?.flight),
             None => None,
         };
         let camera = mission
@@ -169,7 +169,7 @@ impl Ground {
 }
 
 /// Height above level ground and airspeed at each way-point; heights as the route states, or all at `--height`.
-fn targets(route: &Route, mission: &Mission, arguments: &Source) -> Vec<Target> {
+fn targets(route: &Route, mission: &Mission, arguments: &PlanSource) -> Vec<Target> {
     let level = mission.level_ground();
     let height = |w: &WayPoint| {
         let counted = w.altitude.counted_from(AltitudeFrame::AboveGround, &level);

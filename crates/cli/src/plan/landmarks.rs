@@ -5,16 +5,16 @@ use pilotage_core::plan::{DetectionStatistics, Envelope, EnvelopeSurvey, Rehears
 use pilotage_jobs::{EnvelopeOrder, JobEvent};
 
 use super::arguments::Arguments;
-use super::ground::Ground;
+use super::ground::PlannedFlight;
 use crate::workers;
 
-fn enabled(ground: &Ground) -> Vec<&Landmark> {
+fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
     let landmarks = ground.mission.landmarks.iter();
     landmarks.filter(|landmark| landmark.enabled).collect()
 }
 
 /// From which heights and with which tilts each landmark is found.
-pub fn envelopes(arguments: &Arguments, ground: &Ground) -> Result<Vec<Envelope>, String> {
+pub fn envelopes(arguments: &Arguments, ground: &PlannedFlight) -> Result<Vec<Envelope>, String> {
     let landmarks = enabled(ground);
     let order = |l: &&Landmark| EnvelopeOrder(Box::new(ground.assessment(l, arguments.seed)));
     let orders = landmarks.iter().map(order).collect();
@@ -53,7 +53,7 @@ fn print(name: &str, envelope: &Envelope) {
 /// Measures each landmark over the map.
 pub fn expected(
     arguments: &Arguments,
-    ground: &Ground,
+    ground: &PlannedFlight,
 ) -> Result<Vec<(Landmark, DetectionStatistics)>, String> {
     let landmarks = enabled(ground);
     let order = |l: &&Landmark| ground.assessment(l, arguments.seed);

@@ -16,18 +16,18 @@ use pilotage_core::plan::{Envelope, Reliability, Suggestion, Verification};
 use serde::Serialize;
 
 pub use arguments::Arguments;
-pub use ground::Ground;
+pub use ground::PlannedFlight;
 use landmarks::envelopes;
 use predict::predict;
 use propose::suggest;
-pub use source::Source;
+pub use source::PlanSource;
 
-use crate::Outcome;
+use crate::CommandResult;
 use crate::files::write_whole;
 
 /// Sample of the summary.
 #[derive(Serialize)]
-struct Sample {
+struct SummarySample {
     distance_m: f64,
     sigma_major_m: f64,
     sigma_minor_m: f64,
@@ -38,12 +38,12 @@ struct Sample {
 }
 
 #[derive(Serialize)]
-struct Summary {
+struct PlanSummary {
     /// Those that are switched on, in the order of every `p_detect`.
     landmarks: Vec<String>,
     suggestions: Vec<Suggestion>,
-    found: Option<find::Found>,
-    samples: Vec<Sample>,
+    found: Option<find::BothRoutes>,
+    samples: Vec<SummarySample>,
     worst_stretch: Option<pilotage_core::plan::Stretch>,
     verification: Option<Verification>,
     reliability: Option<Reliability>,
@@ -51,9 +51,9 @@ struct Summary {
 }
 
 /// Plans what the arguments say.
-pub fn run(arguments: &Arguments) -> Outcome {
-    let mut ground = Ground::of(arguments)?;
-    let mut summary = Summary {
+pub fn run(arguments: &Arguments) -> CommandResult {
+    let mut ground = PlannedFlight::of(arguments)?;
+    let mut summary = PlanSummary {
         landmarks: Vec::new(),
         suggestions: Vec::new(),
         found: None,
@@ -124,8 +124,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     Ok(())
 }
 
-fn sample(s: &pilotage_core::plan::PredictionSample) -> Sample {
-    Sample {
+fn sample(s: &pilotage_core::plan::PredictionSample) -> SummarySample {
+    SummarySample {
         distance_m: s.distance,
         sigma_major_m: s.corridor.sigma_major,
         sigma_minor_m: s.corridor.sigma_minor,

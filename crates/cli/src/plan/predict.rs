@@ -1,10 +1,10 @@
 //! `pilotage plan --predict`: the uncertainty along the route.
 
-use pilotage_core::plan::Prediction;
+use pilotage_core::plan::RoutePrediction;
 use pilotage_jobs::PredictionOrder;
 
 use super::arguments::Arguments;
-use super::ground::Ground;
+use super::ground::PlannedFlight;
 use super::landmarks::expected;
 
 /// Worlds of a prediction.
@@ -13,8 +13,8 @@ const WORLDS: usize = 100;
 /// Measures the landmarks and predicts; what was predicted of comes with it.
 pub fn predict(
     arguments: &Arguments,
-    ground: &Ground,
-) -> Result<(PredictionOrder, Prediction), Box<dyn std::error::Error>> {
+    ground: &PlannedFlight,
+) -> Result<(PredictionOrder, RoutePrediction), Box<dyn std::error::Error>> {
     let plan = ground
         .plan
         .as_ref()

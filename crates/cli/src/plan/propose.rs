@@ -5,13 +5,13 @@ use pilotage_core::plan::{FieldView, Suggestion};
 use pilotage_jobs::{JobEvent, ProposeOrder, Share, ShareOrder, SuggestOrder};
 
 use super::arguments::Arguments;
-use super::ground::Ground;
+use super::ground::PlannedFlight;
 use crate::workers;
 
 /// Shares in which places are rehearsed: as many as most machines have processors.
 const SHARES: usize = 8;
 
-fn order(arguments: &Arguments, ground: &Ground, count: usize) -> SuggestOrder {
+fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> SuggestOrder {
     let settings = &ground.mission.navigator;
     let route = ground.mission.routes.first();
     let first = route.and_then(|r| r.way_points.first());
@@ -27,7 +27,7 @@ fn order(arguments: &Arguments, ground: &Ground, count: usize) -> SuggestOrder {
         way_points: plan.map_or_else(Vec::new, |p| p.way_points.clone()),
         speed: first
             .and_then(|w| w.speed)
-            .unwrap_or_else(|| plan.map_or(1.0, |_| Ground::cruise())),
+            .unwrap_or_else(|| plan.map_or(1.0, |_| PlannedFlight::cruise())),
         ground_down: ground.ground_down(),
         navigator: settings.clone(),
         taken: Vec::new(),
@@ -40,7 +40,7 @@ fn order(arguments: &Arguments, ground: &Ground, count: usize) -> SuggestOrder {
 /// Proposes landmarks along the route, or all over the map where there is none.
 pub fn suggest(
     arguments: &Arguments,
-    ground: &Ground,
+    ground: &PlannedFlight,
     count: usize,
 ) -> Result<Vec<Suggestion>, Box<dyn std::error::Error>> {
     let order = Box::new(order(arguments, ground, count));

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 /// Source of the map, the mission on it and the camera.
 #[derive(clap::Args)]
-pub struct Source {
+pub struct PlanSource {
     /// A built-in scenario: its map, aircraft, camera and route.
     #[arg(long, conflicts_with_all = ["mission", "map"])]
     pub scenario: Option<String>,

@@ -1,16 +1,16 @@
 //! Flies a plan again and again, over ground that looks otherwise every time, beside its prediction.
 
-use pilotage_core::plan::{Prediction, Verification};
+use pilotage_core::plan::{RoutePrediction, Verification};
 use pilotage_jobs::{JobEvent, PredictionOrder, RehearseOrder, Rehearsed};
 
-use super::ground::Ground;
+use super::ground::PlannedFlight;
 use crate::workers;
 
 /// Flies seeds `first..end` and compares their errors with `prediction`, with pictures or as `stated`.
 pub fn verify(
-    ground: &Ground,
+    ground: &PlannedFlight,
     plan: &PredictionOrder,
-    prediction: &Prediction,
+    prediction: &RoutePrediction,
     (first, end): (u64, u64),
     as_stated: bool,
 ) -> Result<Verification, String> {

@@ -18,7 +18,7 @@ pub mod web_tiles;
 
 pub use corners_error::CornersError;
 pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
-pub use map_error::MapError;
+pub use map_error::MapFileError;
 pub use map_file::{OpenMap, open_map, open_map_with};
 pub use map_options::MapOptions;
 pub use mosaic::Mosaic;

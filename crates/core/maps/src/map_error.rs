@@ -9,7 +9,7 @@ use pilotage_raster::raster::CodecError;
 
 /// Why a picture cannot be a map.
 #[derive(Debug, thiserror::Error)]
-pub enum MapError {
+pub enum MapFileError {
     /// The picture is not there.
     #[error("{file}: there is no such file")]
     Missing {

@@ -1,7 +1,7 @@
 //! A map: a `GeoTIFF`, an archive of tiles, a picture and the file beside it that says where it lies, or several pictures
 //! and a table of their corners.
 
-use crate::map_error::MapError;
+use crate::map_error::MapFileError;
 use crate::map_options::{MapOptions, frame_of, is_geo_tiff};
 use crate::mosaic::{self, Mosaic};
 use crate::overlay::{is_overlay, open_overlay};
@@ -128,7 +128,7 @@ pub fn open_map(
     files: &dyn FileSet,
     name: &str,
     frame: Option<LocalFrame>,
-) -> Result<OpenMap, MapError> {
+) -> Result<OpenMap, MapFileError> {
     let options = MapOptions {
         frame,
         ..MapOptions::default()
@@ -141,7 +141,7 @@ pub fn open_map_with(
     files: &dyn FileSet,
     name: &str,
     options: &MapOptions,
-) -> Result<OpenMap, MapError> {
+) -> Result<OpenMap, MapFileError> {
     let lower = name.to_ascii_lowercase();
     if lower.ends_with(mosaic::ENDING) {
         return Mosaic::open(files, name, options).map(|map| OpenMap::Mosaic(Box::new(map)));
@@ -158,15 +158,15 @@ pub fn open_map_with(
     }
     let bytes = files.read(name).ok_or_else(|| missing(name))?;
     let (side, place) =
-        place_beside(files, name, options)?.ok_or_else(|| MapError::NoGeoreference {
+        place_beside(files, name, options)?.ok_or_else(|| MapFileError::NoGeoreference {
             file: name.to_owned(),
         })?;
     refuse_unnamed(&place, name, options)?;
-    let georeference = |cause| MapError::Georeference {
+    let georeference = |cause| MapFileError::Georeference {
         file: side.clone(),
         cause,
     };
-    let picture = decode_map(&bytes, true).map_err(|cause| MapError::Picture {
+    let picture = decode_map(&bytes, true).map_err(|cause| MapFileError::Picture {
         file: name.to_owned(),
         cause,
     })?;
@@ -175,14 +175,14 @@ pub fn open_map_with(
     let placement = Placement::on_globe(place, frame, width, height).map_err(georeference)?;
     GeoreferencedPicture::placed(name, picture, placement)
         .map(|map| OpenMap::Picture(Box::new(map)))
-        .ok_or(MapError::Empty { file: side })
+        .ok_or(MapFileError::Empty { file: side })
 }
 
 fn open_geo_tiff(
     files: &dyn FileSet,
     name: &str,
     options: &MapOptions,
-) -> Result<GeoTiff, MapError> {
+) -> Result<GeoTiff, MapFileError> {
     let source = files.source(name).ok_or_else(|| missing(name))?;
     if let Some(place) = options.place {
         let file = GeoTiffFile::put(source, place)?;
@@ -209,7 +209,7 @@ fn open_pm_tiles(
     files: &dyn FileSet,
     name: &str,
     options: &MapOptions,
-) -> Result<WebTiles, MapError> {
+) -> Result<WebTiles, MapFileError> {
     let source = files.source(name).ok_or_else(|| missing(name))?;
     let archive = PmTiles::open(source)?;
     let frame = frame_of(options, Some(archive.middle()));
@@ -229,8 +229,8 @@ fn open_pm_tiles(
     ))
 }
 
-fn missing(name: &str) -> MapError {
-    MapError::Missing {
+fn missing(name: &str) -> MapFileError {
+    MapFileError::Missing {
         file: name.to_owned(),
     }
 }

@@ -4,7 +4,7 @@ use pilotage_base::files::{FileSet, ZipFiles};
 use pilotage_base::frames::ReferenceSystem;
 use pilotage_mission::exchange::ground_overlays;
 
-use crate::map_error::MapError;
+use crate::map_error::MapFileError;
 use crate::map_options::MapOptions;
 use crate::mosaic::{CorneredPicture, Mosaic};
 
@@ -23,11 +23,11 @@ pub(crate) fn open_overlay(
     files: &dyn FileSet,
     name: &str,
     options: &MapOptions,
-) -> Result<(Mosaic, Vec<String>), MapError> {
-    let missing = || MapError::Missing {
+) -> Result<(Mosaic, Vec<String>), MapFileError> {
+    let missing = || MapFileError::Missing {
         file: name.to_owned(),
     };
-    let wrong = |cause: String| MapError::Overlay {
+    let wrong = |cause: String| MapFileError::Overlay {
         file: name.to_owned(),
         cause,
     };
@@ -42,7 +42,7 @@ pub(crate) fn open_overlay(
     if found.overlays.is_empty() {
         return Err(match found.notes.first() {
             Some(note) => wrong(note.clone()),
-            None => MapError::NoOverlay {
+            None => MapFileError::NoOverlay {
                 file: name.to_owned(),
             },
         });

@@ -1,6 +1,6 @@
 //! The files beside a picture that say where it lies: world file, georeference in JSON, `.prj`.
 
-use crate::map_error::MapError;
+use crate::map_error::MapFileError;
 use crate::map_options::MapOptions;
 use crate::systems;
 use pilotage_base::files::FileSet;
@@ -27,7 +27,7 @@ pub(crate) fn place_beside(
     files: &dyn FileSet,
     picture: &str,
     options: &MapOptions,
-) -> Result<Option<(String, Georeference)>, MapError> {
+) -> Result<Option<(String, Georeference)>, MapFileError> {
     if let Some(place) = options.place {
         return Ok(Some((picture.to_owned(), place)));
     }
@@ -36,7 +36,7 @@ pub(crate) fn place_beside(
         return Ok(None);
     };
     let place = Georeference::from_text(&String::from_utf8_lossy(&bytes));
-    let place = place.map_err(|cause| MapError::Georeference {
+    let place = place.map_err(|cause| MapFileError::Georeference {
         file: side.clone(),
         cause,
     })?;
@@ -55,7 +55,7 @@ pub(crate) fn refuse_unnamed(
     place: &Georeference,
     picture: &str,
     options: &MapOptions,
-) -> Result<(), MapError> {
+) -> Result<(), MapFileError> {
     let Georeference::Metres(file) = place else {
         return Ok(());
     };
@@ -65,7 +65,7 @@ pub(crate) fn refuse_unnamed(
     let world = options.frame.or(options.near.map(|(frame, _)| frame));
     let zone = |frame: &LocalFrame| ReferenceSystem::utm_around(&frame.origin);
     let stem = picture.rsplit_once('.').map_or(picture, |(stem, _)| stem);
-    Err(MapError::UnnamedSystem {
+    Err(MapFileError::UnnamedSystem {
         file: picture.to_owned(),
         x: file.c,
         y: file.f,
@@ -81,14 +81,14 @@ pub(crate) fn refuse_unnamed(
 pub(crate) fn system_beside(
     files: &dyn FileSet,
     picture: &str,
-) -> Result<Option<ReferenceSystem>, MapError> {
+) -> Result<Option<ReferenceSystem>, MapFileError> {
     let Some((file, bytes)) = beside(files, picture, ".prj") else {
         return Ok(None);
     };
     let text = String::from_utf8_lossy(&bytes);
     match systems::by_name(&text) {
         Ok(system) => Ok(Some(system)),
-        Err(cause) => Err(MapError::System { file, cause }),
+        Err(cause) => Err(MapFileError::System { file, cause }),
     }
 }
 

@@ -12,8 +12,8 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::survival::{Ground, Survival};
-use super::{DetectionStatistics, ExpectedDetection, Tally, View};
+use super::survival::{GroundLooks, Survival};
+use super::{DetectionStatistics, ExpectedDetection, LookTally, ViewResult};
 use pilotage_base::frames::{Attitude, GroundPoint, Pose};
 use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::camera::CameraModel;
@@ -46,12 +46,12 @@ impl Rehearsal {
     pub const POSITION: f64 = 5.0;
 
     /// Expected detection after views of those days; `None` without a view.
-    pub fn expected(views: &[View]) -> Option<ExpectedDetection> {
+    pub fn expected(views: &[ViewResult]) -> Option<ExpectedDetection> {
         expected(views, Self::DAYS)
     }
 
     /// Share of views in which a wrong place was accepted.
-    pub fn false_matches(views: &[View]) -> f64 {
+    pub fn false_matches(views: &[ViewResult]) -> f64 {
         let wrong = views.iter().filter(|v| v.wrong).count();
         wrong as f64 / views.len().max(1) as f64
     }
@@ -92,11 +92,11 @@ pub struct Assessor {
     random: ChaCha8Rng,
     /// Looks so far, with those that were passed over.
     looks: usize,
-    views: Vec<View>,
+    views: Vec<ViewResult>,
 }
 
 /// A look as it was drawn, before anything is seen.
-struct Look {
+struct DrawnLook {
     day: usize,
     heading: f64,
     /// Tilt of which the filter does not know, radians.
@@ -163,7 +163,7 @@ impl Assessor {
     }
 
     /// The next view; days take turns. `None` if the landmark does not fit into the picture.
-    pub fn look(&mut self) -> Option<View> {
+    pub fn look(&mut self) -> Option<ViewResult> {
         self.look_on(self.looks)
     }
 
@@ -174,13 +174,13 @@ impl Assessor {
     }
 
     /// A view on a day, counted round. `None` if the landmark does not fit into the picture.
-    fn look_on(&mut self, day: usize) -> Option<View> {
+    fn look_on(&mut self, day: usize) -> Option<ViewResult> {
         let look = self.draw_look(day)?;
         Some(self.see(look))
     }
 
     /// A look on a day, counted round, as it is drawn.
-    fn draw_look(&mut self, day: usize) -> Option<Look> {
+    fn draw_look(&mut self, day: usize) -> Option<DrawnLook> {
         let day = day % self.ground.days();
         let heading = TAU * self.random.random::<f64>();
         let margin = self.margin(heading)?;
@@ -195,7 +195,7 @@ impl Assessor {
     }
 
     /// A view on a day, counted round, from another height (metres) with another tilt (radians).
-    pub fn look_from(&mut self, day: usize, height: f64, tilt: f64) -> Option<View> {
+    pub fn look_from(&mut self, day: usize, height: f64, tilt: f64) -> Option<ViewResult> {
         let usual = (self.circumstances.height, self.circumstances.tilt);
         (self.circumstances.height, self.circumstances.tilt) = (height, tilt);
         let view = self.look_on(day);
@@ -205,7 +205,7 @@ impl Assessor {
 
     /// Flies over the landmark once, at `speed` m/s with a picture every `period` seconds: on any of the
     /// days, on any heading, to one side of it or the other. The views in which it lies whole.
-    pub fn pass(&mut self, speed: f64, period: f64) -> Vec<View> {
+    pub fn pass(&mut self, speed: f64, period: f64) -> Vec<ViewResult> {
         let day = self.random.random_range(0..self.ground.days());
         let heading = TAU * self.random.random::<f64>();
         let Some(margin) = self.margin(heading) else {
@@ -238,7 +238,7 @@ impl Assessor {
     }
 
     /// A look on a day, on a heading, with the middle of the landmark at pixel `wanted`.
-    fn draw_at(&mut self, day: usize, heading: f64, wanted: Point2<f64>) -> Option<Look> {
+    fn draw_at(&mut self, day: usize, heading: f64, wanted: Point2<f64>) -> Option<DrawnLook> {
         let c = self.circumstances.clone();
         let margin = self.margin(heading)?;
         let (sin, cos) = (TAU * self.random.random::<f64>()).sin_cos();
@@ -286,7 +286,7 @@ impl Assessor {
         let true_pixel = crop.project(&pose, &point)?;
         let expected = crop.ground_at(&assumed, &true_pixel, c.ground_down)?;
         self.looks += 1;
-        Some(Look {
+        Some(DrawnLook {
             day,
             heading,
             attitude_error: unknown[0].hypot(unknown[1]),
@@ -302,7 +302,7 @@ impl Assessor {
     }
 
     /// Takes the picture of a look and searches it.
-    fn see(&mut self, mut look: Look) -> View {
+    fn see(&mut self, mut look: DrawnLook) -> ViewResult {
         let reach = DRAWN * look.reach;
         let around = self.landmark.bounds.grown(reach);
         let ground = self.ground.part(look.day, &around);
@@ -332,7 +332,7 @@ impl Assessor {
         let error = sighting.best().map(|d| d.ground.distance(&look.expected));
         let near = tolerance(c.height / c.camera.focal);
         let wrong = matches!(sighting, Sighting::Found(_)) && error.is_some_and(|e| e > near);
-        let view = View {
+        let view = ViewResult {
             day: look.day,
             heading: look.heading,
             height: c.height,
@@ -349,7 +349,7 @@ impl Assessor {
     }
 
     /// The views so far.
-    pub fn views(&self) -> &[View] {
+    pub fn views(&self) -> &[ViewResult] {
         &self.views
     }
 
@@ -364,7 +364,7 @@ impl Assessor {
             return DetectionStatistics::default();
         };
         DetectionStatistics {
-            by_day: Tally::by_day(&self.views, self.ground.days()),
+            by_day: LookTally::by_day(&self.views, self.ground.days()),
             ..DetectionStatistics::everywhere(expected)
         }
     }
@@ -391,7 +391,7 @@ fn lasting(
         .iter()
         .map(|day| rehearse(map, day.as_ref(), bounds, radius, by));
     let days: Option<Vec<_>> = days.collect();
-    Some(Ground::of(map, bounds).survival(&days?))
+    Some(GroundLooks::of(map, bounds).survival(&days?))
 }
 
 /// Pseudo-counts of days on which a landmark is found and is not (a Beta prior), in units of days.
@@ -408,11 +408,11 @@ const PRIOR: [f64; 2] = [0.2, 0.2];
 /// successful, the share that are, too, is the probability in a frame of a day on which the landmark is
 /// recognised, shrunk by half a success and half a failure (Jeffreys). Where real maps of another date tell how
 /// likely a landmark is accepted, that is the probability.
-fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
+fn expected(views: &[ViewResult], days: usize) -> Option<ExpectedDetection> {
     if views.is_empty() {
         return None;
     }
-    let flown: Vec<(f64, f64)> = Tally::by_day(views, days)
+    let flown: Vec<(f64, f64)> = LookTally::by_day(views, days)
         .iter()
         .filter(|day| day.looks > 0)
         .map(|day| (day.found as f64, day.looks as f64))
@@ -424,7 +424,7 @@ fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
     let pairs = |f: fn(f64, f64) -> f64| flown.iter().map(|(h, n)| f(*h, *n)).sum::<f64>();
     let (both, one) = (pairs(|h, _| h * (h - 1.0)), pairs(|h, n| h * (n - 1.0)));
     let per_frame = ((both + 0.5) / (one + 1.0)).clamp(overall, 1.0);
-    let found: Vec<&View> = views.iter().filter(|v| v.found()).collect();
+    let found: Vec<&ViewResult> = views.iter().filter(|v| v.found()).collect();
     let covariances = found.iter().filter_map(|v| v.sighting.best());
     let sum: Matrix4<f64> = covariances.map(|d| d.covariance).sum();
     Some(ExpectedDetection {

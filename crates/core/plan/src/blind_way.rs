@@ -106,7 +106,7 @@ impl Pace {
 
 /// Inputs for following a way over the field.
 #[derive(Clone, Copy)]
-pub(super) struct Ground<'a> {
+pub(super) struct BlindWayField<'a> {
     pub field: &'a Localizability,
     /// Length of a pass over a source: the shorter side of the picture on the ground, metres.
     pub pass: f64,
@@ -115,7 +115,7 @@ pub(super) struct Ground<'a> {
     pub before_first_fix: f64,
 }
 
-impl Ground<'_> {
+impl BlindWayField<'_> {
     /// Duration of the straight way from `a` to `b`, seconds; `None` where the wind does not allow it.
     pub fn time(&self, a: &GroundPoint, b: &GroundPoint) -> Option<f64> {
         let way = b.to_vector() - a.to_vector();
@@ -204,8 +204,8 @@ mod tests {
         field
     }
 
-    fn ground(field: &Localizability) -> Ground<'_> {
-        Ground {
+    fn ground(field: &Localizability) -> BlindWayField<'_> {
+        BlindWayField {
             field,
             pass: 100.0,
             pace: Pace {

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use serde::{Deserialize, Serialize};
 
-use super::View;
-use super::tally::{Tally, tally_by};
+use super::ViewResult;
+use super::tally::{LookTally, tally_by};
 use pilotage_mission::settings::SensorNoise;
 
 /// Edges between small, usual and great attitude errors, standard deviations of roll and pitch: a third
@@ -14,33 +14,33 @@ const THIRDS: [f64; 2] = [0.9005, 1.4823];
 
 /// Views of a landmark, counted by what they differ in.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Breakdown {
+pub struct ViewBreakdown {
     /// By heading of the camera: within 45° of north, east, south and west.
-    pub heading: Vec<Tally>,
+    pub heading: Vec<LookTally>,
     /// By the tilt of which the filter did not know, from small to great.
-    pub attitude_error: Vec<Tally>,
+    pub attitude_error: Vec<LookTally>,
     /// The two tilts between them, radians.
     pub edges: [f64; 2],
     /// By day.
-    pub day: Vec<Tally>,
+    pub day: Vec<LookTally>,
 }
 
-impl Breakdown {
+impl ViewBreakdown {
     /// Counts `views` of `days` days, taken with those errors of the sensors.
-    pub fn of(views: &[View], sensors: &SensorNoise, days: usize) -> Self {
+    pub fn of(views: &[ViewResult], sensors: &SensorNoise, days: usize) -> Self {
         let deviation = sensors.roll.max(sensors.pitch);
         let edges = THIRDS.map(|third| third * deviation);
         let quarters: Vec<f64> = (0..=4)
             .map(|quarter| f64::from(quarter) * FRAC_PI_2)
             .collect();
-        let from_quarter = |view: &View| (view.heading + 0.5 * FRAC_PI_2).rem_euclid(TAU);
+        let from_quarter = |view: &ViewResult| (view.heading + 0.5 * FRAC_PI_2).rem_euclid(TAU);
         Self {
             heading: tally_by(views, &quarters, from_quarter),
             attitude_error: tally_by(views, &[0.0, edges[0], edges[1], f64::INFINITY], |view| {
                 view.attitude_error
             }),
             edges,
-            day: Tally::by_day(views, days),
+            day: LookTally::by_day(views, days),
         }
     }
 }
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
     use pilotage_vision::landmark::{Detection, Refusal, Sighting};
 
-    fn view(day: usize, heading: f64, attitude_error: f64, covariance: f64) -> View {
+    fn view(day: usize, heading: f64, attitude_error: f64, covariance: f64) -> ViewResult {
         let detection = Detection {
             ground: pilotage_base::frames::GroundPoint::default(),
             covariance: nalgebra::Matrix4::identity() * covariance,
@@ -60,7 +60,7 @@ mod tests {
             rotation: 0.0,
             scale: 1.0,
         };
-        View {
+        ViewResult {
             day,
             heading: heading.to_radians(),
             height: 100.0,
@@ -90,8 +90,8 @@ mod tests {
             pitch: 0.01,
             ..pilotage_mission::settings::NavigatorSettings::default().sensors
         };
-        let counted = Breakdown::of(&views, &sensors, 3);
-        let looks = |tallies: &[Tally]| tallies.iter().map(|t| t.looks).collect::<Vec<_>>();
+        let counted = ViewBreakdown::of(&views, &sensors, 3);
+        let looks = |tallies: &[LookTally]| tallies.iter().map(|t| t.looks).collect::<Vec<_>>();
         assert_eq!(looks(&counted.heading), [2, 0, 1, 0]);
         assert_eq!(looks(&counted.attitude_error), [1, 1, 1]);
         assert_eq!(looks(&counted.day), [2, 0, 1]);

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use pilotage_base::frames::{GroundPoint, GroundRect};
-use pilotage_vision::landmark::Rehearsal;
+use pilotage_vision::landmark::RehearsalFit;
 
 /// Greatest ratio of a rival's score to the landmark's, as the detector has it.
 const AMBIGUITY: f64 = 0.85;
@@ -23,7 +23,7 @@ const REHEARSAL: f64 = 0.73;
 
 /// A box of the map, how likely it is found, and how it did on its worst rehearsal day.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Candidate {
+pub struct LandmarkCandidate {
     /// The box.
     pub bounds: GroundRect,
     /// Score at its own place, 0 to 1.
@@ -44,9 +44,9 @@ pub struct Candidate {
     pub range: [f64; 2],
 }
 
-impl Candidate {
+impl LandmarkCandidate {
     /// As it did on one day.
-    pub(super) fn of(bounds: GroundRect, r: &Rehearsal) -> Self {
+    pub(super) fn of(bounds: GroundRect, r: &RehearsalFit) -> Self {
         let margin = r.margin(AMBIGUITY);
         let rise = |x: f64| 1.0 / (1.0 + (-x).exp());
         let probability = REHEARSAL

@@ -18,7 +18,7 @@ const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
 /// Error of the position in one world: truth minus estimate (north, east).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Belief {
+pub struct WorldError {
     /// Weight of this world beside the others.
     pub weight: f64,
     /// Its mean, metres.
@@ -66,11 +66,11 @@ pub struct Corridor {
 ///
 /// ```
 /// use nalgebra::{Matrix2, Vector2};
-/// use pilotage_plan::{Belief, corridor};
+/// use pilotage_plan::{WorldError, corridor};
 ///
 /// // One world: 3 m to the north, 4 m to the east, flown towards the north.
 /// let covariance = Matrix2::new(9.0, 0.0, 0.0, 16.0);
-/// let world = Belief { weight: 1.0, mean: Vector2::zeros(), covariance };
+/// let world = WorldError { weight: 1.0, mean: Vector2::zeros(), covariance };
 /// let corridor = corridor(&[world], 0.0, 0.95).ok_or("no covariance")?;
 /// assert!((corridor.sigma_major - 4.0).abs() < 1e-9);
 /// // Across the course 95 % lie within 1.96 standard deviations.
@@ -78,11 +78,11 @@ pub struct Corridor {
 /// assert!((corridor.along - 1.96 * 3.0).abs() < 0.01);
 /// # Ok::<(), &str>(())
 /// ```
-pub fn corridor(worlds: &[Belief], course: f64, probability: f64) -> Option<Corridor> {
+pub fn corridor(worlds: &[WorldError], course: f64, probability: f64) -> Option<Corridor> {
     if worlds.is_empty() {
         return None;
     }
-    let second = |w: &Belief| w.weight * (w.covariance + w.mean * w.mean.transpose());
+    let second = |w: &WorldError| w.weight * (w.covariance + w.mean * w.mean.transpose());
     let all = worlds.iter().map(|w| w.weight).sum::<f64>();
     let mean = worlds.iter().map(second).sum::<Matrix2<f64>>() / all;
     let eigen = mean.symmetric_eigen();
@@ -112,7 +112,7 @@ pub fn corridor(worlds: &[Belief], course: f64, probability: f64) -> Option<Corr
 }
 
 /// The multiple of the ellipse of `mean` that holds the error with `probability`.
-fn ellipse(worlds: &[Belief], mean: &Matrix2<f64>, probability: f64) -> Option<f64> {
+fn ellipse(worlds: &[WorldError], mean: &Matrix2<f64>, probability: f64) -> Option<f64> {
     // In the coordinates where the mean is a unit circle.
     let whiten = mean.cholesky()?.l().try_inverse()?;
     let each = (DRAWN.0 / worlds.len()).clamp(16, DRAWN.1);
@@ -143,8 +143,8 @@ fn ellipse(worlds: &[Belief], mean: &Matrix2<f64>, probability: f64) -> Option<f
 
 /// Half width of the strip across `direction` that holds the error with `probability`, metres: where
 /// the distribution of all worlds together comes to it, by Newton's method kept within a bracket.
-fn strip(worlds: &[Belief], direction: &Vector2<f64>, probability: f64) -> f64 {
-    let one = |w: &Belief| {
+fn strip(worlds: &[WorldError], direction: &Vector2<f64>, probability: f64) -> f64 {
+    let one = |w: &WorldError| {
         let variance = direction.dot(&(w.covariance * direction));
         let deviation = variance.max(f64::MIN_POSITIVE).sqrt();
         (w.weight, w.mean.dot(direction), deviation)
@@ -187,8 +187,8 @@ mod tests {
     use rand::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 
-    fn centred(covariance: Matrix2<f64>) -> Belief {
-        Belief {
+    fn centred(covariance: Matrix2<f64>) -> WorldError {
+        WorldError {
             weight: 1.0,
             mean: Vector2::zeros(),
             covariance,
@@ -209,9 +209,9 @@ mod tests {
     #[test]
     fn a_few_parts_of_a_gaussian_have_its_corridor_in_every_direction() {
         for (count, most) in [(1, 0.02), (5, 0.06), (20, 0.03), (70, 0.02)] {
-            let worlds: Vec<Belief> = winds::parts(count)
+            let worlds: Vec<WorldError> = winds::parts(count)
                 .iter()
-                .map(|part| Belief {
+                .map(|part| WorldError {
                     weight: part.weight,
                     mean: part.mean,
                     covariance: part.covariance,
@@ -233,7 +233,7 @@ mod tests {
         let worlds = [
             centred(Matrix2::new(1.0, 0.3, 0.3, 2.0)),
             centred(Matrix2::new(90.0, -20.0, -20.0, 40.0)),
-            Belief {
+            WorldError {
                 weight: 2.0,
                 mean: Vector2::new(-9.0, 6.0),
                 covariance: Matrix2::new(4.0, 1.0, 1.0, 2.0),

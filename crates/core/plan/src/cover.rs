@@ -1,12 +1,12 @@
 //! Moments of a flight that the boxes of a map serve.
 
-use super::candidate::Candidate;
+use super::candidate::LandmarkCandidate;
 use super::footprints::Footprints;
 use pilotage_base::frames::Pose;
 use pilotage_raster::camera::CameraModel;
 
 /// Moments that each candidate serves.
-pub(super) struct Cover {
+pub(super) struct MomentCover {
     /// Seconds for which each frame stands.
     lasting: Vec<f64>,
     /// For each candidate the frames in which it counts, and the certainty of a fix by it alone.
@@ -15,10 +15,10 @@ pub(super) struct Cover {
     pub in_view: Vec<f64>,
 }
 
-impl Cover {
+impl MomentCover {
     /// Of `candidates` in the pictures that are taken when and where `frames` say; a fix fades over `fading` seconds.
     pub fn new(
-        candidates: &[Candidate],
+        candidates: &[LandmarkCandidate],
         camera: &CameraModel,
         frames: &[(f64, Pose)],
         ground_down: f64,

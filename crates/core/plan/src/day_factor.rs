@@ -9,7 +9,7 @@
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
-use super::{ExpectedDetection, Tally};
+use super::{ExpectedDetection, LookTally};
 use pilotage_base::statistics::normal_probability;
 
 /// Values of ρ that are weighed, evenly from zero.
@@ -18,7 +18,7 @@ const STEPS: usize = 20;
 const NODES: (usize, f64) = (25, 4.0);
 
 /// Detection that was stated of a landmark, and tallies of its rehearsals, day by day.
-pub(super) type Rehearsed<'a> = (ExpectedDetection, &'a [Tally]);
+pub(super) type Rehearsed<'a> = (ExpectedDetection, &'a [LookTally]);
 
 /// Mean of ρ after those rehearsals, where any value was as likely before; zero where not two landmarks
 /// were rehearsed on the same days.
@@ -59,7 +59,7 @@ fn likelihood(landmarks: &[&Rehearsed<'_>], thresholds: &[f64], day: usize, rho:
         let weight = (-0.5 * q * q).exp();
         let all = landmarks.iter().zip(thresholds).map(|((e, days), t)| {
             let recognised = normal_probability((t - rho.sqrt() * q) / (1.0 - rho).sqrt());
-            let Tally { looks, found, .. } = days[day];
+            let LookTally { looks, found, .. } = days[day];
             let hits = e.per_frame.powi(found as i32);
             let misses = (1.0 - e.per_frame).powi(looks.saturating_sub(found) as i32);
             let not = if found == 0 { 1.0 - recognised } else { 0.0 };
@@ -142,13 +142,13 @@ mod tests {
         for rho in [0.0, 0.3, 0.7] {
             let chances = [0.4, 0.5, 0.6, 0.7, 0.8, 0.6, 0.5, 0.7];
             let drawn = worlds(&[1.0; 60], chances.len(), rho, &mut random);
-            let tallies: Vec<Vec<Tally>> = (0..chances.len())
+            let tallies: Vec<Vec<LookTally>> = (0..chances.len())
                 .map(|i| {
                     let found = |u: f64| usize::from(u < chances[i]) * 2;
-                    let tally = |w: &Vec<f64>| Tally {
+                    let tally = |w: &Vec<f64>| LookTally {
                         looks: 2,
                         found: found(w[i]),
-                        ..Tally::default()
+                        ..LookTally::default()
                     };
                     drawn.iter().map(tally).collect()
                 })

@@ -3,7 +3,7 @@
 use nalgebra::Matrix4;
 use serde::{Deserialize, Serialize};
 
-use super::Tally;
+use super::LookTally;
 
 /// Expected detection of one landmark while it lies wholly in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,7 +33,7 @@ pub struct DetectionStatistics {
     /// Tallies of the landmark's rehearsals, on the days in the order in which all landmarks of the map were
     /// rehearsed; empty if they are not known.
     #[serde(default)]
-    pub by_day: Vec<Tally>,
+    pub by_day: Vec<LookTally>,
 }
 
 impl DetectionStatistics {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Assessor, Tally};
+use super::{Assessor, LookTally};
 
 /// Tallies of how often a landmark is found, over heights and tilts: what a view draws as a grid.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -13,12 +13,12 @@ pub struct Envelope {
     pub tilts: Vec<f64>,
     /// Height by height the tally of each tilt. No look where the landmark does not fit into the
     /// picture.
-    pub cells: Vec<Tally>,
+    pub cells: Vec<LookTally>,
 }
 
 impl Envelope {
     /// The tally at a height and a tilt, by their indices.
-    pub fn at(&self, height: usize, tilt: usize) -> Option<&Tally> {
+    pub fn at(&self, height: usize, tilt: usize) -> Option<&LookTally> {
         let row = self.cells.chunks(self.tilts.len().max(1)).nth(height)?;
         row.get(tilt)
     }
@@ -51,7 +51,7 @@ impl EnvelopeSurvey {
 
     /// `each` looks from every height (metres) with every tilt (radians).
     pub fn new(assessor: Assessor, heights: Vec<f64>, tilts: Vec<f64>, each: usize) -> Self {
-        let cells = vec![Tally::default(); heights.len() * tilts.len()];
+        let cells = vec![LookTally::default(); heights.len() * tilts.len()];
         Self {
             assessor,
             envelope: Envelope {

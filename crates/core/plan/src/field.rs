@@ -59,7 +59,7 @@ impl FixSource {
 /// Part of the ground in the picture, metres from the place below a level aircraft: ahead and to the
 /// right.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct GroundInPicture {
     ahead: [f64; 2],
     right: [f64; 2],
 }
@@ -101,7 +101,7 @@ impl FieldView {
         })
     }
 
-    fn seen(&self) -> Option<Seen> {
+    fn seen(&self) -> Option<GroundInPicture> {
         let pose = Pose {
             position_in_world: Point3::new(0.0, 0.0, -self.height),
             attitude: Attitude::level(0.0),
@@ -111,7 +111,7 @@ impl FieldView {
         let (top, bottom) = (at(0.5 * w, 0.0)?, at(0.5 * w, h)?);
         let (left, right) = (at(0.0, 0.5 * h)?, at(w, 0.5 * h)?);
         let sorted = |a: f64, b: f64| [a.min(b), a.max(b)];
-        Some(Seen {
+        Some(GroundInPicture {
             ahead: sorted(top.north, bottom.north),
             right: sorted(left.east, right.east),
         })
@@ -214,7 +214,7 @@ impl Localizability {
 #[derive(Clone, Debug)]
 pub struct FieldBuilder {
     view: FieldView,
-    seen: Option<Seen>,
+    seen: Option<GroundInPicture>,
     sources: Vec<FixSource>,
     field: Localizability,
     row: usize,

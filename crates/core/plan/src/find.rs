@@ -140,7 +140,7 @@ fn thinned(cells: &[(f32, GroundPoint)], apart: f64) -> Vec<GroundPoint> {
 }
 
 /// Next step of the search.
-enum Stage {
+enum SearchStage {
     /// Ways from the next node.
     Ways,
     /// Another step of the bisection, or another price.
@@ -152,7 +152,7 @@ enum Stage {
 pub struct RouteSearch {
     question: RouteQuestion,
     graph: Graph,
-    stage: Stage,
+    stage: SearchStage,
     shortest: FoundRoute,
     /// Greatest cost.
     most: f64,
@@ -191,7 +191,7 @@ impl RouteSearch {
             bracket: (shortest.worst_blind, 0.0),
             graph: Graph::new(nodes),
             question,
-            stage: Stage::Ways,
+            stage: SearchStage::Ways,
             shortest,
             most,
             best: None,
@@ -201,32 +201,32 @@ impl RouteSearch {
     /// Progress of the search, 0 to 1.
     pub fn progress(&self) -> f32 {
         match self.stage {
-            Stage::Ways => 0.6 * self.graph.progress(),
-            Stage::Solve(step) => 0.6 + 0.4 * step as f32 / STEPS as f32,
-            Stage::Done => 1.0,
+            SearchStage::Ways => 0.6 * self.graph.progress(),
+            SearchStage::Solve(step) => 0.6 + 0.4 * step as f32 / STEPS as f32,
+            SearchStage::Done => 1.0,
         }
     }
 
     /// Does a piece of the work; false when all is done.
     pub fn advance(&mut self) -> bool {
         match self.stage {
-            Stage::Ways => {
+            SearchStage::Ways => {
                 if !self.graph.connect_next(&self.question, self.most) {
-                    self.stage = Stage::Solve(0);
+                    self.stage = SearchStage::Solve(0);
                 }
             }
-            Stage::Solve(step) => {
+            SearchStage::Solve(step) => {
                 let over = match self.question.aim {
                     Aim::Worst => self.bisect(step),
                     Aim::Mean => self.weigh(step),
                 };
                 self.stage = if over {
-                    Stage::Done
+                    SearchStage::Done
                 } else {
-                    Stage::Solve(step + 1)
+                    SearchStage::Solve(step + 1)
                 };
             }
-            Stage::Done => return false,
+            SearchStage::Done => return false,
         }
         true
     }

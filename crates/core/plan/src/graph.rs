@@ -60,7 +60,7 @@ pub(super) enum Aimed {
 
 /// A way between two nodes.
 #[derive(Clone, Debug)]
-struct Way {
+struct GraphEdge {
     to: usize,
     cost: f64,
     blind: BlindWay,
@@ -69,12 +69,12 @@ struct Way {
 /// Places, the first that where the path begins and the second that where it ends, and ways.
 pub(super) struct Graph {
     nodes: Vec<GroundPoint>,
-    ways: Vec<Vec<Way>>,
+    ways: Vec<Vec<GraphEdge>>,
     next: usize,
 }
 
 /// Label of a path: the node that it has come to, with its cost and uncertainty.
-struct Label {
+struct PathLabel {
     node: usize,
     cost: f64,
     unsure: Unsure,
@@ -149,7 +149,7 @@ impl Graph {
                 let way = ground.follow(&self.nodes[begin], &self.nodes[end]);
                 // Nothing leads into the first node or out of the second.
                 if let Some(blind) = way.filter(|_| wanted && end != 0 && begin != 1) {
-                    self.ways[begin].push(Way {
+                    self.ways[begin].push(GraphEdge {
                         to: end,
                         cost: question.cost(blind.length, blind.time),
                         blind,
@@ -177,7 +177,7 @@ impl Graph {
             .map(|n| question.least_cost(n, &self.nodes[1]))
             .collect();
         let mut frontier = Frontier::new(self.nodes.len());
-        let mut labels: Vec<Label> = Vec::new();
+        let mut labels: Vec<PathLabel> = Vec::new();
         let mut queue = BinaryHeap::new();
         queue.push(Queued {
             order: 0.0,
@@ -192,7 +192,7 @@ impl Graph {
                 continue;
             }
             let number = labels.len();
-            labels.push(Label {
+            labels.push(PathLabel {
                 node: head.node,
                 cost: head.cost,
                 unsure: head.unsure,
@@ -240,7 +240,7 @@ impl Graph {
     }
 
     /// Whether the path to a label leads over a node: circling over a landmark makes it no surer.
-    fn passed(labels: &[Label], last: usize, node: usize) -> bool {
+    fn passed(labels: &[PathLabel], last: usize, node: usize) -> bool {
         let mut at = Some(last);
         while let Some(number) = at {
             if labels[number].node == node {
@@ -251,7 +251,7 @@ impl Graph {
         false
     }
 
-    fn line(&self, labels: &[Label], last: usize) -> Vec<GroundPoint> {
+    fn line(&self, labels: &[PathLabel], last: usize) -> Vec<GroundPoint> {
         let mut line = Vec::new();
         let mut at = Some(last);
         while let Some(number) = at {

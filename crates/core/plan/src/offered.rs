@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::candidate::Candidate;
+use super::candidate::LandmarkCandidate;
 use super::field::{FieldBuilder, FieldView, FixSource, Localizability};
 use super::suggest::Ranking;
 use pilotage_base::frames::{GroundPoint, GroundRect};
@@ -22,7 +22,7 @@ pub struct OfferedField {
     reach: f64,
     lattice: Lattice,
     next: usize,
-    found: Vec<Candidate>,
+    found: Vec<LandmarkCandidate>,
     builder: FieldBuilder,
 }
 
@@ -101,7 +101,7 @@ impl OfferedField {
     }
 
     /// The places that passed so far, from north to south.
-    pub fn found(&self) -> &[Candidate] {
+    pub fn found(&self) -> &[LandmarkCandidate] {
         &self.found
     }
 

@@ -4,8 +4,8 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
-use super::corridor::{Belief, Corridor, corridor};
-use super::propagate::{Moment, Propagation, UnknownWind};
+use super::corridor::{Corridor, WorldError, corridor};
+use super::propagate::{Propagation, UnknownWind, WorldsMoment};
 use super::request::{PredictionError, PredictionRequest};
 use super::{day_factor, winds};
 use pilotage_base::frames::GroundPoint;
@@ -61,14 +61,14 @@ pub struct Stretch {
 
 /// The predicted uncertainty along a route.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Prediction {
+pub struct RoutePrediction {
     /// Samples, one for each frame of the camera.
     pub samples: Vec<PredictionSample>,
     /// Stretches over the limit, in the order in which they are flown.
     pub over_limit: Vec<Stretch>,
 }
 
-impl Prediction {
+impl RoutePrediction {
     /// The stretch about the largest standard deviation: the worst of those over the limit, or, where
     /// none is, from the least one before it to the least one after it.
     pub fn worst_stretch(&self) -> Option<Stretch> {
@@ -92,7 +92,7 @@ impl Prediction {
     }
 }
 
-impl Prediction {
+impl RoutePrediction {
     /// Marks the stretches over another limit, metres.
     pub fn mark(&mut self, limit: f64) {
         self.over_limit = stretches(&self.samples, limit);
@@ -130,7 +130,7 @@ impl PredictionRequest<'_> {
     /// assert!(last.corridor.sigma_major > 20.0 && !prediction.over_limit.is_empty());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn predict(&self) -> Result<Prediction, PredictionError> {
+    pub fn predict(&self) -> Result<RoutePrediction, PredictionError> {
         let flight = self.plan.nominal().ok_or(PredictionError::NoRoute)?;
         let uncertain = self.wind_deviation > 0.0;
         let worlds = self.worlds.max(1);
@@ -171,7 +171,7 @@ impl PredictionRequest<'_> {
             ways.push((part.weight, way));
         }
         let samples = samples(&flight, brought_together(&self.track(&flight), &ways))?;
-        Ok(Prediction {
+        Ok(RoutePrediction {
             over_limit: stretches(&samples, self.limit),
             samples,
         })
@@ -226,7 +226,7 @@ pub(super) fn nearest_ahead(
 
 /// Time that a flight spends near its moment `index`, frames per metre: a corridor holds the error for its
 /// share of the time, and against the wind there is more of that.
-fn lasting(way: &[Moment], index: usize) -> f64 {
+fn lasting(way: &[WorldsMoment], index: usize) -> f64 {
     let (from, to) = (index.saturating_sub(1), (index + 1).min(way.len() - 1));
     let length = way[from].place.distance(&way[to].place);
     let frames = (to - from).max(1) as f64;
@@ -234,12 +234,15 @@ fn lasting(way: &[Moment], index: usize) -> f64 {
 }
 
 /// Moments of all ways, each with its weight, brought together at the places of `track`.
-fn brought_together(track: &[(usize, GroundPoint)], ways: &[(f64, Vec<Moment>)]) -> Vec<Moment> {
+fn brought_together(
+    track: &[(usize, GroundPoint)],
+    ways: &[(f64, Vec<WorldsMoment>)],
+) -> Vec<WorldsMoment> {
     let mut reached = vec![0; ways.len()];
     track
         .iter()
         .map(|(state, place)| {
-            let mut all = Moment {
+            let mut all = WorldsMoment {
                 state: *state,
                 place: *place,
                 beliefs: Vec::new(),
@@ -252,7 +255,7 @@ fn brought_together(track: &[(usize, GroundPoint)], ways: &[(f64, Vec<Moment>)])
                     continue;
                 };
                 let weight = share * lasting(way, *last);
-                let weighed = moment.beliefs.iter().map(|b| Belief { weight, ..*b });
+                let weighed = moment.beliefs.iter().map(|b| WorldError { weight, ..*b });
                 all.beliefs.extend(weighed);
                 all.found.resize(moment.found.len(), 0.0);
                 for (sum, found) in all.found.iter_mut().zip(&moment.found) {
@@ -267,7 +270,7 @@ fn brought_together(track: &[(usize, GroundPoint)], ways: &[(f64, Vec<Moment>)])
 
 fn samples(
     flight: &TrueFlight,
-    moments: Vec<Moment>,
+    moments: Vec<WorldsMoment>,
 ) -> Result<Vec<PredictionSample>, PredictionError> {
     let states = &flight.states;
     let mut distance = 0.0;
@@ -361,7 +364,7 @@ mod tests {
             .collect()
     }
 
-    fn predict(landmarks: &[PlannedLandmark], worlds: usize) -> Prediction {
+    fn predict(landmarks: &[PlannedLandmark], worlds: usize) -> RoutePrediction {
         let scenario = Scenario::named("distinct-400ft-wind").unwrap();
         let request = PredictionRequest {
             plan: &scenario.plan(&Overrides::default()),
@@ -375,7 +378,7 @@ mod tests {
         request.predict().unwrap()
     }
 
-    fn largest(prediction: &Prediction) -> f64 {
+    fn largest(prediction: &RoutePrediction) -> f64 {
         let sigmas = prediction.samples.iter().map(|s| s.corridor.sigma_major);
         sigmas.fold(0.0, f64::max)
     }
@@ -407,13 +410,13 @@ mod tests {
         let mut it = aided.samples.iter();
         let at = it.find(|s| s.position == worst.worst).unwrap();
         assert!((worst.begin..=worst.end).contains(&at.distance));
-        assert_eq!(Prediction::default().worst_stretch(), None);
+        assert_eq!(RoutePrediction::default().worst_stretch(), None);
     }
 
     #[test]
     fn landmarks_that_are_seldom_found_leave_more_uncertainty() {
         let scenario = Scenario::named("distinct-400ft-wind").unwrap();
-        let mean = |prediction: &Prediction| {
+        let mean = |prediction: &RoutePrediction| {
             let n = prediction.samples.len() as f64;
             let areas = prediction.samples.iter();
             areas.map(|s| s.corridor.covariance.trace()).sum::<f64>() / n

@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
-use super::Prediction;
+use super::RoutePrediction;
 use super::prediction::nearest_ahead;
 use pilotage_base::frames::GroundPoint;
 use pilotage_flight::Flight;
@@ -11,7 +11,7 @@ use pilotage_navigator::navigator::Run;
 
 /// Frame of a flight beside the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Comparison {
+pub struct PlanComparison {
     /// Distance along the planned path of the place with which it is compared, metres.
     pub distance: f64,
     /// Whether the error lies inside the predicted ellipse.
@@ -31,7 +31,7 @@ pub struct Comparison {
 /// Compares every frame of `flight` with the place of the prediction that it is over.
 ///
 /// Empty for a flight without truth.
-pub fn compare(flight: &Flight, run: &Run, prediction: &Prediction) -> Vec<Comparison> {
+pub fn compare(flight: &Flight, run: &Run, prediction: &RoutePrediction) -> Vec<PlanComparison> {
     let places = |i: usize| prediction.samples.get(i).map(|s| s.position);
     let mut last = 0;
     let with_frames = run.steps.iter().filter(|s| s.frame.is_some());
@@ -50,7 +50,7 @@ pub fn compare(flight: &Flight, run: &Run, prediction: &Prediction) -> Vec<Compa
             let across = Vector2::new(-planned.course.sin(), planned.course.cos()).dot(&error);
             let covariance = step.after.position_covariance();
             let weighted = covariance.cholesky()?.solve(&error);
-            Some(Comparison {
+            Some(PlanComparison {
                 distance: planned.distance,
                 inside_ellipse: distance <= c.scale,
                 inside_corridor: across.abs() <= c.across,
@@ -91,17 +91,17 @@ pub struct Verification {
 
 impl Verification {
     /// Sums flights up.
-    pub fn of(flights: &[Vec<Comparison>]) -> Self {
-        let all: Vec<&Comparison> = flights.iter().flatten().collect();
+    pub fn of(flights: &[Vec<PlanComparison>]) -> Self {
+        let all: Vec<&PlanComparison> = flights.iter().flatten().collect();
         let n = all.len().max(1) as f64;
-        let mean = |f: &dyn Fn(&Comparison) -> f64| all.iter().map(|c| f(c)).sum::<f64>() / n;
-        let share = |f: fn(&Comparison) -> bool| mean(&|c| f64::from(u8::from(f(c))));
+        let mean = |f: &dyn Fn(&PlanComparison) -> f64| all.iter().map(|c| f(c)).sum::<f64>() / n;
+        let share = |f: fn(&PlanComparison) -> bool| mean(&|c| f64::from(u8::from(f(c))));
         let inside_corridor = share(|c| c.inside_corridor);
         // Each flight's part of the whole share.
         let flown = flights.len().max(1) as f64;
         let parts = flights.iter().map(|flight| {
             let outside =
-                |c: &&Comparison| f64::from(u8::from(c.inside_corridor)) - inside_corridor;
+                |c: &&PlanComparison| f64::from(u8::from(c.inside_corridor)) - inside_corridor;
             flight.iter().map(|c| outside(&c)).sum::<f64>().powi(2)
         });
         Self {

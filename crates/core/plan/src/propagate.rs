@@ -5,9 +5,9 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::corridor::Belief;
+use super::corridor::WorldError;
 use super::request::{PredictionError, PredictionRequest};
-use super::view::{Information, Look, PlannedFrame};
+use super::view::{Information, LandmarkInformation, PlannedFrame};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::{Gaussian, numerical_jacobian};
 use pilotage_estimation::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
@@ -19,13 +19,13 @@ const LONGEST_STEP: f64 = 0.5;
 
 /// State of the worlds of one wind at one frame.
 #[derive(Clone, Debug)]
-pub(super) struct Moment {
+pub(super) struct WorldsMoment {
     /// Index of the state of the flight in that wind.
     pub state: usize,
     /// Place of the aircraft at that frame.
     pub place: GroundPoint,
     /// Error of the position in each world after the frame: truth minus estimate.
-    pub beliefs: Vec<Belief>,
+    pub beliefs: Vec<WorldError>,
     /// For each landmark the share of the worlds in which it was found in this frame.
     pub found: Vec<f64>,
     /// Share of the worlds in which any was found.
@@ -56,7 +56,7 @@ pub(super) struct UnknownWind {
 }
 
 impl VehicleVisitor for Propagation<'_> {
-    type Output = Result<Vec<Moment>, PredictionError>;
+    type Output = Result<Vec<WorldsMoment>, PredictionError>;
 
     fn visit<const N: usize, V>(self, model: V) -> Self::Output
     where
@@ -73,11 +73,11 @@ impl VehicleVisitor for Propagation<'_> {
         let gusty = self.gusts_of(&model);
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let prior = self.prior(&model, &gusty, first);
-        let worlds = self.worlds.iter().map(|recognised| World {
+        let worlds = self.worlds.iter().map(|recognised| FlightWorld {
             recognised: recognised.clone(),
             ..prior.clone()
         });
-        let mut worlds: Vec<World<N>> = worlds.collect();
+        let mut worlds: Vec<FlightWorld<N>> = worlds.collect();
         let pose_noise = request.settings.sensors.pose_covariance();
         let period = 1.0 / plan.sensors.frame_rate;
         let mut next_frame = first.time;
@@ -104,10 +104,10 @@ impl VehicleVisitor for Propagation<'_> {
             }
             next_frame += period;
             let (found, any) = self.look(state, &mut worlds, bias, &pose_noise, &mut random)?;
-            moments.push(Moment {
+            moments.push(WorldsMoment {
                 state: index,
                 place: GroundPoint::new(state.position.x, state.position.y),
-                beliefs: worlds.iter().map(World::position).collect(),
+                beliefs: worlds.iter().map(FlightWorld::position).collect(),
                 found,
                 any,
             });
@@ -135,7 +135,7 @@ impl Propagation<'_> {
         model: &V,
         gusty: &V,
         first: &TruthState,
-    ) -> World<N> {
+    ) -> FlightWorld<N> {
         let start = GroundPoint::new(first.position.x, first.position.y);
         let deviation = self.request.settings.start.position;
         let covariance = model.prior(start, deviation).covariance;
@@ -150,7 +150,7 @@ impl Propagation<'_> {
             let mut of_wind = scatter.fixed_view_mut::<2, 2>(i, i);
             of_wind.copy_from(&wind.covariance);
         }
-        World {
+        FlightWorld {
             covariance,
             error,
             scatter,
@@ -163,7 +163,7 @@ impl Propagation<'_> {
     fn look<const N: usize>(
         &self,
         state: &TruthState,
-        worlds: &mut [World<N>],
+        worlds: &mut [FlightWorld<N>],
         bias: Option<usize>,
         pose_noise: &Matrix4<f64>,
         random: &mut ChaCha8Rng,
@@ -177,7 +177,7 @@ impl Propagation<'_> {
             },
             ground_down: request.plan.ground_down,
         };
-        let looks: Vec<Look> = request
+        let looks: Vec<LandmarkInformation> = request
             .landmarks
             .iter()
             .enumerate()
@@ -188,7 +188,7 @@ impl Propagation<'_> {
         let share = 1.0 / worlds.len() as f64;
         for world in worlds.iter_mut().filter(|_| !looks.is_empty()) {
             let shake = self.shake(random);
-            let seen: Vec<&Look> = looks
+            let seen: Vec<&LandmarkInformation> = looks
                 .iter()
                 .filter(|look| {
                     let chance: f64 = random.random();
@@ -225,7 +225,7 @@ impl Propagation<'_> {
 }
 
 /// A step of the plan: from where, how errors move, and what is truly added to them.
-struct Step<const N: usize> {
+struct PlanStep<const N: usize> {
     state: SVector<f64, N>,
     input: ControlInput,
     transition: SMatrix<f64, N, N>,
@@ -238,7 +238,7 @@ fn step<const N: usize, V: VehicleModel<N>>(
     state: &TruthState,
     airspeed: f64,
     dt: f64,
-) -> Result<Step<N>, PredictionError> {
+) -> Result<PlanStep<N>, PredictionError> {
     let input = ControlInput::new(airspeed, state.attitude.unwrap_or_default());
     let mut place = SVector::<f64, N>::zeros();
     place[0] = state.position.x;
@@ -252,7 +252,7 @@ fn step<const N: usize, V: VehicleModel<N>>(
         &place,
     )
     .ok_or(PredictionError::NotFinite { time: state.time })?;
-    Ok(Step {
+    Ok(PlanStep {
         true_noise: vehicle.process_noise(&place, &input, dt),
         state: place,
         input,
@@ -266,7 +266,7 @@ fn step<const N: usize, V: VehicleModel<N>>(
 /// covariance that the filter computes, from which its gain follows, and the mean and covariance of its
 /// true error under that gain (Jazwinski 1970, 7.8; Gelb 1974, 7.2).
 #[derive(Clone)]
-struct World<const N: usize> {
+struct FlightWorld<const N: usize> {
     /// The filter's own covariance.
     covariance: SMatrix<f64, N, N>,
     /// Mean of truth minus estimate.
@@ -277,9 +277,9 @@ struct World<const N: usize> {
     recognised: Vec<f64>,
 }
 
-impl<const N: usize> World<N> {
-    fn position(&self) -> Belief {
-        Belief {
+impl<const N: usize> FlightWorld<N> {
+    fn position(&self) -> WorldError {
+        WorldError {
             weight: 1.0,
             mean: Vector2::new(self.error[0], self.error[1]),
             covariance: Matrix2::from_fn(|i, j| self.scatter[(i, j)]),
@@ -291,14 +291,14 @@ impl<const N: usize> World<N> {
     fn believed_noise<V: VehicleModel<N>>(
         &self,
         model: &V,
-        step: &Step<N>,
+        step: &PlanStep<N>,
         dt: f64,
     ) -> SMatrix<f64, N, N> {
         let belief = Gaussian::new(step.state - self.error, self.covariance + self.scatter);
         model.noise_of_belief(&belief, &step.input, dt)
     }
 
-    fn predict(&mut self, step: &Step<N>, believed: &SMatrix<f64, N, N>) {
+    fn predict(&mut self, step: &PlanStep<N>, believed: &SMatrix<f64, N, N>) {
         let f = &step.transition;
         self.covariance = f * self.covariance * f.transpose() + believed;
         self.scatter = f * self.scatter * f.transpose() + step.true_noise;
@@ -347,11 +347,11 @@ mod tests {
     use super::*;
 
     /// A world of (north, east, airspeed bias, heading bias).
-    fn world() -> World<4> {
+    fn world() -> FlightWorld<4> {
         let root = SMatrix::<f64, 4, 4>::new(
             5.0, 0.0, 0.0, 0.0, 1.0, 4.0, 0.0, 0.0, 0.3, -0.2, 0.5, 0.0, 0.02, 0.01, 0.0, 0.03,
         );
-        World {
+        FlightWorld {
             covariance: root * root.transpose(),
             scatter: 1.7 * root * root.transpose() + SMatrix::identity() * 1e-4,
             error: SVector::from([3.0, -2.0, 0.4, 0.05]),

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::candidate::Candidate;
+use super::candidate::LandmarkCandidate;
 use super::field::FieldView;
 use super::poses::{poses_all_over, poses_over};
 use super::suggest::{Ranking, Suggestion, choose_lasting, fading, most_certain_first};
@@ -105,12 +105,12 @@ impl Proposal {
     }
 
     /// The places that passed, the most certain first.
-    pub fn ranked(self) -> Vec<Candidate> {
+    pub fn ranked(self) -> Vec<LandmarkCandidate> {
         self.ranking.ranked()
     }
 
     /// The places that passed, in the order in which they were rehearsed.
-    pub fn found(self) -> Vec<Candidate> {
+    pub fn found(self) -> Vec<LandmarkCandidate> {
         self.ranking.found()
     }
 
@@ -134,14 +134,14 @@ impl ProposalQuestion {
     }
 
     /// Suggestions as by [`Proposal::chosen`], for places that were found in parts, one part after the other.
-    pub fn chosen_of(&self, found: Vec<Candidate>, count: usize) -> Vec<Suggestion> {
+    pub fn chosen_of(&self, found: Vec<LandmarkCandidate>, count: usize) -> Vec<Suggestion> {
         self.choose(&self.frames(), found, count)
     }
 
     fn choose(
         &self,
         frames: &[(f64, Pose)],
-        found: Vec<Candidate>,
+        found: Vec<LandmarkCandidate>,
         count: usize,
     ) -> Vec<Suggestion> {
         let mut ranked = most_certain_first(found);

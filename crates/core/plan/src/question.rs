@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
-use super::blind_way::{Ground, Pace, Unsure};
+use super::blind_way::{BlindWayField, Pace, Unsure};
 use super::field::Localizability;
 use super::found::FoundRoute;
 use super::no_fly::{NoFlyArea, Obstacles};
@@ -79,8 +79,8 @@ impl RouteQuestion {
     }
 
     /// The ground and how it is flown over.
-    pub(super) fn ground(&self) -> Ground<'_> {
-        Ground {
+    pub(super) fn ground(&self) -> BlindWayField<'_> {
+        BlindWayField {
             field: &self.field,
             pass: self.pass.max(1.0),
             pace: Pace {

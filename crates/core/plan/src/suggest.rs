@@ -4,15 +4,15 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::candidate::Candidate;
-use super::cover::Cover;
+use super::candidate::LandmarkCandidate;
+use super::cover::MomentCover;
 use super::footprints::Footprints;
-use super::survival::Ground;
+use super::survival::GroundLooks;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
-use pilotage_vision::landmark::{Rehearsal, TemplateFeatures, rehearse};
+use pilotage_vision::landmark::{RehearsalFit, TemplateFeatures, rehearse};
 
 /// Days after which a place that failed on all of them is given up.
 const FIRST_DAYS: usize = 2;
@@ -35,7 +35,7 @@ pub struct Ranking {
     features: TemplateFeatures,
     places: Vec<GroundRect>,
     next: usize,
-    found: Vec<Candidate>,
+    found: Vec<LandmarkCandidate>,
 }
 
 impl Ranking {
@@ -120,19 +120,19 @@ impl Ranking {
     }
 
     /// Rehearsal of a place on a day; `None` if it serves on none.
-    fn on_day(&self, day: &dyn Imagery, bounds: &GroundRect) -> Option<Rehearsal> {
+    fn on_day(&self, day: &dyn Imagery, bounds: &GroundRect) -> Option<RehearsalFit> {
         rehearse(self.map.as_ref(), day, bounds, self.radius, self.features)
     }
 
     /// A place as its rehearsals go.
-    fn rehearsed(&self, bounds: &GroundRect) -> Option<Candidate> {
-        let mut worst: Option<Candidate> = None;
+    fn rehearsed(&self, bounds: &GroundRect) -> Option<LandmarkCandidate> {
+        let mut worst: Option<LandmarkCandidate> = None;
         let (mut sum, mut best) = (0.0, 0.0_f64);
         for (done, day) in self.days.iter().enumerate() {
             if done == FIRST_DAYS && best < FAILED {
                 return None;
             }
-            let candidate = Candidate::of(*bounds, &self.on_day(day.as_ref(), bounds)?);
+            let candidate = LandmarkCandidate::of(*bounds, &self.on_day(day.as_ref(), bounds)?);
             sum += candidate.probability;
             best = best.max(candidate.probability);
             if worst.is_none_or(|w| candidate.probability < w.probability) {
@@ -140,7 +140,7 @@ impl Ranking {
             }
         }
         let mean = sum / self.days.len().max(1) as f64;
-        worst.map(|worst| Candidate {
+        worst.map(|worst| LandmarkCandidate {
             probability: mean,
             range: [mean; 2],
             ..worst
@@ -148,32 +148,33 @@ impl Ranking {
     }
 
     /// A place as maps of other dates have it that look like it.
-    fn lasting(&self, bounds: &GroundRect) -> Option<Candidate> {
+    fn lasting(&self, bounds: &GroundRect) -> Option<LandmarkCandidate> {
         let days = self.days.iter();
-        let days: Option<Vec<Rehearsal>> = days.map(|d| self.on_day(d.as_ref(), bounds)).collect();
+        let days: Option<Vec<RehearsalFit>> =
+            days.map(|d| self.on_day(d.as_ref(), bounds)).collect();
         let days = days?;
         let worst = days.iter().min_by(|a, b| a.score.total_cmp(&b.score))?;
-        let survival = Ground::of(self.map.as_ref(), bounds).survival(&days);
-        Some(Candidate {
+        let survival = GroundLooks::of(self.map.as_ref(), bounds).survival(&days);
+        Some(LandmarkCandidate {
             probability: survival.probability,
             range: survival.range,
-            ..Candidate::of(*bounds, worst)
+            ..LandmarkCandidate::of(*bounds, worst)
         })
     }
 
     /// The places that passed so far, in the order in which they were rehearsed.
-    pub fn found(self) -> Vec<Candidate> {
+    pub fn found(self) -> Vec<LandmarkCandidate> {
         self.found
     }
 
     /// The same, the most certain first.
-    pub fn ranked(self) -> Vec<Candidate> {
+    pub fn ranked(self) -> Vec<LandmarkCandidate> {
         most_certain_first(self.found)
     }
 }
 
 /// Places by their probability; those of the same one stay in their order.
-pub fn most_certain_first(mut found: Vec<Candidate>) -> Vec<Candidate> {
+pub fn most_certain_first(mut found: Vec<LandmarkCandidate>) -> Vec<LandmarkCandidate> {
     found.sort_by(|a, b| b.probability().total_cmp(&a.probability()));
     found
 }
@@ -182,7 +183,7 @@ pub fn most_certain_first(mut found: Vec<Candidate>) -> Vec<Candidate> {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Suggestion {
     /// The box and its rehearsal.
-    pub candidate: Candidate,
+    pub candidate: LandmarkCandidate,
     /// Seconds of the flight in which it is in the picture.
     pub in_view: f64,
     /// Seconds of the flight that it newly keeps from dead reckoning.
@@ -206,7 +207,7 @@ pub fn fading(settings: &NavigatorSettings) -> f64 {
 /// Chooses at most `count` of `candidates` for a flight whose camera is at `frames` (time in seconds,
 /// pose), with fixes that fade over eight seconds.
 pub fn choose(
-    candidates: &[Candidate],
+    candidates: &[LandmarkCandidate],
     camera: &CameraModel,
     frames: &[(f64, Pose)],
     ground_down: f64,
@@ -225,14 +226,14 @@ pub fn choose(
 /// 1 - 1/e of the best set (Nemhauser, Wolsey and Fisher 1978). Then each is exchanged for a better one
 /// until none is found.
 pub fn choose_lasting(
-    candidates: &[Candidate],
+    candidates: &[LandmarkCandidate],
     camera: &CameraModel,
     frames: &[(f64, Pose)],
     ground_down: f64,
     fading: f64,
     count: usize,
 ) -> Vec<Suggestion> {
-    let cover = Cover::new(candidates, camera, frames, ground_down, fading);
+    let cover = MomentCover::new(candidates, camera, frames, ground_down, fading);
     let clear = |i: usize, others: &[usize]| {
         // Boxes that share ground would only be found and missed together.
         let bounds = candidates[i].bounds;
@@ -295,7 +296,7 @@ fn measure(missed: f64) -> f64 {
     (1.0 + (1.0 - missed) / NEXT_TO_NONE).ln()
 }
 
-fn reason(candidate: &Candidate, in_view: f64, gained: f64) -> String {
+fn reason(candidate: &LandmarkCandidate, in_view: f64, gained: f64) -> String {
     let middle = candidate.bounds.center();
     let to = candidate.rival_place;
     let distance = middle.distance(&to);

@@ -3,9 +3,9 @@
 use super::*;
 use crate::poses::poses_over;
 
-fn candidate(north: f64, east: f64, margin: f64) -> Candidate {
+fn candidate(north: f64, east: f64, margin: f64) -> LandmarkCandidate {
     let place = GroundPoint::new(north, east);
-    Candidate {
+    LandmarkCandidate {
         bounds: GroundRect::centered(place, 30.0, 30.0),
         score: 0.8,
         rival: 0.3,

@@ -9,7 +9,7 @@
 
 use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
-use pilotage_vision::landmark::Rehearsal;
+use pilotage_vision::landmark::RehearsalFit;
 
 /// Logarithm of the odds where everything else is zero.
 const OFFSET: f64 = -6.92;
@@ -38,14 +38,14 @@ pub(super) struct Survival {
 
 /// Looks of the ground, which tell what of it lasts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ground {
+pub(super) struct GroundLooks {
     /// 0 (grey) to 1.
     colour: f64,
     /// Mean of red, green and blue, 0 to 255.
     brightness: f64,
 }
 
-impl Ground {
+impl GroundLooks {
     /// Of a box of the map.
     pub fn of(map: &dyn Imagery, bounds: &GroundRect) -> Self {
         let gsd = GSD.max(map.native_gsd());
@@ -65,7 +65,7 @@ impl Ground {
     }
 
     /// With what was rehearsed of it on several days.
-    pub fn survival(&self, days: &[Rehearsal]) -> Survival {
+    pub fn survival(&self, days: &[RehearsalFit]) -> Survival {
         let rivals = days.iter().map(|day| day.rival);
         self.with(rivals.sum::<f64>() / days.len().max(1) as f64)
     }
@@ -94,11 +94,11 @@ mod tests {
 
     #[test]
     fn roofs_last_longer_than_woods_and_what_has_no_look_alike_longer_than_what_has() {
-        let roofs = Ground {
+        let roofs = GroundLooks {
             colour: 0.13,
             brightness: 125.0,
         };
-        let wood = Ground {
+        let wood = GroundLooks {
             colour: 0.07,
             brightness: 75.0,
         };

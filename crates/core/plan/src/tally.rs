@@ -7,7 +7,7 @@ use pilotage_vision::landmark::Sighting;
 
 /// Result of one view.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct View {
+pub struct ViewResult {
     /// Index of the day.
     pub day: usize,
     /// Heading of the camera, radians.
@@ -32,7 +32,7 @@ pub struct View {
     pub lasting: Option<f64>,
 }
 
-impl View {
+impl ViewResult {
     /// Whether it was accepted and right.
     pub fn found(&self) -> bool {
         matches!(self.sighting, Sighting::Found(_)) && !self.wrong
@@ -41,7 +41,7 @@ impl View {
 
 /// Tally of the looks for a landmark under some circumstances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Tally {
+pub struct LookTally {
     /// Looks in which it lay whole in the picture.
     pub looks: usize,
     /// Those in which it was found.
@@ -52,22 +52,22 @@ pub struct Tally {
     pub covariances: Matrix2<f64>,
 }
 
-impl Tally {
+impl LookTally {
     /// Sums views up.
-    pub fn of<'a>(views: impl IntoIterator<Item = &'a View>) -> Self {
+    pub fn of<'a>(views: impl IntoIterator<Item = &'a ViewResult>) -> Self {
         let mut sum = Self::default();
         views.into_iter().for_each(|view| sum.add(view));
         sum
     }
 
     /// Sums the views of each of `days` days up.
-    pub fn by_day(views: &[View], days: usize) -> Vec<Self> {
+    pub fn by_day(views: &[ViewResult], days: usize) -> Vec<Self> {
         let of_day = |day| Self::of(views.iter().filter(|view| view.day == day));
         (0..days).map(of_day).collect()
     }
 
     /// Counts one view more.
-    pub fn add(&mut self, view: &View) {
+    pub fn add(&mut self, view: &ViewResult) {
         self.looks += 1;
         self.wrong += usize::from(view.wrong);
         if let Some(found) = view.sighting.best().filter(|_| view.found()) {
@@ -88,10 +88,14 @@ impl Tally {
 }
 
 /// Tallies of views between neighbouring `edges` (ascending) of `quantity`, e.g. the heading.
-pub fn tally_by(views: &[View], edges: &[f64], quantity: impl Fn(&View) -> f64) -> Vec<Tally> {
+pub fn tally_by(
+    views: &[ViewResult],
+    edges: &[f64],
+    quantity: impl Fn(&ViewResult) -> f64,
+) -> Vec<LookTally> {
     let within = |pair: &[f64]| {
-        let between = |view: &&View| (pair[0]..pair[1]).contains(&quantity(view));
-        Tally::of(views.iter().filter(between))
+        let between = |view: &&ViewResult| (pair[0]..pair[1]).contains(&quantity(view));
+        LookTally::of(views.iter().filter(between))
     };
     edges.windows(2).map(within).collect()
 }

@@ -10,7 +10,7 @@ use pilotage_vision::geometry::{appearance, ground_jacobian, pose_jacobian};
 
 /// Information of a landmark about the state in one frame, linearized at the planned pose.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+pub(super) struct LandmarkInformation {
     /// Index of the landmark.
     pub landmark: usize,
     /// Information about (north, east, heading bias, then roll, pitch, yaw, height).
@@ -94,7 +94,7 @@ impl PlannedFrame<'_> {
         index: usize,
         landmark: &PlannedLandmark,
         sensors: &SensorNoise,
-    ) -> Option<Look> {
+    ) -> Option<LandmarkInformation> {
         let height = self.height();
         let center = landmark.landmark.reference_in_world(self.ground_down);
         let pixel = self.camera.project(&self.pose, &center)?;
@@ -129,7 +129,7 @@ impl PlannedFrame<'_> {
         let floor = nalgebra::Vector4::new(sensors.pixel, sensors.pixel, angle, angle);
         let covariance = to_picture * expected.covariance * to_picture.transpose()
             + Matrix4::from_diagonal(&floor.map(|sd| sd * sd));
-        Some(Look {
+        Some(LandmarkInformation {
             landmark: index,
             information: Information::new(&slope, &pose_jacobian, &covariance)?,
             recognised: expected.recognised,

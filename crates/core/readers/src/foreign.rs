@@ -10,13 +10,13 @@ pub struct Foreign {
 }
 
 /// Bytes at a place of a file that tell what it is.
-struct Mark {
+struct FileSignature {
     offset: usize,
     bytes: &'static [u8],
     is: Foreign,
 }
 
-const fn mark(bytes: &'static [u8], what: &'static str, advice: &'static str) -> Mark {
+const fn mark(bytes: &'static [u8], what: &'static str, advice: &'static str) -> FileSignature {
     mark_at(0, bytes, what, advice)
 }
 
@@ -25,8 +25,8 @@ const fn mark_at(
     bytes: &'static [u8],
     what: &'static str,
     advice: &'static str,
-) -> Mark {
-    Mark {
+) -> FileSignature {
+    FileSignature {
         offset,
         bytes,
         is: Foreign { what, advice },
@@ -43,7 +43,7 @@ const TO_CSV: &str = "save its tables as CSV and open those";
 const CONVERT: &str = "it holds routes or landmarks: `pilotage convert`, or open it in Plan";
 
 /// Every mark, in the order in which they are tried.
-const MARKS: &[Mark] = &[
+const MARKS: &[FileSignature] = &[
     mark(
         b"ULogEnc",
         "an encrypted log of PX4 (.ulge)",
@@ -253,7 +253,7 @@ pub fn foreign(head: &[u8], length: u64) -> Option<Foreign> {
             advice: "its card or its copy was damaged: copy it again",
         });
     }
-    let is_there = |mark: &&Mark| {
+    let is_there = |mark: &&FileSignature| {
         head.get(mark.offset..)
             .is_some_and(|rest| rest.starts_with(mark.bytes))
     };

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::expression::Samples;
+use super::expression::TimedSamples;
 
 /// Statistics of a series within a span of time. Values have the unit of the series; what is no number (NaN
 /// or infinite) is not counted.
@@ -32,17 +32,17 @@ impl SpanStatistics {
     /// Of the samples from `span.0` to `span.1` seconds, both included; `None` if no number is among them.
     ///
     /// ```
-    /// use pilotage_readers::{SpanStatistics, expression::Samples};
+    /// use pilotage_readers::{SpanStatistics, expression::TimedSamples};
     ///
     /// let values = [1.0, 2.0, 4.0, 5.0, 100.0];
-    /// let samples = Samples::new(values.into_iter().enumerate().map(|(t, v)| (t as f64, v)), "m");
+    /// let samples = TimedSamples::new(values.into_iter().enumerate().map(|(t, v)| (t as f64, v)), "m");
     /// // From 0 to 3 s; deviations from the mean are 2, 1, 1 and 2: (4 + 1 + 1 + 4) / 3.
     /// let span = SpanStatistics::of(&samples, (0.0, 3.0)).ok_or("no number")?;
     /// assert_eq!((span.count, span.mean, span.median), (4, 3.0, 3.0));
     /// assert!((span.deviation.ok_or("one value")? - (10.0_f64 / 3.0).sqrt()).abs() < 1e-12);
     /// # Ok::<(), &str>(())
     /// ```
-    pub fn of(samples: &Samples, span: (f64, f64)) -> Option<Self> {
+    pub fn of(samples: &TimedSamples, span: (f64, f64)) -> Option<Self> {
         let within = samples.within(span);
         let times = &samples.times[within.clone()];
         let all = &samples.values[within];
@@ -105,9 +105,9 @@ mod tests {
 
     use super::*;
 
-    fn samples(values: &[f64]) -> Samples {
+    fn samples(values: &[f64]) -> TimedSamples {
         let times = (0..values.len()).map(|i| 0.5 * i as f64);
-        Samples::new(times.zip(values.iter().copied()), "m")
+        TimedSamples::new(times.zip(values.iter().copied()), "m")
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use super::expression::Samples;
+use super::expression::TimedSamples;
 use pilotage_base::text::csv_cell;
 
 /// A table with the samples of several series within a span of time, written some rows at a time.
@@ -21,7 +21,7 @@ pub struct SpanTable<S> {
     total: usize,
 }
 
-impl<S: Borrow<Samples>> SpanTable<S> {
+impl<S: Borrow<TimedSamples>> SpanTable<S> {
     /// A table of `columns` (name and samples) from `span.0` to `span.1` seconds, both included.
     pub fn new(columns: Vec<(String, S)>, span: (f64, f64)) -> Self {
         let within = |column: &(String, S)| column.1.borrow().within(span);
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     /// All of a table, written two rows at a time.
-    fn whole(columns: &[(&str, &Samples)], span: (f64, f64)) -> String {
+    fn whole(columns: &[(&str, &TimedSamples)], span: (f64, f64)) -> String {
         let columns = columns
             .iter()
             .map(|(name, samples)| ((*name).to_owned(), *samples));
@@ -110,9 +110,9 @@ mod tests {
 
     #[test]
     fn every_sample_has_its_row_and_nothing_is_made_up() {
-        let slow = Samples::new([(0.0, 1.0), (1.0, 0.1), (2.0, 9.0)].into_iter(), "m");
+        let slow = TimedSamples::new([(0.0, 1.0), (1.0, 0.1), (2.0, 9.0)].into_iter(), "m");
         let fast = [(0.5, 1e-7), (1.0, f64::NAN), (1.5, 2.0), (2.5, 8.0)];
-        let fast = Samples::new(fast.into_iter(), "");
+        let fast = TimedSamples::new(fast.into_iter(), "");
         let columns = [("A.x", &slow), ("max(A.x, 2)", &fast)];
         let table = whole(&columns, (0.5, 2.0));
         let expected = "time [s],A.x [m],\"max(A.x, 2)\"\n\
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn samples_of_one_time_are_all_there() {
-        let twice = Samples::in_order([(1.0, 3.0), (1.0, 4.0)].into_iter(), "");
+        let twice = TimedSamples::in_order([(1.0, 3.0), (1.0, 4.0)].into_iter(), "");
         let table = whole(&[("x", &twice)], (0.0, 2.0));
         assert_eq!(table, "time [s],x\n1,3\n1,4\n");
     }
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn numbers_keep_every_digit() {
         let value = 0.1 + 0.2;
-        let samples = Samples::new([(1.0 / 3.0, value)].into_iter(), "rad");
+        let samples = TimedSamples::new([(1.0 / 3.0, value)].into_iter(), "rad");
         let table = whole(&[("x", &samples)], (0.0, 1.0));
         let row = table.lines().nth(1).unwrap();
         let numbers: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();

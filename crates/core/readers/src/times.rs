@@ -2,7 +2,7 @@
 
 /// Verdict on one time of a series beside the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Verdict {
+pub(crate) enum TimeVerdict {
     /// It stands where it belongs: sound times never go back.
     Sound,
     /// It goes back a little, or is one of many that another start of the clock tells.
@@ -34,7 +34,7 @@ const ERA: f64 = 30.0 * 86_400.0;
 /// Most decide: sound are those of the [era](eras) and of the start of the clock that most times tell, and among them
 /// as many as can be so that they never go back. Of the few at either end those are wrong that lie over a hundred usual
 /// steps and ten seconds off.
-pub(crate) fn judge(times: &[f64]) -> Option<Vec<Verdict>> {
+pub(crate) fn judge(times: &[f64]) -> Option<Vec<TimeVerdict>> {
     let grows = times.windows(2).all(|w| w[1] >= w[0]) && times.iter().all(|t| t.is_finite());
     if grows && !has_far_end(times) && !has_far_parts(times) {
         return None;
@@ -54,11 +54,11 @@ pub(crate) fn judge(times: &[f64]) -> Option<Vec<Verdict>> {
         let rest: Vec<usize> = bulk.iter().copied().filter(|i| !ends.contains(i)).collect();
         kept = longest_growing(times, &rest);
     }
-    let mut verdicts = vec![Verdict::Wrong; times.len()];
+    let mut verdicts = vec![TimeVerdict::Wrong; times.len()];
     for part in starts.iter().filter(|part| part.len() >= FEW) {
         let is_bulk = candidates[part.start] == bulk[0];
         for index in candidates[part.clone()].iter().filter(|_| !is_bulk) {
-            verdicts[*index] = Verdict::OutOfOrder;
+            verdicts[*index] = TimeVerdict::OutOfOrder;
         }
     }
     let are_few = kept.len() < ENOUGH;
@@ -81,11 +81,11 @@ pub(crate) fn judge(times: &[f64]) -> Option<Vec<Verdict>> {
             || after.is_none() && before.is_some_and(|before| time > before + tolerance);
         // Zero out of its place is no time that was told.
         if !is_far && (are_few || time != 0.0) {
-            verdicts[*index] = Verdict::OutOfOrder;
+            verdicts[*index] = TimeVerdict::OutOfOrder;
         }
     }
     for index in kept {
-        verdicts[index] = Verdict::Sound;
+        verdicts[index] = TimeVerdict::Sound;
     }
     Some(verdicts)
 }
@@ -246,7 +246,7 @@ fn longest_growing(times: &[f64], places: &[usize]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::Verdict::{OutOfOrder, Sound, Wrong};
+    use super::TimeVerdict::{OutOfOrder, Sound, Wrong};
     use super::*;
 
     fn regular(count: usize) -> Vec<f64> {
@@ -254,7 +254,7 @@ mod tests {
     }
 
     /// Places of the times that are not sound, with what they are.
-    fn odd(times: &[f64]) -> Vec<(usize, Verdict)> {
+    fn odd(times: &[f64]) -> Vec<(usize, TimeVerdict)> {
         let verdicts = judge(times).unwrap_or_default();
         let odd = verdicts.into_iter().enumerate();
         odd.filter(|(_, verdict)| *verdict != Sound).collect()

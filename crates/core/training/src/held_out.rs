@@ -1,13 +1,13 @@
 //! The photos by which a training is judged.
 
-use super::photo::{Photo, Photographer};
+use super::photo::{Photographer, TrainingPhoto};
 use pilotage_base::frames::GroundPoint;
 
 /// Of the photos, one in so many is of a look-alike, if there are any.
 const LOOK_ALIKE_EVERY: usize = 4;
 
 /// Photos in their order.
-pub type Photos = Box<dyn Iterator<Item = Photo> + Send>;
+pub type TrainingPhotos = Box<dyn Iterator<Item = TrainingPhoto> + Send>;
 
 /// Takes the photos by which a training is judged, in their order; they need nothing of the training, and
 /// may be taken by another thread meanwhile. Ends early if the landmark does not fit into the pictures.
@@ -30,9 +30,9 @@ impl HeldOutPhotos {
 }
 
 impl Iterator for HeldOutPhotos {
-    type Item = Photo;
+    type Item = TrainingPhoto;
 
-    fn next(&mut self) -> Option<Photo> {
+    fn next(&mut self) -> Option<TrainingPhoto> {
         if self.next >= self.count {
             return None;
         }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3};
 
-use super::photo::Photo;
+use super::photo::TrainingPhoto;
 use pilotage_base::frames::{GroundRect, Pose};
 use pilotage_flight::{ChannelName, Flight, FrameError};
 use pilotage_mission::mission::FrameLabels;
@@ -26,7 +26,7 @@ pub fn labelled_photos(
     labels: &[FrameLabels],
     landmark: &Landmark,
     mut picture: impl FnMut(usize) -> Result<Picture, FrameError>,
-) -> Result<Vec<Photo>, FrameError> {
+) -> Result<Vec<TrainingPhoto>, FrameError> {
     let mut photos = Vec::new();
     for (index, frame) in flight.frames.iter().enumerate() {
         let Some(said) = labels.iter().find(|l| l.frame == frame.name) else {
@@ -83,8 +83,8 @@ fn photo(
     around: GroundRect,
     present: bool,
     ground_down: f64,
-) -> Photo {
-    Photo {
+) -> TrainingPhoto {
+    TrainingPhoto {
         camera,
         pose,
         luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),

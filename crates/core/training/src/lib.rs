@@ -14,10 +14,10 @@ mod trainer;
 mod training_error;
 
 pub use envelope::FlightEnvelope;
-pub use held_out::Photos;
+pub use held_out::TrainingPhotos;
 pub use labelled::labelled_photos;
-pub use photo::{Assumed, Photo, Photographer};
+pub use photo::{Assumed, Photographer, TrainingPhoto};
 pub use plan::TrainingPlan;
-pub use sample::Sample;
+pub use sample::TrainingSample;
 pub use trainer::{DetectorTraining, StageReport, TrainingPhase, TrainingProgress};
 pub use training_error::TrainingError;

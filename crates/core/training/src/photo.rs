@@ -25,7 +25,7 @@ const THOUGHTS: u64 = 0x7a1_0e04;
 const TRIES: usize = 1000;
 
 /// The part of a picture around one place.
-pub struct Photo {
+pub struct TrainingPhoto {
     /// The camera of that part.
     pub camera: CameraModel,
     /// Pose of the camera.
@@ -61,7 +61,7 @@ pub struct Assumed {
     pub covariance: Matrix2<f64>,
 }
 
-impl Photo {
+impl TrainingPhoto {
     /// View that a detector is given.
     pub fn view(&self, assumed: &Assumed, ground_down: f64) -> FrameView<'_> {
         FrameView {
@@ -151,19 +151,19 @@ impl Photographer {
     }
 
     /// The next photo of the landmark; days take turns. `None` if it does not fit into the picture.
-    pub fn take(&mut self) -> Option<Photo> {
+    pub fn take(&mut self) -> Option<TrainingPhoto> {
         let bounds = self.landmark.bounds;
         self.take_of(bounds, true)
     }
 
     /// The next photo around another place, as large as the landmark.
-    pub fn take_elsewhere(&mut self, place: GroundPoint) -> Option<Photo> {
+    pub fn take_elsewhere(&mut self, place: GroundPoint) -> Option<TrainingPhoto> {
         let b = self.landmark.bounds;
         let there = GroundRect::centered(place, b.height(), b.width());
         self.take_of(there, false)
     }
 
-    fn take_of(&mut self, around: GroundRect, present: bool) -> Option<Photo> {
+    fn take_of(&mut self, around: GroundRect, present: bool) -> Option<TrainingPhoto> {
         for _ in 0..TRIES {
             if let Some(photo) = self.try_to_take(around, present) {
                 self.taken += 1;
@@ -173,7 +173,7 @@ impl Photographer {
         None
     }
 
-    fn try_to_take(&mut self, around: GroundRect, present: bool) -> Option<Photo> {
+    fn try_to_take(&mut self, around: GroundRect, present: bool) -> Option<TrainingPhoto> {
         let day = self.taken % self.ground.days();
         let height = between(&mut self.random, self.envelope.height);
         let heading = TAU * self.random.random::<f64>();
@@ -228,7 +228,7 @@ impl Photographer {
         };
         let aerial = AerialCamera::new(part.clone(), faults);
         let frame = aerial.take(ground.as_ref(), &pose, ground_down, &mut self.random);
-        Some(Photo {
+        Some(TrainingPhoto {
             camera: part,
             pose,
             luminance: Pyramid::new(frame.picture.to_gray(), PYRAMID_LEVELS),
@@ -242,7 +242,7 @@ impl Photographer {
     }
 
     /// Belief that the filter may have about a photo, drawn anew at each call.
-    pub fn assume(&mut self, photo: &Photo) -> Option<Assumed> {
+    pub fn assume(&mut self, photo: &TrainingPhoto) -> Option<Assumed> {
         let position = self.envelope.position;
         let thoughts = &mut self.thoughts;
         let off = Vector3::new(

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::evaluation::{EvaluatedLook, EvaluatedMark, MarkCovariance};
-use pilotage_vision::landmark::trained::{ByScore, MarkPrecision, Reading};
+use pilotage_vision::landmark::trained::{ByScore, MarkPrecision, ReadingEstimate};
 
 /// Draws the starts of the robust fit.
 const SEED: u64 = 5;
@@ -40,7 +40,7 @@ pub fn learned(looks: &[EvaluatedLook], least_score: f64, gsd: f64) -> MarkPreci
         bias,
         covariance,
         by_score,
-        turn: Reading::learned(&turns),
-        log_scale: Reading::learned(&log_scales),
+        turn: ReadingEstimate::learned(&turns),
+        log_scale: ReadingEstimate::learned(&log_scales),
     }
 }

@@ -1,7 +1,7 @@
 //! Windows of ground cut from photos for training: one that is the landmark, and many that are not.
 
 use super::envelope::FlightEnvelope;
-use super::photo::{Assumed, Photo};
+use super::photo::{Assumed, TrainingPhoto};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Window;
 use pilotage_raster::raster::{IntegralImage, Raster};
@@ -13,7 +13,7 @@ use pilotage_vision::landmark::{FrameView, rectify};
 const DOUBTFUL: f64 = 0.33;
 
 /// The ground around a place as a detector is shown it.
-pub struct Sample {
+pub struct TrainingSample {
     /// Grey levels.
     pub picture: Raster<u8>,
     /// Upper left corner of the window that is the landmark, if it is there.
@@ -23,13 +23,13 @@ pub struct Sample {
     size: (usize, usize),
 }
 
-impl Sample {
+impl TrainingSample {
     /// Of a photo in a variant, within `reach` metres of the place where the box appears; `phase` says by
     /// which parts of a pixel (east, south), -0.5 to 0.5, the windows miss it. In another variant than
     /// that which fits best there is no landmark, but what is around it is something else all the same.
     /// `None` where the box does not appear on the ground.
     pub fn of(
-        photo: &Photo,
+        photo: &TrainingPhoto,
         assumed: &Assumed,
         envelope: &FlightEnvelope,
         shown: &DetectorWindow,

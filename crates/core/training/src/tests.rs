@@ -351,7 +351,7 @@ fn a_label_shows_the_landmark_as_well_as_the_map_does_wherever_the_aircraft_was(
         covariance: nalgebra::Matrix2::identity(),
     };
     let best = shown.variants.at(0);
-    let sample = Sample::of(
+    let sample = TrainingSample::of(
         &photos[0],
         &assumed,
         &envelope,

@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use super::envelope::FlightEnvelope;
 use super::evaluation::{EvaluatedLook, EvaluatedMark, look};
-use super::held_out::{HeldOutPhotos, Photos, look_alike};
-use super::photo::{Photo, Photographer};
+use super::held_out::{HeldOutPhotos, TrainingPhotos, look_alike};
+use super::photo::{Photographer, TrainingPhoto};
 use super::plan::TrainingPlan;
 use super::precision;
-use super::sample::Sample;
+use super::sample::TrainingSample;
 use super::training_error::TrainingError;
 use pilotage_raster::imagery::Imagery;
 use pilotage_simulate::other_days::OtherDays;
@@ -63,13 +63,13 @@ pub struct TrainingProgress {
     /// Reports of the stages.
     pub reports: Vec<StageReport>,
     /// Windows of something else that they learned from: the number of the photo, column, row.
-    pub learned_from: Vec<Place>,
+    pub learned_from: Vec<PhotoWindow>,
     /// Whether the last stage is among them, so that only the judging is left.
     pub complete: bool,
 }
 
 /// A window: the number of its photo, and its upper left corner.
-type Place = (usize, (usize, usize));
+type PhotoWindow = (usize, (usize, usize));
 
 /// A detector in the making; [`Self::advance`] does a little.
 pub struct DetectorTraining {
@@ -79,17 +79,17 @@ pub struct DetectorTraining {
     photographer: Photographer,
     /// Says what the filter thinks of the photos by which it is judged, and takes them.
     judge: Photographer,
-    held_out: Photos,
+    held_out: TrainingPhotos,
     /// Real frames to learn from, too.
-    labelled: Vec<Photo>,
+    labelled: Vec<TrainingPhoto>,
     positives: Vec<(Patch, usize)>,
     /// Searched pictures and their days.
-    samples: Vec<(Sample, usize)>,
+    samples: Vec<(TrainingSample, usize)>,
     kept: TrainingProgress,
     cascade: Option<CascadeTraining>,
     current: Option<Cascade>,
     passed_before: f64,
-    mined: Vec<Place>,
+    mined: Vec<PhotoWindow>,
     last: bool,
     /// Number of the windows kept that belong to whole stages.
     learned: usize,
@@ -171,7 +171,7 @@ impl DetectorTraining {
     /// Learns from real frames, too (see [`super::labelled_photos`]); to be said before anything else, and
     /// the same again when a training is resumed.
     #[must_use]
-    pub fn with_labelled(mut self, photos: Vec<Photo>) -> Self {
+    pub fn with_labelled(mut self, photos: Vec<TrainingPhoto>) -> Self {
         self.labelled = photos;
         self
     }
@@ -179,7 +179,7 @@ impl DetectorTraining {
     /// Has the photos by which it is to be judged taken elsewhere, such as by another thread: `through` is
     /// given them and gives them back.
     #[must_use]
-    pub fn with_held_out(mut self, through: impl FnOnce(Photos) -> Photos) -> Self {
+    pub fn with_held_out(mut self, through: impl FnOnce(TrainingPhotos) -> TrainingPhotos) -> Self {
         self.held_out = through(self.held_out);
         self
     }
@@ -292,7 +292,7 @@ impl DetectorTraining {
             }
             let envelope = self.photographer.envelope();
             let of = |variant| {
-                Sample::of(
+                TrainingSample::of(
                     photo,
                     &assumed,
                     envelope,
@@ -469,7 +469,7 @@ impl DetectorTraining {
     }
 
     /// Scores of the landmark's map patch in a photo, and whether they are those of the right place.
-    fn look_by_patch(&mut self, photo: &Photo) -> Vec<(f64, bool)> {
+    fn look_by_patch(&mut self, photo: &TrainingPhoto) -> Vec<(f64, bool)> {
         let Some(assumed) = self.judge.assume(photo) else {
             return Vec::new();
         };

@@ -3,7 +3,7 @@
 use pilotage_core::camera::CameraModel;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{Breakdown, DetectionStatistics, ExpectedDetection, Rehearsal};
+use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, Rehearsal, ViewBreakdown};
 use serde::{Deserialize, Serialize};
 
 use super::MapSource;
@@ -61,7 +61,7 @@ pub struct Assessment {
     /// Every view.
     pub views: Vec<Glance>,
     /// Views counted by heading, attitude error and day.
-    pub breakdown: Breakdown,
+    pub breakdown: ViewBreakdown,
 }
 
 impl Assessment {

@@ -2,22 +2,24 @@
 
 use pilotage_core::calibration::CameraToLog;
 use pilotage_core::flight::Flight;
-use pilotage_core::flight::log::Outline;
+use pilotage_core::flight::log::LogOutline;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::imagery::Window;
 use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
-use pilotage_core::plan::{Candidate, Envelope, Localizability, Prediction, Suggestion, View};
+use pilotage_core::plan::{
+    Envelope, LandmarkCandidate, Localizability, RoutePrediction, Suggestion, ViewResult,
+};
 use pilotage_core::raster::{Raster, Rgba};
 use pilotage_core::registration::Draped;
-use pilotage_core::study::Comparison;
+use pilotage_core::study::EstimatorComparison;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::{
     Assessment, BriefPictures, DetectorSearch, Distinctness, EncodedPicture, EvaluationReport,
-    FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, Opened, OutageReport,
+    FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, OpenedFiles, OutageReport,
     PhotoReport, ReadLog, StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
 };
 
@@ -29,7 +31,7 @@ pub enum JobEvent {
     /// The flight.
     Flight(Box<Flight>),
     /// Outline of a log, as far as it has been read.
-    LogOutline(Box<Outline>),
+    LogOutline(Box<LogOutline>),
     /// A log that was read.
     LogRead(Box<ReadLog>),
     /// A flight made of tables.
@@ -49,7 +51,7 @@ pub enum JobEvent {
     /// A laid photo on the map in its own colours.
     PhotoDraped(Box<Draped>),
     /// Every estimator on one flight.
-    ContestJudged(Box<Comparison>),
+    ContestJudged(Box<EstimatorComparison>),
     /// Places of a smoothed run: time (seconds), north and east (metres) of each step.
     Smoothed(Vec<(f64, f64, f64)>),
     /// The mission that is flown.
@@ -112,12 +114,12 @@ pub enum JobEvent {
     /// The uncertainty along a planned route.
     Prediction {
         /// The prediction.
-        prediction: Box<Prediction>,
+        prediction: Box<RoutePrediction>,
         /// Computing time of the worker, milliseconds.
         computed: f64,
     },
     /// A share of the views of a landmark, each with the number of its look.
-    Views(Vec<(usize, View)>),
+    Views(Vec<(usize, ViewResult)>),
     /// Assessment of a landmark.
     Assessment(Box<Assessment>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.
@@ -127,7 +129,7 @@ pub enum JobEvent {
     /// A detector is trained.
     Trained(Box<TrainingOutcome>),
     /// Places of a share, by its number, that passed a rehearsal, in its order.
-    Candidates(usize, Vec<Candidate>),
+    Candidates(usize, Vec<LandmarkCandidate>),
     /// Landmarks that are proposed, the one that gains most first.
     Suggestions(Vec<Suggestion>),
     /// Field of the probability of a fix, as far as it is known.
@@ -153,7 +155,7 @@ pub enum JobEvent {
         notes: Vec<String>,
     },
     /// Contents of provided files.
-    Opened(Box<Opened>),
+    Opened(Box<OpenedFiles>),
     /// Figures of a result as the worker wrote them: who asked knows their type and reads them by
     /// [`JobEvent::read_figures`], so that only that program links it.
     Figures(#[serde(with = "whole_bytes")] Vec<u8>),

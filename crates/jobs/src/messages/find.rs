@@ -2,7 +2,7 @@
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::terrain::HeightGrid;
-use pilotage_core::plan::{Aim, BudgetOf, FoundRoute, NoFlyArea, Prediction, Turns};
+use pilotage_core::plan::{Aim, BudgetOf, FoundRoute, NoFlyArea, RoutePrediction, Turns};
 use serde::{Deserialize, Serialize};
 
 use super::{FieldOrder, PredictionOrder};
@@ -49,7 +49,7 @@ pub struct Foreseen {
     /// The route.
     pub route: FoundRoute,
     /// The prediction.
-    pub prediction: Prediction,
+    pub prediction: RoutePrediction,
 }
 
 /// The shortest route and the one that was found.

@@ -19,7 +19,7 @@ const SAME_MAP: f64 = 0.5;
 
 /// Everything a measurement depends on beside the landmark and the height.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Basis {
+pub struct MeasurementBasis {
     method: u32,
     program: String,
     /// Name of the map without folders, or the address of its tiles.
@@ -33,7 +33,7 @@ pub struct Basis {
     detector: TemplateSettings,
 }
 
-impl Basis {
+impl MeasurementBasis {
     /// Basis of measurements over the map that `source` names, by that camera and those settings.
     pub fn new(
         map: &MapInfo,
@@ -99,11 +99,11 @@ fn alike(a: &Value, b: &Value) -> bool {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct KeptMeasurement {
     /// State of map, camera, settings and program.
-    pub basis: Basis,
+    pub basis: MeasurementBasis,
     /// The landmark as it was measured.
     pub landmark: Landmark,
     /// Reliability of its detection, if it was measured.
-    pub measured: Option<Measured>,
+    pub measured: Option<MeasuredLandmark>,
     /// The height that was planned with, metres, and from where it is found.
     pub envelope: Option<(f64, Envelope)>,
 }
@@ -132,7 +132,7 @@ impl KeptMeasurement {
 
 /// Measurements of one landmark.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Measured {
+pub struct MeasuredLandmark {
     /// The last measurement.
     pub last: Assessment,
     /// By height.

@@ -1,7 +1,7 @@
 //! Questions about a log, and their answers.
 
 use pilotage_core::flight::SpanStatistics;
-use pilotage_core::flight::log::Outline;
+use pilotage_core::flight::log::LogOutline;
 use pilotage_core::flight::overview::Overview;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 use serde::{Deserialize, Serialize};
@@ -60,7 +60,7 @@ pub struct RecordedPlaces {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReadLog {
     /// Outline of the log.
-    pub outline: Outline,
+    pub outline: LogOutline,
     /// The flight at a glance.
     pub overview: Overview,
     /// The world frame on the globe of the flight that it tells of, or why it tells of none. The flight stays

@@ -11,7 +11,7 @@ use super::{Beside, ImportedFile, MapInfo, TerrainInfo, Unplaced};
 
 /// Contents of provided files.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Opened {
+pub struct OpenedFiles {
     /// Key of the files.
     pub key: String,
     /// A flight, if there is one.

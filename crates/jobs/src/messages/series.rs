@@ -1,6 +1,6 @@
 //! Series of a log, by name and as they are sent.
 
-use pilotage_core::flight::expression::Samples;
+use pilotage_core::flight::expression::TimedSamples;
 use pilotage_core::flight::interpret::Role;
 use pilotage_core::flight::log::TopicName;
 use serde::{Deserialize, Serialize};
@@ -76,7 +76,7 @@ pub struct LogSeries {
 
 impl LogSeries {
     /// Some samples of a series.
-    pub fn piece(name: &SeriesName, all: &Samples, first: usize, count: usize) -> Self {
+    pub fn piece(name: &SeriesName, all: &TimedSamples, first: usize, count: usize) -> Self {
         let base = all.values.iter().copied().find(|value| value.is_finite());
         let base = base.unwrap_or(0.0);
         let end = (first + count).min(all.times.len());
@@ -100,7 +100,7 @@ impl LogSeries {
     pub(crate) fn lacking(name: &SeriesName, why: String) -> Self {
         Self {
             lacks: Some(why),
-            ..Self::piece(name, &Samples::default(), 0, 0)
+            ..Self::piece(name, &TimedSamples::default(), 0, 0)
         }
     }
 

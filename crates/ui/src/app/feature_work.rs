@@ -14,7 +14,7 @@ use crate::host::Host;
 use crate::labelling::LabelCommand;
 use crate::photos::PhotosCommand;
 use crate::views::DetectorCommand;
-use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource, Opened};
+use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource, OpenedFiles};
 
 impl App {
     /// Lends the app to the feature at `index` while it does something.
@@ -274,7 +274,7 @@ impl App {
     /// Lets every feature take its part of what files turned out to hold.
     pub(super) fn give_opened(
         &mut self,
-        opened: &mut Opened,
+        opened: &mut OpenedFiles,
         egui: &egui::Context,
         host: &mut dyn Host,
     ) {

@@ -3,7 +3,7 @@
 use super::App;
 use crate::host::Host;
 use crate::labelling::Labeller;
-use crate::photos::Photos;
+use crate::photos::PhotosState;
 
 impl App {
     /// Leaves what is being done about the flight that was open, once another one is. To be called after whatever can
@@ -54,7 +54,7 @@ impl App {
             if let Some((id, _)) = self.jobs.draping.take() {
                 host.cancel(id);
             }
-            let mut photos = Photos::default();
+            let mut photos = PhotosState::default();
             photos.search = self.documents.photos.search;
             self.documents.photos = photos;
         }

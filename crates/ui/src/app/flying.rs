@@ -3,7 +3,7 @@
 use pilotage_core::frames::{GroundPoint, GroundRect};
 
 use super::App;
-use super::pending_jobs::Shown;
+use super::pending_jobs::ShownFlight;
 use crate::host::Host;
 use crate::map::MapLayer;
 use pilotage_jobs::{FlightSource, JobEvent, MapSource};
@@ -24,7 +24,7 @@ impl App {
         match event {
             JobEvent::Progress(fraction, words) => {
                 fly.progress = fraction;
-                fly.words = if fly.shown == Shown::Pictures {
+                fly.words = if fly.shown == ShownFlight::Pictures {
                     "Taking the pictures".to_owned()
                 } else {
                     words
@@ -41,7 +41,7 @@ impl App {
                 let staged = std::mem::take(&mut fly.staged);
                 let (flight, map) = (fly.flight.clone(), fly.map.clone());
                 let first = !fly.began();
-                fly.shown = Shown::Run;
+                fly.shown = ShownFlight::Run;
                 if again {
                     self.documents.begin_run_again(*head, staged);
                 } else {
@@ -57,7 +57,7 @@ impl App {
                 }
             }
             JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
-            JobEvent::Steps(_) if fly.shown == Shown::Pictures => {}
+            JobEvent::Steps(_) if fly.shown == ShownFlight::Pictures => {}
             JobEvent::Steps(mut steps) => {
                 if let Some(run) = &mut self.documents.run {
                     run.steps.append(&mut steps);

@@ -4,7 +4,7 @@ use super::App;
 use super::pending_jobs::Opening;
 use super::work::TILES_AT_A_TIME;
 use crate::documents::kept::provide;
-use crate::georeference::{GeoreferenceCommand, Georeferencer, Place};
+use crate::georeference::{GeoreferenceCommand, Georeferencer, NamedPlace};
 use crate::host::{Host, OpenedFile};
 use pilotage_jobs::{
     DescribeMapOrder, FileContent, Job, JobEvent, JobId, ReadPlacesOrder, TileOrder, Unplaced,
@@ -157,7 +157,7 @@ impl App {
                     1 => "1 place to choose from".to_owned(),
                     count => format!("{count} places to choose from"),
                 };
-                let place = |(name, at)| Place { name, at };
+                let place = |(name, at)| NamedPlace { name, at };
                 georeferencer.places = places.into_iter().map(place).collect();
                 self.toasts
                     .note(now, title, "They stand beside the picture.");
@@ -222,8 +222,8 @@ impl App {
             }
             GeoreferenceCommand::SaveWorldFile => {
                 let fitted = georeferencer.fitted().as_ref().ok();
-                let world_file =
-                    fitted.and_then(pilotage_core::imagery::georeferencer::Fit::world_file);
+                let world_file = fitted
+                    .and_then(pilotage_core::imagery::georeferencer::TransformFit::world_file);
                 if let (Some(file), Some(system)) = (world_file, georeferencer.system) {
                     let name = georeferencer.world_file_name();
                     host.save_file(&name, file.to_string().as_bytes());

@@ -9,7 +9,7 @@ use super::pending_jobs::Opening;
 use crate::documents::kept::provide;
 use crate::feature::FlightFiles;
 use crate::host::{Host, OpenedFile};
-use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, Opened};
+use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, OpenedFiles};
 
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
@@ -154,10 +154,10 @@ impl App {
         context: &egui::Context,
         host: &mut dyn Host,
         opening: &Opening,
-        opened: Opened,
+        opened: OpenedFiles,
     ) {
         let now = host.now();
-        let Opened {
+        let OpenedFiles {
             key: _,
             flight,
             log,
@@ -241,9 +241,9 @@ impl App {
         if !tables.is_empty() {
             self.ask_for_columns(opening, tables);
         }
-        let mut left = Opened {
+        let mut left = OpenedFiles {
             imports,
-            ..Opened::default()
+            ..OpenedFiles::default()
         };
         self.give_opened(&mut left, context, host);
         if let Some(labels) = labels {

@@ -6,7 +6,7 @@ use super::App;
 use super::storage::TRY_AGAIN_AFTER;
 use crate::command::Workspace;
 use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, recall_files};
-use crate::documents::{Documents, Ground, Session, planned_ground};
+use crate::documents::{Documents, OpenedTerrain, Session, planned_ground};
 use crate::host::{Host, OpenedFile};
 use pilotage_jobs::{FileContent, FlightSource, Job, MapSource, ProvideOrder};
 
@@ -163,7 +163,7 @@ impl App {
         }
         if is_gone(documents.terrain.key()) {
             parts.push("the elevation model");
-            documents.terrain = Ground::default();
+            documents.terrain = OpenedTerrain::default();
         }
         let planned = documents.flight_source == FlightSource::Nothing;
         let text = if planned && !documents.mission_edited {

@@ -13,7 +13,7 @@ use crate::documents::Documents;
 use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::labelling::LabelCommand;
 use crate::map::{MapExtra, MapTool};
-use crate::photos::Photos;
+use crate::photos::PhotosState;
 use crate::shell::{TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
@@ -45,7 +45,7 @@ impl Scene<'_> {
     }
 
     /// Photos on the map, while they are looked at.
-    fn shown_photos(&self) -> Option<&Photos> {
+    fn shown_photos(&self) -> Option<&PhotosState> {
         let is_shown = *self.side_tab == SideTab::Photos;
         let is_shown = is_shown && self.view.workspace == Workspace::Replay;
         let photos = &self.documents.photos;

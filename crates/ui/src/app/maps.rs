@@ -3,7 +3,7 @@
 use super::App;
 use crate::command::Workspace;
 use crate::documents::planned_ground;
-use crate::documents::{Ground, TERRAIN_KEY};
+use crate::documents::{OpenedTerrain, TERRAIN_KEY};
 use crate::host::Host;
 use pilotage_core::frames::GroundRect;
 use pilotage_jobs::{
@@ -217,7 +217,7 @@ impl App {
         if let Some(job) = self.jobs.heights.take() {
             host.cancel(job);
         }
-        self.documents.terrain = Ground::of_files(key);
+        self.documents.terrain = OpenedTerrain::of_files(key);
         host.store(TERRAIN_KEY, key.as_bytes());
         self.jobs.document_changed = true;
         let text = format!(

@@ -39,7 +39,7 @@ use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::labelling::Labeller;
 use crate::map::MapView;
-use crate::shell::catalog::Entry;
+use crate::shell::catalog::CommandEntry;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Palette, Toasts, apply_theme, keep_slow_clicks};
 use crate::timeline::{Playback, Timeline};
@@ -175,7 +175,7 @@ pub struct App {
     /// Features by the jobs that they started.
     owners: Vec<(JobId, FeatureId)>,
     /// Table of all commands, the features' among them.
-    catalog: Vec<Entry>,
+    catalog: Vec<CommandEntry>,
     evaluating: evaluation::Evaluating,
     commands: Vec<Command>,
     started: bool,

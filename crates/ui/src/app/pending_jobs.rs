@@ -30,12 +30,12 @@ pub struct FlyJob {
     /// Present activity of the job, in words.
     pub words: String,
     /// The part of it that is shown.
-    pub shown: Shown,
+    pub shown: ShownFlight,
 }
 
 /// The part of a flight under way that is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
+pub enum ShownFlight {
     /// Nothing: its run has not begun.
     Nothing,
     /// Its run and its pictures.
@@ -47,7 +47,7 @@ pub enum Shown {
 impl FlyJob {
     /// Whether its run has begun.
     pub fn began(&self) -> bool {
-        self.shown != Shown::Nothing
+        self.shown != ShownFlight::Nothing
     }
 }
 

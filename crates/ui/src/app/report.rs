@@ -8,7 +8,7 @@ use pilotage_core::navigator::{RegistrationReport, Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
-use crate::context::Drawn;
+use crate::context::DrawnTimes;
 use crate::timeline::clock_text;
 
 fn rect_json(rect: Option<Rect>) -> Value {
@@ -17,7 +17,7 @@ fn rect_json(rect: Option<Rect>) -> Value {
     })
 }
 
-fn drawn_json(drawn: Option<Drawn>) -> Value {
+fn drawn_json(drawn: Option<DrawnTimes>) -> Value {
     drawn.map_or(
         Value::Null,
         |d| json!({"cursor": d.cursor, "content": d.content}),

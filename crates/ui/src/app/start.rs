@@ -7,7 +7,7 @@ use super::aside::Aside;
 use super::frame_pictures::FramePictureRequests;
 use super::pending_jobs::PendingJobs;
 use crate::documents::{
-    Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
+    Documents, OpenedTerrain, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
 use crate::feature::FlightFiles;
 use crate::host::Host;
@@ -91,7 +91,7 @@ impl App {
         self.lay_first_ground(context, host);
         let terrain = host.recall(TERRAIN_KEY);
         if let Some(key) = terrain.and_then(|bytes| String::from_utf8(bytes).ok()) {
-            self.documents.terrain = Ground::of_files(&key);
+            self.documents.terrain = OpenedTerrain::of_files(&key);
         }
         let aside = self.aside.take();
         if let Some(Aside::Taken) = aside {

@@ -4,7 +4,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
 use super::App;
-use super::pending_jobs::{FlyJob, Shown};
+use super::pending_jobs::{FlyJob, ShownFlight};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
 use pilotage_jobs::{
@@ -99,7 +99,7 @@ impl App {
             staged,
             progress: 0.0,
             words: "Starting …".to_owned(),
-            shown: Shown::Nothing,
+            shown: ShownFlight::Nothing,
         });
     }
 
@@ -107,7 +107,7 @@ impl App {
     pub(super) fn show_opened_run(&mut self, host: &mut dyn Host, run: Run) {
         match self.jobs.fly.as_mut().filter(|fly| fly.began()) {
             Some(fly) => {
-                fly.shown = Shown::Pictures;
+                fly.shown = ShownFlight::Pictures;
                 self.jobs.fly_again_at = None;
             }
             None => self.stop_flying(host),

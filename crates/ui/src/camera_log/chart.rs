@@ -3,11 +3,11 @@
 use egui::{Color32, Pos2, Sense, Stroke, Ui, vec2};
 use pilotage_core::calibration::{FrameResidual, ResidualSummary};
 
-use super::work::Preview;
+use super::work::ResidualPreview;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 use crate::views::{TimeAxis, parts};
 
 /// Height of the curves, points.
@@ -17,7 +17,7 @@ const HELD: f64 = 0.95;
 
 /// Component of the residuals that is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Shown {
+pub(super) enum ShownComponent {
     /// Along the track and across it.
     #[default]
     Track,
@@ -29,7 +29,7 @@ pub(super) enum Shown {
     Height,
 }
 
-impl Shown {
+impl ShownComponent {
     /// All, in the order of the chips.
     pub const ALL: [Self; 4] = [Self::Track, Self::North, Self::Heading, Self::Height];
 
@@ -103,8 +103,8 @@ pub(super) fn mark(painter: &egui::Painter, at: Pos2, curve: usize, colour: Colo
 pub(super) fn residual_chart(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,
-    preview: &Preview,
-    shown: Shown,
+    preview: &ResidualPreview,
+    shown: ShownComponent,
 ) {
     let residuals = &preview.residuals;
     let tokens = context.tokens;
@@ -139,7 +139,7 @@ pub(super) fn residual_chart(
     let held = ((sizes.len() - 1) as f64 * HELD).round() as usize;
     let most = 1.25 * sizes[held].max(1e-3);
     let margin = 0.02 * (last - first);
-    let axes = Axes {
+    let axes = ChartAxes {
         rect,
         x: (first - margin, last + margin),
         y: (-most, most),

@@ -20,7 +20,7 @@ use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, FeatureWork,
 };
 use crate::map::{MapLayer, ScreenFromWorld, paint_tried_footprint};
-use crate::shell::catalog::{Entry, Group, entry, shift};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 
 /// Description of the feature.
 const INFO: FeatureInfo = FeatureInfo {
@@ -30,9 +30,9 @@ const INFO: FeatureInfo = FeatureInfo {
     commands,
 };
 
-fn commands() -> Vec<Entry> {
+fn commands() -> Vec<CommandEntry> {
     vec![entry(
-        Group::View,
+        CommandGroup::View,
         "Camera to log: time offset, mount, focal length",
         vec![shift(Key::T)],
         Command::Feature(FeatureCommand::show(super::ID)),

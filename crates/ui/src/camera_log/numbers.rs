@@ -19,14 +19,14 @@ const MOST_DRIFT: f64 = 2000.0;
 
 /// A number of the table: what it is with its unit, what is to be changed in all, the estimate's deviation in the
 /// same unit, and whether the flight tells it.
-struct Line {
+struct NumberLine {
     name: String,
     value: f64,
     deviation: f64,
     is_told: bool,
 }
 
-impl Line {
+impl NumberLine {
     fn new(name: &str, unit: &str, value: f64, factor: f64, told: &Estimated) -> Self {
         Self {
             name: format!("{name}, {unit}"),
@@ -37,22 +37,23 @@ impl Line {
     }
 }
 
-fn lines(found: &FoundCamera, units: Units) -> Vec<Line> {
+fn lines(found: &FoundCamera, units: Units) -> Vec<NumberLine> {
     let FoundCamera { told, change } = found;
     let degree = 1_f64.to_degrees();
     let (length, length_unit) = units.length();
-    let focal = Line {
+    let focal = NumberLine {
         value: change.focal_percent(),
         deviation: 100.0 * change.log_focal.exp() * told.log_focal.deviation,
-        ..Line::new("Focal length", "%", 0.0, 1.0, &told.log_focal)
+        ..NumberLine::new("Focal length", "%", 0.0, 1.0, &told.log_focal)
     };
-    let bias = |name, axis: &Estimated| Line::new(name, length_unit, axis.value, length, axis);
+    let bias =
+        |name, axis: &Estimated| NumberLine::new(name, length_unit, axis.value, length, axis);
     vec![
-        Line::new("Time offset", "s", change.offset, 1.0, &told.offset),
-        Line::new("Clock drift", "µs/s", change.drift, 1e6, &told.drift),
-        Line::new("Mount roll", "°", change.roll, degree, &told.roll),
-        Line::new("Mount pitch", "°", change.pitch, degree, &told.pitch),
-        Line::new("Mount yaw", "°", change.yaw, degree, &told.yaw),
+        NumberLine::new("Time offset", "s", change.offset, 1.0, &told.offset),
+        NumberLine::new("Clock drift", "µs/s", change.drift, 1e6, &told.drift),
+        NumberLine::new("Mount roll", "°", change.roll, degree, &told.roll),
+        NumberLine::new("Mount pitch", "°", change.pitch, degree, &told.pitch),
+        NumberLine::new("Mount yaw", "°", change.yaw, degree, &told.yaw),
         focal,
         bias("GPS bias north", &told.bias[0]),
         bias("GPS bias east", &told.bias[1]),

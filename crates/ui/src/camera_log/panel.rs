@@ -4,9 +4,9 @@ use egui::{Color32, RichText, ScrollArea, Ui, vec2};
 use pilotage_core::calibration::{CameraAdjustment, ResidualSummary};
 
 use super::CameraLogCommand as Do;
-use super::chart::{Shown, colours, mark, residual_chart};
+use super::chart::{ShownComponent, colours, mark, residual_chart};
 use super::numbers;
-use super::work::{CameraLog, Missing, Preview};
+use super::work::{CameraLog, Missing, ResidualPreview};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::feature::FeatureWork;
@@ -28,7 +28,7 @@ pub struct CameraLogScene<'a> {
 /// The sheet's own state.
 #[derive(Debug, Default)]
 pub struct CameraLogView {
-    shown: Shown,
+    shown: ShownComponent,
 }
 
 fn send(context: &mut ViewContext<'_>, what: Do) {
@@ -111,12 +111,12 @@ impl CameraLogView {
     }
 
     /// Draws the preview of the numbers: residuals of pictures minus log.
-    fn preview(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, preview: &Preview) {
+    fn preview(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, preview: &ResidualPreview) {
         let tokens = context.tokens;
         caption(ui, tokens, "Pictures minus log");
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
-            for shown in Shown::ALL {
+            for shown in ShownComponent::ALL {
                 let on = self.shown == shown;
                 let name = format!("Residuals: {}", shown.label());
                 if parts::chip(ui, tokens, on, shown.label(), &name).clicked() {
@@ -245,7 +245,7 @@ fn buttons(
 }
 
 /// Root mean squares: as opened, with the estimate, as the hand has it.
-fn summaries(ui: &mut Ui, context: &ViewContext<'_>, preview: &Preview) {
+fn summaries(ui: &mut Ui, context: &ViewContext<'_>, preview: &ResidualPreview) {
     let tokens = context.tokens;
     let (factor, length) = context.units.length();
     let titles = ["opened", "est.", "hand"].map(str::to_owned);

@@ -43,7 +43,7 @@ pub enum Missing {
 
 /// Residuals of one camera.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Preview {
+pub struct ResidualPreview {
     /// Each laid frame's, as the hand has the camera.
     pub residuals: Vec<FrameResidual>,
     /// Over all frames: as the flight was opened, with the estimate, and as the hand has it.
@@ -66,7 +66,7 @@ pub struct CameraLog {
     pub clock: f64,
     /// The laid frames of a run, by its generation.
     evidence: Option<(u64, CameraEvidence)>,
-    preview: Option<(PreviewKey, Preview)>,
+    preview: Option<(PreviewKey, ResidualPreview)>,
 }
 
 impl Default for CameraLog {
@@ -130,7 +130,7 @@ impl CameraLog {
     }
 
     /// Preview that was computed last for the adjustment by hand.
-    pub fn preview(&self) -> Option<&Preview> {
+    pub fn preview(&self) -> Option<&ResidualPreview> {
         self.preview.as_ref().map(|(_, preview)| preview)
     }
 
@@ -191,9 +191,9 @@ impl CameraLog {
         true
     }
 
-    fn previewed(&self, change: &CameraAdjustment) -> Preview {
+    fn previewed(&self, change: &CameraAdjustment) -> ResidualPreview {
         let Some(evidence) = self.evidence() else {
-            return Preview::default();
+            return ResidualPreview::default();
         };
         let bias = self
             .found
@@ -202,7 +202,7 @@ impl CameraLog {
         let summary = |change: &CameraAdjustment| ResidualSummary::of(&of(change));
         let opened = CameraAdjustment::none(change.middle);
         let residuals = of(change);
-        Preview {
+        ResidualPreview {
             summaries: [
                 Some(summary(&opened)),
                 self.found.map(|found| summary(&found.change)),

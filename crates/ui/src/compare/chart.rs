@@ -2,9 +2,9 @@
 
 use egui::{Align2, Color32, Sense, Shape, Stroke, Ui, vec2};
 
-use super::results::Row;
+use super::results::ResultRow;
 use crate::tokens::Tokens;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 use crate::views::{TimeAxis, parts};
 
 /// Height of the curves, points.
@@ -19,10 +19,10 @@ pub(super) struct ErrorCurve<'a> {
 
 /// The curves of the rows that could be compared.
 pub(super) fn curves<'a>(
-    rows: &'a [Row],
-    look: impl Fn(&Row) -> (Color32, Option<(f32, f32)>),
+    rows: &'a [ResultRow],
+    look: impl Fn(&ResultRow) -> (Color32, Option<(f32, f32)>),
 ) -> Vec<ErrorCurve<'a>> {
-    let curve = |row: &'a Row| {
+    let curve = |row: &'a ResultRow| {
         let found = row.comparison.as_ref()?.as_ref().ok()?;
         let (colour, dash) = look(row);
         Some(ErrorCurve {
@@ -76,7 +76,7 @@ pub(super) fn error_chart(
         );
         return None;
     }
-    let axes = Axes {
+    let axes = ChartAxes {
         rect,
         x: (first, last),
         y: (0.0, 1.06 * (factor * greatest).max(1e-3)),
@@ -105,7 +105,7 @@ pub(super) fn error_chart(
 }
 
 /// The greatest error of each column of the screen: what a chart of errors must not hide.
-fn thinned(errors: &[(f64, f64)], axes: &Axes, factor: f64) -> Vec<egui::Pos2> {
+fn thinned(errors: &[(f64, f64)], axes: &ChartAxes, factor: f64) -> Vec<egui::Pos2> {
     let mut points: Vec<egui::Pos2> = Vec::new();
     let mut column = i64::MIN;
     for (time, error) in errors {
@@ -129,7 +129,7 @@ mod tests {
     fn a_brief_jump_is_not_thinned_away() {
         let mut errors: Vec<(f64, f64)> = (0..100_000).map(|i| (f64::from(i), 1.0)).collect();
         errors[31_415].1 = 50.0;
-        let axes = Axes {
+        let axes = ChartAxes {
             rect: Rect::from_min_max(pos2(0.0, 0.0), pos2(300.0, 100.0)),
             x: (0.0, 100_000.0),
             y: (0.0, 100.0),

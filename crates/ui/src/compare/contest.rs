@@ -1,7 +1,7 @@
 //! Every estimator on the flight that is open, in one table.
 
 use egui::{RichText, Ui};
-use pilotage_core::study::{Comparison, ComparisonRow};
+use pilotage_core::study::{ComparisonRow, EstimatorComparison};
 
 use super::command::CompareCommand;
 use crate::command::Command;
@@ -12,14 +12,14 @@ use crate::views::{parts, table};
 
 /// State of the contest of all estimators.
 #[derive(Debug, Default)]
-pub struct Contest {
+pub struct ContestState {
     /// Flight by all of them, while it is under way.
     pub work: FeatureWork,
     /// Comparison of the estimators.
-    pub found: Option<Comparison>,
+    pub found: Option<EstimatorComparison>,
 }
 
-impl Contest {
+impl ContestState {
     /// Draws it: a button, or how far it is, and the table.
     pub(super) fn show(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;

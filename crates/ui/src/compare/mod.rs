@@ -9,7 +9,7 @@ mod results;
 mod shelf;
 
 use egui::{Key, Ui};
-use pilotage_core::flight::trajectory::Track;
+use pilotage_core::flight::trajectory::Trajectory;
 use pilotage_core::navigator::{EstimatorChoice, Run};
 use pilotage_jobs::{ContestOrder, Job, JobEvent, JobId, SmoothOrder};
 use serde_json::{Value, json};
@@ -18,10 +18,10 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapLayer;
-use crate::shell::catalog::{Entry, Group, entry, shift};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 
 use command::{CompareCommand, ID, TrackId};
-use contest::Contest;
+use contest::ContestState;
 use panel::CompareView;
 use results::{CompareScene, open_tracks};
 use shelf::Shelf;
@@ -34,22 +34,22 @@ const INFO: FeatureInfo = FeatureInfo {
     commands,
 };
 
-fn commands() -> Vec<Entry> {
+fn commands() -> Vec<CommandEntry> {
     vec![
         entry(
-            Group::View,
+            CommandGroup::View,
             "Compare runs and flights",
             vec![shift(Key::C)],
             CompareCommand::Show.into(),
         ),
         entry(
-            Group::Document,
+            CommandGroup::Document,
             "Keep this run for comparison",
             Vec::new(),
             CompareCommand::Keep(TrackId::Run).into(),
         ),
         entry(
-            Group::Document,
+            CommandGroup::Document,
             "Keep this run smoothed",
             Vec::new(),
             CompareCommand::KeepSmoothed.into(),
@@ -61,10 +61,10 @@ fn commands() -> Vec<Entry> {
 #[derive(Default)]
 pub struct Compare {
     view: CompareView,
-    contest: Contest,
+    contest: ContestState,
     shelf: Shelf,
     /// The run that is being smoothed, and what its track will be, but for its places.
-    smoothing: Option<(JobId, Track)>,
+    smoothing: Option<(JobId, Trajectory)>,
 }
 
 /// Seconds since 1970 at time zero of the flight that is open, where its log says so.
@@ -111,7 +111,7 @@ impl Compare {
             let text = "Wait until the flight is flown to its end.".to_owned();
             return context.note("Nothing to smooth yet", text);
         };
-        let track = Track {
+        let track = Trajectory {
             name: format!("{}, smoothed", named_after(&flight.name, Some(run))),
             frame: flight.frame_on_globe,
             utc_at_zero: utc_at_zero(documents),
@@ -126,14 +126,14 @@ impl Compare {
     /// Takes an event of the job that smooths a run, whose track is `track` but for its places.
     fn smoothing_event(
         &mut self,
-        track: Track,
+        track: Trajectory,
         event: &JobEvent,
         context: &mut FeatureContext<'_>,
     ) {
         match event {
             JobEvent::Smoothed(places) => {
                 let places = places.iter().copied();
-                let mut kept = Track::on_the_ground(track.name, track.frame, places);
+                let mut kept = Trajectory::on_the_ground(track.name, track.frame, places);
                 kept.utc_at_zero = track.utc_at_zero;
                 let name = self.shelf.keep(kept).to_owned();
                 context.note("Kept for comparison", name);
@@ -224,7 +224,7 @@ impl Feature for Compare {
     /// Forgets the contest; trajectories that were kept stay, to be compared with other flights.
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
         self.stop(context);
-        self.contest = Contest::default();
+        self.contest = ContestState::default();
         self.stop_smoothing(context);
     }
 

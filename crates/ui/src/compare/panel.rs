@@ -2,26 +2,27 @@
 
 use egui::{Color32, RichText, Sense, Stroke, Ui, vec2};
 use pilotage_core::flight::trajectory::{
-    Alignment, Clock, Comparison, ComparisonSettings, Delta, NotComparable,
+    ClockRelation, ComparisonSettings, Delta, NotComparable, TrajectoryAlignment,
+    TrajectoryComparison,
 };
 
 use super::chart::{curves, error_chart};
 use super::command::{CompareCommand, TrackId};
-use super::results::{CompareScene, Results, Row};
+use super::results::{CompareScene, ResultRow, Results};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::text_button;
 use crate::views::{parts, table};
 
-const CLOCKS: [(&str, Clock); 2] = [
-    ("By the clock", Clock::Shared),
-    ("From take-off", Clock::TakeOff),
+const CLOCKS: [(&str, ClockRelation); 2] = [
+    ("By the clock", ClockRelation::Shared),
+    ("From take-off", ClockRelation::TakeOff),
 ];
-const ALIGNMENTS: [(&str, Alignment); 4] = [
-    ("As it is", Alignment::None),
-    ("At its first place", Alignment::Origin),
-    ("Turned to fit", Alignment::Rigid),
-    ("Turned and scaled", Alignment::Similarity),
+const ALIGNMENTS: [(&str, TrajectoryAlignment); 4] = [
+    ("As it is", TrajectoryAlignment::None),
+    ("At its first place", TrajectoryAlignment::Origin),
+    ("Turned to fit", TrajectoryAlignment::Rigid),
+    ("Turned and scaled", TrajectoryAlignment::Similarity),
 ];
 const DELTAS: [(&str, Delta); 4] = [
     ("10 s", Delta::Seconds(10.0)),
@@ -121,10 +122,10 @@ impl CompareView {
         );
         choice(ui, context, "Drift over", &DELTAS, &mut self.settings.delta);
         ui.add_space(tokens.space);
-        let look = |row: &Row| look(row, context, scene);
+        let look = |row: &ResultRow| look(row, context, scene);
         let curves = curves(&self.results.rows, look);
         // Where the reference is part of what is open, its times are those of the cursor.
-        let is_open = |row: &Row| !matches!(row.id, TrackId::Kept(_));
+        let is_open = |row: &ResultRow| !matches!(row.id, TrackId::Kept(_));
         let is_open = self.results.reference().is_some_and(is_open);
         let cursor = is_open.then_some(context.time);
         let title = RichText::new("Distance from the reference, over its time");
@@ -200,7 +201,10 @@ impl CompareView {
 }
 
 /// The four numbers of a row.
-fn figures(comparison: Option<&Result<Comparison, NotComparable>>, factor: f64) -> [String; 4] {
+fn figures(
+    comparison: Option<&Result<TrajectoryComparison, NotComparable>>,
+    factor: f64,
+) -> [String; 4] {
     let values: [Option<f64>; 4] = match comparison {
         Some(Ok(found)) => {
             let absolute = &found.absolute_statistics;
@@ -220,7 +224,7 @@ fn figures(comparison: Option<&Result<Comparison, NotComparable>>, factor: f64) 
 
 /// Colour and dash of a trajectory, as on the map.
 fn look(
-    row: &Row,
+    row: &ResultRow,
     context: &ViewContext<'_>,
     scene: &CompareScene<'_>,
 ) -> (Color32, Option<(f32, f32)>) {
@@ -238,7 +242,7 @@ fn look(
 }
 
 /// The line of a trajectory; of one that was kept, a switch that shows it on the map.
-fn swatch(ui: &mut Ui, row: &Row, context: &mut ViewContext<'_>, scene: &CompareScene<'_>) {
+fn swatch(ui: &mut Ui, row: &ResultRow, context: &mut ViewContext<'_>, scene: &CompareScene<'_>) {
     let (colour, dash) = look(row, context, scene);
     let kept = match row.id {
         TrackId::Kept(number) => scene.shelf.get(number),

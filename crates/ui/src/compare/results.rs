@@ -2,13 +2,13 @@
 
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::trajectory::{
-    Comparison, ComparisonSettings, NotComparable, Track, compare,
+    ComparisonSettings, NotComparable, Trajectory, TrajectoryComparison, compare,
 };
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::{Run, StepReport};
 
 use super::command::TrackId;
-use super::contest::Contest;
+use super::contest::ContestState;
 use super::shelf::Shelf;
 use crate::context::ViewContext;
 
@@ -16,11 +16,11 @@ use crate::context::ViewContext;
 const GROWTH: f64 = 1.25;
 
 /// A trajectory beside the reference.
-pub(super) struct Row {
+pub(super) struct ResultRow {
     pub id: TrackId,
     pub name: String,
     /// `None` for the reference itself.
-    pub comparison: Option<Result<Comparison, NotComparable>>,
+    pub comparison: Option<Result<TrajectoryComparison, NotComparable>>,
 }
 
 /// Key of the comparisons: everything that they depend on.
@@ -38,7 +38,7 @@ pub(super) struct Results {
     key: Option<Key>,
     /// Steps that the run had when it was compared, and whether it was over.
     steps: (usize, bool),
-    pub rows: Vec<Row>,
+    pub rows: Vec<ResultRow>,
 }
 
 /// Trajectories that are open, apart from what every view is given.
@@ -50,7 +50,7 @@ pub struct CompareScene<'a> {
     /// Whether the run is over.
     pub is_complete: bool,
     /// Every estimator on the flight that is open.
-    pub contest: &'a Contest,
+    pub contest: &'a ContestState,
     /// Seconds since 1970 at the flight's time zero, where known.
     pub utc_at_zero: Option<f64>,
 }
@@ -61,20 +61,20 @@ pub fn open_tracks(
     run: Option<&Run>,
     ghost: Option<&Run>,
     utc_at_zero: Option<f64>,
-) -> Vec<(TrackId, Track)> {
+) -> Vec<(TrackId, Trajectory)> {
     let frame = flight.and_then(|f| f.frame_on_globe);
     let of_run = |id, run: &Run, name: &str, place: fn(&StepReport) -> GroundPoint| {
         let places = run.steps.iter().map(|step| {
             let place = place(step);
             (step.time, place.north, place.east)
         });
-        let mut track = Track::on_the_ground(name.to_owned(), frame, places);
+        let mut track = Trajectory::on_the_ground(name.to_owned(), frame, places);
         track.utc_at_zero = utc_at_zero;
         (id, track)
     };
     let estimate = |step: &StepReport| step.after.position();
     let mut found = Vec::new();
-    if let Some(mut truth) = flight.and_then(Track::of_truth) {
+    if let Some(mut truth) = flight.and_then(Trajectory::of_truth) {
         "Truth".clone_into(&mut truth.name);
         truth.utc_at_zero = utc_at_zero;
         found.push((TrackId::Truth, truth));
@@ -117,7 +117,7 @@ impl Results {
         let kept = scene.shelf.kept().iter();
         tracks.extend(kept.map(|k| (TrackId::Kept(k.number), k.track.clone())));
         let reference = tracks.iter().position(|(id, _)| *id == wanted).unwrap_or(0);
-        let against = |(i, (id, track)): (usize, &(TrackId, Track))| Row {
+        let against = |(i, (id, track)): (usize, &(TrackId, Trajectory))| ResultRow {
             id: *id,
             name: track.name.clone(),
             comparison: (i != reference).then(|| compare(&tracks[reference].1, track, &settings)),
@@ -126,7 +126,7 @@ impl Results {
     }
 
     /// The reference, if there is any trajectory.
-    pub fn reference(&self) -> Option<&Row> {
+    pub fn reference(&self) -> Option<&ResultRow> {
         self.rows.iter().find(|row| row.comparison.is_none())
     }
 }

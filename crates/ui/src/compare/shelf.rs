@@ -1,7 +1,7 @@
 //! Trajectories that were kept.
 
 use egui::Color32;
-use pilotage_core::flight::trajectory::Track;
+use pilotage_core::flight::trajectory::Trajectory;
 
 use crate::tokens::Tokens;
 
@@ -11,7 +11,7 @@ pub struct KeptTrack {
     /// Its number, never used again.
     pub number: u32,
     /// The trajectory.
-    pub track: Track,
+    pub track: Trajectory,
     /// Whether the map shows it.
     pub is_shown: bool,
 }
@@ -49,7 +49,7 @@ impl Shelf {
     }
 
     /// Keeps one, under a name that no other has; what it is called now.
-    pub fn keep(&mut self, mut track: Track) -> &str {
+    pub fn keep(&mut self, mut track: Trajectory) -> &str {
         let is_taken = |name: &str| self.kept.iter().any(|k| k.track.name == name);
         let wanted = track.name.clone();
         let mut copy = 2;
@@ -85,7 +85,7 @@ mod tests {
 
     #[test]
     fn no_two_have_one_name_or_number() {
-        let track = || Track::on_the_ground("demo".into(), None, [(0.0, 0.0, 0.0)]);
+        let track = || Trajectory::on_the_ground("demo".into(), None, [(0.0, 0.0, 0.0)]);
         let mut shelf = Shelf::default();
         assert_eq!(shelf.keep(track()), "demo");
         assert_eq!(shelf.keep(track()), "demo (2)");

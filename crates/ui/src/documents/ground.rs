@@ -12,16 +12,16 @@ pub const TERRAIN_KEY: &str = "terrain";
 /// is known: the ground counts as level.
 ///
 /// Heights are metres above the model's datum, which is mean sea level for nearly all of them:
-/// [`Ground::datum`] names it.
+/// [`OpenedTerrain::datum`] names it.
 #[derive(Clone, Debug, Default)]
-pub struct Ground {
+pub struct OpenedTerrain {
     key: Option<String>,
     heights: Option<Arc<HeightGrid>>,
     /// Origin and area of the heights that are at hand or asked for.
     asked: Option<(Geodetic, GroundRect)>,
 }
 
-impl Ground {
+impl OpenedTerrain {
     /// An elevation model among files; its heights come later.
     pub fn of_files(key: &str) -> Self {
         Self {
@@ -87,9 +87,9 @@ mod tests {
     #[test]
     fn heights_are_asked_for_once_until_more_ground_or_another_world_is_of_interest() {
         let origin = Geodetic::from_degrees(46.0, -92.0, 0.0);
-        let mut nothing = Ground::default();
+        let mut nothing = OpenedTerrain::default();
         assert!(!nothing.wants(origin, &area(100.0)));
-        let mut ground = Ground::of_files("opened-1");
+        let mut ground = OpenedTerrain::of_files("opened-1");
         assert!(ground.wants(origin, &area(1000.0)));
         assert!(!ground.wants(origin, &area(500.0)));
         assert!(ground.wants(origin, &area(2000.0)));

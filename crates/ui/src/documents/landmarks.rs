@@ -61,7 +61,7 @@ impl LandmarkChange {
 
 /// A landmark that is no box.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Drawn {
+pub enum DrawnLandmark {
     /// Only this point of it is marked.
     Point(GroundPoint),
     /// Its outline of three corners or more.
@@ -91,14 +91,14 @@ impl Documents {
     }
 
     /// Adds a landmark that is no box; its id.
-    pub fn add_drawn(&mut self, drawn: &Drawn) -> u32 {
+    pub fn add_drawn(&mut self, drawn: &DrawnLandmark) -> u32 {
         self.history.remember(&self.mission);
         self.mission_edited = true;
         let id = self.mission.free_landmark_id();
         let name = format!("Landmark {id}");
         let landmark = match drawn {
-            Drawn::Point(point) => Landmark::at_point(id, name, *point, POINT_SIDE),
-            Drawn::Outline(corners) => {
+            DrawnLandmark::Point(point) => Landmark::at_point(id, name, *point, POINT_SIDE),
+            DrawnLandmark::Outline(corners) => {
                 let around = pilotage_core::frames::GroundRect::around(corners.iter().copied());
                 let mut landmark = Landmark::new(
                     id,
@@ -171,8 +171,8 @@ mod tests {
 
     fn documents() -> (Documents, [u32; 2]) {
         let mut documents = Documents::new(&Session::demo());
-        let outline = documents.add_drawn(&Drawn::Outline(corners()));
-        let point = documents.add_drawn(&Drawn::Point(GroundPoint::new(90.0, 0.0)));
+        let outline = documents.add_drawn(&DrawnLandmark::Outline(corners()));
+        let point = documents.add_drawn(&DrawnLandmark::Point(GroundPoint::new(90.0, 0.0)));
         (documents, [outline, point])
     }
 

@@ -1,6 +1,6 @@
 //! The log that the flight is read from, as far as the flight is known by it.
 
-use pilotage_core::flight::log::{LogFormat, Outline};
+use pilotage_core::flight::log::{LogFormat, LogOutline};
 
 /// Log that the flight is read from, as far as the flight is known by it.
 #[derive(Clone, Debug, Default)]
@@ -27,7 +27,7 @@ impl LogFile {
     }
 
     /// Takes note of what was read of it.
-    pub fn grow(&mut self, outline: &Outline) {
+    pub fn grow(&mut self, outline: &LogOutline) {
         self.format = Some(outline.format);
         self.span = outline.span;
         self.utc_at_zero = outline.utc_at_zero;

@@ -23,7 +23,7 @@ mod stored_session;
 pub use add::Added;
 pub use brought::Brought;
 pub use frame_pictures::FramePictures;
-pub use ground::{Ground, TERRAIN_KEY};
+pub use ground::{OpenedTerrain, TERRAIN_KEY};
 pub use history::History;
 pub use log_file::LogFile;
 pub use map_under::with_origin;

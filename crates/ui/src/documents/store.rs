@@ -10,9 +10,9 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::SimulationChoice;
 
 use super::empty_mission::empty_mission;
-use super::{Brought, FramePictures, Ground, History, LogFile, Noticed, Session};
+use super::{Brought, FramePictures, History, LogFile, Noticed, OpenedTerrain, Session};
 use crate::context::route_of;
-use crate::photos::Photos;
+use crate::photos::PhotosState;
 use crate::views::Examined;
 use pilotage_jobs::{
     DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures,
@@ -66,7 +66,7 @@ pub struct Documents {
     /// Description of the map.
     pub map: Option<MapInfo>,
     /// The height of the ground.
-    pub terrain: Ground,
+    pub terrain: OpenedTerrain,
     /// Distinctness of landmarks, by id; true only while the box is the same.
     pub distinctness: HashMap<u32, Distinctness>,
     /// The landmark that could not be examined, and why.
@@ -80,7 +80,7 @@ pub struct Documents {
     /// Adjustment of the camera with which the flight was flown.
     pub flown_camera: CameraAdjustment,
     /// Photos laid on the map.
-    pub photos: Photos,
+    pub photos: PhotosState,
     /// Findings in the run.
     pub noticed: Noticed,
     /// Bookmarks in time order, seconds in the flight's time base.
@@ -111,7 +111,7 @@ impl Documents {
             flight_source: session.flight.clone(),
             map_source: session.map.clone(),
             map: None,
-            terrain: Ground::default(),
+            terrain: OpenedTerrain::default(),
             distinctness: HashMap::new(),
             examined_in_vain: None,
             match_pictures: None,
@@ -121,7 +121,7 @@ impl Documents {
                 _ => None,
             }),
             flown_camera: CameraAdjustment::default(),
-            photos: Photos::default(),
+            photos: PhotosState::default(),
             noticed: Noticed::default(),
             bookmarks: session.bookmarks.clone(),
         }

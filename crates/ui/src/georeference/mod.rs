@@ -8,7 +8,7 @@ mod over_picture;
 mod panel;
 mod state;
 
-pub use state::{Georeferencer, Place};
+pub use state::{Georeferencer, NamedPlace};
 
 use crate::command::Command;
 use crate::feature_command::FeatureCommand;

@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_core::imagery::georeferencer::{
-    ControlPoint, Fit, FitError, TransformKind, fit, in_metres, read_points, write_points,
+    ControlPoint, FitError, TransformFit, TransformKind, fit, in_metres, read_points, write_points,
 };
 use pilotage_core::imagery::{Georeference, WorldFile};
 
@@ -12,7 +12,7 @@ use pilotage_jobs::{MapInfo, MapSource};
 
 /// A place with a name, of which a file told.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+pub struct NamedPlace {
     /// Name for people.
     pub name: String,
     /// Place on the globe.
@@ -58,12 +58,12 @@ pub struct Georeferencer {
     /// Error in the typed coordinates, in words.
     pub typed_wrong: Option<String>,
     /// Places of a file that can be chosen.
-    pub places: Vec<Place>,
+    pub places: Vec<NamedPlace>,
     /// The point that is dragged on the map.
     pub on_map: Option<usize>,
     past: Vec<Snapshot>,
     future: Vec<Snapshot>,
-    fitted: Result<Fit, FitError>,
+    fitted: Result<TransformFit, FitError>,
 }
 
 impl Georeferencer {
@@ -108,7 +108,7 @@ impl Georeferencer {
     }
 
     /// The fit, or why there is none.
-    pub fn fitted(&self) -> &Result<Fit, FitError> {
+    pub fn fitted(&self) -> &Result<TransformFit, FitError> {
         &self.fitted
     }
 

@@ -6,7 +6,7 @@ use egui::{
 };
 use pilotage_core::mission::LabelBox;
 
-use super::drag::Drag;
+use super::drag::BoxDrag;
 use super::{LabelCommand, Labeller, color_of};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -21,12 +21,12 @@ const HANDLE: f32 = 4.0;
 
 /// From pixels of the picture to points on the screen.
 #[derive(Clone, Copy)]
-struct Placement {
+struct CanvasPlacement {
     rect: Rect,
     scale: f32,
 }
 
-impl Placement {
+impl CanvasPlacement {
     fn at(&self, pixel: [f64; 2]) -> Pos2 {
         self.rect.min + self.scale * vec2(pixel[0] as f32, pixel[1] as f32)
     }
@@ -83,7 +83,7 @@ impl Labeller {
         response: &egui::Response,
         outer: Rect,
         size: (u32, u32),
-    ) -> Placement {
+    ) -> CanvasPlacement {
         let pixels = vec2(size.0 as f32, size.1 as f32);
         let fitted = parts::fitted(outer.shrink(8.0), pixels);
         let scale_of = |nearness: f32| fitted.width() / pixels.x.max(1.0) * nearness.exp2();
@@ -107,7 +107,7 @@ impl Labeller {
         let most = (0.5 * (pixels - fitted.size() / scale)).max(Vec2::ZERO);
         self.shift = self.shift.clamp(-most, most);
         let center = outer.center() + self.shift * scale;
-        Placement {
+        CanvasPlacement {
             rect: Rect::from_center_size(center, pixels * scale),
             scale,
         }
@@ -119,7 +119,7 @@ impl Labeller {
         response: &egui::Response,
         context: &mut ViewContext<'_>,
         frame: usize,
-        placement: Placement,
+        placement: CanvasPlacement,
         size: (u32, u32),
     ) {
         let Some(flight) = context.flight else { return };
@@ -147,7 +147,7 @@ impl Labeller {
                         Some(([label.min, label.max], edges, label.difficult))
                     })
                     .unwrap_or(([pixel, pixel], [[false; 2], [true; 2]], false));
-                Drag {
+                BoxDrag {
                     frame,
                     landmark,
                     from,
@@ -261,7 +261,7 @@ impl Labeller {
         painter: &Painter,
         context: &ViewContext<'_>,
         name: &str,
-        placement: Placement,
+        placement: CanvasPlacement,
     ) {
         let tokens = context.tokens;
         let mut taken = Vec::new();

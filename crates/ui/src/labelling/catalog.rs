@@ -5,12 +5,13 @@ use pilotage_core::exchange::labels::LabelFormat;
 
 use super::LabelCommand;
 use crate::command::Command;
-use crate::shell::catalog::{Entry, Group, entry, plain};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry, plain};
 
 /// Rows of the table of all commands.
-pub fn commands() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::Edit, label, shortcuts, Command::from(command));
+pub fn commands() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| {
+        entry(CommandGroup::Edit, label, shortcuts, Command::from(command))
+    };
     vec![
         of(
             "Label landmarks in the pictures",

@@ -2,7 +2,7 @@
 
 /// A box being drawn, moved or given another size.
 #[derive(Clone, Debug)]
-pub(super) struct Drag {
+pub(super) struct BoxDrag {
     pub frame: usize,
     pub landmark: u32,
     /// The box when the drag began; corners of a new one are where the pointer went down.
@@ -15,7 +15,7 @@ pub(super) struct Drag {
     pub difficult: bool,
 }
 
-impl Drag {
+impl BoxDrag {
     /// The corners once the pointer is at `to`, pixels.
     pub fn corners(&self, to: [f64; 2]) -> [[f64; 2]; 2] {
         let mut corners = self.from;

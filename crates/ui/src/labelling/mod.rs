@@ -70,7 +70,7 @@ pub struct Labeller {
     nearness: f32,
     /// Shift of the picture's centre from the middle of the view, pixels.
     shift: Vec2,
-    drag: Option<drag::Drag>,
+    drag: Option<drag::BoxDrag>,
     /// Whether a box is proposed in every picture.
     always: bool,
     /// Frame and landmark for which a proposal was asked.

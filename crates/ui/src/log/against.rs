@@ -3,15 +3,15 @@
 use egui::{Align2, Color32, Painter, Pos2, Rect, Response, Shape, Stroke};
 
 use super::PlottedSeries;
-use super::cloud::{Cloud, CloudKey};
-use super::pairs::{Pairs, Place};
+use super::cloud::{CloudKey, PixelCloud};
+use super::pairs::{LastPair, Pairs};
 use super::scene::{PanelScene, colour, curve, nothing, wider};
 use super::words::series_name;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::still::Still;
 use crate::tokens::Tokens;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 use crate::views::{TimeAxis, parts};
 use pilotage_jobs::SeriesName;
 
@@ -25,7 +25,7 @@ const REACH: f32 = 16.0;
 /// Drawn points of a plot against a field.
 #[derive(Default)]
 pub(super) struct AgainstPlot {
-    cloud: Cloud,
+    cloud: PixelCloud,
     drawn: Still<(CloudKey, bool)>,
 }
 
@@ -64,10 +64,10 @@ pub(super) fn axes(
     tokens: &Tokens,
     span: (f64, f64),
     pairs: &[(usize, Pairs<'_>)],
-) -> Option<Axes> {
+) -> Option<ChartAxes> {
     let mut rect = TimeAxis::curves_rect(outer, tokens);
     rect.set_bottom(rect.bottom() - TimeAxis::height(tokens));
-    let over_time = Axes {
+    let over_time = ChartAxes {
         rect,
         x: span,
         y: (0.0, 1.0),
@@ -81,7 +81,7 @@ pub(super) fn axes(
     let x = pairs.first().and_then(|(_, pairs)| extent(pairs.x))?;
     let y = pairs.iter().filter_map(|(_, pairs)| extent(pairs.y));
     let y = y.reduce(join)?;
-    Some(Axes {
+    Some(ChartAxes {
         x: wider(x.0, x.1),
         y: wider(y.0, y.1),
         ..over_time
@@ -132,7 +132,7 @@ impl AgainstPlot {
         painter: &Painter,
         scene: &AgainstScene<'_>,
         pairs: &[(usize, Pairs<'_>)],
-        axes: Axes,
+        axes: ChartAxes,
         tokens: &Tokens,
     ) {
         let span = scene.panel.span;
@@ -189,9 +189,9 @@ pub(super) fn x_name(scene: &AgainstScene<'_>) -> String {
 }
 
 /// The unbroken parts of a plot, on screen.
-pub(super) fn lines(pairs: &Pairs<'_>, axes: &Axes, span: (f64, f64)) -> Vec<Vec<Pos2>> {
+pub(super) fn lines(pairs: &Pairs<'_>, axes: &ChartAxes, span: (f64, f64)) -> Vec<Vec<Pos2>> {
     let mut lines = vec![Vec::new()];
-    let mut place = Place::default();
+    let mut place = LastPair::default();
     for index in pairs.within(span) {
         match (pairs.at(index, &mut place), lines.last_mut()) {
             (Some((x, y)), Some(line)) => line.push(axes.at(x, y)),
@@ -206,7 +206,7 @@ pub(super) fn lines(pairs: &Pairs<'_>, axes: &Axes, span: (f64, f64)) -> Vec<Vec
 fn draw(
     shapes: &mut Vec<Shape>,
     pairs: &Pairs<'_>,
-    axes: &Axes,
+    axes: &ChartAxes,
     span: (f64, f64),
     joined: bool,
     colour: Color32,
@@ -222,7 +222,13 @@ fn draw(
 }
 
 /// A ring where each field is at a time.
-fn marks(painter: &Painter, pairs: &[(usize, Pairs<'_>)], axes: &Axes, time: f64, colour: Color32) {
+fn marks(
+    painter: &Painter,
+    pairs: &[(usize, Pairs<'_>)],
+    axes: &ChartAxes,
+    time: f64,
+    colour: Color32,
+) {
     for (_, pairs) in pairs {
         if let Some((x, y)) = pairs.before(time) {
             let at = axes.at(x, y);
@@ -235,7 +241,7 @@ fn marks(painter: &Painter, pairs: &[(usize, Pairs<'_>)], axes: &Axes, time: f64
 /// Time of the point under the pointer.
 fn nearest(
     pairs: &[(usize, Pairs<'_>)],
-    axes: &Axes,
+    axes: &ChartAxes,
     span: (f64, f64),
     pointer: Option<Pos2>,
 ) -> Option<f64> {
@@ -244,7 +250,7 @@ fn nearest(
     for (_, pairs) in pairs {
         let within = pairs.within(span);
         let stride = within.len().div_ceil(LOOKED_AT).max(1);
-        let mut place = Place::default();
+        let mut place = LastPair::default();
         let mut distance = |index: usize| {
             let (x, y) = pairs.at(index, &mut place)?;
             Some(axes.at(x, y).distance(pointer))
@@ -289,7 +295,7 @@ mod tests {
         let x = field((0..count).map(|i| (f64::from(i), turn(i).cos())));
         let y = field((0..count).map(|i| (f64::from(i), turn(i).sin())));
         let pairs = [(0, Pairs { x: &x, y: &y })];
-        let axes = Axes {
+        let axes = ChartAxes {
             rect: Rect::from_min_max(pos2(0.0, 0.0), pos2(200.0, 200.0)),
             x: (-1.0, 1.0),
             y: (-1.0, 1.0),

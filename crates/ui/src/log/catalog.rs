@@ -6,15 +6,16 @@ use super::LogCommand::{self, ShowPreset};
 use super::{ID, LogTab, Preset};
 use crate::command::Command;
 use crate::feature_command::FeatureCommand;
-use crate::shell::catalog::{Entry, Group, entry, shift};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 
 /// Rows of the table of all commands.
-pub fn commands() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::View, label, shortcuts, Command::from(command));
+pub fn commands() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| {
+        entry(CommandGroup::View, label, shortcuts, Command::from(command))
+    };
     vec![
         entry(
-            Group::View,
+            CommandGroup::View,
             "Show the flight log",
             vec![shift(Key::L)],
             Command::Feature(FeatureCommand::show(ID)),

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use egui::{Color32, ColorImage, Painter, Pos2, Rect, TextureHandle, TextureOptions, pos2};
 
-use super::pairs::{Pairs, Place};
-use crate::views::chart::Axes;
+use super::pairs::{LastPair, Pairs};
+use crate::views::chart::ChartAxes;
 
 /// Points gone through in one frame: a few milliseconds.
 const PER_FRAME: usize = 150_000;
@@ -19,7 +19,7 @@ const LONGEST: i64 = 4096;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct CloudKey {
     pub revision: u64,
-    pub axes: Axes,
+    pub axes: ChartAxes,
     pub span: (f64, f64),
     pub fields: Vec<pilotage_jobs::SeriesName>,
     pub joined: bool,
@@ -27,7 +27,7 @@ pub(super) struct CloudKey {
 
 /// Order of the points: all of them in order, or scattered ones in rounds, each twice as dense.
 #[derive(Clone, Debug, Default)]
-struct Walk {
+struct PointOrder {
     range: Range<usize>,
     /// Distance of the points of this round.
     stride: usize,
@@ -37,7 +37,7 @@ struct Walk {
     is_first: bool,
 }
 
-impl Walk {
+impl PointOrder {
     fn new(range: Range<usize>, joined: bool) -> Self {
         let rounds = range.len().div_ceil(FIRST_LOOK).next_power_of_two();
         Self {
@@ -73,26 +73,26 @@ impl Walk {
 
 /// The set pixels of a plot of one field against another.
 #[derive(Default)]
-pub(super) struct Cloud {
+pub(super) struct PixelCloud {
     key: Option<CloudKey>,
     /// Columns and rows.
     size: [usize; 2],
     /// By cell, row after row from the top: 0, or the number of a field from 1 on.
     cells: Vec<u8>,
-    walks: Vec<Walk>,
+    walks: Vec<PointOrder>,
     /// The last point of the field that is gone through, of joined ones.
     last: Option<(i64, i64)>,
     texture: Option<TextureHandle>,
 }
 
-impl Cloud {
+impl PixelCloud {
     /// Goes on with the points of `fields`; begins anew where `key` is another. Whether there are more.
     pub fn follow(&mut self, key: &CloudKey, fields: &[Pairs<'_>]) -> bool {
         if self.key.as_ref() != Some(key) {
             let rect = key.axes.rect;
             self.size = [rect.width(), rect.height()].map(|side| side.ceil().max(1.0) as usize);
             self.cells = vec![0; self.size[0] * self.size[1]];
-            let walk = |pairs: &Pairs<'_>| Walk::new(pairs.within(key.span), key.joined);
+            let walk = |pairs: &Pairs<'_>| PointOrder::new(pairs.within(key.span), key.joined);
             self.walks = fields.iter().map(walk).collect();
             self.last = None;
             self.texture = None;
@@ -103,7 +103,7 @@ impl Cloud {
             let Some(mut walk) = self.walks.get_mut(number).map(std::mem::take) else {
                 continue;
             };
-            let mut place = Place::default();
+            let mut place = LastPair::default();
             let mut is_more = true;
             while left > 0 && is_more {
                 left -= 1;
@@ -215,7 +215,7 @@ mod tests {
     fn key(joined: bool) -> CloudKey {
         CloudKey {
             revision: 0,
-            axes: Axes {
+            axes: ChartAxes {
                 rect: Rect::from_min_max(pos2(10.0, 20.0), pos2(110.0, 70.0)),
                 x: (0.0, 100.0),
                 y: (0.0, 50.0),
@@ -236,7 +236,7 @@ mod tests {
             (300_001, false),
             (70_000, true),
         ] {
-            let mut walk = Walk::new(5..5 + count, joined);
+            let mut walk = PointOrder::new(5..5 + count, joined);
             let mut seen = vec![false; count];
             while let Some(at) = walk.step() {
                 assert!(
@@ -255,7 +255,7 @@ mod tests {
         let x = field(times().map(|t| (t, t % 100.0)));
         let y = field(times().map(|t| (t, if t == 777_737.0 { 45.5 } else { 10.5 })));
         let pairs = [Pairs { x: &x, y: &y }];
-        let mut cloud = Cloud::default();
+        let mut cloud = PixelCloud::default();
         let mut frames = 1;
         while cloud.follow(&key(false), &pairs) {
             frames += 1;
@@ -272,7 +272,7 @@ mod tests {
         let values = [5.5, 25.5, f64::NAN, 45.5];
         let x = field((0..4).map(|i| (f64::from(i), 10.5 * f64::from(i))));
         let y = field((0..4).map(|i| (f64::from(i), values[i as usize])));
-        let mut cloud = Cloud::default();
+        let mut cloud = PixelCloud::default();
         assert!(!cloud.follow(&key(true), &[Pairs { x: &x, y: &y }]));
         let rows: Vec<f32> = cloud.runs(0).iter().map(|(at, _)| at.y).collect();
         // From 5.5 to 25.5 every row; a dot of two rows at 45.5.

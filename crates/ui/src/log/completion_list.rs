@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use egui::{Area, Frame, Id, Order, Pos2, Role, Sense, Ui, WidgetInfo, pos2, vec2};
-use pilotage_core::flight::expression::{Candidate, Completion};
+use pilotage_core::flight::expression::{Completion, NameCandidate};
 
 use crate::tokens::Tokens;
 
@@ -116,7 +116,7 @@ impl CompletionList {
 }
 
 /// Draws the row of a name; whether it was clicked.
-fn row(ui: &mut Ui, tokens: &Tokens, candidate: &Candidate, is_chosen: bool) -> bool {
+fn row(ui: &mut Ui, tokens: &Tokens, candidate: &NameCandidate, is_chosen: bool) -> bool {
     let size = vec2(ui.available_width(), ROW * tokens.space);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let name = format!("Write {}", candidate.text);

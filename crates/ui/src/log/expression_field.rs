@@ -10,12 +10,12 @@ use pilotage_core::flight::expression::{
 
 use super::OpenLog;
 use super::completion_list::{Choice, CompletionList};
-use super::names::{Named, names};
+use super::names::{NamedSeries, names};
 use crate::tokens::Tokens;
 
 /// Result of a frame of typing.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Written {
+pub(super) enum TypedExpression {
     /// An expression to be plotted alone.
     Alone(String),
     /// An expression to be plotted with the fields of the panel touched last.
@@ -46,7 +46,7 @@ impl ExpressionField {
     }
 
     /// Draws the field; what was entered, if something was.
-    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, log: &OpenLog) -> Option<Written> {
+    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, log: &OpenLog) -> Option<TypedExpression> {
         let id = Self::id();
         let has_focus = ui.memory(|memory| memory.has_focus(id));
         let keys = self.keys(ui, has_focus);
@@ -115,7 +115,7 @@ impl ExpressionField {
     }
 
     /// Checks the expression on Enter and hands it on.
-    fn entered(&mut self, keys: Keys, log: &OpenLog) -> Option<Written> {
+    fn entered(&mut self, keys: Keys, log: &OpenLog) -> Option<TypedExpression> {
         if !keys.enter && !keys.beside {
             return None;
         }
@@ -128,9 +128,9 @@ impl ExpressionField {
         self.is_entered = false;
         let text = std::mem::take(&mut self.text);
         Some(if keys.beside {
-            Written::Beside(text)
+            TypedExpression::Beside(text)
         } else {
-            Written::Alone(text)
+            TypedExpression::Alone(text)
         })
     }
 
@@ -162,7 +162,7 @@ impl ExpressionField {
         self.check(&names(log));
     }
 
-    fn check(&mut self, names: &[Named]) {
+    fn check(&mut self, names: &[NamedSeries]) {
         let known = names.iter().map(|named| named.name.as_str());
         let checked = Expression::parse(&self.text).and_then(|it| it.check(&known));
         self.error = checked.err();

@@ -1,9 +1,9 @@
 //! The topics and fields of a log, to be searched and plotted.
 
 use egui::{Align, Layout, RichText, Ui};
-use pilotage_core::flight::log::{Outline, TopicOutline};
+use pilotage_core::flight::log::{LogOutline, TopicOutline};
 
-use super::expression_field::{ExpressionField, Written};
+use super::expression_field::{ExpressionField, TypedExpression};
 use super::presets::OwnPresets;
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
@@ -69,8 +69,8 @@ impl FieldList {
         let written = self.expression.show(ui, context.tokens, log);
         ui.add_space(0.5 * context.tokens.space);
         let (text, command): (_, fn(SeriesName) -> LogCommand) = match written {
-            Some(Written::Alone(text)) => (text, LogCommand::PlotAlone),
-            Some(Written::Beside(text)) => (text, LogCommand::Plot),
+            Some(TypedExpression::Alone(text)) => (text, LogCommand::PlotAlone),
+            Some(TypedExpression::Beside(text)) => (text, LogCommand::Plot),
             None => return,
         };
         let series = SeriesName::expression(&text);
@@ -83,7 +83,7 @@ impl FieldList {
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
         log: &OpenLog,
-        outline: &Outline,
+        outline: &LogOutline,
         plotted: &dyn Fn(&SeriesName) -> bool,
     ) {
         let wanted = self.search.trim().to_lowercase();
@@ -161,7 +161,7 @@ fn shortened(text: &str) -> String {
     format!("{}…", head.trim_end())
 }
 
-fn count(outline: &Outline) -> usize {
+fn count(outline: &LogOutline) -> usize {
     let of = |topic: &TopicOutline| topic.fields.iter().filter(|f| f.is_number).count();
     outline.topics.iter().map(of).sum()
 }

@@ -4,7 +4,7 @@ use super::OpenLog;
 
 /// A series by name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Named {
+pub(super) struct NamedSeries {
     /// Its name: `ATT.Roll`, `Ground speed`.
     pub name: String,
     /// Its unit, or empty.
@@ -12,17 +12,17 @@ pub(super) struct Named {
 }
 
 /// Every series of a log: what it means first, then every field of numbers.
-pub(super) fn names(log: &OpenLog) -> Vec<Named> {
+pub(super) fn names(log: &OpenLog) -> Vec<NamedSeries> {
     let sensors = log.overview.iter().flat_map(|overview| &overview.sensors);
-    let mut names: Vec<Named> = sensors
-        .map(|sensor| Named {
+    let mut names: Vec<NamedSeries> = sensors
+        .map(|sensor| NamedSeries {
             name: sensor.role.label().to_owned(),
             unit: sensor.role.unit().0.to_owned(),
         })
         .collect();
     for topic in log.outline.iter().flat_map(|outline| &outline.topics) {
         let numbers = topic.fields.iter().filter(|field| field.is_number);
-        names.extend(numbers.map(|field| Named {
+        names.extend(numbers.map(|field| NamedSeries {
             name: format!("{}.{}", topic.name, field.name),
             unit: field.unit.clone(),
         }));

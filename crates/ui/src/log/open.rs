@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use pilotage_core::flight::interpret::Role;
-use pilotage_core::flight::log::Outline;
+use pilotage_core::flight::log::LogOutline;
 use pilotage_core::flight::overview::Overview;
 use pilotage_core::frames::LocalFrame;
 
 use super::SpanFigures;
-use crate::views::Pyramid;
+use crate::views::ExtentPyramid;
 use pilotage_jobs::{LogSeries, RecordedPlaces, SeriesName};
 
 /// Fields that a newcomer wants to see, plot by plot: those that are likely, and what takes their place where the
@@ -38,7 +38,7 @@ pub struct PlottedSeries {
     total: usize,
     /// Replacement of the series once it is as long: the same field after more of the log was read.
     coming: Option<Box<Self>>,
-    values: Pyramid,
+    values: ExtentPyramid,
 }
 
 impl PlottedSeries {
@@ -78,7 +78,7 @@ impl PlottedSeries {
     }
 
     /// Values less the base.
-    pub(crate) fn values(&self) -> &Pyramid {
+    pub(crate) fn values(&self) -> &ExtentPyramid {
         &self.values
     }
 
@@ -98,7 +98,7 @@ pub struct OpenLog {
     /// Its name among them.
     pub file: String,
     /// Outline of the log, as far as it was read.
-    pub outline: Option<Outline>,
+    pub outline: Option<LogOutline>,
     /// The flight at a glance, once all of it was read.
     pub overview: Option<Overview>,
     /// Tracks beside that of the flight, and the world frame that they are in.
@@ -131,7 +131,7 @@ impl OpenLog {
     }
 
     /// More of it was read.
-    pub fn grow(&mut self, outline: Outline) {
+    pub fn grow(&mut self, outline: LogOutline) {
         self.outline = Some(outline);
         self.outlines += 1;
     }
@@ -197,7 +197,7 @@ mod tests {
     fn a_field_is_looked_for_again_once_more_was_read() {
         let mut log = OpenLog::new("key".into(), "a.bin".into());
         let roll = SeriesName::role(Role::Roll);
-        let outline = || Outline::of(&Log::new("a.bin", LogFormat::Dataflash));
+        let outline = || LogOutline::of(&Log::new("a.bin", LogFormat::Dataflash));
         log.grow(outline());
         assert!(!log.is_up_to_date(&roll));
         log.look_for(&roll);

@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 use pilotage_core::exchange::Format;
-use pilotage_core::flight::log::{LogFormat, Outline};
+use pilotage_core::flight::log::{LogFormat, LogOutline};
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
 
 use super::words::{date, duration, size};
@@ -12,7 +12,7 @@ use crate::context::ViewContext;
 use crate::feature_command::FeatureCommand;
 use crate::photos::PhotosCommand;
 use crate::units::clock;
-use crate::views::parts::{self, Reading};
+use crate::views::parts::{self, NumberReadout};
 
 /// Messages shown before the rest is folded.
 const FIRST_MESSAGES: usize = 400;
@@ -82,7 +82,7 @@ pub fn overview_panel(
 }
 
 /// The choice of the vehicle that flies, where there are several and all of the log was read.
-fn vehicles(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, is_read: bool) {
+fn vehicles(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &LogOutline, is_read: bool) {
     let Some(chosen) = outline
         .chosen_vehicle
         .filter(|_| is_read && outline.vehicles.len() > 1)
@@ -126,10 +126,15 @@ fn save_track(ui: &mut Ui, context: &mut ViewContext<'_>) {
     });
 }
 
-fn facts(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline, overview: Option<&Overview>) {
+fn facts(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    outline: &LogOutline,
+    overview: Option<&Overview>,
+) {
     let tokens = context.tokens;
     let mut row = |label: &str, value: String, unit: &str| {
-        parts::reading(ui, tokens, &Reading::new(label, value, unit));
+        parts::reading(ui, tokens, &NumberReadout::new(label, value, unit));
     };
     if let (Some(utc), Some(span)) = (outline.utc_at_zero, outline.span) {
         row("Began", date(utc + span.0), "");
@@ -279,7 +284,7 @@ fn sensors(ui: &mut Ui, context: &ViewContext<'_>, sensors: &[Sensor]) {
     });
 }
 
-fn modes(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, first: f64) {
+fn modes(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &LogOutline, first: f64) {
     if outline.modes.is_empty() {
         return;
     }
@@ -295,7 +300,7 @@ fn modes(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, first: f
     });
 }
 
-fn messages(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, first: f64) {
+fn messages(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &LogOutline, first: f64) {
     if outline.messages.is_empty() {
         return;
     }
@@ -321,7 +326,7 @@ fn messages(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, first
     });
 }
 
-fn parameters(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline) {
+fn parameters(ui: &mut Ui, context: &ViewContext<'_>, outline: &LogOutline) {
     if outline.parameters.is_empty() {
         return;
     }
@@ -330,7 +335,7 @@ fn parameters(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline) {
     parts::section(ui, tokens, &title, false, |ui| {
         for parameter in &outline.parameters {
             let value = format!("{}", parameter.value as f32);
-            parts::reading(ui, tokens, &Reading::new(&parameter.name, value, ""));
+            parts::reading(ui, tokens, &NumberReadout::new(&parameter.name, value, ""));
         }
     });
 }

@@ -13,7 +13,7 @@ pub(super) struct Pairs<'a> {
 
 /// Index in `x` at which the last pair was found: the next is mostly near.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Place(usize);
+pub(super) struct LastPair(usize);
 
 impl Pairs<'_> {
     /// Numbers of the samples from `span.0` to `span.1` seconds.
@@ -25,7 +25,7 @@ impl Pairs<'_> {
     }
 
     /// The pair of sample `index`, `None` where either is missing.
-    pub fn at(&self, index: usize, place: &mut Place) -> Option<(f64, f64)> {
+    pub fn at(&self, index: usize, place: &mut LastPair) -> Option<(f64, f64)> {
         let y = self.y.base + f64::from(self.y.values().get(index)?);
         Some((self.x_at(self.y.times[index], index, place)?, y))
     }
@@ -33,11 +33,11 @@ impl Pairs<'_> {
     /// The pair of the last sample at or before `time`.
     pub fn before(&self, time: f64) -> Option<(f64, f64)> {
         let after = self.y.times.partition_point(|t| *t <= time);
-        self.at(after.checked_sub(1)?, &mut Place::default())
+        self.at(after.checked_sub(1)?, &mut LastPair::default())
     }
 
     /// `x` at a time; fields of one topic have their samples at the same places.
-    fn x_at(&self, time: f64, index: usize, place: &mut Place) -> Option<f64> {
+    fn x_at(&self, time: f64, index: usize, place: &mut LastPair) -> Option<f64> {
         let times = &self.x.times;
         let value = |i: usize| Some(self.x.base + f64::from(self.x.values().get(i)?));
         if times.get(index) == Some(&time) {
@@ -77,14 +77,14 @@ fn last_not_after(times: &[f64], time: f64, guess: usize) -> Option<usize> {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use pilotage_core::flight::expression::Samples;
+    use pilotage_core::flight::expression::TimedSamples;
 
     use super::*;
     use pilotage_jobs::{LogSeries, SeriesName};
 
     /// A field as it comes from a worker.
     pub fn field(samples: impl Iterator<Item = (f64, f64)>) -> PlottedSeries {
-        let all = Samples::in_order(samples, "m");
+        let all = TimedSamples::in_order(samples, "m");
         let mut field = PlottedSeries::default();
         let name = SeriesName::expression("x");
         field.take(&LogSeries::piece(&name, &all, 0, all.times.len()));
@@ -111,7 +111,7 @@ pub(super) mod tests {
         let seconds = (0..10).map(f64::from);
         let x = field(seconds.map(|t| (t, if t == 4.0 { f64::NAN } else { 2.0 * t })));
         let pairs = Pairs { x: &x, y: &y };
-        let mut place = Place::default();
+        let mut place = LastPair::default();
         assert_eq!(pairs.at(2, &mut place), Some((5.0, 20.0)));
         assert_eq!(pairs.at(3, &mut place), None);
         assert_eq!(pairs.at(9, &mut place), None);

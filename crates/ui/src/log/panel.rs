@@ -13,15 +13,15 @@ use crate::context::ViewContext;
 use crate::still::Still;
 use crate::timeline::paint_span;
 use crate::tokens::Tokens;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 use crate::views::{curve_line, parts};
 use pilotage_jobs::SeriesName;
 
 /// Key of the curves of a panel: everything that they depend on.
 #[derive(Clone, Debug, PartialEq)]
-struct CurvesKey {
+struct LogCurvesKey {
     revision: u64,
-    axes: Axes,
+    axes: ChartAxes,
     fields: Vec<SeriesName>,
     dark: bool,
 }
@@ -29,7 +29,7 @@ struct CurvesKey {
 /// A panel and the fields that it shows.
 pub(super) struct LogPanel {
     pub content: PanelContent,
-    curves: Still<CurvesKey>,
+    curves: Still<LogCurvesKey>,
     against: AgainstPlot,
     menu: AgainstMenu,
 }
@@ -114,7 +114,7 @@ impl LogPanel {
         if let Some(range) = y_range(there.iter().map(|(_, series)| *series), &axes) {
             axes.y = range;
             axes.draw_y(painter, tokens);
-            let key = CurvesKey {
+            let key = LogCurvesKey {
                 revision: scene.log.revision,
                 axes,
                 fields: self.content.fields.clone(),
@@ -122,7 +122,7 @@ impl LogPanel {
             };
             self.curves.paint(&inside, key, |shapes: &mut Vec<Shape>| {
                 for (i, series) in &there {
-                    let shifted = Axes {
+                    let shifted = ChartAxes {
                         y: (axes.y.0 - series.base, axes.y.1 - series.base),
                         ..axes
                     };
@@ -212,7 +212,7 @@ impl LogPanel {
 fn paint_modes(
     painter: &egui::Painter,
     modes: &[(f64, f64, String)],
-    axes: &Axes,
+    axes: &ChartAxes,
     tokens: &Tokens,
 ) {
     for (i, (from, to, name)) in modes.iter().enumerate() {

@@ -4,21 +4,21 @@ use egui::{Color32, Pos2, Rect, Stroke, pos2, vec2};
 
 use super::against::{self, AgainstScene};
 use super::arrangement::PanelContent;
-use super::cloud::{Cloud, CloudKey};
+use super::cloud::{CloudKey, PixelCloud};
 use super::scene::{PanelScene, colour, curve, mode_bands, y_range};
-use super::svg::{Anchor, Svg};
+use super::svg::{Svg, TextAnchor};
 use super::words::series_name;
 use super::{OpenLog, PlottedSeries};
 use crate::tokens::Tokens;
 use crate::units::clock;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 use crate::views::{TimeAxis, curve_points};
 
 /// Letters that a name takes of a line, in sizes of the text: as wide as they are on average.
 const LETTER: f32 = 0.6;
 
 /// Scene to be drawn.
-pub(super) struct Picture<'a> {
+pub(super) struct PlotScene<'a> {
     pub log: &'a OpenLog,
     pub tokens: &'a Tokens,
     pub panels: Vec<&'a PanelContent>,
@@ -29,7 +29,7 @@ pub(super) struct Picture<'a> {
     pub size: (f32, f32),
 }
 
-impl Picture<'_> {
+impl PlotScene<'_> {
     fn header(&self) -> f32 {
         3.0 * self.tokens.space
     }
@@ -60,7 +60,7 @@ impl Picture<'_> {
         let mut top = margin;
         svg.text(
             pos2(margin, top + 0.6 * self.header()),
-            Anchor::Start,
+            TextAnchor::Start,
             &title,
             tokens.text,
         );
@@ -85,8 +85,8 @@ impl Picture<'_> {
         svg.finish(&title)
     }
 
-    fn time_axes(&self, outer: Rect) -> Axes {
-        Axes {
+    fn time_axes(&self, outer: Rect) -> ChartAxes {
+        ChartAxes {
             rect: TimeAxis::curves_rect(outer, self.tokens),
             x: self.span,
             y: (0.0, 1.0),
@@ -109,7 +109,7 @@ impl Picture<'_> {
             let colour = colour(self.tokens, i);
             svg.segment(pos2(x, y), pos2(x + 14.0, y), Stroke::new(2.0, colour));
             let at = pos2(x + 18.0, y + 0.35 * text_size);
-            svg.text(at, Anchor::Start, &text, self.tokens.text);
+            svg.text(at, TextAnchor::Start, &text, self.tokens.text);
             x += 18.0 + LETTER * text_size * text.chars().count() as f32 + 2.0 * self.tokens.space;
         }
     }
@@ -132,7 +132,7 @@ impl Picture<'_> {
         draw_y(svg, tokens, &axes);
         svg.clipped(axes.rect, |svg| {
             for (i, series) in there {
-                let shifted = Axes {
+                let shifted = ChartAxes {
                     y: (axes.y.0 - series.base, axes.y.1 - series.base),
                     ..axes
                 };
@@ -148,7 +148,7 @@ impl Picture<'_> {
         });
     }
 
-    fn modes(&self, svg: &mut Svg, axes: &Axes) {
+    fn modes(&self, svg: &mut Svg, axes: &ChartAxes) {
         let tokens = self.tokens;
         let whole = self.log.span().unwrap_or(self.span);
         for (i, (from, to, name)) in mode_bands(self.log, whole).into_iter().enumerate() {
@@ -164,7 +164,7 @@ impl Picture<'_> {
             let text_size = tokens.text_sizes[0];
             if LETTER * text_size * name.chars().count() as f32 + tokens.space < right - left {
                 let at = pos2(left + 0.5 * tokens.space, axes.rect.top() + text_size);
-                svg.text(at, Anchor::Start, &name, tokens.muted);
+                svg.text(at, TextAnchor::Start, &name, tokens.muted);
             }
         }
     }
@@ -205,7 +205,7 @@ impl Picture<'_> {
                     joined: panel.joined,
                 };
                 let only: Vec<_> = pairs.iter().map(|(_, pairs)| *pairs).collect();
-                let mut cloud = Cloud::default();
+                let mut cloud = PixelCloud::default();
                 while cloud.follow(&key, &only) {}
                 for (number, (i, _)) in pairs.iter().enumerate() {
                     svg.runs(&cloud.runs(number), colour(tokens, *i));
@@ -227,7 +227,7 @@ impl Picture<'_> {
 }
 
 /// Grid lines and labels at the left.
-fn draw_y(svg: &mut Svg, tokens: &Tokens, axes: &Axes) {
+fn draw_y(svg: &mut Svg, tokens: &Tokens, axes: &ChartAxes) {
     for (value, text) in axes.y_ticks(tokens) {
         let y = axes.screen_y(value);
         let width = if value == 0.0 { 1.0 } else { 0.5 };
@@ -240,18 +240,18 @@ fn draw_y(svg: &mut Svg, tokens: &Tokens, axes: &Axes) {
         let half = 0.4 * tokens.text_sizes[0];
         let y = y.clamp(axes.rect.top() + half, axes.rect.bottom() - half);
         let at = pos2(left - 0.5 * tokens.space, y + 0.35 * tokens.text_sizes[0]);
-        svg.text(at, Anchor::End, &text, tokens.muted);
+        svg.text(at, TextAnchor::End, &text, tokens.muted);
     }
 }
 
 /// Labels below, with the name at the right end.
-fn draw_x(svg: &mut Svg, tokens: &Tokens, axes: &Axes, name: &str) {
+fn draw_x(svg: &mut Svg, tokens: &Tokens, axes: &ChartAxes, name: &str) {
     let text_size = tokens.text_sizes[0];
     let bottom = axes.rect.bottom();
     let baseline = bottom + 0.25 * tokens.space + text_size;
     svg.text(
         pos2(axes.rect.right(), baseline),
-        Anchor::End,
+        TextAnchor::End,
         name,
         tokens.muted,
     );
@@ -266,7 +266,7 @@ fn draw_x(svg: &mut Svg, tokens: &Tokens, axes: &Axes, name: &str) {
             Stroke::new(1.0, tokens.line),
         );
         if x + 0.5 * width(&text) < end {
-            svg.text(pos2(x, baseline), Anchor::Middle, &text, tokens.muted);
+            svg.text(pos2(x, baseline), TextAnchor::Middle, &text, tokens.muted);
         }
     }
 }

@@ -6,7 +6,7 @@ use egui::{ScrollArea, Ui};
 
 use super::arrangement::PanelContent;
 use super::panel::LogPanel;
-use super::picture::Picture;
+use super::picture::PlotScene;
 use super::preset_menu::PresetMenu;
 use super::presets::OwnPresets;
 use super::scene::{PanelScene, axes, mode_bands};
@@ -154,7 +154,7 @@ impl LogPlots {
         selected: Option<(f64, f64)>,
     ) -> Option<(String, (f32, f32))> {
         let span = self.axis.span(log.span()?);
-        let picture = Picture {
+        let picture = PlotScene {
             log,
             tokens,
             panels: self.panels.iter().map(|panel| &panel.content).collect(),

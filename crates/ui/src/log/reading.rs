@@ -1,6 +1,6 @@
 //! A log read in a worker, and flown as soon as all of it is there.
 
-use pilotage_core::flight::log::Outline;
+use pilotage_core::flight::log::LogOutline;
 use pilotage_jobs::{
     FlightSource, Job, JobEvent, MapSource, ReadLog, ReadLogOrder, VEHICLE_FILE, write_vehicle,
 };
@@ -123,7 +123,7 @@ impl LogFeature {
     }
 
     /// More of the log was read.
-    fn grow(&mut self, outline: Outline, context: &mut FeatureContext<'_>) {
+    fn grow(&mut self, outline: LogOutline, context: &mut FeatureContext<'_>) {
         if let Some(file) = &mut context.documents.log {
             file.grow(&outline);
         }

@@ -4,8 +4,8 @@ use egui::{Color32, Response};
 
 use super::{OpenLog, PlottedSeries};
 use crate::tokens::Tokens;
-use crate::views::chart::Axes;
-use crate::views::{Curve, TimeAxis};
+use crate::views::chart::ChartAxes;
+use crate::views::{TimeAxis, TimeCurve};
 use pilotage_jobs::SeriesName;
 
 /// Share of its height that a panel leaves free above and below its curves.
@@ -47,8 +47,8 @@ pub(super) fn colour(tokens: &Tokens, index: usize) -> Color32 {
 }
 
 /// Axes of the curves in a panel, with their times; the values are not known yet.
-pub(super) fn axes(response: &Response, tokens: &Tokens, span: (f64, f64)) -> Axes {
-    Axes {
+pub(super) fn axes(response: &Response, tokens: &Tokens, span: (f64, f64)) -> ChartAxes {
+    ChartAxes {
         rect: TimeAxis::curves_rect(response.rect, tokens),
         x: span,
         y: (0.0, 1.0),
@@ -56,8 +56,8 @@ pub(super) fn axes(response: &Response, tokens: &Tokens, span: (f64, f64)) -> Ax
     }
 }
 
-pub(super) fn curve(series: &PlottedSeries) -> Curve<'_> {
-    Curve {
+pub(super) fn curve(series: &PlottedSeries) -> TimeCurve<'_> {
+    TimeCurve {
         times: &series.times,
         values: series.values(),
         factor: 1.0,
@@ -68,7 +68,7 @@ pub(super) fn curve(series: &PlottedSeries) -> Curve<'_> {
 /// none.
 pub(super) fn y_range<'a>(
     series: impl Iterator<Item = &'a PlottedSeries>,
-    axes: &Axes,
+    axes: &ChartAxes,
 ) -> Option<(f64, f64)> {
     let extents = series.filter_map(|series| {
         let (low, high) = curve(series).extent(axes)?;

@@ -18,50 +18,50 @@ use pilotage_jobs::SeriesName;
 const MOST_COLUMNS: usize = 3;
 
 /// A row of the table: its name, and what it says of a field.
-struct Row {
+struct StatisticRow {
     name: &'static str,
     of: fn(&SpanStatistics) -> Option<f64>,
     /// Suffix behind the unit of the field.
     unit: &'static str,
 }
 
-const ROWS: [Row; 8] = [
-    Row {
+const ROWS: [StatisticRow; 8] = [
+    StatisticRow {
         name: "Least",
         of: |it| Some(it.least),
         unit: "",
     },
-    Row {
+    StatisticRow {
         name: "Greatest",
         of: |it| Some(it.greatest),
         unit: "",
     },
-    Row {
+    StatisticRow {
         name: "Mean",
         of: |it| Some(it.mean),
         unit: "",
     },
-    Row {
+    StatisticRow {
         name: "Std deviation",
         of: |it| it.deviation,
         unit: "",
     },
-    Row {
+    StatisticRow {
         name: "Median",
         of: |it| Some(it.median),
         unit: "",
     },
-    Row {
+    StatisticRow {
         name: "Change",
         of: |it| Some(it.change()),
         unit: "",
     },
-    Row {
+    StatisticRow {
         name: "Rate",
         of: SpanStatistics::rate,
         unit: "/s",
     },
-    Row {
+    StatisticRow {
         name: "Samples",
         of: |it| Some(it.count as f64),
         unit: "-",
@@ -233,7 +233,7 @@ fn title(
 }
 
 /// A figure of a field as people read it.
-fn cell(row: &Row, known: Option<&FieldFigures>) -> String {
+fn cell(row: &StatisticRow, known: Option<&FieldFigures>) -> String {
     match known {
         None => "…".to_owned(),
         Some(Err(_) | Ok(None)) => "–".to_owned(),

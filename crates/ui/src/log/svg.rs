@@ -6,7 +6,7 @@ use egui::{Color32, Pos2, Rect, Stroke};
 
 /// Position of a text relative to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Anchor {
+pub(super) enum TextAnchor {
     /// To the right of it.
     Start,
     /// Around it.
@@ -104,11 +104,11 @@ impl Svg {
     }
 
     /// A text on a line; its width on screen is not known here.
-    pub fn text(&mut self, at: Pos2, anchor: Anchor, text: &str, colour: Color32) {
+    pub fn text(&mut self, at: Pos2, anchor: TextAnchor, text: &str, colour: Color32) {
         let anchor = match anchor {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
+            TextAnchor::Start => "start",
+            TextAnchor::Middle => "middle",
+            TextAnchor::End => "end",
         };
         let _ = writeln!(
             self.body,
@@ -209,7 +209,7 @@ mod tests {
         });
         svg.text(
             pos2(3.0, 4.0),
-            Anchor::End,
+            TextAnchor::End,
             "a < b & \"c\"\u{0}",
             Color32::GRAY,
         );

@@ -4,7 +4,7 @@ use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetIn
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::navigator::StepReport;
 
-use crate::documents::Ground;
+use crate::documents::OpenedTerrain;
 use pilotage_core::imagery::terrain::Terrain as _;
 
 use super::symbols::{paint_ellipses, paint_sigma, sigma_points};
@@ -106,7 +106,7 @@ pub fn paint_attribution(ui: &Ui, rect: Rect, attribution: &str, tokens: &Tokens
 }
 
 /// Height of the ground at a place with what it counts from, where it is known.
-pub fn height_text(p: &GroundPoint, ground: &Ground, units: Units) -> Option<String> {
+pub fn height_text(p: &GroundPoint, ground: &OpenedTerrain, units: Units) -> Option<String> {
     let (factor, unit) = units.length();
     let height = factor * ground.height_at(p)?;
     let above = ground.heights()?.datum().frame();

@@ -12,7 +12,7 @@ use crate::tokens::Tokens;
 
 /// State of a landmark in the frame at the time cursor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seen {
+pub enum LandmarkState {
     /// Not looked for.
     Possible,
     /// It corrected the estimate.
@@ -24,17 +24,17 @@ pub enum Seen {
 }
 
 /// State of `landmark` in the frame of `step`, and its score.
-pub fn seen(landmark: &Landmark, step: Option<&StepReport>) -> (Seen, Option<f64>) {
+pub fn seen(landmark: &Landmark, step: Option<&StepReport>) -> (LandmarkState, Option<f64>) {
     if !landmark.enabled {
-        return (Seen::Off, None);
+        return (LandmarkState::Off, None);
     }
     let report: Option<&CandidateReport> = step
         .and_then(|s| s.frame.as_ref())
         .and_then(|f| f.candidates.iter().find(|c| c.landmark == landmark.id));
     match report {
-        None => (Seen::Possible, None),
-        Some(c) if c.outcome == Outcome::Accepted => (Seen::Accepted, Some(c.score)),
-        Some(c) => (Seen::Refused, Some(c.score)),
+        None => (LandmarkState::Possible, None),
+        Some(c) if c.outcome == Outcome::Accepted => (LandmarkState::Accepted, Some(c.score)),
+        Some(c) => (LandmarkState::Refused, Some(c.score)),
     }
 }
 
@@ -75,7 +75,7 @@ pub fn paint_landmarks(
         let (state, score) = seen(landmark, scene.step);
         let selected = scene.selection == Some(landmark.id);
         let color = color_of(state, tokens);
-        if let (Seen::Accepted, Some(from)) = (state, scene.lines_from) {
+        if let (LandmarkState::Accepted, Some(from)) = (state, scene.lines_from) {
             let to = view.apply(&landmark.reference);
             paint_lifted_line(painter, [from, to], 1.5, color, tokens);
         }
@@ -92,11 +92,11 @@ pub fn paint_landmarks(
             };
             let rank = match state {
                 _ if selected => 0,
-                Seen::Accepted => 1,
-                Seen::Refused => 2,
+                LandmarkState::Accepted => 1,
+                LandmarkState::Refused => 2,
                 _ => 3,
             };
-            labels.push(Label {
+            labels.push(LandmarkLabel {
                 rank,
                 around,
                 top: topmost(&corners),
@@ -109,7 +109,7 @@ pub fn paint_landmarks(
 }
 
 /// A name to be written beside a landmark.
-struct Label {
+struct LandmarkLabel {
     /// The smaller the sooner it gets a place; 0 always gets one.
     rank: u8,
     /// Part of the screen on which the landmark is drawn.
@@ -120,12 +120,12 @@ struct Label {
     color: Color32,
 }
 
-fn color_of(state: Seen, tokens: &Tokens) -> Color32 {
+fn color_of(state: LandmarkState, tokens: &Tokens) -> Color32 {
     match state {
-        Seen::Possible => tokens.sigma,
-        Seen::Accepted => tokens.observed,
-        Seen::Refused => tokens.refused,
-        Seen::Off => tokens.ghost,
+        LandmarkState::Possible => tokens.sigma,
+        LandmarkState::Accepted => tokens.observed,
+        LandmarkState::Refused => tokens.refused,
+        LandmarkState::Off => tokens.ghost,
     }
 }
 
@@ -133,7 +133,7 @@ fn paint_box(
     painter: &Painter,
     corners: &[Pos2; 4],
     drawn: Option<Vec<Pos2>>,
-    state: Seen,
+    state: LandmarkState,
     selected: bool,
     color: Color32,
     tokens: &Tokens,
@@ -152,7 +152,7 @@ fn paint_box(
         tokens.outline().gamma_multiply(0.6),
     );
     painter.add(Shape::closed_line(outline.clone(), below));
-    if state == Seen::Accepted && is_box {
+    if state == LandmarkState::Accepted && is_box {
         painter.add(Shape::convex_polygon(
             outline.clone(),
             color.gamma_multiply(0.22),
@@ -160,14 +160,14 @@ fn paint_box(
         ));
     }
     let stroke = Stroke::new(if selected { 2.5 } else { 1.5 }, color);
-    if state == Seen::Off {
+    if state == LandmarkState::Off {
         let mut closed = outline.clone();
         closed.extend(outline.first().copied());
         painter.extend(Shape::dashed_line(&closed, stroke, 4.0, 4.0));
     } else {
         painter.add(Shape::closed_line(outline.clone(), stroke));
     }
-    if state == Seen::Refused {
+    if state == LandmarkState::Refused {
         painter.line_segment([corners[0], corners[2]], stroke);
         painter.line_segment([corners[1], corners[3]], stroke);
     }
@@ -236,7 +236,7 @@ pub fn handles(corners: &[Pos2; 4]) -> [Pos2; 8] {
 fn paint_labels(
     painter: &Painter,
     screen: Rect,
-    mut labels: Vec<Label>,
+    mut labels: Vec<LandmarkLabel>,
     covered: &[Rect],
     tokens: &Tokens,
 ) {
@@ -264,7 +264,7 @@ fn paint_labels(
 }
 
 /// Places for a name, the best first: above, below, at either side.
-fn places(label: &Label) -> [(Pos2, Align2); 4] {
+fn places(label: &LandmarkLabel) -> [(Pos2, Align2); 4] {
     let around = label.around;
     [
         (label.top + vec2(0.0, -5.0), Align2::CENTER_BOTTOM),

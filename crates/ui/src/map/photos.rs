@@ -5,7 +5,7 @@ use egui::{Color32, ColorImage, Painter, Shape, Stroke, TextureHandle, TextureOp
 use pilotage_core::registration::Draped;
 
 use super::transform::ScreenFromWorld;
-use crate::photos::{Photos, Shown};
+use crate::photos::{PhotoAppearance, PhotosState};
 use crate::tokens::Tokens;
 
 /// Squares of the chequerboard along the longer side of a photo.
@@ -23,7 +23,7 @@ impl PhotoTexture {
         &mut self,
         painter: &Painter,
         view: &ScreenFromWorld,
-        photos: &Photos,
+        photos: &PhotosState,
         tokens: &Tokens,
     ) {
         let laid = (0..photos.reports.len()).filter_map(|n| Some((n, photos.laid(n)?)));
@@ -36,14 +36,14 @@ impl PhotoTexture {
         if let Some((draped, number)) = photos.draped() {
             let texture = self.texture(painter.ctx(), draped, number);
             match photos.shown {
-                Shown::Squares => squares(painter, view, draped, texture),
-                Shown::Whole(opacity) => {
+                PhotoAppearance::Squares => squares(painter, view, draped, texture),
+                PhotoAppearance::Whole(opacity) => {
                     let tint = Color32::WHITE.gamma_multiply(opacity);
                     let mut mesh = Mesh::with_texture(texture);
                     add(&mut mesh, view, draped, [0.0, 0.0, 1.0, 1.0], tint);
                     painter.add(Shape::mesh(mesh));
                 }
-                Shown::Outline => {}
+                PhotoAppearance::Outline => {}
             }
         }
         if let Some(photo) = photos.chosen.and_then(|number| photos.laid(number)) {

@@ -6,7 +6,7 @@ use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::navigator::StepReport;
 
 use crate::context::ViewContext;
-use crate::documents::Ground;
+use crate::documents::OpenedTerrain;
 use crate::tokens::Tokens;
 
 /// Single number: its name, value and unit.
@@ -21,7 +21,7 @@ struct Readout {
 /// Probability with which the position is within the distance that is told.
 const HELD: f64 = 0.95;
 
-fn readouts(context: &ViewContext<'_>, ground: &Ground, step: &StepReport) -> Vec<Readout> {
+fn readouts(context: &ViewContext<'_>, ground: &OpenedTerrain, step: &StepReport) -> Vec<Readout> {
     let (length, length_unit) = context.units.length();
     let (speed, speed_unit) = context.units.speed();
     let radius = circle_radius(&step.after.position_covariance(), HELD);
@@ -89,7 +89,7 @@ fn readouts(context: &ViewContext<'_>, ground: &Ground, step: &StepReport) -> Ve
 pub fn paint_readouts(
     ui: &mut Ui,
     context: &ViewContext<'_>,
-    ground: &Ground,
+    ground: &OpenedTerrain,
     step: &StepReport,
     left_top: egui::Pos2,
     room: f32,

@@ -6,7 +6,7 @@ use pilotage_core::navigator::Run;
 
 /// A point of a thinned track.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TrackPoint {
+pub struct ThinnedPoint {
     /// Seconds in the flight's time base.
     pub time: f64,
     /// Place of the point.
@@ -40,10 +40,10 @@ pub struct ThinTrack {
     level: i32,
     used: usize,
     corrected: bool,
-    points: Vec<TrackPoint>,
+    points: Vec<ThinnedPoint>,
     /// The ground under each group of points and the line to the point behind it.
     groups: Vec<GroundRect>,
-    last: Option<TrackPoint>,
+    last: Option<ThinnedPoint>,
     fan: Option<Fan>,
 }
 
@@ -89,7 +89,7 @@ impl ThinTrack {
         }
     }
 
-    fn push(&mut self, point: TrackPoint) {
+    fn push(&mut self, point: ThinnedPoint) {
         match (self.points.last().copied(), self.last) {
             (Some(kept), Some(last)) => {
                 // A line has the look of its end.
@@ -106,7 +106,7 @@ impl ThinTrack {
         self.last = Some(point);
     }
 
-    fn keep(&mut self, point: TrackPoint) {
+    fn keep(&mut self, point: ThinnedPoint) {
         let here = GroundRect::centered(point.place, 0.0, 0.0);
         if let Some(group) = self.groups.last_mut() {
             *group = group.union(&here);
@@ -164,7 +164,7 @@ impl ThinTrack {
             if let Some(frame) = &step.frame {
                 self.corrected = frame.joint.is_some();
             }
-            self.push(TrackPoint {
+            self.push(ThinnedPoint {
                 time: step.time,
                 place: place(step),
                 corrected: self.rough || self.corrected,
@@ -181,7 +181,7 @@ impl ThinTrack {
             truth.states.len(),
         );
         for state in &truth.states[self.used..] {
-            self.push(TrackPoint {
+            self.push(ThinnedPoint {
                 time: state.time,
                 place: GroundPoint::new(state.position.x, state.position.y),
                 corrected: true,
@@ -196,7 +196,7 @@ impl ThinTrack {
     }
 
     /// The groups of points that may touch `ground`.
-    pub fn groups(&self, ground: &GroundRect) -> impl Iterator<Item = Group<'_>> {
+    pub fn groups(&self, ground: &GroundRect) -> impl Iterator<Item = PointGroup<'_>> {
         let latest = self.groups.len().wrapping_sub(1);
         self.groups
             .iter()
@@ -209,7 +209,7 @@ impl ThinTrack {
                 let around = last.map_or(*around, |l| {
                     around.union(&GroundRect::centered(l.place, 0.0, 0.0))
                 });
-                around.overlaps(ground).then_some(Group {
+                around.overlaps(ground).then_some(PointGroup {
                     index,
                     points,
                     last,
@@ -220,17 +220,17 @@ impl ThinTrack {
 
 /// Some points of a track in a row, the first one of the next group included.
 #[derive(Clone, Copy, Debug)]
-pub struct Group<'a> {
+pub struct PointGroup<'a> {
     /// Index of the group in the track.
     pub index: usize,
-    points: &'a [TrackPoint],
+    points: &'a [ThinnedPoint],
     /// The latest point of the track, in its last group.
-    last: Option<TrackPoint>,
+    last: Option<ThinnedPoint>,
 }
 
-impl Group<'_> {
+impl PointGroup<'_> {
     /// The first point.
-    pub fn first(&self) -> &TrackPoint {
+    pub fn first(&self) -> &ThinnedPoint {
         &self.points[0]
     }
 
@@ -254,7 +254,7 @@ impl Group<'_> {
     }
 
     /// All of its points.
-    pub fn points(&self) -> &[TrackPoint] {
+    pub fn points(&self) -> &[ThinnedPoint] {
         self.points
     }
 
@@ -266,7 +266,7 @@ impl Group<'_> {
     }
 
     /// The points, with one at `now` put in if that lies between two of them.
-    pub fn split_at(&self, now: f64) -> Vec<TrackPoint> {
+    pub fn split_at(&self, now: f64) -> Vec<ThinnedPoint> {
         let mut points: Vec<_> = self.points.iter().copied().chain(self.last).collect();
         let after = points.partition_point(|p| p.time <= now);
         if let Some(before) = after.checked_sub(1).map(|i| points[i])
@@ -274,7 +274,7 @@ impl Group<'_> {
         {
             let fraction = (now - before.time) / (next.time - before.time);
             let between = |a: f64, b: f64| a + fraction * (b - a);
-            let here = TrackPoint {
+            let here = ThinnedPoint {
                 time: now,
                 place: GroundPoint::new(
                     between(before.place.north, next.place.north),
@@ -293,7 +293,7 @@ mod tests {
     use super::*;
 
     /// A bent course at 20 m/s with a sharp turn in the middle, corrected now and then.
-    fn course() -> Vec<TrackPoint> {
+    fn course() -> Vec<ThinnedPoint> {
         let along = |i: u32| {
             let t = 0.05 * f64::from(i);
             let (north, east) = if i < 1000 {
@@ -304,7 +304,7 @@ mod tests {
                     40.0 * (0.1 * t).sin() + t - 50.0,
                 )
             };
-            TrackPoint {
+            ThinnedPoint {
                 time: t,
                 place: GroundPoint::new(north, east),
                 corrected: i % 300 < 80,
@@ -313,7 +313,7 @@ mod tests {
         (0..2000).map(along).collect()
     }
 
-    fn thinned(course: &[TrackPoint], level: i32) -> ThinTrack {
+    fn thinned(course: &[ThinnedPoint], level: i32) -> ThinTrack {
         let mut track = ThinTrack {
             level,
             ..ThinTrack::default()
@@ -325,7 +325,7 @@ mod tests {
     }
 
     /// All points of a track, without those at which groups meet being there twice.
-    fn points(track: &ThinTrack, now: f64) -> Vec<TrackPoint> {
+    fn points(track: &ThinTrack, now: f64) -> Vec<ThinnedPoint> {
         let everywhere = GroundRect::centered(GroundPoint::new(0.0, 0.0), 1e5, 1e5);
         let groups = track.groups(&everywhere);
         let mut points: Vec<_> = groups.flat_map(|g| g.split_at(now)).collect();

@@ -8,9 +8,9 @@ use pilotage_core::flight::Truth;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::navigator::{Run, StepReport};
 
-use super::thin_track::{Group, ThinTrack, TrackPoint};
+use super::thin_track::{PointGroup, ThinTrack, ThinnedPoint};
 use super::transform::{MapCamera, ScreenFromWorld};
-use crate::kept_mesh::{Part, PlacedMesh};
+use crate::kept_mesh::{MeshPart, PlacedMesh};
 use crate::still::triangles;
 
 /// Seconds around the time cursor in which a track has its dashes and its outline. Further off it is a
@@ -54,7 +54,7 @@ const FUTURE: f32 = 0.42;
 
 /// Key of the triangles of a track: everything that they depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Look {
+struct TrackMeshKey {
     version: (u64, i32),
     metres_per_point: f64,
     pixels_per_point: f32,
@@ -63,14 +63,14 @@ struct Look {
 
 /// Triangles of a group as if north were up and the group's first point at the origin of the screen,
 /// and whether they show it as past.
-type Drawn = Option<(bool, Arc<Mesh>)>;
+type DrawnGroup = Option<(bool, Arc<Mesh>)>;
 
 /// The triangles of all complete groups of the rough track in one mesh, as if they were past.
 #[derive(Clone, Debug, Default)]
 struct FarDrawn {
     mesh: Arc<Mesh>,
     /// Of each group.
-    parts: Vec<Part>,
+    parts: Vec<MeshPart>,
     origin: GroundPoint,
 }
 
@@ -97,12 +97,12 @@ impl FarDrawn {
                 up: 0.0,
             }
             .screen_from_world(Rect::ZERO);
-            let place = |p: &TrackPoint| north_up.apply(&p.place);
+            let place = |p: &ThinnedPoint| north_up.apply(&p.place);
             let shapes = shapes(group.points(), f64::INFINITY, style, place);
             let mesh = Arc::make_mut(&mut self.mesh);
             let (vertices, indices) = (mesh.vertices.len(), mesh.indices.len());
             mesh.append(triangles(painter, Rect::EVERYTHING, shapes));
-            self.parts.push(Part {
+            self.parts.push(MeshPart {
                 vertices: vertices..mesh.vertices.len(),
                 indices: indices..mesh.indices.len(),
                 strength: 1.0,
@@ -114,13 +114,13 @@ impl FarDrawn {
 }
 
 /// Adds a part to those drawn: one that follows the last of them makes it longer.
-fn add_part(parts: &mut Vec<Part>, part: &Part, strength: f32) {
+fn add_part(parts: &mut Vec<MeshPart>, part: &MeshPart, strength: f32) {
     match parts.last_mut() {
         Some(last) if last.indices.end == part.indices.start && last.strength == strength => {
             last.indices.end = part.indices.end;
             last.vertices.end = part.vertices.end;
         }
-        _ => parts.push(Part {
+        _ => parts.push(MeshPart {
             strength,
             ..part.clone()
         }),
@@ -136,8 +136,8 @@ fn everywhere() -> GroundRect {
 pub struct DrawnTrack {
     near: ThinTrack,
     far: ThinTrack,
-    look: Option<Look>,
-    near_drawn: Vec<Drawn>,
+    look: Option<TrackMeshKey>,
+    near_drawn: Vec<DrawnGroup>,
     far_drawn: FarDrawn,
 }
 
@@ -183,7 +183,7 @@ impl DrawnTrack {
         now: f64,
         style: TrackStyle,
     ) {
-        let look = Look {
+        let look = TrackMeshKey {
             version: self.near.version(),
             metres_per_point: view.metres_per_point,
             pixels_per_point: painter.pixels_per_point(),
@@ -218,7 +218,7 @@ impl DrawnTrack {
             if let Some(part) = self.far_drawn.parts.get(group.index) {
                 add_part(&mut parts, part, if past { 1.0 } else { FUTURE });
             } else {
-                let place = |p: &TrackPoint| view.apply(&p.place);
+                let place = |p: &ThinnedPoint| view.apply(&p.place);
                 let shapes = shapes(&group.split_at(now), now, &plain, place);
                 mesh.append(triangles(painter, screen, shapes));
             }
@@ -230,7 +230,7 @@ impl DrawnTrack {
             parts,
         };
         far.paint(painter, lasting);
-        let mut add = |group: &Group<'_>, drawn: &mut Vec<Drawn>, style: &TrackStyle| {
+        let mut add = |group: &PointGroup<'_>, drawn: &mut Vec<DrawnGroup>, style: &TrackStyle| {
             let points = || group.split_at(now);
             let Some(past) = group.side(now) else {
                 let shapes = shapes(&points(), now, style, |p| view.apply(&p.place));
@@ -274,14 +274,14 @@ impl DrawnTrack {
 
 /// The lines through `points`.
 fn shapes(
-    points: &[TrackPoint],
+    points: &[ThinnedPoint],
     now: f64,
     style: &TrackStyle,
-    place: impl Fn(&TrackPoint) -> Pos2,
+    place: impl Fn(&ThinnedPoint) -> Pos2,
 ) -> Vec<Shape> {
     let mut shapes = Vec::new();
     // A line has the look of its end.
-    let kind = |point: &TrackPoint| (point.corrected, point.time <= now);
+    let kind = |point: &ThinnedPoint| (point.corrected, point.time <= now);
     let mut from = 0;
     while from + 1 < points.len() {
         let here = kind(&points[from + 1]);

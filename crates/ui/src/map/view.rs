@@ -21,9 +21,9 @@ use super::tiles::TileCache;
 use super::tool::{MapCanvas, MapStage, MapTool};
 use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
-use crate::context::{Drawn, ViewContext};
-use crate::documents::Ground;
-use crate::photos::Photos;
+use crate::context::{DrawnTimes, ViewContext};
+use crate::documents::OpenedTerrain;
+use crate::photos::PhotosState;
 use pilotage_jobs::{Distinctness, MapInfo};
 
 /// Data that the map needs beside what every view is given.
@@ -39,13 +39,13 @@ pub struct MapExtra<'a> {
     /// The world frame, if it has a place on the globe.
     pub frame: Option<LocalFrame>,
     /// The height of the ground.
-    pub ground: &'a Ground,
+    pub ground: &'a OpenedTerrain,
     /// Whom to thank for the map, shown wherever it is.
     pub attribution: Option<&'a str>,
     /// Layers of the features, over the tracks.
     pub layers: &'a [&'a dyn MapLayer],
     /// Photos that were laid on the map, while they are looked at.
-    pub photos: Option<&'a Photos>,
+    pub photos: Option<&'a PhotosState>,
 }
 
 /// The map's own state: how it is looked at, its textures and thinned tracks.
@@ -86,7 +86,7 @@ pub struct MapView {
     /// Centre and scale to which the map was fitted last.
     fitted: Option<(GroundPoint, f64)>,
     rect: Option<Rect>,
-    drawn: Option<Drawn>,
+    drawn: Option<DrawnTimes>,
     /// Parts of the map that panels cover: names of landmarks keep away from them.
     covered: Vec<Rect>,
     covering: Vec<Rect>,
@@ -113,7 +113,7 @@ impl MapView {
     }
 
     /// Step whose aircraft was drawn last.
-    pub fn drawn(&self) -> Option<Drawn> {
+    pub fn drawn(&self) -> Option<DrawnTimes> {
         self.drawn
     }
 

@@ -3,7 +3,7 @@
 use egui::{Color32, Shape, Stroke, Ui};
 
 use crate::tokens::Tokens;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 use crate::views::{TimeAxis, parts};
 use pilotage_jobs::AidedResult;
 
@@ -53,7 +53,7 @@ pub(super) fn growth_chart(
     if last <= 0.0 {
         return;
     }
-    let axes = Axes {
+    let axes = ChartAxes {
         rect,
         x: (0.0, last),
         y: (0.0, 1.06 * factor * most),

@@ -16,7 +16,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapLayer;
-use crate::shell::catalog::{Entry, Group, entry, shift};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 
 use panel::{OutageScene, outage_panel};
 use state::{ID, OutageCommand};
@@ -31,9 +31,9 @@ const INFO: FeatureInfo = FeatureInfo {
     commands,
 };
 
-fn commands() -> Vec<Entry> {
+fn commands() -> Vec<CommandEntry> {
     vec![entry(
-        Group::View,
+        CommandGroup::View,
         "Cut GPS out of the flight",
         vec![shift(Key::G)],
         OutageCommand::Show.into(),

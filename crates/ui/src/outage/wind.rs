@@ -4,7 +4,7 @@ use egui::{Color32, RichText, Sense, Shape, Stroke, Ui, vec2};
 
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 use crate::views::{TimeAxis, parts, table};
 use pilotage_jobs::WindReport;
 
@@ -98,7 +98,7 @@ fn course(ui: &mut Ui, context: &ViewContext<'_>, report: &WindReport) {
     rect.set_height(HEIGHT);
     let painter = ui.painter_at(outer);
     painter.rect_filled(rect, 2.0, tokens.background);
-    let axes = Axes {
+    let axes = ChartAxes {
         rect,
         x: span,
         y: (factor * (low - margin), factor * (high + margin)),

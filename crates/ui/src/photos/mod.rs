@@ -2,14 +2,14 @@
 
 mod state;
 
-pub use state::{Photos, Shown, Sought};
+pub use state::{PhotoAppearance, PhotosState, Sought};
 
 use egui::Key;
 use pilotage_core::flight::photo::PhotoSearch;
 
 use crate::command::Command;
 use crate::feature_command::FeatureCommand;
-use crate::shell::catalog::{Entry, Group, entry, shift};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 
 /// Something to do about photos on the map.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub enum PhotosCommand {
     /// Look at one of them, by its number.
     Choose(usize),
     /// Show the chosen one on the map so.
-    Display(Shown),
+    Display(PhotoAppearance),
 }
 
 impl From<PhotosCommand> for Command {
@@ -39,9 +39,9 @@ impl From<PhotosCommand> for Command {
 }
 
 /// Rows of the table of all commands.
-pub fn commands() -> Vec<Entry> {
+pub fn commands() -> Vec<CommandEntry> {
     vec![entry(
-        Group::View,
+        CommandGroup::View,
         "Lay photos on the map",
         vec![shift(Key::O)],
         PhotosCommand::Show.into(),

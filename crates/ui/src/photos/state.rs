@@ -8,7 +8,7 @@ use pilotage_jobs::{DrapeOrder, MapSource, PhotoReport, PhotosOrder};
 
 /// Appearance of the chosen photo over the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shown {
+pub enum PhotoAppearance {
     /// In every other square of a chequerboard: roads and roofs run on where it lies right.
     Squares,
     /// All of it, with this opacity, 0 to 1.
@@ -34,7 +34,7 @@ pub struct Sought {
 
 /// Photos on the map, until others are opened.
 #[derive(Debug)]
-pub struct Photos {
+pub struct PhotosState {
     /// Photos to be laid, and their map.
     pub sought: Option<Sought>,
     /// Search by which they are to be laid.
@@ -46,7 +46,7 @@ pub struct Photos {
     /// The one that is looked at.
     pub chosen: Option<usize>,
     /// Appearance of the chosen photo over the map.
-    pub shown: Shown,
+    pub shown: PhotoAppearance,
     /// Computation under way: share done, and words.
     pub at_work: Option<(f32, String)>,
     /// Why it came to nothing.
@@ -56,7 +56,7 @@ pub struct Photos {
     drapings: u64,
 }
 
-impl Default for Photos {
+impl Default for PhotosState {
     fn default() -> Self {
         Self {
             sought: None,
@@ -64,7 +64,7 @@ impl Default for Photos {
             searched: None,
             reports: Vec::new(),
             chosen: None,
-            shown: Shown::Squares,
+            shown: PhotoAppearance::Squares,
             at_work: None,
             trouble: None,
             draped: None,
@@ -73,7 +73,7 @@ impl Default for Photos {
     }
 }
 
-impl Photos {
+impl PhotosState {
     /// Takes others to be laid.
     pub fn seek(&mut self, sought: Sought) {
         self.forget();
@@ -141,7 +141,7 @@ impl Photos {
     pub fn drape_order(&self) -> Option<DrapeOrder> {
         let number = self.chosen?;
         let is_known = self.draped.as_ref().is_some_and(|(of, _)| *of == number);
-        if is_known || self.shown == Shown::Outline {
+        if is_known || self.shown == PhotoAppearance::Outline {
             return None;
         }
         let sought = self.sought.as_ref()?;

@@ -11,8 +11,8 @@ use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::host::Host;
 use pilotage_jobs::{
-    Assessment, AssessmentOrder, Basis, EnvelopeOrder, Job, JobEvent, JobId, KeptMeasurement,
-    MapSource, Measured,
+    Assessment, AssessmentOrder, EnvelopeOrder, Job, JobEvent, JobId, KeptMeasurement, MapSource,
+    MeasuredLandmark, MeasurementBasis,
 };
 
 /// Probability that is assumed of a landmark to be recognised on the day of the flight.
@@ -33,7 +33,7 @@ pub fn assumed() -> ExpectedDetection {
 /// Landmark ids being measured, and what came of it.
 #[derive(Debug, Default)]
 pub struct Assessments {
-    measured: HashMap<u32, Measured>,
+    measured: HashMap<u32, MeasuredLandmark>,
     /// The height around which landmarks were looked at, and the envelopes.
     envelopes: HashMap<u32, (Landmark, f64, Envelope)>,
     wants_envelope: Option<AssessmentOrder>,
@@ -51,7 +51,7 @@ pub struct Assessments {
     /// The map that all of it is about.
     map: Option<MapSource>,
     /// Basis of the measurements of a landmark.
-    bases: HashMap<u32, Basis>,
+    bases: HashMap<u32, MeasurementBasis>,
     /// Measurements of an earlier visit or out of a mission file that are not true of what is open.
     recalled: Vec<KeptMeasurement>,
     /// Whether there is something new to be stored.
@@ -68,7 +68,7 @@ fn same(a: &Landmark, b: &Landmark) -> bool {
 
 impl Assessments {
     /// Measurement of a landmark, while its box is still the same.
-    pub fn of(&self, landmark: &Landmark) -> Option<&Measured> {
+    pub fn of(&self, landmark: &Landmark) -> Option<&MeasuredLandmark> {
         let known = self.measured.get(&landmark.id);
         known.filter(|m| same(&m.last.landmark, landmark))
     }
@@ -228,7 +228,7 @@ impl Assessments {
         let id = order.landmark.id;
         let basis = basis_of(documents, order);
         let before = self.bases.remove(&id);
-        let is_like = |basis: &Basis| before.as_ref().is_some_and(|b| b.is_like(basis));
+        let is_like = |basis: &MeasurementBasis| before.as_ref().is_some_and(|b| b.is_like(basis));
         if !basis.as_ref().is_some_and(is_like) {
             self.measured.remove(&id);
             self.envelopes.remove(&id);
@@ -321,7 +321,7 @@ impl Assessments {
         by_height.retain(|(height, _)| (height - found.height).abs() > 1.0);
         by_height.push((found.height, found.expected));
         by_height.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let measured = Measured {
+        let measured = MeasuredLandmark {
             last: found.clone(),
             statistics: DetectionStatistics {
                 by_height,

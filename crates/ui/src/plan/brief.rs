@@ -7,13 +7,13 @@ use base64::engine::general_purpose::STANDARD;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, Route};
-use pilotage_core::plan::Prediction;
+use pilotage_core::plan::RoutePrediction;
 
 use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
 use super::printing::BriefLandmark;
 use super::way_points::{action_words, altitude_words};
-use super::words::{Outlook, distance_text};
+use super::words::{PredictionFigures, distance_text};
 use crate::units::Units;
 use pilotage_jobs::{BriefPictures, EncodedPicture};
 
@@ -39,7 +39,7 @@ pub struct BriefScene<'a> {
     /// Energy left at each way-point, watt hours.
     pub left: Option<Vec<f64>>,
     /// Prediction along the route.
-    pub prediction: Option<&'a Prediction>,
+    pub prediction: Option<&'a RoutePrediction>,
     /// The limit of the standard deviation, metres.
     pub limit: f64,
     /// Wind, height, camera and what else is assumed, in sentences.
@@ -233,7 +233,7 @@ fn scale_bar(text: &mut String, scene: &BriefScene<'_>, scale: f64, height: f64)
 
 fn outlook(text: &mut String, scene: &BriefScene<'_>) {
     text.push_str("<h2>Predicted error of position</h2>");
-    let Some(outlook) = scene.prediction.and_then(Outlook::of) else {
+    let Some(outlook) = scene.prediction.and_then(PredictionFigures::of) else {
         text.push_str("<p>It is not predicted.</p>");
         return;
     };

@@ -4,15 +4,15 @@ use egui::Key;
 
 use super::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 use crate::command::Command;
-use crate::shell::catalog::{Entry, Group, control, entry, plain, shift};
+use crate::shell::catalog::{CommandEntry, CommandGroup, control, entry, plain, shift};
 
 /// Rows of the table of all commands.
-pub fn commands() -> Vec<Entry> {
+pub fn commands() -> Vec<CommandEntry> {
     let mut entries = plan();
     entries.extend(trainings());
     entries.extend(ground());
     entries.push(entry(
-        Group::Document,
+        CommandGroup::Document,
         "Print the mission brief",
         vec![control(Key::P)],
         Command::from(PlanCommand::PrintBrief),
@@ -20,9 +20,10 @@ pub fn commands() -> Vec<Entry> {
     entries
 }
 
-fn plan() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::from(command));
+fn plan() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| {
+        entry(CommandGroup::Plan, label, shortcuts, Command::from(command))
+    };
     vec![
         of(
             "Draw a route, or finish it",
@@ -101,10 +102,10 @@ fn plan() -> Vec<Entry> {
     ]
 }
 
-fn trainings() -> Vec<Entry> {
+fn trainings() -> Vec<CommandEntry> {
     let of = |label, shortcuts, command| {
         let command = Command::from(PlanCommand::Train(command));
-        entry(Group::Plan, label, shortcuts, command)
+        entry(CommandGroup::Plan, label, shortcuts, command)
     };
     vec![
         of(
@@ -135,9 +136,10 @@ fn trainings() -> Vec<Entry> {
     ]
 }
 
-fn ground() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::from(command));
+fn ground() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| {
+        entry(CommandGroup::Plan, label, shortcuts, Command::from(command))
+    };
     vec![
         of(
             "Show or hide where a fix would be had",

@@ -4,14 +4,14 @@ use egui::{
     Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{Prediction, PredictionSample};
+use pilotage_core::plan::{PredictionSample, RoutePrediction};
 
 use super::corridor_paint::kept_color;
 use super::lanes::{Blip, blips};
 use super::words::{distance_text, long};
 use crate::tokens::Tokens;
 use crate::units::Units;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 
 const LEFT: f32 = 44.0;
 const HEADER: f32 = 18.0;
@@ -23,7 +23,7 @@ const MOST_LANES: usize = 5;
 /// Content of the chart.
 pub struct ChartScene<'a> {
     /// The prediction.
-    pub prediction: &'a Prediction,
+    pub prediction: &'a RoutePrediction,
     /// The landmarks of it.
     pub landmarks: &'a [&'a Landmark],
     /// Stretches on which the corridor reaches into no-fly areas, metres along the path.
@@ -84,7 +84,7 @@ impl Chart {
         }
         let top = samples.iter().map(|s| s.corridor.across);
         let top = 1.08 * near * top.fold(1.4 * scene.limit, f64::max);
-        let axes = Axes {
+        let axes = ChartAxes {
             rect,
             x: (0.0, last.distance * far),
             y: (0.0, top),

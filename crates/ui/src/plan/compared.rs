@@ -1,11 +1,11 @@
 //! A route that was found in numbers, to be compared with another.
 
-use super::words::Outlook;
+use super::words::PredictionFigures;
 use pilotage_jobs::Foreseen;
 
 /// Figures of a route in the comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Compared {
+pub struct RouteFigures {
     /// Length over the way-points, metres.
     pub length: f64,
     /// Duration with its turns, seconds.
@@ -16,11 +16,11 @@ pub struct Compared {
     pub mean: f64,
 }
 
-impl Compared {
+impl RouteFigures {
     /// Figures of a route; `None` without a prediction.
     pub fn of(foreseen: &Foreseen) -> Option<Self> {
         let samples = &foreseen.prediction.samples;
-        let outlook = Outlook::of(&foreseen.prediction)?;
+        let outlook = PredictionFigures::of(&foreseen.prediction)?;
         let sum: f64 = samples.iter().map(|s| s.corridor.sigma_major).sum();
         Some(Self {
             length: foreseen.route.length,

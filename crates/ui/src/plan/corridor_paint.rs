@@ -3,7 +3,7 @@
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Color32, Painter, Pos2, Shape, Stroke};
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::plan::{Prediction, PredictionSample};
+use pilotage_core::plan::{PredictionSample, RoutePrediction};
 
 use crate::map::{ScreenFromWorld, ellipse};
 use crate::tokens::Tokens;
@@ -68,7 +68,7 @@ fn band(pieces: &[Across], color: impl Fn(usize) -> Color32) -> Shape {
 /// A band along the flown path, as wide as the 95 % corridor.
 pub(super) fn corridor_band(
     view: &ScreenFromWorld,
-    prediction: &Prediction,
+    prediction: &RoutePrediction,
     color: Color32,
 ) -> Shape {
     band(&across(view, &prediction.samples), |_| color)
@@ -78,7 +78,7 @@ pub(super) fn corridor_band(
 pub(super) fn paint_corridor(
     painter: &Painter,
     view: &ScreenFromWorld,
-    prediction: &Prediction,
+    prediction: &RoutePrediction,
     limit: f64,
     tokens: &Tokens,
 ) {
@@ -145,7 +145,7 @@ fn paint_edges(painter: &Painter, pieces: &[Across], color: Color32, is_dashed: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pilotage_core::plan::{Belief, corridor};
+    use pilotage_core::plan::{WorldError, corridor};
 
     #[test]
     fn a_corridor_of_kilometres_does_not_cover_the_map() {
@@ -156,7 +156,7 @@ mod tests {
             middle: Pos2::new(400.0, 300.0),
         };
         let sample = |sigma: f64| {
-            let world = Belief {
+            let world = WorldError {
                 weight: 1.0,
                 mean: nalgebra::Vector2::zeros(),
                 covariance: nalgebra::Matrix2::identity() * sigma * sigma,

@@ -8,9 +8,9 @@ use super::PlanCommand;
 use super::find_command::{FindCommand, FindPick};
 use super::flown;
 use super::heat_command::HeatCommand;
-use super::patterns::{Cover, Pattern};
+use super::patterns::{CoveredGround, Pattern};
 use super::planner::{Planner, made_for};
-use super::routes::{Step, like};
+use super::routes::{EditStep, like};
 use super::tab::PlanTab;
 use crate::feature::FeatureContext;
 use pilotage_jobs::{AssessmentOrder, FlightSource};
@@ -64,7 +64,9 @@ impl Planner {
                 *shown = !*shown;
             }
             PlanCommand::SetGround { height, finished } => {
-                context.documents.state_ground(height, Step::of(finished));
+                context
+                    .documents
+                    .state_ground(height, EditStep::of(finished));
                 context.document_changed();
             }
             PlanCommand::SetWind(wind) => self.preferences.wind = wind,
@@ -87,7 +89,7 @@ impl Planner {
                 finished,
             } => {
                 self.finder.found = None;
-                let step = Step::of(finished);
+                let step = EditStep::of(finished);
                 context.documents.edit_no_fly(index, step, change);
                 context.document_changed();
             }
@@ -147,7 +149,7 @@ impl Planner {
             let at = at.unwrap_or(context.map.camera.center);
             let usual = flown::usual_altitude(documents);
             if let Some(id) = documents.route {
-                documents.edit_route(id, Step::Whole, |route| {
+                documents.edit_route(id, EditStep::Whole, |route| {
                     let new = like(route.way_points.last(), at, usual);
                     route.way_points.push(new);
                 });
@@ -179,7 +181,7 @@ impl Planner {
                 let usual = flown::usual_altitude(documents);
                 let route = documents.selected_route();
                 let made_for = made_for(self, documents, route);
-                documents.edit_route(id, Step::of(finished), |route| {
+                documents.edit_route(id, EditStep::of(finished), |route| {
                     pattern.apply(route, usual, &made_for);
                 });
                 self.way_point = None;
@@ -191,7 +193,7 @@ impl Planner {
                     let made_for = made_for(self, documents, Some(&route));
                     let line: Vec<GroundPoint> =
                         route.way_points.iter().map(|w| w.position).collect();
-                    let cover = Cover::Corridor { width_m: CORRIDOR };
+                    let cover = CoveredGround::Corridor { width_m: CORRIDOR };
                     let pattern = Pattern::new(cover, &line, &made_for.frame);
                     let mut new = Route::default();
                     pattern.apply(&mut new, altitude, &made_for);
@@ -211,7 +213,7 @@ impl Planner {
                     return;
                 }
                 let command = PlanCommand::DeleteWayPoint(which);
-                documents.edit_route(id, Step::Whole, |r| change(r, &command));
+                documents.edit_route(id, EditStep::Whole, |r| change(r, &command));
                 self.way_point = None;
             }
             other => documents.edit_route(id, step_of(&other), |r| change(r, &other)),
@@ -253,14 +255,14 @@ impl Planner {
     }
 }
 
-fn step_of(command: &PlanCommand) -> Step {
+fn step_of(command: &PlanCommand) -> EditStep {
     match command {
         PlanCommand::InsertWayPoint { finished, .. }
         | PlanCommand::MoveWayPoint { finished, .. }
         | PlanCommand::SetAltitude { finished, .. }
         | PlanCommand::SetAction { finished, .. }
-        | PlanCommand::SetSpeed { finished, .. } => Step::of(*finished),
-        _ => Step::Whole,
+        | PlanCommand::SetSpeed { finished, .. } => EditStep::of(*finished),
+        _ => EditStep::Whole,
     }
 }
 

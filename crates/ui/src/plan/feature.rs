@@ -1,7 +1,7 @@
 //! The plan as a feature: what it is asked by the app.
 
 use egui::{Rect, Ui, vec2};
-use pilotage_jobs::{Beside, JobEvent, JobId, Opened};
+use pilotage_jobs::{Beside, JobEvent, JobId, OpenedFiles};
 use serde_json::Value;
 
 use super::catalog::commands;
@@ -150,7 +150,7 @@ impl Feature for Planner {
         };
     }
 
-    fn take_opened(&mut self, opened: &mut Opened, context: &mut FeatureContext<'_>) {
+    fn take_opened(&mut self, opened: &mut OpenedFiles, context: &mut FeatureContext<'_>) {
         self.add_imports(std::mem::take(&mut opened.imports), context);
     }
 

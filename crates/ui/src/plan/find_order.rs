@@ -6,7 +6,7 @@ use pilotage_core::plan::Turns;
 use pilotage_core::simulate::GuidanceSettings;
 use serde_json::{Value, json};
 
-use super::compared::Compared;
+use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
 use super::flown::{cruise, ground_down, height, line, usual_altitude};
 use super::heat_command::HeatOf;
@@ -167,7 +167,7 @@ impl Planner {
         let finder = &self.finder;
         let place = |p: GroundPoint| json!([p.north, p.east]);
         let of = |foreseen: &Foreseen| {
-            Compared::of(foreseen).map(|c| {
+            RouteFigures::of(foreseen).map(|c| {
                 json!({
                     "length": c.length,
                     "time": c.time,

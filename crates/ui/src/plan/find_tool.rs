@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, CursorIcon, Key, Painter, Pos2, Response, Shape, Stroke, Ui, vec2};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::Mission;
-use pilotage_core::plan::Prediction;
+use pilotage_core::plan::RoutePrediction;
 
 use super::PlanCommand;
 use super::corridor_paint::corridor_band;
@@ -134,7 +134,7 @@ fn middle(corners: &[GroundPoint]) -> Option<GroundPoint> {
 fn paint_prediction(
     painter: &Painter,
     view: &ScreenFromWorld,
-    prediction: &Prediction,
+    prediction: &RoutePrediction,
     color: Color32,
 ) {
     painter.add(corridor_band(view, prediction, color.gamma_multiply(0.3)));

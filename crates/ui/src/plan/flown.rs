@@ -5,7 +5,7 @@ use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
 use pilotage_core::mission::{Route, WayPoint};
 use pilotage_core::simulate::{Airframe, Scenario, SimulationChoice, Target, Wind};
 
-use super::profile::{Sample, on_leg, profile};
+use super::profile::{ProfileSample, on_leg, profile};
 use crate::documents::Documents;
 use pilotage_jobs::{FlightSource, scenario_wind};
 
@@ -88,7 +88,7 @@ pub fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Ve
     let ground = |p: &GroundPoint| relief.at(p);
     let take_off = relief.take_off(route);
     let (mut places, mut targets) = (Vec::new(), Vec::new());
-    let mut add = |sample: &Sample, airspeed| {
+    let mut add = |sample: &ProfileSample, airspeed| {
         places.push(sample.place);
         targets.push(Target {
             height: sample.above().max(1.0),

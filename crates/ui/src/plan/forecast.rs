@@ -1,6 +1,6 @@
 //! The prediction on screen: a coarse one at once, a fine one as soon as the plan rests.
 
-use pilotage_core::plan::Prediction;
+use pilotage_core::plan::RoutePrediction;
 
 use crate::feature::FeatureContext;
 use pilotage_jobs::{COARSE, Job, JobEvent, JobId, PredictionOrder};
@@ -12,7 +12,7 @@ const REST: f64 = 250.0;
 
 /// A prediction under way.
 #[derive(Debug)]
-struct Asked {
+struct AskedPrediction {
     id: JobId,
     order: PredictionOrder,
     since: f64,
@@ -20,9 +20,9 @@ struct Asked {
 
 /// A prediction, and what it is of.
 #[derive(Debug)]
-pub struct Shown {
+pub struct ShownPrediction {
     /// The prediction, marked by the user's limit.
-    pub prediction: Prediction,
+    pub prediction: RoutePrediction,
     /// Order of the prediction.
     pub order: PredictionOrder,
     /// Time until the prediction was here, milliseconds.
@@ -32,10 +32,10 @@ pub struct Shown {
 /// Prediction that is shown, and the prediction under way.
 #[derive(Debug, Default)]
 pub struct Forecast {
-    shown: Option<Shown>,
+    shown: Option<ShownPrediction>,
     /// Why nothing can be predicted.
     trouble: Option<String>,
-    asked: Option<Asked>,
+    asked: Option<AskedPrediction>,
     /// The plan as it was last, and since when, milliseconds.
     plan: Option<(PredictionOrder, f64)>,
     limit: f64,
@@ -45,7 +45,7 @@ pub struct Forecast {
 
 impl Forecast {
     /// The prediction on screen.
-    pub fn shown(&self) -> Option<&Shown> {
+    pub fn shown(&self) -> Option<&ShownPrediction> {
         self.shown.as_ref()
     }
 
@@ -56,7 +56,7 @@ impl Forecast {
 
     /// Whether it is of the plan as it is now, with all worlds.
     pub fn is_fine(&self) -> bool {
-        let fine = |s: &Shown| s.order.worlds == FINE && self.is_of_now(&s.order);
+        let fine = |s: &ShownPrediction| s.order.worlds == FINE && self.is_of_now(&s.order);
         self.shown.as_ref().is_some_and(fine)
     }
 
@@ -110,7 +110,7 @@ impl Forecast {
             }
         }
         let known = |worlds: usize| {
-            let of_now = |s: &Shown| s.order.worlds >= worlds && self.is_of_now(&s.order);
+            let of_now = |s: &ShownPrediction| s.order.worlds >= worlds && self.is_of_now(&s.order);
             self.shown.as_ref().is_some_and(of_now)
         };
         if self.trouble.is_some() || known(FINE) {
@@ -125,7 +125,7 @@ impl Forecast {
         };
         let order = PredictionOrder { worlds, ..plan };
         let id = context.start(Job::Predict(Box::new(order.clone())));
-        self.asked = Some(Asked {
+        self.asked = Some(AskedPrediction {
             id,
             order,
             since: now,
@@ -158,7 +158,7 @@ impl Forecast {
                 if asked.order.worlds == COARSE {
                     self.coarse = Some((took, *computed));
                 }
-                self.shown = Some(Shown {
+                self.shown = Some(ShownPrediction {
                     prediction,
                     order: asked.order,
                     took,

@@ -7,7 +7,7 @@ use pilotage_core::plan::{Aim, BudgetOf};
 use super::PlanCommand;
 use super::button::button;
 use super::command::AreaChange;
-use super::compared::Compared;
+use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
 use super::find_tool::hint;
 use super::heat::BLIND;
@@ -343,7 +343,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     let Some(found) = &planner.finder.found else {
         return;
     };
-    let both = Compared::of(&found.shortest).zip(Compared::of(&found.surest));
+    let both = RouteFigures::of(&found.shortest).zip(RouteFigures::of(&found.surest));
     let Some((shortest, surest)) = both else {
         return;
     };

@@ -14,7 +14,7 @@ const REST: f64 = 300.0;
 
 /// A heat map under way.
 #[derive(Debug)]
-struct Asked {
+struct AskedHeatMap {
     id: JobId,
     order: FieldOrder,
 }
@@ -23,7 +23,7 @@ struct Asked {
 #[derive(Default)]
 pub struct Heat {
     field: Option<(FieldOrder, Localizability)>,
-    asked: Option<Asked>,
+    asked: Option<AskedHeatMap>,
     progress: (f32, String),
     trouble: Option<String>,
     /// Field that was asked for last, and since when, milliseconds.
@@ -111,7 +111,7 @@ impl Heat {
         }
         let id = context.start(Job::Field(Box::new(wanted.clone())));
         self.progress = (0.0, "Waiting for a worker".to_owned());
-        self.asked = Some(Asked { id, order: wanted });
+        self.asked = Some(AskedHeatMap { id, order: wanted });
         false
     }
 

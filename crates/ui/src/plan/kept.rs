@@ -10,19 +10,19 @@ use pilotage_core::navigator::NavigatorSettings;
 
 use super::flown;
 use crate::documents::Documents;
-use pilotage_jobs::{AssessmentOrder, Basis, KeptMeasurement};
+use pilotage_jobs::{AssessmentOrder, KeptMeasurement, MeasurementBasis};
 
 /// Key in the browser's storage.
 pub const MEASURED_KEY: &str = "measured landmarks";
 /// First byte of what is stored: the form of the bytes.
 const FORM: u8 = 1;
 /// Basis of measurements on `order` over the open map; `None` while the map is not known.
-pub fn basis_of(documents: &Documents, order: &AssessmentOrder) -> Option<Basis> {
+pub fn basis_of(documents: &Documents, order: &AssessmentOrder) -> Option<MeasurementBasis> {
     basis(documents, &order.camera, &order.navigator)
 }
 
 /// Basis of measurements that would be made now; `None` while the map is not known.
-fn basis_now(documents: &Documents) -> Option<Basis> {
+fn basis_now(documents: &Documents) -> Option<MeasurementBasis> {
     let camera = flown::camera(documents);
     basis(documents, &camera, &documents.mission.navigator)
 }
@@ -31,10 +31,12 @@ fn basis(
     documents: &Documents,
     camera: &CameraModel,
     navigator: &NavigatorSettings,
-) -> Option<Basis> {
+) -> Option<MeasurementBasis> {
     let (map, source) = (documents.map.as_ref()?, &documents.map_source);
     let (sensors, detector) = (navigator.sensors, navigator.detector);
-    Some(Basis::new(map, source, camera, sensors, detector))
+    Some(MeasurementBasis::new(
+        map, source, camera, sensors, detector,
+    ))
 }
 
 /// As bytes for the storage.
@@ -72,12 +74,12 @@ pub fn use_what_is_true(
 mod tests {
     use pilotage_core::frames::{GroundPoint, GroundRect};
     use pilotage_core::landmark::DetectorChoice;
-    use pilotage_core::plan::{Breakdown, DetectionStatistics, Envelope, Tally};
+    use pilotage_core::plan::{DetectionStatistics, Envelope, LookTally, ViewBreakdown};
 
     use super::super::assessments::assumed;
     use super::*;
     use crate::documents::Session;
-    use pilotage_jobs::{Assessment, Beside, MapInfo, Measured};
+    use pilotage_jobs::{Assessment, Beside, MapInfo, MeasuredLandmark};
 
     fn documents() -> Documents {
         let mut documents = Documents::new(&Session::demo());
@@ -98,14 +100,14 @@ mod tests {
         let landmark = documents.mission.landmarks[0].clone();
         KeptMeasurement {
             basis: basis_now(documents).unwrap(),
-            measured: Some(Measured {
+            measured: Some(MeasuredLandmark {
                 last: Assessment {
                     landmark: landmark.clone(),
                     height: 120.0,
                     expected: assumed(),
                     false_matches: 0.0,
                     views: Vec::new(),
-                    breakdown: Breakdown::default(),
+                    breakdown: ViewBreakdown::default(),
                 },
                 statistics: DetectionStatistics::everywhere(assumed()),
             }),
@@ -114,7 +116,7 @@ mod tests {
                 Envelope {
                     heights: vec![120.0],
                     tilts: vec![0.0],
-                    cells: vec![Tally::default()],
+                    cells: vec![LookTally::default()],
                 },
             )),
             landmark,

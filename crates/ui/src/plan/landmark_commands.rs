@@ -6,12 +6,12 @@ use pilotage_core::mission::Route;
 use super::PlanCommand;
 use super::flown;
 use super::marking::Marking;
-use super::patterns::{Cover, Pattern};
+use super::patterns::{CoveredGround, Pattern};
 use super::planner::{Planner, circumstances};
 use super::purpose::Purpose;
 use super::suggest_command::SuggestCommand;
 use super::tab::PlanTab;
-use crate::documents::landmarks::{Drawn, LandmarkChange};
+use crate::documents::landmarks::{DrawnLandmark, LandmarkChange};
 use crate::feature::FeatureContext;
 
 impl Planner {
@@ -99,7 +99,7 @@ impl Planner {
         };
         let Marking { purpose, corners } = marking;
         match (purpose, corners.first().copied()) {
-            (Purpose::Point, Some(point)) => self.add_drawn(&Drawn::Point(point), context),
+            (Purpose::Point, Some(point)) => self.add_drawn(&DrawnLandmark::Point(point), context),
             (Purpose::Reference, Some(place)) => {
                 if let Some(id) = *context.selection {
                     let change = LandmarkChange::Reference(place);
@@ -110,7 +110,7 @@ impl Planner {
                 }
             }
             (Purpose::Outline, _) if corners.len() >= 3 => {
-                self.add_drawn(&Drawn::Outline(corners), context);
+                self.add_drawn(&DrawnLandmark::Outline(corners), context);
             }
             (Purpose::Survey, _) if corners.len() >= 3 => self.add_survey(&corners, context),
             (Purpose::Outline | Purpose::Survey, Some(_)) => {
@@ -129,7 +129,7 @@ impl Planner {
             .and_then(|r| r.way_points.first())
             .map_or(usual, |w| w.altitude);
         let made_for = circumstances(self, documents, altitude, corners);
-        let pattern = Pattern::new(Cover::Survey, corners, &made_for.frame);
+        let pattern = Pattern::new(CoveredGround::Survey, corners, &made_for.frame);
         let mut route = Route::default();
         pattern.apply(&mut route, altitude, &made_for);
         documents.route = Some(documents.add_made(route, "Survey"));
@@ -138,7 +138,7 @@ impl Planner {
         context.document_changed();
     }
 
-    fn add_drawn(&mut self, drawn: &Drawn, context: &mut FeatureContext<'_>) {
+    fn add_drawn(&mut self, drawn: &DrawnLandmark, context: &mut FeatureContext<'_>) {
         let id = context.documents.add_drawn(drawn);
         self.tab = PlanTab::Landmarks;
         context.present(id);

@@ -16,7 +16,7 @@ use crate::views::landmark_keyboard;
 
 /// Column that the table is sorted by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Column {
+enum LandmarkColumn {
     #[default]
     Order,
     Name,
@@ -28,7 +28,7 @@ enum Column {
 /// Sorting, filter and marks of the table.
 #[derive(Debug, Default)]
 pub struct LandmarkTable {
-    by: Column,
+    by: LandmarkColumn,
     descending: bool,
     /// Words that every landmark shown must have.
     filter: String,
@@ -47,7 +47,7 @@ const PADDING: f32 = 8.0;
 
 /// Ends of the columns of a row; that of categories is there if any landmark has one.
 #[derive(Clone, Copy)]
-struct Columns {
+struct ColumnEnds {
     left: f32,
     name: f32,
     category: f32,
@@ -55,7 +55,7 @@ struct Columns {
     found: f32,
 }
 
-impl Columns {
+impl ColumnEnds {
     fn of(rect: &egui::Rect, categories: bool) -> Self {
         let found = rect.right();
         let size = found - FOUND;
@@ -180,14 +180,14 @@ impl LandmarkTable {
         let area = |l: &Landmark| l.bounds.width() * l.bounds.height();
         let found = |l: &Landmark| assessments.of(l).map(|m| m.last.expected.probability());
         let order = match self.by {
-            Column::Order => Ordering::Equal,
-            Column::Name => a.name.to_lowercase().cmp(&b.name.to_lowercase()),
-            Column::Category => a
+            LandmarkColumn::Order => Ordering::Equal,
+            LandmarkColumn::Name => a.name.to_lowercase().cmp(&b.name.to_lowercase()),
+            LandmarkColumn::Category => a
                 .category()
                 .to_lowercase()
                 .cmp(&b.category().to_lowercase()),
-            Column::Size => area(a).total_cmp(&area(b)),
-            Column::Found => {
+            LandmarkColumn::Size => area(a).total_cmp(&area(b)),
+            LandmarkColumn::Found => {
                 let of = |l| found(l).unwrap_or_else(|| assumed().probability());
                 of(a).total_cmp(&of(b))
             }
@@ -202,13 +202,13 @@ impl LandmarkTable {
     fn header(&mut self, ui: &mut Ui, tokens: &Tokens, categories: bool) {
         let width = ui.available_width();
         let (rect, _) = ui.allocate_exact_size(vec2(width, 24.0), Sense::hover());
-        let at = Columns::of(&rect, categories);
-        let mut columns = vec![(Column::Name, "Landmark", at.left..=at.name)];
+        let at = ColumnEnds::of(&rect, categories);
+        let mut columns = vec![(LandmarkColumn::Name, "Landmark", at.left..=at.name)];
         if categories {
-            columns.push((Column::Category, "Category", at.name..=at.category));
+            columns.push((LandmarkColumn::Category, "Category", at.name..=at.category));
         }
-        columns.push((Column::Size, "Size", at.category..=at.size));
-        columns.push((Column::Found, "Found", at.size..=at.found));
+        columns.push((LandmarkColumn::Size, "Size", at.category..=at.size));
+        columns.push((LandmarkColumn::Found, "Found", at.size..=at.found));
         for (column, label, x) in columns {
             let cell = egui::Rect::from_x_y_ranges(x, rect.y_range());
             let id = ui.scope_id().with(label);
@@ -218,13 +218,20 @@ impl LandmarkTable {
                 (self.by, self.descending) = match (self.by == column, self.descending) {
                     (false, _) => (column, false),
                     (true, false) => (column, true),
-                    (true, true) => (Column::Order, false),
+                    (true, true) => (LandmarkColumn::Order, false),
                 };
             }
         }
     }
 
-    fn title(&self, ui: &Ui, response: &Response, column: Column, label: &str, tokens: &Tokens) {
+    fn title(
+        &self,
+        ui: &Ui,
+        response: &Response,
+        column: LandmarkColumn,
+        label: &str,
+        tokens: &Tokens,
+    ) {
         let sorted = self.by == column;
         response.widget_info(|| {
             let name = format!("Sort by {}", label.to_lowercase());
@@ -235,7 +242,7 @@ impl LandmarkTable {
         } else {
             tokens.muted
         };
-        let (at, align) = if column == Column::Name {
+        let (at, align) = if column == LandmarkColumn::Name {
             (
                 response.rect.left_center() + vec2(8.0, 0.0),
                 Align2::LEFT_CENTER,
@@ -249,7 +256,7 @@ impl LandmarkTable {
         let painter = ui.painter();
         let words = painter.text(at, align, label, tokens.small(), color);
         if sorted {
-            let middle = if column == Column::Name {
+            let middle = if column == LandmarkColumn::Name {
                 words.right_center() + vec2(9.0, 0.0)
             } else {
                 words.left_center() - vec2(9.0, 0.0)
@@ -344,7 +351,7 @@ fn row(
         } else {
             tokens.muted
         };
-        let at = Columns::of(&rect, categories);
+        let at = ColumnEnds::of(&rect, categories);
         let cell = |from: f32, to: f32| {
             let room = egui::Rect::from_x_y_ranges(from..=to, rect.y_range());
             (

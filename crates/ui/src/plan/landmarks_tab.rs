@@ -15,7 +15,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{caption, chip, icon_button, icons::Icon, muted, text_button};
 use crate::views::ellipse::largest_sigma;
-use pilotage_jobs::Measured;
+use pilotage_jobs::MeasuredLandmark;
 
 /// Height of the table before it scrolls, points: what is selected stays in sight below it.
 const TABLE_HEIGHT: f32 = 196.0;
@@ -194,7 +194,7 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
     }
 }
 
-fn result(ui: &mut Ui, measured: &Measured, context: &ViewContext<'_>) {
+fn result(ui: &mut Ui, measured: &MeasuredLandmark, context: &ViewContext<'_>) {
     let tokens = context.tokens;
     let found = &measured.last;
     let expected = &found.expected;
@@ -232,7 +232,7 @@ fn result(ui: &mut Ui, measured: &Measured, context: &ViewContext<'_>) {
     rose(ui, measured, context);
 }
 
-fn sentence(measured: &Measured) -> String {
+fn sentence(measured: &MeasuredLandmark) -> String {
     let found = &measured.last;
     let days = 1 + found.views.iter().map(|v| v.day).max().unwrap_or(0);
     let good = |day| found.views.iter().any(|v| v.day == day && v.found);
@@ -247,7 +247,7 @@ fn sentence(measured: &Measured) -> String {
 
 /// Every view: its angle is the camera's heading, its distance from the middle how far from the
 /// picture's middle the landmark lay.
-fn rose(ui: &mut Ui, measured: &Measured, context: &ViewContext<'_>) {
+fn rose(ui: &mut Ui, measured: &MeasuredLandmark, context: &ViewContext<'_>) {
     let tokens = context.tokens;
     let size = vec2(ui.available_width(), 148.0);
     let (outer, response) = ui.allocate_exact_size(size, Sense::hover());

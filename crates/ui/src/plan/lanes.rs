@@ -68,10 +68,10 @@ pub fn blips(samples: &[PredictionSample], ends: impl Fn(&Blip) -> f64) -> (Vec<
 mod tests {
     use super::*;
     use pilotage_core::frames::GroundPoint;
-    use pilotage_core::plan::{Belief, corridor};
+    use pilotage_core::plan::{WorldError, corridor};
 
     fn samples(detections: &[[f64; 2]]) -> Vec<PredictionSample> {
-        let world = Belief {
+        let world = WorldError {
             weight: 1.0,
             mean: nalgebra::Vector2::zeros(),
             covariance: nalgebra::Matrix2::identity(),

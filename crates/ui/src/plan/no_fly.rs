@@ -4,7 +4,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::NoFlyZone;
 
 use super::command::AreaChange;
-use super::routes::Step;
+use super::routes::EditStep;
 use crate::documents::Documents;
 
 impl Documents {
@@ -21,7 +21,7 @@ impl Documents {
     }
 
     /// Changes an area that must not be flown over.
-    pub fn edit_no_fly(&mut self, index: usize, step: Step, change: AreaChange) {
+    pub fn edit_no_fly(&mut self, index: usize, step: EditStep, change: AreaChange) {
         let Some(zone) = self.mission.no_fly.get(index) else {
             return;
         };
@@ -39,7 +39,7 @@ impl Documents {
             self.mission.no_fly[index] = zone;
             self.mission_edited = true;
         }
-        if step == Step::Whole {
+        if step == EditStep::Whole {
             self.history.finish_drag(&self.mission);
         }
     }

@@ -4,7 +4,7 @@ use egui::{DragValue, Ui};
 use pilotage_core::mission::Route;
 
 use super::command::PlanCommand;
-use super::patterns::{Circumstances, Cover, Pattern};
+use super::patterns::{CoveredGround, PassCircumstances, Pattern};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{caption, icon_button, icons::Icon, muted};
@@ -14,7 +14,7 @@ pub fn pattern_card(
     ui: &mut Ui,
     route: &Route,
     pattern: &Pattern,
-    circumstances: &Circumstances,
+    circumstances: &PassCircumstances,
     cruise: f64,
     context: &mut ViewContext<'_>,
 ) {
@@ -23,8 +23,8 @@ pub fn pattern_card(
     let mut next = pattern.clone();
     let mut finished = true;
     let title = match pattern.cover {
-        Cover::Survey => "Survey of an area",
-        Cover::Corridor { .. } => "Corridor along a line",
+        CoveredGround::Survey => "Survey of an area",
+        CoveredGround::Corridor { .. } => "Corridor along a line",
     };
     caption(ui, tokens, title);
     ui.horizontal_wrapped(|ui| {
@@ -37,7 +37,7 @@ pub fn pattern_card(
             &mut next.forward_overlap,
         );
         match &mut next.cover {
-            Cover::Survey => {
+            CoveredGround::Survey => {
                 let stated = next.course_deg;
                 let mut course = stated.unwrap_or(0.0);
                 ui.label(muted(tokens, "course"));
@@ -58,7 +58,7 @@ pub fn pattern_card(
                     next.course_deg = None;
                 }
             }
-            Cover::Corridor { width_m } => {
+            CoveredGround::Corridor { width_m } => {
                 let mut width = *width_m * factor;
                 ui.label(muted(tokens, "width"));
                 let field = DragValue::new(&mut width)
@@ -75,8 +75,8 @@ pub fn pattern_card(
         }
     });
     let per_pass = match pattern.cover {
-        Cover::Survey => 2,
-        Cover::Corridor { .. } => pattern.places.len().max(1),
+        CoveredGround::Survey => 2,
+        CoveredGround::Corridor { .. } => pattern.places.len().max(1),
     };
     let count = route.way_points.len() / per_pass;
     let between = pattern.between_pictures(circumstances);

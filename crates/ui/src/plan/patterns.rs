@@ -12,7 +12,7 @@ const PROPERTY: &str = "pattern";
 /// Kind of ground that a pattern covers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Cover {
+pub enum CoveredGround {
     /// The area within the places.
     Survey,
     /// The ground along the places.
@@ -26,7 +26,7 @@ pub enum Cover {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pattern {
     /// Kind of ground that it covers.
-    pub cover: Cover,
+    pub cover: CoveredGround,
     /// Longitude and latitude of the corners or of the line, degrees.
     pub places: Vec<[f64; 2]>,
     /// Share of a picture that the pass beside shows too.
@@ -39,7 +39,7 @@ pub struct Pattern {
 
 /// Circumstances for which the passes are made.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Circumstances {
+pub struct PassCircumstances {
     /// The world frame.
     pub frame: LocalFrame,
     /// The camera.
@@ -52,7 +52,7 @@ pub struct Circumstances {
 
 impl Pattern {
     /// A pattern with the usual overlaps over or along these places.
-    pub fn new(cover: Cover, places: &[GroundPoint], frame: &LocalFrame) -> Self {
+    pub fn new(cover: CoveredGround, places: &[GroundPoint], frame: &LocalFrame) -> Self {
         let lon_lat = |p: &GroundPoint| {
             let position = frame.geodetic_from_ground(p);
             [
@@ -80,7 +80,7 @@ impl Pattern {
     }
 
     /// Spacing of its passes beside each other.
-    pub(super) fn passes(&self, c: &Circumstances) -> Passes {
+    pub(super) fn passes(&self, c: &PassCircumstances) -> Passes {
         let (across, _) = picture_on_ground(&c.camera, c.height);
         Passes {
             spacing: across * (1.0 - self.side_overlap),
@@ -90,31 +90,31 @@ impl Pattern {
     }
 
     /// Distance between pictures along a pass, metres.
-    pub(super) fn between_pictures(&self, c: &Circumstances) -> f64 {
+    pub(super) fn between_pictures(&self, c: &PassCircumstances) -> f64 {
         let (_, along) = picture_on_ground(&c.camera, c.height);
         along * (1.0 - self.forward_overlap)
     }
 
     /// The way-points of the pattern.
-    fn places(&self, c: &Circumstances) -> Vec<GroundPoint> {
+    fn places(&self, c: &PassCircumstances) -> Vec<GroundPoint> {
         let ground = |[longitude, latitude]: &[f64; 2]| {
             let place = Geodetic::from_degrees(*latitude, *longitude, 0.0);
             c.frame.ground_from_geodetic(&place)
         };
         let places: Vec<GroundPoint> = self.places.iter().map(ground).collect();
         match self.cover {
-            Cover::Survey => {
+            CoveredGround::Survey => {
                 let stated = self.course_deg.map(f64::to_radians);
                 let course = stated.or_else(|| fewest_passes(&places)).unwrap_or(0.0);
                 survey(&places, course, &self.passes(c))
             }
-            Cover::Corridor { width_m } => corridor(&places, width_m, &self.passes(c)),
+            CoveredGround::Corridor { width_m } => corridor(&places, width_m, &self.passes(c)),
         }
     }
 
     /// Makes a route of it; altitude and speed are those of the route's first way-points, or
     /// `otherwise`.
-    pub fn apply(&self, route: &mut Route, otherwise: Altitude, c: &Circumstances) {
+    pub fn apply(&self, route: &mut Route, otherwise: Altitude, c: &PassCircumstances) {
         let altitude = route.way_points.first().map_or(otherwise, |w| w.altitude);
         let speed = route.way_points.get(1).and_then(|w| w.speed);
         let places = self.places(c).into_iter().enumerate();
@@ -134,8 +134,8 @@ mod tests {
     use super::*;
     use pilotage_core::frames::AltitudeFrame;
 
-    fn circumstances() -> Circumstances {
-        Circumstances {
+    fn circumstances() -> PassCircumstances {
+        PassCircumstances {
             frame: LocalFrame::new(Geodetic::from_degrees(47.0, 8.0, 0.0)),
             camera: CameraModel::pinhole(640, 480, 60.0_f64.to_radians()),
             height: 100.0,
@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn passes_lie_as_far_apart_as_the_overlap_allows() {
         let c = circumstances();
-        let pattern = Pattern::new(Cover::Survey, &field(), &c.frame);
+        let pattern = Pattern::new(CoveredGround::Survey, &field(), &c.frame);
         let mut route = Route::default();
         let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
         pattern.apply(&mut route, altitude, &c);
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn a_route_keeps_its_altitude_and_speed_under_another_overlap() {
         let c = circumstances();
-        let mut pattern = Pattern::new(Cover::Survey, &field(), &c.frame);
+        let mut pattern = Pattern::new(CoveredGround::Survey, &field(), &c.frame);
         let mut route = Route::default();
         let low = Altitude::new(80.0, AltitudeFrame::Amsl);
         pattern.apply(&mut route, low, &c);

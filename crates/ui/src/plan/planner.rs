@@ -23,7 +23,7 @@ use super::hit::PlanPointer;
 use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
-use super::patterns::Circumstances;
+use super::patterns::PassCircumstances;
 use super::printing::Printing;
 use super::remedy::Remedies;
 use super::suggestions::Suggestions;
@@ -231,8 +231,8 @@ pub fn circumstances(
     documents: &Documents,
     altitude: Altitude,
     places: &[GroundPoint],
-) -> Circumstances {
-    Circumstances {
+) -> PassCircumstances {
+    PassCircumstances {
         frame: LocalFrame::new(documents.mission.origin),
         camera: camera(documents),
         height: height(&line(places, altitude), documents),
@@ -241,7 +241,11 @@ pub fn circumstances(
 }
 
 /// Circumstances of the passes of a pattern, if a route is made of it.
-pub fn made_for(planner: &Planner, documents: &Documents, route: Option<&Route>) -> Circumstances {
+pub fn made_for(
+    planner: &Planner,
+    documents: &Documents,
+    route: Option<&Route>,
+) -> PassCircumstances {
     let way_points = route.map_or(&[][..], |r| &r.way_points);
     let first = way_points.first().map(|w| w.altitude);
     let altitude = first.unwrap_or_else(|| usual_altitude(documents));

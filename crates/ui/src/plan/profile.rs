@@ -9,7 +9,7 @@ use pilotage_core::mission::{Route, WayPoint};
 use super::words::{distance_text, long};
 use crate::tokens::Tokens;
 use crate::units::Units;
-use crate::views::chart::Axes;
+use crate::views::chart::ChartAxes;
 
 const LEFT: f32 = 52.0;
 /// Room for the tabs over the chart, points.
@@ -21,7 +21,7 @@ const SAMPLES: usize = 240;
 
 /// Heights at one place of a route.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub struct ProfileSample {
     /// Place on the ground.
     pub place: GroundPoint,
     /// Distance along the route, metres.
@@ -32,7 +32,7 @@ pub struct Sample {
     pub ground: f64,
 }
 
-impl Sample {
+impl ProfileSample {
     /// Height above ground, metres.
     pub fn above(&self) -> f64 {
         self.flown - self.ground
@@ -65,7 +65,7 @@ pub fn on_leg<'a>(
     (a, b): (&'a WayPoint, &'a WayPoint),
     ground: &'a dyn Fn(&GroundPoint) -> f64,
     take_off: f64,
-) -> impl Fn(f64) -> Sample + 'a {
+) -> impl Fn(f64) -> ProfileSample + 'a {
     let follows = [a, b]
         .iter()
         .all(|w| w.altitude.frame == AltitudeFrame::AboveGround);
@@ -89,7 +89,7 @@ pub fn on_leg<'a>(
         } else {
             between(from, to)
         };
-        Sample {
+        ProfileSample {
             place,
             distance: 0.0,
             flown,
@@ -99,7 +99,11 @@ pub fn on_leg<'a>(
 }
 
 /// Heights along `route`, see [`on_leg`].
-pub fn profile(route: &Route, ground: &dyn Fn(&GroundPoint) -> f64, take_off: f64) -> Vec<Sample> {
+pub fn profile(
+    route: &Route,
+    ground: &dyn Fn(&GroundPoint) -> f64,
+    take_off: f64,
+) -> Vec<ProfileSample> {
     let length = route.length();
     let mut samples = Vec::new();
     let mut before = 0.0;
@@ -111,7 +115,7 @@ pub fn profile(route: &Route, ground: &dyn Fn(&GroundPoint) -> f64, take_off: f6
         let first = usize::from(!samples.is_empty());
         for part in first..=parts {
             let share = part as f64 / parts as f64;
-            samples.push(Sample {
+            samples.push(ProfileSample {
                 distance: before + share * leg,
                 ..at(share)
             });
@@ -122,7 +126,7 @@ pub fn profile(route: &Route, ground: &dyn Fn(&GroundPoint) -> f64, take_off: f6
 }
 
 /// The sample that is nearest to the ground.
-pub fn lowest(samples: &[Sample]) -> Option<&Sample> {
+pub fn lowest(samples: &[ProfileSample]) -> Option<&ProfileSample> {
     let samples = samples.iter();
     samples.min_by(|a, b| a.above().total_cmp(&b.above()))
 }
@@ -160,7 +164,7 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
         heights().fold(f64::NEG_INFINITY, f64::max),
     );
     let margin = 0.12 * (top - bottom).max(20.0);
-    let axes = Axes {
+    let axes = ChartAxes {
         rect,
         x: (0.0, (last.distance * far).max(1e-6)),
         y: ((bottom - margin) * near, (top + 2.5 * margin) * near),
@@ -169,7 +173,7 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     let painter = ui.painter_at(outer);
     axes.draw_y(&painter, tokens);
     axes.draw_x(&painter, tokens, far_unit);
-    let at = |s: &Sample, height: f64| axes.at(s.distance * far, height * near);
+    let at = |s: &ProfileSample, height: f64| axes.at(s.distance * far, height * near);
     let clip = painter.with_clip_rect(rect);
     let ground_color = tokens.truth;
     clip.add(Shape::mesh(earth(
@@ -177,8 +181,9 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
         rect.bottom(),
         ground_color,
     )));
-    let line =
-        |of: fn(&Sample) -> f64| -> Vec<Pos2> { samples.iter().map(|s| at(s, of(s))).collect() };
+    let line = |of: fn(&ProfileSample) -> f64| -> Vec<Pos2> {
+        samples.iter().map(|s| at(s, of(s))).collect()
+    };
     clip.add(Shape::line(
         line(|s| s.ground),
         Stroke::new(1.5, ground_color),
@@ -199,7 +204,7 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
         .hover_pos()
         .filter(|p| rect.x_range().contains(p.x))?;
     let distance = axes.x_at(pointer.x) / far;
-    let away = |s: &Sample| (s.distance - distance).abs();
+    let away = |s: &ProfileSample| (s.distance - distance).abs();
     let under = samples.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
     let x = at(under, under.flown).x;
     clip.vline(x, rect.y_range(), Stroke::new(1.0, tokens.muted));
@@ -240,8 +245,8 @@ fn earth(line: impl Iterator<Item = Pos2>, bottom: f32, color: Color32) -> Mesh 
 fn way_points(
     painter: &egui::Painter,
     scene: &ProfileScene<'_>,
-    samples: &[Sample],
-    at: &impl Fn(&Sample, f64) -> Pos2,
+    samples: &[ProfileSample],
+    at: &impl Fn(&ProfileSample, f64) -> Pos2,
 ) {
     let tokens = scene.tokens;
     let mut distance = 0.0;
@@ -249,7 +254,7 @@ fn way_points(
         if let Some(before) = index.checked_sub(1).map(|i| &scene.route.way_points[i]) {
             distance += before.position.distance(&way_point.position);
         }
-        let away = |s: &Sample| (s.distance - distance).abs();
+        let away = |s: &ProfileSample| (s.distance - distance).abs();
         let Some(sample) = samples.iter().min_by(|a, b| away(a).total_cmp(&away(b))) else {
             continue;
         };

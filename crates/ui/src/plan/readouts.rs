@@ -6,7 +6,7 @@ use pilotage_core::plan::Incursion;
 
 use super::incursions::over as over_areas;
 use super::planner::Planner;
-use super::words::{Outlook, distance_text};
+use super::words::{PredictionFigures, distance_text};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
@@ -22,7 +22,7 @@ pub fn plan_readouts(
     (mission, route): (&Mission, Option<&Route>),
     left_top: egui::Pos2,
 ) -> Option<Rect> {
-    let outlook = Outlook::of(&planner.forecast.shown()?.prediction)?;
+    let outlook = PredictionFigures::of(&planner.forecast.shown()?.prediction)?;
     let (factor, unit) = units.length();
     let over = if outlook.stretches == 0 {
         "nowhere".to_owned()

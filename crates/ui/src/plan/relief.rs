@@ -7,10 +7,10 @@ use pilotage_core::mission::{Route, WayPoint};
 
 use super::PlanCommand;
 use super::profile::profile;
-use super::routes::Step;
+use super::routes::EditStep;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::documents::{Documents, Ground};
+use crate::documents::{Documents, OpenedTerrain};
 use crate::shell::{caption, muted};
 use crate::units::Units;
 
@@ -18,7 +18,7 @@ use crate::units::Units;
 /// where it is level.
 #[derive(Clone, Copy, Debug)]
 pub struct Relief<'a> {
-    terrain: &'a Ground,
+    terrain: &'a OpenedTerrain,
     /// Height where the elevation model does not know it, metres.
     level: f64,
 }
@@ -35,13 +35,13 @@ impl Documents {
     }
 
     /// States the height of level ground, metres above mean sea level.
-    pub fn state_ground(&mut self, height: f64, step: Step) {
+    pub fn state_ground(&mut self, height: f64, step: EditStep) {
         if self.mission.stated_ground() != Some(height) {
             self.history.begin_drag(&self.mission);
             self.mission.state_ground(height);
             self.mission_edited = true;
         }
-        if step == Step::Whole {
+        if step == EditStep::Whole {
             self.history.finish_drag(&self.mission);
         }
     }

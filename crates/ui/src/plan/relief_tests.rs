@@ -31,7 +31,7 @@ fn documents(datum: HeightDatum) -> Documents {
     let origin = Geodetic::from_degrees(46.0, -92.0, 0.0);
     documents.mission.origin = origin;
     let area = GroundRect::centered(GroundPoint::default(), AREA, AREA);
-    documents.terrain = Ground::of_files("opened-1");
+    documents.terrain = OpenedTerrain::of_files("opened-1");
     assert!(documents.terrain.wants(origin, &area));
     let ridge = Ridge(datum.clone());
     let mut grid = HeightGrid::over("ridge.tif", datum, area, 10.0, 1000);
@@ -106,9 +106,9 @@ fn without_an_elevation_model_the_stated_height_counts_and_undo_takes_it_back() 
     };
     assert!((above(&documents) - 520.0).abs() < 1e-9);
     for metres in [100.0, 250.0, 400.0] {
-        documents.state_ground(metres, Step::Drag);
+        documents.state_ground(metres, EditStep::Drag);
     }
-    documents.state_ground(400.0, Step::Whole);
+    documents.state_ground(400.0, EditStep::Whole);
     assert!((above(&documents) - 120.0).abs() < 1e-9);
     let words = |documents: &Documents, units| {
         let route = route(1.0, AltitudeFrame::Amsl, &[0.0, 900.0]);

@@ -2,7 +2,7 @@
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{DetectionStatistics, Prediction, Stretch};
+use pilotage_core::plan::{DetectionStatistics, RoutePrediction, Stretch};
 use pilotage_core::simulate::Target;
 
 use super::assessments::assumed;
@@ -42,7 +42,7 @@ pub(super) struct Worst {
 }
 
 impl Worst {
-    fn of(prediction: &Prediction) -> Option<Self> {
+    fn of(prediction: &RoutePrediction) -> Option<Self> {
         let over = !prediction.over_limit.is_empty();
         let stretch = prediction.worst_stretch().filter(|_| over)?;
         let at = |distance| sample_at(&prediction.samples, distance).map(|s| s.position);
@@ -54,7 +54,7 @@ impl Worst {
     }
 
     /// Largest standard deviation of the longer axis on this stretch, metres.
-    fn sigma(&self, prediction: &Prediction) -> f64 {
+    fn sigma(&self, prediction: &RoutePrediction) -> f64 {
         let s = &self.stretch;
         let on = prediction.samples.iter();
         let on = on.filter(|p| (s.begin - 1.0..=s.end + 1.0).contains(&p.distance));

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::patterns::Pattern;
 use super::planner::Planner;
-use super::words::Outlook;
+use super::words::PredictionFigures;
 use crate::documents::Documents;
 use crate::units::Units;
 
@@ -38,7 +38,7 @@ impl Planner {
             })
             .collect();
         let shown = self.forecast.shown();
-        let outlook = shown.and_then(|s| Outlook::of(&s.prediction));
+        let outlook = shown.and_then(|s| PredictionFigures::of(&s.prediction));
         let mean = shown.map(|s| {
             let samples = &s.prediction.samples;
             let across: f64 = samples.iter().map(|s| s.corridor.across).sum();
@@ -123,7 +123,7 @@ impl Planner {
             route.way_points.len()
         )];
         let shown = self.forecast.shown();
-        if let Some(outlook) = shown.and_then(|s| Outlook::of(&s.prediction)) {
+        if let Some(outlook) = shown.and_then(|s| PredictionFigures::of(&s.prediction)) {
             let landmarks = &documents.mission.landmarks;
             let limit = self.preferences.limit;
             parts.extend(outlook.sentences(limit, landmarks, units));

@@ -15,7 +15,7 @@ use super::planner::{Planner, made_for};
 use super::purpose::Purpose;
 use super::relief::ground;
 use super::way_points::{Sums, way_points};
-use super::words::{Outlook, distance_text};
+use super::words::{PredictionFigures, distance_text};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
@@ -237,7 +237,7 @@ fn prediction(
         ui.label(muted(tokens, words));
         return;
     };
-    if let Some(outlook) = Outlook::of(&shown.prediction) {
+    if let Some(outlook) = PredictionFigures::of(&shown.prediction) {
         let limit = planner.preferences.limit;
         let landmarks: Vec<_> = shown
             .order

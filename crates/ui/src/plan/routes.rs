@@ -9,14 +9,14 @@ use crate::documents::Documents;
 
 /// Extent of an edit: whole, or part of a drag that goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Step {
+pub enum EditStep {
     /// Edit that is an undo step of its own.
     Whole,
     /// Part of a drag.
     Drag,
 }
 
-impl Step {
+impl EditStep {
     /// A whole step if `finished`.
     pub fn of(finished: bool) -> Self {
         if finished { Self::Whole } else { Self::Drag }
@@ -68,7 +68,7 @@ impl Documents {
     }
 
     /// Changes a route. A step that changes nothing is none.
-    pub fn edit_route(&mut self, id: u32, step: Step, change: impl FnOnce(&mut Route)) {
+    pub fn edit_route(&mut self, id: u32, step: EditStep, change: impl FnOnce(&mut Route)) {
         let Some(at) = self.mission.routes.iter().position(|r| r.id == id) else {
             return;
         };
@@ -80,7 +80,7 @@ impl Documents {
             self.mission.routes[at] = route;
             self.mission_edited = true;
         }
-        if step == Step::Whole {
+        if step == EditStep::Whole {
             self.history.finish_drag(&self.mission);
         }
     }
@@ -139,9 +139,11 @@ mod tests {
         let (mut documents, id) = documents();
         let depth = documents.history.depth().0;
         for metres in [10.0, 20.0, 30.0] {
-            documents.edit_route(id, Step::Drag, |r| r.way_points[1].position.north += metres);
+            documents.edit_route(id, EditStep::Drag, |r| {
+                r.way_points[1].position.north += metres
+            });
         }
-        documents.edit_route(id, Step::Whole, |_| {});
+        documents.edit_route(id, EditStep::Whole, |_| {});
         assert_eq!(documents.history.depth().0, depth + 1);
         documents.undo();
         let route = route_of(&documents.mission, id).unwrap();
@@ -165,9 +167,13 @@ mod tests {
         let frame = pilotage_core::frames::LocalFrame::new(documents.mission.origin);
         let places = route_of(&documents.mission, id).unwrap().way_points.clone();
         let places: Vec<GroundPoint> = places.iter().map(|w| w.position).collect();
-        let pattern = Pattern::new(super::super::patterns::Cover::Survey, &places, &frame);
+        let pattern = Pattern::new(
+            super::super::patterns::CoveredGround::Survey,
+            &places,
+            &frame,
+        );
         let text = serde_json::to_string(&pattern).unwrap();
-        documents.edit_route(id, Step::Whole, |r| {
+        documents.edit_route(id, EditStep::Whole, |r| {
             r.properties.insert("pattern".to_owned(), text);
             r.properties.insert("owner".to_owned(), "\"us\"".to_owned());
         });
@@ -189,7 +195,7 @@ mod tests {
     fn an_edit_that_changes_nothing_is_no_step() {
         let (mut documents, id) = documents();
         let depth = documents.history.depth();
-        documents.edit_route(id, Step::Whole, |r| r.name = "Route 1".into());
+        documents.edit_route(id, EditStep::Whole, |r| r.name = "Route 1".into());
         assert_eq!(documents.history.depth(), depth);
     }
 }

@@ -3,7 +3,7 @@
 
 use egui::{Align2, Color32, Painter, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo};
 use egui::{pos2, vec2};
-use pilotage_core::plan::{Breakdown, Envelope, Tally};
+use pilotage_core::plan::{Envelope, LookTally, ViewBreakdown};
 
 use crate::context::ViewContext;
 use crate::shell::{caption, muted};
@@ -20,10 +20,10 @@ const LEFT: f32 = 64.0;
 const LINE: f32 = 15.0;
 
 /// The name of a strip, what each of its cells is of, and the cells.
-type Strip<'a> = (&'a str, Vec<String>, &'a [Tally]);
+type Strip<'a> = (&'a str, Vec<String>, &'a [LookTally]);
 
 /// Draws by what the views of a landmark differ.
-pub fn breakdown(ui: &mut Ui, counted: &Breakdown, context: &ViewContext<'_>) {
+pub fn breakdown(ui: &mut Ui, counted: &ViewBreakdown, context: &ViewContext<'_>) {
     let words = "Found of the looks, and the deviation of the place where it was found:";
     ui.label(muted(context.tokens, words));
     let [small, great] = counted.edges.map(f64::to_degrees);
@@ -53,7 +53,13 @@ pub fn breakdown(ui: &mut Ui, counted: &Breakdown, context: &ViewContext<'_>) {
     }
 }
 
-fn strip(ui: &mut Ui, name: &str, labels: &[String], tallies: &[Tally], context: &ViewContext<'_>) {
+fn strip(
+    ui: &mut Ui,
+    name: &str,
+    labels: &[String],
+    tallies: &[LookTally],
+    context: &ViewContext<'_>,
+) {
     let tokens = context.tokens;
     let size = vec2(ui.available_width(), CELL + LINE + 4.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
@@ -157,7 +163,7 @@ pub fn legend(ui: &mut Ui, tokens: &Tokens) {
 
 /// A cell: its colour is the share that was found; hollow without a look, a dot where wrong places were
 /// believed; where there is room the deviation of the place in the direction where it is greatest.
-fn paint_tally(painter: &Painter, cell: Rect, tally: &Tally, tokens: &Tokens, units: Units) {
+fn paint_tally(painter: &Painter, cell: Rect, tally: &LookTally, tokens: &Tokens, units: Units) {
     let Some(share) = tally.share() else {
         let line = Stroke::new(1.0, tokens.line);
         painter.rect_stroke(cell, 3.0, line, StrokeKind::Inside);

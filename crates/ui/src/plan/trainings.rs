@@ -109,7 +109,7 @@ impl Training {
 
 /// Record of a training that is kept between visits.
 #[derive(Debug, Serialize, Deserialize)]
-struct Kept {
+struct KeptTraining {
     /// The version of the program, which alone goes on to the same detector.
     program: String,
     order: TrainOrder,
@@ -192,7 +192,7 @@ impl Trainings {
     pub fn recall(&mut self, host: &dyn Host) {
         let bytes = host.recall(TRAININGS_KEY).unwrap_or_default();
         let body = bytes.strip_prefix(&[FORM]).unwrap_or_default();
-        let kept: Vec<Kept> = postcard::from_bytes(body).unwrap_or_default();
+        let kept: Vec<KeptTraining> = postcard::from_bytes(body).unwrap_or_default();
         let kept = kept.into_iter().filter(|k| k.program == program());
         self.list = kept
             .map(|kept| Training {
@@ -211,8 +211,8 @@ impl Trainings {
     /// Encodes the trainings that are to be kept.
     fn encode(&self) -> Vec<u8> {
         let kept = self.list.iter().filter(|t| t.trouble.is_none());
-        let kept: Vec<Kept> = kept
-            .map(|t| Kept {
+        let kept: Vec<KeptTraining> = kept
+            .map(|t| KeptTraining {
                 program: program(),
                 order: t.order.clone(),
                 outcome: t.outcome.clone(),

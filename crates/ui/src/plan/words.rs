@@ -2,13 +2,13 @@
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::Prediction;
+use pilotage_core::plan::RoutePrediction;
 
 use crate::units::Units;
 
 /// Figures of a prediction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outlook {
+pub struct PredictionFigures {
     /// Largest standard deviation of the longer axis, metres.
     pub sigma: f64,
     /// Distance along the path at which that is, metres.
@@ -29,9 +29,9 @@ pub struct Outlook {
     pub length: f64,
 }
 
-impl Outlook {
+impl PredictionFigures {
     /// Figures of `prediction`; `None` without a sample.
-    pub fn of(prediction: &Prediction) -> Option<Self> {
+    pub fn of(prediction: &RoutePrediction) -> Option<Self> {
         let samples = &prediction.samples;
         let worst = samples
             .iter()

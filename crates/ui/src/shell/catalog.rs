@@ -4,7 +4,7 @@
 use egui::{Key, KeyboardShortcut, Modifiers};
 use pilotage_core::exchange::Format;
 
-pub use super::entry::{Entry, Group, control, describe, entry, plain, shift};
+pub use super::entry::{CommandEntry, CommandGroup, control, describe, entry, plain, shift};
 use crate::command::{Command, Workspace};
 
 /// Speeds set by the digits 1 to 9 and 0.
@@ -22,7 +22,7 @@ pub const DIGIT_SPEEDS: [(Key, f64); 10] = [
 ];
 
 /// Table of the commands that are the app's own, in reading order; features have tables of theirs.
-pub fn catalog() -> Vec<Entry> {
+pub fn catalog() -> Vec<CommandEntry> {
     let mut entries = playback();
     entries.extend(view());
     entries.extend(edit());
@@ -31,8 +31,8 @@ pub fn catalog() -> Vec<Entry> {
     entries
 }
 
-fn playback() -> Vec<Entry> {
-    let of = |label, shortcuts, command| entry(Group::Playback, label, shortcuts, command);
+fn playback() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| entry(CommandGroup::Playback, label, shortcuts, command);
     let mut entries = vec![
         of(
             "Play or pause",
@@ -119,8 +119,8 @@ fn playback() -> Vec<Entry> {
     entries
 }
 
-fn view() -> Vec<Entry> {
-    let of = |label, shortcuts, command| entry(Group::View, label, shortcuts, command);
+fn view() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| entry(CommandGroup::View, label, shortcuts, command);
     vec![
         of(
             "Show the whole flight",
@@ -182,8 +182,8 @@ fn view() -> Vec<Entry> {
     ]
 }
 
-fn edit() -> Vec<Entry> {
-    let of = |label, shortcuts, command| entry(Group::Edit, label, shortcuts, command);
+fn edit() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| entry(CommandGroup::Edit, label, shortcuts, command);
     vec![
         of(
             "Draw a landmark",
@@ -209,7 +209,7 @@ fn edit() -> Vec<Entry> {
 }
 
 /// Commands that write for other programs: whatever can be written, in every format that holds it.
-fn exports() -> Vec<Entry> {
+fn exports() -> Vec<CommandEntry> {
     let routes = Format::all().map(|format| {
         let label = format!("Export the route as {}", format.as_words());
         (label, Command::ExportRoute(format))
@@ -225,12 +225,12 @@ fn exports() -> Vec<Entry> {
         (label, Command::ExportTrack(format))
     });
     let all = routes.chain(landmarks).chain(tracks);
-    all.map(|(label, command)| entry(Group::Document, label, vec![], command))
+    all.map(|(label, command)| entry(CommandGroup::Document, label, vec![], command))
         .collect()
 }
 
-fn document() -> Vec<Entry> {
-    let of = |label, shortcuts, command| entry(Group::Document, label, shortcuts, command);
+fn document() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| entry(CommandGroup::Document, label, shortcuts, command);
     vec![
         of(
             "Simulate a flight…",

@@ -8,7 +8,7 @@ use crate::command::Command;
 
 /// Group of a command in the help sheet and the palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
+pub enum CommandGroup {
     /// Time and playback.
     Playback,
     /// Map and panels.
@@ -21,7 +21,7 @@ pub enum Group {
     Document,
 }
 
-impl Group {
+impl CommandGroup {
     /// Every group, in reading order.
     pub const ALL: [Self; 5] = [
         Self::Playback,
@@ -45,18 +45,18 @@ impl Group {
 
 /// Row of the table.
 #[derive(Clone, Debug)]
-pub struct Entry {
+pub struct CommandEntry {
     /// Label of the command, in words.
     pub label: Cow<'static, str>,
     /// Its group.
-    pub group: Group,
+    pub group: CommandGroup,
     /// Its keys, the first shown first.
     pub shortcuts: Vec<KeyboardShortcut>,
     /// Command that is sent.
     pub command: Command,
 }
 
-impl Entry {
+impl CommandEntry {
     /// Its first shortcut as people read it, or an empty text.
     pub fn keys(&self) -> String {
         self.shortcuts.first().map(describe).unwrap_or_default()
@@ -105,12 +105,12 @@ pub fn control(key: Key) -> KeyboardShortcut {
 
 /// A row of the table.
 pub fn entry(
-    group: Group,
+    group: CommandGroup,
     label: impl Into<Cow<'static, str>>,
     shortcuts: Vec<KeyboardShortcut>,
     command: Command,
-) -> Entry {
-    Entry {
+) -> CommandEntry {
+    CommandEntry {
         label: label.into(),
         group,
         shortcuts,

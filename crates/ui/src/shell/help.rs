@@ -2,12 +2,12 @@
 
 use egui::{Align2, Context, Frame, Id, Modal, RichText, Ui};
 
-use super::catalog::{Entry, Group};
+use super::catalog::{CommandEntry, CommandGroup};
 use super::widgets::{caption, muted, title};
 use crate::tokens::Tokens;
 
 /// Draws the sheet of the commands of `catalog`; true when it is to be closed.
-pub fn help_sheet(context: &Context, tokens: &Tokens, catalog: &[Entry]) -> bool {
+pub fn help_sheet(context: &Context, tokens: &Tokens, catalog: &[CommandEntry]) -> bool {
     let screen = context.content_rect();
     let wide = screen.width() >= 760.0;
     let response = Modal::new(Id::unique("help"))
@@ -26,13 +26,13 @@ pub fn help_sheet(context: &Context, tokens: &Tokens, catalog: &[Entry]) -> bool
                 .show(ui, |ui| {
                     if wide {
                         ui.columns(2, |columns| {
-                            group_ui(&mut columns[0], tokens, catalog, Group::Playback);
-                            for group in [Group::View, Group::Edit, Group::Plan, Group::Document] {
+                            group_ui(&mut columns[0], tokens, catalog, CommandGroup::Playback);
+                            for group in [CommandGroup::View, CommandGroup::Edit, CommandGroup::Plan, CommandGroup::Document] {
                                 group_ui(&mut columns[1], tokens, catalog, group);
                             }
                         });
                     } else {
-                        for group in Group::ALL {
+                        for group in CommandGroup::ALL {
                             group_ui(ui, tokens, catalog, group);
                         }
                     }
@@ -42,7 +42,7 @@ pub fn help_sheet(context: &Context, tokens: &Tokens, catalog: &[Entry]) -> bool
     response.inner || response.should_close()
 }
 
-fn group_ui(ui: &mut Ui, tokens: &Tokens, catalog: &[Entry], group: Group) {
+fn group_ui(ui: &mut Ui, tokens: &Tokens, catalog: &[CommandEntry], group: CommandGroup) {
     caption(ui, tokens, group.label());
     for entry in catalog.iter().filter(|e| e.group == group) {
         if entry.shortcuts.is_empty() {

@@ -2,7 +2,7 @@
 
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Plugin, RawInput};
 
-use super::catalog::Entry;
+use super::catalog::CommandEntry;
 use crate::command::Command;
 
 /// Listens to the keyboard ahead of every widget.
@@ -15,7 +15,7 @@ pub struct ShortcutListener {
 
 impl ShortcutListener {
     /// Listener for the shortcuts of `catalog`.
-    pub fn new(catalog: &[Entry]) -> Self {
+    pub fn new(catalog: &[CommandEntry]) -> Self {
         let table = catalog
             .iter()
             .flat_map(|e| e.shortcuts.iter().map(|s| (*s, e.command.clone())))

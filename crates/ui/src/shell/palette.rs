@@ -4,7 +4,7 @@ use egui::{
     Align2, Area, Frame, Id, Key, Order, Role, Sense, Stroke, TextEdit, Ui, WidgetInfo, vec2,
 };
 
-use super::catalog::Entry;
+use super::catalog::CommandEntry;
 use crate::command::Command;
 use crate::tokens::Tokens;
 
@@ -51,8 +51,8 @@ impl Palette {
         self.open
     }
 
-    fn matching(&self, catalog: &[Entry]) -> Vec<Entry> {
-        let mut found: Vec<(i32, Entry)> = catalog
+    fn matching(&self, catalog: &[CommandEntry]) -> Vec<CommandEntry> {
+        let mut found: Vec<(i32, CommandEntry)> = catalog
             .iter()
             .filter_map(|e| Some((fuzzy_score(&self.query, &e.label)?, e.clone())))
             .collect();
@@ -67,7 +67,7 @@ impl Palette {
         &mut self,
         ui: &mut Ui,
         tokens: &Tokens,
-        catalog: &[Entry],
+        catalog: &[CommandEntry],
         commands: &mut Vec<Command>,
     ) {
         if !self.open {
@@ -167,7 +167,7 @@ impl Palette {
     }
 }
 
-fn row(ui: &mut Ui, tokens: &Tokens, entry: &Entry, chosen: bool) -> egui::Response {
+fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui::Response {
     let size = vec2(ui.available_width(), 4.0 * tokens.space);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &*entry.label));

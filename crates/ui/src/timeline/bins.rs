@@ -4,7 +4,7 @@ use pilotage_core::navigator::{Outcome, Run};
 
 /// Events within one pixel of time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Bin {
+pub struct EventBin {
     /// Landmarks accepted.
     pub accepted: u32,
     /// Landmarks refused.
@@ -18,7 +18,7 @@ pub struct Bin {
 pub struct Bins {
     key: (u64, usize, u64, u64),
     used: usize,
-    columns: Vec<Bin>,
+    columns: Vec<EventBin>,
     largest: f32,
 }
 
@@ -30,7 +30,7 @@ impl Bins {
         if self.key != key || self.used > run.steps.len() {
             *self = Self {
                 key,
-                columns: vec![Bin::default(); width.max(1)],
+                columns: vec![EventBin::default(); width.max(1)],
                 ..Self::default()
             };
         }
@@ -54,7 +54,7 @@ impl Bins {
     }
 
     /// Bins, each of a pixel.
-    pub fn bins(&self) -> &[Bin] {
+    pub fn bins(&self) -> &[EventBin] {
         &self.columns
     }
 

@@ -8,7 +8,7 @@ use super::bins::Bins;
 use super::playback::Playback;
 use super::selected::{Span, SpanPointer, TimeOnScreen, paint_span};
 use crate::command::Command;
-use crate::context::{Drawn, ViewContext};
+use crate::context::{DrawnTimes, ViewContext};
 use crate::shell::icons::Icon;
 use crate::shell::{icon_button, icon_toggle};
 use crate::still::Still;
@@ -35,7 +35,7 @@ pub struct Timeline {
     events: Still<(u64, usize, bool)>,
     track: Option<Rect>,
     span_pointer: SpanPointer,
-    drawn: Option<Drawn>,
+    drawn: Option<DrawnTimes>,
 }
 
 /// Time since the start as minutes and seconds.
@@ -57,7 +57,7 @@ const CHOICES: [f64; 8] = [0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 20.0];
 
 impl Timeline {
     /// Times that were drawn last.
-    pub fn drawn(&self) -> Option<Drawn> {
+    pub fn drawn(&self) -> Option<DrawnTimes> {
         self.drawn
     }
 

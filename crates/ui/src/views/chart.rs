@@ -7,7 +7,7 @@ use crate::tokens::Tokens;
 
 /// A chart's area and the values at its edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Axes {
+pub(crate) struct ChartAxes {
     /// Part of the screen on which curves are drawn.
     pub rect: Rect,
     /// Values at the left and right edge.
@@ -18,7 +18,7 @@ pub(crate) struct Axes {
     pub log: bool,
 }
 
-impl Axes {
+impl ChartAxes {
     /// Screen x of a value.
     pub fn screen_x(&self, x: f64) -> f32 {
         let fraction = (x - self.x.0) / (self.x.1 - self.x.0);
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn the_value_under_a_place_is_the_value_drawn_there() {
-        let axes = Axes {
+        let axes = ChartAxes {
             rect: Rect::from_min_max(pos2(40.0, 10.0), pos2(440.0, 110.0)),
             x: (12.0, 90.0),
             y: (0.0, 1.0),

@@ -5,7 +5,7 @@ use egui::{Align2, Color32, FontId, Rect, Response, RichText, Sense, Ui, Vec2, v
 use crate::tokens::Tokens;
 
 /// Number for people: its name, value and unit.
-pub(crate) struct Reading {
+pub(crate) struct NumberReadout {
     /// Name of the quantity.
     pub label: String,
     /// Value as text.
@@ -18,7 +18,7 @@ pub(crate) struct Reading {
     pub color: Option<Color32>,
 }
 
-impl Reading {
+impl NumberReadout {
     /// A plain number.
     pub fn new(label: impl Into<String>, value: String, unit: impl Into<String>) -> Self {
         Self {
@@ -59,7 +59,7 @@ fn unit_width(tokens: &Tokens) -> f32 {
 }
 
 /// A row: label at the left, value right-aligned, unit behind it in a lighter tone.
-pub(crate) fn reading(ui: &mut Ui, tokens: &Tokens, reading: &Reading) -> Response {
+pub(crate) fn reading(ui: &mut Ui, tokens: &Tokens, reading: &NumberReadout) -> Response {
     let height = tokens.text_sizes[1] + 0.75 * tokens.space;
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());

@@ -25,19 +25,19 @@ use pilotage_jobs::MatchPictures;
 /// The encoded picture of a frame.
 type FramePicture = dyn Fn(usize) -> Option<Arc<[u8]>>;
 /// Function that explains the match of a landmark in a step.
-type Evidence = dyn Fn(&StepReport, u32) -> Option<MatchPictures>;
+type ExplainMatch = dyn Fn(&StepReport, u32) -> Option<MatchPictures>;
 
 /// Documents that the views are drawn over.
-struct Scene {
+struct ViewDocuments {
     mission: Mission,
     flight: Flight,
     run: Run,
     ghost: Option<Run>,
     pictures: Box<FramePicture>,
-    matched: Box<Evidence>,
+    matched: Box<ExplainMatch>,
 }
 
-impl Scene {
+impl ViewDocuments {
     /// The synthetic flight.
     fn synthetic() -> Self {
         let fixture = Fixture::new();
@@ -250,7 +250,7 @@ fn the_views_over_a_synthetic_flight_can_be_looked_at() {
         println!("skipped: PILOTAGE_PICTURES names no folder");
         return;
     }
-    Scene::synthetic().write_all("synthetic", 15.5);
+    ViewDocuments::synthetic().write_all("synthetic", 15.5);
 }
 
 #[test]
@@ -259,5 +259,5 @@ fn the_views_over_a_built_in_scenario_can_be_looked_at() {
         println!("skipped: PILOTAGE_PICTURES names no folder");
         return;
     }
-    Scene::flown("distinct-400ft-wind").write_all("flown", 15.5);
+    ViewDocuments::flown("distinct-400ft-wind").write_all("flown", 15.5);
 }

@@ -2,7 +2,7 @@
 
 use egui::{Rect, Response, Sense, Ui, pos2, vec2};
 
-use super::chart::Axes;
+use super::chart::ChartAxes;
 use super::parts;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -22,7 +22,7 @@ pub(crate) struct TimeAxis {
     span_pointer: SpanPointer,
 }
 
-impl TimeOnScreen for Axes {
+impl TimeOnScreen for ChartAxes {
     fn x_of(&self, time: f64) -> f32 {
         self.screen_x(time)
     }
@@ -62,7 +62,7 @@ impl TimeAxis {
         ui: &Ui,
         context: &mut ViewContext<'_>,
         response: &Response,
-        axes: &Axes,
+        axes: &ChartAxes,
         whole: (f64, f64),
     ) -> Option<f64> {
         let selected = context.selected_span;
@@ -100,7 +100,7 @@ impl TimeAxis {
         let size = vec2(ui.available_width(), Self::height(tokens));
         let (outer, _) = ui.allocate_exact_size(size, Sense::hover());
         let rect = Self::curves_rect(outer, tokens);
-        let axes = Axes {
+        let axes = ChartAxes {
             rect: Rect::from_min_max(rect.left_top(), pos2(rect.right(), outer.top())),
             x: span,
             y: (0.0, 1.0),

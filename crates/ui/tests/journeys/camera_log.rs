@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::calibration::CameraAdjustment;
-use pilotage_jobs::{FlyOrder, Job, Opened};
+use pilotage_jobs::{FlyOrder, Job, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
@@ -150,7 +150,7 @@ fn said_of_the_clock(rig: &mut Rig) -> String {
 #[test]
 fn the_overview_tells_the_lag_that_is_left() {
     let mut rig = rig_with_laid_frames();
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         flight: Some(early_flight()),
         ..nothing()
     });

@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{ExplainOrder, ExplainedBy, FileContent, Job, Opened};
+use pilotage_jobs::{ExplainOrder, ExplainedBy, FileContent, Job, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::flight::mission;
@@ -28,7 +28,7 @@ fn open_trained(rig: &mut Rig) {
         let name = "trained_detector".to_owned();
         landmark.properties.insert(name, text);
     }
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         key: String::new(),
         log: None,
         flight: None,

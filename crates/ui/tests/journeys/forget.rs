@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::Geodetic;
-use pilotage_jobs::{Job, Opened};
+use pilotage_jobs::{Job, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
@@ -71,18 +71,18 @@ impl Kind {
     }
 
     /// Contents that a worker is said to have found in files that nobody reads.
-    fn said(self) -> Opened {
+    fn said(self) -> OpenedFiles {
         match self {
-            Self::Folder => Opened {
+            Self::Folder => OpenedFiles {
                 flight: Some(flight()),
                 ..nothing()
             },
             Self::FarMap => a_map(Some(Geodetic::from_degrees(46.86, -92.08, 0.0))),
-            Self::Mission => Opened {
+            Self::Mission => OpenedFiles {
                 mission: Some(mission()),
                 ..nothing()
             },
-            Self::Run => Opened {
+            Self::Run => OpenedFiles {
                 run: Some(run(&mission())),
                 ..nothing()
             },

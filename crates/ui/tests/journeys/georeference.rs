@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{Opened, Unplaced};
+use pilotage_jobs::{OpenedFiles, Unplaced};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, rig};
@@ -9,7 +9,7 @@ use super::support::{Rig, rig};
 /// reaches 1000 m to all sides.
 fn rig_with_a_picture() -> Rig {
     let mut rig = rig();
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         key: String::new(),
         log: None,
         flight: None,

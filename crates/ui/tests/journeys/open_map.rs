@@ -1,13 +1,13 @@
 use egui::{Modifiers, Vec2};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
-use pilotage_jobs::{DescribeMapOrder, Job, MapInfo, MapSource, OpenOrder, Opened};
+use pilotage_jobs::{DescribeMapOrder, Job, MapInfo, MapSource, OpenOrder, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
-pub fn a_map(origin: Option<Geodetic>) -> Opened {
-    Opened {
+pub fn a_map(origin: Option<Geodetic>) -> OpenedFiles {
+    OpenedFiles {
         key: String::new(),
         log: None,
         flight: None,
@@ -32,7 +32,7 @@ pub fn a_map(origin: Option<Geodetic>) -> Opened {
     }
 }
 
-fn drop(rig: &mut Rig, opened: Opened) {
+fn drop(rig: &mut Rig, opened: OpenedFiles) {
     rig.host().opens = Some(opened);
     rig.host().opened.push(vec![OpenedFile {
         path: "county.tif".into(),

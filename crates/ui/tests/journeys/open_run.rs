@@ -1,5 +1,5 @@
 use egui::Vec2;
-use pilotage_jobs::{JobEvent, Opened};
+use pilotage_jobs::{JobEvent, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
 use super::reopen::nothing;
@@ -44,7 +44,7 @@ fn the_pictures_go_on_when_a_run_is_opened_while_it_is_flown() {
 
     let mut opened = run(&mission());
     opened.steps.truncate(25);
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         run: Some(opened),
         ..nothing()
     });

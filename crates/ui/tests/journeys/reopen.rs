@@ -1,7 +1,7 @@
 use egui::Vec2;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_jobs::{
-    FlightSource, FlyOrder, Job, MapInfo, MapSource, Opened, ProvideOrder, TileOrder,
+    FlightSource, FlyOrder, Job, MapInfo, MapSource, OpenedFiles, ProvideOrder, TileOrder,
 };
 use pilotage_ui::documents::{SESSION_KEY, Session, UNREAD_KEY};
 use pilotage_ui::host::OpenedFile;
@@ -21,7 +21,7 @@ fn files(bytes: usize) -> Vec<OpenedFile> {
 /// The app after files with a flight in them were dropped on it.
 fn rig_with_a_flight(bytes: usize) -> Rig {
     let mut rig = rig();
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         flight: Some(flight()),
         ..nothing()
     });
@@ -32,8 +32,8 @@ fn rig_with_a_flight(bytes: usize) -> Rig {
 }
 
 /// Files in which nothing was found.
-pub fn nothing() -> Opened {
-    Opened {
+pub fn nothing() -> OpenedFiles {
+    OpenedFiles {
         key: String::new(),
         log: None,
         flight: None,
@@ -55,7 +55,7 @@ pub fn nothing() -> Opened {
 fn rig_with_a_map() -> Rig {
     let mut rig = rig();
     rig.open_tab("Plan");
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         map: Some(MapInfo {
             name: "area.png".into(),
             bounds: GroundRect::centered(GroundPoint::default(), 2000.0, 2000.0),

@@ -62,7 +62,7 @@ pub enum Georeference {
         file: WorldFile,
     },
     /// A similarity to metres on a sphere around an origin.
-    Similarity(Similarity),
+    Similarity(GroundSimilarity),
     /// Coordinates of a reference system through perspective, as of a plane that was seen askew.
     Projective {
         /// Reference system of the coordinates.
@@ -94,7 +94,7 @@ pub struct WorldFile {
 /// (east, north) = gsd · R · (column, -row) + T for pixel centres at integers, metres on a sphere of
 /// radius 6,378,137 m around the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Similarity {
+pub struct GroundSimilarity {
     /// Latitude of the origin, degrees.
     pub origin_lat: f64,
     /// Longitude of the origin, degrees.
@@ -425,7 +425,7 @@ impl WorldFile {
     }
 }
 
-impl Similarity {
+impl GroundSimilarity {
     /// Latitude and longitude in degrees at a pixel with centres at half integers.
     fn degrees_at(&self, x: f64, y: f64) -> (f64, f64) {
         let (column, row) = (x - 0.5, y - 0.5);

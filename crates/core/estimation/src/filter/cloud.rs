@@ -135,7 +135,7 @@ fn uniform(random: &mut impl Rng) -> f64 {
 }
 
 /// Measurements that the states of a cloud see.
-pub(super) struct Seen<M: Dim>
+pub(super) struct SeenMeasurements<M: Dim>
 where
     DefaultAllocator: Allocator<M>,
 {
@@ -145,7 +145,7 @@ where
     offsets: Vec<Option<OVector<f64, M>>>,
 }
 
-impl<M: Dim> Seen<M>
+impl<M: Dim> SeenMeasurements<M>
 where
     DefaultAllocator: Allocator<M> + Allocator<M, M>,
 {

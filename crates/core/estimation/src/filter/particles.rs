@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use serde::{Deserialize, Serialize};
 
-use super::cloud::{Cloud, Seen};
+use super::cloud::{Cloud, SeenMeasurements};
 use super::root::{cholesky_root, semidefinite_root, solve_lower, solve_semidefinite, solve_upper};
 use super::{
     Correction, FilterError, Gaussian, Prediction, SigmaPoints, UnscentedSettings, Weights,
@@ -239,13 +239,13 @@ impl<const N: usize> ParticleFilter<N> {
     where
         DefaultAllocator: Allocator<M> + Allocator<M, M> + Allocator<Const<N>, M>,
     {
-        let seen = Seen::by(&self.cloud, model, &difference)?;
+        let seen = SeenMeasurements::by(&self.cloud, model, &difference)?;
         self.expect(&seen, noise)
     }
 
     fn expect<M: Dim>(
         &self,
-        seen: &Seen<M>,
+        seen: &SeenMeasurements<M>,
         noise: &OMatrix<f64, M, M>,
     ) -> Result<ExpectedMeasurement<N, M>, FilterError>
     where
@@ -288,7 +288,7 @@ impl<const N: usize> ParticleFilter<N> {
         }
         let noise_root = cholesky_root(noise, "measurement noise")?;
         let before = self.belief;
-        let mut seen = Seen::by(&self.cloud, &model, &difference)?;
+        let mut seen = SeenMeasurements::by(&self.cloud, &model, &difference)?;
         let expected = self.expect(&seen, noise)?;
         let innovation = difference(measurement, &expected.mean);
         let innovation_root =
@@ -312,7 +312,7 @@ impl<const N: usize> ParticleFilter<N> {
                 break;
             }
             self.draw_anew()?;
-            seen = Seen::by(&self.cloud, &model, &difference)?;
+            seen = SeenMeasurements::by(&self.cloud, &model, &difference)?;
         }
         self.belief = self.cloud.moments();
         Ok(Correction {

@@ -57,7 +57,7 @@ pub struct Residual {
 
 /// A transform from pixels to the plane, with its errors.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fit {
+pub struct TransformFit {
     /// Kind of the transform that was fitted.
     pub kind: TransformKind,
     /// (x, y, 1) up to a factor = matrix · (column, row, 1); the factor is positive on the seen side
@@ -92,10 +92,10 @@ pub struct Fit {
 /// assert!(fit.rms_in_pixels < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn fit(points: &[ControlPoint], kind: TransformKind) -> Result<Fit, FitError> {
+pub fn fit(points: &[ControlPoint], kind: TransformKind) -> Result<TransformFit, FitError> {
     let on: Vec<&ControlPoint> = points.iter().filter(|p| p.enabled).collect();
     let matrix = solve_for(&on, kind)?;
-    let mut fit = Fit {
+    let mut fit = TransformFit {
         kind,
         plane_from_pixel: matrix,
         residuals: Vec::new(),
@@ -142,7 +142,7 @@ fn mapped(matrix: &Matrix3<f64>, point: &Point2<f64>) -> Option<Point2<f64>> {
     (h.z > 0.0).then(|| Point2::new(h.x / h.z, h.y / h.z))
 }
 
-impl Fit {
+impl TransformFit {
     /// Place of a pixel; `None` beyond the horizon.
     pub fn place_at(&self, pixel: &Point2<f64>) -> Option<Point2<f64>> {
         mapped(&self.plane_from_pixel, pixel)

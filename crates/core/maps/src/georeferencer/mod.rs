@@ -13,7 +13,7 @@ mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use fit::{ControlPoint, Fit, FitError, Residual, fit};
+pub use fit::{ControlPoint, FitError, Residual, TransformFit, fit};
 pub use kind::TransformKind;
 pub use plane::in_metres;
 pub use points_file::{PointsFileError, read_points, read_points_in, write_points};

@@ -2,7 +2,7 @@
 
 use nalgebra::Point2;
 
-use super::{ControlPoint, Fit};
+use super::{ControlPoint, TransformFit};
 use pilotage_base::frames::ReferenceSystem;
 
 /// Longest file that is read, lines.
@@ -186,7 +186,7 @@ fn cells(line: &str) -> Vec<String> {
 pub fn write_points(
     points: &[ControlPoint],
     system: Option<ReferenceSystem>,
-    fit: Option<&Fit>,
+    fit: Option<&TransformFit>,
 ) -> String {
     let system = system.map(|system| match system.epsg() {
         Some(code) => format!("#CRS: EPSG:{code}\n"),

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Point2, SMatrix, SVector, Vector2};
 use super::kind::TransformKind;
 
 /// A pixel and its place.
-type Pair = (Point2<f64>, Point2<f64>);
+type ControlPair = (Point2<f64>, Point2<f64>);
 
 /// Singular values below this part of the largest count as zero.
 const RANK: f64 = 1e-9;
@@ -14,11 +14,11 @@ const ROUNDS: usize = 50;
 
 /// The transform that minimizes the squared distances in the plane; `None` if the points do not
 /// determine it.
-pub(super) fn transform(pairs: &[Pair], kind: TransformKind) -> Option<Matrix3<f64>> {
+pub(super) fn transform(pairs: &[ControlPair], kind: TransformKind) -> Option<Matrix3<f64>> {
     // Numbers around zero and of size one keep the equations well conditioned.
     let from = normalizer(pairs.iter().map(|(pixel, _)| pixel))?;
     let to = normalizer(pairs.iter().map(|(_, place)| place))?;
-    let scaled: Vec<Pair> = pairs
+    let scaled: Vec<ControlPair> = pairs
         .iter()
         .map(|(pixel, place)| (from.transform_point(pixel), to.transform_point(place)))
         .collect();
@@ -29,7 +29,7 @@ pub(super) fn transform(pairs: &[Pair], kind: TransformKind) -> Option<Matrix3<f
     }?;
     let mut matrix = to.try_inverse()? * matrix * from;
     // Positive before the horizon, on which side the points are.
-    let side = |(pixel, _): &Pair| (matrix * pixel.to_homogeneous()).z > 0.0;
+    let side = |(pixel, _): &ControlPair| (matrix * pixel.to_homogeneous()).z > 0.0;
     let before = pairs.iter().filter(|pair| side(pair)).count();
     if before == 0 {
         matrix = -matrix;
@@ -62,7 +62,7 @@ fn normalizer<'a>(points: impl Iterator<Item = &'a Point2<f64>> + Clone) -> Opti
 }
 
 /// x = p·column + q·row + c, y = q·column - p·row + f: rows go down where y goes up.
-fn similarity(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+fn similarity(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
     let rows = pairs.iter().flat_map(|(pixel, place)| {
         [
             ([pixel.x, pixel.y, 1.0, 0.0], place.x),
@@ -73,7 +73,7 @@ fn similarity(pairs: &[Pair]) -> Option<Matrix3<f64>> {
     Some(Matrix3::new(p, q, c, q, -p, f, 0.0, 0.0, 1.0))
 }
 
-fn affine(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+fn affine(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
     let row = |pixel: &Point2<f64>| [pixel.x, pixel.y, 1.0];
     let [a, b, c] = least_squares(pairs.iter().map(|(pixel, place)| (row(pixel), place.x)))?;
     let [d, e, f] = least_squares(pairs.iter().map(|(pixel, place)| (row(pixel), place.y)))?;
@@ -94,7 +94,7 @@ fn least_squares<const N: usize>(rows: impl Iterator<Item = ([f64; N], f64)>) ->
 }
 
 /// Direct linear transform first, then Levenberg's and Marquardt's rounds on the distances.
-fn projective(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+fn projective(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
     let mut matrix = direct(pairs)?;
     let mut error = squared_error(&matrix, pairs)?;
     let mut damping = 1e-6;
@@ -126,7 +126,7 @@ fn projective(pairs: &[Pair]) -> Option<Matrix3<f64>> {
 
 /// The transform from the linear equations x·(g·column + h·row + 1) = a·column + b·row + c and those
 /// for y, as the eigenvector that they map nearest to zero.
-fn direct(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+fn direct(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
     let mut normal: SMatrix<f64, 9, 9> = SMatrix::zeros();
     for (pixel, place) in pairs {
         let (u, v) = (pixel.x, pixel.y);
@@ -152,7 +152,7 @@ fn direct(pairs: &[Pair]) -> Option<Matrix3<f64>> {
     (matrix[(2, 2)].abs() > 1e-12).then(|| matrix / matrix[(2, 2)])
 }
 
-fn squared_error(matrix: &Matrix3<f64>, pairs: &[Pair]) -> Option<f64> {
+fn squared_error(matrix: &Matrix3<f64>, pairs: &[ControlPair]) -> Option<f64> {
     let mut sum = 0.0;
     let mut side = None;
     for (pixel, place) in pairs {
@@ -167,7 +167,10 @@ fn squared_error(matrix: &Matrix3<f64>, pairs: &[Pair]) -> Option<f64> {
 }
 
 /// Normal matrix and gradient of the distances by the first eight elements, the ninth being one.
-fn equations(matrix: &Matrix3<f64>, pairs: &[Pair]) -> (SMatrix<f64, 8, 8>, SVector<f64, 8>) {
+fn equations(
+    matrix: &Matrix3<f64>,
+    pairs: &[ControlPair],
+) -> (SMatrix<f64, 8, 8>, SVector<f64, 8>) {
     let mut normal = SMatrix::zeros();
     let mut gradient = SVector::zeros();
     for (pixel, place) in pairs {

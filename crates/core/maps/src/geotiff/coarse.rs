@@ -1,6 +1,6 @@
 //! A coarse pyramid for files that bring none, made block by block as it is needed.
 
-use super::tiles::Tiles;
+use super::tiles::ColouredTiles;
 use pilotage_raster::imagery::resample::halved;
 use pilotage_raster::raster::{Raster, Rgba};
 
@@ -29,7 +29,7 @@ pub(super) struct Coarse {
 
 impl Coarse {
     /// Prepares the copies of the coarsest level of a file for `most_bytes`; `None` if that is small.
-    pub fn new(tiles: &Tiles, most_bytes: usize) -> Option<Self> {
+    pub fn new(tiles: &ColouredTiles, most_bytes: usize) -> Option<Self> {
         let level = tiles.file.levels().len() - 1;
         let layout = &tiles.file.levels()[level];
         if layout.width * layout.height <= SMALL {
@@ -107,7 +107,7 @@ impl Coarse {
     }
 
     /// Makes a block.
-    pub fn make(&mut self, tiles: &Tiles, block: usize) {
+    pub fn make(&mut self, tiles: &ColouredTiles, block: usize) {
         let layout = &tiles.file.levels()[self.level];
         let (column, row) = (block % self.across, block / self.across);
         let first = (column * self.block.0, row * self.block.1);

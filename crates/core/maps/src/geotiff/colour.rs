@@ -1,6 +1,8 @@
 //! Colours from the samples of a TIFF file.
 
-use super::super::tiff::{Chunk, Layout, Photometric, SampleKind, Samples, TiffError, TiffFile};
+use super::super::tiff::{
+    Chunk, Photometric, SampleKind, TiffError, TiffFile, TiffLayout, TileSamples,
+};
 use pilotage_raster::raster::{Raster, Rgba};
 
 /// Tiles from which the brightest value of 16-bit pictures is taken.
@@ -77,7 +79,7 @@ impl Colours {
             let tile = file.chunk(level, index % layout.across(), index / layout.across());
             // A tile that cannot be read is told when it is shown.
             let Ok(Some(chunk)) = tile else { continue };
-            let Samples::U16(samples) = &chunk.samples else {
+            let TileSamples::U16(samples) = &chunk.samples else {
                 continue;
             };
             for pixel in samples.chunks_exact(chunk.samples_per_pixel) {
@@ -100,15 +102,15 @@ impl Colours {
     }
 
     /// The colours of a tile; missing tiles are transparent.
-    pub fn paint(&self, layout: &Layout, chunk: Option<&Chunk>) -> Raster<Rgba> {
+    pub fn paint(&self, layout: &TiffLayout, chunk: Option<&Chunk>) -> Raster<Rgba> {
         let empty = || Raster::filled(layout.chunk_width, layout.chunk_height, [0; 4]);
         let Some(chunk) = chunk else { return empty() };
         let n = chunk.samples_per_pixel;
         let pixels: Vec<Rgba> = match &chunk.samples {
-            Samples::U8(samples) => (samples.chunks_exact(n))
+            TileSamples::U8(samples) => (samples.chunks_exact(n))
                 .map(|pixel| self.colour(|band| u32::from(pixel[band])))
                 .collect(),
-            Samples::U16(samples) => (samples.chunks_exact(n))
+            TileSamples::U16(samples) => (samples.chunks_exact(n))
                 .map(|pixel| self.colour(|band| u32::from(pixel[band])))
                 .collect(),
             _ => return empty(),

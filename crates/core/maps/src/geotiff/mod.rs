@@ -16,7 +16,7 @@ use coarse::Coarse;
 use colour::Colours;
 pub use keys::GeoKeys;
 pub use place::world_file;
-use tiles::Tiles;
+use tiles::ColouredTiles;
 
 use super::tiff::{TiffError, TiffFile};
 use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame, ReferenceSystem};
@@ -24,7 +24,7 @@ use pilotage_base::{
     bytes::ByteSource,
     georeference::{Georeference, GeoreferenceError},
 };
-use pilotage_raster::imagery::resample::{Part, Sight, samples_per_side};
+use pilotage_raster::imagery::resample::{PyramidRegion, WindowPixels, samples_per_side};
 use pilotage_raster::imagery::{Imagery, Placement, Window};
 use pilotage_raster::raster::{Raster, Rgba};
 
@@ -94,7 +94,7 @@ pub struct GeoTiffFile {
 
 /// A `GeoTIFF` as a map.
 pub struct GeoTiff {
-    tiles: Tiles,
+    tiles: ColouredTiles,
     placement: Placement,
     coarse: Option<Mutex<Coarse>>,
 }
@@ -207,7 +207,7 @@ impl GeoTiff {
     ) -> Result<Self, GeoTiffError> {
         let placement = file.placement(frame)?;
         let colours = Colours::of(&file.tiff)?;
-        let tiles = Tiles::new(file.tiff, colours, memory.tiles);
+        let tiles = ColouredTiles::new(file.tiff, colours, memory.tiles);
         let coarse = Coarse::new(&tiles, memory.coarse).map(Mutex::new);
         Ok(Self {
             tiles,
@@ -239,7 +239,7 @@ impl GeoTiff {
     /// The window from the coarse pyramid, if that is fine enough.
     fn coarse_window(
         &self,
-        sight: &Sight,
+        sight: &WindowPixels,
         ratio: f64,
         make_missing: bool,
     ) -> Option<(Raster<Rgba>, bool)> {
@@ -276,7 +276,7 @@ impl GeoTiff {
         let copy = ((ratio * 1.01 / fine).log2() as usize).min(copies.len() - 1);
         let factor = (finest << copy) as f64;
         let pixels = &copies[copy];
-        let part = Part {
+        let part = PyramidRegion {
             pixels,
             first: (0, 0),
             level: (pixels.width(), pixels.height()),
@@ -336,7 +336,7 @@ impl Imagery for GeoTiff {
     fn window(&self, window: &Window) -> Raster<Rgba> {
         let empty = || Raster::filled(window.width, window.height, [0; 4]);
         let ratio = window.gsd / self.native_gsd();
-        let sight = Sight::new(window, &self.placement);
+        let sight = WindowPixels::new(window, &self.placement);
         let Some((low, high)) = sight.extent() else {
             return empty();
         };
@@ -364,7 +364,7 @@ impl Imagery for GeoTiff {
             ((high.y * scale.1) as usize + 2).min(layout.height),
         );
         let rectangle = self.tiles.rectangle(level, first, end);
-        let part = Part {
+        let part = PyramidRegion {
             pixels: &rectangle,
             first,
             level: (layout.width, layout.height),
@@ -377,7 +377,7 @@ impl Imagery for GeoTiff {
     /// Also says whether the window is whole; if not, [`prepare`](Self::prepare) and ask again.
     fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
         let ratio = window.gsd / self.native_gsd();
-        let sight = Sight::new(window, &self.placement);
+        let sight = WindowPixels::new(window, &self.placement);
         self.coarse_window(&sight, ratio, false)
             .unwrap_or_else(|| (self.window(window), true))
     }

@@ -2,32 +2,32 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::super::tiff::{Chunk, Layout, TiffError, TiffFile};
+use super::super::tiff::{Chunk, TiffError, TiffFile, TiffLayout};
 use super::colour::Colours;
-use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::imagery::kept::RecentValues;
 use pilotage_raster::raster::{Raster, Rgba};
 
 /// Most problems that are remembered.
 const MOST_PROBLEMS: usize = 16;
 
 /// Level, column and row of a tile.
-type Place = (usize, usize, usize);
+type TileIndex = (usize, usize, usize);
 
 /// The coloured tiles of a file.
-pub(super) struct Tiles {
+pub(super) struct ColouredTiles {
     pub file: TiffFile,
     pub colours: Colours,
-    kept: Kept<Place, Raster<Rgba>>,
+    kept: RecentValues<TileIndex, Raster<Rgba>>,
     problems: Mutex<Vec<TiffError>>,
 }
 
-impl Tiles {
+impl ColouredTiles {
     /// Tiles of `file`, of which at most `most_bytes` are kept.
     pub fn new(file: TiffFile, colours: Colours, most_bytes: usize) -> Self {
         Self {
             file,
             colours,
-            kept: Kept::new(most_bytes),
+            kept: RecentValues::new(most_bytes),
             problems: Mutex::new(Vec::new()),
         }
     }
@@ -45,7 +45,7 @@ impl Tiles {
         }
     }
 
-    fn read(&self, (level, column, row): Place) -> Result<Raster<Rgba>, TiffError> {
+    fn read(&self, (level, column, row): TileIndex) -> Result<Raster<Rgba>, TiffError> {
         let layout = &self.file.levels()[level];
         let chunk = self.file.chunk(level, column, row)?;
         let mut tile = self.colours.paint(layout, chunk.as_ref());
@@ -59,8 +59,8 @@ impl Tiles {
     fn cover(
         &self,
         tile: &mut Raster<Rgba>,
-        mask: &Layout,
-        (level, column, row): Place,
+        mask: &TiffLayout,
+        (level, column, row): TileIndex,
     ) -> Result<(), TiffError> {
         let layout = &self.file.levels()[level];
         let first = (column * layout.chunk_width, row * layout.chunk_height);
@@ -85,7 +85,7 @@ impl Tiles {
     }
 
     /// The tile at a place; transparent if it cannot be read, which is remembered as a problem.
-    fn tile(&self, place: Place) -> Arc<Raster<Rgba>> {
+    fn tile(&self, place: TileIndex) -> Arc<Raster<Rgba>> {
         let made = self.kept.get_or_make(place, || {
             let tile = self.read(place)?;
             let bytes = tile.pixels().len() * 4;
@@ -125,7 +125,7 @@ impl Tiles {
 
 /// Columns and rows of the tiles of `layout` that share pixels with the rectangle.
 fn overlapping(
-    layout: &Layout,
+    layout: &TiffLayout,
     first: (usize, usize),
     end: (usize, usize),
 ) -> impl Iterator<Item = (usize, usize)> + use<> {

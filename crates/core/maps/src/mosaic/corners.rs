@@ -55,7 +55,7 @@ pub(crate) struct CorneredPicture {
 
 /// Meaning of a column: the corners and the coordinate that it holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Meaning {
+struct CornerColumn {
     /// Whether it is y: latitude, northing.
     is_y: bool,
     /// Whether it is about the top, if about one of top and bottom.
@@ -67,7 +67,7 @@ struct Meaning {
 /// Corners from the top left one clockwise: whether each is at the top, and whether it is at the left.
 const CORNERS: [(bool, bool); 4] = [(true, true), (true, false), (false, false), (false, true)];
 
-impl Meaning {
+impl CornerColumn {
     /// Meaning of a column by its name.
     fn of(name: &str) -> Option<Self> {
         let mut is_y = None;
@@ -175,7 +175,8 @@ pub(super) fn read_corners(
         .iter()
         .position(is_file)
         .ok_or_else(|| lacks("no column is called file"))?;
-    let meanings: Vec<Option<Meaning>> = names.iter().map(|name| Meaning::of(name)).collect();
+    let meanings: Vec<Option<CornerColumn>> =
+        names.iter().map(|name| CornerColumn::of(name)).collect();
     let is_known = |corner: (bool, bool)| {
         let has = |is_y| {
             let mut of_axis = meanings.iter().flatten().filter(|m| m.is_y == is_y);

@@ -7,7 +7,7 @@ use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Placement, Window, decode_map};
 use pilotage_raster::raster::{Raster, Rgba};
 
-use crate::map_error::MapError;
+use crate::map_error::MapFileError;
 use crate::map_options::{MapOptions, frame_of, is_geo_tiff};
 use crate::tiff::TiffFile;
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
@@ -55,9 +55,13 @@ impl Mosaic {
     /// assert!((map.bounds().width() - 445.28).abs() < 0.1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn open(files: &dyn FileSet, name: &str, options: &MapOptions) -> Result<Self, MapError> {
+    pub fn open(
+        files: &dyn FileSet,
+        name: &str,
+        options: &MapOptions,
+    ) -> Result<Self, MapFileError> {
         let bytes = files.read(name).ok_or_else(|| missing(name))?;
-        let wrong = |cause| MapError::Corners {
+        let wrong = |cause| MapFileError::Corners {
             file: name.to_owned(),
             cause,
         };
@@ -74,7 +78,7 @@ impl Mosaic {
         folder: &str,
         rows: &[CorneredPicture],
         options: &MapOptions,
-    ) -> Result<Self, MapError> {
+    ) -> Result<Self, MapFileError> {
         let middle = rows[0].georeference(1, 1);
         let middle = middle.and_then(|place| place.origin(1, 1));
         let frame = frame_of(options, middle);
@@ -95,7 +99,7 @@ impl Mosaic {
                 Box::new(picture)
             };
             if kept > MOST_PIXELS {
-                return Err(MapError::TooLarge {
+                return Err(MapFileError::TooLarge {
                     file: name.to_owned(),
                     megapixels: MOST_PIXELS / 1_000_000,
                 });
@@ -144,14 +148,14 @@ impl Mosaic {
     }
 }
 
-fn missing(name: &str) -> MapError {
-    MapError::Missing {
+fn missing(name: &str) -> MapFileError {
+    MapFileError::Missing {
         file: name.to_owned(),
     }
 }
 
-fn empty(name: &str) -> MapError {
-    MapError::Empty {
+fn empty(name: &str) -> MapFileError {
+    MapFileError::Empty {
         file: name.to_owned(),
     }
 }
@@ -163,7 +167,7 @@ fn geo_tiff(
     row: &CorneredPicture,
     frame: LocalFrame,
     options: &MapOptions,
-) -> Result<GeoTiff, MapError> {
+) -> Result<GeoTiff, MapFileError> {
     let source = files.source(name).ok_or_else(|| missing(name))?;
     let tiff = TiffFile::open(source.clone()).map_err(GeoTiffError::from)?;
     let (width, height) = (tiff.levels()[0].width, tiff.levels()[0].height);
@@ -178,17 +182,17 @@ fn picture(
     name: &str,
     row: &CorneredPicture,
     frame: LocalFrame,
-) -> Result<GeoreferencedPicture, MapError> {
+) -> Result<GeoreferencedPicture, MapFileError> {
     let bytes = files.read(name).ok_or_else(|| missing(name))?;
     // Dark water at the edge of a tile is no border.
-    let picture = decode_map(&bytes, false).map_err(|cause| MapError::Picture {
+    let picture = decode_map(&bytes, false).map_err(|cause| MapFileError::Picture {
         file: name.to_owned(),
         cause,
     })?;
     let (width, height) = (picture.width(), picture.height());
     let place = row.georeference(width, height).ok_or_else(|| empty(name))?;
     let placement = Placement::on_globe(place, frame, width, height).map_err(|cause| {
-        MapError::Georeference {
+        MapFileError::Georeference {
             file: name.to_owned(),
             cause,
         }

@@ -11,7 +11,7 @@ use super::{datums, methods, units};
 const TABLE: &str = include_str!("codes.txt");
 
 /// A code's line of the table.
-struct Row {
+struct CodeRow {
     /// Number of codes of its family before this one.
     step: u32,
     /// EPSG code of the datum's longitude and latitude.
@@ -105,11 +105,11 @@ pub(super) fn unit_of(letter: &str) -> (f64, &'static str) {
     }
 }
 
-fn row(code: u32) -> Option<Row> {
+fn row(code: u32) -> Option<CodeRow> {
     rows().find_map(|(codes, name, projection)| {
         let (first, _, datum, unit) =
             codes_of(codes).find(|(first, last, ..)| (*first..=*last).contains(&code))?;
-        Some(Row {
+        Some(CodeRow {
             step: code - first,
             datum,
             unit: unit_of(unit),
@@ -119,7 +119,7 @@ fn row(code: u32) -> Option<Row> {
     })
 }
 
-impl Row {
+impl CodeRow {
     fn name(&self) -> Option<String> {
         let datum = datums::by_code(self.datum)?.name;
         let rest = stepped(self.name, self.step)?;

@@ -11,7 +11,7 @@ use super::{SystemError, code_table, datums, methods};
 
 /// Role of a number in a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
+pub(crate) enum ParameterRole {
     /// Latitude of the origin, radians.
     Latitude,
     /// Longitude of the origin, radians.
@@ -32,7 +32,7 @@ pub(crate) enum Role {
 
 /// A projected system before its projection is known by name.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Definition {
+pub(crate) struct ProjectedDefinition {
     /// Name in the file.
     pub name: String,
     /// Its datum.
@@ -45,7 +45,7 @@ pub(crate) struct Definition {
     pub numbers: [Option<f64>; 8],
 }
 
-impl Default for Definition {
+impl Default for ProjectedDefinition {
     fn default() -> Self {
         Self {
             name: String::new(),
@@ -128,7 +128,7 @@ const METHODS: [(&str, ProjectionMethod); 28] = [
     ("OBLIQUEMERCATOR", ProjectionMethod::SwissOblique),
 ];
 
-impl Definition {
+impl ProjectedDefinition {
     /// The system with the projection that a file calls so.
     pub fn system(&self, method: &str) -> Result<ReferenceSystem, SystemError> {
         let plain = plain(method);
@@ -138,7 +138,7 @@ impl Definition {
             return Ok(ReferenceSystem::WebMercator);
         }
         // ESRI's word for one at any origin, which here is known at the poles only.
-        let latitude = self.numbers[Role::Latitude as usize].unwrap_or(0.0);
+        let latitude = self.numbers[ParameterRole::Latitude as usize].unwrap_or(0.0);
         let is_polar = plain == "STEREOGRAPHIC" && FRAC_PI_2 - latitude.abs() < 1e-9;
         let plain = if is_polar {
             "POLARSTEREOGRAPHIC"
@@ -164,18 +164,19 @@ impl Definition {
             name: self.name.clone(),
             cause: cause.to_owned(),
         };
-        let number = |role: Role| self.numbers[role as usize];
+        let number = |role: ParameterRole| self.numbers[role as usize];
         let mut numbers = code_table::plain_numbers(self.datum, method);
         numbers.unit = self.unit;
         numbers.prime_meridian = self.prime_meridian;
-        numbers.longitude_0 = number(Role::Longitude)
+        numbers.longitude_0 = number(ParameterRole::Longitude)
             .ok_or_else(|| wrong("it does not say the longitude of its origin"))?;
-        numbers.offset = [Role::Easting, Role::Northing].map(|role| number(role).unwrap_or(0.0));
-        numbers.scale = number(Role::Scale).unwrap_or(1.0);
+        numbers.offset = [ParameterRole::Easting, ParameterRole::Northing]
+            .map(|role| number(role).unwrap_or(0.0));
+        numbers.scale = number(ParameterRole::Scale).unwrap_or(1.0);
         let (latitude, first, second) = (
-            number(Role::Latitude),
-            number(Role::FirstParallel),
-            number(Role::SecondParallel),
+            number(ParameterRole::Latitude),
+            number(ParameterRole::FirstParallel),
+            number(ParameterRole::SecondParallel),
         );
         match method {
             ProjectionMethod::LambertConformal | ProjectionMethod::Albers => {
@@ -205,7 +206,7 @@ impl Definition {
                 }
             }
             ProjectionMethod::SwissOblique => {
-                let azimuth = number(Role::Azimuth).unwrap_or(FRAC_PI_2);
+                let azimuth = number(ParameterRole::Azimuth).unwrap_or(FRAC_PI_2);
                 if (azimuth - FRAC_PI_2).abs() > 1e-9 {
                     return Err(SystemError::Method {
                         name: self.name.clone(),
@@ -224,7 +225,7 @@ impl Definition {
                     latitude.ok_or_else(|| wrong("it does not say the latitude of its origin"))?;
                 numbers.parallels =
                     [first.ok_or_else(|| wrong("it does not say its standard parallel"))?; 2];
-                let azimuth = number(Role::Azimuth).map_or(30.288, f64::to_degrees);
+                let azimuth = number(ParameterRole::Azimuth).map_or(30.288, f64::to_degrees);
                 if (azimuth - 30.288).abs() > 0.01 {
                     return Err(wrong("its cone is not the one of Křovák"));
                 }

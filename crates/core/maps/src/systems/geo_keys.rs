@@ -4,7 +4,7 @@
 
 use pilotage_base::frames::{Datum, Ellipsoid, ProjectionMethod, ReferenceSystem};
 
-use super::definition::{Definition, Role};
+use super::definition::{ParameterRole, ProjectedDefinition};
 use super::keys::{GEOGRAPHIC_CITATION, GEOGRAPHIC_TYPE, LINEAR_UNITS, MODEL_TYPE, USER_DEFINED};
 use super::made::of_numbers;
 use super::names::shortened;
@@ -25,15 +25,15 @@ const TRANSFORMATION: u64 = 3075;
 const LINEAR_UNIT_SIZE: u64 = 3077;
 
 /// Keys that hold a number of each role, by what the projections call them.
-const ROLES: &[(Role, &[u64])] = &[
-    (Role::Latitude, &[3081, 3085, 3089]),
-    (Role::Longitude, &[3080, 3084, 3088, 3095]),
-    (Role::FirstParallel, &[3078]),
-    (Role::SecondParallel, &[3079]),
-    (Role::Scale, &[3092, 3093]),
-    (Role::Easting, &[3082, 3086, 3090]),
-    (Role::Northing, &[3083, 3087, 3091]),
-    (Role::Azimuth, &[3094]),
+const ROLES: &[(ParameterRole, &[u64])] = &[
+    (ParameterRole::Latitude, &[3081, 3085, 3089]),
+    (ParameterRole::Longitude, &[3080, 3084, 3088, 3095]),
+    (ParameterRole::FirstParallel, &[3078]),
+    (ParameterRole::SecondParallel, &[3079]),
+    (ParameterRole::Scale, &[3092, 3093]),
+    (ParameterRole::Easting, &[3082, 3086, 3090]),
+    (ParameterRole::Northing, &[3083, 3087, 3091]),
+    (ParameterRole::Azimuth, &[3094]),
 ];
 
 /// Codes of projections.
@@ -107,22 +107,25 @@ pub(crate) fn described(
             }
         },
     };
-    let mut definition = Definition {
+    let mut definition = ProjectedDefinition {
         name: name.to_owned(),
         datum,
         prime_meridian,
         unit,
-        ..Definition::default()
+        ..ProjectedDefinition::default()
     };
     // A UTM zone by the code of its projection.
     if let Some(zone @ (16_001..=16_060 | 16_101..=16_160)) = number(PROJECTION) {
         let meridian = 6.0 * (zone % 100) as f64 - 183.0;
         let of_zone = [
-            (Role::Latitude, 0.0),
-            (Role::Longitude, meridian.to_radians()),
-            (Role::Scale, 0.9996),
-            (Role::Easting, 500_000.0),
-            (Role::Northing, if zone > 16_100 { 1e7 } else { 0.0 }),
+            (ParameterRole::Latitude, 0.0),
+            (ParameterRole::Longitude, meridian.to_radians()),
+            (ParameterRole::Scale, 0.9996),
+            (ParameterRole::Easting, 500_000.0),
+            (
+                ParameterRole::Northing,
+                if zone > 16_100 { 1e7 } else { 0.0 },
+            ),
         ];
         for (role, value) in of_zone {
             definition.numbers[role as usize] = Some(value);
@@ -133,8 +136,8 @@ pub(crate) fn described(
     for (role, of_role) in ROLES {
         let value = of_role.iter().find_map(|key| real(*key));
         let size = match role {
-            Role::Scale => 1.0,
-            Role::Easting | Role::Northing => unit,
+            ParameterRole::Scale => 1.0,
+            ParameterRole::Easting | ParameterRole::Northing => unit,
             _ => angle,
         };
         definition.numbers[*role as usize] = value.map(|value| value * size);

@@ -7,7 +7,7 @@ use super::units::metres_per_unit;
 use crate::GeoTiffFile;
 use crate::geotiff::BandMetadata;
 use crate::tiff::{Chunk, Photometric, SampleKind, TiffError, TiffFile};
-use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::imagery::kept::RecentValues;
 
 /// Bytes of unpacked tiles that are kept.
 const MEMORY: usize = 32 << 20;
@@ -17,7 +17,7 @@ const HIGHEST: f64 = 12_000.0;
 const REAL_BITS: usize = 32;
 
 /// Column and row of a tile.
-type Place = (usize, usize);
+type PostTile = (usize, usize);
 
 /// Heights of the first band of a file: height = scale · sample + offset.
 pub(super) struct TiffPosts {
@@ -28,8 +28,8 @@ pub(super) struct TiffPosts {
     offset: f64,
     /// Sample of posts without a height.
     no_data: Option<f64>,
-    kept: Kept<Place, Option<Chunk>>,
-    masks: Kept<Place, Option<Chunk>>,
+    kept: RecentValues<PostTile, Option<Chunk>>,
+    masks: RecentValues<PostTile, Option<Chunk>>,
     problem: Mutex<Option<TiffError>>,
 }
 
@@ -58,8 +58,8 @@ impl TiffPosts {
                 SampleKind::F16 | SampleKind::F32 => f64::from(value as f32),
                 _ => value,
             }),
-            kept: Kept::new(MEMORY),
-            masks: Kept::new(MEMORY / 8),
+            kept: RecentValues::new(MEMORY),
+            masks: RecentValues::new(MEMORY / 8),
             problem: Mutex::new(None),
             file: file.tiff.clone(),
         })

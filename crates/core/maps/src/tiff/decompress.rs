@@ -12,7 +12,7 @@ use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
 use super::lerc::unlerc;
-use super::{Compression, Layout, LercWrap, Photometric};
+use super::{Compression, LercWrap, Photometric, TiffLayout};
 
 /// Largest window of Zstandard that is allowed for, bytes: no tile is larger.
 const WINDOW: u64 = 64 << 20;
@@ -22,7 +22,7 @@ const LERC_HEADS: usize = 1 << 16;
 
 /// Unpacks `packed` into `expected` bytes; less if it ends early. The error says why not.
 pub(super) fn unpack(
-    layout: &Layout,
+    layout: &TiffLayout,
     packed: Vec<u8>,
     (width, rows): (usize, usize),
     expected: usize,
@@ -133,7 +133,11 @@ fn zstandard(packed: &[u8], expected: usize) -> Result<Vec<u8>, String> {
 }
 
 /// Decodes a `WebP` picture; one without transparency is opaque where the file has a sample for it.
-fn webp(layout: &Layout, packed: &[u8], (width, rows): (usize, usize)) -> Result<Vec<u8>, String> {
+fn webp(
+    layout: &TiffLayout,
+    packed: &[u8],
+    (width, rows): (usize, usize),
+) -> Result<Vec<u8>, String> {
     let wrong = |cause: &dyn std::fmt::Display| format!("WebP: {cause}");
     let mut decoder = WebPDecoder::new(Cursor::new(packed)).map_err(|cause| wrong(&cause))?;
     let (w, h) = decoder.dimensions();
@@ -162,7 +166,7 @@ fn webp(layout: &Layout, packed: &[u8], (width, rows): (usize, usize)) -> Result
 
 /// Decodes an abbreviated JPEG with the shared tables in front of it.
 fn jpeg(
-    layout: &Layout,
+    layout: &TiffLayout,
     packed: Vec<u8>,
     (width, rows): (usize, usize),
 ) -> Result<Vec<u8>, String> {

@@ -17,7 +17,7 @@ const LARGEST_VALUES: u64 = 64 << 20;
 const BLOCK: u64 = 1 << 16;
 
 /// Reads small pieces of a source through blocks, so that a slow source is asked rarely.
-pub(super) struct Reader<'a> {
+pub(super) struct BlockReader<'a> {
     source: &'a dyn ByteSource,
     is_little_endian: bool,
     is_big: bool,
@@ -26,7 +26,7 @@ pub(super) struct Reader<'a> {
 
 /// Entry of one tag: its kind, and its values.
 #[derive(Clone, Debug)]
-struct Entry {
+struct TagEntry {
     kind: u16,
     values: Vec<u8>,
 }
@@ -37,10 +37,10 @@ pub struct Directory {
     file: String,
     length: u64,
     is_little_endian: bool,
-    entries: BTreeMap<u16, Entry>,
+    entries: BTreeMap<u16, TagEntry>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> BlockReader<'a> {
     /// Reads the header; gives the offset of the first directory as well.
     pub fn open(source: &'a dyn ByteSource) -> Result<(Self, u64), TiffError> {
         let not_tiff = || TiffError::NotTiff {
@@ -147,7 +147,7 @@ impl<'a> Reader<'a> {
             if let Some(values) = self.values(&read)? {
                 // The first of several is the one that counts.
                 let kind = read.kind;
-                entries.entry(read.tag).or_insert(Entry { kind, values });
+                entries.entry(read.tag).or_insert(TagEntry { kind, values });
             }
         }
         let next = &table[(count * entry) as usize..];
@@ -205,7 +205,7 @@ impl Directory {
         self.is_little_endian
     }
 
-    fn entry(&self, tag: Tag) -> Option<&Entry> {
+    fn entry(&self, tag: Tag) -> Option<&TagEntry> {
         self.entries.get(&(tag as u16))
     }
 

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::decompress::unpack;
-use super::directory::Reader;
+use super::directory::BlockReader;
 use super::error::Blame;
 use super::samples::from_bytes;
-use super::{Chunk, Directory, Layout, Photometric, Samples, TiffError};
+use super::{Chunk, Directory, Photometric, TiffError, TiffLayout, TileSamples};
 use pilotage_base::bytes::ByteSource;
 
 /// An open TIFF file: the picture, its smaller copies and their masks.
@@ -16,15 +16,15 @@ pub struct TiffFile {
     /// Tags of the picture itself.
     pub(crate) directory: Directory,
     /// The picture, then its overviews from fine to coarse.
-    levels: Vec<Layout>,
+    levels: Vec<TiffLayout>,
     /// For every level the mask of valid pixels, where the file has one.
-    masks: Vec<Option<Layout>>,
+    masks: Vec<Option<TiffLayout>>,
 }
 
 impl TiffFile {
     /// Reads the directories of a file.
     pub fn open(source: Arc<dyn ByteSource>) -> Result<Self, TiffError> {
-        let (mut reader, first) = Reader::open(source.as_ref())?;
+        let (mut reader, first) = BlockReader::open(source.as_ref())?;
         let directories = reader.directories(first)?;
         let blame = Blame {
             file: source.name(),
@@ -34,14 +34,14 @@ impl TiffFile {
         let directory = images
             .next()
             .ok_or_else(|| blame.damaged("it holds no image"))?;
-        let picture = Layout::from_directory(&directory)?;
+        let picture = TiffLayout::from_directory(&directory)?;
         let (width, height) = (picture.width, picture.height);
         let mut levels = vec![picture];
         let mut masks = Vec::new();
         for other in images {
             // A second picture, or an overview of a kind that is not read, is no reason to refuse
             // the first.
-            let Ok(layout) = Layout::from_directory(&other) else {
+            let Ok(layout) = TiffLayout::from_directory(&other) else {
                 continue;
             };
             if layout.photometric == Photometric::Mask {
@@ -59,7 +59,7 @@ impl TiffFile {
         let masks = levels
             .iter()
             .map(|level| {
-                let fits = |m: &&Layout| (m.width, m.height) == (level.width, level.height);
+                let fits = |m: &&TiffLayout| (m.width, m.height) == (level.width, level.height);
                 masks.iter().find(fits).cloned()
             })
             .collect();
@@ -82,12 +82,12 @@ impl TiffFile {
     }
 
     /// The picture, then its overviews from fine to coarse.
-    pub fn levels(&self) -> &[Layout] {
+    pub fn levels(&self) -> &[TiffLayout] {
         &self.levels
     }
 
     /// The mask of a level, where the file has one.
-    pub fn mask(&self, level: usize) -> Option<&Layout> {
+    pub fn mask(&self, level: usize) -> Option<&TiffLayout> {
         self.masks.get(level)?.as_ref()
     }
 
@@ -120,7 +120,7 @@ impl TiffFile {
 
     fn chunk_of(
         &self,
-        layout: &Layout,
+        layout: &TiffLayout,
         column: usize,
         row: usize,
         level: usize,
@@ -169,7 +169,7 @@ impl TiffFile {
             found.push(from_bytes(layout, bytes, layout.chunk_width));
         }
         let samples = if layout.is_planar {
-            Samples::interleaved(found)
+            TileSamples::interleaved(found)
         } else {
             found.pop()
         };

@@ -65,7 +65,7 @@ pub enum SampleKind {
     clippy::struct_excessive_bools,
     reason = "four independent properties of the format"
 )]
-pub struct Layout {
+pub struct TiffLayout {
     /// Pixels from left to right.
     pub width: usize,
     /// Pixels from top to bottom.
@@ -124,7 +124,7 @@ impl SampleKind {
     }
 }
 
-impl Layout {
+impl TiffLayout {
     /// The layout that a directory describes.
     pub fn from_directory(directory: &Directory) -> Result<Self, TiffError> {
         let side = |tag: Tag| -> Result<usize, TiffError> {

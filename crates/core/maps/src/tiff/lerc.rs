@@ -3,7 +3,7 @@
 use lerc_core::PixelData;
 use lerc_reader::decode_band_set;
 
-use super::{Layout, SampleKind};
+use super::{SampleKind, TiffLayout};
 
 /// First bytes of every band.
 const KEY: &[u8] = b"Lerc2 ";
@@ -11,7 +11,7 @@ const KEY: &[u8] = b"Lerc2 ";
 /// Unpacks a tile into the bytes that an unpacked one would have in this file. Pixels that are not valid are not a number
 /// among real ones, zero among whole ones, and transparent where the file has a sample for that.
 pub(super) fn unlerc(
-    layout: &Layout,
+    layout: &TiffLayout,
     packed: &[u8],
     (width, rows): (usize, usize),
 ) -> Result<Vec<u8>, String> {

@@ -21,8 +21,8 @@ pub use compression::{Compression, LercWrap};
 pub(super) use directory::Directory;
 pub use error::TiffError;
 pub use file::TiffFile;
-pub use layout::{Layout, Photometric, SampleKind};
-pub use samples::{Chunk, Samples};
+pub use layout::{Photometric, SampleKind, TiffLayout};
+pub use samples::{Chunk, TileSamples};
 pub(super) use tags::Tag;
 
 /// Most bytes of one decoded tile or strip.

@@ -1,10 +1,10 @@
 //! From unpacked bytes to samples.
 
-use super::{Layout, SampleKind};
+use super::{SampleKind, TiffLayout};
 
 /// Samples of a tile, pixel by pixel.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Samples {
+pub enum TileSamples {
     /// 8 bits, and fewer.
     U8(Vec<u8>),
     /// 8 bits with a sign.
@@ -37,10 +37,10 @@ pub struct Chunk {
     /// Samples of a pixel.
     pub samples_per_pixel: usize,
     /// All samples, row by row, those of a pixel together.
-    pub samples: Samples,
+    pub samples: TileSamples,
 }
 
-impl Samples {
+impl TileSamples {
     /// Number of samples.
     pub fn len(&self) -> usize {
         match self {
@@ -115,7 +115,7 @@ impl Samples {
 }
 
 /// The samples of `rows` rows of `width` pixels in `bytes`, which has exactly their length.
-pub(super) fn from_bytes(layout: &Layout, mut bytes: Vec<u8>, width: usize) -> Samples {
+pub(super) fn from_bytes(layout: &TiffLayout, mut bytes: Vec<u8>, width: usize) -> TileSamples {
     let together = layout.samples_together();
     let row = layout.kind.row_bytes(width * together);
     let is_little_endian = layout.is_little_endian;
@@ -126,9 +126,9 @@ pub(super) fn from_bytes(layout: &Layout, mut bytes: Vec<u8>, width: usize) -> S
         }
         // What comes out of the predictor begins with the most significant byte.
         return match layout.kind {
-            SampleKind::F64 => Samples::F64(words(&bytes, false, f64::from_bits)),
-            SampleKind::F16 => Samples::F32(words(&bytes, false, half)),
-            _ => Samples::F32(words(&bytes, false, |w: u32| f32::from_bits(w))),
+            SampleKind::F64 => TileSamples::F64(words(&bytes, false, f64::from_bits)),
+            SampleKind::F16 => TileSamples::F32(words(&bytes, false, half)),
+            _ => TileSamples::F32(words(&bytes, false, |w: u32| f32::from_bits(w))),
         };
     }
     let step = (layout.predictor == 2).then_some((width * together, together));
@@ -151,25 +151,31 @@ pub(super) fn from_bytes(layout: &Layout, mut bytes: Vec<u8>, width: usize) -> S
             let rows = bytes.chunks_exact(row.max(1));
             let samples = rows.flat_map(|row| (0..width * together).map(|i| of_bits(row, i, bits)));
             if bits <= 8 {
-                Samples::U8(samples.map(|sample| sample as u8).collect())
+                TileSamples::U8(samples.map(|sample| sample as u8).collect())
             } else {
-                Samples::U16(samples.collect())
+                TileSamples::U16(samples.collect())
             }
         }
-        SampleKind::U8 => Samples::U8(whole!(u8, u8)),
-        SampleKind::I8 => Samples::I8(whole!(u8, i8).into_iter().map(|v| v as i8).collect()),
-        SampleKind::U16 => Samples::U16(whole!(u16, u16)),
-        SampleKind::I16 => Samples::I16(whole!(u16, i16).into_iter().map(|v| v as i16).collect()),
-        SampleKind::U32 => Samples::U32(whole!(u32, u32)),
-        SampleKind::I32 => Samples::I32(whole!(u32, i32).into_iter().map(|v| v as i32).collect()),
-        SampleKind::U64 => Samples::U64(whole!(u64, u64)),
-        SampleKind::I64 => Samples::I64(whole!(u64, i64).into_iter().map(|v| v as i64).collect()),
-        SampleKind::F16 => Samples::F32(whole!(u16, f32).into_iter().map(half).collect()),
+        SampleKind::U8 => TileSamples::U8(whole!(u8, u8)),
+        SampleKind::I8 => TileSamples::I8(whole!(u8, i8).into_iter().map(|v| v as i8).collect()),
+        SampleKind::U16 => TileSamples::U16(whole!(u16, u16)),
+        SampleKind::I16 => {
+            TileSamples::I16(whole!(u16, i16).into_iter().map(|v| v as i16).collect())
+        }
+        SampleKind::U32 => TileSamples::U32(whole!(u32, u32)),
+        SampleKind::I32 => {
+            TileSamples::I32(whole!(u32, i32).into_iter().map(|v| v as i32).collect())
+        }
+        SampleKind::U64 => TileSamples::U64(whole!(u64, u64)),
+        SampleKind::I64 => {
+            TileSamples::I64(whole!(u64, i64).into_iter().map(|v| v as i64).collect())
+        }
+        SampleKind::F16 => TileSamples::F32(whole!(u16, f32).into_iter().map(half).collect()),
         SampleKind::F32 => {
-            Samples::F32((whole!(u32, f32).into_iter()).map(f32::from_bits).collect())
+            TileSamples::F32((whole!(u32, f32).into_iter()).map(f32::from_bits).collect())
         }
         SampleKind::F64 => {
-            Samples::F64((whole!(u64, f64).into_iter()).map(f64::from_bits).collect())
+            TileSamples::F64((whole!(u64, f64).into_iter()).map(f64::from_bits).collect())
         }
     }
 }

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::TileNumber;
 use pilotage_base::frames::{GroundRect, LocalFrame};
-use pilotage_raster::imagery::kept::Kept;
-use pilotage_raster::imagery::resample::{Part, Sight, samples_per_side};
+use pilotage_raster::imagery::kept::RecentValues;
+use pilotage_raster::imagery::resample::{PyramidRegion, WindowPixels, samples_per_side};
 use pilotage_raster::imagery::{Imagery, Placement, Window};
 use pilotage_raster::raster::{Raster, Rgba};
 
@@ -38,7 +38,7 @@ pub struct WebTiles {
     frame: LocalFrame,
     area: GroundRect,
     gsd: f64,
-    kept: Kept<TileNumber, Option<Raster<Rgba>>>,
+    kept: RecentValues<TileNumber, Option<Raster<Rgba>>>,
 }
 
 impl WebTiles {
@@ -57,7 +57,7 @@ impl WebTiles {
             store,
             frame,
             area,
-            kept: Kept::new(memory),
+            kept: RecentValues::new(memory),
         }
     }
 
@@ -168,13 +168,13 @@ impl Imagery for WebTiles {
         let Ok(placement) = placement else {
             return empty();
         };
-        let part = Part {
+        let part = PyramidRegion {
             pixels: &pixels,
             first: (0, 0),
             level: size,
             scale: (1.0, 1.0),
         };
         let per_side = samples_per_side(window.gsd / placement.gsd());
-        Sight::new(window, &placement).draw(&part, per_side)
+        WindowPixels::new(window, &placement).draw(&part, per_side)
     }
 }

@@ -12,7 +12,7 @@ use super::metadata::ArchiveMetadata;
 use super::{TileNumber, TileStore};
 use pilotage_base::bytes::ByteSource;
 use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame};
-use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::imagery::kept::RecentValues;
 use pilotage_raster::raster::{Raster, Rgba, decode_picture_with_coverage};
 
 /// Bytes of the header.
@@ -68,7 +68,7 @@ pub enum PmTilesError {
 
 /// An entry of a directory: a run of tiles with the same bytes, or (a run of zero) a directory.
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+struct TileRun {
     id: u64,
     run: u64,
     offset: u64,
@@ -78,8 +78,8 @@ struct Entry {
 /// An open archive.
 pub struct PmTiles {
     source: Arc<dyn ByteSource>,
-    root: Vec<Entry>,
-    leaves: Kept<u64, Vec<Entry>>,
+    root: Vec<TileRun>,
+    leaves: RecentValues<u64, Vec<TileRun>>,
     leaf_offset: u64,
     data_offset: u64,
     is_packed: bool,
@@ -145,7 +145,7 @@ impl PmTiles {
             metadata,
             source,
             root,
-            leaves: Kept::new(DIRECTORIES),
+            leaves: RecentValues::new(DIRECTORIES),
             leaf_offset: word(40),
             data_offset: word(56),
             is_packed,
@@ -220,7 +220,7 @@ impl PmTiles {
         Ok(None)
     }
 
-    fn leaf(&self, entry: &Entry) -> Result<Arc<Vec<Entry>>, PmTilesError> {
+    fn leaf(&self, entry: &TileRun) -> Result<Arc<Vec<TileRun>>, PmTilesError> {
         let place = "leaf directory";
         self.leaves.get_or_make(entry.offset, || {
             let offset = self.leaf_offset.saturating_add(entry.offset);
@@ -228,12 +228,12 @@ impl PmTiles {
             let entries = unpack(&bytes, self.is_packed)
                 .and_then(|bytes| entries(&bytes))
                 .map_err(|cause| damaged(self.source.name(), place, cause))?;
-            let size = entries.len() * size_of::<Entry>();
+            let size = entries.len() * size_of::<TileRun>();
             Ok((entries, size))
         })
     }
 
-    fn bytes_of(&self, entry: &Entry) -> Result<Vec<u8>, PmTilesError> {
+    fn bytes_of(&self, entry: &TileRun) -> Result<Vec<u8>, PmTilesError> {
         if entry.length > LARGEST_TILE {
             let cause = format!("{} bytes", entry.length);
             return Err(damaged(self.source.name(), "tile", cause));
@@ -353,7 +353,7 @@ fn unpack(bytes: &[u8], is_packed: bool) -> Result<Vec<u8>, String> {
 }
 
 /// The entry that holds `id`: the last that begins at or before it.
-fn find(entries: &[Entry], id: u64) -> Option<Entry> {
+fn find(entries: &[TileRun], id: u64) -> Option<TileRun> {
     let after = entries.partition_point(|entry| entry.id <= id);
     let entry = *entries.get(after.checked_sub(1)?)?;
     let holds = entry.run == 0 || id - entry.id < entry.run;
@@ -362,7 +362,7 @@ fn find(entries: &[Entry], id: u64) -> Option<Entry> {
 
 /// Reads a directory: a count, then all ids as differences, all runs, all lengths, all offsets, as
 /// numbers of seven bits a byte. An offset of zero means "behind the one before".
-fn entries(bytes: &[u8]) -> Result<Vec<Entry>, String> {
+fn entries(bytes: &[u8]) -> Result<Vec<TileRun>, String> {
     let mut rest = bytes;
     let mut next = || -> Result<u64, String> {
         let mut value = 0_u64;
@@ -385,7 +385,7 @@ fn entries(bytes: &[u8]) -> Result<Vec<Entry>, String> {
     let mut id = 0_u64;
     for _ in 0..count {
         id = id.checked_add(next()?).ok_or("a tile beyond the last")?;
-        entries.push(Entry {
+        entries.push(TileRun {
             id,
             run: 0,
             offset: 0,

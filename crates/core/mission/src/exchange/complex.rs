@@ -30,7 +30,7 @@ pub(super) struct Complex<'a> {
 
 /// A command inside of such an item that is no way-point.
 #[derive(Serialize, Deserialize)]
-pub(super) struct Inside<'a> {
+pub(super) struct InnerCommand<'a> {
     /// Number of the item.
     pub complex: usize,
     /// The command.

@@ -5,7 +5,7 @@ use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Role {
+pub(super) enum CsvRole {
     Latitude,
     Longitude,
     NorthSouth,
@@ -28,14 +28,14 @@ pub(super) enum Role {
 }
 
 /// Roles by what their columns are called, units and brackets aside; ours come first.
-const NAMES: [(Role, &[&str]); 19] = [
-    (Role::Latitude, &["latitude", "lat", "gps latitude"]),
+const NAMES: [(CsvRole, &[&str]); 19] = [
+    (CsvRole::Latitude, &["latitude", "lat", "gps latitude"]),
     (
-        Role::Longitude,
+        CsvRole::Longitude,
         &["longitude", "lon", "lng", "long", "gps longitude"],
     ),
     (
-        Role::NorthSouth,
+        CsvRole::NorthSouth,
         &[
             "n/s",
             "ns",
@@ -50,7 +50,7 @@ const NAMES: [(Role, &[&str]); 19] = [
         ],
     ),
     (
-        Role::EastWest,
+        CsvRole::EastWest,
         &[
             "e/w",
             "ew",
@@ -64,9 +64,9 @@ const NAMES: [(Role, &[&str]); 19] = [
             "lon dir",
         ],
     ),
-    (Role::Altitude, &["altitude", "alt", "ele", "elevation"]),
+    (CsvRole::Altitude, &["altitude", "alt", "ele", "elevation"]),
     (
-        Role::Frame,
+        CsvRole::Frame,
         &[
             "altitude frame",
             "alt frame",
@@ -75,22 +75,22 @@ const NAMES: [(Role, &[&str]); 19] = [
             "altitudemode",
         ],
     ),
-    (Role::Speed, &["speed", "airspeed"]),
-    (Role::Action, &["action"]),
-    (Role::Radius, &["radius", "loiter radius"]),
-    (Role::Turns, &["turns", "loiter turns"]),
-    (Role::Route, &["route"]),
-    (Role::Id, &["id"]),
-    (Role::Name, &["name", "title", "label"]),
-    (Role::Height, &["height", "height above ground"]),
-    (Role::Enabled, &["enabled"]),
-    (Role::BoxNorth, &["box north"]),
-    (Role::BoxEast, &["box east"]),
-    (Role::OffsetNorth, &["offset north"]),
-    (Role::OffsetEast, &["offset east"]),
+    (CsvRole::Speed, &["speed", "airspeed"]),
+    (CsvRole::Action, &["action"]),
+    (CsvRole::Radius, &["radius", "loiter radius"]),
+    (CsvRole::Turns, &["turns", "loiter turns"]),
+    (CsvRole::Route, &["route"]),
+    (CsvRole::Id, &["id"]),
+    (CsvRole::Name, &["name", "title", "label"]),
+    (CsvRole::Height, &["height", "height above ground"]),
+    (CsvRole::Enabled, &["enabled"]),
+    (CsvRole::BoxNorth, &["box north"]),
+    (CsvRole::BoxEast, &["box east"]),
+    (CsvRole::OffsetNorth, &["offset north"]),
+    (CsvRole::OffsetEast, &["offset east"]),
 ];
 
-impl Role {
+impl CsvRole {
     /// Name of the role, for people.
     pub(super) fn name(self) -> &'static str {
         NAMES
@@ -167,11 +167,11 @@ impl Unit {
 
 /// A column of a table.
 #[derive(Debug)]
-pub(super) struct Column {
+pub(super) struct CsvColumn {
     /// Its name as it stands.
     pub name: String,
     /// Meaning of the column; `None` if it is not known.
-    pub role: Option<Role>,
+    pub role: Option<CsvRole>,
     /// Unit that its name states.
     pub unit: Option<Unit>,
     /// Reference of altitudes, where its name states that.
@@ -179,7 +179,7 @@ pub(super) struct Column {
 }
 
 /// Meanings of the columns of those names, or in words the error of one.
-pub(super) fn columns(names: &[String]) -> Result<Vec<Column>, String> {
+pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
     let mut taken = Vec::new();
     names
         .iter()
@@ -203,7 +203,7 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<Column>, String> {
         .collect()
 }
 
-fn column(name: &str) -> Column {
+fn column(name: &str) -> CsvColumn {
     let plain = name.to_lowercase();
     let is_break = |c: char| c.is_whitespace() || "_-()[]{}:,.".contains(c);
     let mut words: Vec<&str> = plain.split(is_break).filter(|w| !w.is_empty()).collect();
@@ -224,7 +224,7 @@ fn column(name: &str) -> Column {
             {
                 frame = frame.or(Some(AltitudeFrame::Amsl));
             }
-            return Column {
+            return CsvColumn {
                 name: name.to_owned(),
                 role: Some(role),
                 unit,
@@ -238,7 +238,7 @@ fn column(name: &str) -> Column {
             Some("rel" | "relative") => frame = Some(AltitudeFrame::AboveTakeOff),
             Some(word) if unit.is_none() && Unit::of(word).is_some() => unit = Unit::of(word),
             _ => {
-                return Column {
+                return CsvColumn {
                     name: name.to_owned(),
                     role: None,
                     unit: None,
@@ -259,24 +259,24 @@ mod tests {
             let column = column(name);
             (column.role, column.unit, column.frame)
         };
-        assert_eq!(of("Lat"), (Some(Role::Latitude), None, None));
+        assert_eq!(of("Lat"), (Some(CsvRole::Latitude), None, None));
         assert_eq!(
             of("Longitude (°)"),
-            (Some(Role::Longitude), Some(Unit::Degree), None)
+            (Some(CsvRole::Longitude), Some(Unit::Degree), None)
         );
         assert_eq!(
             of("ALT_AGL_ft"),
             (
-                Some(Role::Altitude),
+                Some(CsvRole::Altitude),
                 Some(Unit::Foot),
                 Some(AltitudeFrame::AboveGround)
             )
         );
         assert_eq!(
             of("speed [km/h]"),
-            (Some(Role::Speed), Some(Unit::KilometrePerHour), None)
+            (Some(CsvRole::Speed), Some(Unit::KilometrePerHour), None)
         );
-        assert_eq!(of("altitude_frame"), (Some(Role::Frame), None, None));
+        assert_eq!(of("altitude_frame"), (Some(CsvRole::Frame), None, None));
         assert_eq!(of("Elevation").2, Some(AltitudeFrame::Amsl));
         assert_eq!(of("elevation agl").2, Some(AltitudeFrame::AboveGround));
         assert_eq!(of("colour").0, None);

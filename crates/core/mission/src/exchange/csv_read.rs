@@ -6,15 +6,15 @@ use serde_json::Value;
 
 use super::ExchangeError;
 use super::angle;
-use super::csv_columns::{Column, Role, Unit, columns};
-use super::found::{Found, POINT_BOX};
-use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use super::csv_columns::{CsvColumn, CsvRole, Unit, columns};
+use super::found::{GeodeticContent, POINT_BOX};
+use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
 use crate::mission::way_point_file::{action_of_word, frame_of_word};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Reads a table with a header line.
-pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
+pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     let header = content.lines().next().unwrap_or("");
     let count = |c: char| header.matches(c).count();
     let delimiter = [',', ';', '\t']
@@ -34,12 +34,12 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     };
     let names = reader.headers().map_err(|e| error(1, e.to_string()))?;
     let names: Vec<String> = names.iter().map(str::to_owned).collect();
-    let table = Table {
+    let table = ReadCsvTable {
         file,
         columns: columns(&names).map_err(|cause| error(1, cause))?,
         has_decimal_comma: delimiter == ';',
     };
-    for role in [Role::Latitude, Role::Longitude] {
+    for role in [CsvRole::Latitude, CsvRole::Longitude] {
         if !table.has(role) {
             return Err(error(
                 1,
@@ -59,7 +59,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
         })?;
         let line = record.position().map_or(0, csv::Position::line);
         if record.iter().any(|cell| !cell.is_empty()) {
-            rows.push(Row {
+            rows.push(CsvRow {
                 table: &table,
                 line: line as usize,
                 record,
@@ -73,39 +73,39 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     }
 }
 
-struct Table<'a> {
+struct ReadCsvTable<'a> {
     file: &'a str,
-    columns: Vec<Column>,
+    columns: Vec<CsvColumn>,
     has_decimal_comma: bool,
 }
 
-impl Table<'_> {
-    fn has(&self, role: Role) -> bool {
+impl ReadCsvTable<'_> {
+    fn has(&self, role: CsvRole) -> bool {
         self.columns.iter().any(|c| c.role == Some(role))
     }
 
     /// Whether the rows are way-points: something says how they are flown over.
     fn holds_way_points(&self) -> bool {
         let is_flown = [
-            Role::Route,
-            Role::Altitude,
-            Role::Speed,
-            Role::Action,
-            Role::Frame,
+            CsvRole::Route,
+            CsvRole::Altitude,
+            CsvRole::Speed,
+            CsvRole::Action,
+            CsvRole::Frame,
         ];
-        let is_box = [Role::BoxNorth, Role::BoxEast, Role::Enabled];
+        let is_box = [CsvRole::BoxNorth, CsvRole::BoxEast, CsvRole::Enabled];
         !is_box.iter().any(|r| self.has(*r))
-            && (is_flown.iter().any(|r| self.has(*r)) || !self.has(Role::Name))
+            && (is_flown.iter().any(|r| self.has(*r)) || !self.has(CsvRole::Name))
     }
 }
 
-struct Row<'a> {
-    table: &'a Table<'a>,
+struct CsvRow<'a> {
+    table: &'a ReadCsvTable<'a>,
     line: usize,
     record: csv::StringRecord,
 }
 
-impl Row<'_> {
+impl CsvRow<'_> {
     fn error(&self, column: &str, cause: &str) -> ExchangeError {
         ExchangeError::Place {
             file: self.table.file.to_owned(),
@@ -116,7 +116,7 @@ impl Row<'_> {
     }
 
     /// The column and the cell of a role, if the cell is not empty.
-    fn cell(&self, role: Role) -> Option<(&Column, &str)> {
+    fn cell(&self, role: CsvRole) -> Option<(&CsvColumn, &str)> {
         let columns = self.table.columns.iter().enumerate();
         columns
             .filter(|(_, column)| column.role == Some(role))
@@ -124,7 +124,7 @@ impl Row<'_> {
             .filter(|(_, cell)| !cell.is_empty())
     }
 
-    fn text(&self, role: Role) -> Option<String> {
+    fn text(&self, role: CsvRole) -> Option<String> {
         self.cell(role).map(|(_, cell)| cell.to_owned())
     }
 
@@ -138,7 +138,7 @@ impl Row<'_> {
     }
 
     /// A number in SI, or in degrees.
-    fn number(&self, role: Role) -> Result<Option<f64>, ExchangeError> {
+    fn number(&self, role: CsvRole) -> Result<Option<f64>, ExchangeError> {
         let Some((column, cell)) = self.cell(role) else {
             return Ok(None);
         };
@@ -155,8 +155,8 @@ impl Row<'_> {
     /// cell of a column of its own.
     fn degrees(
         &self,
-        role: Role,
-        hemisphere: Role,
+        role: CsvRole,
+        hemisphere: CsvRole,
         letters: (char, char),
     ) -> Result<Option<f64>, ExchangeError> {
         let Some((column, cell)) = self.cell(role) else {
@@ -182,8 +182,8 @@ impl Row<'_> {
     }
 
     fn place(&self) -> Result<LonLat, ExchangeError> {
-        let latitude = self.degrees(Role::Latitude, Role::NorthSouth, ('N', 'S'))?;
-        let longitude = self.degrees(Role::Longitude, Role::EastWest, ('E', 'W'))?;
+        let latitude = self.degrees(CsvRole::Latitude, CsvRole::NorthSouth, ('N', 'S'))?;
+        let longitude = self.degrees(CsvRole::Longitude, CsvRole::EastWest, ('E', 'W'))?;
         match (longitude, latitude) {
             (Some(longitude), Some(latitude)) if on_globe(longitude, latitude) => {
                 Ok((longitude, latitude))
@@ -218,17 +218,17 @@ impl Row<'_> {
     }
 }
 
-fn way_points(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
-    let mut found = Found::default();
+fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, ExchangeError> {
+    let mut found = GeodeticContent::default();
     let mut assumed_frames = 0;
     let stated = table
         .columns
         .iter()
-        .find(|c| c.role == Some(Role::Altitude))
+        .find(|c| c.role == Some(CsvRole::Altitude))
         .and_then(|c| c.frame);
     for row in rows {
         let place = row.place()?;
-        let frame = match row.cell(Role::Frame) {
+        let frame = match row.cell(CsvRole::Frame) {
             None => stated,
             Some((column, word)) => {
                 let plain = word.to_lowercase().replace([' ', '-'], "_");
@@ -240,7 +240,7 @@ fn way_points(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
                 })?)
             }
         };
-        let altitude = match row.number(Role::Altitude)? {
+        let altitude = match row.number(CsvRole::Altitude)? {
             Some(metres) => {
                 assumed_frames += usize::from(frame.is_none());
                 Altitude::new(metres, frame.unwrap_or(USUAL_ALTITUDE.frame))
@@ -249,30 +249,30 @@ fn way_points(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
         };
         let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
         // Planners of missions write 0 for the aircraft's cruise: nobody flies at no speed.
-        way_point.speed = row.number(Role::Speed)?.filter(|speed| *speed > 0.0);
-        if let Some((column, word)) = row.cell(Role::Action) {
+        way_point.speed = row.number(CsvRole::Speed)?.filter(|speed| *speed > 0.0);
+        if let Some((column, word)) = row.cell(CsvRole::Action) {
             let plain = word.to_lowercase().replace([' ', '-'], "_");
-            let radius = row.number(Role::Radius)?.unwrap_or(0.0);
-            let turns = row.number(Role::Turns)?.unwrap_or(1.0);
+            let radius = row.number(CsvRole::Radius)?.unwrap_or(0.0);
+            let turns = row.number(CsvRole::Turns)?.unwrap_or(1.0);
             way_point.action = action_of_word(&plain, radius, turns).ok_or_else(|| {
                 let cause = format!("`{word}` is none of fly_by, loiter, take_off and land");
                 row.error(&column.name, &cause)
             })?;
         }
         way_point.properties = row.properties();
-        for (role, key) in [(Role::Name, "name"), (Role::Id, "id")] {
+        for (role, key) in [(CsvRole::Name, "name"), (CsvRole::Id, "id")] {
             if let Some(text) = row.text(role) {
                 let text = Value::from(text).to_string();
                 way_point.properties.insert(key.to_owned(), text);
             }
         }
-        let name = row.text(Role::Route);
+        let name = row.text(CsvRole::Route);
         match found.routes.last_mut() {
             Some(route) if route.name == name => route.way_points.push((place, way_point)),
-            _ => found.routes.push(FoundRoute {
+            _ => found.routes.push(ReadRoute {
                 name,
                 way_points: vec![(place, way_point)],
-                ..FoundRoute::default()
+                ..ReadRoute::default()
             }),
         }
     }
@@ -285,7 +285,7 @@ fn way_points(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
             USUAL_ALTITUDE.frame.name()
         ));
     }
-    if !table.has(Role::Altitude) {
+    if !table.has(CsvRole::Altitude) {
         found.notes.push(format!(
             "the table states no altitude: {USUAL_ALTITUDE} is taken"
         ));
@@ -303,38 +303,41 @@ fn frame_of_abbreviation(word: &str) -> Option<AltitudeFrame> {
     })
 }
 
-fn landmarks(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
-    let mut found = Found::default();
+fn landmarks(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, ExchangeError> {
+    let mut found = GeodeticContent::default();
     let mut ids = BTreeSet::new();
     for row in rows {
         let place = row.place()?;
-        let (north, east) = (row.number(Role::BoxNorth)?, row.number(Role::BoxEast)?);
+        let (north, east) = (
+            row.number(CsvRole::BoxNorth)?,
+            row.number(CsvRole::BoxEast)?,
+        );
         let size = (
             north.or(east).unwrap_or(POINT_BOX),
             east.or(north).unwrap_or(POINT_BOX),
         );
         let offset = (
-            row.number(Role::OffsetNorth)?.unwrap_or(0.0),
-            row.number(Role::OffsetEast)?.unwrap_or(0.0),
+            row.number(CsvRole::OffsetNorth)?.unwrap_or(0.0),
+            row.number(CsvRole::OffsetEast)?.unwrap_or(0.0),
         );
         let mut properties = row.properties();
-        let id = row.text(Role::Id);
+        let id = row.text(CsvRole::Id);
         let own_id = id.as_ref().and_then(|id| id.parse::<u32>().ok());
         if let (Some(id), None) = (id, own_id.filter(|id| ids.insert(*id))) {
             properties.insert("id_in_file".to_owned(), Value::from(id).to_string());
         }
-        let enabled = row.text(Role::Enabled).map(|text| text.to_lowercase());
+        let enabled = row.text(CsvRole::Enabled).map(|text| text.to_lowercase());
         found.landmarks.push(FoundLandmark {
             reference: Some(place),
             id: own_id,
-            name: row.text(Role::Name),
-            height: row.number(Role::Height)?.unwrap_or(0.0),
+            name: row.text(CsvRole::Name),
+            height: row.number(CsvRole::Height)?.unwrap_or(0.0),
             enabled: !enabled.is_some_and(|e| ["false", "0", "no", "off"].contains(&e.as_str())),
             properties,
             ..FoundLandmark::new(if north.or(east).is_none() {
-                Extent::Point(place)
+                LandmarkExtent::Point(place)
             } else {
-                Extent::Around {
+                LandmarkExtent::Around {
                     point: place,
                     offset,
                     size,
@@ -345,7 +348,7 @@ fn landmarks(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
     found
         .notes
         .push("the rows are read as landmarks".to_owned());
-    if !table.has(Role::BoxNorth) && !table.has(Role::BoxEast) {
+    if !table.has(CsvRole::BoxNorth) && !table.has(CsvRole::BoxEast) {
         found.notes.push(format!(
             "the table states no sizes: each landmark gets a box of {POINT_BOX} m"
         ));

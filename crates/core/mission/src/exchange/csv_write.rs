@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
-use super::written::Written;
+use super::written::WrittenFile;
 use super::{ExchangeError, csv_read, fence, flown_text};
 use crate::mission::way_point_file::{action_word, frame_word};
 use crate::mission::{FEATURE_MEMBER, Route, WayPoint, WayPointAction, degrees, globe};
@@ -41,7 +41,7 @@ pub(super) const WORK: FormatWork = FormatWork {
             }
         };
         let notes = fence::left_out(&[], places.no_fly, frame);
-        Ok(Written::of_text((text, notes.into_iter().collect())))
+        Ok(WrittenFile::of_text((text, notes.into_iter().collect())))
     },
     track: Some(TrackWork {
         write: |track| Ok(flown_text::csv(track).into_bytes()),
@@ -56,7 +56,7 @@ pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {
         .flat_map(|route| route.way_points.iter().map(move |w| (route, w)))
         .collect();
     let others = other_columns(rows.iter().map(|(_, w)| &w.properties));
-    let mut table = Table::new(&[
+    let mut table = CsvTableWriter::new(&[
         "route",
         "latitude_deg",
         "longitude_deg",
@@ -93,7 +93,7 @@ pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {
 /// Landmarks, one a row.
 pub(super) fn write_landmarks(landmarks: &[Landmark], frame: &LocalFrame) -> String {
     let others = other_columns(landmarks.iter().map(|l| &l.properties));
-    let mut table = Table::new(&[
+    let mut table = CsvTableWriter::new(&[
         "id",
         "name",
         "latitude_deg",
@@ -157,12 +157,12 @@ fn cells(columns: &[String], properties: &BTreeMap<String, String>) -> Vec<Strin
 }
 
 /// A table that is written in pieces of rows: the known columns, then the others.
-struct Table {
+struct CsvTableWriter {
     text: String,
     row: Vec<String>,
 }
 
-impl Table {
+impl CsvTableWriter {
     fn new(columns: &[&str]) -> Self {
         let mut table = Self {
             text: String::new(),

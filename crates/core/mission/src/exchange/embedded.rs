@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use crate::mission::found::{FoundLandmark, FoundNoFly, FoundRoute, LonLat};
+use crate::mission::found::{FoundLandmark, FoundNoFly, LonLat, ReadRoute};
 use crate::mission::text::Text;
 use crate::mission::{NoFlyZone, Route, no_fly_feature, read_features, write_features};
 use pilotage_base::frames::LocalFrame;
@@ -74,7 +74,11 @@ fn split(features: &[String]) -> Embedded {
 ///
 /// The second is whether the line has another number of points than it had, and what way-points
 /// state is lost. `None` if the text is none of ours.
-pub(super) fn read(own: &str, places: &[LonLat], holes: &[Vec<LonLat>]) -> Option<(Item, bool)> {
+pub(super) fn read(
+    own: &str,
+    places: &[LonLat],
+    holes: &[Vec<LonLat>],
+) -> Option<(EmbeddedItem, bool)> {
     let mut properties: Map<String, Value> = serde_json::from_str(own).ok()?;
     let is_route = properties
         .get("pilotage")
@@ -103,18 +107,18 @@ pub(super) fn read(own: &str, places: &[LonLat], holes: &[Vec<LonLat>]) -> Optio
     ] });
     let content = collection.to_string();
     let (mut features, _) = read_features(&Text(&content)).ok()?;
-    let route = features.routes.pop().map(Item::Route);
-    let no_fly = features.no_fly.pop().map(Item::NoFly);
+    let route = features.routes.pop().map(EmbeddedItem::Route);
+    let no_fly = features.no_fly.pop().map(EmbeddedItem::NoFly);
     let item = route
         .or(no_fly)
-        .or_else(|| features.landmarks.pop().map(Item::Landmark))?;
+        .or_else(|| features.landmarks.pop().map(EmbeddedItem::Landmark))?;
     Some((item, is_changed))
 }
 
 /// Item that was embedded.
-pub(super) enum Item {
+pub(super) enum EmbeddedItem {
     /// A route.
-    Route(FoundRoute),
+    Route(ReadRoute),
     /// A landmark.
     Landmark(FoundLandmark),
     /// An area that must not be flown over.

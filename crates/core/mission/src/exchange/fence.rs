@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::item::Item;
+use super::item::MissionItem;
 use crate::mission::NoFlyZone;
 use crate::mission::found::{FoundNoFly, LonLat, on_globe};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
@@ -38,7 +38,7 @@ pub(super) fn is_fence(command: u16) -> bool {
 
 /// Fences whose corners and circles are commands; corners of one polygon follow each other, and each
 /// says how many there are.
-pub(super) fn of_items(items: &[&Item]) -> Fences {
+pub(super) fn of_items(items: &[&MissionItem]) -> Fences {
     let mut fences = Gathered::default();
     let mut corners: Vec<LonLat> = Vec::new();
     for item in items {
@@ -74,23 +74,23 @@ pub(super) fn of_plan(text: &str) -> Fences {
         #[serde(default)]
         circles: Vec<Circle>,
         #[serde(default)]
-        polygons: Vec<Polygon>,
+        polygons: Vec<FencePolygon>,
         /// Plans of before 2018 have one fence, which keeps the aircraft in.
         #[serde(default)]
         polygon: Vec<(f64, f64)>,
     }
     #[derive(Deserialize)]
     struct Circle {
-        circle: Round,
+        circle: FenceCircle,
         inclusion: bool,
     }
     #[derive(Deserialize)]
-    struct Round {
+    struct FenceCircle {
         center: (f64, f64),
         radius: f64,
     }
     #[derive(Deserialize)]
-    struct Polygon {
+    struct FencePolygon {
         polygon: Vec<(f64, f64)>,
         inclusion: bool,
     }
@@ -99,7 +99,7 @@ pub(super) fn of_plan(text: &str) -> Fences {
         return Fences::default();
     };
     fences.inside += usize::from(!stated.polygon.is_empty());
-    for Polygon { polygon, inclusion } in stated.polygons {
+    for FencePolygon { polygon, inclusion } in stated.polygons {
         let corners: Vec<LonLat> = polygon.into_iter().map(|(lat, lon)| (lon, lat)).collect();
         if corners.iter().all(|(lon, lat)| on_globe(*lon, *lat)) {
             fences.polygon(corners, inclusion);

@@ -1,8 +1,8 @@
 //! Reader and writers of a format.
 
 use super::flown_track::FlownTrack;
-use super::found::Found;
-use super::written::Written;
+use super::found::GeodeticContent;
+use super::written::WrittenFile;
 use super::{ExchangeError, Places};
 use pilotage_base::frames::LocalFrame;
 
@@ -11,7 +11,7 @@ pub(super) struct FormatWork {
     /// Reader of its files.
     pub read: Read,
     /// Writes places that the format holds: of a mission, its one route.
-    pub write: fn(&Places<'_>, &LocalFrame) -> Result<Written, ExchangeError>,
+    pub write: fn(&Places<'_>, &LocalFrame) -> Result<WrittenFile, ExchangeError>,
     /// Writer of a flown track, if it has a form for one.
     pub track: Option<TrackWork>,
 }
@@ -19,14 +19,14 @@ pub(super) struct FormatWork {
 /// Reader of a format, which gets the name of the file for its errors.
 pub(super) enum Read {
     /// Of text.
-    Text(fn(&str, &str) -> Result<Found, ExchangeError>),
+    Text(fn(&str, &str) -> Result<GeodeticContent, ExchangeError>),
     /// Of text in an archive: its unpacker and its reader.
     Packed(
         fn(&str, &[u8]) -> Result<Vec<u8>, ExchangeError>,
-        fn(&str, &str) -> Result<Found, ExchangeError>,
+        fn(&str, &str) -> Result<GeodeticContent, ExchangeError>,
     ),
     /// Of bytes.
-    Bytes(fn(&str, &[u8]) -> Result<Found, ExchangeError>),
+    Bytes(fn(&str, &[u8]) -> Result<GeodeticContent, ExchangeError>),
 }
 
 /// Writer of a flown track.

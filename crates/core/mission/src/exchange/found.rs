@@ -1,14 +1,14 @@
 //! The common result of the readers of all formats.
 
-use crate::mission::found::{FoundLandmark, FoundNoFly, FoundRoute};
+use crate::mission::found::{FoundLandmark, FoundNoFly, ReadRoute};
 use pilotage_base::frames::Geodetic;
 
 pub(super) use crate::mission::found::POINT_BOX;
 
 /// The content of a file, still on the globe.
 #[derive(Default)]
-pub(super) struct Found {
-    pub routes: Vec<FoundRoute>,
+pub(super) struct GeodeticContent {
+    pub routes: Vec<ReadRoute>,
     pub landmarks: Vec<FoundLandmark>,
     pub no_fly: Vec<FoundNoFly>,
     pub notes: Vec<String>,

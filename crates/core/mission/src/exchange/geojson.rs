@@ -6,10 +6,12 @@ use serde_json::Value;
 
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
-use super::found::{Found, POINT_BOX};
-use super::written::Written;
+use super::found::{GeodeticContent, POINT_BOX};
+use super::written::WrittenFile;
 use super::{ExchangeError, Places, flown_text};
-use crate::mission::found::{Extent, FoundLandmark, FoundNoFly, FoundRoute, LonLat, on_globe};
+use crate::mission::found::{
+    FoundLandmark, FoundNoFly, LandmarkExtent, LonLat, ReadRoute, on_globe,
+};
 use crate::mission::text::Text;
 use crate::mission::{
     FEATURE_MEMBER, NO_FLY_MARK, USUAL_ALTITUDE, WayPoint, no_fly_feature, read_features,
@@ -31,7 +33,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 /// Its reader and writers.
 pub(super) const WORK: FormatWork = FormatWork {
     read: Read::Text(read),
-    write: |places, frame| Ok(Written::of_text(write(places, frame))),
+    write: |places, frame| Ok(WrittenFile::of_text(write(places, frame))),
     track: Some(TrackWork {
         write: |track| Ok(flown_text::geojson(track).into_bytes()),
         undated: Some("the date is not known: times are seconds"),
@@ -39,7 +41,7 @@ pub(super) const WORK: FormatWork = FormatWork {
 };
 
 /// Reads a collection, a single feature or a bare geometry.
-pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
+pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     // A piece is put into a collection on its own first line, so that lines stay what they are.
     let lines = feature_lines(content);
     let content = lines.as_deref().unwrap_or(content);
@@ -60,7 +62,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     };
     let text = Text(&content);
     let (features, _) = read_features(&text).map_err(|e| ExchangeError::of_json(file, e))?;
-    let mut found = Found {
+    let mut found = GeodeticContent {
         routes: features.routes,
         landmarks: features.landmarks,
         no_fly: features.no_fly,
@@ -162,7 +164,7 @@ impl Others {
         &mut self,
         geometry: &Value,
         feature: &Value,
-        found: &mut Found,
+        found: &mut GeodeticContent,
     ) -> Result<(), String> {
         let kind = geometry.get("type").and_then(Value::as_str).unwrap_or("");
         let coordinates = geometry.get("coordinates").unwrap_or(&Value::Null);
@@ -201,13 +203,13 @@ impl Others {
         &mut self,
         coordinates: &Value,
         feature: &Value,
-        found: &mut Found,
+        found: &mut GeodeticContent,
     ) -> Result<(), String> {
         self.points += 1;
         found.landmarks.push(FoundLandmark {
             name: name(feature),
             properties: properties(feature),
-            ..FoundLandmark::new(Extent::Point(position(coordinates)?.0))
+            ..FoundLandmark::new(LandmarkExtent::Point(position(coordinates)?.0))
         });
         Ok(())
     }
@@ -216,7 +218,7 @@ impl Others {
         &mut self,
         coordinates: &Value,
         feature: &Value,
-        found: &mut Found,
+        found: &mut GeodeticContent,
     ) -> Result<(), String> {
         let positions = coordinates
             .as_array()
@@ -231,18 +233,18 @@ impl Others {
         }
         self.heights += usize::from(has_heights);
         self.plain_lines += usize::from(!has_heights);
-        found.routes.push(FoundRoute {
+        found.routes.push(ReadRoute {
             name: name(feature),
             way_points,
             properties: properties(feature),
-            ..FoundRoute::default()
+            ..ReadRoute::default()
         });
         Ok(())
     }
 }
 
 /// Adds a polygon with its holes: a landmark, or a no-fly area where its feature says so.
-fn polygon_of(rings: &Value, feature: &Value, found: &mut Found) -> Result<(), String> {
+fn polygon_of(rings: &Value, feature: &Value, found: &mut GeodeticContent) -> Result<(), String> {
     let rings = rings.as_array().map_or(&[][..], Vec::as_slice);
     let mut rings = rings.iter().map(|ring| {
         let corners = ring.as_array().map_or(&[][..], Vec::as_slice);
@@ -278,7 +280,7 @@ fn polygon_of(rings: &Value, feature: &Value, found: &mut Found) -> Result<(), S
             holes,
             name,
             properties,
-            ..FoundLandmark::new(Extent::Corners(corners))
+            ..FoundLandmark::new(LandmarkExtent::Corners(corners))
         });
     }
     Ok(())

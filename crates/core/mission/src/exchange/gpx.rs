@@ -4,14 +4,14 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::embedded::{self, Item};
+use super::embedded::{self, EmbeddedItem};
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
-use super::found::{Found, POINT_BOX};
-use super::written::Written;
-use super::xml::{Element, Source, escape};
+use super::found::{GeodeticContent, POINT_BOX};
+use super::written::WrittenFile;
+use super::xml::{NamedText, XmlElement, escape};
 use super::{ExchangeError, fence, flown_text};
-use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
 use crate::mission::{Route, USUAL_ALTITUDE, WayPoint, degrees, globe};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_vision::landmark::Landmark;
@@ -33,7 +33,7 @@ pub(super) const WORK: FormatWork = FormatWork {
     write: |places, frame| {
         let (text, mut notes) = write(places.routes, places.landmarks, frame);
         notes.extend(fence::left_out(&[], places.no_fly, frame));
-        Ok(Written::of_text((text, notes)))
+        Ok(WrittenFile::of_text((text, notes)))
     },
     track: Some(TrackWork {
         write: |track| Ok(flown_text::gpx(track).into_bytes()),
@@ -45,10 +45,10 @@ pub(super) const WORK: FormatWork = FormatWork {
 const OWN: &str = "feature";
 
 /// Reads routes, tracks and way-points.
-pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
-    let source = Source { file, text };
+pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
+    let source = NamedText { file, text };
     let root = source.root()?;
-    let mut found = Found::default();
+    let mut found = GeodeticContent::default();
     let mut is_assumed = false;
     for route in root.all("rte") {
         is_assumed |= line(&source, route, route, "rtept", &mut found)?;
@@ -66,7 +66,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
     let mut points = 0;
     for point in root.all("wpt") {
         points += 1;
-        let mut landmark = FoundLandmark::new(Extent::Point(place(&source, point)?));
+        let mut landmark = FoundLandmark::new(LandmarkExtent::Point(place(&source, point)?));
         landmark.name = point.child_text("name").map(str::to_owned);
         for child in &point.children {
             if child.name != "name" && child.children.is_empty() && !child.text.is_empty() {
@@ -86,11 +86,11 @@ pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
 
 /// Adds the line of `points` in `holder`; says whether an elevation had to be assumed.
 fn line(
-    source: &Source,
-    named: &Element,
-    holder: &Element,
+    source: &NamedText,
+    named: &XmlElement,
+    holder: &XmlElement,
     points: &str,
-    found: &mut Found,
+    found: &mut GeodeticContent,
 ) -> Result<bool, ExchangeError> {
     let mut is_assumed = false;
     let mut way_points = Vec::new();
@@ -116,7 +116,7 @@ fn line(
     let own = named
         .child("extensions")
         .and_then(|extensions| extensions.child_text(OWN));
-    if let Some((Item::Route(mut route), false)) =
+    if let Some((EmbeddedItem::Route(mut route), false)) =
         own.and_then(|own| embedded::read(own, &places, &[]))
     {
         route.name = name;
@@ -126,10 +126,10 @@ fn line(
     if way_points.is_empty() {
         return Ok(false);
     }
-    let mut route = FoundRoute {
+    let mut route = ReadRoute {
         name,
         way_points,
-        ..FoundRoute::default()
+        ..ReadRoute::default()
     };
     if let Some(description) = named.child_text("desc") {
         let description = Value::from(description).to_string();
@@ -139,7 +139,7 @@ fn line(
     Ok(is_assumed)
 }
 
-fn place(source: &Source, point: &Element) -> Result<LonLat, ExchangeError> {
+fn place(source: &NamedText, point: &XmlElement) -> Result<LonLat, ExchangeError> {
     let number = |name: &str| point.attribute(name)?.trim().parse::<f64>().ok();
     match (number("lon"), number("lat")) {
         (Some(longitude), Some(latitude)) if on_globe(longitude, latitude) => {

@@ -8,7 +8,7 @@ use pilotage_base::files::FileSet;
 
 use super::ExchangeError;
 use super::kml_read::main_document;
-use super::xml::{Element, Source};
+use super::xml::{NamedText, XmlElement};
 
 /// Most files that links lead to.
 const MOST_FILES: usize = 20_000;
@@ -52,7 +52,7 @@ pub fn ground_overlays(
             cause: "there is no .kml in the zip".to_owned(),
         })?,
     };
-    let mut walk = Walk {
+    let mut walk = LinkWalk {
         files,
         names: all,
         found: GroundOverlays::default(),
@@ -68,7 +68,7 @@ pub fn ground_overlays(
 }
 
 /// A walk through linked documents.
-struct Walk<'a> {
+struct LinkWalk<'a> {
     files: &'a dyn FileSet,
     names: Vec<String>,
     found: GroundOverlays,
@@ -77,14 +77,14 @@ struct Walk<'a> {
     waiting: Vec<String>,
 }
 
-impl Walk<'_> {
+impl LinkWalk<'_> {
     fn document(&mut self, name: &str) -> Result<(), ExchangeError> {
         let bytes = self.files.read(name).ok_or_else(|| ExchangeError::File {
             file: name.to_owned(),
             cause: "it cannot be read".to_owned(),
         })?;
         let text = String::from_utf8_lossy(&bytes);
-        let source = Source {
+        let source = NamedText {
             file: name,
             text: &text,
         };
@@ -92,7 +92,7 @@ impl Walk<'_> {
         self.element(&source, &root)
     }
 
-    fn element(&mut self, source: &Source, element: &Element) -> Result<(), ExchangeError> {
+    fn element(&mut self, source: &NamedText, element: &XmlElement) -> Result<(), ExchangeError> {
         match element.name.as_str() {
             "GroundOverlay" => self.overlay(source, element),
             "NetworkLink" => {
@@ -106,7 +106,7 @@ impl Walk<'_> {
         }
     }
 
-    fn overlay(&mut self, source: &Source, element: &Element) -> Result<(), ExchangeError> {
+    fn overlay(&mut self, source: &NamedText, element: &XmlElement) -> Result<(), ExchangeError> {
         let href = element
             .child("Icon")
             .and_then(|icon| icon.child_text("href"));
@@ -134,7 +134,7 @@ impl Walk<'_> {
     }
 
     /// Takes note of the document that a link leads to.
-    fn link(&mut self, source: &Source, element: &Element) {
+    fn link(&mut self, source: &NamedText, element: &XmlElement) {
         let link = element.child("Link").or_else(|| element.child("Url"));
         let Some(href) = link.and_then(|link| link.child_text("href")) else {
             return;
@@ -185,7 +185,7 @@ impl Walk<'_> {
 }
 
 /// Longitude and latitude of the corners from the top left one clockwise.
-fn corners(element: &Element) -> Option<[[f64; 2]; 4]> {
+fn corners(element: &XmlElement) -> Option<[[f64; 2]; 4]> {
     if let Some(quad) = element.child("LatLonQuad") {
         let places: Vec<[f64; 2]> = (quad.child_text("coordinates")?.split_whitespace())
             .filter_map(|place| {

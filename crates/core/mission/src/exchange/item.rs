@@ -59,7 +59,7 @@ const NAMES: [(u16, &str); 30] = [
 
 /// A command with its parameters, the last three of which are latitude, longitude and altitude.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Item {
+pub(super) struct MissionItem {
     /// `MAV_CMD`.
     pub command: u16,
     /// `MAV_FRAME`.
@@ -70,7 +70,7 @@ pub(super) struct Item {
     pub is_continued: bool,
 }
 
-impl Item {
+impl MissionItem {
     /// Members of the object by which `QGroundControl` states it.
     pub(super) fn json(&self, jump_id: usize) -> String {
         let parameters: Vec<String> = self

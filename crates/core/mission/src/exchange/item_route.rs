@@ -12,10 +12,10 @@ use serde_json::Value;
 use super::complex::{self, COMPLEX, Complex};
 use super::fence::is_fence;
 use super::item::{
-    CHANGE_SPEED, Item, JUMP, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of, counted,
+    CHANGE_SPEED, JUMP, MissionItem, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of, counted,
 };
 use super::speed_command::is_usual_speed;
-use crate::mission::found::{FoundRoute, LonLat, on_globe};
+use crate::mission::found::{LonLat, ReadRoute, on_globe};
 use crate::mission::{WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, GroundPoint};
 
@@ -39,11 +39,11 @@ pub(super) const AT_HOME: &str = "mavlink_at_home";
 pub(super) const MEMBER: &str = "plan:";
 
 /// Step of a mission as a file states it.
-pub(super) enum Step {
+pub(super) enum MissionStep {
     /// A command.
     Command {
         /// Command as `MAVLink` numbers it.
-        item: Item,
+        item: MissionItem,
         /// Its altitude where the file states it by other means than its parameters.
         altitude: Option<Altitude>,
         /// Members that we do not know, as JSON text.
@@ -52,14 +52,14 @@ pub(super) enum Step {
         text: String,
     },
     /// Something that stands for several commands, such as a survey: its name, its text and they.
-    Complex(String, String, Vec<Step>),
+    Complex(String, String, Vec<MissionStep>),
     /// Something that is no command: its name and its text.
     Other(String, String),
 }
 
 /// The part of a command that a way-point cannot state.
 #[derive(Deserialize)]
-pub(super) struct Own {
+pub(super) struct CommandRemainder {
     pub command: u16,
     pub params: [Option<f64>; 4],
     #[serde(rename = "autoContinue")]
@@ -69,20 +69,20 @@ pub(super) struct Own {
 /// Command that follows a way-point and is none.
 enum Between {
     Kept(String),
-    Speed(Item, String),
+    Speed(MissionItem, String),
 }
 
 /// Home of a mission: latitude and longitude in degrees, metres above mean sea level.
 pub(super) type Home = [f64; 3];
 
 /// The route that `steps` make, and notes on what is kept aside.
-pub(super) fn route_of(steps: Vec<Step>, home: Option<Home>) -> (FoundRoute, Vec<String>) {
+pub(super) fn route_of(steps: Vec<MissionStep>, home: Option<Home>) -> (ReadRoute, Vec<String>) {
     let has_jumps = steps
         .iter()
-        .any(|s| matches!(s, Step::Command { item, .. } if item.command == JUMP));
-    let mut reader = Reader {
+        .any(|s| matches!(s, MissionStep::Command { item, .. } if item.command == JUMP));
+    let mut reader = ItemReader {
         has_jumps,
-        ..Reader::default()
+        ..ItemReader::default()
     };
     for step in steps {
         reader.step(step, home);
@@ -91,8 +91,8 @@ pub(super) fn route_of(steps: Vec<Step>, home: Option<Home>) -> (FoundRoute, Vec
 }
 
 #[derive(Default)]
-struct Reader {
-    route: FoundRoute,
+struct ItemReader {
+    route: ReadRoute,
     between: Vec<Between>,
     /// Texts of the items that stand for several commands, and their way-points.
     complex: Vec<(String, Vec<[f64; 4]>)>,
@@ -110,14 +110,14 @@ struct Reader {
     placeless: Vec<String>,
 }
 
-impl Reader {
-    fn step(&mut self, step: Step, home: Option<Home>) {
+impl ItemReader {
+    fn step(&mut self, step: MissionStep, home: Option<Home>) {
         match step {
-            Step::Other(name, text) => {
+            MissionStep::Other(name, text) => {
                 self.unknown.push(name);
                 self.between.push(Between::Kept(text));
             }
-            Step::Complex(name, text, steps) => {
+            MissionStep::Complex(name, text, steps) => {
                 self.shown.push(name);
                 self.complex.push((text, Vec::new()));
                 self.is_inside = true;
@@ -126,7 +126,7 @@ impl Reader {
                 }
                 self.is_inside = false;
             }
-            Step::Command {
+            MissionStep::Command {
                 item,
                 altitude,
                 mut members,
@@ -142,7 +142,7 @@ impl Reader {
 
     fn command(
         &mut self,
-        item: Item,
+        item: MissionItem,
         altitude: Option<Altitude>,
         members: &BTreeMap<String, String>,
         text: String,
@@ -221,7 +221,7 @@ impl Reader {
     }
 
     /// Place that the command leads to; a take-off that states no place is at home, if that is known.
-    fn place(item: &Item, home: Option<Home>) -> Option<LonLat> {
+    fn place(item: &MissionItem, home: Option<Home>) -> Option<LonLat> {
         item.action()?;
         if states_no_place(item) {
             let home = home.filter(|_| is_take_off(item));
@@ -279,7 +279,7 @@ impl Reader {
         };
     }
 
-    fn finish(mut self, home: Option<Home>) -> (FoundRoute, Vec<String>) {
+    fn finish(mut self, home: Option<Home>) -> (ReadRoute, Vec<String>) {
         self.settle(None);
         if let Some(home) = home {
             let home = Value::from(home.to_vec()).to_string();
@@ -360,17 +360,17 @@ impl Reader {
 }
 
 /// Whether no place is stated, by zeros or by nothing.
-fn states_no_place(item: &Item) -> bool {
+fn states_no_place(item: &MissionItem) -> bool {
     let [.., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(0.0));
     (latitude, longitude) == (0.0, 0.0)
 }
 
-fn is_take_off(item: &Item) -> bool {
+fn is_take_off(item: &MissionItem) -> bool {
     item.action() == Some(WayPointAction::TakeOff)
 }
 
 /// Whether a command does nothing but change the speed to a number, or back to the usual one.
-pub(super) fn is_plain_speed(item: &Item) -> bool {
+pub(super) fn is_plain_speed(item: &MissionItem) -> bool {
     let [kind, speed, rest @ ..] = &item.parameters;
     item.command == CHANGE_SPEED
         && matches!(kind, None | Some(0.0 | 1.0))

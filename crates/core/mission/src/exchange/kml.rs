@@ -3,7 +3,7 @@
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::kml_write::{pack, write};
-use super::written::Written;
+use super::written::WrittenFile;
 use super::{flown_kml, kml_read};
 
 /// Note of a flown track without a date.
@@ -23,7 +23,7 @@ pub(super) const KML: FormatInfo = FormatInfo {
 /// Its reader and writers.
 pub(super) const KML_WORK: FormatWork = FormatWork {
     read: Read::Text(kml_read::read),
-    write: |places, frame| Ok(Written::of_text(write(places, frame))),
+    write: |places, frame| Ok(WrittenFile::of_text(write(places, frame))),
     track: Some(TrackWork {
         write: |track| Ok(flown_kml::write(track).into_bytes()),
         undated: Some(UNDATED),
@@ -47,7 +47,7 @@ pub(super) const KMZ_WORK: FormatWork = FormatWork {
     write: |places, frame| {
         let (text, notes) = write(places, frame);
         let bytes = pack(&text)?;
-        Ok(Written { bytes, notes })
+        Ok(WrittenFile { bytes, notes })
     },
     track: Some(TrackWork {
         write: |track| pack(&flown_kml::write(track)),

@@ -4,12 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
-use super::embedded::{self, Item};
-use super::found::{Found, POINT_BOX};
+use super::embedded::{self, EmbeddedItem};
+use super::found::{GeodeticContent, POINT_BOX};
 use super::shadow::is_shadow;
-use super::xml::{Element, Source};
+use super::xml::{NamedText, XmlElement};
 use super::{ExchangeError, kml_write};
-use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
 use pilotage_base::files::{FileSet, ZipFiles};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
@@ -47,12 +47,12 @@ pub(super) fn main_document(names: &[String]) -> Option<String> {
 }
 
 /// Reads all placemarks, however they lie in folders.
-pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
-    let source = Source { file, text };
+pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
+    let source = NamedText { file, text };
     let root = source.root()?;
-    let mut reader = Reader {
+    let mut reader = KmlReader {
         source,
-        found: Found::default(),
+        found: GeodeticContent::default(),
         counts: BTreeMap::new(),
     };
     reader.walk(&root)?;
@@ -64,9 +64,9 @@ pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
     Ok(found)
 }
 
-struct Reader<'a> {
-    source: Source<'a>,
-    found: Found,
+struct KmlReader<'a> {
+    source: NamedText<'a>,
+    found: GeodeticContent,
     counts: BTreeMap<String, usize>,
 }
 
@@ -78,12 +78,12 @@ struct Said {
     properties: BTreeMap<String, String>,
 }
 
-impl Reader<'_> {
+impl KmlReader<'_> {
     fn count(&mut self, note: impl Into<String>) {
         *self.counts.entry(note.into()).or_default() += 1;
     }
 
-    fn walk(&mut self, element: &Element) -> Result<(), ExchangeError> {
+    fn walk(&mut self, element: &XmlElement) -> Result<(), ExchangeError> {
         for child in &element.children {
             match child.name.as_str() {
                 "Placemark" => self.placemark(child)?,
@@ -97,7 +97,7 @@ impl Reader<'_> {
     }
 
     /// Says which styles the file refers to and does not have; the references are kept.
-    fn styles(&mut self, root: &Element) {
+    fn styles(&mut self, root: &XmlElement) {
         let (mut own, mut wanted) = (BTreeSet::new(), Vec::new());
         gather_styles(root, &mut own, &mut wanted);
         for name in wanted {
@@ -114,7 +114,7 @@ impl Reader<'_> {
         }
     }
 
-    fn placemark(&mut self, placemark: &Element) -> Result<(), ExchangeError> {
+    fn placemark(&mut self, placemark: &XmlElement) -> Result<(), ExchangeError> {
         let mut said = Said {
             name: placemark.child_text("name").map(str::to_owned),
             ..Said::default()
@@ -132,7 +132,7 @@ impl Reader<'_> {
                 }
             }
         }
-        let geometries: Vec<&Element> = placemark
+        let geometries: Vec<&XmlElement> = placemark
             .children
             .iter()
             .filter(|c| GEOMETRIES.contains(&c.name.as_str()))
@@ -146,7 +146,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn geometry(&mut self, geometry: &Element, said: &Said) -> Result<(), ExchangeError> {
+    fn geometry(&mut self, geometry: &XmlElement, said: &Said) -> Result<(), ExchangeError> {
         match geometry.name.as_str() {
             "Point" => {
                 let places = self.places(geometry, geometry)?;
@@ -158,7 +158,7 @@ impl Reader<'_> {
                     return Ok(());
                 }
                 self.count(format!("point, which gets a box of {POINT_BOX} m"));
-                self.landmark(Extent::Point(place), said);
+                self.landmark(LandmarkExtent::Point(place), said);
             }
             "Polygon" => {
                 let ring = geometry
@@ -173,7 +173,7 @@ impl Reader<'_> {
                 }
                 let holes = self.holes(geometry)?;
                 if !self.embedded(said, &corners, &holes) {
-                    self.landmark(Extent::Corners(corners), said);
+                    self.landmark(LandmarkExtent::Corners(corners), said);
                     if let Some(landmark) = self.found.landmarks.last_mut() {
                         landmark.holes = holes;
                     }
@@ -199,7 +199,7 @@ impl Reader<'_> {
     }
 
     /// The rings of a polygon that are not part of it.
-    fn holes(&mut self, polygon: &Element) -> Result<Vec<Vec<LonLat>>, ExchangeError> {
+    fn holes(&mut self, polygon: &XmlElement) -> Result<Vec<Vec<LonLat>>, ExchangeError> {
         let mut holes = Vec::new();
         let inner = polygon.all("innerBoundaryIs");
         for ring in inner.flat_map(|boundary| boundary.all("LinearRing")) {
@@ -213,7 +213,7 @@ impl Reader<'_> {
         Ok(holes)
     }
 
-    fn landmark(&mut self, extent: Extent, said: &Said) {
+    fn landmark(&mut self, extent: LandmarkExtent, said: &Said) {
         self.found.landmarks.push(FoundLandmark {
             name: said.name.clone(),
             properties: said.properties.clone(),
@@ -237,17 +237,17 @@ impl Reader<'_> {
         }
         let properties = said.properties.clone();
         match item {
-            Item::Route(mut route) => {
+            EmbeddedItem::Route(mut route) => {
                 route.name.clone_from(&said.name);
                 route.properties.extend(properties);
                 self.found.routes.push(route);
             }
-            Item::Landmark(mut landmark) => {
+            EmbeddedItem::Landmark(mut landmark) => {
                 landmark.name.clone_from(&said.name);
                 landmark.properties.extend(properties);
                 self.found.landmarks.push(landmark);
             }
-            Item::NoFly(mut zone) => {
+            EmbeddedItem::NoFly(mut zone) => {
                 zone.name.clone_from(&said.name);
                 zone.properties.extend(properties);
                 self.found.no_fly.push(zone);
@@ -256,7 +256,7 @@ impl Reader<'_> {
         true
     }
 
-    fn line(&mut self, geometry: &Element, places: &[(LonLat, Option<f64>)], said: &Said) {
+    fn line(&mut self, geometry: &XmlElement, places: &[(LonLat, Option<f64>)], said: &Said) {
         let lon_lats: Vec<LonLat> = places.iter().map(|p| p.0).collect();
         if self.embedded(said, &lon_lats, &[]) {
             return;
@@ -289,19 +289,19 @@ impl Reader<'_> {
                 )
             })
             .collect();
-        self.found.routes.push(FoundRoute {
+        self.found.routes.push(ReadRoute {
             name: said.name.clone(),
             properties: said.properties.clone(),
             way_points,
-            ..FoundRoute::default()
+            ..ReadRoute::default()
         });
     }
 
     /// The coordinates that stand in `holder`, a part of `geometry`.
     fn places(
         &self,
-        geometry: &Element,
-        holder: &Element,
+        geometry: &XmlElement,
+        holder: &XmlElement,
     ) -> Result<Vec<(LonLat, Option<f64>)>, ExchangeError> {
         let path = format!("Placemark/{}/coordinates", geometry.name);
         let mut places = Vec::new();
@@ -343,7 +343,11 @@ fn tuples(text: &str) -> Vec<String> {
 }
 
 /// Identities of the styles in an element, and what its placemarks and style maps refer to.
-fn gather_styles<'a>(element: &'a Element, own: &mut BTreeSet<&'a str>, wanted: &mut Vec<&'a str>) {
+fn gather_styles<'a>(
+    element: &'a XmlElement,
+    own: &mut BTreeSet<&'a str>,
+    wanted: &mut Vec<&'a str>,
+) {
     for child in &element.children {
         match child.name.as_str() {
             "Style" | "StyleMap" => own.extend(child.attribute("id")),
@@ -362,7 +366,7 @@ fn place<'a>(parts: impl Iterator<Item = &'a str>) -> Option<(LonLat, Option<f64
 }
 
 /// The name-value pairs of a placemark, of both kinds.
-fn extended(element: &Element, said: &mut Said) {
+fn extended(element: &XmlElement, said: &mut Said) {
     let pairs = element
         .all("Data")
         .map(|data| (data.attribute("name"), data.child_text("value")));

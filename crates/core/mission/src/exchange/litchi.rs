@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::csv_write::quoted;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
-use super::written::Written;
+use super::written::WrittenFile;
 use super::{ExchangeError, csv_read, fence};
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::frames::{AltitudeFrame, LocalFrame};
@@ -30,7 +30,7 @@ pub(super) const WORK: FormatWork = FormatWork {
     write: |places, frame| {
         let (text, mut notes) = write(&places.routes[0], frame)?;
         notes.extend(fence::left_out(&[], places.no_fly, frame));
-        Ok(Written::of_text((text, notes)))
+        Ok(WrittenFile::of_text((text, notes)))
     },
     track: None,
 };

@@ -57,4 +57,4 @@ pub use ground_overlay::{GroundOverlay, GroundOverlays, ground_overlays};
 pub use places::Places;
 pub use read::{Imported, read_any};
 pub use write::{write_landmarks, write_places, write_route};
-pub use written::Written;
+pub use written::WrittenFile;

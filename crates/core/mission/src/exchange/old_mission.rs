@@ -5,8 +5,8 @@ use serde_json::{Map, Value, json};
 
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
-use super::found::Found;
-use super::written::Written;
+use super::found::GeodeticContent;
+use super::written::WrittenFile;
 use super::{ExchangeError, plan};
 
 /// Plans, and what stood in their place before.
@@ -28,7 +28,7 @@ pub(super) const WORK: FormatWork = FormatWork {
     }),
     write: |places, frame| {
         let text = plan::write(&places.routes[0], places.no_fly, frame);
-        Ok(Written::of_text(text))
+        Ok(WrittenFile::of_text(text))
     },
     track: None,
 };
@@ -55,7 +55,7 @@ fn as_plan(content: &str) -> Option<String> {
 }
 
 /// Reads a plan that was made of an old mission.
-fn read(file: &str, plan: &str) -> Result<Found, ExchangeError> {
+fn read(file: &str, plan: &str) -> Result<GeodeticContent, ExchangeError> {
     let mut found = plan::read(file, plan).map_err(|error| match error {
         // Lines are those of the plan.
         ExchangeError::Place { file, cause, .. } => ExchangeError::File { file, cause },

@@ -11,11 +11,11 @@ use serde_json::value::RawValue;
 use super::ExchangeError;
 use super::complex;
 use super::fence;
-use super::found::Found;
-use super::item::Item;
-use super::item_route::{Home, Step, route_of};
+use super::found::GeodeticContent;
+use super::item::MissionItem;
+use super::item_route::{Home, MissionStep, route_of};
 use super::route_items::{RouteStep, home_of, members, steps_of_plan};
-use crate::mission::text::{Members, Text};
+use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, NoFlyZone, Route, degrees};
 use pilotage_base::frames::{Altitude, AltitudeFrame, LocalFrame};
@@ -25,11 +25,11 @@ const PLAN: &str = "plan:";
 const MISSION: &str = "plan.mission:";
 
 /// Reads a plan as one route.
-pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
+pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     read_text(file, &Text(content)).map_err(|e| ExchangeError::of_json(file, e))
 }
 
-fn read_text(file: &str, text: &Text) -> Result<Found, MissionError> {
+fn read_text(file: &str, text: &Text) -> Result<GeodeticContent, MissionError> {
     let mut plan = text.members(text.0)?;
     let kind: Option<String> = at("fileType", text.take(&mut plan, "fileType"))?;
     if kind.as_deref() != Some("Plan") {
@@ -81,11 +81,11 @@ fn read_text(file: &str, text: &Text) -> Result<Found, MissionError> {
             route.properties.insert(format!("{prefix}{name}"), value);
         }
     }
-    Ok(Found {
+    Ok(GeodeticContent {
         routes: vec![route],
         no_fly: fences.no_fly,
         notes,
-        ..Found::default()
+        ..GeodeticContent::default()
     })
 }
 
@@ -107,7 +107,7 @@ fn at<T>(path: &str, result: Result<T, MissionError>) -> Result<T, MissionError>
 
 fn expect_version(
     text: &Text,
-    members: &Members,
+    members: &ObjectMembers,
     path: &str,
     version: u32,
 ) -> Result<(), MissionError> {
@@ -134,7 +134,7 @@ fn holds_places(piece: &RawValue) -> bool {
     serde_json::from_str::<Value>(piece.get()).is_ok_and(|value| has_fraction(&value))
 }
 
-fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, MissionError> {
+fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<MissionStep, MissionError> {
     let path = |name: &str| format!("mission.items[{i}].{name}");
     let mut members = at(&format!("mission.items[{i}]"), text.members(piece.get()))?;
     let kind: Option<String> = at(&path("type"), text.take(&mut members, "type"))?;
@@ -166,7 +166,7 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, Miss
         &path("autoContinue"),
         text.take(&mut members, "autoContinue"),
     )?;
-    let item = Item {
+    let item = MissionItem {
         command: command.ok_or_else(|| missing("command"))?,
         frame: frame.ok_or_else(|| missing("frame"))?,
         parameters,
@@ -184,7 +184,7 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, Miss
         3 | 4 => Some(AltitudeFrame::AboveGround),
         _ => None,
     });
-    Ok(Step::Command {
+    Ok(MissionStep::Command {
         item,
         altitude: frame.zip(metres).map(|(frame, m)| Altitude::new(m, frame)),
         members: kept(members),
@@ -193,18 +193,18 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, Miss
 }
 
 /// An item that is no command: with those that it stands for, if they are stored and lead to a place.
-fn several(name: String, text: &str) -> Step {
+fn several(name: String, text: &str) -> MissionStep {
     let commands = complex::commands(text);
     let read = |command: &String| {
         let text = Text(command);
         let piece = serde_json::from_str::<&RawValue>(command).ok()?;
         match step(&text, 0, piece).ok()? {
-            Step::Command {
+            MissionStep::Command {
                 item,
                 altitude,
                 members,
                 text,
-            } => Some(Step::Command {
+            } => Some(MissionStep::Command {
                 item,
                 altitude,
                 members,
@@ -214,11 +214,11 @@ fn several(name: String, text: &str) -> Step {
         }
     };
     // What cannot be read is kept as it stands.
-    let steps: Option<Vec<Step>> = commands.iter().map(read).collect();
-    let leads = |step: &Step| matches!(step, Step::Command { item, .. } if item.action().is_some());
+    let steps: Option<Vec<MissionStep>> = commands.iter().map(read).collect();
+    let leads = |step: &MissionStep| matches!(step, MissionStep::Command { item, .. } if item.action().is_some());
     match steps.filter(|steps| steps.iter().any(leads)) {
-        Some(steps) => Step::Complex(name, text.to_owned(), steps),
-        None => Step::Other(name, text.to_owned()),
+        Some(steps) => MissionStep::Complex(name, text.to_owned(), steps),
+        None => MissionStep::Other(name, text.to_owned()),
     }
 }
 
@@ -372,7 +372,7 @@ fn items(route: &Route, frame: &LocalFrame) -> String {
 
 /// A kept command with its number replaced; what has none stays as it is.
 fn with_jump_id(text: &str, id: usize) -> String {
-    let members: Option<Members> = serde_json::from_str(text).ok();
+    let members: Option<ObjectMembers> = serde_json::from_str(text).ok();
     let Some(old) = members.as_ref().and_then(|m| m.get("doJumpId")) else {
         return text.to_owned();
     };

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 /// Type that a member has to have.
 #[derive(Clone, Copy, Debug)]
-enum Kind {
+enum MemberKind {
     Number,
     NumberOrNull,
     Bool,
@@ -16,58 +16,61 @@ enum Kind {
     Object,
 }
 
-const PLAN: [(&str, Kind); 6] = [
-    ("fileType", Kind::Is("Plan")),
-    ("version", Kind::Version(1)),
-    ("groundStation", Kind::Is("Pilotage")),
-    ("mission", Kind::Object),
-    ("geoFence", Kind::Object),
-    ("rallyPoints", Kind::Object),
+const PLAN: [(&str, MemberKind); 6] = [
+    ("fileType", MemberKind::Is("Plan")),
+    ("version", MemberKind::Version(1)),
+    ("groundStation", MemberKind::Is("Pilotage")),
+    ("mission", MemberKind::Object),
+    ("geoFence", MemberKind::Object),
+    ("rallyPoints", MemberKind::Object),
 ];
-const MISSION: [(&str, Kind); 8] = [
-    ("version", Kind::Version(2)),
-    ("firmwareType", Kind::Number),
-    ("globalPlanAltitudeMode", Kind::Number),
-    ("vehicleType", Kind::Number),
-    ("cruiseSpeed", Kind::Number),
-    ("hoverSpeed", Kind::Number),
-    ("items", Kind::Array),
-    ("plannedHomePosition", Kind::Array),
+const MISSION: [(&str, MemberKind); 8] = [
+    ("version", MemberKind::Version(2)),
+    ("firmwareType", MemberKind::Number),
+    ("globalPlanAltitudeMode", MemberKind::Number),
+    ("vehicleType", MemberKind::Number),
+    ("cruiseSpeed", MemberKind::Number),
+    ("hoverSpeed", MemberKind::Number),
+    ("items", MemberKind::Array),
+    ("plannedHomePosition", MemberKind::Array),
 ];
-const SIMPLE_ITEM: [(&str, Kind); 6] = [
-    ("type", Kind::Is("SimpleItem")),
-    ("autoContinue", Kind::Bool),
-    ("command", Kind::Number),
-    ("doJumpId", Kind::Number),
-    ("frame", Kind::Number),
-    ("params", Kind::Array),
+const SIMPLE_ITEM: [(&str, MemberKind); 6] = [
+    ("type", MemberKind::Is("SimpleItem")),
+    ("autoContinue", MemberKind::Bool),
+    ("command", MemberKind::Number),
+    ("doJumpId", MemberKind::Number),
+    ("frame", MemberKind::Number),
+    ("params", MemberKind::Array),
 ];
 /// Either all of these or none: an item that leads to a place has them.
-const ALTITUDE: [(&str, Kind); 3] = [
-    ("AMSLAltAboveTerrain", Kind::NumberOrNull),
-    ("Altitude", Kind::NumberOrNull),
-    ("AltitudeMode", Kind::Number),
+const ALTITUDE: [(&str, MemberKind); 3] = [
+    ("AMSLAltAboveTerrain", MemberKind::NumberOrNull),
+    ("Altitude", MemberKind::NumberOrNull),
+    ("AltitudeMode", MemberKind::Number),
 ];
-const FENCE: [(&str, Kind); 3] = [
-    ("version", Kind::Version(2)),
-    ("circles", Kind::Array),
-    ("polygons", Kind::Array),
+const FENCE: [(&str, MemberKind); 3] = [
+    ("version", MemberKind::Version(2)),
+    ("circles", MemberKind::Array),
+    ("polygons", MemberKind::Array),
 ];
-const RALLY: [(&str, Kind); 2] = [("version", Kind::Version(2)), ("points", Kind::Array)];
+const RALLY: [(&str, MemberKind); 2] = [
+    ("version", MemberKind::Version(2)),
+    ("points", MemberKind::Array),
+];
 
-fn has(value: &Value, path: &str, members: &[(&str, Kind)]) -> Result<(), String> {
+fn has(value: &Value, path: &str, members: &[(&str, MemberKind)]) -> Result<(), String> {
     for (name, kind) in members {
         let member = value
             .get(name)
             .ok_or_else(|| format!("{path}.{name} is missing"))?;
         let is_right = match kind {
-            Kind::Number => member.is_number(),
-            Kind::NumberOrNull => member.is_number() || member.is_null(),
-            Kind::Bool => member.is_boolean(),
-            Kind::Is(text) => member == text,
-            Kind::Version(version) => member.as_u64() == Some(*version),
-            Kind::Array => member.is_array(),
-            Kind::Object => member.is_object(),
+            MemberKind::Number => member.is_number(),
+            MemberKind::NumberOrNull => member.is_number() || member.is_null(),
+            MemberKind::Bool => member.is_boolean(),
+            MemberKind::Is(text) => member == text,
+            MemberKind::Version(version) => member.as_u64() == Some(*version),
+            MemberKind::Array => member.is_array(),
+            MemberKind::Object => member.is_object(),
         };
         if !is_right {
             return Err(format!("{path}.{name} is {member}, not {kind:?}"));

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::complex::{self, Inside};
-use super::item::{Item, command_of, frame_number};
+use super::complex::{self, InnerCommand};
+use super::item::{MissionItem, command_of, frame_number};
 use super::item_route::{
-    AT_HOME, FIRST, GROUND_SPEED, HOME, Home, MEMBER, OWN, Own, SPEED_MEMBER, SPEED_PLACE, THEN,
-    is_plain_speed,
+    AT_HOME, CommandRemainder, FIRST, GROUND_SPEED, HOME, Home, MEMBER, OWN, SPEED_MEMBER,
+    SPEED_PLACE, THEN, is_plain_speed,
 };
 use super::speed_command::change_of_speed;
 use crate::mission::{Route, WayPoint, WayPointAction, globe};
@@ -21,9 +21,9 @@ const STILL_AT_HOME: f64 = 0.01;
 /// Step of a route to be written.
 pub(super) enum RouteStep<'a> {
     /// A way-point: the command and where its altitude and unknown members stand.
-    WayPoint(Item, &'a WayPoint),
+    WayPoint(MissionItem, &'a WayPoint),
     /// A change of speed, and the number by which the file that it comes from names it.
-    Speed(Item, Option<usize>),
+    Speed(MissionItem, Option<usize>),
     /// Kept command, as `QGroundControl` writes it.
     Kept(&'a RawValue),
 }
@@ -67,7 +67,7 @@ fn steps<'a>(
     let mut speed = None;
     let in_whole = |number: usize| whole.get(number).copied().flatten();
     let outside = |pieces: Vec<&'a RawValue>| -> Vec<&'a RawValue> {
-        let of = |piece: &'a RawValue| match serde_json::from_str::<Inside>(piece.get()) {
+        let of = |piece: &'a RawValue| match serde_json::from_str::<InnerCommand>(piece.get()) {
             Ok(inside) if in_whole(inside.complex).is_some() => None,
             Ok(inside) => Some(inside.item),
             Err(_) => Some(piece),
@@ -130,23 +130,23 @@ fn between<'a>(
 }
 
 /// The change of speed that stands among kept commands, and its number.
-fn kept_speed(text: &str) -> Option<(Item, Option<usize>)> {
+fn kept_speed(text: &str) -> Option<(MissionItem, Option<usize>)> {
     let members: BTreeMap<&str, &RawValue> = serde_json::from_str(text).ok()?;
     let own = members.get(SPEED_MEMBER)?.get();
-    let item = Item::of_json(own).ok().filter(is_plain_speed)?;
+    let item = MissionItem::of_json(own).ok().filter(is_plain_speed)?;
     Some((item, jump_id_of(own)))
 }
 
-fn speed_command(way_point: &WayPoint) -> Item {
+fn speed_command(way_point: &WayPoint) -> MissionItem {
     let is_over_ground = way_point.properties.contains_key(GROUND_SPEED);
     change_of_speed(way_point.speed, is_over_ground)
 }
 
-fn command(way_point: &WayPoint, frame: &LocalFrame, home: Option<Home>) -> Item {
+fn command(way_point: &WayPoint, frame: &LocalFrame, home: Option<Home>) -> MissionItem {
     let (longitude, latitude) = globe::lon_lat(frame, &way_point.position);
     let (command, own) = command_of(&way_point.action);
     let rounded = |degrees: f64| Some((degrees * 1e10).round() / 1e10);
-    let mut item = Item {
+    let mut item = MissionItem {
         command,
         frame: frame_number(way_point.altitude.frame),
         parameters: [
@@ -161,7 +161,7 @@ fn command(way_point: &WayPoint, frame: &LocalFrame, home: Option<Home>) -> Item
         is_continued: true,
     };
     let kept = way_point.properties.get(OWN);
-    if let Some(own) = kept.and_then(|text| serde_json::from_str::<Own>(text).ok()) {
+    if let Some(own) = kept.and_then(|text| serde_json::from_str::<CommandRemainder>(text).ok()) {
         let mut before = item.clone();
         before.command = own.command;
         before.parameters[..4].copy_from_slice(&own.params);

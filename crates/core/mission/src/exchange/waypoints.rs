@@ -11,11 +11,11 @@ use super::ExchangeError;
 use super::fence::{self, is_fence};
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
-use super::found::Found;
-use super::item::{Item, JUMP, WAY_POINT, counted};
-use super::item_route::{Home, Step, route_of};
+use super::found::GeodeticContent;
+use super::item::{JUMP, MissionItem, WAY_POINT, counted};
+use super::item_route::{Home, MissionStep, route_of};
 use super::route_items::{RouteStep, home_of, stated_home, steps_of};
-use super::written::Written;
+use super::written::WrittenFile;
 use crate::mission::{NoFlyZone, Route, degrees};
 use pilotage_base::frames::{Geodetic, LocalFrame};
 
@@ -35,7 +35,7 @@ pub(super) const WORK: FormatWork = FormatWork {
     read: Read::Text(read),
     write: |places, frame| {
         let text = write(&places.routes[0], places.no_fly, frame);
-        Ok(Written::of_text(text))
+        Ok(WrittenFile::of_text(text))
     },
     track: None,
 };
@@ -48,15 +48,15 @@ const VERSIONS: [&str; 2] = [VERSION, "120"];
 const OWN: &str = "wpl";
 
 /// A line of the file.
-struct Line {
+struct WaypointLine {
     sequence: usize,
     is_current: bool,
-    item: Item,
+    item: MissionItem,
 }
 
 /// Contents of a file beside its commands.
 #[derive(Serialize, Deserialize)]
-struct Own {
+struct WaypointFile {
     version: String,
     /// Line 0, if it is home.
     home: Option<HomeLine>,
@@ -69,7 +69,7 @@ struct Own {
 struct HomeLine(u16, u8, [Option<f64>; 7], bool);
 
 /// Reads the lines as one route.
-pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
+pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     let mut lines = Vec::new();
     let mut version = VERSION;
     for (i, text) in content.lines().enumerate() {
@@ -97,7 +97,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     }
     let mut notes = Vec::new();
     let home_line = home(&lines);
-    let own = Own {
+    let own = WaypointFile {
         version: version.to_owned(),
         current: lines.iter().find(|l| l.is_current).map(|l| l.sequence),
         home: home_line.map(|i| HomeLine(i.command, i.frame, i.parameters, i.is_continued)),
@@ -119,13 +119,13 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
         ),
         (false, _) => {}
     }
-    let items: Vec<&Item> = lines.iter().map(|l| &l.item).collect();
+    let items: Vec<&MissionItem> = lines.iter().map(|l| &l.item).collect();
     let fences = fence::of_items(&items);
     notes.extend(fences.notes);
     let steps = lines
         .into_iter()
         .skip(usize::from(has_home_line))
-        .map(|line| Step::Command {
+        .map(|line| MissionStep::Command {
             text: line.item.json(line.sequence),
             altitude: None,
             members: BTreeMap::from([("doJumpId".to_owned(), line.sequence.to_string())]),
@@ -148,19 +148,19 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     }
     notes.extend(more);
     let no_way_point = route.way_points.is_empty();
-    Ok(Found {
+    Ok(GeodeticContent {
         routes: vec![route],
         no_fly: fences.no_fly,
         notes,
         origin: home
             .filter(|_| no_way_point)
             .map(|[latitude, longitude, _]| Geodetic::from_degrees(latitude, longitude, 0.0)),
-        ..Found::default()
+        ..GeodeticContent::default()
     })
 }
 
 /// A line, or the column of what is wrong with it and what that is.
-fn line(text: &str) -> Result<Line, (usize, String)> {
+fn line(text: &str) -> Result<WaypointLine, (usize, String)> {
     let fields: Vec<&str> = text.split_whitespace().collect();
     if fields.len() != 12 {
         return Err((1, format!("there are {} fields, not 12", fields.len())));
@@ -187,10 +187,10 @@ fn line(text: &str) -> Result<Line, (usize, String)> {
     }
     // The file has no word for a heading that is left to the aircraft; people write 0.
     parameters[3] = parameters[3].filter(|heading| *heading != 0.0);
-    Ok(Line {
+    Ok(WaypointLine {
         sequence: whole(0, 65535.0)? as usize,
         is_current: whole(1, 1.0)? == 1.0,
-        item: Item {
+        item: MissionItem {
             frame: whole(2, 255.0)? as u8,
             command: whole(3, 65535.0)? as u16,
             parameters,
@@ -201,7 +201,7 @@ fn line(text: &str) -> Result<Line, (usize, String)> {
 
 /// The first line, if it is home: an absolute place, or one at no height above take-off, where
 /// nobody flies, whatever its current flag.
-fn home(lines: &[Line]) -> Option<&Item> {
+fn home(lines: &[WaypointLine]) -> Option<&MissionItem> {
     let first = lines.first().filter(|first| first.sequence == 0)?;
     let item = &first.item;
     let is_absolute = item.frame == 0 || item.parameters[6].unwrap_or(0.0) == 0.0;
@@ -209,26 +209,26 @@ fn home(lines: &[Line]) -> Option<&Item> {
 }
 
 /// Latitude, longitude and height of a line; `None` for the zeros of a home that was never set.
-fn stated_place(item: &Item) -> Option<Home> {
+fn stated_place(item: &MissionItem) -> Option<Home> {
     let [.., latitude, longitude, altitude] = item.parameters.map(|p| p.unwrap_or(0.0));
     ((latitude, longitude) != (0.0, 0.0)).then_some([latitude, longitude, altitude])
 }
 
 /// Line 0 as it was read, at the home that the route has now; `None` if the file had none, and the
 /// first way-point for a route that comes from no such file.
-fn home_item(route: &Route, own: Option<&Own>, frame: &LocalFrame) -> Option<Item> {
+fn home_item(route: &Route, own: Option<&WaypointFile>, frame: &LocalFrame) -> Option<MissionItem> {
     let mut item = match own {
-        Some(Own {
+        Some(WaypointFile {
             home: Some(HomeLine(command, item_frame, parameters, is_continued)),
             ..
-        }) => Item {
+        }) => MissionItem {
             command: *command,
             frame: *item_frame,
             parameters: *parameters,
             is_continued: *is_continued,
         },
         Some(_) => return None,
-        None => Item {
+        None => MissionItem {
             command: WAY_POINT,
             frame: 0,
             parameters: [Some(0.0); 7],
@@ -254,13 +254,13 @@ pub(super) fn write(
     no_fly: &[NoFlyZone],
     frame: &LocalFrame,
 ) -> (String, Vec<String>) {
-    let own: Option<Own> = route
+    let own: Option<WaypointFile> = route
         .properties
         .get(OWN)
         .and_then(|text| serde_json::from_str(text).ok());
     let mut notes = Vec::new();
     let mut left_out = Vec::new();
-    let mut items: Vec<(Item, Option<usize>)> = Vec::new();
+    let mut items: Vec<(MissionItem, Option<usize>)> = Vec::new();
     if let Some(home) = home_item(route, own.as_ref(), frame) {
         if own.is_none() {
             notes.push("home is written as the first line, as Mission Planner reads it".to_owned());
@@ -273,14 +273,14 @@ pub(super) fn write(
         let id = step.jump_id();
         match step {
             RouteStep::WayPoint(item, _) | RouteStep::Speed(item, _) => items.push((item, id)),
-            RouteStep::Kept(piece) => match Item::of_json(piece.get()) {
+            RouteStep::Kept(piece) => match MissionItem::of_json(piece.get()) {
                 Ok(item) => items.push((item, id)),
                 Err(name) => left_out.push(name),
             },
         }
     }
     let lost = aim_jumps(&mut items);
-    let written: Vec<&Item> = items.iter().map(|(item, _)| item).collect();
+    let written: Vec<&MissionItem> = items.iter().map(|(item, _)| item).collect();
     let fences = fence::of_items(&written).no_fly;
     notes.extend(fence::left_out(&fences, no_fly, frame));
     let current = own.as_ref().map_or(Some(0), |own| {
@@ -311,7 +311,7 @@ pub(super) fn write(
 }
 
 /// Lets jumps lead to the lines of the commands that they named; how many of these are gone.
-fn aim_jumps(items: &mut [(Item, Option<usize>)]) -> usize {
+fn aim_jumps(items: &mut [(MissionItem, Option<usize>)]) -> usize {
     let ids: Vec<Option<usize>> = items.iter().map(|item| item.1).collect();
     let mut lost = 0;
     for (item, _) in items.iter_mut().filter(|(item, _)| item.command == JUMP) {
@@ -329,7 +329,7 @@ fn aim_jumps(items: &mut [(Item, Option<usize>)]) -> usize {
     lost
 }
 
-fn line_of(item: &Item, sequence: usize, is_current: bool) -> String {
+fn line_of(item: &MissionItem, sequence: usize, is_current: bool) -> String {
     let [own @ .., latitude, longitude, altitude] = &item.parameters;
     let mut fields = vec![
         sequence.to_string(),

@@ -4,7 +4,7 @@ use super::fence;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
 use super::wpml::{NAME, read, write};
-use super::written::Written;
+use super::written::WrittenFile;
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
@@ -23,7 +23,7 @@ pub(super) const WORK: FormatWork = FormatWork {
     write: |places, frame| {
         let (bytes, mut notes) = write(&places.routes[0], frame)?;
         notes.extend(fence::left_out(&[], places.no_fly, frame));
-        Ok(Written { bytes, notes })
+        Ok(WrittenFile { bytes, notes })
     },
     track: None,
 };

@@ -1,6 +1,6 @@
 //! Writing of files in all formats that are known.
 
-use super::written::Written;
+use super::written::WrittenFile;
 use super::{ExchangeError, Format, Places};
 use crate::mission::Route;
 use pilotage_base::frames::LocalFrame;
@@ -27,7 +27,7 @@ pub fn write_route(
     format: Format,
     route: &Route,
     frame: &LocalFrame,
-) -> Result<Written, ExchangeError> {
+) -> Result<WrittenFile, ExchangeError> {
     let places = Places {
         routes: std::slice::from_ref(route),
         ..Places::default()
@@ -40,7 +40,7 @@ pub fn write_landmarks(
     format: Format,
     landmarks: &[Landmark],
     frame: &LocalFrame,
-) -> Result<Written, ExchangeError> {
+) -> Result<WrittenFile, ExchangeError> {
     let places = Places {
         landmarks,
         ..Places::default()
@@ -53,7 +53,7 @@ pub fn write_places(
     format: Format,
     places: &Places<'_>,
     frame: &LocalFrame,
-) -> Result<Written, ExchangeError> {
+) -> Result<WrittenFile, ExchangeError> {
     let Places {
         routes, landmarks, ..
     } = *places;

@@ -10,13 +10,13 @@ const DEEPEST: usize = 200;
 
 /// An element with its text and its children; names are without their prefixes.
 #[derive(Default)]
-pub(super) struct Element {
+pub(super) struct XmlElement {
     /// Name without prefix.
     pub name: String,
     /// Attributes by their names without prefixes.
     pub attributes: Vec<(String, String)>,
     /// Elements in it, in order.
-    pub children: Vec<Element>,
+    pub children: Vec<XmlElement>,
     /// Text in it beside its children, without space around.
     pub text: String,
     /// First byte of the element in the text.
@@ -25,7 +25,7 @@ pub(super) struct Element {
     pub end: usize,
 }
 
-impl Element {
+impl XmlElement {
     /// The first child of that name.
     pub fn child(&self, name: &str) -> Option<&Self> {
         self.children.iter().find(|c| c.name == name)
@@ -50,14 +50,14 @@ impl Element {
 }
 
 /// A text with the name of its file, to say where something is wrong.
-pub(super) struct Source<'a> {
+pub(super) struct NamedText<'a> {
     /// Name of the file.
     pub file: &'a str,
     /// The text.
     pub text: &'a str,
 }
 
-impl Source<'_> {
+impl NamedText<'_> {
     /// A complaint about the byte at `offset`.
     pub fn error(&self, offset: usize, cause: impl Into<String>) -> ExchangeError {
         let before = self.text.as_bytes();
@@ -75,10 +75,10 @@ impl Source<'_> {
     }
 
     /// The root element.
-    pub fn root(&self) -> Result<Element, ExchangeError> {
+    pub fn root(&self) -> Result<XmlElement, ExchangeError> {
         let mut reader = Reader::from_str(self.text);
         reader.config_mut().allow_dangling_amp = true;
-        let mut open: Vec<Element> = Vec::new();
+        let mut open: Vec<XmlElement> = Vec::new();
         loop {
             let begin = reader.buffer_position() as usize;
             let event = reader
@@ -142,16 +142,16 @@ impl Source<'_> {
     }
 }
 
-fn add(open: &mut [Element], text: &str) {
+fn add(open: &mut [XmlElement], text: &str) {
     if let Some(element) = open.last_mut() {
         element.text.push_str(text);
     }
 }
 
-fn element(tag: &BytesStart, begin: usize) -> Element {
+fn element(tag: &BytesStart, begin: usize) -> XmlElement {
     let mut attributes = tag.html_attributes();
     let attributes = attributes.with_checks(false).flatten();
-    Element {
+    XmlElement {
         name: tag.local_name().as_ref().to_owned(),
         attributes: attributes
             .map(|a| {
@@ -163,7 +163,7 @@ fn element(tag: &BytesStart, begin: usize) -> Element {
             })
             .collect(),
         begin,
-        ..Element::default()
+        ..XmlElement::default()
     }
 }
 

@@ -13,7 +13,7 @@ pub(crate) type LonLat = (f64, f64);
 pub(crate) const POINT_BOX: f64 = 20.0;
 
 /// Extent of a landmark as a file states it.
-pub(crate) enum Extent {
+pub(crate) enum LandmarkExtent {
     /// The landmark is the box around these corners.
     Corners(Vec<LonLat>),
     /// Only this point is known; it gets a box of [`POINT_BOX`].
@@ -29,7 +29,7 @@ pub(crate) enum Extent {
     },
 }
 
-impl Extent {
+impl LandmarkExtent {
     fn points(&self) -> &[LonLat] {
         match self {
             Self::Corners(corners) => corners,
@@ -41,7 +41,7 @@ impl Extent {
 /// A landmark of a file.
 pub(crate) struct FoundLandmark {
     /// Extent on the globe.
-    pub extent: Extent,
+    pub extent: LandmarkExtent,
     /// Rings inside of the corners that are not part of it.
     pub holes: Vec<Vec<LonLat>>,
     /// The point that is measured; the middle of the box where there is none.
@@ -60,7 +60,7 @@ pub(crate) struct FoundLandmark {
 
 impl FoundLandmark {
     /// A landmark on the ground of which only its place is known.
-    pub fn new(extent: Extent) -> Self {
+    pub fn new(extent: LandmarkExtent) -> Self {
         Self {
             extent,
             holes: Vec::new(),
@@ -76,7 +76,7 @@ impl FoundLandmark {
 
 /// A route of a file; the positions of its way-points stand beside them.
 #[derive(Default)]
-pub(crate) struct FoundRoute {
+pub(crate) struct ReadRoute {
     /// Its identity in the file.
     pub id: Option<u32>,
     /// Name for people.
@@ -149,7 +149,7 @@ pub(crate) fn middle_of(places: &[LonLat]) -> Option<Geodetic> {
 }
 
 /// Places of landmarks and routes.
-pub(crate) fn places(landmarks: &[FoundLandmark], routes: &[FoundRoute]) -> Vec<LonLat> {
+pub(crate) fn places(landmarks: &[FoundLandmark], routes: &[ReadRoute]) -> Vec<LonLat> {
     let corners = landmarks.iter().flat_map(|l| l.extent.points());
     let way_points = routes
         .iter()
@@ -158,7 +158,7 @@ pub(crate) fn places(landmarks: &[FoundLandmark], routes: &[FoundRoute]) -> Vec<
 }
 
 /// The middle of all corners and way-points, on the ellipsoid; `None` if there is none.
-pub(crate) fn middle(landmarks: &[FoundLandmark], routes: &[FoundRoute]) -> Option<Geodetic> {
+pub(crate) fn middle(landmarks: &[FoundLandmark], routes: &[ReadRoute]) -> Option<Geodetic> {
     middle_of(&places(landmarks, routes))
 }
 
@@ -192,13 +192,15 @@ pub(crate) fn landmarks(found: Vec<FoundLandmark>, frame: &LocalFrame) -> Vec<La
         .zip(identities(&wanted))
         .map(|(found, id)| {
             let bounds = match &found.extent {
-                Extent::Corners(corners) => {
+                LandmarkExtent::Corners(corners) => {
                     let corners: Vec<GroundPoint> = corners.iter().copied().map(point).collect();
                     globe::bounds(&corners)
                         .unwrap_or_else(|| GroundRect::centered(GroundPoint::default(), 0.0, 0.0))
                 }
-                Extent::Point(middle) => GroundRect::centered(point(*middle), POINT_BOX, POINT_BOX),
-                Extent::Around {
+                LandmarkExtent::Point(middle) => {
+                    GroundRect::centered(point(*middle), POINT_BOX, POINT_BOX)
+                }
+                LandmarkExtent::Around {
                     point: middle,
                     offset,
                     size,
@@ -218,14 +220,14 @@ pub(crate) fn landmarks(found: Vec<FoundLandmark>, frame: &LocalFrame) -> Vec<La
                 ..Landmark::new(id, "", bounds)
             };
             match &found.extent {
-                Extent::Corners(corners) => {
+                LandmarkExtent::Corners(corners) => {
                     let corners: Vec<GroundPoint> = corners.iter().copied().map(point).collect();
                     if !globe::is_box(&corners) {
                         landmark.set_outline(globe::open(&corners));
                     }
                 }
-                Extent::Point(_) => landmark.mark_point(),
-                Extent::Around { .. } => {}
+                LandmarkExtent::Point(_) => landmark.mark_point(),
+                LandmarkExtent::Around { .. } => {}
             }
             if !found.holes.is_empty() {
                 let holes: Vec<Vec<GroundPoint>> = found
@@ -245,7 +247,7 @@ pub(crate) fn landmarks(found: Vec<FoundLandmark>, frame: &LocalFrame) -> Vec<La
 }
 
 /// The routes in the world.
-pub(crate) fn routes(found: Vec<FoundRoute>, frame: &LocalFrame) -> Vec<Route> {
+pub(crate) fn routes(found: Vec<ReadRoute>, frame: &LocalFrame) -> Vec<Route> {
     let wanted: Vec<_> = found.iter().map(|f| f.id).collect();
     found
         .into_iter()

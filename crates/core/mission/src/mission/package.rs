@@ -100,9 +100,9 @@ pub fn read_package_of(files: &dyn FileSet) -> Result<MissionPackage, PackageErr
 /// Checks the head of a mission file and gives its other members, as JSON text.
 pub fn read_head(head: &[u8]) -> Result<BTreeMap<String, String>, PackageError> {
     #[derive(Deserialize)]
-    struct Head<'a>(#[serde(borrow)] BTreeMap<String, &'a RawValue>);
+    struct PackageHead<'a>(#[serde(borrow)] BTreeMap<String, &'a RawValue>);
     let wrong = |cause: serde_json::Error| PackageError::Head(cause.to_string());
-    let Head(mut members) = serde_json::from_slice(head).map_err(wrong)?;
+    let PackageHead(mut members) = serde_json::from_slice(head).map_err(wrong)?;
     let version = members.remove(VERSION_MEMBER).map(RawValue::get);
     let version: Option<u64> = version.and_then(|text| text.parse().ok());
     match version {

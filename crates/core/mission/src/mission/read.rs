@@ -4,9 +4,9 @@ use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::found::{self, FoundLandmark, FoundNoFly, FoundRoute};
-use super::read_feature::{Feature, feature};
-use super::text::{Members, Text};
+use super::found::{self, FoundLandmark, FoundNoFly, ReadRoute};
+use super::read_feature::{GeoJsonFeature, feature};
+use super::text::{ObjectMembers, Text};
 use super::way_point_file::kept;
 use super::{CAMERA_TO_LOG, LABELS, MapReference, Mission, MissionError, OTHER_FEATURES, VERSION};
 use crate::settings::{CameraAdjustment, NavigatorSettings};
@@ -69,7 +69,7 @@ pub(crate) struct FoundFeatures<'a> {
     /// Landmarks in the order of the file.
     pub landmarks: Vec<FoundLandmark>,
     /// Routes in the order of the file.
-    pub routes: Vec<FoundRoute>,
+    pub routes: Vec<ReadRoute>,
     /// Areas that must not be flown over.
     pub no_fly: Vec<FoundNoFly>,
     /// Somebody else's features.
@@ -81,7 +81,7 @@ pub(crate) struct FoundFeatures<'a> {
 /// Reads the features of a collection and its origin; the second is what other members there are.
 pub(crate) fn read_features<'a>(
     text: &Text<'a>,
-) -> Result<(FoundFeatures<'a>, Members<'a>), MissionError> {
+) -> Result<(FoundFeatures<'a>, ObjectMembers<'a>), MissionError> {
     let mut members = text.members(text.0)?;
     let kind: Option<Value> = text.take(&mut members, "type")?;
     let features = members.remove("features");
@@ -102,10 +102,10 @@ pub(crate) fn read_features<'a>(
     let (mut no_fly, mut others) = (Vec::new(), Vec::new());
     for piece in text.elements(features.get())? {
         match feature(text, piece)? {
-            Feature::Landmark(landmark) => landmarks.push(landmark),
-            Feature::Route(route) => routes.push(route),
-            Feature::NoFly(zone) => no_fly.push(zone),
-            Feature::Other => others.push(piece),
+            GeoJsonFeature::Landmark(landmark) => landmarks.push(landmark),
+            GeoJsonFeature::Route(route) => routes.push(route),
+            GeoJsonFeature::NoFly(zone) => no_fly.push(zone),
+            GeoJsonFeature::Other => others.push(piece),
         }
     }
     let place = members.get("origin").map(|piece| piece.get());
@@ -126,7 +126,7 @@ pub(crate) fn read_features<'a>(
 
 fn map<'a>(
     text: &Text<'a>,
-    members: &mut Members<'a>,
+    members: &mut ObjectMembers<'a>,
 ) -> Result<Option<MapReference>, MissionError> {
     #[derive(Deserialize)]
     #[serde(rename_all = "snake_case")]
@@ -144,7 +144,7 @@ fn map<'a>(
 /// The settings of the file laid over the usual ones, so that a file may state a few only.
 fn navigator<'a>(
     text: &Text<'a>,
-    members: &mut Members<'a>,
+    members: &mut ObjectMembers<'a>,
 ) -> Result<NavigatorSettings, MissionError> {
     let usual = NavigatorSettings::default();
     let Some(piece) = members.remove("navigator") else {

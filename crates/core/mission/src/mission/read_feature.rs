@@ -4,16 +4,16 @@ use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::found::{Extent, FoundLandmark, FoundNoFly, FoundRoute, LonLat, on_globe};
-use super::text::{Members, Text};
+use super::found::{FoundLandmark, FoundNoFly, LandmarkExtent, LonLat, ReadRoute, on_globe};
+use super::text::{ObjectMembers, Text};
 use super::way_point_file::{USUAL_ALTITUDE, kept, read_way_point};
 use super::{FEATURE_MEMBER, MissionError, NO_FLY_MARK, ROUTE_MARK, WayPoint};
 use pilotage_base::frames::GroundPoint;
 
 /// Kind of a feature, with its contents.
-pub(super) enum Feature {
+pub(super) enum GeoJsonFeature {
     Landmark(FoundLandmark),
-    Route(FoundRoute),
+    Route(ReadRoute),
     NoFly(FoundNoFly),
     Other,
 }
@@ -27,10 +27,13 @@ struct Geometry<'a> {
 }
 
 /// Reads the feature `piece`: a landmark if it is a polygon, whoever wrote it; a route if it says so itself.
-pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Feature, MissionError> {
+pub(super) fn feature<'a>(
+    text: &Text<'a>,
+    piece: &'a RawValue,
+) -> Result<GeoJsonFeature, MissionError> {
     let mut members = text.members(piece.get())?;
     let Some(geometry) = members.get("geometry").copied() else {
-        return Ok(Feature::Other);
+        return Ok(GeoJsonFeature::Other);
     };
     let marked = |mark| match members.get("properties") {
         Some(properties) if properties.get().starts_with('{') => {
@@ -42,13 +45,13 @@ pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Featur
     let kind: Value = text.value(geometry.get())?;
     let is_polygon = kind.get("type").and_then(Value::as_str) == Some("Polygon");
     if !is_polygon && !has_mark {
-        return Ok(Feature::Other);
+        return Ok(GeoJsonFeature::Other);
     }
     members.remove("geometry");
     members.remove("type");
     let mut properties = match members.remove("properties") {
         Some(piece) if piece.get() != "null" => text.members(piece.get())?,
-        _ => Members::new(),
+        _ => ObjectMembers::new(),
     };
     if is_polygon && is_no_fly {
         properties.remove(NO_FLY_MARK.0);
@@ -59,7 +62,7 @@ pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Featur
                 ring.pop();
             }
         }
-        Ok(Feature::NoFly(FoundNoFly {
+        Ok(GeoJsonFeature::NoFly(FoundNoFly {
             name: own(text, &mut properties, "name"),
             corners,
             holes,
@@ -68,11 +71,11 @@ pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Featur
     } else if is_polygon {
         let mut found = landmark(text, piece.get(), geometry.get(), &mut properties)?;
         found.properties = with_members(properties, members);
-        Ok(Feature::Landmark(found))
+        Ok(GeoJsonFeature::Landmark(found))
     } else {
         let mut found = route(text, geometry.get(), &mut properties)?;
         found.properties = with_members(properties, members);
-        Ok(Feature::Route(found))
+        Ok(GeoJsonFeature::Route(found))
     }
 }
 
@@ -87,8 +90,8 @@ fn is_marked<'a>(
 
 /// Unknown properties, and unknown members of the feature under names of their own.
 fn with_members(
-    properties: Members,
-    members: Members,
+    properties: ObjectMembers,
+    members: ObjectMembers,
 ) -> std::collections::BTreeMap<String, String> {
     let mut all = kept(properties);
     for (name, value) in kept(members) {
@@ -110,7 +113,7 @@ fn lon_lat(text: &Text, piece: &str, position: &[f64], what: &str) -> Result<Lon
 /// Takes a property out if it is of our type; somebody else's of the same name is kept aside.
 fn own<'a, T: serde::de::DeserializeOwned>(
     text: &Text<'a>,
-    properties: &mut Members<'a>,
+    properties: &mut ObjectMembers<'a>,
     name: &str,
 ) -> Option<T> {
     let piece = properties.remove(name)?;
@@ -127,10 +130,10 @@ fn rings<'a>(
     geometry: &'a str,
 ) -> Result<(Vec<LonLat>, Vec<Vec<LonLat>>), MissionError> {
     #[derive(Deserialize)]
-    struct Polygon {
+    struct FeaturePolygon {
         coordinates: Vec<Vec<Vec<f64>>>,
     }
-    let polygon: Polygon = text.value(geometry)?;
+    let polygon: FeaturePolygon = text.value(geometry)?;
     let mut rings = polygon.coordinates.iter().map(|ring| {
         let corners: Vec<LonLat> = ring
             .iter()
@@ -151,7 +154,7 @@ fn landmark<'a>(
     text: &Text<'a>,
     feature: &'a str,
     geometry: &'a str,
-    properties: &mut Members<'a>,
+    properties: &mut ObjectMembers<'a>,
 ) -> Result<FoundLandmark, MissionError> {
     let (corners, holes) = rings(text, geometry)?;
     let reference_place = properties.get("reference").map(|piece| piece.get());
@@ -171,7 +174,7 @@ fn landmark<'a>(
         name: own(text, properties, "name"),
         height: text.take(properties, "height_m")?.unwrap_or(0.0),
         enabled: text.take(properties, "enabled")?.unwrap_or(true),
-        ..FoundLandmark::new(Extent::Corners(corners))
+        ..FoundLandmark::new(LandmarkExtent::Corners(corners))
     })
 }
 
@@ -179,8 +182,8 @@ fn landmark<'a>(
 fn route<'a>(
     text: &Text<'a>,
     geometry: &'a str,
-    properties: &mut Members<'a>,
-) -> Result<FoundRoute, MissionError> {
+    properties: &mut ObjectMembers<'a>,
+) -> Result<ReadRoute, MissionError> {
     properties.remove(ROUTE_MARK.0);
     let line: Option<Geometry> = text.read(geometry)?;
     let positions: Vec<Vec<f64>> = match &line {
@@ -217,10 +220,10 @@ fn route<'a>(
         };
         way_points.push((place, way_point));
     }
-    Ok(FoundRoute {
+    Ok(ReadRoute {
         id: own(text, properties, "id"),
         name: own(text, properties, "name"),
         way_points,
-        ..FoundRoute::default()
+        ..ReadRoute::default()
     })
 }

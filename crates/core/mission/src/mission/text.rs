@@ -8,7 +8,7 @@ use serde_json::value::RawValue;
 use super::MissionError;
 
 /// Members of an object as they stand in the text.
-pub(crate) type Members<'a> = BTreeMap<String, &'a RawValue>;
+pub(crate) type ObjectMembers<'a> = BTreeMap<String, &'a RawValue>;
 
 /// The whole text, to find the line of a piece of it.
 pub(crate) struct Text<'a>(pub(crate) &'a str);
@@ -59,7 +59,7 @@ impl<'a> Text<'a> {
     }
 
     /// Members of the object that `piece` is.
-    pub(crate) fn members(&self, piece: &'a str) -> Result<Members<'a>, MissionError> {
+    pub(crate) fn members(&self, piece: &'a str) -> Result<ObjectMembers<'a>, MissionError> {
         serde_json::from_str(piece).map_err(|e| self.json_error(piece, &e))
     }
 
@@ -84,7 +84,7 @@ impl<'a> Text<'a> {
     /// Takes a member out and reads it; `None` if it is absent or null.
     pub(crate) fn take<T: DeserializeOwned>(
         &self,
-        members: &mut Members<'a>,
+        members: &mut ObjectMembers<'a>,
         name: &str,
     ) -> Result<Option<T>, MissionError> {
         match members.remove(name) {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::text::{Members, Text};
+use super::text::{ObjectMembers, Text};
 use super::{MissionError, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
@@ -85,9 +85,10 @@ pub(crate) fn read_way_point<'a>(
     text: &Text<'a>,
     piece: &'a str,
 ) -> Result<WayPoint, MissionError> {
-    let mut members: Members = text.members(piece)?;
-    let place =
-        |members: &Members<'a>, name: &str| members.get(name).map_or(piece, |value| value.get());
+    let mut members: ObjectMembers = text.members(piece)?;
+    let place = |members: &ObjectMembers<'a>, name: &str| {
+        members.get(name).map_or(piece, |value| value.get())
+    };
     let frame_place = place(&members, "altitude_frame");
     let frame = match text.take::<String>(&mut members, "altitude_frame")? {
         None => USUAL_ALTITUDE.frame,
@@ -132,7 +133,7 @@ pub(crate) fn read_way_point<'a>(
 }
 
 /// Members that we do not know, as JSON text.
-pub(crate) fn kept(members: Members) -> BTreeMap<String, String> {
+pub(crate) fn kept(members: ObjectMembers) -> BTreeMap<String, String> {
     members
         .into_iter()
         .map(|(name, value)| (name, value.get().to_owned()))

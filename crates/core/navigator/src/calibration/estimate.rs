@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::CameraEvidence;
-use super::residual::{Log, Unknowns};
+use super::residual::{ReferenceLog, Unknowns};
 use super::solve::{Solution, solve};
 use crate::navigator::Run;
 use pilotage_flight::Flight;
@@ -212,7 +212,7 @@ impl CameraSearch {
 }
 
 /// Standard deviations of the unknowns; zero for what the log cannot tell.
-fn prior(log: &Log<'_>, believed: &CameraPrior) -> Unknowns {
+fn prior(log: &ReferenceLog<'_>, believed: &CameraPrior) -> Unknowns {
     let mount = if log.has_heading { believed.mount } else { 0.0 };
     let focal = if log.has_height {
         believed.log_focal

@@ -73,7 +73,7 @@ fn flight() -> Flight {
 /// Frames as the pictures show them if the frames' clock, the mount and the lens are off by `truth`, with
 /// noise in their last digits; every tenth is laid somewhere else.
 fn shown(flight: &Flight, truth: &Unknowns, noise: f64) -> Vec<RegisteredPose> {
-    let log = Log::new(flight, &[]).unwrap();
+    let log = ReferenceLog::new(flight, &[]).unwrap();
     let mut camera = flight.camera.clone();
     camera.mount.roll += truth[2];
     camera.mount.pitch += truth[3];

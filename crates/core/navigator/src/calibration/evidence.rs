@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 use serde::{Deserialize, Serialize};
 
-use super::residual::{Log, RegisteredPose, Unknowns, laid_frames};
+use super::residual::{ReferenceLog, RegisteredPose, Unknowns, laid_frames};
 use crate::navigator::Run;
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_flight::{ChannelName, Flight};
@@ -103,7 +103,7 @@ impl CameraEvidence {
     /// navigation off the map by `bias` (north, east; metres). Frames that fall outside the log are left out;
     /// nothing without satellite navigation.
     pub fn residuals(&self, change: &CameraAdjustment, bias: [f64; 2]) -> Vec<FrameResidual> {
-        let Some(log) = Log::new(&self.flight, &self.frames) else {
+        let Some(log) = ReferenceLog::new(&self.flight, &self.frames) else {
             return Vec::new();
         };
         let change = change.about(log.middle);
@@ -172,8 +172,8 @@ impl CameraEvidence {
         camera.corners().iter().map(corner).collect()
     }
 
-    pub(super) fn log(&self) -> Option<Log<'_>> {
-        Log::new(&self.flight, &self.frames)
+    pub(super) fn log(&self) -> Option<ReferenceLog<'_>> {
+        ReferenceLog::new(&self.flight, &self.frames)
     }
 
     pub(super) fn laid(&self) -> &[RegisteredPose] {

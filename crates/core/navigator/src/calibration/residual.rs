@@ -52,7 +52,7 @@ pub fn laid_frames(flight: &Flight, run: &Run) -> Vec<RegisteredPose> {
 }
 
 /// Log against which the frames are held.
-pub struct Log<'a> {
+pub struct ReferenceLog<'a> {
     pub flight: &'a Flight,
     /// Time about which the clock's drift counts, seconds.
     pub middle: f64,
@@ -64,7 +64,7 @@ pub struct Log<'a> {
     pub span: (f64, f64),
 }
 
-impl<'a> Log<'a> {
+impl<'a> ReferenceLog<'a> {
     /// `None` without satellite navigation.
     pub fn new(flight: &'a Flight, frames: &[RegisteredPose]) -> Option<Self> {
         let filled = |name| flight.channel(name).filter(|c| !c.times.is_empty());

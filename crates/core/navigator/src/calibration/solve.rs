@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::residual::{Log, RegisteredPose, SAID, UNKNOWNS, Unknowns};
+use super::residual::{ReferenceLog, RegisteredPose, SAID, UNKNOWNS, Unknowns};
 
 /// Rounds of Gauss and Newton, each with its own weights.
 const ROUNDS: usize = 20;
@@ -32,7 +32,7 @@ pub struct Solution {
 
 /// The frames' residuals at `unknowns`.
 fn residuals(
-    log: &Log<'_>,
+    log: &ReferenceLog<'_>,
     frames: &[RegisteredPose],
     unknowns: &Unknowns,
 ) -> Vec<[Option<f64>; SAID]> {
@@ -88,7 +88,7 @@ struct Normal {
 
 /// Adds up the frames, each number of theirs counting for one in `redundancy`.
 fn normal_equations(
-    log: &Log<'_>,
+    log: &ReferenceLog<'_>,
     frames: &[RegisteredPose],
     at: &Unknowns,
     prior: &Unknowns,
@@ -138,7 +138,7 @@ fn huber(r: f64) -> (f64, f64) {
 
 /// Gauss and Newton from `guess`; `prior` are standard deviations about zero, zero for what is not sought.
 pub fn solve(
-    log: &Log<'_>,
+    log: &ReferenceLog<'_>,
     frames: &[RegisteredPose],
     guess: &Unknowns,
     prior: &Unknowns,
@@ -184,7 +184,7 @@ pub fn solve(
 
 /// Jacobian of a frame's numbers by the unknowns, from central differences.
 fn slopes(
-    log: &Log<'_>,
+    log: &ReferenceLog<'_>,
     frame: &RegisteredPose,
     at: &Unknowns,
     is_sought: &dyn Fn(usize) -> bool,

@@ -8,7 +8,7 @@ use super::series::Series;
 
 /// Angle that is added to a heading, and its drift.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-struct Turn {
+struct HeadingTurn {
     /// Radians at `reference`.
     offset: f64,
     /// Radians per second.
@@ -17,7 +17,7 @@ struct Turn {
     reference: f64,
 }
 
-impl Turn {
+impl HeadingTurn {
     fn of(fit: &AirFit) -> Self {
         Self {
             offset: fit.heading_offset,
@@ -36,16 +36,16 @@ impl Turn {
 /// nobody knows.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Blend {
-    logged: Turn,
-    gyros: Turn,
+    logged: HeadingTurn,
+    gyros: HeadingTurn,
 }
 
 impl Blend {
     /// Of the headings that these fits are about.
     pub(super) fn of(logged: &AirFit, gyros: &AirFit) -> Self {
         Self {
-            logged: Turn::of(logged),
-            gyros: Turn::of(gyros),
+            logged: HeadingTurn::of(logged),
+            gyros: HeadingTurn::of(gyros),
         }
     }
 
@@ -87,7 +87,7 @@ mod tests {
             }
             gyros.push(time, along(truth - 1.0 + 0.02 * (time - 10.0) - 0.1) * 0.9);
         }
-        let turn = |offset, drift| Turn {
+        let turn = |offset, drift| HeadingTurn {
             offset,
             drift,
             reference: 10.0,

@@ -1,6 +1,6 @@
 //! Fits and ellipses on flights that nothing was made for.
 
-use super::generated::{Plan, Wander};
+use super::generated::{GeneratedPlan, Wander};
 use super::*;
 
 /// Flights of each plan for fits, and for outages: that of docs/results.md needs `PILOTAGE_SEEDS=30`.
@@ -26,11 +26,11 @@ fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
 }
 
 impl Fits {
-    fn of(plan: &Plan) -> Self {
+    fn of(plan: &GeneratedPlan) -> Self {
         Self::by(plan, HeadingChoice::Logged)
     }
 
-    fn by(plan: &Plan, heading: HeadingChoice) -> Self {
+    fn by(plan: &GeneratedPlan, heading: HeadingChoice) -> Self {
         let settings = CalibrationSettings::default();
         let (mut scales, mut winds) = (Vec::new(), Vec::new());
         for seed in 0..SEEDS {
@@ -65,14 +65,14 @@ impl Fits {
 }
 
 /// Outages of a minute, one after the other.
-fn outages(plan: &Plan) -> Vec<OutageOutcome> {
+fn outages(plan: &GeneratedPlan) -> Vec<OutageOutcome> {
     let cuts = OutagePlan {
         length: 60.0,
         every: 60.0,
         warm_up: 60.0,
     };
     let settings = ReckonSettings::default();
-    let way = Way::air_and_wind();
+    let way = ReckoningWay::air_and_wind();
     let of_seed = |seed| {
         let generated = plan.fly(seed);
         let instruments = Instruments::of(&generated.flight, None).unwrap();
@@ -92,7 +92,7 @@ fn interval(share: f64, count: f64) -> (f64, f64) {
 }
 
 /// Asserts that the 95 % ellipse holds at least the share `least` of the ends.
-fn hold(what: &str, plan: &Plan, least: f64) {
+fn hold(what: &str, plan: &GeneratedPlan, least: f64) {
     let cuts = outages(plan);
     let inside = cuts.iter().filter(|cut| cut.squared() <= 5.991).count();
     let (inside, count) = (inside as f64, cuts.len() as f64);
@@ -109,12 +109,12 @@ fn hold(what: &str, plan: &Plan, least: f64) {
 
 #[test]
 fn the_airspeed_scale_is_that_of_the_flight_whatever_else_moves_it() {
-    let legs = Plan::default();
-    let noisy = Plan {
+    let legs = GeneratedPlan::default();
+    let noisy = GeneratedPlan {
         airspeed_noise: Wander(2.0, 0.7),
         ..legs
     };
-    let gusty = Plan {
+    let gusty = GeneratedPlan {
         gusts: Wander(2.0, 15.0),
         velocity: Wander(1.0, 2.0),
         ..legs
@@ -127,24 +127,24 @@ fn the_airspeed_scale_is_that_of_the_flight_whatever_else_moves_it() {
 /// The generated gyros drift by 0.002 rad/s: over the flight by an angle that is not small.
 #[test]
 fn the_scale_by_the_heading_of_gyros_is_as_honest() {
-    let legs = Plan::default();
+    let legs = GeneratedPlan::default();
     Fits::by(&legs, HeadingChoice::Gyros).is_honest("gyros", 0.015);
 }
 
 #[test]
 fn a_short_flight_and_one_in_circles_know_how_little_they_know() {
-    let legs = Plan::default();
-    let short = Plan {
+    let legs = GeneratedPlan::default();
+    let short = GeneratedPlan {
         duration: 130.0,
         leg: 30.0,
         ..legs
     };
-    let circles = Plan {
+    let circles = GeneratedPlan {
         duration: 200.0,
         leg: 0.0,
         ..legs
     };
-    let slipping = Plan {
+    let slipping = GeneratedPlan {
         duration: 200.0,
         slip: Wander(0.1, 6.0),
         heading: Wander(0.08, 60.0),
@@ -157,29 +157,29 @@ fn a_short_flight_and_one_in_circles_know_how_little_they_know() {
 
 #[test]
 fn ellipses_hold_the_ends_of_outages() {
-    let legs = Plan {
+    let legs = GeneratedPlan {
         duration: 310.0,
-        ..Plan::default()
+        ..GeneratedPlan::default()
     };
     hold("legs", &legs, 0.85);
 }
 
 #[test]
 fn ellipses_hold_with_a_noisy_airspeed() {
-    let noisy = Plan {
+    let noisy = GeneratedPlan {
         duration: 310.0,
         airspeed_noise: Wander(2.0, 0.7),
-        ..Plan::default()
+        ..GeneratedPlan::default()
     };
     hold("noisy airspeed", &noisy, 0.85);
 }
 
 #[test]
 fn ellipses_hold_in_a_wind_that_changes() {
-    let walking = Plan {
+    let walking = GeneratedPlan {
         duration: 310.0,
         walk: 0.15,
-        ..Plan::default()
+        ..GeneratedPlan::default()
     };
     hold("walking wind", &walking, 0.8);
 }

@@ -4,7 +4,7 @@ use nalgebra::{Rotation2, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::problem::FitProblem;
-use super::rows::{Row, rows};
+use super::rows::{AirDataRow, rows};
 use super::track_noise::{Left, TrackNoise, means, means_over};
 
 /// Unknowns of the fit: the two of the factor on the air velocity, what the wind is north and east, drift, length and
@@ -99,7 +99,7 @@ pub struct AirFit {
 
 /// Guess that a round takes from the round before.
 #[derive(Clone, Copy)]
-pub(super) struct Guess {
+pub(super) struct RoundGuess {
     /// Angle added to the heading at the end, radians, and its rate, rad/s.
     pub(super) offset: f64,
     pub(super) drift: f64,
@@ -131,7 +131,7 @@ fn right_of(v: Vector2<f64>) -> Vector2<f64> {
 
 /// Vectors by which the unknowns act with an air velocity of `air`, `since` seconds after the reference, where the heading
 /// is turned by `angle` already.
-fn acting(row: &Row, air: Vector2<f64>, angle: f64, since: f64) -> Design {
+fn acting(row: &AirDataRow, air: Vector2<f64>, angle: f64, since: f64) -> Design {
     let turned = Rotation2::new(angle);
     let air = turned * air;
     [
@@ -146,7 +146,7 @@ fn acting(row: &Row, air: Vector2<f64>, angle: f64, since: f64) -> Design {
 }
 
 impl Solved {
-    pub(super) fn left(&self, row: &Row) -> Left<5> {
+    pub(super) fn left(&self, row: &AirDataRow) -> Left<5> {
         let since = row.time - self.reference;
         let angle = self.offset + self.drift * since;
         let design = acting(row, row.air, angle, since);
@@ -180,7 +180,7 @@ impl Solved {
 }
 
 /// Mean square of how the nose strays from its mean direction: 0 of who flies straight, 1 of who flies everywhere.
-fn spread(rows: &[Row]) -> f64 {
+fn spread(rows: &[AirDataRow]) -> f64 {
     let count = rows.len().max(1) as f64;
     let mean: Vector2<f64> = rows.iter().map(|row| row.nose).sum::<Vector2<f64>>() / count;
     let squares = rows.iter().map(|row| (row.nose - mean).norm_squared());
@@ -222,7 +222,7 @@ impl FitProblem<'_> {
     ) -> Option<AirFit> {
         let mut rows = rows(self, airspeed_delay, gps_delay);
         let whole = rows.len();
-        let mut guess = Guess {
+        let mut guess = RoundGuess {
             offset: earlier.map_or(0.0, |fit| fit.heading_offset),
             drift: earlier.map_or(0.0, |fit| fit.heading_drift),
             noise: earlier.map_or_else(TrackNoise::default, |fit| fit.noise),
@@ -237,7 +237,7 @@ impl FitProblem<'_> {
                 return None;
             }
             let solved = self.round(&rows, &guess)?;
-            let squares = |rows: &[Row]| -> f64 {
+            let squares = |rows: &[AirDataRow]| -> f64 {
                 rows.iter()
                     .map(|row| solved.left(row).velocity.norm_squared())
                     .sum()
@@ -283,7 +283,7 @@ impl FitProblem<'_> {
     }
 
     /// Logarithm of the likelihood of what is new in each velocity.
-    fn log_likelihood(&self, rows: &[Row], solved: &Solved, whole: usize) -> f64 {
+    fn log_likelihood(&self, rows: &[AirDataRow], solved: &Solved, whole: usize) -> f64 {
         let news = self.new_in(rows, solved);
         let squares: f64 = news.map(|(_, new)| new.norm_squared()).sum();
         let deviation = (0.5 * squares / rows.len() as f64).sqrt();
@@ -307,7 +307,7 @@ impl FitProblem<'_> {
     /// Innovation in each velocity, against an error that remembers itself.
     fn new_in<'a>(
         &self,
-        rows: &'a [Row],
+        rows: &'a [AirDataRow],
         solved: &'a Solved,
     ) -> impl Iterator<Item = (f64, Vector2<f64>)> + 'a {
         let memory = self.memory;
@@ -337,7 +337,7 @@ impl FitProblem<'_> {
     }
 
     /// Solves the equations once, about a guess.
-    pub(super) fn round(&self, rows: &[Row], guess: &Guess) -> Option<Solved> {
+    pub(super) fn round(&self, rows: &[AirDataRow], guess: &RoundGuess) -> Option<Solved> {
         let reference = rows.last()?.time;
         let mean = rows.iter().map(|row| row.airspeed).sum::<f64>() / rows.len() as f64;
         let has_turned = spread(rows) > TURNED;
@@ -415,7 +415,7 @@ impl FitProblem<'_> {
     }
 
     /// Means and standard deviations of the unknowns about a guess.
-    fn priors(&self, guess: &Guess) -> [(f64, f64); UNKNOWNS] {
+    fn priors(&self, guess: &RoundGuess) -> [(f64, f64); UNKNOWNS] {
         let prior = &self.prior;
         let about = |deviation: f64| if guess.is_open { ANYTHING } else { deviation };
         [

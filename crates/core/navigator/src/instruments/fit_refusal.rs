@@ -99,17 +99,17 @@ impl FitRefusal {
 
 #[cfg(test)]
 mod tests {
-    use super::super::generated::Plan;
+    use super::super::generated::GeneratedPlan;
     use super::super::{CalibrationSettings, HeadingChoice, Instruments};
     use super::*;
     use pilotage_flight::{ChannelName, Flight};
 
     /// A flight of which one channel is multiplied.
     fn known(name: ChannelName, factor: f64) -> super::super::Calibration {
-        let mut flight: Flight = Plan {
+        let mut flight: Flight = GeneratedPlan {
             duration: 150.0,
             leg: 20.0,
-            ..Plan::default()
+            ..GeneratedPlan::default()
         }
         .fly(1)
         .flight;

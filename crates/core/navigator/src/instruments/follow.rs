@@ -23,7 +23,7 @@ pub struct PositionFix {
 
 /// Event that a filter meets on its way.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Event {
+pub(super) enum FilterEvent {
     Position(Vector2<f64>),
     Velocity(Vector2<f64>),
     Fix(PositionFix),
@@ -36,37 +36,38 @@ pub(super) enum Event {
 /// Events with their true times, in order: what satellite navigation stamped with t was true `delay` seconds
 /// before.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Events(Vec<(f64, Event)>);
+pub(super) struct FilterEvents(Vec<(f64, FilterEvent)>);
 
-impl Events {
+impl FilterEvents {
     /// Positions and velocities with stamps after `from` and up to `to`.
     pub(super) fn gps(mut self, readings: &Readings, (from, to): (f64, f64), delay: f64) -> Self {
         let positions = readings.positions.between(from, to);
         self.0
-            .extend(positions.map(|(stamp, p)| (stamp - delay, Event::Position(p))));
+            .extend(positions.map(|(stamp, p)| (stamp - delay, FilterEvent::Position(p))));
         let velocities = readings.velocities.between(from, to);
         self.0
-            .extend(velocities.map(|(stamp, v)| (stamp - delay, Event::Velocity(v))));
+            .extend(velocities.map(|(stamp, v)| (stamp - delay, FilterEvent::Velocity(v))));
         self
     }
 
     /// Fixes after `from` and up to `to`.
     pub(super) fn fixes(mut self, fixes: &[PositionFix], (from, to): (f64, f64)) -> Self {
         let inside = fixes.iter().filter(|f| f.time > from && f.time <= to);
-        self.0.extend(inside.map(|f| (f.time, Event::Fix(*f))));
+        self.0
+            .extend(inside.map(|f| (f.time, FilterEvent::Fix(*f))));
         self
     }
 
     /// An outage that begins at `time`, with what is known by then.
     pub(super) fn outage(mut self, time: f64, outlook: Option<Outlook>) -> Self {
-        self.0.push((time, Event::Outage(outlook)));
+        self.0.push((time, FilterEvent::Outage(outlook)));
         self
     }
 
     /// Reports at these times.
     pub(super) fn reports(mut self, times: impl IntoIterator<Item = f64>) -> Self {
         self.0
-            .extend(times.into_iter().map(|time| (time, Event::Report)));
+            .extend(times.into_iter().map(|time| (time, FilterEvent::Report)));
         self
     }
 
@@ -78,9 +79,9 @@ impl Events {
         inputs: &AirInputs<'_>,
         mut report: impl FnMut(&Walker<N, V>),
     ) -> Result<(), FilterError> {
-        let rank = |event: &Event| match event {
-            Event::Report => 2,
-            Event::Outage(_) => 1,
+        let rank = |event: &FilterEvent| match event {
+            FilterEvent::Report => 2,
+            FilterEvent::Outage(_) => 1,
             _ => 0,
         };
         self.0
@@ -88,14 +89,14 @@ impl Events {
         for (time, event) in self.0 {
             walker.advance(inputs, time)?;
             match event {
-                Event::Position(place) => walker.take_position(place)?,
-                Event::Velocity(velocity) => walker.take_velocity(inputs, velocity)?,
-                Event::Fix(fix) => {
+                FilterEvent::Position(place) => walker.take_position(place)?,
+                FilterEvent::Velocity(velocity) => walker.take_velocity(inputs, velocity)?,
+                FilterEvent::Fix(fix) => {
                     let place = Vector2::new(fix.position.north, fix.position.east);
                     walker.take_fix(place, &fix.covariance)?;
                 }
-                Event::Outage(outlook) => walker.lose_gps(outlook.as_ref())?,
-                Event::Report => report(walker),
+                FilterEvent::Outage(outlook) => walker.lose_gps(outlook.as_ref())?,
+                FilterEvent::Report => report(walker),
             }
         }
         Ok(())

@@ -26,7 +26,7 @@ pub struct Wander(pub f64, pub f64);
 
 /// Flight to generate: what is flown, in what, and how it is measured.
 #[derive(Clone, Copy, Debug)]
-pub struct Plan {
+pub struct GeneratedPlan {
     /// Duration, seconds.
     pub duration: f64,
     /// Duration of a straight leg, seconds; none for circles.
@@ -55,7 +55,7 @@ pub struct Plan {
     pub position: Wander,
 }
 
-impl Default for Plan {
+impl Default for GeneratedPlan {
     /// Long straight legs and a few turns, as a small airplane surveys: the flight on which least squares fails.
     fn default() -> Self {
         Self {
@@ -131,7 +131,7 @@ impl Recorded {
     }
 }
 
-impl Plan {
+impl GeneratedPlan {
     /// Roll that the pilot wants at a time, radians.
     fn roll(&self, time: f64) -> f64 {
         const TURNING: f64 = 0.25;

@@ -1,6 +1,6 @@
 //! Instruments that stand still or fall silent in the air.
 
-use super::series::{LONGEST_GAP, Sample, Series};
+use super::series::{LONGEST_GAP, Series, SeriesValue};
 use super::statistics::quantile;
 use pilotage_flight::{Finding, Severity};
 
@@ -50,7 +50,7 @@ pub fn stuck(series: &Series, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Pauses of `series` in the air that are longer than it is held, seconds.
-pub fn gaps<T: Sample>(series: &Series<T>, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
+pub fn gaps<T: SeriesValue>(series: &Series<T>, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut gaps = Vec::new();
     for (from, to) in airborne.iter().copied() {
         let mut last = from;

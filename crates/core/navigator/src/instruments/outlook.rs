@@ -3,10 +3,10 @@
 
 use nalgebra::{SMatrix, Vector2};
 
-use super::fit::{AirFit, Design, Guess, NO_WIND, OUTLIER, SLIP_OFFSET, Solved, UNKNOWNS};
+use super::fit::{AirFit, Design, NO_WIND, OUTLIER, RoundGuess, SLIP_OFFSET, Solved, UNKNOWNS};
 use super::problem::FitProblem;
 use super::rows::rows;
-use super::track_noise::{Left, TrackNoise, Weights};
+use super::track_noise::{Left, SampleWeights, TrackNoise};
 
 /// Unknowns of the fit that are no wind.
 const OTHERS: usize = 5;
@@ -44,7 +44,7 @@ impl FitProblem<'_> {
         let mut rows = rows(self, airspeed_delay, gps_delay);
         rows.retain(|row| known.left(row).velocity.norm() < limit);
         let fitted = rows.partition_point(|row| row.time + gps_delay <= as_of);
-        let guess = Guess {
+        let guess = RoundGuess {
             offset: fit.heading_offset,
             drift: fit.heading_drift,
             noise: fit.expected_noise,
@@ -55,7 +55,7 @@ impl FitProblem<'_> {
         let step = (last.time - rows[0].time) / (rows.len() - 1).max(1) as f64;
         let noise = fit.noise.of_samples(step);
         let weights = noise.weights(rows.iter().map(|row| row.time), self.prior.wind);
-        let errors = Errors {
+        let errors = OutlookErrors {
             expected: &fit.expected_noise,
             wind_deviation: self.prior.wind,
             moments: &solved.moments,
@@ -96,7 +96,7 @@ fn told(fit: &AirFit, airspeed: f64, time: f64) -> SMatrix<f64, KNOWN, ALL> {
 }
 
 /// By what an outlook errs.
-struct Errors<'a> {
+struct OutlookErrors<'a> {
     expected: &'a TrackNoise,
     /// Prior of the wind per axis, m/s.
     wind_deviation: f64,
@@ -107,9 +107,9 @@ struct Errors<'a> {
     of_priors: SMatrix<f64, OTHERS, OTHERS>,
 }
 
-impl Errors<'_> {
+impl OutlookErrors<'_> {
     /// Covariance of the wind's error and of those of the other unknowns.
-    fn covariance(&self, left: &[Left<OTHERS>], weights: &Weights) -> SMatrix<f64, ALL, ALL> {
+    fn covariance(&self, left: &[Left<OTHERS>], weights: &SampleWeights) -> SMatrix<f64, ALL, ALL> {
         let mut design = SMatrix::<f64, 2, OTHERS>::zeros();
         for (left, weight) in left.iter().zip(&weights.of_wind) {
             design += SMatrix::<f64, 2, OTHERS>::from_columns(&left.design) * *weight;

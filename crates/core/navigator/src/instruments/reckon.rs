@@ -3,12 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::calibration::Calibration;
-use super::follow::{Events, PositionFix};
+use super::follow::{FilterEvents, PositionFix};
 use super::models::Airplane;
 use super::prepared::{Instruments, ReckonError};
 use super::refusal::findings;
 use super::settings::{HeadingChoice, Method, ReckonSettings};
-use super::track::{Track, TrackPoint};
+use super::track::{BeliefPoint, BeliefTrack};
 use super::walker::{Trust, Walker};
 use pilotage_estimation::filter::{FilterError, Gate};
 use pilotage_flight::Finding;
@@ -22,7 +22,7 @@ const CALIBRATION_GROWTH: f64 = 1.15;
 
 /// A way to navigate through a cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Way {
+pub struct ReckoningWay {
     /// Name of the way, as shown to people.
     pub label: String,
     /// The filter.
@@ -35,7 +35,7 @@ pub struct Way {
     pub fixes: Vec<PositionFix>,
 }
 
-impl Way {
+impl ReckoningWay {
     /// Airspeed, heading and wind alone.
     pub fn air_and_wind() -> Self {
         Self {
@@ -102,7 +102,7 @@ pub struct Reckoning {
     /// The stretch in the air that holds it, seconds.
     pub stretch: (f64, f64),
     /// Tracks, one for each way, in the order of the ways.
-    pub tracks: Vec<Track>,
+    pub tracks: Vec<BeliefTrack>,
     /// Findings on the instruments up to the cut, and on what was refused of them.
     pub findings: Vec<Finding>,
 }
@@ -115,7 +115,7 @@ pub struct Reckoning {
 pub fn reckon(
     instruments: &Instruments,
     cut: (f64, f64),
-    ways: &[Way],
+    ways: &[ReckoningWay],
     settings: &ReckonSettings,
     mut goes_on: impl FnMut(f64) -> bool,
 ) -> Result<Reckoning, ReckonError> {
@@ -154,16 +154,16 @@ pub fn reckon(
 fn cut_track(
     instruments: &Instruments,
     cut: (f64, f64),
-    way: &Way,
+    way: &ReckoningWay,
     settings: &ReckonSettings,
-) -> Result<Track, ReckonError> {
+) -> Result<BeliefTrack, ReckonError> {
     let calibration = calibration(instruments, cut.0, way, settings);
     let (begin, end) = instruments.stretch;
     let mut points = Vec::new();
     let delay = calibration.delays.gps;
     let known = || instruments.outlook(&calibration, cut.0, &settings.calibration);
     let outlook = settings.learns_noise.then(known).flatten();
-    let events = Events::default()
+    let events = FilterEvents::default()
         .gps(&instruments.readings, (begin, cut.0), delay)
         .gps(&instruments.readings, (cut.1, end), delay)
         .outage(cut.0 - delay, outlook)
@@ -182,7 +182,7 @@ fn cut_track(
     for point in &mut points {
         point.is_aided = !(cut.0..=cut.1).contains(&(point.time + delay));
     }
-    Ok(Track {
+    Ok(BeliefTrack {
         label: way.label.clone(),
         points,
         findings,
@@ -197,22 +197,22 @@ fn cut_track(
 /// have run had it known that much, and is believed up to the next.
 pub fn rolling_track(
     instruments: &Instruments,
-    way: &Way,
+    way: &ReckoningWay,
     settings: &ReckonSettings,
-) -> Result<Track, ReckonError> {
+) -> Result<BeliefTrack, ReckonError> {
     let (begin, end) = instruments.stretch;
-    let mut points: Vec<TrackPoint> = Vec::new();
+    let mut points: Vec<BeliefPoint> = Vec::new();
     let mut findings = Vec::new();
     let mut last = calibration(instruments, begin, way, settings);
     let mut known_from = begin;
     let times = calibration_times(begin, end, begin + FIRST_CALIBRATION);
     for until in times.into_iter().chain([end]) {
-        let events = Events::default()
+        let events = FilterEvents::default()
             .gps(&instruments.readings, (begin, until), last.delays.gps)
             .fixes(&way.fixes, (begin, until))
             .reports(grid(begin, until).filter(|t| *t >= known_from));
         findings = run(instruments, &last, way, settings, events, &mut |point| {
-            points.push(TrackPoint {
+            points.push(BeliefPoint {
                 is_aided: true,
                 ..point
             });
@@ -222,7 +222,7 @@ pub fn rolling_track(
             known_from = until;
         }
     }
-    Ok(Track {
+    Ok(BeliefTrack {
         label: way.label.clone(),
         points,
         findings,
@@ -251,7 +251,7 @@ fn grid(begin: f64, end: f64) -> impl Iterator<Item = f64> {
 pub(super) fn calibration(
     instruments: &Instruments,
     as_of: f64,
-    way: &Way,
+    way: &ReckoningWay,
     settings: &ReckonSettings,
 ) -> Calibration {
     match way.method {
@@ -284,10 +284,10 @@ pub(super) fn trust(method: Method, settings: &ReckonSettings) -> Trust {
 fn run(
     instruments: &Instruments,
     calibration: &Calibration,
-    way: &Way,
+    way: &ReckoningWay,
     settings: &ReckonSettings,
-    events: Events,
-    report: &mut dyn FnMut(TrackPoint),
+    events: FilterEvents,
+    report: &mut dyn FnMut(BeliefPoint),
 ) -> Result<Vec<Finding>, FilterError> {
     let trust = trust(way.method, settings);
     match way.method {
@@ -315,14 +315,14 @@ fn lead<const N: usize, V: Airplane<N>>(
     calibration: &Calibration,
     model: &V,
     trust: Trust,
-    events: Events,
-    report: &mut dyn FnMut(TrackPoint),
+    events: FilterEvents,
+    report: &mut dyn FnMut(BeliefPoint),
 ) -> Result<Vec<Finding>, FilterError> {
     let mut walker = begin(instruments, calibration, model, trust)?;
     let inputs = instruments.inputs(calibration);
     events.lead(&mut walker, &inputs, |walker| {
         let (belief, time) = (walker.state(), walker.time());
-        report(TrackPoint::of(
+        report(BeliefPoint::of(
             &belief,
             model,
             time,

@@ -9,7 +9,7 @@ const LONGEST_PAUSE: f64 = 2.0;
 
 /// Kind of measurement that was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Source {
+pub enum RefusedKind {
     /// A position by satellite navigation.
     Position,
     /// A velocity by satellite navigation.
@@ -18,7 +18,7 @@ pub enum Source {
     Fix,
 }
 
-impl Source {
+impl RefusedKind {
     fn label(self) -> (&'static str, &'static str) {
         match self {
             Self::Position => ("GPS position", "m"),
@@ -30,9 +30,9 @@ impl Source {
 
 /// A stretch in which measurements of one kind were refused.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Refusal {
+pub struct RefusedStretch {
     /// Kind of the refused measurements.
-    pub source: Source,
+    pub source: RefusedKind,
     /// First and last refusal, seconds.
     pub span: (f64, f64),
     /// Number of refused measurements.
@@ -43,7 +43,7 @@ pub struct Refusal {
     pub believed: bool,
 }
 
-impl Refusal {
+impl RefusedStretch {
     /// In words.
     pub fn finding(&self) -> Finding {
         let (what, unit) = self.source.label();
@@ -72,8 +72,12 @@ impl Refusal {
 
 /// Findings, one for each source, however many stretches it was refused in: they have one cause. Told is the
 /// worst.
-pub(super) fn findings(all: &[Refusal]) -> Vec<Finding> {
-    let sources = [Source::Position, Source::Velocity, Source::Fix];
+pub(super) fn findings(all: &[RefusedStretch]) -> Vec<Finding> {
+    let sources = [
+        RefusedKind::Position,
+        RefusedKind::Velocity,
+        RefusedKind::Fix,
+    ];
     let of_source = |source| {
         let stretches = all.iter().filter(|r| r.source == source);
         let count = stretches.clone().count();
@@ -91,24 +95,24 @@ pub(super) fn findings(all: &[Refusal]) -> Vec<Finding> {
 /// Refusals of a run, put together by stretch.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Refusals {
-    all: Vec<Refusal>,
+    all: Vec<RefusedStretch>,
     /// Since when each source has been refused without a break, seconds.
     since: [Option<f64>; 3],
 }
 
 impl Refusals {
     /// The stretches so far, in the order of their first refusals.
-    pub(super) fn all(&self) -> &[Refusal] {
+    pub(super) fn all(&self) -> &[RefusedStretch] {
         &self.all
     }
 
     /// Notes that a measurement was taken in.
-    pub(super) fn accept(&mut self, source: Source, _time: f64) {
+    pub(super) fn accept(&mut self, source: RefusedKind, _time: f64) {
         self.since[source as usize] = None;
     }
 
     /// Notes a refusal; for how many seconds they have gone on.
-    pub(super) fn refuse(&mut self, source: Source, time: f64, distance: f64) -> f64 {
+    pub(super) fn refuse(&mut self, source: RefusedKind, time: f64, distance: f64) -> f64 {
         let since = *self.since[source as usize].get_or_insert(time);
         let open = self.all.iter_mut().rev().find(|r| r.source == source);
         match open {
@@ -117,7 +121,7 @@ impl Refusals {
                 refusal.count += 1;
                 refusal.largest = refusal.largest.max(distance);
             }
-            _ => self.all.push(Refusal {
+            _ => self.all.push(RefusedStretch {
                 source,
                 span: (time, time),
                 count: 1,
@@ -129,7 +133,7 @@ impl Refusals {
     }
 
     /// Notes that the refused ones are believed from now on.
-    pub(super) fn believe(&mut self, source: Source, time: f64) {
+    pub(super) fn believe(&mut self, source: RefusedKind, time: f64) {
         self.accept(source, time);
         if let Some(refusal) = self.all.iter_mut().rev().find(|r| r.source == source) {
             refusal.believed = true;
@@ -145,7 +149,7 @@ mod tests {
     fn velocities_refused_in_many_stretches_are_one_note() {
         let mut refusals = Refusals::default();
         for (time, distance) in [(1.0, 4.0), (10.0, 9.0), (20.0, 5.0)] {
-            refusals.refuse(Source::Velocity, time, distance);
+            refusals.refuse(RefusedKind::Velocity, time, distance);
         }
         let found = findings(refusals.all());
         assert_eq!(found.len(), 1);

@@ -14,7 +14,7 @@ const BESIDE: f64 = 2.0;
 
 /// Velocity with what the air data say of it.
 #[derive(Clone, Copy)]
-pub(super) struct Row {
+pub(super) struct AirDataRow {
     /// When it was true, seconds.
     pub(super) time: f64,
     /// Velocity over ground (north, east), m/s.
@@ -32,10 +32,14 @@ pub(super) struct Row {
 }
 
 /// The rows of a problem when airspeed and velocity come so many seconds late.
-pub(super) fn rows(problem: &FitProblem<'_>, airspeed_delay: f64, gps_delay: f64) -> Vec<Row> {
+pub(super) fn rows(
+    problem: &FitProblem<'_>,
+    airspeed_delay: f64,
+    gps_delay: f64,
+) -> Vec<AirDataRow> {
     let share = 1.0 / AVERAGED.len() as f64;
     let row = |(stamp, ground): (f64, Vector2<f64>)| {
-        let mut row = Row {
+        let mut row = AirDataRow {
             time: stamp - gps_delay,
             ground,
             air: Vector2::zeros(),

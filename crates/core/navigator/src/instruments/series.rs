@@ -13,25 +13,25 @@ pub struct Series<T = f64> {
 }
 
 /// Values that a series may hold: numbers, and vectors in the plane.
-pub trait Sample: Copy {
+pub trait SeriesValue: Copy {
     /// The value at `fraction` of the way from `self` to `other`.
     #[must_use]
     fn towards(self, other: Self, fraction: f64) -> Self;
 }
 
-impl Sample for f64 {
+impl SeriesValue for f64 {
     fn towards(self, other: Self, fraction: f64) -> Self {
         self + fraction * (other - self)
     }
 }
 
-impl Sample for Vector2<f64> {
+impl SeriesValue for Vector2<f64> {
     fn towards(self, other: Self, fraction: f64) -> Self {
         self + fraction * (other - self)
     }
 }
 
-impl<T: Sample> Series<T> {
+impl<T: SeriesValue> Series<T> {
     /// An empty series.
     pub fn new() -> Self {
         Self {

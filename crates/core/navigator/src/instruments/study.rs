@@ -4,11 +4,11 @@ use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::calibration::Calibration;
-use super::follow::{Events, PositionFix};
+use super::follow::{FilterEvents, PositionFix};
 use super::models::Airplane;
 use super::outlook::Outlook;
 use super::prepared::{Instruments, ReckonError};
-use super::reckon::{Way, begin, calibration, calibration_times, trust};
+use super::reckon::{ReckoningWay, begin, calibration, calibration_times, trust};
 use super::settings::{Method, ReckonSettings};
 use super::statistics::quantile;
 use super::walker::Trust;
@@ -99,7 +99,7 @@ impl OutageStudy {
 /// done and ends the work by answering false.
 pub fn study_cuts(
     instruments: &Instruments,
-    way: &Way,
+    way: &ReckoningWay,
     plan: &OutagePlan,
     settings: &ReckonSettings,
     goes_on: &mut dyn FnMut(f64) -> bool,
@@ -118,7 +118,7 @@ pub fn study_cuts(
         let until = times.get(number + 1).copied().unwrap_or(end);
         let known = calibration(instruments, *as_of, way, settings);
         let trust = trust(way.method, settings);
-        let part = Part {
+        let part = CalibrationOutages {
             instruments,
             known: &known,
             trust,
@@ -136,7 +136,7 @@ pub fn study_cuts(
 }
 
 /// The cuts that begin while one calibration is the latest.
-struct Part<'a> {
+struct CalibrationOutages<'a> {
     instruments: &'a Instruments,
     known: &'a Calibration,
     trust: Trust,
@@ -146,7 +146,7 @@ struct Part<'a> {
     span: (f64, f64),
 }
 
-impl Part<'_> {
+impl CalibrationOutages<'_> {
     /// Beginnings of the cuts, seconds.
     fn beginnings(&self) -> Vec<f64> {
         let (start, end) = self.instruments.stretch;
@@ -179,7 +179,7 @@ impl Part<'_> {
         let mut walker = begin(self.instruments, self.known, model, self.trust)?;
         // A report at its beginning marks a part whose measurements count for the likelihood.
         let marks = std::iter::once(self.span.0).chain(self.beginnings());
-        let events = Events::default()
+        let events = FilterEvents::default()
             .gps(readings, (start, self.span.1), delay)
             .fixes(self.fixes, (start, self.span.1 - delay))
             .reports(marks.map(|stamp| stamp - delay));
@@ -194,7 +194,7 @@ impl Part<'_> {
             let to = from + self.plan.length;
             let mut coasting = walker.clone();
             let outlook = self.outlook(from);
-            let through = Events::default()
+            let through = FilterEvents::default()
                 .outage(walker.time(), outlook)
                 .fixes(self.fixes, (walker.time(), to - delay))
                 .lead(&mut coasting, &inputs, |_| {});

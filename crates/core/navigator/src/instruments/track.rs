@@ -12,7 +12,7 @@ use pilotage_estimation::vehicle::VehicleModel;
 
 /// Belief at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TrackPoint {
+pub struct BeliefPoint {
     /// Seconds in the flight's time base, of the attitude.
     pub time: f64,
     /// Estimated position in the world frame, m.
@@ -33,7 +33,7 @@ pub struct TrackPoint {
     pub is_aided: bool,
 }
 
-impl TrackPoint {
+impl BeliefPoint {
     /// Reads a belief.
     pub(super) fn of<const N: usize>(
         belief: &Gaussian<N>,
@@ -88,11 +88,11 @@ impl TrackPoint {
 
 /// Beliefs of one way to navigate, along its track.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Track {
+pub struct BeliefTrack {
     /// Name of the way, as shown to people.
     pub label: String,
     /// In order of time.
-    pub points: Vec<TrackPoint>,
+    pub points: Vec<BeliefPoint>,
     /// Measurements that it refused, in words.
     pub findings: Vec<pilotage_flight::Finding>,
     /// Calibration of the instruments at the cut (or at the end).
@@ -110,11 +110,11 @@ pub struct Growth {
     pub radius: f64,
 }
 
-impl Track {
+impl BeliefTrack {
     /// Error and doubt against the time since the cut, for the points within it (seconds by the stamps of satellite
     /// navigation, which come later than what they tell of).
     pub fn growth(&self, (from, to): (f64, f64)) -> Vec<Growth> {
-        let growth = |p: &TrackPoint| Growth {
+        let growth = |p: &BeliefPoint| Growth {
             since: p.time + self.calibration.delays.gps - from,
             error: p.error.map(|e| e.norm()),
             radius: p.radius(),

@@ -108,7 +108,7 @@ struct Separation {
 }
 
 /// By what a filter makes a wind of samples.
-pub(super) struct Weights {
+pub(super) struct SampleWeights {
     /// Weight of each sample in the wind at the last of them.
     pub(super) of_wind: Vec<f64>,
     /// Variance of the gust then per axis, (m/s)².
@@ -116,7 +116,7 @@ pub(super) struct Weights {
 }
 
 /// Step of the separation.
-struct Step {
+struct SeparationStep {
     persistence: f64,
     gains: (f64, f64),
     variance: f64,
@@ -132,7 +132,7 @@ impl Separation {
         }
     }
 
-    fn after(&mut self, dt: f64) -> Step {
+    fn after(&mut self, dt: f64) -> SeparationStep {
         let noise = &self.noise;
         let persistence = (-dt / noise.memory).exp();
         self.wind += noise.walk * noise.walk * dt;
@@ -145,7 +145,7 @@ impl Separation {
         self.wind -= gains.0 * of_wind;
         self.both -= gains.0 * of_gust;
         self.gust -= gains.1 * of_gust;
-        Step {
+        SeparationStep {
             persistence,
             gains,
             variance,
@@ -155,14 +155,14 @@ impl Separation {
 
 /// Wind and gust that a filter makes of a series of vectors.
 #[derive(Clone, Copy, Default)]
-struct Parts {
+struct WindAndGust {
     wind: Vector2<f64>,
     gust: Vector2<f64>,
 }
 
-impl Parts {
+impl WindAndGust {
     /// Innovation of a measurement.
-    fn innovation(&mut self, step: &Step, measured: Vector2<f64>) -> Vector2<f64> {
+    fn innovation(&mut self, step: &SeparationStep, measured: Vector2<f64>) -> Vector2<f64> {
         self.gust *= step.persistence;
         let new = measured - self.wind - self.gust;
         self.wind += new * step.gains.0;
@@ -204,7 +204,7 @@ impl TrackNoise {
         wind_deviation: f64,
     ) -> f64 {
         let mut separation = Separation::new(self, wind_deviation);
-        let (mut velocity, mut designs) = (Parts::default(), [Parts::default(); K]);
+        let (mut velocity, mut designs) = (WindAndGust::default(), [WindAndGust::default(); K]);
         let mut information = SMatrix::<f64, K, K>::zeros();
         for (index, deviation) in prior.iter().enumerate() {
             information[(index, index)] = 1.0 / (deviation * deviation);
@@ -350,10 +350,14 @@ impl TrackNoise {
 
     /// Weights of samples at rising times in the wind at the last of them, as the filter for this noise has them that knows
     /// the wind to `wind_deviation` (m/s) at first.
-    pub(super) fn weights(&self, times: impl Iterator<Item = f64>, wind_deviation: f64) -> Weights {
+    pub(super) fn weights(
+        &self,
+        times: impl Iterator<Item = f64>,
+        wind_deviation: f64,
+    ) -> SampleWeights {
         let mut separation = Separation::new(self, wind_deviation);
         let mut last = None;
-        let steps: Vec<Step> = times
+        let steps: Vec<SeparationStep> = times
             .map(|time| separation.after(time - last.replace(time).unwrap_or(time)))
             .collect();
         // How the wind at the end depends on wind and gust at each time, from the end on.
@@ -365,7 +369,7 @@ impl TrackNoise {
             on_wind -= *weight;
             on_gust = (on_gust - *weight) * step.persistence;
         }
-        Weights {
+        SampleWeights {
             of_wind,
             gust_variance: separation.gust,
         }
@@ -383,7 +387,7 @@ impl TrackNoise {
         wind_deviation: f64,
     ) -> impl Iterator<Item = (f64, f64)> + 'a {
         let mut separation = Separation::new(self, wind_deviation);
-        let mut parts = Parts::default();
+        let mut parts = WindAndGust::default();
         let mut last = left.first().map_or(0.0, |l| l.time);
         left.iter().map(move |left| {
             let step = separation.after(left.time - last);

@@ -68,7 +68,7 @@ fn the_weights_of_samples_make_the_wind_of_the_filter() {
     };
     let left = left(&noise, 50, 7);
     let mut separation = Separation::new(&noise, 5.0);
-    let mut parts = Parts::default();
+    let mut parts = WindAndGust::default();
     let mut last = 0.0;
     for left in &left {
         let step = separation.after(left.time - last);

@@ -8,7 +8,7 @@ use super::calibration::Calibration;
 use super::fit::AirFit;
 use super::models::Airplane;
 use super::outlook::Outlook;
-use super::refusal::{Refusals, Source};
+use super::refusal::{Refusals, RefusedKind};
 use super::series::Series;
 use super::slip::SideForce;
 use pilotage_base::frames::Attitude;
@@ -213,7 +213,7 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
     /// Takes a position by satellite navigation in, or refuses it.
     pub(super) fn take_position(&mut self, place: Vector2<f64>) -> Result<(), FilterError> {
         let noise = Matrix2::identity() * self.trust.position.powi(2);
-        self.take(Source::Position, place, &noise, |x| {
+        self.take(RefusedKind::Position, place, &noise, |x| {
             Vector2::new(x[0], x[1])
         })
     }
@@ -229,7 +229,7 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
         };
         let noise = Matrix2::identity() * deviation.powi(2);
         let model = self.model.clone();
-        self.take(Source::Velocity, velocity, &noise, move |x| {
+        self.take(RefusedKind::Velocity, velocity, &noise, move |x| {
             let next = model.propagate(x, &input, INSTANT);
             Vector2::new(next[0] - x[0], next[1] - x[1]) / INSTANT
         })
@@ -241,12 +241,14 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
         place: Vector2<f64>,
         covariance: &Matrix2<f64>,
     ) -> Result<(), FilterError> {
-        self.take(Source::Fix, place, covariance, |x| Vector2::new(x[0], x[1]))
+        self.take(RefusedKind::Fix, place, covariance, |x| {
+            Vector2::new(x[0], x[1])
+        })
     }
 
     fn take(
         &mut self,
-        source: Source,
+        source: RefusedKind,
         measured: Vector2<f64>,
         noise: &Matrix2<f64>,
         model: impl Fn(&SVector<f64, N>) -> Vector2<f64>,

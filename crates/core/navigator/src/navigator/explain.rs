@@ -26,7 +26,7 @@ pub fn explain(
     step: &StepReport,
     picture: &Picture,
 ) -> Option<Result<MatchEvidence, Refusal>> {
-    let look = Look::again(flight, run_settings, landmark, step, picture)?;
+    let look = DetectorLook::again(flight, run_settings, landmark, step, picture)?;
     let mut detector = TemplateDetector::new(map, run_settings.detector);
     Some(detector.explain(&look.view(), &look.request(landmark)))
 }
@@ -42,7 +42,7 @@ pub fn explain_cascade(
     step: &StepReport,
     picture: &Picture,
 ) -> Option<Result<CascadeEvidence, Refusal>> {
-    let look = Look::again(flight, run_settings, landmark, step, picture)?;
+    let look = DetectorLook::again(flight, run_settings, landmark, step, picture)?;
     let sigmas = run_settings.detector.search_sigmas;
     Some(CascadeEvidence::new(
         map,
@@ -53,7 +53,7 @@ pub fn explain_cascade(
 }
 
 /// Input that a detector was given.
-struct Look {
+struct DetectorLook {
     camera: CameraModel,
     pose: Pose,
     ground_down: f64,
@@ -64,7 +64,7 @@ struct Look {
     turn_and_size: [f64; 2],
 }
 
-impl Look {
+impl DetectorLook {
     fn again(
         flight: &Flight,
         run_settings: &NavigatorSettings,

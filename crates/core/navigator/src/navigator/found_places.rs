@@ -8,13 +8,13 @@ use pilotage_vision::registration::Registration;
 
 /// Within what a frame was looked for: standard deviation per axis.
 #[derive(Clone, Copy, Debug)]
-pub struct Searched {
+pub struct SearchedRegion {
     pub position: GroundPoint,
     /// Metres.
     pub deviation: f64,
 }
 
-impl Searched {
+impl SearchedRegion {
     /// Density with which a place of that covariance was expected, 1/m².
     pub fn density(&self, at: &Registration) -> f64 {
         let own = Matrix2::from_diagonal_element(self.deviation.powi(2));
@@ -32,12 +32,12 @@ impl Searched {
 
 /// Places at which a frame may lie, likeliest first.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct FoundPlaces {
     /// When it was taken, seconds.
     pub time: f64,
     /// Down coordinate of the ground, metres.
     pub ground_down: f64,
-    pub searched: Searched,
+    pub searched: SearchedRegion,
     pub places: Vec<Registration>,
 }
 

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, Matrix2};
 
 use super::engine::{CorrectedStep, Engine, map_error};
-use super::found_places::{Found, Searched};
+use super::found_places::{FoundPlaces, SearchedRegion};
 use super::inputs::Inputs;
 use super::see::GaussianInnovation;
 use super::{Estimate, JointReport, RegisteredPlace, RegistrationRefusal, RegistrationReport};
@@ -23,8 +23,8 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::registration::{
-    FollowSettings, Follower, Look, Measured, NotRegistered, Registration, RegistrationMethod,
-    Sighting, outline, sight,
+    FollowSettings, Follower, FrameLook, FrameSighting, InstrumentReadings, NotRegistered,
+    Registration, RegistrationMethod, outline, sight,
 };
 
 /// Numbers of a place: north and east.
@@ -42,7 +42,7 @@ pub struct RegisteredFrame {
     /// Outline of the picture on the map.
     pub footprint: Vec<GroundPoint>,
     /// Everywhere that it may lie, as far as it was looked for.
-    pub found: Found,
+    pub found: FoundPlaces,
     /// Registration of the frame for itself.
     registered: Option<Registration>,
 }
@@ -69,8 +69,8 @@ impl FrameRegistration {
         camera: &'a CameraModel,
         ground_down: f64,
         luminance: &'a Pyramid,
-    ) -> Look<'a> {
-        Look {
+    ) -> FrameLook<'a> {
+        FrameLook {
             camera,
             ground_down,
             luminance,
@@ -82,7 +82,7 @@ impl FrameRegistration {
     pub fn lay(
         &self,
         flight: &Flight,
-        measured: &Measured,
+        measured: &InstrumentReadings,
         index: usize,
         luminance: &Pyramid,
         predicted: &Estimate,
@@ -90,11 +90,11 @@ impl FrameRegistration {
         let time = flight.frames[index].time;
         let camera = flight.camera_of_frame(index);
         let look = self.look(&camera, flight.ground_down, luminance);
-        let searched = Searched::around(predicted);
+        let searched = SearchedRegion::around(predicted);
         let prior = self
             .follower
             .prior(time, searched.position, searched.deviation, measured);
-        let Sighting { verdict, places } = sight(&look, &prior);
+        let FrameSighting { verdict, places } = sight(&look, &prior);
         let (report, footprint) = match &verdict {
             Ok(found) => told(&look, found),
             Err(cause) => (not_laid(cause), Vec::new()),
@@ -103,7 +103,7 @@ impl FrameRegistration {
             report,
             footprint,
             registered: verdict.ok(),
-            found: Found {
+            found: FoundPlaces {
                 time,
                 ground_down: flight.ground_down,
                 searched,
@@ -115,7 +115,7 @@ impl FrameRegistration {
     /// Remembers what a frame taught that was laid for itself.
     pub fn learn(&mut self, laid: &RegisteredFrame) {
         if let Some(found) = &laid.registered {
-            let Found {
+            let FoundPlaces {
                 time, ground_down, ..
             } = laid.found;
             self.follower.learn(time, ground_down, found);
@@ -147,16 +147,16 @@ impl FrameRegistration {
 }
 
 /// Report of a frame that lies at `place`, and its outline on the map.
-fn told(look: &Look<'_>, place: &Registration) -> (RegistrationReport, Vec<GroundPoint>) {
+fn told(look: &FrameLook<'_>, place: &Registration) -> (RegistrationReport, Vec<GroundPoint>) {
     let outline = outline(look, &place.fit.at, place.stored_turn);
     (report(place), outline)
 }
 
 /// Readings at `time` of those of the flight's own instruments that are believed then.
-pub fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> Measured {
+pub fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> InstrumentReadings {
     let is_believed = |name| inputs.doubt(name, time).is_none();
     let value = |name| flight.value(name, time).filter(|_| is_believed(name));
-    Measured {
+    InstrumentReadings {
         heading: value(ChannelName::Heading),
         roll: value(ChannelName::Roll),
         pitch: value(ChannelName::Pitch),

@@ -21,7 +21,7 @@ use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::landmark::Refusal;
-use pilotage_vision::registration::{FollowSettings, Measured};
+use pilotage_vision::registration::{FollowSettings, InstrumentReadings};
 
 /// Looks for landmarks, all in vain, after which frames are laid. Sound flights at 400 ft have at most 5 of them
 /// on end; at 1000 ft, where landmarks are in view for long, 22. So twice as many are borne each time that the
@@ -43,7 +43,7 @@ const REACH: f64 = 2.5;
 const LEAST_STRETCH: f64 = 0.01;
 
 /// A frame that was laid, and what it says of the compass.
-struct Reading {
+struct CompassReading {
     /// Angle by which the compass reads too far clockwise, radians.
     by: f64,
     /// Its variance, rad².
@@ -59,7 +59,7 @@ pub struct HeadingDoubt {
     missed: usize,
     borne: usize,
     landmarks: BTreeSet<u32>,
-    readings: Vec<Reading>,
+    readings: Vec<CompassReading>,
     tried: usize,
     last: f64,
     /// Since when the heading is contradicted, by a laid frame or by all that is missed, seconds.
@@ -69,7 +69,7 @@ pub struct HeadingDoubt {
 }
 
 /// The compass is turned.
-pub struct Turned {
+pub struct TurnedCompass {
     /// By how much too far clockwise, radians.
     pub by: f64,
     /// Since when at the latest, seconds.
@@ -188,7 +188,7 @@ impl HeadingDoubt {
         wide.covariance
             .fixed_view_mut::<2, 2>(0, 0)
             .copy_from(&nalgebra::Matrix2::from_diagonal_element(deviation.powi(2)));
-        let measured = Measured {
+        let measured = InstrumentReadings {
             heading: None,
             ..measured(flight, inputs, time)
         };
@@ -204,7 +204,7 @@ impl HeadingDoubt {
         laid: &mut RegisteredFrame,
         heading: f64,
         settings: &NavigatorSettings,
-    ) -> Result<Option<Turned>, FilterError> {
+    ) -> Result<Option<TurnedCompass>, FilterError> {
         let Some(place) = &laid.report.place else {
             return Ok(None);
         };
@@ -214,7 +214,7 @@ impl HeadingDoubt {
             by.to_degrees()
         ));
         let variance = place.covariance[(5, 5)] + settings.sensors.yaw.powi(2);
-        self.readings.push(Reading { by, variance });
+        self.readings.push(CompassReading { by, variance });
         let usual = chi_square_quantile(settings.gate_confidence, 1.0);
         let Some((by, variance)) = agreed(&self.readings, settings.gate_confidence) else {
             if by * by > variance * usual {
@@ -234,7 +234,7 @@ impl HeadingDoubt {
         let (engine, since) = (self.confirmed.0.faded(1.0)?, self.confirmed.1);
         let before = self.turned.map_or(0.0, |(before, _)| before);
         self.turned = Some((wrap_pi(before + by), self.last));
-        Ok(Some(Turned { by, since, engine }))
+        Ok(Some(TurnedCompass { by, since, engine }))
     }
 
     /// Doubt about the heading, if there is one.
@@ -276,13 +276,13 @@ fn strayed(flight: &Flight, since: f64, time: f64) -> f64 {
 }
 
 /// The angle on which the latest readings agree, and its variance, rad².
-fn agreed(readings: &[Reading], confidence: f64) -> Option<(f64, f64)> {
+fn agreed(readings: &[CompassReading], confidence: f64) -> Option<(f64, f64)> {
     let latest = &readings[readings.len().checked_sub(AGREEING)?..];
     let about = latest[0].by;
     let information: f64 = latest.iter().map(|r| r.variance.recip()).sum();
-    let weighted = |r: &Reading| wrap_pi(r.by - about) / r.variance;
+    let weighted = |r: &CompassReading| wrap_pi(r.by - about) / r.variance;
     let mean = latest.iter().map(weighted).sum::<f64>() / information;
-    let off = |r: &Reading| wrap_pi(r.by - about - mean);
+    let off = |r: &CompassReading| wrap_pi(r.by - about - mean);
     let squared: f64 = latest.iter().map(|r| off(r).powi(2) / r.variance).sum();
     let is_one = squared <= chi_square_quantile(confidence, (AGREEING - 1) as f64);
     let is_near = latest.iter().all(|r| off(r).abs() < FRAC_PI_2);
@@ -312,8 +312,8 @@ mod tests {
     use pilotage_flight::{Channel, StartFix};
     use pilotage_raster::camera::CameraModel;
 
-    fn readings(degrees: &[f64]) -> Vec<Reading> {
-        let reading = |by: &f64| Reading {
+    fn readings(degrees: &[f64]) -> Vec<CompassReading> {
+        let reading = |by: &f64| CompassReading {
             by: by.to_radians(),
             variance: 1_f64.to_radians().powi(2),
         };

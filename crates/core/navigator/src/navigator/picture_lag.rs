@@ -19,7 +19,7 @@ use super::engine::Engine;
 use super::expected::AppearanceModel;
 use super::inputs::Inputs;
 use super::recovery::believed;
-use super::see::{Associator, FoundPlace, Measurement, Place, stack};
+use super::see::{Associator, FoundPlace, Measurement, SightedPlace, stack};
 use super::{CandidateReport, Control, Doubt, Estimate, Instrument, SensorFault};
 use pilotage_base::frames::{Pose, wrap_pi};
 use pilotage_estimation::filter::FilterError;
@@ -369,7 +369,7 @@ fn all_seen_anew<'l>(
     from: &Associator<'_>,
     to: &Associator<'_>,
 ) -> Vec<FoundPlace<'l>> {
-    let as_seen = |place: &Place| seen_anew(place, &from.pose, &to.pose);
+    let as_seen = |place: &SightedPlace| seen_anew(place, &from.pose, &to.pose);
     found
         .iter()
         .map(|(landmark, report, place)| (*landmark, *report, as_seen(place)))
@@ -378,7 +378,7 @@ fn all_seen_anew<'l>(
 
 /// A place that was found by somebody who assumed the pose `from`, for one who assumes `to`: the pixel is the
 /// same, but turn and scale of the surroundings are told against what is assumed.
-fn seen_anew((seen, covariance): &Place, from: &Pose, to: &Pose) -> Place {
+fn seen_anew((seen, covariance): &SightedPlace, from: &Pose, to: &Pose) -> SightedPlace {
     let mut seen = *seen;
     seen[2] = wrap_pi(seen[2] + to.attitude.yaw - from.attitude.yaw);
     let height = |pose: &Pose| -pose.position_in_world.z;

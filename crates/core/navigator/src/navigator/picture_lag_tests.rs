@@ -22,7 +22,7 @@ fn a_landmark_that_is_seen_alone_again_and_again_says_no_more_than_that_it_may_b
         Landmark::new(1, "one", rect),
         Landmark::new(2, "other", rect),
     );
-    let place: Place = (Vector4::zeros(), Matrix4::identity());
+    let place: SightedPlace = (Vector4::zeros(), Matrix4::identity());
     let mut lag = PictureLag::new(start().as_ref()).unwrap();
     let rival = &mut lag.rivals[0];
     let before = rival.weight;

@@ -13,7 +13,7 @@
 
 use super::Estimate;
 use super::engine::{Engine, PredictedStep, engine};
-use super::found_places::{Found, Searched, density};
+use super::found_places::{FoundPlaces, SearchedRegion, density};
 use super::frame_registration::{Believed, SeenPlace};
 use super::registration_refusal::RegistrationRefusal;
 use pilotage_base::statistics::probability_words;
@@ -33,7 +33,7 @@ const FOLLOWED: usize = 8;
 const WIDER: f64 = 1.5;
 
 /// Belief about where the aircraft is.
-struct Belief {
+struct PlaceBelief {
     engine: Box<dyn Engine>,
     follower: Follower,
     weight: f64,
@@ -43,14 +43,14 @@ struct Belief {
 
 /// Likelihood ratio of each of the places: its density by what `engine` expects over that by what was
 /// searched.
-fn likelier(engine: &dyn Engine, found: &Found) -> Vec<f64> {
+fn likelier(engine: &dyn Engine, found: &FoundPlaces) -> Vec<f64> {
     let state = engine.state();
     let (mean, covariance) = (state.position().to_vector(), state.position_covariance());
     let of_place = |place| density(&mean, &covariance, place) / found.searched.density(place);
     found.places.iter().map(of_place).collect()
 }
 
-impl Belief {
+impl PlaceBelief {
     fn new(engine: Box<dyn Engine>, follower: Follower, weight: f64) -> Self {
         Self {
             engine,
@@ -66,8 +66,8 @@ pub struct PossiblePlaces {
     /// Probability of what the navigator goes by.
     main: f64,
     /// Belief that knows where the aircraft was last, and nothing of how it moved since.
-    unforeseen: Option<Belief>,
-    others: Vec<Belief>,
+    unforeseen: Option<PlaceBelief>,
+    others: Vec<PlaceBelief>,
 }
 
 /// A belief that nearly everything speaks for.
@@ -92,7 +92,7 @@ impl PossiblePlaces {
 
     /// Moves all along.
     pub fn moved(&mut self, input: &ControlInput, dt: f64) {
-        let moves = |belief: &mut Belief| {
+        let moves = |belief: &mut PlaceBelief| {
             belief.step = belief.engine.predict(input, dt).ok();
             belief.step.is_some()
         };
@@ -109,13 +109,13 @@ impl PossiblePlaces {
         believed: &Estimate,
         follower: &Follower,
     ) -> Result<(), FilterError> {
-        let Searched {
+        let SearchedRegion {
             position,
             deviation,
-        } = Searched::around(believed);
+        } = SearchedRegion::around(believed);
         let anew = engine(settings, position, deviation)?;
         self.main = 1.0 - UNFORESEEN;
-        self.unforeseen = Some(Belief::new(anew, follower.clone(), UNFORESEEN));
+        self.unforeseen = Some(PlaceBelief::new(anew, follower.clone(), UNFORESEEN));
         self.others.clear();
         Ok(())
     }
@@ -126,9 +126,9 @@ impl PossiblePlaces {
     }
 
     /// The widest belief, if it is worth a search beside that within `searched`.
-    pub fn wider(&self, searched: &Searched) -> Option<Estimate> {
+    pub fn wider(&self, searched: &SearchedRegion) -> Option<Estimate> {
         let widest = self.unforeseen.as_ref()?.engine.state();
-        (Searched::around(&widest).deviation > WIDER * searched.deviation).then_some(widest)
+        (SearchedRegion::around(&widest).deviation > WIDER * searched.deviation).then_some(widest)
     }
 
     /// Weighs everything by what was found of a frame; the belief that has nearly all the probability now, if one has,
@@ -138,7 +138,7 @@ impl PossiblePlaces {
         settings: &NavigatorSettings,
         main: &dyn Engine,
         follower: &Follower,
-        found: &Found,
+        found: &FoundPlaces,
     ) -> Result<Option<Sure>, FilterError> {
         let told: f64 = found.places.iter().map(Registration::belief).sum();
         let scale = told.max(1.0).recip();
@@ -182,7 +182,7 @@ impl PossiblePlaces {
                     believed: Some((index, believed)),
                 });
             } else {
-                here.push(Belief::new(engine, follower, weight));
+                here.push(PlaceBelief::new(engine, follower, weight));
             }
         }
         if sure.is_some() {
@@ -244,8 +244,8 @@ struct Parent<'a> {
     step: Option<&'a PredictedStep>,
 }
 
-impl<'a> From<&'a Belief> for Parent<'a> {
-    fn from(belief: &'a Belief) -> Self {
+impl<'a> From<&'a PlaceBelief> for Parent<'a> {
+    fn from(belief: &'a PlaceBelief) -> Self {
         Self {
             engine: belief.engine.as_ref(),
             follower: &belief.follower,

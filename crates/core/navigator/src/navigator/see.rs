@@ -19,7 +19,7 @@ use pilotage_vision::landmark::{
 
 /// Pixel, rotation and log scale at which a landmark was seen, and their covariance without the error of the
 /// camera's pose.
-pub type Place = (Vector4<f64>, Matrix4<f64>);
+pub type SightedPlace = (Vector4<f64>, Matrix4<f64>);
 
 /// A landmark that was found and passed its own gate.
 pub struct Measurement<'a> {
@@ -47,7 +47,7 @@ pub fn degrees(measurements: &[Measurement<'_>]) -> usize {
 }
 
 /// A landmark, the index of its report and where it was found.
-pub type FoundPlace<'l> = (&'l Landmark, usize, Place);
+pub type FoundPlace<'l> = (&'l Landmark, usize, SightedPlace);
 
 /// Measurements that agree in a frame, their joint normalized innovation squared and its threshold.
 pub type Agreed<'l> = (Vec<Measurement<'l>>, f64, f64);
@@ -309,7 +309,7 @@ impl<'a> Associator<'a> {
         report: &mut CandidateReport,
         luminance: &'a Pyramid,
         detector: &mut dyn Detector,
-    ) -> Option<Place> {
+    ) -> Option<SightedPlace> {
         let request = self.request(landmark, report)?;
         let region = request.region(self.settings.detector.search_sigmas);
         let (camera, ground_down) = (self.model.camera, self.model.ground_down);
@@ -360,7 +360,7 @@ impl<'a> Associator<'a> {
         landmark: &'l Landmark,
         report: &mut CandidateReport,
         index: usize,
-        place: Place,
+        place: SightedPlace,
     ) -> Option<Measurement<'l>> {
         let measurement = self.measurement(landmark, index, place)?;
         let surprise = self.surprise(std::slice::from_ref(&measurement)).ok()?;
@@ -383,7 +383,7 @@ impl<'a> Associator<'a> {
         &self,
         landmark: &'l Landmark,
         index: usize,
-        (seen, covariance): Place,
+        (seen, covariance): SightedPlace,
     ) -> Option<Measurement<'l>> {
         let model = self.model;
         let point = landmark.reference_in_world(model.ground_down);

@@ -2,20 +2,20 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{ComparisonRow, Tally};
+use super::{ComparisonRow, ContenderTally};
 
 /// Estimators and models over the same flights, in one table.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Comparison {
+pub struct EstimatorComparison {
     /// A line per contender, and one more for its smoothed estimates where those were asked for.
     pub rows: Vec<ComparisonRow>,
 }
 
-impl Comparison {
+impl EstimatorComparison {
     /// The table of what was tallied.
-    pub fn of(tallies: &[Tally]) -> Self {
+    pub fn of(tallies: &[ContenderTally]) -> Self {
         Self {
-            rows: tallies.iter().flat_map(Tally::rows).collect(),
+            rows: tallies.iter().flat_map(ContenderTally::rows).collect(),
         }
     }
 }

@@ -5,7 +5,7 @@ mod contender;
 mod row;
 mod tally;
 
-pub use compare::Comparison;
+pub use compare::EstimatorComparison;
 pub use contender::Contender;
 pub use row::ComparisonRow;
-pub use tally::Tally;
+pub use tally::ContenderTally;

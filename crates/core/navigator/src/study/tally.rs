@@ -10,12 +10,12 @@ use pilotage_flight::Flight;
 
 /// Gathers the runs of one contender.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Tally {
+pub struct ContenderTally {
     contender: Contender,
     flights: usize,
     failed: usize,
-    in_flight: Errors,
-    smoothed: Option<Errors>,
+    in_flight: PositionErrors,
+    smoothed: Option<PositionErrors>,
     nis: Consistency,
     frames_with_update: usize,
     accepted: usize,
@@ -27,12 +27,12 @@ pub struct Tally {
 
 /// Errors of positions.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-struct Errors {
+struct PositionErrors {
     distances: Vec<f64>,
     nees: Consistency,
 }
 
-impl Errors {
+impl PositionErrors {
     fn push(&mut self, estimate: &Estimate, truth: &Vector2<f64>) {
         let off = estimate.position().to_vector() - truth;
         self.distances.push(off.norm());
@@ -50,15 +50,15 @@ impl Errors {
     }
 }
 
-impl Tally {
+impl ContenderTally {
     /// Nothing yet; with the smoothed estimates too, if so asked.
     pub fn new(contender: Contender, with_smoothed: bool) -> Self {
         Self {
             contender,
             flights: 0,
             failed: 0,
-            in_flight: Errors::default(),
-            smoothed: with_smoothed.then(Errors::default),
+            in_flight: PositionErrors::default(),
+            smoothed: with_smoothed.then(PositionErrors::default),
             nis: Consistency::default(),
             frames_with_update: 0,
             accepted: 0,
@@ -140,7 +140,7 @@ impl Tally {
 
     /// The lines of the table: in flight, and smoothed if that was asked for.
     pub fn rows(&self) -> Vec<ComparisonRow> {
-        let row = |errors: &Errors, smoothed: bool| ComparisonRow {
+        let row = |errors: &PositionErrors, smoothed: bool| ComparisonRow {
             contender: self.contender,
             smoothed,
             flights: self.flights,

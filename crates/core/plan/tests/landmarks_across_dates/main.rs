@@ -21,7 +21,7 @@ use photos::Site;
 use photos::studies::either;
 use pilotage_base::frames::{GroundRect, Pose};
 use pilotage_mission::settings::NavigatorSettings;
-use pilotage_plan::{Candidate, FieldView, Proposal, ProposalQuestion, Ranking, choose};
+use pilotage_plan::{FieldView, LandmarkCandidate, Proposal, ProposalQuestion, Ranking, choose};
 use pilotage_raster::imagery::{CachedImagery, Imagery};
 use pilotage_simulate::other_days::PictureDays;
 use pilotage_vision::landmark::{Landmark, TemplateDetector, TemplateFeatures, TemplateSettings};
@@ -42,7 +42,7 @@ fn map_of(site: &Site) -> Arc<dyn Imagery> {
 
 /// Candidates that the planner makes, after so many rehearsal days, of every place, half a side apart, that a
 /// photo shows whole.
-fn ranked(site: &Site, laid: &[Laid<'_>], days: usize) -> Vec<Candidate> {
+fn ranked(site: &Site, laid: &[Laid<'_>], days: usize) -> Vec<LandmarkCandidate> {
     let map = map_of(site);
     let mut all = Proposal::days(&PictureDays::new(Arc::clone(&map)), 1);
     all.truncate(days);
@@ -101,7 +101,7 @@ fn looked(site: &Site, laid: &[Laid<'_>], landmarks: &[Landmark], seed: u64) -> 
 
 /// By thirds of the boxes: mean predicted probability of their looks, share that was accepted with its standard
 /// error (looks at a box go together), looks.
-fn thirds(candidates: &[Candidate], seen: &[Seen]) -> Vec<[f64; 4]> {
+fn thirds(candidates: &[LandmarkCandidate], seen: &[Seen]) -> Vec<[f64; 4]> {
     let mut boxes: Vec<(f64, f64, f64)> = Vec::new();
     for (id, candidate) in candidates.iter().enumerate() {
         let own: Vec<&Seen> = seen.iter().filter(|s| s.landmark as usize == id).collect();

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 use std::sync::Arc;
 
-use super::kept::Kept;
+use super::kept::RecentValues;
 use super::{Imagery, Window};
 use crate::raster::{Raster, Rgba};
 use pilotage_base::frames::GroundRect;
@@ -13,13 +13,13 @@ pub const TILE_SIDE: usize = 128;
 const TILE: i64 = TILE_SIDE as i64;
 
 /// Place of a tile: scale level, row from the north, column from the west.
-type Place = (i32, i64, i64);
+type TilePlace = (i32, i64, i64);
 
 /// Imagery whose tiles at power-of-two multiples of the native scale are remembered, least recently
 /// used out first. Windows on that grid are put together from tiles; others go to the source.
 pub struct CachedImagery {
     source: Arc<dyn Imagery>,
-    tiles: Kept<Place, Raster<Rgba>>,
+    tiles: RecentValues<TilePlace, Raster<Rgba>>,
 }
 
 impl CachedImagery {
@@ -27,7 +27,7 @@ impl CachedImagery {
     pub fn new(source: Arc<dyn Imagery>, megabytes: usize) -> Self {
         Self {
             source,
-            tiles: Kept::new(megabytes * 1_000_000),
+            tiles: RecentValues::new(megabytes * 1_000_000),
         }
     }
 
@@ -57,7 +57,7 @@ impl CachedImagery {
         }
     }
 
-    fn tile(&self, place: Place) -> Arc<Raster<Rgba>> {
+    fn tile(&self, place: TilePlace) -> Arc<Raster<Rgba>> {
         let make = || {
             let (level, row, column) = place;
             let gsd = self.gsd(level);

@@ -1,6 +1,6 @@
 //! A picture with a georeference as imagery.
 
-use super::resample::{Part, Sight, halved, samples_per_side};
+use super::resample::{PyramidRegion, WindowPixels, halved, samples_per_side};
 use super::{Imagery, Placement, Window};
 use crate::raster::{CodecError, Picture, Raster, Rgba, decode_picture_with_coverage};
 use pilotage_base::frames::GroundRect;
@@ -172,13 +172,13 @@ impl Imagery for GeoreferencedPicture {
         let level = (ratio.log2().floor().max(0.0) as usize).min(self.levels.len() - 1);
         let factor = (1_u64 << level) as f64;
         let pixels = &self.levels[level];
-        let part = Part {
+        let part = PyramidRegion {
             pixels,
             first: (0, 0),
             level: (pixels.width(), pixels.height()),
             scale: (1.0 / factor, 1.0 / factor),
         };
-        Sight::new(window, &self.placement).draw(&part, samples_per_side(ratio / factor))
+        WindowPixels::new(window, &self.placement).draw(&part, samples_per_side(ratio / factor))
     }
 }
 

@@ -5,24 +5,24 @@ use std::hash::Hash;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Values by key up to a number of bytes, least recently used out first.
-pub struct Kept<K, V> {
+pub struct RecentValues<K, V> {
     inner: Mutex<Inner<K, V>>,
     most_bytes: usize,
 }
 
 struct Inner<K, V> {
-    values: HashMap<K, Entry<V>>,
+    values: HashMap<K, RecentEntry<V>>,
     bytes: usize,
     clock: u64,
 }
 
-struct Entry<V> {
+struct RecentEntry<V> {
     used: u64,
     bytes: usize,
     value: Arc<V>,
 }
 
-impl<K: Eq + Hash + Copy, V> Kept<K, V> {
+impl<K: Eq + Hash + Copy, V> RecentValues<K, V> {
     /// Keeps at most that many bytes, but always the newest value.
     pub fn new(most_bytes: usize) -> Self {
         Self {
@@ -58,7 +58,7 @@ impl<K: Eq + Hash + Copy, V> Kept<K, V> {
             inner.forget(self.most_bytes.saturating_sub(bytes));
         }
         inner.clock += 1;
-        let kept = Entry {
+        let kept = RecentEntry {
             used: inner.clock,
             bytes,
             value: Arc::clone(&value),
@@ -99,14 +99,14 @@ impl<K: Eq + Hash + Copy, V> Inner<K, V> {
 mod tests {
     use super::*;
 
-    fn get(kept: &Kept<u32, u32>, key: u32) -> Arc<u32> {
+    fn get(kept: &RecentValues<u32, u32>, key: u32) -> Arc<u32> {
         let made: Result<_, ()> = kept.get_or_make(key, || Ok((key * 2, 10)));
         made.unwrap()
     }
 
     #[test]
     fn what_was_used_last_survives() {
-        let kept = Kept::new(100);
+        let kept = RecentValues::new(100);
         for key in 0..50 {
             assert_eq!(*get(&kept, key), key * 2);
             get(&kept, 0);
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn a_value_larger_than_everything_is_still_given() {
-        let kept = Kept::new(5);
+        let kept = RecentValues::new(5);
         assert_eq!(*get(&kept, 7), 14);
         assert_eq!(*get(&kept, 8), 16);
         assert_eq!(kept.bytes(), 10);
@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn a_failure_is_passed_on_and_not_kept() {
-        let kept: Kept<u32, u32> = Kept::new(100);
+        let kept: RecentValues<u32, u32> = RecentValues::new(100);
         assert_eq!(kept.get_or_make(1, || Err("no")), Err("no"));
         assert_eq!(*get(&kept, 1), 2);
     }

@@ -20,7 +20,7 @@ const NOTHING: GroundRect = GroundRect {
 /// A map between the pixels of a picture (centres at half integers) and the ground.
 #[derive(Clone, Debug)]
 pub struct Placement {
-    kind: Kind,
+    kind: PlacementKind,
     /// Size of the picture, pixels.
     size: (usize, usize),
     /// The same map made affine around the middle of the picture.
@@ -30,7 +30,7 @@ pub struct Placement {
 }
 
 #[derive(Clone, Debug)]
-enum Kind {
+enum PlacementKind {
     /// Affine by nature; with the inverse of its matrix.
     Affine(GroundFromPixel, Matrix2<f64>),
     /// Through a reference system on the globe.
@@ -41,7 +41,7 @@ impl Placement {
     /// A picture of the given size under an affine map; `None` if that does not span an area.
     pub fn affine(map: GroundFromPixel, width: usize, height: usize) -> Option<Self> {
         Some(Self {
-            kind: Kind::Affine(map, map.matrix.try_inverse()?),
+            kind: PlacementKind::Affine(map, map.matrix.try_inverse()?),
             size: (width, height),
             affine: map,
             turn: None,
@@ -58,7 +58,7 @@ impl Placement {
     ) -> Result<Self, GeoreferenceError> {
         let affine = georeference.in_world(&frame, width, height)?;
         Ok(Self {
-            kind: Kind::Globe(georeference, frame),
+            kind: PlacementKind::Globe(georeference, frame),
             size: (width, height),
             affine,
             turn: georeference.turn(),
@@ -68,8 +68,8 @@ impl Placement {
     /// The georeference by the picture's side file or its own keys, if it has a place on the globe.
     pub fn georeference(&self) -> Option<&Georeference> {
         match &self.kind {
-            Kind::Globe(georeference, _) => Some(georeference),
-            Kind::Affine(..) => None,
+            PlacementKind::Globe(georeference, _) => Some(georeference),
+            PlacementKind::Affine(..) => None,
         }
     }
 
@@ -81,8 +81,8 @@ impl Placement {
     /// The world frame, if the picture has a place on the globe.
     pub fn frame(&self) -> Option<&LocalFrame> {
         match &self.kind {
-            Kind::Globe(Georeference::Metres(_), _) | Kind::Affine(..) => None,
-            Kind::Globe(_, frame) => Some(frame),
+            PlacementKind::Globe(Georeference::Metres(_), _) | PlacementKind::Affine(..) => None,
+            PlacementKind::Globe(_, frame) => Some(frame),
         }
     }
 
@@ -94,8 +94,10 @@ impl Placement {
     /// Ground point of a pixel.
     pub fn ground_at(&self, pixel: &Point2<f64>) -> GroundPoint {
         match &self.kind {
-            Kind::Affine(map, _) => map.ground_at(pixel),
-            Kind::Globe(georeference, frame) => georeference.ground_at(frame, pixel.x, pixel.y),
+            PlacementKind::Affine(map, _) => map.ground_at(pixel),
+            PlacementKind::Globe(georeference, frame) => {
+                georeference.ground_at(frame, pixel.x, pixel.y)
+            }
         }
     }
 
@@ -103,10 +105,10 @@ impl Placement {
     /// reference system does not reach.
     pub fn pixel_at(&self, ground: &GroundPoint) -> Option<Point2<f64>> {
         match &self.kind {
-            Kind::Affine(map, inverse) => {
+            PlacementKind::Affine(map, inverse) => {
                 Some(Point2::from(inverse * (ground.to_vector() - map.corner)))
             }
-            Kind::Globe(georeference, frame) => {
+            PlacementKind::Globe(georeference, frame) => {
                 georeference.pixel_near(frame, ground, &self.middle_pixel())
             }
         }
@@ -116,8 +118,8 @@ impl Placement {
     /// reach.
     pub fn place_at(&self, pixel: &Point2<f64>) -> Option<Geodetic> {
         match &self.kind {
-            Kind::Affine(..) => None,
-            Kind::Globe(georeference, _) => georeference.place_at(pixel.x, pixel.y),
+            PlacementKind::Affine(..) => None,
+            PlacementKind::Globe(georeference, _) => georeference.place_at(pixel.x, pixel.y),
         }
     }
 

@@ -12,12 +12,12 @@ const SPACING: usize = 16;
 
 /// A weighted sum of pixels with premultiplied coverage.
 #[derive(Clone, Copy, Default)]
-pub struct Sum {
+pub struct PixelSum {
     colour: [f32; 3],
     coverage: f32,
 }
 
-impl Sum {
+impl PixelSum {
     /// Adds a pixel.
     pub fn add(&mut self, [r, g, b, a]: Rgba, weight: f32) {
         let weight = weight * f32::from(a);
@@ -39,7 +39,7 @@ impl Sum {
 }
 
 /// A rectangle out of one level of a picture's pyramid.
-pub struct Part<'a> {
+pub struct PyramidRegion<'a> {
     /// Pixels of the rectangle.
     pub pixels: &'a Raster<Rgba>,
     /// Column and row of the rectangle's first pixel in the level.
@@ -51,7 +51,7 @@ pub struct Part<'a> {
 }
 
 /// The pixels of a picture under the pixels of a window.
-pub struct Sight {
+pub struct WindowPixels {
     nodes: Vec<Vector2<f64>>,
     across: usize,
     size: (f64, f64),
@@ -61,7 +61,7 @@ pub struct Sight {
     seam: Option<(Vector2<f64>, Point2<f64>)>,
 }
 
-impl Sight {
+impl WindowPixels {
     /// Looks through `window` at the picture that lies at `placement`.
     pub fn new(window: &Window, placement: &Placement) -> Self {
         let across = window.width.div_ceil(SPACING) + 1;
@@ -130,13 +130,13 @@ impl Sight {
 
     /// The window's pixels, `per_side`² bilinear samples of `part` each. The part has to hold what
     /// is in sight.
-    pub fn draw(&self, part: &Part, per_side: usize) -> Raster<Rgba> {
+    pub fn draw(&self, part: &PyramidRegion, per_side: usize) -> Raster<Rgba> {
         let offsets: Vec<f64> = (0..per_side)
             .map(|i| (i as f64 + 0.5) / per_side as f64)
             .collect();
         let weights = (per_side * per_side) as f32;
         Raster::from_fn(self.window.0, self.window.1, |column, row| {
-            let mut sum = Sum::default();
+            let mut sum = PixelSum::default();
             for dy in &offsets {
                 for dx in &offsets {
                     let p = self.pixel_at(column as f64 + dx, row as f64 + dy);
@@ -150,9 +150,9 @@ impl Sight {
     }
 }
 
-impl Part<'_> {
+impl PyramidRegion<'_> {
     /// Adds the bilinear sample at a pixel of the picture.
-    fn sample(&self, p: Vector2<f64>, sum: &mut Sum) {
+    fn sample(&self, p: Vector2<f64>, sum: &mut PixelSum) {
         let (x, y) = (p.x * self.scale.0 - 0.5, p.y * self.scale.1 - 0.5);
         let (left, top) = (x.floor(), y.floor());
         let (fx, fy) = ((x - left) as f32, (y - top) as f32);
@@ -180,7 +180,7 @@ pub fn samples_per_side(remaining: f64) -> usize {
 pub fn halved(picture: &Raster<Rgba>) -> Raster<Rgba> {
     let (width, height) = (picture.width().div_ceil(2), picture.height().div_ceil(2));
     Raster::from_fn(width, height, |column, row| {
-        let mut sum = Sum::default();
+        let mut sum = PixelSum::default();
         for (dc, dr) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             // An odd edge leaves the missing pixels empty, so that coverage fades there.
             let (c, r) = (2 * column + dc, 2 * row + dr);
@@ -220,8 +220,8 @@ mod tests {
         let placement = Placement::on_globe(place, frame, 360, 180).unwrap();
         let rect = GroundRect::centered(GroundPoint::default(), 1e6, 2.4e6);
         let window = Window::covering(&rect, 30_000.0);
-        let sight = Sight::new(&window, &placement);
-        let part = Part {
+        let sight = WindowPixels::new(&window, &placement);
+        let part = PyramidRegion {
             pixels: &pixels,
             first: (0, 0),
             level: (360, 180),

@@ -81,14 +81,14 @@ impl IntegralImage {
 /// The four corners of all windows of one size in a row, as slices of one length so that loops over
 /// them vectorize.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corners<'a> {
+pub(super) struct WindowCorners<'a> {
     top_left: &'a [f64],
     top_right: &'a [f64],
     bottom_left: &'a [f64],
     bottom_right: &'a [f64],
 }
 
-impl<'a> Corners<'a> {
+impl<'a> WindowCorners<'a> {
     /// Of the windows of `width` × `height` pixels with their top edge at `row`.
     pub fn of(table: &'a IntegralImage, row: usize, (width, height): (usize, usize)) -> Self {
         let (top, bottom) = (table.line(row), table.line(row + height));

@@ -30,4 +30,4 @@ pub use integral::IntegralImage;
 pub use orientation::{DIRECTIONS, OrientationField};
 pub use peak::{Peak, highest_peak, refine_peak, rival_peak};
 pub use pyramid::{PYRAMID_LEVELS, Pyramid, bilinear};
-pub use warp::{Sample, warp_projective, warp_similar};
+pub use warp::{PixelValue, warp_projective, warp_similar};

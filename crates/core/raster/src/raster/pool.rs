@@ -14,14 +14,14 @@ const KEPT: usize = 24;
 const LONGEST: usize = 1 << 21;
 
 /// Type of the elements of buffers.
-pub(super) trait Element: Copy + Default + 'static {
+pub(super) trait BufferElement: Copy + Default + 'static {
     /// The buffers at rest.
     fn pool() -> &'static Mutex<Vec<Vec<Self>>>;
 }
 
 macro_rules! element {
     ($($type:ty),*) => {$(
-        impl Element for $type {
+        impl BufferElement for $type {
             fn pool() -> &'static Mutex<Vec<Vec<Self>>> {
                 static POOL: Mutex<Vec<Vec<$type>>> = Mutex::new(Vec::new());
                 &POOL
@@ -31,16 +31,16 @@ macro_rules! element {
 }
 element!(f32, f64, Complex32);
 
-fn lock<T: Element>() -> MutexGuard<'static, Vec<Vec<T>>> {
+fn lock<T: BufferElement>() -> MutexGuard<'static, Vec<Vec<T>>> {
     // Buffers have no state that a panic could break.
     T::pool().lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A buffer that returns to the pool when it is dropped.
 #[derive(Debug)]
-pub(super) struct Buffer<T: Element>(Vec<T>);
+pub(super) struct Buffer<T: BufferElement>(Vec<T>);
 
-impl<T: Element> Buffer<T> {
+impl<T: BufferElement> Buffer<T> {
     /// `length` zeros.
     pub fn zeros(length: usize) -> Self {
         let mut buffer = Self::with_capacity(length);
@@ -66,7 +66,7 @@ impl<T: Element> Buffer<T> {
     }
 }
 
-impl<T: Element> Drop for Buffer<T> {
+impl<T: BufferElement> Drop for Buffer<T> {
     fn drop(&mut self) {
         if self.0.capacity() > LONGEST {
             return;
@@ -82,7 +82,7 @@ impl<T: Element> Drop for Buffer<T> {
     }
 }
 
-impl<T: Element> Clone for Buffer<T> {
+impl<T: BufferElement> Clone for Buffer<T> {
     fn clone(&self) -> Self {
         let mut copy = Self::dirty(self.0.len());
         copy.copy_from_slice(self);
@@ -90,14 +90,14 @@ impl<T: Element> Clone for Buffer<T> {
     }
 }
 
-impl<T: Element> Deref for Buffer<T> {
+impl<T: BufferElement> Deref for Buffer<T> {
     type Target = [T];
     fn deref(&self) -> &[T] {
         &self.0
     }
 }
 
-impl<T: Element> DerefMut for Buffer<T> {
+impl<T: BufferElement> DerefMut for Buffer<T> {
     fn deref_mut(&mut self) -> &mut [T] {
         &mut self.0
     }

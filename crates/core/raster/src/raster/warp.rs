@@ -5,18 +5,18 @@ use nalgebra::{Matrix3, Point2};
 use super::{Gray, Raster, Rgb};
 
 /// A pixel type that can be interpolated.
-pub trait Sample: Copy {
+pub trait PixelValue: Copy {
     /// (1 - t)·a + t·b for two neighbours across and two down, as weights of the four.
     fn blend(four: [Self; 4], weights: [f32; 4]) -> Self;
 }
 
-impl Sample for f32 {
+impl PixelValue for f32 {
     fn blend(four: [Self; 4], weights: [f32; 4]) -> Self {
         four[0] * weights[0] + four[1] * weights[1] + four[2] * weights[2] + four[3] * weights[3]
     }
 }
 
-impl Sample for Rgb {
+impl PixelValue for Rgb {
     fn blend(four: [Self; 4], w: [f32; 4]) -> Self {
         std::array::from_fn(|c| {
             let v = f32::from(four[0][c]) * w[0]
@@ -28,7 +28,7 @@ impl Sample for Rgb {
     }
 }
 
-impl<T: Sample> Raster<T> {
+impl<T: PixelValue> Raster<T> {
     /// The value at (x, y) by bilinear interpolation, pixel centres at half integers; `None`
     /// outside of the picture. In the outer half pixel the edge is continued.
     pub fn sample(&self, x: f64, y: f64) -> Option<T> {
@@ -75,7 +75,7 @@ impl<T: Sample> Raster<T> {
 /// assert_eq!(moved.get(0, 0), source.get(2, 1));
 /// assert_eq!(moved.get(5, 0), -1.0);
 /// ```
-pub fn warp_projective<T: Sample>(
+pub fn warp_projective<T: PixelValue>(
     source: &Raster<T>,
     source_from_target: &Matrix3<f64>,
     width: usize,

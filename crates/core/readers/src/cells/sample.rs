@@ -2,7 +2,7 @@
 
 /// A column: its name, its unit, and some of its cells in their order.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Sample {
+pub(crate) struct ColumnSample {
     /// Name as the table has it.
     pub name: String,
     /// Unit as the table says it beside the name, or empty.
@@ -15,7 +15,7 @@ pub(crate) struct Sample {
     pub empty: usize,
 }
 
-impl Sample {
+impl ColumnSample {
     /// Whether nearly all cells that are not empty are numbers.
     pub fn is_numeric(&self) -> bool {
         !self.numbers.is_empty() && self.numbers.len() >= 19 * self.texts.len()

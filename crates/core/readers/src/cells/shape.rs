@@ -125,8 +125,8 @@ impl TableShape {
         let lines = if whole >= 3 { &lines[..whole] } else { &lines };
         let found = Separator::ALL
             .into_iter()
-            .filter_map(|separator| Trial::of(lines, separator));
-        let best = found.fold(None, |best: Option<Trial>, trial| match best {
+            .filter_map(|separator| SeparatorTrial::of(lines, separator));
+        let best = found.fold(None, |best: Option<SeparatorTrial>, trial| match best {
             Some(best) if best.score >= trial.score => Some(best),
             _ => Some(trial),
         })?;
@@ -219,7 +219,7 @@ fn is_value(cell: &str) -> bool {
 }
 
 /// Shape that a table would have with a separator.
-struct Trial {
+struct SeparatorTrial {
     separator: Separator,
     /// Cells of most rows.
     count: usize,
@@ -228,7 +228,7 @@ struct Trial {
     score: f64,
 }
 
-impl Trial {
+impl SeparatorTrial {
     fn of(lines: &[&str], separator: Separator) -> Option<Self> {
         let counts: Vec<usize> = lines
             .iter()

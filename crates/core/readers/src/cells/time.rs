@@ -1,7 +1,7 @@
 //! Unit of a column that may be the time.
 
 use super::date::date_and_time;
-use super::sample::Sample;
+use super::sample::ColumnSample;
 
 /// Units that a time may be in: seconds, parts of them, date and time.
 pub(crate) const UNITS: [&str; 5] = ["s", "ms", "us", "ns", "date and time"];
@@ -36,7 +36,7 @@ pub(crate) fn seconds(unit: &str) -> f64 {
 /// The unit of a column that may be the time, how surely it is one, and why; `None` if it is none. `stated` is the unit
 /// that its name says; `share` of the table's rows are in the sample.
 pub(crate) fn unit_of_time(
-    sample: &Sample,
+    sample: &ColumnSample,
     stated: Option<&'static str>,
     share: f64,
 ) -> Option<(&'static str, f64, String)> {
@@ -90,10 +90,10 @@ pub(crate) fn unit_of_time(
 mod tests {
     use super::*;
 
-    fn sample(step: f64, count: usize, start: f64) -> Sample {
-        Sample {
+    fn sample(step: f64, count: usize, start: f64) -> ColumnSample {
+        ColumnSample {
             numbers: (0..count).map(|i| start + step * i as f64).collect(),
-            ..Sample::default()
+            ..ColumnSample::default()
         }
     }
 
@@ -118,12 +118,12 @@ mod tests {
         let mut back = sample(1.0, 100, 0.0);
         back.numbers.iter_mut().for_each(|v| *v = (*v * 0.5).sin());
         assert_eq!(unit_of_time(&back, Some("s"), 1.0), None);
-        let dates = Sample {
+        let dates = ColumnSample {
             texts: vec![
                 "2024-05-01 10:00:00".to_owned(),
                 "2024-05-01 10:00:01".to_owned(),
             ],
-            ..Sample::default()
+            ..ColumnSample::default()
         };
         assert_eq!(unit_of_time(&dates, None, 1.0).map(|t| t.0), Some(DATE));
     }

@@ -12,8 +12,8 @@ use super::rows::pair;
 use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, pictures, time};
 use crate::folder::{
-    ChannelFile, FlightFile, FlightFolder, FolderError, StartFile, Table, TimeColumn, TimeFormat,
-    VERSION, ValueColumn, read_tables,
+    ChannelFile, CsvTable, FlightFile, FlightFolder, FolderError, StartFile, TimeColumn,
+    TimeFormat, VERSION, ValueColumn, read_tables,
 };
 use pilotage_base::files::FileSet;
 use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
@@ -70,7 +70,7 @@ pub fn flight_of_tables(
             .iter()
             .map(|column| column.name.clone())
             .collect();
-        let mut table = Table::shaped(&map.file, &bytes, &map.shape, names)?;
+        let mut table = CsvTable::shaped(&map.file, &bytes, &map.shape, names)?;
         let time = time_column(map);
         if let Some(rate) = map
             .rows_per_second
@@ -153,7 +153,7 @@ pub fn flight_of_tables(
 
 /// Adds columns of what only several columns together say: attitude out of a quaternion, the wind's velocity out of
 /// strength and direction. All are in SI and radians.
-fn derive(map: &ColumnMap, table: &mut Table) -> Result<(), FolderError> {
+fn derive(map: &ColumnMap, table: &mut CsvTable) -> Result<(), FolderError> {
     if let Some(column) = map.column(ColumnRole::Place) {
         let texts = table.texts(&column.name)?;
         let places: Vec<Option<(f64, f64)>> = texts.into_iter().map(pair).collect();
@@ -325,7 +325,7 @@ fn of_map(map: &ColumnMap, time: &TimeColumn) -> Vec<ChannelFile> {
 /// The first place on the globe that a table has, and when, seconds, where times have no date.
 fn first_place(
     maps: &[ColumnMap],
-    tables: &BTreeMap<String, Arc<Table>>,
+    tables: &BTreeMap<String, Arc<CsvTable>>,
     channels: &[ChannelFile],
 ) -> Option<(OriginFile, Option<f64>)> {
     maps.iter().find_map(|map| {

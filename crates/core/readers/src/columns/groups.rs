@@ -2,7 +2,7 @@
 
 use pilotage_flight::ChannelName;
 
-use super::header::Parts;
+use super::header::NameParts;
 use super::names::is_otherwise;
 use super::{ColumnRole, QuaternionPart};
 
@@ -34,7 +34,7 @@ const FILLERS: [&str; 22] = [
 
 /// Quantity that three columns along axes (or four of a quaternion) measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum GroupQuantity {
     Acceleration,
     Rate,
     Velocity,
@@ -46,10 +46,10 @@ pub(super) enum Kind {
     Other,
 }
 
-use Kind::{Acceleration, Euler, Other, Position, Quaternion, Rate, Velocity, Wind};
+use GroupQuantity::{Acceleration, Euler, Other, Position, Quaternion, Rate, Velocity, Wind};
 
 /// Words that say it.
-const WORDS: [(Kind, &[&str]); 8] = [
+const WORDS: [(GroupQuantity, &[&str]); 8] = [
     (
         Other,
         &[
@@ -156,7 +156,7 @@ const WORDS: [(Kind, &[&str]); 8] = [
     ),
 ];
 
-impl Kind {
+impl GroupQuantity {
     /// Roles of the columns along the first, second and third axis, and the sign of their values, before anything is
     /// known of the axes: forward, right, down, or north, east, down.
     pub fn roles(self) -> [Option<(ColumnRole, f64)>; 3] {
@@ -221,9 +221,9 @@ impl Kind {
 
 /// Columns along the axes of one thing.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Group {
+pub(super) struct ColumnGroup {
     /// Quantity that the columns measure, as far as names tell.
-    pub kind: Option<Kind>,
+    pub kind: Option<GroupQuantity>,
     /// Three columns, or four of a quaternion in the order of their names.
     pub columns: Vec<usize>,
     /// Of a quaternion: whether names say which part is which, the real one first in `columns` then.
@@ -255,7 +255,7 @@ pub(super) fn context(file: &str) -> Vec<String> {
 type Stem = (Vec<String>, Vec<(char, usize)>);
 
 /// The groups among columns of those names, of which `is_numeric` says that they hold numbers.
-pub(super) fn groups(file: &str, names: &[Parts], is_numeric: &[bool]) -> Vec<Group> {
+pub(super) fn groups(file: &str, names: &[NameParts], is_numeric: &[bool]) -> Vec<ColumnGroup> {
     let file_words = context(file);
     let mut stems: Vec<Stem> = Vec::new();
     for (index, parts) in names.iter().enumerate() {
@@ -278,8 +278,8 @@ pub(super) fn groups(file: &str, names: &[Parts], is_numeric: &[bool]) -> Vec<Gr
         let letters: String = columns.iter().map(|(letter, _)| *letter).collect();
         let told = telling(&stem);
         let kind = |count| {
-            let by_name = Kind::of(&told, count);
-            let by_file = || Kind::of(&file_words, count);
+            let by_name = GroupQuantity::of(&told, count);
+            let by_file = || GroupQuantity::of(&file_words, count);
             match by_name {
                 // A velocity in a file of winds is the wind.
                 Some(Velocity) if by_file() == Some(Wind) => Some(Wind),
@@ -299,7 +299,7 @@ pub(super) fn groups(file: &str, names: &[Parts], is_numeric: &[bool]) -> Vec<Gr
             _ => None,
         };
         if let Some((wanted, columns)) = four {
-            return Some(Group {
+            return Some(ColumnGroup {
                 kind: kind(4).or(Some(Quaternion)),
                 columns,
                 is_told: wanted == "wxyz",
@@ -307,7 +307,7 @@ pub(super) fn groups(file: &str, names: &[Parts], is_numeric: &[bool]) -> Vec<Gr
         }
         let three = ["xyz", "012", "123"].iter().find_map(|wanted| at(wanted));
         let columns = three.filter(|_| letters.len() == 3)?;
-        Some(Group {
+        Some(ColumnGroup {
             kind: kind(3),
             columns,
             is_told: false,

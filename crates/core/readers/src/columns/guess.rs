@@ -1,16 +1,16 @@
 //! Meanings of the columns of a table, guessed.
 
 use super::bodies::of_one_body;
-use super::groups::{Group, Kind, context, groups, quaternion_roles, telling};
-use super::header::{Parts, parts};
+use super::groups::{ColumnGroup, GroupQuantity, context, groups, quaternion_roles, telling};
+use super::header::{NameParts, parts};
 use super::names::{NameGuess, is_otherwise, meanings};
-use super::physics::{self, Evidence, Hint};
-use super::rows::Rows;
+use super::physics::{self, Hint, TableEvidence};
+use super::rows::EvenRows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
 use super::several::{degrees_and_minutes, hemispheres, parts_of_time, places};
 use super::values::{UnitGuess, are_degrees, unit};
-use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, long};
+use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long};
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
 
@@ -44,8 +44,8 @@ pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
     let guess = guess_with_samples(file, bytes)?;
     let mut maps = [guess.map];
     let wanted = wanted(&maps[0], &guess.groups, &[]);
-    let rows = Rows::of(bytes, &maps[0].shape, &wanted);
-    let evidence = [Evidence {
+    let rows = EvenRows::of(bytes, &maps[0].shape, &wanted);
+    let evidence = [TableEvidence {
         rows,
         hints: guess.hints,
         groups: guess.groups,
@@ -57,7 +57,7 @@ pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
 
 /// Marks the columns that may come to mean something: those that do, those at `times` that may be the time, and
 /// groups of unknown quantity.
-pub(super) fn wanted(map: &ColumnMap, groups: &[Group], times: &[usize]) -> Vec<bool> {
+pub(super) fn wanted(map: &ColumnMap, groups: &[ColumnGroup], times: &[usize]) -> Vec<bool> {
     let unknown = groups.iter().filter(|group| group.kind.is_none());
     let unknown: Vec<usize> = unknown.flat_map(|group| group.columns.clone()).collect();
     let columns = map.columns.iter().enumerate();
@@ -69,17 +69,17 @@ pub(super) fn wanted(map: &ColumnMap, groups: &[Group], times: &[usize]) -> Vec<
 }
 
 /// Meanings of a table's columns by names and values, with samples of all columns.
-pub(super) struct Guess {
+pub(super) struct ColumnGuesses {
     pub map: ColumnMap,
-    pub samples: Vec<Sample>,
+    pub samples: Vec<ColumnSample>,
     /// Share of the table's rows that are in the samples, about.
     pub share: f64,
     pub hints: Vec<Hint>,
-    pub groups: Vec<Group>,
+    pub groups: Vec<ColumnGroup>,
 }
 
 /// Guesses the meanings of the columns of a table by names and values; `None` if it is no table.
-pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
+pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<ColumnGuesses> {
     let (shape, samples, share) = sampled(bytes)?;
     let (columns, hints, groups, told) = guess_columns(file, &samples, share);
     let map = ColumnMap {
@@ -93,7 +93,7 @@ pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
         questions: day_or_month(&samples, &columns).into_iter().collect(),
         columns,
     };
-    Some(Guess {
+    Some(ColumnGuesses {
         map,
         samples,
         share,
@@ -103,7 +103,7 @@ pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
 }
 
 /// Question to ask where all dates could be read with day and month the other way round.
-fn day_or_month(samples: &[Sample], columns: &[MappedColumn]) -> Option<String> {
+fn day_or_month(samples: &[ColumnSample], columns: &[MappedColumn]) -> Option<String> {
     let time = columns
         .iter()
         .position(|c| c.role == ColumnRole::Time && c.unit == super::time::DATE)?;
@@ -133,7 +133,7 @@ pub(crate) struct TimeGuess {
 }
 
 /// The column that is the time.
-pub(crate) fn guess_time(samples: &[Sample], share: f64) -> Option<TimeGuess> {
+pub(crate) fn guess_time(samples: &[ColumnSample], share: f64) -> Option<TimeGuess> {
     let candidates = times(samples, share).into_iter();
     // Of equals the first.
     candidates.fold(None, |best: Option<TimeGuess>, found| match best {
@@ -143,9 +143,9 @@ pub(crate) fn guess_time(samples: &[Sample], share: f64) -> Option<TimeGuess> {
 }
 
 /// Every column that may be the time, in the order of the columns.
-pub(super) fn times(samples: &[Sample], share: f64) -> Vec<TimeGuess> {
+pub(super) fn times(samples: &[ColumnSample], share: f64) -> Vec<TimeGuess> {
     let has_names = samples.iter().any(|sample| !sample.name.starts_with('#'));
-    let candidate = |(column, sample): (usize, &Sample)| {
+    let candidate = |(column, sample): (usize, &ColumnSample)| {
         let parts = parts(&sample.name, &sample.unit);
         let named = meanings(&parts.words)
             .into_iter()
@@ -196,17 +196,17 @@ fn ends_in_time(name: &str) -> bool {
 /// sure, groups of columns that belong together, and sentences about the unexpected.
 fn guess_columns(
     file: &str,
-    samples: &[Sample],
+    samples: &[ColumnSample],
     share: f64,
-) -> (Vec<MappedColumn>, Vec<Hint>, Vec<Group>, Vec<String>) {
+) -> (Vec<MappedColumn>, Vec<Hint>, Vec<ColumnGroup>, Vec<String>) {
     let time = guess_time(samples, share);
-    let names: Vec<Parts> = samples.iter().map(|s| parts(&s.name, &s.unit)).collect();
-    let is_numeric: Vec<bool> = samples.iter().map(Sample::is_numeric).collect();
+    let names: Vec<NameParts> = samples.iter().map(|s| parts(&s.name, &s.unit)).collect();
+    let is_numeric: Vec<bool> = samples.iter().map(ColumnSample::is_numeric).collect();
     let groups = groups(file, &names, &is_numeric);
     let mut guesses: Vec<Vec<NameGuess>> = names.iter().map(|p| by_name(file, p)).collect();
     let mut hints = vec![Hint::default(); samples.len()];
     for group in &groups {
-        let roles = group.kind.map_or([None; 3], Kind::roles);
+        let roles = group.kind.map_or([None; 3], GroupQuantity::roles);
         for (column, role) in group.columns.iter().zip(roles) {
             hints[*column].is_axis = true;
             if let Some((role, sign)) = role {
@@ -220,7 +220,7 @@ fn guess_columns(
             }
         }
     }
-    let taken: Vec<(Parts, Vec<NameGuess>)> = names.into_iter().zip(guesses).collect();
+    let taken: Vec<(NameParts, Vec<NameGuess>)> = names.into_iter().zip(guesses).collect();
     let has_degrees = has_degrees(samples, &taken);
     let mut columns: Vec<MappedColumn> = samples
         .iter()
@@ -238,7 +238,10 @@ fn guess_columns(
             None => columns[index].role == ColumnRole::Time && parts.time_unit().is_some(),
         };
     }
-    for group in groups.iter().filter(|g| g.kind == Some(Kind::Quaternion)) {
+    for group in groups
+        .iter()
+        .filter(|g| g.kind == Some(GroupQuantity::Quaternion))
+    {
         for (column, role) in group.columns.iter().zip(quaternion_roles(false)) {
             columns[*column] = MappedColumn {
                 role,
@@ -258,7 +261,7 @@ fn guess_columns(
 }
 
 /// Meanings that the name of a column may have; those of its file's name, where it says nothing itself.
-fn by_name(file: &str, parts: &Parts) -> Vec<NameGuess> {
+fn by_name(file: &str, parts: &NameParts) -> Vec<NameGuess> {
     let told = telling(parts.plain_words());
     let context = context(file);
     if !told.is_empty() {
@@ -277,7 +280,7 @@ fn by_name(file: &str, parts: &Parts) -> Vec<NameGuess> {
 }
 
 /// Whether some angle of the table is surely in degrees, or in radians.
-fn has_degrees(samples: &[Sample], taken: &[(Parts, Vec<NameGuess>)]) -> Option<bool> {
+fn has_degrees(samples: &[ColumnSample], taken: &[(NameParts, Vec<NameGuess>)]) -> Option<bool> {
     let angles = samples.iter().zip(taken).filter(|(_, (_, guesses))| {
         let angle = |role: ColumnRole| {
             matches!(Dimension::of(role.quantity()?), Dimension::Angle).then_some(())
@@ -308,8 +311,8 @@ pub(super) fn time_column(name: &str, time: &TimeGuess) -> MappedColumn {
 }
 
 fn column(
-    sample: &Sample,
-    parts: &Parts,
+    sample: &ColumnSample,
+    parts: &NameParts,
     guesses: &[NameGuess],
     has_degrees: Option<bool>,
 ) -> MappedColumn {

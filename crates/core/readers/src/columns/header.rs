@@ -5,7 +5,7 @@ use crate::cells::spellings::{SPELLINGS, TIMES, find_in, unit_in};
 
 /// A name taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Parts {
+pub(super) struct NameParts {
     /// Its words in small letters, without what stands in brackets.
     pub words: Vec<String>,
     /// Text in brackets, or in the line of units, in small letters.
@@ -13,7 +13,7 @@ pub(super) struct Parts {
 }
 
 /// Takes a name apart: `GyrX [rad/s]` is `gyr`, `x` in `rad/s`.
-pub(super) fn parts(name: &str, unit: &str) -> Parts {
+pub(super) fn parts(name: &str, unit: &str) -> NameParts {
     let (plain, in_name) = brackets(name);
     let beside = brackets(unit).1.unwrap_or_else(|| unit.to_owned());
     let unit = if beside.trim().is_empty() {
@@ -33,7 +33,7 @@ pub(super) fn parts(name: &str, unit: &str) -> Parts {
         .to_lowercase()
         .trim_matches(|c: char| "[](){} -".contains(c))
         .to_owned();
-    Parts {
+    NameParts {
         words: words(&plain),
         unit: bare,
     }
@@ -76,7 +76,7 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-impl Parts {
+impl NameParts {
     /// Words of the name besides the letter or number of an axis, and that letter: `GyrX` is `gyr` and `x`,
     /// `gyro_rad[0]` is `gyro` and `0`, `q1` is `q` and `1`.
     pub fn component(&self) -> Option<(Vec<String>, char)> {

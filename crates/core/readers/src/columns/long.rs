@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{ColumnRole, MappedColumn, Sample};
+use super::{ColumnRole, ColumnSample, MappedColumn};
 use crate::cells::date_and_time;
 
 /// Most names of values, and how often each stands there at least, in the mean.
@@ -10,8 +10,8 @@ const MOST_NAMES: usize = 300;
 const REPEATED: usize = 2;
 
 /// Advice about a table whose rows hold one value each, with its name beside it; `None` of any other.
-pub(super) fn told(samples: &[Sample], columns: &[MappedColumn]) -> Option<String> {
-    let is_name = |sample: &&Sample| {
+pub(super) fn told(samples: &[ColumnSample], columns: &[MappedColumn]) -> Option<String> {
+    let is_name = |sample: &&ColumnSample| {
         let distinct: BTreeSet<&String> = sample.texts.iter().collect();
         let are_dates = sample
             .texts
@@ -23,8 +23,8 @@ pub(super) fn told(samples: &[Sample], columns: &[MappedColumn]) -> Option<Strin
             && !are_dates
     };
     // Every time stands in several rows, so that it hardly grows from row to row.
-    let falls = |sample: &Sample| sample.numbers.windows(2).any(|pair| pair[1] < pair[0]);
-    let is_time = |(sample, column): &(&Sample, &MappedColumn)| {
+    let falls = |sample: &ColumnSample| sample.numbers.windows(2).any(|pair| pair[1] < pair[0]);
+    let is_time = |(sample, column): &(&ColumnSample, &MappedColumn)| {
         let is_number = sample.is_numeric() && !sample.is_constant() && !falls(sample);
         column.role == ColumnRole::Time || is_number
     };

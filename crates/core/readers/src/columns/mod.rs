@@ -1,6 +1,6 @@
 //! Anybody's tables: what their columns mean, guessed from names, units and values, and open to correction.
 //!
-//! [`guess_table`] makes a [`ColumnMap`] of a table, each column with a confidence and a reason; a [`Preview`] shows
+//! [`guess_table`] makes a [`ColumnMap`] of a table, each column with a confidence and a reason; a [`TablePreview`] shows
 //! the first rows beside it; [`guess_tables`] does so for tables that were written together;
 //! [`flight_of_tables`] makes a flight of tables by their maps, as corrected.
 
@@ -34,11 +34,11 @@ mod tests;
 mod together;
 mod values;
 
-use crate::cells::{Sample, time};
+use crate::cells::{ColumnSample, time};
 
 pub use crate::cells::{Separator, TableShape};
 pub use build::flight_of_tables;
 pub use guess::guess_table;
 pub use map::{Alternative, BodyAxis, ColumnMap, ColumnRole, MappedColumn, QuaternionPart};
-pub use preview::{Preview, preview};
+pub use preview::{TablePreview, preview};
 pub use together::{GuessedTable, guess_tables, tables_lack};

@@ -9,7 +9,7 @@ use pilotage_raster::camera::{Distortion, Lens};
 use pilotage_raster::raster::decode_picture;
 
 use super::ColumnMap;
-use crate::folder::{ChannelFile, FramesFile, Table};
+use crate::folder::{ChannelFile, CsvTable, FramesFile};
 
 /// Endings of pictures.
 const ENDINGS: [&str; 3] = [".jpg", ".jpeg", ".png"];
@@ -21,7 +21,7 @@ const ACROSS: f64 = 60.0;
 pub(super) fn named(
     files: &Arc<dyn FileSet>,
     maps: &[ColumnMap],
-    tables: &BTreeMap<String, Arc<Table>>,
+    tables: &BTreeMap<String, Arc<CsvTable>>,
     channels: &[ChannelFile],
 ) -> Option<((FramesFile, CameraFile), String)> {
     maps.iter().find_map(|map| {

@@ -10,7 +10,7 @@ const HEAD: usize = 1 << 18;
 
 /// The first rows of a table, read as a map says.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Preview {
+pub struct TablePreview {
     /// Cells of the first rows, as many as there are columns in the map; empty where a row is short.
     pub rows: Vec<Vec<String>>,
     /// Smallest and largest value of each column among them, in the unit of the map; `None` without numbers.
@@ -20,7 +20,7 @@ pub struct Preview {
 }
 
 /// The first `count` rows of a table as `map` reads them: after the map's shape was changed, it shows what that does.
-pub fn preview(bytes: &[u8], map: &ColumnMap, count: usize) -> Preview {
+pub fn preview(bytes: &[u8], map: &ColumnMap, count: usize) -> TablePreview {
     let decoded = decoded(&bytes[..bytes.len().min(HEAD)]);
     let text = String::from_utf8_lossy(&decoded);
     let shape = &map.shape;
@@ -52,7 +52,7 @@ pub fn preview(bytes: &[u8], map: &ColumnMap, count: usize) -> Preview {
             Some((low.min(value), high.max(value)))
         })
     });
-    Preview {
+    TablePreview {
         ranges: ranges.collect(),
         rows,
         before,

@@ -11,7 +11,7 @@ const MOST: usize = 20_000;
 
 /// Rows of a table at even distances.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Rows {
+pub(super) struct EvenRows {
     /// Cells of each column, NaN where there is no number; dates are seconds since 1970.
     pub columns: Vec<Vec<f64>>,
     /// Cells that hold a place, latitude and longitude, of columns in which some do; NaN elsewhere.
@@ -25,7 +25,7 @@ pub(super) fn pair(cell: &str) -> Option<(f64, f64)> {
     (parts.next().is_none() && cell.contains('.')).then_some(pair)
 }
 
-impl Rows {
+impl EvenRows {
     /// Rows of a table of that shape; of columns that are not wanted nothing is kept.
     pub fn of(bytes: &[u8], shape: &TableShape, wanted: &[bool]) -> Self {
         let bytes = decoded(bytes);

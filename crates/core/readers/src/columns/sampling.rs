@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use super::{Sample, TableShape};
+use super::{ColumnSample, TableShape};
 use crate::cells::unit_behind;
 use crate::folder::decoded;
 use pilotage_base::text::of_utf_16;
@@ -15,7 +15,7 @@ const PIECE: usize = 1 << 12;
 const PLACES: usize = 64;
 /// Samples of all columns, each with a name of its own, how the table is written, and which share of all rows the samples
 /// are, about; `None` if it is no table.
-pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<Sample>, f64)> {
+pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<ColumnSample>, f64)> {
     // Pieces of UTF-16 have no mark.
     let whole = of_utf_16(bytes);
     let bytes = whole.as_ref().map_or(bytes, String::as_bytes);
@@ -27,7 +27,7 @@ pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<Sample>, f64)> {
 }
 
 /// Gives every column a name of its own: `Alt`, `Alt (2)`; `#3` where the third has none.
-fn tell_apart(samples: &mut [Sample]) {
+fn tell_apart(samples: &mut [ColumnSample]) {
     let mut taken = BTreeSet::new();
     for (index, sample) in samples.iter_mut().enumerate() {
         if sample.name.is_empty() {
@@ -51,7 +51,7 @@ fn text(bytes: &[u8]) -> Cow<'_, str> {
 }
 
 /// Samples of all columns, and which share of all rows they are, about.
-fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
+fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, f64) {
     let mut lines = head.lines().skip(shape.skipped_lines);
     let mut line = || {
         lines
@@ -67,7 +67,7 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
         cells.into_iter().map(Cow::into_owned).collect()
     };
     let (names, units) = (cells(names), cells(units));
-    let mut samples: Vec<Sample> = Vec::new();
+    let mut samples: Vec<ColumnSample> = Vec::new();
     let (mut rows, mut looked_at) = (0_usize, 0_usize);
     let mut add = |line: &str| {
         if line.trim().is_empty() || line.starts_with('#') {
@@ -77,13 +77,13 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
         looked_at += line.len() + 1;
         for (index, cell) in shape.separator.cells(line).iter().enumerate() {
             if samples.len() <= index {
-                samples.push(Sample {
+                samples.push(ColumnSample {
                     name: names
                         .get(index)
                         .cloned()
                         .unwrap_or_else(|| format!("#{}", index + 1)),
                     unit: units.get(index).cloned().unwrap_or_default(),
-                    ..Sample::default()
+                    ..ColumnSample::default()
                 });
             }
             let sample = &mut samples[index];

@@ -5,11 +5,11 @@ use super::ColumnRole::{Latitude, Longitude};
 use super::header::parts;
 use super::rows::pair;
 use super::settle::{give_up, unused};
-use super::{ColumnRole, MappedColumn, Sample};
+use super::{ColumnRole, ColumnSample, MappedColumn};
 use crate::cells::DEGREES_AND_MINUTES;
 
 /// Finds the column that has latitude and longitude in each cell.
-pub(super) fn places(samples: &[Sample], columns: &mut [MappedColumn]) {
+pub(super) fn places(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
     if columns.iter().any(|column| column.role == Latitude) {
         return;
     }
@@ -31,7 +31,7 @@ pub(super) fn places(samples: &[Sample], columns: &mut [MappedColumn]) {
 }
 
 /// Puts seconds and the parts of them in a second column together, as ROS writes stamps: `stamp.sec`, `stamp.nanosec`.
-pub(super) fn parts_of_time(samples: &[Sample], columns: &mut [MappedColumn]) {
+pub(super) fn parts_of_time(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
     let split = |name: &str| {
         let words = parts(name, "").words;
         let (last, stem) = words.split_last()?;
@@ -89,7 +89,7 @@ pub(super) fn parts_of_time(samples: &[Sample], columns: &mut [MappedColumn]) {
 }
 
 /// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
-pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
+pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
     for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
         let letter = |text: &String| {
             let words = [["n", "north"], ["s", "south"], ["e", "east"], ["w", "west"]];
@@ -97,7 +97,7 @@ pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
             let word = words.iter().find(|words| words.contains(&text.as_str()));
             word.map(|words| words[0].to_uppercase())
         };
-        let is_of = |sample: &&Sample| {
+        let is_of = |sample: &&ColumnSample| {
             let mut texts = sample.texts.iter().map(letter);
             sample.numbers.is_empty()
                 && !sample.texts.is_empty()
@@ -132,7 +132,7 @@ pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
 
 /// Reads latitudes and longitudes whose degrees and minutes stand in one number, as satellite receivers write them: one of
 /// both has numbers that no degrees reach, with a fraction, and no number of either has sixty minutes or more.
-pub(super) fn degrees_and_minutes(samples: &[Sample], columns: &mut [MappedColumn]) {
+pub(super) fn degrees_and_minutes(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
     let of = |role| columns.iter().position(|column| column.role == role);
     let Some(places) = of(Latitude).zip(of(Longitude)) else {
         return;

@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::beginnings_of_flights;
 use super::groups::context;
-use super::guess::{Guess, TimeGuess, guess_with_samples, time_column, times, wanted};
-use super::physics::{self, Evidence};
-use super::rows::Rows;
+use super::guess::{ColumnGuesses, TimeGuess, guess_with_samples, time_column, times, wanted};
+use super::physics::{self, TableEvidence};
+use super::rows::EvenRows;
 use super::settle::give_up;
-use super::{ColumnMap, ColumnRole, Preview, Sample, preview};
+use super::{ColumnMap, ColumnRole, ColumnSample, TablePreview, preview};
 use pilotage_base::files::FileSet;
 use pilotage_flight::ChannelName;
 
@@ -31,7 +31,7 @@ pub struct GuessedTable {
     /// Meanings of its columns.
     pub map: ColumnMap,
     /// Its first rows.
-    pub preview: Preview,
+    pub preview: TablePreview,
     /// Smallest and largest number of each column as it stands in the cells, at places all over the table.
     pub ranges: Vec<Option<(f64, f64)>>,
     /// Rows that it has, about.
@@ -77,29 +77,30 @@ fn seconds(unit: &str) -> Option<f64> {
 pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> {
     let read = |name: &String| {
         let bytes = files.read(name)?;
-        let Guess {
+        let ColumnGuesses {
             map,
             samples,
             share,
             hints,
             groups,
         } = guess_with_samples(name, &bytes)?;
-        let clocks = Clock::all(&samples, share);
+        let clocks = CountedTimes::all(&samples, share);
         let rows = if map.column(ColumnRole::Time).is_some() {
             let times: Vec<usize> = clocks.iter().map(|clock| clock.guess.column).collect();
-            Rows::of(&bytes, &map.shape, &wanted(&map, &groups, &times))
+            EvenRows::of(&bytes, &map.shape, &wanted(&map, &groups, &times))
         } else {
-            Rows::default()
+            EvenRows::default()
         };
-        let evidence = Evidence {
+        let evidence = TableEvidence {
             rows,
             hints,
             groups,
         };
-        let cells = |sample: &Sample| sample.numbers.len() + sample.texts.len() + sample.empty;
+        let cells =
+            |sample: &ColumnSample| sample.numbers.len() + sample.texts.len() + sample.empty;
         let table = GuessedTable {
             preview: preview(&bytes, &map, SHOWN),
-            ranges: samples.iter().map(Sample::range).collect(),
+            ranges: samples.iter().map(ColumnSample::range).collect(),
             rows: (samples.iter().map(cells).max().unwrap_or(0) as f64 / share).round(),
             map,
             is_proposed: false,
@@ -117,7 +118,7 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
         let of_flight = flights.entry(flight).or_default();
         of_flight.push((table, clocks));
     }
-    let together = |of_flight: Vec<(GuessedTable, (Vec<Clock>, Evidence))>| {
+    let together = |of_flight: Vec<(GuessedTable, (Vec<CountedTimes>, TableEvidence))>| {
         let (mut tables, known): (Vec<_>, Vec<_>) = of_flight.into_iter().unzip();
         let (clocks, evidence): (Vec<_>, Vec<_>) = known.into_iter().unzip();
         agree_on_time(&mut tables, &clocks);
@@ -144,14 +145,14 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
 }
 
 /// A column of times that are counted: when it begins and ends, seconds.
-struct Clock {
+struct CountedTimes {
     guess: TimeGuess,
     span: (f64, f64),
 }
 
-impl Clock {
+impl CountedTimes {
     /// Those of a table.
-    fn all(samples: &[Sample], share: f64) -> Vec<Self> {
+    fn all(samples: &[ColumnSample], share: f64) -> Vec<Self> {
         let clock = |guess: TimeGuess| {
             let (first, last) = samples.get(guess.column)?.range()?;
             let seconds = seconds(guess.unit)?;
@@ -173,13 +174,13 @@ impl Clock {
 }
 
 /// Has every table count its time as most of them do, where it can.
-fn agree_on_time(tables: &mut [GuessedTable], clocks: &[Vec<Clock>]) {
-    let agreeing = |clock: &Clock| {
-        let agrees = |others: &&Vec<Clock>| others.iter().any(|other| clock.agrees(other));
+fn agree_on_time(tables: &mut [GuessedTable], clocks: &[Vec<CountedTimes>]) {
+    let agreeing = |clock: &CountedTimes| {
+        let agrees = |others: &&Vec<CountedTimes>| others.iter().any(|other| clock.agrees(other));
         clocks.iter().filter(agrees).count()
     };
     let all = clocks.iter().flatten();
-    let best = all.fold(None, |best: Option<(usize, &Clock)>, clock| {
+    let best = all.fold(None, |best: Option<(usize, &CountedTimes)>, clock| {
         let count = agreeing(clock);
         match best {
             Some((most, _)) if most >= count => best,
@@ -192,7 +193,7 @@ fn agree_on_time(tables: &mut [GuessedTable], clocks: &[Vec<Clock>]) {
     for (table, clocks) in tables.iter_mut().zip(clocks) {
         let columns = &mut table.map.columns;
         let taken = columns.iter().position(|c| c.role == ColumnRole::Time);
-        let is_taken = |clock: &&Clock| Some(clock.guess.column) == taken;
+        let is_taken = |clock: &&CountedTimes| Some(clock.guess.column) == taken;
         let Some(present) = clocks.iter().find(is_taken) else {
             continue;
         };

@@ -1,6 +1,6 @@
 //! Unit of a column by its values.
 
-use super::{ColumnRole, Sample};
+use super::{ColumnRole, ColumnSample};
 use pilotage_flight::Quantity;
 
 /// Standard gravity, m/s².
@@ -26,7 +26,7 @@ fn guess(unit: &'static str, confidence: f64, reason: impl Into<String>) -> Unit
 /// is surely in degrees, or surely in radians.
 pub(super) fn unit(
     role: ColumnRole,
-    sample: &Sample,
+    sample: &ColumnSample,
     has_degrees: Option<bool>,
 ) -> Option<UnitGuess> {
     let quantity = role.quantity()?;
@@ -55,7 +55,7 @@ pub(super) fn unit(
     })
 }
 
-fn place(role: ColumnRole, sample: &Sample) -> UnitGuess {
+fn place(role: ColumnRole, sample: &ColumnSample) -> UnitGuess {
     let reach = sample.reach();
     let most = if role == ColumnRole::Latitude {
         90.0
@@ -81,7 +81,7 @@ fn place(role: ColumnRole, sample: &Sample) -> UnitGuess {
     guess("deg", 0.95, format!("values reach {reach:.1}"))
 }
 
-fn angle(sample: &Sample, has_degrees: Option<bool>) -> UnitGuess {
+fn angle(sample: &ColumnSample, has_degrees: Option<bool>) -> UnitGuess {
     let reach = sample.reach();
     if reach > 3600.0 && sample.is_whole() {
         return guess("cdeg", 0.8, format!("whole values reach {reach:.0}"));
@@ -100,7 +100,7 @@ fn angle(sample: &Sample, has_degrees: Option<bool>) -> UnitGuess {
     }
 }
 
-fn acceleration(sample: &Sample) -> UnitGuess {
+fn acceleration(sample: &ColumnSample) -> UnitGuess {
     let median = sample.median().unwrap_or(0.0).abs();
     let reach = sample.reach();
     if (700.0..1300.0).contains(&median) || reach > 300.0 {
@@ -128,7 +128,7 @@ fn acceleration(sample: &Sample) -> UnitGuess {
 }
 
 /// Whether a column is surely in degrees, or surely in radians, by its values.
-pub(super) fn are_degrees(sample: &Sample) -> Option<bool> {
+pub(super) fn are_degrees(sample: &ColumnSample) -> Option<bool> {
     let reach = sample.reach();
     if reach > std::f64::consts::TAU + 0.01 {
         return Some(true);

@@ -10,7 +10,7 @@ const MOST: usize = 12;
 
 /// A name that may be meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Candidate {
+pub struct NameCandidate {
     /// Text that takes the place of the half-written name.
     pub text: String,
     /// Unit of a series, or description of a function's result.
@@ -23,7 +23,7 @@ pub struct Completion {
     /// Bytes that a candidate takes the place of.
     pub place: Range<usize>,
     /// Names that may be meant, the likeliest first.
-    pub candidates: Vec<Candidate>,
+    pub candidates: Vec<NameCandidate>,
     /// Whether what stands there is a name already: to be left alone unless another one is chosen.
     pub is_whole: bool,
 }
@@ -39,7 +39,7 @@ pub fn complete<'a>(
         return Completion::default();
     };
     let in_braces = text[place.clone()].starts_with('{');
-    let mut found: Vec<(u8, usize, Candidate)> = Vec::new();
+    let mut found: Vec<(u8, usize, NameCandidate)> = Vec::new();
     let mut is_whole = false;
     let functions = FUNCTIONS.iter().filter(|_| !in_braces);
     for info in functions {
@@ -47,7 +47,7 @@ pub fn complete<'a>(
         if let Some(rank) = rank(info.name, &partial) {
             let text = format!("{}(", info.name);
             let about = format!("({}): {}", info.arguments, info.about);
-            found.push((rank, info.name.len(), Candidate { text, about }));
+            found.push((rank, info.name.len(), NameCandidate { text, about }));
         }
     }
     for (name, unit) in names {
@@ -55,7 +55,7 @@ pub fn complete<'a>(
         if let Some(rank) = rank(name, &partial) {
             let text = written(name);
             let about = unit.to_owned();
-            found.push((rank, name.len(), Candidate { text, about }));
+            found.push((rank, name.len(), NameCandidate { text, about }));
         }
     }
     found.sort_by(|a, b| (a.0, a.1, &a.2.text).cmp(&(b.0, b.1, &b.2.text)));

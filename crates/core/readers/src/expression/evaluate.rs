@@ -8,8 +8,8 @@ use std::rc::Rc;
 use super::function::floor_modulo;
 use super::grid::at_times;
 use super::nearest::nearest;
-use super::tree::{Node, Operator, Part};
-use super::{Expression, ExpressionError, Function, Samples, SeriesSource, Trouble};
+use super::tree::{ExpressionNode, ExpressionPart, Operator};
+use super::{Expression, ExpressionError, Function, SeriesSource, TimedSamples, Trouble};
 use super::{over_time, written};
 
 /// Times that several parts share.
@@ -22,13 +22,13 @@ enum Numbers {
 }
 
 /// Numbers, what unit they have, and how much makes a full turn, of angles.
-struct Value {
+struct UnitValue {
     numbers: Numbers,
     unit: String,
     period: Option<f64>,
 }
 
-impl Value {
+impl UnitValue {
     fn plain(numbers: Numbers) -> Self {
         Self {
             numbers,
@@ -46,16 +46,16 @@ impl Value {
 }
 
 /// A series that was asked for.
-struct Series {
+struct RequestedSeries {
     times: Times,
     values: Vec<f64>,
     unit: String,
     period: Option<f64>,
 }
 
-struct Evaluator<'a> {
+struct ExpressionEvaluator<'a> {
     source: &'a dyn SeriesSource,
-    loaded: RefCell<HashMap<String, Rc<Series>>>,
+    loaded: RefCell<HashMap<String, Rc<RequestedSeries>>>,
 }
 
 impl Expression {
@@ -76,8 +76,8 @@ impl Expression {
     /// assert!(Expression::parse("GPS.VelN +").is_err());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn evaluate(&self, source: &dyn SeriesSource) -> Result<Samples, ExpressionError> {
-        let evaluator = Evaluator {
+    pub fn evaluate(&self, source: &dyn SeriesSource) -> Result<TimedSamples, ExpressionError> {
+        let evaluator = ExpressionEvaluator {
             source,
             loaded: RefCell::default(),
         };
@@ -87,7 +87,7 @@ impl Expression {
         let unit = value.unit.clone();
         let values = value.each(times.len());
         drop(evaluator);
-        Ok(Samples {
+        Ok(TimedSamples {
             times: Rc::unwrap_or_clone(times),
             values,
             unit,
@@ -95,8 +95,12 @@ impl Expression {
     }
 }
 
-impl Evaluator<'_> {
-    fn series(&self, name: &str, place: &Range<usize>) -> Result<Rc<Series>, ExpressionError> {
+impl ExpressionEvaluator<'_> {
+    fn series(
+        &self,
+        name: &str,
+        place: &Range<usize>,
+    ) -> Result<Rc<RequestedSeries>, ExpressionError> {
         if let Some(found) = self.loaded.borrow().get(name) {
             return Ok(found.clone());
         }
@@ -109,7 +113,7 @@ impl Evaluator<'_> {
             return Err(ExpressionError::new(place.clone(), trouble));
         };
         let period = samples.period();
-        let series = Rc::new(Series {
+        let series = Rc::new(RequestedSeries {
             times: Rc::new(samples.times),
             values: samples.values,
             unit: samples.unit,
@@ -120,8 +124,8 @@ impl Evaluator<'_> {
     }
 
     /// The times of the first series named in a part, later where it is shifted; `None` without a series.
-    fn times(&self, part: &Part) -> Result<Option<Times>, ExpressionError> {
-        if let Node::Series(name) = &part.node {
+    fn times(&self, part: &ExpressionPart) -> Result<Option<Times>, ExpressionError> {
+        if let ExpressionNode::Series(name) = &part.node {
             return Ok(Some(self.series(name, &part.place)?.times.clone()));
         }
         for inner in part.parts() {
@@ -129,7 +133,7 @@ impl Evaluator<'_> {
                 continue;
             };
             return Ok(Some(match &part.node {
-                Node::Call(Function::Shift, arguments) => {
+                ExpressionNode::Call(Function::Shift, arguments) => {
                     let seconds = seconds_of(Function::Shift, arguments)?;
                     Rc::new(times.iter().map(|time| time + seconds).collect())
                 }
@@ -140,46 +144,46 @@ impl Evaluator<'_> {
     }
 
     /// The values of a part at times.
-    fn value(&self, part: &Part, times: &Times) -> Result<Value, ExpressionError> {
+    fn value(&self, part: &ExpressionPart, times: &Times) -> Result<UnitValue, ExpressionError> {
         Ok(match &part.node {
-            Node::Number(number) => Value::plain(Numbers::Same(*number)),
-            Node::Time => Value {
+            ExpressionNode::Number(number) => UnitValue::plain(Numbers::Same(*number)),
+            ExpressionNode::Time => UnitValue {
                 unit: "s".to_owned(),
-                ..Value::plain(Numbers::Each(times.to_vec()))
+                ..UnitValue::plain(Numbers::Each(times.to_vec()))
             },
-            Node::Series(name) => {
+            ExpressionNode::Series(name) => {
                 let series = self.series(name, &part.place)?;
                 let values = if Rc::ptr_eq(&series.times, times) {
                     series.values.clone()
                 } else {
                     at_times(&series.times, &series.values, series.period, times)
                 };
-                Value {
+                UnitValue {
                     numbers: Numbers::Each(values),
                     unit: series.unit.clone(),
                     period: series.period,
                 }
             }
-            Node::Negative(inner) => {
+            ExpressionNode::Negative(inner) => {
                 let value = self.value(inner, times)?;
                 let numbers = map(value.numbers, |x| -x);
-                Value { numbers, ..value }
+                UnitValue { numbers, ..value }
             }
-            Node::Binary(operator, parts) => {
+            ExpressionNode::Binary(operator, parts) => {
                 let [left, right] = &**parts;
                 let (left, right) = (self.value(left, times)?, self.value(right, times)?);
                 binary(*operator, left, right)
             }
-            Node::Call(function, arguments) => self.call(*function, arguments, times)?,
+            ExpressionNode::Call(function, arguments) => self.call(*function, arguments, times)?,
         })
     }
 
     fn call(
         &self,
         function: Function,
-        arguments: &[Part],
+        arguments: &[ExpressionPart],
         times: &Times,
-    ) -> Result<Value, ExpressionError> {
+    ) -> Result<UnitValue, ExpressionError> {
         let first = &arguments[0];
         match function {
             Function::Derivative | Function::Integral | Function::Smooth => {
@@ -203,9 +207,9 @@ impl Evaluator<'_> {
                     let other = self.value(other, times)?;
                     let unit = common_unit(&value, &other);
                     let numbers = join(value.numbers, other.numbers, |x, y| function.of_two(x, y));
-                    value = Value {
+                    value = UnitValue {
                         unit,
-                        ..Value::plain(numbers)
+                        ..UnitValue::plain(numbers)
                     };
                 }
                 if function == Function::Atan2 {
@@ -217,7 +221,7 @@ impl Evaluator<'_> {
                 let value = self.value(first, times)?;
                 let (unit, period) = after(function, &value);
                 let numbers = map(value.numbers, |x| function.of_one(x));
-                Ok(Value {
+                Ok(UnitValue {
                     numbers,
                     unit,
                     period,
@@ -230,10 +234,10 @@ impl Evaluator<'_> {
     fn over_time(
         &self,
         function: Function,
-        part: &Part,
+        part: &ExpressionPart,
         seconds: f64,
         times: &Times,
-    ) -> Result<Value, ExpressionError> {
+    ) -> Result<UnitValue, ExpressionError> {
         let own = self.times(part)?.unwrap_or_else(|| times.clone());
         let value = self.value(part, &own)?;
         let (unit, period) = (value.unit.clone(), value.period);
@@ -259,7 +263,7 @@ impl Evaluator<'_> {
         } else {
             at_times(&own, &values, period, times)
         });
-        Ok(Value {
+        Ok(UnitValue {
             numbers,
             unit,
             period,
@@ -268,7 +272,10 @@ impl Evaluator<'_> {
 }
 
 /// The length of time that a function is given, checked; 0 for functions without one.
-pub(super) fn seconds_of(function: Function, arguments: &[Part]) -> Result<f64, ExpressionError> {
+pub(super) fn seconds_of(
+    function: Function,
+    arguments: &[ExpressionPart],
+) -> Result<f64, ExpressionError> {
     let (Function::Smooth | Function::Shift, [_, seconds]) = (function, arguments) else {
         return Ok(0.0);
     };
@@ -284,21 +291,23 @@ pub(super) fn seconds_of(function: Function, arguments: &[Part]) -> Result<f64, 
 }
 
 /// The value of a part that names no series and no time.
-pub(super) fn constant(part: &Part) -> Option<f64> {
-    let one = |part: &Part| constant(part).map(|number| Value::plain(Numbers::Same(number)));
-    let same = |value: Value| match value.numbers {
+pub(super) fn constant(part: &ExpressionPart) -> Option<f64> {
+    let one = |part: &ExpressionPart| {
+        constant(part).map(|number| UnitValue::plain(Numbers::Same(number)))
+    };
+    let same = |value: UnitValue| match value.numbers {
         Numbers::Same(number) => Some(number),
         Numbers::Each(_) => None,
     };
     match &part.node {
-        Node::Number(number) => Some(*number),
-        Node::Time | Node::Series(_) => None,
-        Node::Negative(part) => constant(part).map(|number| -number),
-        Node::Binary(operator, parts) => {
+        ExpressionNode::Number(number) => Some(*number),
+        ExpressionNode::Time | ExpressionNode::Series(_) => None,
+        ExpressionNode::Negative(part) => constant(part).map(|number| -number),
+        ExpressionNode::Binary(operator, parts) => {
             let [left, right] = &**parts;
             same(binary(*operator, one(left)?, one(right)?))
         }
-        Node::Call(function, arguments) => match function {
+        ExpressionNode::Call(function, arguments) => match function {
             Function::Derivative | Function::Integral | Function::Smooth | Function::Shift => None,
             Function::Atan2 | Function::Hypot | Function::Min | Function::Max => {
                 let numbers: Option<Vec<f64>> = arguments.iter().map(constant).collect();
@@ -335,7 +344,7 @@ fn join(left: Numbers, right: Numbers, of: impl Fn(f64, f64) -> f64) -> Numbers 
     }
 }
 
-fn binary(operator: Operator, left: Value, right: Value) -> Value {
+fn binary(operator: Operator, left: UnitValue, right: UnitValue) -> UnitValue {
     let truth = |holds: fn(&f64, &f64) -> bool| {
         move |x: f64, y: f64| {
             if x.is_nan() || y.is_nan() {
@@ -361,7 +370,7 @@ fn binary(operator: Operator, left: Value, right: Value) -> Value {
         Operator::Equal => (join(x, y, truth(|x, y| x == y)), String::new()),
         Operator::NotEqual => (join(x, y, truth(|x, y| x != y)), String::new()),
     };
-    Value {
+    UnitValue {
         numbers,
         unit,
         period: None,
@@ -369,8 +378,8 @@ fn binary(operator: Operator, left: Value, right: Value) -> Value {
 }
 
 /// The unit of a sum: that of both, or of the one that is no plain number.
-fn common_unit(left: &Value, right: &Value) -> String {
-    let is_number = |value: &Value| matches!(value.numbers, Numbers::Same(_));
+fn common_unit(left: &UnitValue, right: &UnitValue) -> String {
+    let is_number = |value: &UnitValue| matches!(value.numbers, Numbers::Same(_));
     if left.unit == right.unit || is_number(right) {
         left.unit.clone()
     } else if is_number(left) {
@@ -381,7 +390,7 @@ fn common_unit(left: &Value, right: &Value) -> String {
 }
 
 /// Unit and full turn after a function of one number.
-fn after(function: Function, value: &Value) -> (String, Option<f64>) {
+fn after(function: Function, value: &UnitValue) -> (String, Option<f64>) {
     let (unit, period) = match function {
         Function::Abs => return (value.unit.clone(), None),
         Function::Wrap180 | Function::Wrap360 | Function::Deg => ("deg", Some(360.0)),

@@ -1,6 +1,6 @@
 //! The series of a log by name, for expressions.
 
-use super::{Samples, SeriesSource};
+use super::{SeriesSource, TimedSamples};
 use crate::interpret::{Role, series};
 use crate::log::{FieldLayout, Log, Topic, TopicName};
 
@@ -27,18 +27,21 @@ fn topic<'a>(log: &'a Log, name: &str) -> Option<&'a Topic> {
 }
 
 impl SeriesSource for Log {
-    fn samples(&self, name: &str) -> Option<Samples> {
+    fn samples(&self, name: &str) -> Option<TimedSamples> {
         if let Some(role) = Role::from_label(name) {
             let found = series(self, role)?;
             let (unit, factor) = role.unit();
             let values = found.values.iter().map(|value| factor * value);
-            return Some(Samples::new(found.times.iter().copied().zip(values), unit));
+            return Some(TimedSamples::new(
+                found.times.iter().copied().zip(values),
+                unit,
+            ));
         }
         let (topic, field) = field(self, name)?;
         let value = |row| field.value(row).unwrap_or(f64::NAN);
         let values = topic.rows.iter().map(value);
         let samples = topic.times.iter().copied().zip(values);
-        Some(Samples::new(samples, field.unit.clone()))
+        Some(TimedSamples::new(samples, field.unit.clone()))
     }
 
     fn names(&self) -> Vec<String> {

@@ -24,10 +24,10 @@ mod syntax;
 mod token;
 mod tree;
 
-pub use complete::{Candidate, Completion, complete};
+pub use complete::{Completion, NameCandidate, complete};
 pub use error::{ExpressionError, Trouble};
 pub use function::{FUNCTIONS, Function, FunctionInfo};
-pub use samples::{Samples, SeriesSource};
+pub use samples::{SeriesSource, TimedSamples};
 pub use syntax::Expression;
 pub use token::written;
 

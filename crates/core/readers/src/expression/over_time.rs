@@ -30,7 +30,7 @@ pub(super) fn derivative(times: &[f64], values: &[f64], period: Option<f64>) -> 
 
 /// Sum over time by trapezoids, zero at the first value; over missing values it stands still.
 pub(super) fn integral(times: &[f64], values: &[f64]) -> Vec<f64> {
-    let mut sum = Sum::default();
+    let mut sum = CompensatedSum::default();
     let mut last: Option<(f64, f64)> = None;
     let of = |(time, value): (&f64, &f64)| {
         if value.is_nan() {
@@ -51,7 +51,7 @@ pub(super) fn integral(times: &[f64], values: &[f64]) -> Vec<f64> {
 pub(super) fn smooth(times: &[f64], values: &[f64], seconds: f64, period: Option<f64>) -> Vec<f64> {
     let turns = turns(values, period);
     let unwound = |i: usize| values[i] + turns.get(i).copied().unwrap_or(0.0);
-    let mut sum = Sum::default();
+    let mut sum = CompensatedSum::default();
     let (mut from, mut to, mut count) = (0, 0, 0_usize);
     let of = |(i, time): (usize, &f64)| {
         while to < times.len() && times[to] <= time + 0.5 * seconds {
@@ -97,12 +97,12 @@ fn turns(values: &[f64], period: Option<f64>) -> Vec<f64> {
 
 /// A sum that keeps what single additions round away (Neumaier 1974).
 #[derive(Clone, Copy, Debug, Default)]
-struct Sum {
+struct CompensatedSum {
     sum: f64,
     lost: f64,
 }
 
-impl Sum {
+impl CompensatedSum {
     fn add(&mut self, value: f64) {
         let sum = self.sum + value;
         self.lost += if self.sum.abs() >= value.abs() {

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::evaluate::seconds_of;
 use super::nearest::nearest;
 use super::token::{Placed, Token, tokens};
-use super::tree::{Node, Operator, Part};
+use super::tree::{ExpressionNode, ExpressionPart, Operator};
 use super::{Expression, ExpressionError, FUNCTIONS, Function, Trouble};
 
 /// Parts within each other that nobody writes, but that would fill the stack.
@@ -29,7 +29,7 @@ impl Expression {
 }
 
 /// Reads an expression.
-fn parse(text: &str) -> Result<Part, ExpressionError> {
+fn parse(text: &str) -> Result<ExpressionPart, ExpressionError> {
     let tokens = tokens(text)?;
     if let Some((_, place)) = tokens.get(LONGEST) {
         return Err(ExpressionError::new(place.clone(), Trouble::TooLong));
@@ -100,7 +100,7 @@ impl Parser<'_> {
     }
 
     /// A part whose operators bind at least so tightly.
-    fn part(&mut self, least: u8) -> Result<Part, ExpressionError> {
+    fn part(&mut self, least: u8) -> Result<ExpressionPart, ExpressionError> {
         self.depth += 1;
         if self.depth > DEEPEST {
             let place = self.tokens.get(self.next).map(|(_, place)| place.clone());
@@ -118,52 +118,52 @@ impl Parser<'_> {
             self.next += 1;
             let right = self.part(to_right)?;
             let place = left.place.start..right.place.end;
-            let node = Node::Binary(operator, Box::new([left, right]));
-            left = Part { node, place };
+            let node = ExpressionNode::Binary(operator, Box::new([left, right]));
+            left = ExpressionPart { node, place };
         }
         self.depth -= 1;
         Ok(left)
     }
 
-    fn operand(&mut self) -> Result<Part, ExpressionError> {
+    fn operand(&mut self) -> Result<ExpressionPart, ExpressionError> {
         let Some((token, place)) = self.take() else {
             return Err(self.expected(OPERAND));
         };
         let node = match token {
-            Token::Number(number) => Node::Number(number),
+            Token::Number(number) => ExpressionNode::Number(number),
             Token::Operator("-") => {
                 let part = self.part(SIGN)?;
                 let place = place.start..part.place.end;
-                let node = Node::Negative(Box::new(part));
-                return Ok(Part { node, place });
+                let node = ExpressionNode::Negative(Box::new(part));
+                return Ok(ExpressionPart { node, place });
             }
             Token::Operator("+") => return self.part(SIGN),
             Token::Open => {
                 let inner = self.part(0)?;
                 let close = self.close()?;
-                return Ok(Part {
+                return Ok(ExpressionPart {
                     node: inner.node,
                     place: place.start..close.end,
                 });
             }
-            Token::Name { name, braced: true } => Node::Series(name),
+            Token::Name { name, braced: true } => ExpressionNode::Series(name),
             Token::Name { name, .. } if self.peek() == Some(&Token::Open) => {
                 return self.call(&name, place);
             }
             Token::Name { name, .. } => match name.as_str() {
-                "pi" => Node::Number(std::f64::consts::PI),
-                "time" => Node::Time,
+                "pi" => ExpressionNode::Number(std::f64::consts::PI),
+                "time" => ExpressionNode::Time,
                 _ if Function::named(&name).is_some() => {
                     return Err(self.expected("`(` after a function"));
                 }
-                _ => Node::Series(name),
+                _ => ExpressionNode::Series(name),
             },
             Token::Operator(_) | Token::Close | Token::Comma => {
                 self.next -= 1;
                 return Err(self.expected(OPERAND));
             }
         };
-        Ok(Part { node, place })
+        Ok(ExpressionPart { node, place })
     }
 
     fn close(&mut self) -> Result<Range<usize>, ExpressionError> {
@@ -178,7 +178,7 @@ impl Parser<'_> {
     }
 
     /// The arguments of a function, from the opening parenthesis on.
-    fn call(&mut self, name: &str, place: Range<usize>) -> Result<Part, ExpressionError> {
+    fn call(&mut self, name: &str, place: Range<usize>) -> Result<ExpressionPart, ExpressionError> {
         let Some(function) = Function::named(name) else {
             let names = FUNCTIONS.iter().map(|info| info.name);
             let trouble = Trouble::UnknownFunction {
@@ -212,7 +212,7 @@ impl Parser<'_> {
             return Err(ExpressionError::new(place, trouble));
         }
         seconds_of(function, &arguments)?;
-        let node = Node::Call(function, arguments);
-        Ok(Part { node, place })
+        let node = ExpressionNode::Call(function, arguments);
+        Ok(ExpressionPart { node, place })
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 /// Values with their times.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Samples {
+pub struct TimedSamples {
     /// Seconds in the log's time base, not going back; growing, where expressions are to be made of them.
     pub times: Vec<f64>,
     /// Values, one per time; NaN where a value is missing.
@@ -13,7 +13,7 @@ pub struct Samples {
     pub unit: String,
 }
 
-impl Samples {
+impl TimedSamples {
     /// Samples in order of time: those without a time are left out, several at one time stay in their order.
     pub fn in_order(samples: impl Iterator<Item = (f64, f64)>, unit: impl Into<String>) -> Self {
         let (mut times, mut values) = (Vec::new(), Vec::new());
@@ -44,10 +44,10 @@ impl Samples {
     /// Samples in order of time: of several at one time, the last counts.
     ///
     /// ```
-    /// use pilotage_readers::expression::Samples;
+    /// use pilotage_readers::expression::TimedSamples;
     ///
     /// // Out of order, and two at one time.
-    /// let samples = Samples::new([(2.0, 20.0), (1.0, 10.0), (2.0, 21.0)].into_iter(), "m");
+    /// let samples = TimedSamples::new([(2.0, 20.0), (1.0, 10.0), (2.0, 21.0)].into_iter(), "m");
     /// assert_eq!((samples.times, samples.values), (vec![1.0, 2.0], vec![10.0, 21.0]));
     /// ```
     pub fn new(samples: impl Iterator<Item = (f64, f64)>, unit: impl Into<String>) -> Self {
@@ -82,7 +82,7 @@ impl Samples {
 /// Source of the series of an expression.
 pub trait SeriesSource {
     /// The series of that name.
-    fn samples(&self, name: &str) -> Option<Samples>;
+    fn samples(&self, name: &str) -> Option<TimedSamples>;
 
     /// Every name.
     fn names(&self) -> Vec<String>;
@@ -101,7 +101,7 @@ mod tests {
             (2.0, 21.0),
             (3.0, 30.0),
         ];
-        let samples = Samples::new(given.into_iter(), "m");
+        let samples = TimedSamples::new(given.into_iter(), "m");
         assert_eq!(samples.times, [1.0, 2.0, 3.0]);
         assert_eq!(samples.values, [10.0, 21.0, 30.0]);
     }

@@ -1,13 +1,13 @@
 //! An expression that was read.
 
 use super::nearest::nearest;
-use super::tree::{Node, Part};
+use super::tree::{ExpressionNode, ExpressionPart};
 use super::{ExpressionError, Trouble, written};
 
 /// An expression whose words fit together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
-    pub(super) root: Part,
+    pub(super) root: ExpressionPart,
 }
 
 impl Expression {
@@ -46,7 +46,7 @@ impl Expression {
     /// The expression is one series alone: its name.
     pub fn single(&self) -> Option<&str> {
         match &self.root.node {
-            Node::Series(name) => Some(name),
+            ExpressionNode::Series(name) => Some(name),
             _ => None,
         }
     }

@@ -8,20 +8,20 @@ use crate::log::{FieldKind, FieldLayout, Log, LogFormat, TopicName};
 /// the square of time from second 2 to 8, `Odd} name` a one.
 struct Fixed;
 
-fn fixed(name: &str) -> Option<Samples> {
+fn fixed(name: &str) -> Option<TimedSamples> {
     let seconds = (0..=10).map(f64::from);
     let halves = (4..=16).map(|i| 0.5 * f64::from(i));
     Some(match name {
-        "A.t" => Samples::new(seconds.map(|t| (t, t)), "m"),
-        "A.yaw" => Samples::new(seconds.map(|t| (t, (340.0 + 5.0 * t) % 360.0)), "deg"),
-        "B.x" => Samples::new(halves.map(|t| (t, t * t)), "m/s"),
-        "Odd} name" => Samples::new(seconds.map(|t| (t, 1.0)), ""),
+        "A.t" => TimedSamples::new(seconds.map(|t| (t, t)), "m"),
+        "A.yaw" => TimedSamples::new(seconds.map(|t| (t, (340.0 + 5.0 * t) % 360.0)), "deg"),
+        "B.x" => TimedSamples::new(halves.map(|t| (t, t * t)), "m/s"),
+        "Odd} name" => TimedSamples::new(seconds.map(|t| (t, 1.0)), ""),
         _ => return None,
     })
 }
 
 impl SeriesSource for Fixed {
-    fn samples(&self, name: &str) -> Option<Samples> {
+    fn samples(&self, name: &str) -> Option<TimedSamples> {
         fixed(name)
     }
     fn names(&self) -> Vec<String> {
@@ -31,7 +31,7 @@ impl SeriesSource for Fixed {
     }
 }
 
-fn samples(text: &str) -> Samples {
+fn samples(text: &str) -> TimedSamples {
     let expression = Expression::parse(text).unwrap_or_else(|e| panic!("{text}: {e}"));
     expression
         .evaluate(&Fixed)

@@ -23,7 +23,7 @@ pub(super) enum Operator {
 
 /// A part of an expression.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Node {
+pub(super) enum ExpressionNode {
     /// A number.
     Number(f64),
     /// Seconds in the log's time base.
@@ -31,34 +31,34 @@ pub(super) enum Node {
     /// A series of the log.
     Series(String),
     /// The other sign.
-    Negative(Box<Part>),
+    Negative(Box<ExpressionPart>),
     /// Two parts made one.
-    Binary(Operator, Box<[Part; 2]>),
+    Binary(Operator, Box<[ExpressionPart; 2]>),
     /// A function.
-    Call(Function, Vec<Part>),
+    Call(Function, Vec<ExpressionPart>),
 }
 
 /// A part of an expression and its bytes in the text.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Part {
-    pub node: Node,
+pub(super) struct ExpressionPart {
+    pub node: ExpressionNode,
     pub place: Range<usize>,
 }
 
-impl Part {
+impl ExpressionPart {
     /// The parts that it is made of.
-    pub fn parts(&self) -> &[Part] {
+    pub fn parts(&self) -> &[ExpressionPart] {
         match &self.node {
-            Node::Number(_) | Node::Time | Node::Series(_) => &[],
-            Node::Negative(part) => std::slice::from_ref(part),
-            Node::Binary(_, parts) => &**parts,
-            Node::Call(_, parts) => parts,
+            ExpressionNode::Number(_) | ExpressionNode::Time | ExpressionNode::Series(_) => &[],
+            ExpressionNode::Negative(part) => std::slice::from_ref(part),
+            ExpressionNode::Binary(_, parts) => &**parts,
+            ExpressionNode::Call(_, parts) => parts,
         }
     }
 
     /// Calls `visit` with every series in the order of the text.
     pub fn visit_series<'a>(&'a self, visit: &mut dyn FnMut(&'a str, &Range<usize>)) {
-        if let Node::Series(name) = &self.node {
+        if let ExpressionNode::Series(name) = &self.node {
             visit(name, &self.place);
         }
         for part in self.parts() {

@@ -1,20 +1,20 @@
 //! Channels out of tables.
 
 use super::error::FolderError;
-use super::files::{Folder, contents};
+use super::files::{FolderFiles, contents};
 use super::layout::{ChannelFile, ValueColumn};
 use super::position::Positions;
-use super::table::Table;
+use super::table::CsvTable;
 use crate::cells::Dimension;
 use pilotage_base::frames::wrap_pi;
 use pilotage_flight::{Channel, ChannelName};
 
 /// Values of a column, `None` where a cell is empty.
-type Values = Vec<Option<f64>>;
+type ColumnValues = Vec<Option<f64>>;
 
 /// Adds the channel that `map`, number `number` of flight.json, describes; two where it gives two.
 pub(super) fn read_channel(
-    folder: &mut Folder,
+    folder: &mut FolderFiles,
     map: &ChannelFile,
     number: usize,
     origin: Option<(i64, f64)>,
@@ -56,11 +56,11 @@ fn pair<'a>(
 
 /// Latitude and longitude as metres north and east.
 fn gps(
-    table: &Table,
+    table: &CsvTable,
     map: &ChannelFile,
     place: &str,
     positions: &Positions,
-) -> Result<[(ChannelName, Values); 2], FolderError> {
+) -> Result<[(ChannelName, ColumnValues); 2], FolderError> {
     let columns = [("latitude", &map.latitude), ("longitude", &map.longitude)];
     let [latitude, longitude] = pair(map, place, columns)?;
     let points = positions.on_globe(table, latitude, longitude, place)?;
@@ -71,15 +71,15 @@ fn gps(
 
 /// Speed over ground and course (clockwise from north) as velocities north and east.
 fn gps_velocity(
-    table: &Table,
+    table: &CsvTable,
     map: &ChannelFile,
     place: &str,
-) -> Result<[(ChannelName, Values); 2], FolderError> {
+) -> Result<[(ChannelName, ColumnValues); 2], FolderError> {
     let columns = [("speed", &map.speed), ("course", &map.course)];
     let [speed, course] = pair(map, place, columns)?;
     let speed = table.values(speed, Dimension::Speed)?;
     let course = table.values(course, Dimension::Angle)?;
-    let along = |direction: fn(f64) -> f64| -> Values {
+    let along = |direction: fn(f64) -> f64| -> ColumnValues {
         let pairs = speed.iter().zip(&course);
         pairs
             .map(|(speed, course)| Some((*speed)? * direction((*course)?)))
@@ -93,10 +93,10 @@ fn gps_velocity(
 
 /// A channel with a column of its own.
 fn single(
-    table: &Table,
+    table: &CsvTable,
     map: &ChannelFile,
     place: &str,
-) -> Result<(ChannelName, Values), FolderError> {
+) -> Result<(ChannelName, ColumnValues), FolderError> {
     let name = ChannelName::ALL
         .into_iter()
         .find(|name| name.key() == map.name)
@@ -119,12 +119,12 @@ fn single(
 }
 
 fn add_channel(
-    folder: &mut Folder,
+    folder: &mut FolderFiles,
     channels: &mut Vec<Channel>,
     place: &str,
     name: ChannelName,
     times: &[f64],
-    values: Values,
+    values: ColumnValues,
 ) -> Result<(), FolderError> {
     if channels.iter().any(|c| c.name == name) {
         let cause = format!("there is a second channel \"{}\"", name.key());

@@ -4,22 +4,22 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::error::FolderError;
-use super::table::Table;
+use super::table::CsvTable;
 use pilotage_base::files::{FileSet, Unresolved, find};
 
 /// Name of the file that makes a folder a flight.
 pub const FLIGHT_FILE: &str = "flight.json";
 
 /// The files of a flight while it is read; each table is parsed once.
-pub(super) struct Folder {
+pub(super) struct FolderFiles {
     pub(super) files: Arc<dyn FileSet>,
     /// Folders in which names are looked up first.
     pub(super) folders: Vec<String>,
-    pub(super) tables: BTreeMap<String, Arc<Table>>,
+    pub(super) tables: BTreeMap<String, Arc<CsvTable>>,
     pub(super) notes: Vec<String>,
 }
 
-impl Folder {
+impl FolderFiles {
     /// Contents of a file that `wanted_by` refers to.
     pub(super) fn read(&self, name: &str, wanted_by: &str) -> Result<Vec<u8>, FolderError> {
         let folders: Vec<&str> = self.folders.iter().map(String::as_str).collect();
@@ -38,12 +38,16 @@ impl Folder {
             })
     }
 
-    pub(super) fn table(&mut self, name: &str, wanted_by: &str) -> Result<Arc<Table>, FolderError> {
+    pub(super) fn table(
+        &mut self,
+        name: &str,
+        wanted_by: &str,
+    ) -> Result<Arc<CsvTable>, FolderError> {
         if let Some(table) = self.tables.get(name) {
             return Ok(Arc::clone(table));
         }
         let bytes = self.read(name, wanted_by)?;
-        let table = Arc::new(Table::parse(name, &bytes)?);
+        let table = Arc::new(CsvTable::parse(name, &bytes)?);
         self.tables.insert(name.to_owned(), Arc::clone(&table));
         Ok(table)
     }

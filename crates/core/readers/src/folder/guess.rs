@@ -8,7 +8,7 @@ use super::layout::{
     ChannelFile, FlightFile, FramesFile, MapPixelColumns, PixelCentres, PositionColumns, StartFile,
     TimeColumn, TruthFile, TruthFramesFile, VERSION, ValueColumn,
 };
-use super::table::Table;
+use super::table::CsvTable;
 use crate::cells::Dimension;
 use pilotage_base::files::{FileSet, find, folder_of};
 use pilotage_base::frames::wrap_pi;
@@ -28,7 +28,7 @@ pub(super) fn guess(files: &Arc<dyn FileSet>) -> Option<(FlightFile, String, Vec
     let mut tables = files.names();
     tables.retain(|name| name.to_ascii_lowercase().ends_with(".csv"));
     let mut fitting = tables.into_iter().filter_map(|name| {
-        let table = Table::parse(&name, &files.read(&name)?).ok()?;
+        let table = CsvTable::parse(&name, &files.read(&name)?).ok()?;
         let fits = NEEDED.iter().all(|column| table.has(column)) && table.len() > 0;
         fits.then_some((name, table))
     });
@@ -124,7 +124,7 @@ fn column(name: &str, unit: &str, offset: f64) -> ValueColumn {
     }
 }
 
-fn channels(table: &Table, file: &str) -> Vec<ChannelFile> {
+fn channels(table: &CsvTable, file: &str) -> Vec<ChannelFile> {
     let channel = |name: &str, value: Option<ValueColumn>| ChannelFile {
         name: name.to_owned(),
         file: file.to_owned(),
@@ -211,12 +211,12 @@ fn georeference(files: &Arc<dyn FileSet>, base: &str) -> Option<(String, OriginF
     found.next().is_none().then_some(first)
 }
 
-fn first_number(table: &Table, name: &str) -> Option<f64> {
+fn first_number(table: &CsvTable, name: &str) -> Option<f64> {
     table.texts(name).ok()?.first()?.parse().ok()
 }
 
 /// Pictures whose rotation on the map is nearer to the opposite of the gimbal's yaw.
-fn stored_turns(table: &Table) -> BTreeMap<String, f64> {
+fn stored_turns(table: &CsvTable) -> BTreeMap<String, f64> {
     let angle = |name: &str| table.values(&column(name, "deg", 0.0), Dimension::Angle);
     let (Ok(names), Ok(yaw), Ok(rotation)) = (
         table.texts("file"),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::layout::{ChannelFile, FlightFile, TimeColumn, ValueColumn};
-use super::table::Table;
+use super::table::CsvTable;
 use crate::cells::Dimension;
 use crate::interpret::{Role, RoleSeries};
 use crate::log::{Cells, Column, Log, LogFormat};
@@ -15,16 +15,16 @@ const GIMBAL: &str = "gimbal";
 
 /// The tables of a flight, and what is said of their columns.
 #[derive(Clone)]
-pub(crate) struct Tables {
+pub(crate) struct FlightTables {
     /// Statements about the columns.
     pub layout: FlightFile,
     /// By the names that the layout has for them.
-    pub by_file: BTreeMap<String, Arc<Table>>,
+    pub by_file: BTreeMap<String, Arc<CsvTable>>,
     /// Second 0 of times with a date.
     pub time_origin: Option<(i64, f64)>,
 }
 
-impl Tables {
+impl FlightTables {
     /// A topic for each table that has times, called as its file, and the series of the flight that they became.
     pub fn log(&self, flight: &Flight) -> Log {
         let mut log = Log::new(&flight.name, LogFormat::Tables);
@@ -72,7 +72,7 @@ impl Tables {
     }
 
     /// When the rows of a table were measured: by its own times, or by those of the frames that it names.
-    fn times(&self, file: &str, table: &Table, flight: &Flight) -> Option<Vec<Option<f64>>> {
+    fn times(&self, file: &str, table: &CsvTable, flight: &Flight) -> Option<Vec<Option<f64>>> {
         let layout = &self.layout;
         let states = layout.truth.iter().flat_map(|truth| &truth.states);
         let states = states.map(|map| (&map.file, &map.time));
@@ -95,7 +95,7 @@ impl Tables {
     }
 
     /// Every column of a table.
-    fn columns(&self, file: &str, table: &Table) -> Vec<Column> {
+    fn columns(&self, file: &str, table: &CsvTable) -> Vec<Column> {
         let column = |name: &String| {
             let cells = if let Some(numbers) = table.numbers(name).ok()? {
                 Cells::Numbers(numbers)

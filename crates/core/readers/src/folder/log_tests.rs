@@ -149,8 +149,8 @@ fn its_overview_tells_rates_a_gap_and_what_can_be_done() {
 
 #[test]
 fn tables_of_the_same_name_keep_their_folders_and_words_are_no_numbers() {
-    let table = |text: &str| Arc::new(Table::parse("a.csv", text.as_bytes()).unwrap());
-    let tables = Tables {
+    let table = |text: &str| Arc::new(CsvTable::parse("a.csv", text.as_bytes()).unwrap());
+    let tables = FlightTables {
         layout: serde_json::from_str(LAYOUT).unwrap(),
         by_file: ["x/a.csv", "y/a.csv", "b.csv"]
             .map(|name| (name.to_owned(), table("t\n0\n")))

@@ -28,6 +28,6 @@ pub(super) use layout::{
 pub(super) use log::of_samples;
 pub use pictures::FolderFrames;
 pub use read::{FlightFolder, read_flight};
-pub(super) use read::{Told, read_tables};
-pub(super) use table::{Table, decoded};
+pub(super) use read::{FlightOrigin, read_tables};
+pub(super) use table::{CsvTable, decoded};
 pub use write::{WriteError, write_flight};

@@ -3,9 +3,9 @@
 use nalgebra::Point3;
 
 use super::error::FolderError;
-use super::files::{Folder, contents};
+use super::files::{FolderFiles, contents};
 use super::layout::{MapPixelColumns, PixelCentres, PositionColumns, ValueColumn};
-use super::table::Table;
+use super::table::CsvTable;
 use crate::cells::Dimension;
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_base::georeference::{Georeference, GeoreferenceError};
@@ -37,7 +37,7 @@ impl Positions {
     /// Ground points of columns of latitude and longitude, in degrees unless they name a unit.
     pub(super) fn on_globe(
         &self,
-        table: &Table,
+        table: &CsvTable,
         latitude: &ValueColumn,
         longitude: &ValueColumn,
         place: &str,
@@ -63,8 +63,8 @@ impl Positions {
 
     fn at_map_pixels(
         &self,
-        folder: &Folder,
-        table: &Table,
+        folder: &FolderFiles,
+        table: &CsvTable,
         map: &MapPixelColumns,
         place: &str,
     ) -> Result<Vec<Option<GroundPoint>>, FolderError> {
@@ -111,8 +111,8 @@ impl Positions {
     /// Positions of all rows; `None` where a cell is empty.
     pub(super) fn read(
         &self,
-        folder: &Folder,
-        table: &Table,
+        folder: &FolderFiles,
+        table: &CsvTable,
         map: &PositionColumns,
         place: &str,
     ) -> Result<Vec<Option<Point3<f64>>>, FolderError> {

@@ -7,15 +7,15 @@ use nalgebra::Vector2;
 
 use super::channels::read_channel;
 use super::error::FolderError;
-use super::files::{FLIGHT_FILE, Folder, contents};
+use super::files::{FLIGHT_FILE, FolderFiles, contents};
 use super::guess::guess;
 use super::layout::{
     AttitudeColumns, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile, VERSION, ValueColumn,
 };
-use super::log::Tables;
+use super::log::FlightTables;
 use super::pictures::FolderFrames;
 use super::position::Positions;
-use super::table::Table;
+use super::table::CsvTable;
 use super::time_unit;
 use crate::cells::Dimension;
 use crate::cells::Moment;
@@ -37,13 +37,13 @@ pub struct FlightFolder {
     pub frames: FolderFrames,
     /// Notes about all that was skipped, in words.
     pub notes: Vec<String>,
-    pub(crate) told: Told,
+    pub(crate) told: FlightOrigin,
 }
 
 /// Source that a flight was read from.
-pub(crate) enum Told {
+pub(crate) enum FlightOrigin {
     /// Tables, and what is said of their columns.
-    Tables(Box<Tables>),
+    Tables(Box<FlightTables>),
     /// Source that is a log already.
     Log(Box<Log>),
 }
@@ -52,8 +52,8 @@ impl FlightFolder {
     /// Source of the flight as a log: every column, used or not, and the roles of the flight's series in it.
     pub fn log(&self) -> Log {
         let mut log = match &self.told {
-            Told::Tables(tables) => tables.log(&self.flight),
-            Told::Log(log) => Log::clone(log),
+            FlightOrigin::Tables(tables) => tables.log(&self.flight),
+            FlightOrigin::Log(log) => Log::clone(log),
         };
         for note in &self.notes {
             log.report.remark(sentence(note));
@@ -63,7 +63,7 @@ impl FlightFolder {
 
     /// Whether photos alone tell of it.
     pub fn is_of_photos(&self) -> bool {
-        matches!(&self.told, Told::Log(log) if log.format == LogFormat::Photos)
+        matches!(&self.told, FlightOrigin::Log(log) if log.format == LogFormat::Photos)
     }
 }
 
@@ -104,7 +104,7 @@ pub fn read_flight(files: Arc<dyn FileSet>) -> Result<FlightFolder, FolderError>
 pub(crate) fn read_tables(
     files: Arc<dyn FileSet>,
     layout: &FlightFile,
-    tables: BTreeMap<String, Arc<Table>>,
+    tables: BTreeMap<String, Arc<CsvTable>>,
 ) -> Result<FlightFolder, FolderError> {
     read_with(files, layout, String::new(), tables)
 }
@@ -122,7 +122,7 @@ fn read_with(
     files: Arc<dyn FileSet>,
     layout: &FlightFile,
     base: String,
-    tables: BTreeMap<String, Arc<Table>>,
+    tables: BTreeMap<String, Arc<CsvTable>>,
 ) -> Result<FlightFolder, FolderError> {
     if layout.pilotage_flight != VERSION {
         return Err(contents(
@@ -134,7 +134,7 @@ fn read_with(
         ));
     }
     let data = layout.data.as_deref().map(|data| joined(&base, data));
-    let mut folder = Folder {
+    let mut folder = FolderFiles {
         files: Arc::clone(&files),
         folders: data.into_iter().chain([base]).collect(),
         tables,
@@ -193,7 +193,7 @@ fn read_with(
             truth,
         },
         frames: pictures,
-        told: Told::Tables(Box::new(Tables {
+        told: FlightOrigin::Tables(Box::new(FlightTables {
             layout: layout.clone(),
             by_file: folder.tables,
             time_origin,
@@ -209,7 +209,7 @@ fn no_camera() -> CameraModel {
 
 /// Second 0 of times with a date: as stated, or the first frame, or the first sample.
 fn time_origin(
-    folder: &mut Folder,
+    folder: &mut FolderFiles,
     layout: &FlightFile,
 ) -> Result<Option<(i64, f64)>, FolderError> {
     if let Some(text) = &layout.time_origin {
@@ -233,7 +233,7 @@ fn time_origin(
 }
 
 fn read_frames(
-    folder: &mut Folder,
+    folder: &mut FolderFiles,
     map: &FramesFile,
     origin: Option<(i64, f64)>,
 ) -> Result<Vec<Frame>, FolderError> {
@@ -268,7 +268,7 @@ fn read_frames(
 
 /// Roll, pitch and yaw of every row; `None` where one is empty.
 fn attitudes(
-    table: &Table,
+    table: &CsvTable,
     map: Option<&AttitudeColumns>,
 ) -> Result<Vec<Option<Attitude>>, FolderError> {
     let Some(map) = map else {
@@ -288,7 +288,7 @@ fn attitudes(
 }
 
 fn read_truth(
-    folder: &mut Folder,
+    folder: &mut FolderFiles,
     map: &TruthFile,
     origin: Option<(i64, f64)>,
     frames: &[Frame],
@@ -363,7 +363,7 @@ fn read_truth(
 
 /// Times of the true states, which must grow, because positions are interpolated between them.
 fn truth_times(
-    table: &Table,
+    table: &CsvTable,
     map: &TimeColumn,
     origin: Option<(i64, f64)>,
 ) -> Result<Vec<f64>, FolderError> {

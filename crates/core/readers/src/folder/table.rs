@@ -9,11 +9,11 @@ use crate::cells::Moment;
 use crate::cells::shortened;
 use crate::cells::{Dimension, linear};
 use crate::cells::{Separator, TableShape, number};
-use crate::times::{Verdict, judge};
+use crate::times::{TimeVerdict, judge};
 use pilotage_base::text::of_utf_16;
 
 /// A CSV file, as text cells.
-pub(crate) struct Table {
+pub(crate) struct CsvTable {
     file: String,
     header: Vec<String>,
     /// Line in the file and cells.
@@ -27,7 +27,7 @@ pub(crate) struct Table {
     written: usize,
 }
 
-impl Table {
+impl CsvTable {
     /// Reads a table; the separator is a comma, semicolon, tabulator or blanks, as the first line has
     /// it. Where that line is all numbers, it is the first row, and the columns are called #1, #2 ….
     pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Self, FolderError> {
@@ -157,7 +157,7 @@ impl Table {
         let mut kept = verdicts.iter();
         self.rows.retain(|_| {
             kept.next()
-                .is_some_and(|verdict| *verdict == Verdict::Sound)
+                .is_some_and(|verdict| *verdict == TimeVerdict::Sound)
         });
         total - self.rows.len()
     }
@@ -409,7 +409,7 @@ mod tests {
 
     #[test]
     fn units_and_gaps_of_somebody_elses_table_are_understood() {
-        let table = Table::parse("a.csv", b"t;v ;h\n0; 10;3\n1;;4\n\n2;nan\n").unwrap();
+        let table = CsvTable::parse("a.csv", b"t;v ;h\n0; 10;3\n1;;4\n\n2;nan\n").unwrap();
         assert_eq!(table.len(), 3);
         let speed = table.values(&column("v", "kt"), Dimension::Speed).unwrap();
         assert_eq!(speed, [Some(10.0 * 1852.0 / 3600.0), None, None]);
@@ -420,7 +420,8 @@ mod tests {
 
     #[test]
     fn a_table_of_bare_numbers_between_blanks_has_numbered_columns() {
-        let table = Table::parse("a.txt", b"  0.0e+00  1.5   -2\r\n  2.0e+01  2.5   -3\n").unwrap();
+        let table =
+            CsvTable::parse("a.txt", b"  0.0e+00  1.5   -2\r\n  2.0e+01  2.5   -3\n").unwrap();
         assert_eq!(table.len(), 2);
         let second = table.values(&column("#2", "m"), Dimension::Length);
         assert_eq!(second.unwrap(), [Some(1.5), Some(2.5)]);
@@ -435,7 +436,7 @@ mod tests {
 
     #[test]
     fn a_bad_cell_is_named_by_line_and_column() {
-        let table = Table::parse("a.csv", b"t,v\n0,1\n1,x\n").unwrap();
+        let table = CsvTable::parse("a.csv", b"t,v\n0,1\n1,x\n").unwrap();
         let wrong = table
             .values(&column("v", "m"), Dimension::Length)
             .unwrap_err();
@@ -455,7 +456,7 @@ mod tests {
 
     #[test]
     fn a_time_that_goes_back_is_refused() {
-        let table = Table::parse("a.csv", b"t\n0\n2\n1\n").unwrap();
+        let table = CsvTable::parse("a.csv", b"t\n0\n2\n1\n").unwrap();
         let map = TimeColumn {
             column: "t".to_owned(),
             format: TimeFormat::Seconds,

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::clock::TimeFormat;
-use super::files::Folder;
+use super::files::FolderFiles;
 use super::layout::{FlightFile, TimeColumn};
-use crate::cells::Sample;
+use crate::cells::ColumnSample;
 use crate::cells::time::unit_of_time;
 
 /// Seconds between rows, in the middle, that no series of a flight has.
@@ -15,7 +15,7 @@ const LATEST: f64 = 1e11;
 
 /// Reads times that cannot be seconds, and whose format is that, in the part of a second that they must be; says so in
 /// the folder's notes.
-pub(super) fn settle(folder: &mut Folder, layout: &mut FlightFile) {
+pub(super) fn settle(folder: &mut FolderFiles, layout: &mut FlightFile) {
     let mut told = BTreeSet::new();
     let frames = layout
         .frames
@@ -43,19 +43,23 @@ pub(super) fn settle(folder: &mut Folder, layout: &mut FlightFile) {
 }
 
 /// The format that times must have which are said to be seconds and cannot be.
-fn found(folder: &mut Folder, file: &str, time: &TimeColumn) -> Option<(TimeFormat, &'static str)> {
+fn found(
+    folder: &mut FolderFiles,
+    file: &str,
+    time: &TimeColumn,
+) -> Option<(TimeFormat, &'static str)> {
     if time.format != TimeFormat::Seconds {
         return None;
     }
     // What is wrong with the table is told where it is read.
     let table = folder.table(file, "time").ok()?;
     let numbers = table.numbers(&time.column).ok()??;
-    let sample = Sample {
+    let sample = ColumnSample {
         numbers: numbers
             .into_iter()
             .filter(|number| number.is_finite())
             .collect(),
-        ..Sample::default()
+        ..ColumnSample::default()
     };
     let mut steps: Vec<f64> = sample.numbers.windows(2).map(|w| w[1] - w[0]).collect();
     steps.sort_by(f64::total_cmp);

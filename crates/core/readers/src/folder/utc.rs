@@ -1,10 +1,10 @@
 //! The date of a flight, where its tables tell it.
 
 use super::layout::TimeColumn;
-use super::log::Tables;
+use super::log::FlightTables;
 use crate::cells::{has_zone, time::is_since_1970};
 
-impl Tables {
+impl FlightTables {
     /// Coordinated universal time at second 0, seconds since 1970: of times that have a date with a zone, or are counted
     /// since 1970. A date without a zone may be that of any.
     pub(super) fn utc_at_zero(&self) -> Option<f64> {

@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 
 use super::flight::all_series;
-use super::{InterpretError, Measured, RoleSeries};
+use super::{InterpretError, MeasuredSeries, RoleSeries};
 use crate::log::Log;
 use pilotage_flight::{ChannelName, Flight, TruthState};
 
@@ -17,8 +17,8 @@ pub struct BesideFlight {
 
 impl BesideFlight {
     /// Series and track measured in the flight.
-    pub fn measured(&self) -> Measured<'_> {
-        Measured {
+    pub fn measured(&self) -> MeasuredSeries<'_> {
+        MeasuredSeries {
             found: &self.found,
             track: &self.track,
             trouble: self.trouble.as_ref(),

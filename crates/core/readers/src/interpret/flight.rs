@@ -13,7 +13,7 @@ const GPS_DEVIATION: f64 = 5.0;
 
 /// Series and track measured in a flight, by role.
 #[derive(Clone, Copy, Debug)]
-pub struct Measured<'a> {
+pub struct MeasuredSeries<'a> {
     /// Every role that was found.
     pub found: &'a [RoleSeries],
     /// The track of the satellite receiver, heights above its first place.
@@ -35,9 +35,9 @@ pub struct Interpreted {
 
 impl Interpreted {
     /// Series and track measured in the flight.
-    pub fn measured(&self) -> Measured<'_> {
+    pub fn measured(&self) -> MeasuredSeries<'_> {
         let truth = self.bare.as_ref().ok().and_then(|f| f.truth.as_ref());
-        Measured {
+        MeasuredSeries {
             found: &self.found,
             track: truth.map_or(&[], |truth| &truth.states),
             trouble: self.bare.as_ref().err().or(self.trouble.as_ref()),

@@ -11,7 +11,7 @@ mod tests;
 mod tracks;
 
 pub use beside_flight::{BesideFlight, log_of_flight};
-pub use flight::{InterpretError, Interpreted, Measured, flight_from_log};
+pub use flight::{InterpretError, Interpreted, MeasuredSeries, flight_from_log};
 pub use places::{Navigation, places};
 pub use series::series;
 pub use tracks::{RecordedTrack, recorded_tracks};

@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, UnitQuaternion};
 use super::origin;
 use super::source::{factor_of_unit, sources};
 use crate::log::{FieldLayout, Log, Topic, system_of};
-use crate::role::{Reading, Role, RoleSeries, Source};
+use crate::role::{Role, RoleSeries, RoleSource, RowReading};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
 /// one: no unit tells which way an axis points.
@@ -28,17 +28,17 @@ impl<'a> Scaled<'a> {
 }
 
 /// Function from a row to a value, and the name of the fields that it reads.
-type Reader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
+type RowReader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
 
-fn reader<'a>(log: &Log, source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {
+fn reader<'a>(log: &Log, source: &RoleSource, topic: &'a Topic) -> Option<RowReader<'a>> {
     let role = source.role;
     let north = matches!(role, Role::GpsVelocityNorth | Role::WindNorth);
     Some(match source.reading {
-        Reading::Field(name, usual) => {
+        RowReading::Field(name, usual) => {
             let field = Scaled::new(topic, name, usual)?;
             (Box::new(move |row| field.value(row)), name.to_owned())
         }
-        Reading::Quaternion(name) => {
+        RowReading::Quaternion(name) => {
             let part = |i: usize| Scaled::new(topic, &format!("{name}[{i}]"), 1.0);
             let parts = [part(0)?, part(1)?, part(2)?, part(3)?];
             let angle = move |row: &[u8]| {
@@ -53,7 +53,7 @@ fn reader<'a>(log: &Log, source: &Source, topic: &'a Topic) -> Option<Reader<'a>
             };
             (Box::new(angle), name.to_owned())
         }
-        Reading::RosQuaternion(name) => {
+        RowReading::RosQuaternion(name) => {
             let part = |part: &str| Scaled::new(topic, &format!("{name}.{part}"), 1.0);
             let parts = [part("w")?, part("x")?, part("y")?, part("z")?];
             let angle = move |row: &[u8]| {
@@ -69,17 +69,17 @@ fn reader<'a>(log: &Log, source: &Source, topic: &'a Topic) -> Option<Reader<'a>
             };
             (Box::new(angle), name.to_owned())
         }
-        Reading::RosFix(name) => {
+        RowReading::RosFix(name) => {
             let status = Scaled::new(topic, name, 1.0)?;
             let fix = move |row: &[u8]| Some(if status.value(row)? < 0.0 { 0.0 } else { 3.0 });
             (Box::new(fix), name.to_owned())
         }
-        Reading::Pressure(name) => {
+        RowReading::Pressure(name) => {
             let pressure = Scaled::new(topic, name, 1.0)?;
             let height = move |row: &[u8]| Some(standard_height(pressure.value(row)?));
             (Box::new(height), name.to_owned())
         }
-        Reading::Course(speed, speed_factor, course, course_factor) => {
+        RowReading::Course(speed, speed_factor, course, course_factor) => {
             let name = format!("{speed}, {course}");
             let speed = Scaled::new(topic, speed, speed_factor)?;
             let course = Scaled::new(topic, course, course_factor)?;
@@ -89,7 +89,7 @@ fn reader<'a>(log: &Log, source: &Source, topic: &'a Topic) -> Option<Reader<'a>
             };
             (Box::new(part), name)
         }
-        Reading::FromOrigin => {
+        RowReading::FromOrigin => {
             let origin = origin::origin(log)?;
             let part = |name| Scaled::new(topic, name, 1.0);
             let (north, east, down) = (part("PN")?, part("PE")?, part("PD")?);
@@ -104,7 +104,7 @@ fn reader<'a>(log: &Log, source: &Source, topic: &'a Topic) -> Option<Reader<'a>
             };
             (Box::new(value), "PN, PE, PD".to_owned())
         }
-        Reading::WindFrom(direction, factor, speed) => {
+        RowReading::WindFrom(direction, factor, speed) => {
             let name = format!("{direction}, {speed}");
             let direction = Scaled::new(topic, direction, factor)?;
             let speed = Scaled::new(topic, speed, 1.0)?;
@@ -129,7 +129,7 @@ fn standard_height(pressure: f64) -> f64 {
 
 /// Topics that `source` names: the first of that name, or else all of that kind; where several vehicles fly, those of the
 /// chosen one.
-fn topics<'a>(log: &'a Log, source: &Source) -> Vec<&'a Topic> {
+fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     if let Some(system) = log.chosen_vehicle() {
         let is_own = |topic: &&Topic| {
             topic.name.name == source.topic && topic.name.instance.map(system_of) == Some(system)
@@ -145,7 +145,7 @@ fn topics<'a>(log: &'a Log, source: &Source) -> Vec<&'a Topic> {
 }
 
 /// The series that `source` names in a topic, or `None` if it has no such fields or no row of them.
-fn read(log: &Log, topic: &Topic, source: &Source) -> Option<RoleSeries> {
+fn read(log: &Log, topic: &Topic, source: &RoleSource) -> Option<RoleSeries> {
     if topic.is_empty() {
         return None;
     }

@@ -1,12 +1,12 @@
 //! Fields of a format that hold the roles, and factors of the units that logs state.
 
 use crate::log::LogFormat;
-use crate::role::{DEGREE, Source};
+use crate::role::{DEGREE, RoleSource};
 
 const GRAVITY: f64 = pilotage_base::frames::units::GRAVITY;
 
 /// Places of a format, for each role the best first.
-pub fn sources(format: LogFormat) -> impl Iterator<Item = &'static Source> {
+pub fn sources(format: LogFormat) -> impl Iterator<Item = &'static RoleSource> {
     format.meaning().roles.iter().copied().flatten()
 }
 

@@ -1,14 +1,14 @@
 //! Every format that logs are read from.
 
 use super::format::log_formats;
-use super::{FormatInfo, LogFormat};
+use super::{LogFormat, LogFormatInfo};
 use crate::role::Meaning;
 
 /// Makes the table of readers, and apart from it that of meanings.
 macro_rules! works {
     ($($(#[$about:meta])* $name:ident($label:literal, $folder:ident $info:ident),)*) => {
         /// Every format, in the order in which they are tried.
-        pub fn all_formats() -> &'static [FormatInfo] {
+        pub fn all_formats() -> &'static [LogFormatInfo] {
             &[$(super::$folder::$info,)*]
         }
 
@@ -35,6 +35,6 @@ pub const HEAD: usize = 4096;
 
 /// The format of a file whose first bytes are `head`, [`HEAD`] of them or all that there are. Its name is
 /// not asked: people rename files.
-pub fn recognise(head: &[u8]) -> Option<&'static FormatInfo> {
+pub fn recognise(head: &[u8]) -> Option<&'static LogFormatInfo> {
     all_formats().iter().find(|info| (info.begins)(head))
 }

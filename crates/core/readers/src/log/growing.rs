@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{FieldKind, FieldLayout, Log, Rows, Scale, Topic};
+use super::{FieldKind, FieldLayout, Log, Rows, Topic, ValueScale};
 
 /// Most fields of a topic.
 const MOST_FIELDS: usize = 4096;
@@ -59,7 +59,7 @@ impl Room {
 
 /// A step on the way to a field.
 #[derive(Clone, Copy)]
-pub(super) enum Part<'a> {
+pub(super) enum FieldStep<'a> {
     Name(&'a str),
     Index(usize),
 }
@@ -67,11 +67,11 @@ pub(super) enum Part<'a> {
 /// The way to a field, from the last step back to the first.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Path<'a> {
-    last: Option<(&'a Path<'a>, Part<'a>)>,
+    last: Option<(&'a Path<'a>, FieldStep<'a>)>,
 }
 
 impl<'a> Path<'a> {
-    pub fn then(&'a self, part: Part<'a>) -> Self {
+    pub fn then(&'a self, part: FieldStep<'a>) -> Self {
         Self {
             last: Some((self, part)),
         }
@@ -85,16 +85,16 @@ impl fmt::Display for Path<'_> {
         };
         before.fmt(f)?;
         match part {
-            Part::Index(index) => write!(f, "[{index}]"),
-            Part::Name(name) if before.last.is_some() => write!(f, ".{name}"),
-            Part::Name(name) => f.write_str(name),
+            FieldStep::Index(index) => write!(f, "[{index}]"),
+            FieldStep::Name(name) if before.last.is_some() => write!(f, ".{name}"),
+            FieldStep::Name(name) => f.write_str(name),
         }
     }
 }
 
 /// Place for the values of a field, or of all fields of a part of a message.
 #[derive(Debug, Default)]
-pub(super) enum Place {
+pub(super) enum ValuePlace {
     /// Nothing came for it yet.
     #[default]
     New,
@@ -102,18 +102,18 @@ pub(super) enum Place {
     Refused,
     Field(usize),
     /// Places of its parts.
-    Parts(Vec<Place>),
+    Parts(Vec<ValuePlace>),
     /// Places of its parts by name, in the order in which they came.
-    Named(Vec<(String, Place)>),
+    Named(Vec<(String, ValuePlace)>),
 }
 
 /// Unit of the values of a field by its name and kind, and what the stored number is multiplied by to have it.
-pub(super) type Units = Box<dyn Fn(&str, FieldKind) -> (String, Scale) + Send>;
+pub(super) type FieldUnit = Box<dyn Fn(&str, FieldKind) -> (String, ValueScale) + Send>;
 
 /// A row that is being filled, of a topic that may become wider for it.
-pub(super) struct Table {
+pub(super) struct GrowingTable {
     topic: usize,
-    units: Units,
+    units: FieldUnit,
     fields: Vec<FieldLayout>,
     row: Vec<u8>,
     /// Row of a message that says nothing.
@@ -129,9 +129,9 @@ pub(super) struct Table {
     pub left_out: Option<String>,
 }
 
-impl Table {
+impl GrowingTable {
     /// Rows for the topic at that place of the log, which has no fields yet.
-    pub fn new(topic: usize, units: Units) -> Self {
+    pub fn new(topic: usize, units: FieldUnit) -> Self {
         Self {
             topic,
             units,
@@ -167,15 +167,15 @@ impl Table {
     #[inline]
     pub fn number(
         &mut self,
-        place: &mut Place,
+        place: &mut ValuePlace,
         path: &Path,
         kind: FieldKind,
         bytes: &[u8],
     ) -> bool {
-        if let Place::New = place {
+        if let ValuePlace::New = place {
             *place = self.field(path, kind);
         }
-        let Place::Field(field) = place else {
+        let ValuePlace::Field(field) = place else {
             return false;
         };
         let field = &self.fields[*field];
@@ -187,8 +187,8 @@ impl Table {
     }
 
     /// Puts how many elements a list has.
-    pub fn length(&mut self, place: &mut Place, path: &Path, length: usize) {
-        let path = path.then(Part::Name("length"));
+    pub fn length(&mut self, place: &mut ValuePlace, path: &Path, length: usize) {
+        let path = path.then(FieldStep::Name("length"));
         let length = u32::try_from(length).unwrap_or(u32::MAX);
         self.number(place, &path, FieldKind::U32, &length.to_le_bytes());
     }
@@ -202,16 +202,16 @@ impl Table {
     }
 
     /// Puts letters where `place` says; what is too long is cut.
-    pub fn text(&mut self, place: &mut Place, path: &Path, letters: &[u8]) {
+    pub fn text(&mut self, place: &mut ValuePlace, path: &Path, letters: &[u8]) {
         let wanted = letters.len().min(LONGEST_TEXT);
         if wanted < letters.len() {
             self.leave_out(|| format!("letters of {path} beyond the first {LONGEST_TEXT}"));
         }
         let size = wanted.next_power_of_two().max(SHORTEST_TEXT) as u16;
-        if let Place::New = place {
+        if let ValuePlace::New = place {
             *place = self.field(path, FieldKind::Text(size));
         }
-        let Place::Field(field) = place else {
+        let ValuePlace::Field(field) = place else {
             return;
         };
         let field = &mut self.fields[*field];
@@ -233,11 +233,15 @@ impl Table {
     }
 
     /// Places of `count` parts, made if there are none; `None` if there is no room for so many.
-    pub fn parts<'a>(&mut self, place: &'a mut Place, count: usize) -> Option<&'a mut [Place]> {
-        if let Place::New = place {
-            *place = Place::Parts(Vec::new());
+    pub fn parts<'a>(
+        &mut self,
+        place: &'a mut ValuePlace,
+        count: usize,
+    ) -> Option<&'a mut [ValuePlace]> {
+        if let ValuePlace::New = place {
+            *place = ValuePlace::Parts(Vec::new());
         }
-        let Place::Parts(parts) = place else {
+        let ValuePlace::Parts(parts) = place else {
             return None;
         };
         if parts.len() < count {
@@ -246,7 +250,7 @@ impl Table {
                 return None;
             }
             self.places += more;
-            parts.resize_with(count, Place::default);
+            parts.resize_with(count, ValuePlace::default);
         }
         Some(parts)
     }
@@ -254,17 +258,17 @@ impl Table {
     /// Place of the part of that name, which is most likely the one at `guess`; made if there is none.
     pub fn named<'a>(
         &mut self,
-        place: &'a mut Place,
+        place: &'a mut ValuePlace,
         name: &str,
         guess: usize,
-    ) -> Option<&'a mut Place> {
-        if let Place::New = place {
-            *place = Place::Named(Vec::new());
+    ) -> Option<&'a mut ValuePlace> {
+        if let ValuePlace::New = place {
+            *place = ValuePlace::Named(Vec::new());
         }
-        let Place::Named(parts) = place else {
+        let ValuePlace::Named(parts) = place else {
             return None;
         };
-        let is_it = |part: &(String, Place)| part.0 == name;
+        let is_it = |part: &(String, ValuePlace)| part.0 == name;
         let found = match parts.get(guess) {
             Some(part) if is_it(part) => Some(guess),
             _ => parts.iter().position(is_it),
@@ -273,7 +277,7 @@ impl Table {
             Some(found) => found,
             None if self.places < MOST_PLACES => {
                 self.places += 1;
-                parts.push((name.to_owned(), Place::New));
+                parts.push((name.to_owned(), ValuePlace::New));
                 parts.len() - 1
             }
             None => return None,
@@ -282,14 +286,14 @@ impl Table {
     }
 
     /// Makes a field, if there is room for it; none where there may be later.
-    fn field(&mut self, path: &Path, kind: FieldKind) -> Place {
+    fn field(&mut self, path: &Path, kind: FieldKind) -> ValuePlace {
         if self.fields.len() >= MOST_FIELDS {
             self.leave_out(|| format!("fields beyond the first {MOST_FIELDS}"));
-            return Place::Refused;
+            return ValuePlace::Refused;
         }
         if self.width + kind.size() > self.widest {
             self.leave_out(|| format!("values of {path}, for want of room"));
-            return Place::New;
+            return ValuePlace::New;
         }
         let name = path.to_string();
         let name = if name.is_empty() {
@@ -308,7 +312,7 @@ impl Table {
         append_blank(&mut self.row, kind);
         self.width += kind.size();
         self.is_wider = true;
-        Place::Field(self.fields.len() - 1)
+        ValuePlace::Field(self.fields.len() - 1)
     }
 
     fn leave_out(&mut self, what: impl FnOnce() -> String) {
@@ -405,22 +409,27 @@ mod tests {
         let mut log = Log::new("a.mcap", LogFormat::Mcap);
         let topic = log.topic_or_new(&TopicName::single("/a"), Vec::new);
         let (mut table, mut room) = (
-            Table::new(topic, Box::new(|_, _| (String::new(), Scale::One))),
+            GrowingTable::new(topic, Box::new(|_, _| (String::new(), ValueScale::One))),
             room(),
         );
-        let (mut word, mut numbers) = (Place::New, [Place::New, Place::New]);
+        let (mut word, mut numbers) = (ValuePlace::New, [ValuePlace::New, ValuePlace::New]);
         let root = Path::default();
         for (i, letters) in ["short", "a longer word", "ä"].into_iter().enumerate() {
             table.clear(&room, &log);
             table.text(
                 &mut word,
-                &root.then(Part::Name("word")),
+                &root.then(FieldStep::Name("word")),
                 letters.as_bytes(),
             );
             for (j, place) in numbers.iter_mut().enumerate().take(i) {
-                let list = root.then(Part::Name("list"));
+                let list = root.then(FieldStep::Name("list"));
                 let bytes = (i as f64 + 0.5).to_le_bytes();
-                table.number(place, &list.then(Part::Index(j)), FieldKind::F64, &bytes);
+                table.number(
+                    place,
+                    &list.then(FieldStep::Index(j)),
+                    FieldKind::F64,
+                    &bytes,
+                );
             }
             assert!(table.store(i as f64, &mut room, &mut log));
         }
@@ -439,16 +448,21 @@ mod tests {
         let mut log = Log::new("a.mcap", LogFormat::Mcap);
         let topic = log.topic_or_new(&TopicName::single("/a"), Vec::new);
         let (mut table, mut room) = (
-            Table::new(topic, Box::new(|_, _| (String::new(), Scale::One))),
+            GrowingTable::new(topic, Box::new(|_, _| (String::new(), ValueScale::One))),
             Room::default(),
         );
-        let mut places: Vec<_> = (0..4000).map(|_| Place::New).collect();
+        let mut places: Vec<_> = (0..4000).map(|_| ValuePlace::New).collect();
         let root = Path::default();
         let mut stored = 0;
         for _ in 0..100 {
             table.clear(&room, &log);
             for (i, place) in places.iter_mut().enumerate() {
-                table.number(place, &root.then(Part::Index(i)), FieldKind::F64, &[0; 8]);
+                table.number(
+                    place,
+                    &root.then(FieldStep::Index(i)),
+                    FieldKind::F64,
+                    &[0; 8],
+                );
             }
             stored += usize::from(table.store(0.0, &mut room, &mut log));
         }
@@ -461,16 +475,16 @@ mod tests {
         let mut log = Log::new("a.mcap", LogFormat::Mcap);
         let topic = log.topic_or_new(&TopicName::single("/a"), Vec::new);
         let (mut table, mut room) = (
-            Table::new(topic, Box::new(|_, _| (String::new(), Scale::One))),
+            GrowingTable::new(topic, Box::new(|_, _| (String::new(), ValueScale::One))),
             room(),
         );
-        let mut place = Place::New;
+        let mut place = ValuePlace::New;
         table.clear(&room, &log);
         let root = Path::default();
         let letters = format!("x{}", "ä".repeat(200));
         table.text(
             &mut place,
-            &root.then(Part::Name("word")),
+            &root.then(FieldStep::Name("word")),
             letters.as_bytes(),
         );
         table.store(0.0, &mut room, &mut log);

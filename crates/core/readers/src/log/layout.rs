@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Scale;
+use super::ValueScale;
 
 /// Kind of the bytes of one field. All numbers have their lowest byte first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -116,7 +116,7 @@ pub struct FieldLayout {
     /// Unit of the values after [`scale`](Self::scale), as the file says it (`m/s`, `deg`), or empty.
     pub unit: String,
     /// Scale from the stored number to a value.
-    pub scale: Scale,
+    pub scale: ValueScale,
     /// Kind of the stored bytes.
     pub kind: FieldKind,
     /// First byte in a row.
@@ -129,7 +129,7 @@ impl FieldLayout {
         Self {
             name: name.into(),
             unit: String::new(),
-            scale: Scale::One,
+            scale: ValueScale::One,
             kind,
             offset,
         }
@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn a_value_carries_its_scale_and_a_text_ends_at_its_zero() {
         let field = FieldLayout {
-            scale: Scale::by(0.01),
+            scale: ValueScale::by(0.01),
             ..FieldLayout::plain("Roll", FieldKind::I16, 1)
         };
         assert_eq!(field.value(&[9, 0x2c, 0x01]), Some(3.0));

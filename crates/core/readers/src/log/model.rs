@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{FieldLayout, LogFormat, ReadReport, Topic, TopicName};
 use crate::role::RoleSeries;
-use crate::times::{Verdict, judge};
+use crate::times::{TimeVerdict, judge};
 
 /// A parameter of the autopilot at one time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -178,7 +178,7 @@ impl Log {
             let verdicts = judge(&topic.times);
             let is_wrong = move |at: usize| {
                 let verdict = verdicts.as_ref().map(|verdicts| verdicts[at]);
-                verdict == Some(Verdict::Wrong)
+                verdict == Some(TimeVerdict::Wrong)
             };
             let kept = topic.times.iter().enumerate();
             let kept = kept.filter(move |(at, _)| !is_wrong(*at));

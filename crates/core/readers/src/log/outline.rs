@@ -49,12 +49,12 @@ impl TopicOutline {
     ///
     /// ```
     /// # use pilotage_readers::bytes::MemoryBytes;
-    /// use pilotage_readers::log::{Outline, read_log};
+    /// use pilotage_readers::log::{LogOutline, read_log};
     ///
     /// # let text = "FMT, 1, 13, ATT, Qc, TimeUS,Roll\nATT, 1000000, 1.5\nATT, 1500000, -2.25\nATT, 2000000, 0\n";
     /// # let source = MemoryBytes::new("flight.log", text.as_bytes());
     /// // Three rows within a second.
-    /// let outline = Outline::of(&read_log(&source)?.ok_or("no log")?);
+    /// let outline = LogOutline::of(&read_log(&source)?.ok_or("no log")?);
     /// let attitude = outline.topics.iter().find(|topic| topic.name.name == "ATT").ok_or("no attitude")?;
     /// assert_eq!((attitude.rows, attitude.span), (3, Some((1.0, 2.0))));
     /// assert_eq!(attitude.rate(), 2.0);
@@ -70,7 +70,7 @@ impl TopicOutline {
 
 /// Contents of a log, without its rows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Outline {
+pub struct LogOutline {
     /// Name of the file.
     pub name: String,
     /// Format that it was read from.
@@ -97,7 +97,7 @@ pub struct Outline {
     pub report: ReadReport,
 }
 
-impl Outline {
+impl LogOutline {
     /// The outline of a log as far as it has been read.
     pub fn of(log: &Log) -> Self {
         let with_rows = log.topics.iter().filter(|topic| !topic.is_empty());

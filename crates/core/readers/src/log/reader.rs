@@ -15,7 +15,7 @@ pub trait LogReader: Send {
 }
 
 /// Knowledge of a format before any file is read.
-pub struct FormatInfo {
+pub struct LogFormatInfo {
     /// The format.
     pub format: LogFormat,
     /// Endings of its files, in small letters.

@@ -20,7 +20,7 @@ pub struct Skipped {
 
 /// A time in which the logger lost rows.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Gap {
+pub struct LoggerDropout {
     /// Seconds in the log's time base at which it was noted.
     pub time: f64,
     /// Duration, seconds.
@@ -46,7 +46,7 @@ pub struct ReadReport {
     /// All places that were skipped.
     pub skipped_places: u64,
     /// The first thousand gaps that the logger itself noted.
-    pub gaps: Vec<Gap>,
+    pub gaps: Vec<LoggerDropout>,
     /// All gaps that the logger noted.
     pub gap_count: u64,
     /// All of them together, seconds.
@@ -99,7 +99,7 @@ impl ReadReport {
         self.gap_count += 1;
         self.gap_duration += duration;
         if self.gaps.len() < REMEMBERED {
-            self.gaps.push(Gap { time, duration });
+            self.gaps.push(LoggerDropout { time, duration });
         }
     }
 

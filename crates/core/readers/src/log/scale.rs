@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Hundredths are divided by a hundred instead of multiplied by 0.01, which no computer has exactly: so
 /// 1234 becomes the very number that 12.34 is read as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub enum Scale {
+pub enum ValueScale {
     /// The number is the value.
     #[default]
     One,
@@ -17,7 +17,7 @@ pub enum Scale {
     Over(f64),
 }
 
-impl Scale {
+impl ValueScale {
     /// The scale that multiplies by `factor`: by division where `factor` is one over a whole number.
     pub fn by(factor: f64) -> Self {
         let over = (1.0 / factor).round();
@@ -61,7 +61,7 @@ mod tests {
             let read: f64 = format!("{}.{:02}", number / 100, number % 100)
                 .parse()
                 .unwrap();
-            assert_eq!(Scale::by(0.01).apply(f64::from(number)), read);
+            assert_eq!(ValueScale::by(0.01).apply(f64::from(number)), read);
             blurred += u32::from(f64::from(number) * 0.01 != read);
         }
         assert!(blurred > 100);
@@ -69,15 +69,18 @@ mod tests {
 
     #[test]
     fn a_scale_divides_only_where_it_loses_nothing() {
-        assert_eq!(Scale::by(1.0), Scale::One);
-        assert_eq!(Scale::by(1e-7), Scale::Over(1e7));
-        assert_eq!(Scale::by(1e-9), Scale::Over(1e9));
-        assert_eq!(Scale::by(3.6), Scale::Times(3.6));
-        assert_eq!(Scale::by(0.3), Scale::Times(0.3));
-        assert_eq!(Scale::by(-0.5), Scale::Times(-0.5));
+        assert_eq!(ValueScale::by(1.0), ValueScale::One);
+        assert_eq!(ValueScale::by(1e-7), ValueScale::Over(1e7));
+        assert_eq!(ValueScale::by(1e-9), ValueScale::Over(1e9));
+        assert_eq!(ValueScale::by(3.6), ValueScale::Times(3.6));
+        assert_eq!(ValueScale::by(0.3), ValueScale::Times(0.3));
+        assert_eq!(ValueScale::by(-0.5), ValueScale::Times(-0.5));
         for factor in [0.0, f64::INFINITY, f64::NAN, 1e-310] {
-            assert!(matches!(Scale::by(factor), Scale::Times(_)), "{factor}");
+            assert!(
+                matches!(ValueScale::by(factor), ValueScale::Times(_)),
+                "{factor}"
+            );
         }
-        assert_eq!(Scale::by(1e-6).factor(), 1e-6);
+        assert_eq!(ValueScale::by(1e-6).factor(), 1e-6);
     }
 }

@@ -6,7 +6,7 @@ use super::{Log, LogReader};
 const PIECE: usize = 1 << 16;
 
 /// Result of looking at the bytes that are there.
-pub(super) enum Step {
+pub(super) enum LogStep {
     /// They tell nothing until more have come.
     Wait,
     /// The first so many are done with, at least one.
@@ -17,16 +17,16 @@ pub(super) enum Step {
 ///
 /// A step must depend on nothing but the bytes from its place on, as far as it looks at them: then a
 /// log reads the same in whatever pieces it comes.
-pub(super) trait Steps: Send {
+pub(super) trait LogSteps: Send {
     /// Looks at the `bytes` from the place `offset` of the file on, which are never none. Where
     /// `over`, no more will come, and waiting is no answer.
-    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step;
+    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> LogStep;
 
     /// The file is over and every byte was taken.
     fn end(&mut self, _log: &mut Log) {}
 }
 
-/// A reader made of [`Steps`].
+/// A reader made of [`LogSteps`].
 #[derive(Default)]
 pub(super) struct Stepping<S> {
     steps: S,
@@ -37,19 +37,19 @@ pub(super) struct Stepping<S> {
     offset: u64,
 }
 
-impl<S: Steps> Stepping<S> {
+impl<S: LogSteps> Stepping<S> {
     fn walk(&mut self, over: bool, log: &mut Log) {
         while self.done < self.waiting.len() {
             let bytes = &self.waiting[self.done..];
             let took = match self.steps.step(bytes, self.offset, over, log) {
-                Step::Took(count) => count.clamp(1, bytes.len()),
-                Step::Wait if over => {
+                LogStep::Took(count) => count.clamp(1, bytes.len()),
+                LogStep::Wait if over => {
                     let rest = bytes.len();
                     log.report
                         .skip(self.offset, rest as u64, "the file ends too early");
                     rest
                 }
-                Step::Wait => return,
+                LogStep::Wait => return,
             };
             self.done += took;
             self.offset += took as u64;
@@ -65,7 +65,7 @@ impl<S: Steps> Stepping<S> {
     }
 }
 
-impl<S: Steps> LogReader for Stepping<S> {
+impl<S: LogSteps> LogReader for Stepping<S> {
     fn feed(&mut self, bytes: &[u8], log: &mut Log) {
         for piece in bytes.chunks(PIECE) {
             self.make_room();
@@ -94,18 +94,18 @@ mod tests {
         ended: bool,
     }
 
-    impl Steps for Counted {
-        fn step(&mut self, bytes: &[u8], offset: u64, _over: bool, log: &mut Log) -> Step {
+    impl LogSteps for Counted {
+        fn step(&mut self, bytes: &[u8], offset: u64, _over: bool, log: &mut Log) -> LogStep {
             let length = 1 + usize::from(bytes[0]);
             if length > 9 {
                 log.report.skip(offset, 1, "no length");
-                return Step::Took(1);
+                return LogStep::Took(1);
             }
             if bytes.len() < length {
-                return Step::Wait;
+                return LogStep::Wait;
             }
             log.report.message(length);
-            Step::Took(length)
+            LogStep::Took(length)
         }
 
         fn end(&mut self, _log: &mut Log) {

@@ -2,16 +2,16 @@
 
 use proptest::{collection::vec, prelude::*, sample::Index};
 
-use super::{FormatInfo, Log};
+use super::{Log, LogFormatInfo};
 
 /// Reads a file in pieces of that length.
-pub(super) fn read(info: &FormatInfo, file: &[u8], piece: usize) -> Log {
+pub(super) fn read(info: &LogFormatInfo, file: &[u8], piece: usize) -> Log {
     read_in(info, file, std::iter::repeat(piece.max(1)))
 }
 
 /// Reads a file in pieces of those lengths.
 pub(super) fn read_in(
-    info: &FormatInfo,
+    info: &LogFormatInfo,
     file: &[u8],
     pieces: impl IntoIterator<Item = usize>,
 ) -> Log {
@@ -100,7 +100,7 @@ impl Damage {
 
 /// Reads a damaged file at once, byte by byte and in `pieces`, and fails where that is not the same.
 pub(super) fn reads_alike(
-    info: &FormatInfo,
+    info: &LogFormatInfo,
     file: &[u8],
     pieces: Vec<usize>,
 ) -> Result<(), TestCaseError> {

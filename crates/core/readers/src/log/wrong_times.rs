@@ -1,7 +1,7 @@
 //! Rows and words whose time cannot be, left out of a log that is over.
 
 use super::{Log, LogFormat, Topic};
-use crate::times::{Verdict, judge, most_told_era};
+use crate::times::{TimeVerdict, judge, most_told_era};
 
 /// Topics of fewer rows do not tell when the log was written.
 const ENOUGH: usize = 20;
@@ -135,7 +135,10 @@ impl Topic {
     /// Keeps only rows whose time is not wrong.
     fn retain_sound(&mut self) -> Option<(String, usize, f64)> {
         let verdicts = judge(&self.times)?;
-        let kept: Vec<bool> = verdicts.into_iter().map(|v| v != Verdict::Wrong).collect();
+        let kept: Vec<bool> = verdicts
+            .into_iter()
+            .map(|v| v != TimeVerdict::Wrong)
+            .collect();
         self.retain_rows(&kept)
     }
 

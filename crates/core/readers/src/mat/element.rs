@@ -14,7 +14,7 @@ const COMPRESSED: u32 = 15;
 
 /// An element.
 #[derive(Clone, Debug)]
-pub struct Element<'a> {
+pub struct MatElement<'a> {
     /// Type of its data.
     pub kind: u32,
     /// Its data.
@@ -35,7 +35,7 @@ fn number(bytes: &[u8], is_big: bool) -> u32 {
 
 /// The elements of a file one after the other, those that are compressed unpacked; `None` if it is no such file.
 /// Ends before what is cut off or damaged.
-pub fn elements(bytes: &[u8]) -> Option<Vec<Element<'_>>> {
+pub fn elements(bytes: &[u8]) -> Option<Vec<MatElement<'_>>> {
     let mark = bytes.get(126..HEADER)?;
     let is_big = match mark {
         b"IM" => false,
@@ -57,7 +57,7 @@ pub fn elements(bytes: &[u8]) -> Option<Vec<Element<'_>>> {
             // What comes before damage is kept.
             let _ = decoder.take(MOST).read_to_end(&mut data);
             let inner = split(&data, is_big).into_iter().next()?;
-            Some(Element {
+            Some(MatElement {
                 kind: inner.kind,
                 data: Cow::Owned(inner.data.into_owned()),
                 is_big,
@@ -67,11 +67,11 @@ pub fn elements(bytes: &[u8]) -> Option<Vec<Element<'_>>> {
 }
 
 /// The elements within others.
-pub fn inside<'a>(element: &'a Element<'_>) -> Vec<Element<'a>> {
+pub fn inside<'a>(element: &'a MatElement<'_>) -> Vec<MatElement<'a>> {
     split(&element.data, element.is_big)
 }
 
-fn split(mut bytes: &[u8], is_big: bool) -> Vec<Element<'_>> {
+fn split(mut bytes: &[u8], is_big: bool) -> Vec<MatElement<'_>> {
     let mut elements = Vec::new();
     while let Some(tag) = bytes.get(..8) {
         let first = number(&tag[..4], is_big);
@@ -87,7 +87,7 @@ fn split(mut bytes: &[u8], is_big: bool) -> Vec<Element<'_>> {
         else {
             break;
         };
-        elements.push(Element {
+        elements.push(MatElement {
             kind,
             data: Cow::Borrowed(data),
             is_big,
@@ -105,7 +105,7 @@ fn split(mut bytes: &[u8], is_big: bool) -> Vec<Element<'_>> {
     elements
 }
 
-impl Element<'_> {
+impl MatElement<'_> {
     /// Its numbers, whatever they are stored as; `None` if it holds none.
     pub fn numbers(&self) -> Option<Vec<f64>> {
         let size = match self.kind {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::value::Value;
+use super::value::MatValue;
 use pilotage_base::text::in_quotes;
 
 /// Endings of the variable that has the names of a matrix' columns, behind the name of the matrix.
@@ -14,26 +14,26 @@ const LABELS: [&str; 6] = [
 const LEAST: usize = 3;
 
 /// Columns of one length with their names.
-type Columns = Vec<(String, Vec<f64>)>;
+type NamedColumns = Vec<(String, Vec<f64>)>;
 
 /// Tables as text, by the names of files that they stand for: `stem/variable.csv`.
 ///
 /// A matrix whose columns another variable names (`GPS` by `GPS_label`, as Mission Planner writes them) is a table, and
 /// so is a structure whose fields are columns. Vectors of one length are a table together, matrices of as many rows
 /// without names join them.
-pub fn of(stem: &str, variables: &[(String, Value)]) -> BTreeMap<String, Vec<u8>> {
-    let mut found: BTreeMap<String, Columns> = BTreeMap::new();
-    let mut loose: Columns = Vec::new();
+pub fn of(stem: &str, variables: &[(String, MatValue)]) -> BTreeMap<String, Vec<u8>> {
+    let mut found: BTreeMap<String, NamedColumns> = BTreeMap::new();
+    let mut loose: NamedColumns = Vec::new();
     for (name, value) in variables {
         match value {
-            Value::Numbers { .. } => match labels(name, variables) {
+            MatValue::Numbers { .. } => match labels(name, variables) {
                 Some(labels) => {
                     let columns = named(value, &labels);
                     found.entry(name.clone()).or_default().extend(columns);
                 }
                 None => loose.extend(columns(name, value)),
             },
-            Value::Fields(fields) => {
+            MatValue::Fields(fields) => {
                 let mut columns = Vec::new();
                 flatten("", fields, &mut columns);
                 by_length(name, columns, &mut found);
@@ -43,38 +43,39 @@ pub fn of(stem: &str, variables: &[(String, Value)]) -> BTreeMap<String, Vec<u8>
     }
     by_length("variables", loose, &mut found);
     let tables = found.into_iter().filter(|(_, columns)| columns.len() > 1);
-    let file = |(name, columns): (String, Columns)| (format!("{stem}/{name}.csv"), text(&columns));
+    let file =
+        |(name, columns): (String, NamedColumns)| (format!("{stem}/{name}.csv"), text(&columns));
     tables.map(file).collect()
 }
 
 /// The names of a matrix' columns that another variable has.
-fn labels(name: &str, variables: &[(String, Value)]) -> Option<Vec<String>> {
+fn labels(name: &str, variables: &[(String, MatValue)]) -> Option<Vec<String>> {
     let is_label = |other: &str| {
         let ending = other.strip_prefix(name);
         ending.is_some_and(|ending| LABELS.iter().any(|l| ending.eq_ignore_ascii_case(l)))
     };
     let (_, value) = variables.iter().find(|(other, _)| is_label(other))?;
-    let Value::Cells(cells) = value else {
+    let MatValue::Cells(cells) = value else {
         return None;
     };
-    let text = |cell: &Value| match cell {
-        Value::Text(text) => text.trim().to_owned(),
+    let text = |cell: &MatValue| match cell {
+        MatValue::Text(text) => text.trim().to_owned(),
         _ => String::new(),
     };
     Some(cells.iter().map(text).collect())
 }
 
 /// A matrix, column after column.
-struct Matrix<'a> {
+struct MatMatrix<'a> {
     rows: usize,
     columns: usize,
     values: &'a [f64],
 }
 
-impl<'a> Matrix<'a> {
-    fn of(value: &'a Value) -> Option<Self> {
+impl<'a> MatMatrix<'a> {
+    fn of(value: &'a MatValue) -> Option<Self> {
         match value {
-            Value::Numbers {
+            MatValue::Numbers {
                 rows,
                 columns,
                 values,
@@ -98,11 +99,11 @@ impl<'a> Matrix<'a> {
 }
 
 /// The columns of a matrix by these names; of one that is turned its rows.
-fn named(value: &Value, labels: &[String]) -> Columns {
-    let Some(matrix) = Matrix::of(value) else {
+fn named(value: &MatValue, labels: &[String]) -> NamedColumns {
+    let Some(matrix) = MatMatrix::of(value) else {
         return Vec::new();
     };
-    let Matrix { rows, columns, .. } = matrix;
+    let MatMatrix { rows, columns, .. } = matrix;
     let cut = |index: usize| -> Vec<f64> {
         if columns == labels.len() {
             matrix.column(index)
@@ -121,11 +122,11 @@ fn named(value: &Value, labels: &[String]) -> Columns {
 }
 
 /// The columns of numbers: one of a vector, `name_1` and so on of a matrix, the longer side of which are its rows.
-fn columns(name: &str, value: &Value) -> Columns {
-    let Some(matrix) = Matrix::of(value) else {
+fn columns(name: &str, value: &MatValue) -> NamedColumns {
+    let Some(matrix) = MatMatrix::of(value) else {
         return Vec::new();
     };
-    let Matrix { rows, columns, .. } = matrix;
+    let MatMatrix { rows, columns, .. } = matrix;
     let (length, count) = (rows.max(columns), rows.min(columns));
     if length < LEAST || count == 0 || count > 64 {
         return Vec::new();
@@ -150,7 +151,7 @@ fn columns(name: &str, value: &Value) -> Columns {
 }
 
 /// The columns that the fields of a structure are, and those of structures in it.
-fn flatten(prefix: &str, fields: &[(String, Value)], found: &mut Columns) {
+fn flatten(prefix: &str, fields: &[(String, MatValue)], found: &mut NamedColumns) {
     for (name, value) in fields {
         let name = if prefix.is_empty() {
             name.clone()
@@ -158,18 +159,18 @@ fn flatten(prefix: &str, fields: &[(String, Value)], found: &mut Columns) {
             format!("{prefix}.{name}")
         };
         match value {
-            Value::Numbers { .. } => match labels(name.as_str(), fields) {
+            MatValue::Numbers { .. } => match labels(name.as_str(), fields) {
                 Some(labels) => found.extend(named(value, &labels)),
                 None => found.extend(columns(&name, value)),
             },
-            Value::Fields(inner) => flatten(&name, inner, found),
+            MatValue::Fields(inner) => flatten(&name, inner, found),
             _ => {}
         }
     }
 }
 
 /// Puts columns of each length into a table of their own, called `name`, or `name_2` and so on.
-fn by_length(name: &str, columns: Columns, found: &mut BTreeMap<String, Columns>) {
+fn by_length(name: &str, columns: NamedColumns, found: &mut BTreeMap<String, NamedColumns>) {
     let mut lengths: Vec<usize> = Vec::new();
     for (column, values) in columns {
         if values.len() < LEAST {
@@ -189,7 +190,7 @@ fn by_length(name: &str, columns: Columns, found: &mut BTreeMap<String, Columns>
 }
 
 /// The columns as a table separated by commas.
-fn text(columns: &Columns) -> Vec<u8> {
+fn text(columns: &NamedColumns) -> Vec<u8> {
     let mut text = String::new();
     for (index, (name, _)) in columns.iter().enumerate() {
         let comma = if index > 0 { "," } else { "" };

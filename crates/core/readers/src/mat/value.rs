@@ -1,6 +1,6 @@
 //! Variables of a MATLAB file.
 
-use super::element::{Element, elements, inside};
+use super::element::{MatElement, elements, inside};
 
 /// Depth to which structures and cells are looked into.
 const DEEPEST: usize = 8;
@@ -9,7 +9,7 @@ const MATRIX: u32 = 14;
 
 /// Value of a variable.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum MatValue {
     /// Numbers, column by column, and how many rows and columns there are.
     Numbers {
         rows: usize,
@@ -19,22 +19,22 @@ pub enum Value {
     /// Letters.
     Text(String),
     /// Cells.
-    Cells(Vec<Value>),
+    Cells(Vec<MatValue>),
     /// Fields of one structure.
-    Fields(Vec<(String, Value)>),
+    Fields(Vec<(String, MatValue)>),
     /// Something else.
     Other,
 }
 
 /// The variables of a file by their names; `None` if it is no such file.
-pub fn variables(bytes: &[u8]) -> Option<Vec<(String, Value)>> {
+pub fn variables(bytes: &[u8]) -> Option<Vec<(String, MatValue)>> {
     let elements = elements(bytes)?;
     let matrices = elements.iter().filter(|element| element.kind == MATRIX);
     Some(matrices.filter_map(|element| array(element, 0)).collect())
 }
 
 /// The array that an element is, with its name.
-fn array(element: &Element<'_>, depth: usize) -> Option<(String, Value)> {
+fn array(element: &MatElement<'_>, depth: usize) -> Option<(String, MatValue)> {
     if depth > DEEPEST {
         return None;
     }
@@ -55,30 +55,30 @@ fn array(element: &Element<'_>, depth: usize) -> Option<(String, Value)> {
     let value = match class {
         1 => {
             let cells = rest.iter().filter(|part| part.kind == MATRIX);
-            let cell = |part| array(part, depth + 1).map_or(Value::Other, |(_, value)| value);
-            Value::Cells(cells.map(cell).collect())
+            let cell = |part| array(part, depth + 1).map_or(MatValue::Other, |(_, value)| value);
+            MatValue::Cells(cells.map(cell).collect())
         }
-        2 => fields(rest, depth).unwrap_or(Value::Other),
-        4 => Value::Text(letters(rest.first()?, rows)),
+        2 => fields(rest, depth).unwrap_or(MatValue::Other),
+        4 => MatValue::Text(letters(rest.first()?, rows)),
         6..=15 => {
             let values = rest.first()?.numbers()?;
             if rows.checked_mul(columns)? == values.len() {
-                Value::Numbers {
+                MatValue::Numbers {
                     rows,
                     columns,
                     values,
                 }
             } else {
-                Value::Other
+                MatValue::Other
             }
         }
-        _ => Value::Other,
+        _ => MatValue::Other,
     };
     Some((name.text(), value))
 }
 
 /// The text of letters that are stored column by column, of one row.
-fn letters(element: &Element<'_>, rows: usize) -> String {
+fn letters(element: &MatElement<'_>, rows: usize) -> String {
     let text = element.text();
     if rows > 1 {
         let every = text.chars().step_by(rows);
@@ -88,7 +88,7 @@ fn letters(element: &Element<'_>, rows: usize) -> String {
 }
 
 /// The fields of a structure; `None` of several structures.
-fn fields(parts: &[Element<'_>], depth: usize) -> Option<Value> {
+fn fields(parts: &[MatElement<'_>], depth: usize) -> Option<MatValue> {
     let [length, names, values @ ..] = parts else {
         return None;
     };
@@ -104,7 +104,7 @@ fn fields(parts: &[Element<'_>], depth: usize) -> Option<Value> {
     if values.len() != names.len() {
         return None;
     }
-    let value = |part| array(part, depth + 1).map_or(Value::Other, |(_, value)| value);
+    let value = |part| array(part, depth + 1).map_or(MatValue::Other, |(_, value)| value);
     let values = values.iter().map(value);
-    Some(Value::Fields(names.into_iter().zip(values).collect()))
+    Some(MatValue::Fields(names.into_iter().zip(values).collect()))
 }

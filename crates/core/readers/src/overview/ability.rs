@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::super::interpret::{Measured, Role};
+use super::super::interpret::{MeasuredSeries, Role};
 use super::AirDataFit;
 
 const TRACK: &str = "Show the track on the map";
@@ -35,7 +35,7 @@ impl Ability {
 
 /// Every ability that rests on what was measured, in the order in which people need them, and those that rest on
 /// pictures, of which there are none yet.
-pub fn abilities(measured: &Measured<'_>, air_data: Option<&AirDataFit>) -> Vec<Ability> {
+pub fn abilities(measured: &MeasuredSeries<'_>, air_data: Option<&AirDataFit>) -> Vec<Ability> {
     let has = |role| measured.found.iter().any(|s| s.role == role);
     let trouble = measured.trouble.map(ToString::to_string);
     let missing = |roles: &[Role]| {

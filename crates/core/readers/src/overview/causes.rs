@@ -1,6 +1,6 @@
 //! Findings by cause: sensors that fail together, told together.
 
-use super::sensor::{Gap, Sensor, often};
+use super::sensor::{SampleGap, Sensor, often};
 use super::{Finding, Severity};
 use crate::interpret::Role;
 
@@ -127,7 +127,7 @@ fn is_held(group: &[&Sensor]) -> Option<Finding> {
 }
 
 /// The longest gap of a sensor.
-fn longest(sensor: &Sensor) -> Option<&Gap> {
+fn longest(sensor: &Sensor) -> Option<&SampleGap> {
     let gaps = sensor.gaps.iter();
     gaps.max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from)))
 }

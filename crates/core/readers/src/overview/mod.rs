@@ -17,10 +17,10 @@ pub use ability::Ability;
 pub use air_data::{AirDataFit, fit_air_data};
 pub use airborne::airborne;
 pub use pilotage_flight::{Finding, Severity};
-pub use sensor::{Gap, Sensor};
+pub use sensor::{SampleGap, Sensor};
 pub use states::modes;
 
-use super::interpret::{Measured, Role};
+use super::interpret::{MeasuredSeries, Role};
 use super::log::Log;
 use pilotage_base::text::capitalised;
 
@@ -69,7 +69,7 @@ impl Overview {
 }
 
 /// Looks over a log and what was measured in it; of pictures nothing is known yet.
-pub fn overview(log: &Log, measured: &Measured<'_>) -> Overview {
+pub fn overview(log: &Log, measured: &MeasuredSeries<'_>) -> Overview {
     let found = measured.found;
     let of = |role| found.iter().find(|s| s.role == role);
     let span = log.span().unwrap_or((0.0, 0.0));

@@ -13,7 +13,7 @@ const STUCK: f64 = 5.0;
 
 /// A stretch without samples.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Gap {
+pub struct SampleGap {
     /// Last sample before it, seconds.
     pub from: f64,
     /// First sample after it, seconds.
@@ -32,7 +32,7 @@ pub struct Sensor {
     /// Samples per second in between gaps: one by the median interval, 0 with fewer than two.
     pub rate: f64,
     /// Stretches without samples that are five times longer than usual and at least a second.
-    pub gaps: Vec<Gap>,
+    pub gaps: Vec<SampleGap>,
     /// The longest stretch with one and the same number where the number should move, seconds.
     pub stuck: Option<(f64, f64)>,
     /// Whether it shows one number for the whole log, though nothing holds it still.
@@ -48,7 +48,7 @@ impl Sensor {
             let longest = (GAP * usual).max(LEAST_GAP);
             let pairs = series.times.windows(2);
             let gaps = pairs.filter(move |w| w[1] - w[0] > longest);
-            gaps.map(|w| Gap {
+            gaps.map(|w| SampleGap {
                 from: w[0],
                 to: w[1],
             })

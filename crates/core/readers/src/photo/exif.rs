@@ -44,7 +44,7 @@ pub(super) const GPS_DATE: u16 = 0x1d;
 
 /// Entry of one tag: its number, the type of its values, and their bytes.
 #[derive(Clone, Copy, Debug)]
-struct Entry<'a> {
+struct ExifEntry<'a> {
     tag: u16,
     kind: u16,
     values: &'a [u8],
@@ -52,17 +52,17 @@ struct Entry<'a> {
 
 /// The tags of a directory.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Directory<'a> {
+pub(super) struct ExifDirectory<'a> {
     is_little: bool,
-    entries: Vec<Entry<'a>>,
+    entries: Vec<ExifEntry<'a>>,
 }
 
 /// The directories of a photo.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Exif<'a> {
-    pub image: Directory<'a>,
-    pub photo: Directory<'a>,
-    pub gps: Directory<'a>,
+    pub image: ExifDirectory<'a>,
+    pub photo: ExifDirectory<'a>,
+    pub gps: ExifDirectory<'a>,
 }
 
 impl<'a> Exif<'a> {
@@ -73,7 +73,7 @@ impl<'a> Exif<'a> {
             Some(b"MM\0*") => false,
             _ => return Self::default(),
         };
-        let directory = |offset| Directory::read(tiff, offset, is_little);
+        let directory = |offset| ExifDirectory::read(tiff, offset, is_little);
         let image = unsigned(tiff.get(4..8).unwrap_or_default(), is_little);
         let image = directory(Some(image));
         let photo = directory(image.whole(EXIF_DIRECTORY));
@@ -82,7 +82,7 @@ impl<'a> Exif<'a> {
     }
 }
 
-impl<'a> Directory<'a> {
+impl<'a> ExifDirectory<'a> {
     fn read(tiff: &'a [u8], offset: Option<u64>, is_little: bool) -> Self {
         let mut entries = Vec::new();
         let table = offset.and_then(|offset| tiff.get(usize::try_from(offset).ok()?..));
@@ -94,13 +94,13 @@ impl<'a> Directory<'a> {
             let read = TiffEntry::read(bytes, is_little);
             let TiffEntry { tag, kind, .. } = read;
             if let Some(values) = values(tiff, &read, is_little) {
-                entries.push(Entry { tag, kind, values });
+                entries.push(ExifEntry { tag, kind, values });
             }
         }
         Self { is_little, entries }
     }
 
-    fn entry(&self, tag: u16) -> Option<Entry<'a>> {
+    fn entry(&self, tag: u16) -> Option<ExifEntry<'a>> {
         self.entries.iter().find(|entry| entry.tag == tag).copied()
     }
 
@@ -198,7 +198,7 @@ mod tests {
         for part in [46_u32, 1, 50, 2, 7, 0] {
             tiff.extend(part.to_le_bytes());
         }
-        let directory = Directory::read(&tiff, Some(8), true);
+        let directory = ExifDirectory::read(&tiff, Some(8), true);
         assert_eq!(directory.reals(LATITUDE), [46.0, 25.0]);
     }
 }

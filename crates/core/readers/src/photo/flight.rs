@@ -10,8 +10,8 @@ use super::camera::focal_in_pixels;
 use super::log::log;
 use super::pose::{looking_down, photo_pose};
 use super::read::{Photo, PhotoPlace, read_photo};
-use super::timed::Timed;
-use crate::folder::{FlightFolder, FolderFrames, Told};
+use super::timed::TimedPhoto;
+use crate::folder::{FlightFolder, FlightOrigin, FolderFrames};
 use crate::times::most_told_era;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
@@ -77,7 +77,7 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
         .collect();
     let log = log(&flight.name, &photos, &flight.channels);
     Some(FlightFolder {
-        told: Told::Log(Box::new(log)),
+        told: FlightOrigin::Log(Box::new(log)),
         frames: FolderFrames::new(Arc::clone(files), vec![String::new()], "", names),
         flight,
         notes,
@@ -85,7 +85,7 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
 }
 
 /// Photos of one size, in the order of their times.
-fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Timed> {
+fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     let mut names = files.names();
     names.retain(|name| is_photo(name));
     names.sort();
@@ -204,7 +204,7 @@ pub(super) fn is_photo(name: &str) -> bool {
     is_jpeg && !file.starts_with('.')
 }
 
-fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<Timed> {
+fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     let seconds = photos.iter().filter_map(|photo| photo.taken);
     let era = most_told_era(seconds.map(|(whole, _)| whole as f64));
     let is_of_era = |photo: &Photo| {
@@ -232,7 +232,7 @@ fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<Timed> {
         );
         let numbered = photos.into_iter().enumerate();
         return numbered
-            .map(|(i, photo)| Timed {
+            .map(|(i, photo)| TimedPhoto {
                 time: i as f64,
                 photo,
             })
@@ -244,12 +244,12 @@ fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<Timed> {
         Some(whole.saturating_sub(first.0) as f64 + (fraction - first.1))
     };
     let timed = photos.into_iter().filter_map(|photo| {
-        Some(Timed {
+        Some(TimedPhoto {
             time: since(&photo)?,
             photo,
         })
     });
-    let mut timed: Vec<Timed> = timed.collect();
+    let mut timed: Vec<TimedPhoto> = timed.collect();
     if timed.len() < total {
         notes.push(format!(
             "{} of {total} photos do not say when they were taken and were left out",
@@ -262,7 +262,7 @@ fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<Timed> {
 }
 
 /// Photos taken within the same second by a clock of whole seconds are spread over it.
-fn spread_seconds(photos: &mut [Timed], notes: &mut Vec<String>) {
+fn spread_seconds(photos: &mut [TimedPhoto], notes: &mut Vec<String>) {
     let has_fractions = photos
         .iter()
         .any(|p| p.photo.taken.is_some_and(|(_, part)| part != 0.0));
@@ -306,9 +306,9 @@ pub(super) fn camera(photo: &Photo, notes: &mut Vec<String>) -> CameraModel {
     camera
 }
 
-fn states(photos: &[Timed], frame: &LocalFrame) -> Vec<TruthState> {
+fn states(photos: &[TimedPhoto], frame: &LocalFrame) -> Vec<TruthState> {
     let mut states: Vec<TruthState> = Vec::new();
-    for Timed { time, photo } in photos {
+    for TimedPhoto { time, photo } in photos {
         let Some(PhotoPlace {
             latitude,
             longitude,
@@ -338,7 +338,7 @@ fn states(photos: &[Timed], frame: &LocalFrame) -> Vec<TruthState> {
     states
 }
 
-fn channels(photos: &[Timed], states: &[TruthState], notes: &mut Vec<String>) -> Vec<Channel> {
+fn channels(photos: &[TimedPhoto], states: &[TruthState], notes: &mut Vec<String>) -> Vec<Channel> {
     let series = |name: ChannelName, value: &dyn Fn(&Photo) -> Option<f64>| {
         let samples = photos
             .iter()
@@ -408,7 +408,7 @@ fn channels(photos: &[Timed], states: &[TruthState], notes: &mut Vec<String>) ->
 }
 
 /// Says what else people should know.
-fn tell(photos: &[Timed], notes: &mut Vec<String>) {
+fn tell(photos: &[TimedPhoto], notes: &mut Vec<String>) {
     let count = |is: &dyn Fn(&Photo) -> bool| photos.iter().filter(|p| is(&p.photo)).count();
     let total = photos.len();
     let nowhere = count(&|p| p.place.is_none());
@@ -433,7 +433,7 @@ fn tell(photos: &[Timed], notes: &mut Vec<String>) {
         ));
     }
     let saved = photos.iter().filter(|p| p.photo.saved_again_by.is_some());
-    let saved: Vec<&Timed> = saved.collect();
+    let saved: Vec<&TimedPhoto> = saved.collect();
     if let Some(program) = saved.first().and_then(|p| p.photo.saved_again_by.as_ref()) {
         notes.push(format!(
             "{} of {total} photos were saved again by {program}, which may have turned them against their heading",

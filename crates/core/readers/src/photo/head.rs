@@ -2,7 +2,7 @@
 
 /// Contents of the head of a JPEG file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Head<'a> {
+pub(super) struct JpegHead<'a> {
     /// The TIFF within that EXIF is.
     pub exif: Option<&'a [u8]>,
     /// XMP, which is XML.
@@ -15,29 +15,29 @@ const EXIF: &[u8] = b"Exif\0\0";
 const XMP: &[u8] = b"http://ns.adobe.com/xap/1.0/\0";
 
 /// Head of the file that `bytes` begin, as far as it is there.
-pub(super) enum Found<'a> {
+pub(super) enum HeadSearch<'a> {
     /// It is all there.
-    Whole(Head<'a>),
+    Whole(JpegHead<'a>),
     /// It goes on behind these bytes; what there is so far.
-    Part(Head<'a>),
+    Part(JpegHead<'a>),
     /// They are no JPEG.
     None,
 }
 
 /// Looks at the segments up to the one that says how large the picture is.
-pub(super) fn head(bytes: &[u8]) -> Found<'_> {
+pub(super) fn head(bytes: &[u8]) -> HeadSearch<'_> {
     if !bytes.starts_with(&[0xff, 0xd8]) {
-        return Found::None;
+        return HeadSearch::None;
     }
-    let mut head = Head::default();
+    let mut head = JpegHead::default();
     let mut rest = &bytes[2..];
     loop {
         // Any number of 0xff may stand before a marker.
         let Some(marker) = rest.iter().position(|b| *b != 0xff) else {
-            return Found::Part(head);
+            return HeadSearch::Part(head);
         };
         if marker == 0 {
-            return Found::Whole(head);
+            return HeadSearch::Whole(head);
         }
         let kind = rest[marker];
         rest = &rest[marker + 1..];
@@ -45,18 +45,18 @@ pub(super) fn head(bytes: &[u8]) -> Found<'_> {
             // Markers that nothing belongs to.
             0x01 | 0xd0..=0xd7 => continue,
             // The picture itself begins, or the file ends.
-            0xd8..=0xda => return Found::Whole(head),
+            0xd8..=0xda => return HeadSearch::Whole(head),
             _ => {}
         }
         let Some(length) = rest.first_chunk().map(|length| u16::from_be_bytes(*length)) else {
-            return Found::Part(head);
+            return HeadSearch::Part(head);
         };
         let length = usize::from(length);
         if length < 2 {
-            return Found::Whole(head);
+            return HeadSearch::Whole(head);
         }
         let Some((segment, after)) = rest.split_at_checked(length) else {
-            return Found::Part(head);
+            return HeadSearch::Part(head);
         };
         rest = after;
         let segment = &segment[2..];
@@ -73,7 +73,7 @@ pub(super) fn head(bytes: &[u8]) -> Found<'_> {
                 head.size = number(3)
                     .zip(number(1))
                     .filter(|(width, height)| *width > 0 && *height > 0);
-                return Found::Whole(head);
+                return HeadSearch::Whole(head);
             }
             _ => {}
         }
@@ -102,15 +102,15 @@ mod tests {
             size,
         ]
         .concat();
-        let Found::Whole(found) = head(&file) else {
+        let HeadSearch::Whole(found) = head(&file) else {
             panic!("it is whole");
         };
         assert_eq!(found.exif, Some(&b"II*\0"[..]));
         assert_eq!(found.xmp, Some(&b"<x/>"[..]));
         assert_eq!(found.size, Some((512, 256)));
         for end in 2..file.len() {
-            assert!(matches!(head(&file[..end]), Found::Part(_)), "{end}");
+            assert!(matches!(head(&file[..end]), HeadSearch::Part(_)), "{end}");
         }
-        assert!(matches!(head(&file[1..]), Found::None));
+        assert!(matches!(head(&file[1..]), HeadSearch::None));
     }
 }

@@ -11,7 +11,8 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid, decode_picture};
 use pilotage_vision::registration::{
-    Look, MapPose, NotRegistered, PosePrior, Registration, RegistrationMethod, outline, register,
+    FrameLook, MapPose, NotRegistered, PosePrior, Registration, RegistrationMethod, outline,
+    register,
 };
 
 /// A photo that is ready to be laid on a map.
@@ -109,8 +110,8 @@ impl PhotoLook {
     }
 
     /// The photo over `map`, whose ground is level at zero.
-    pub fn over<'a>(&'a self, map: &'a dyn Imagery) -> Look<'a> {
-        Look {
+    pub fn over<'a>(&'a self, map: &'a dyn Imagery) -> FrameLook<'a> {
+        FrameLook {
             camera: &self.camera,
             ground_down: 0.0,
             luminance: &self.luminance,
@@ -138,7 +139,7 @@ impl PhotoLook {
 }
 
 impl RegisteredPhoto {
-    fn of(look: &Look<'_>, found: &Registration) -> Self {
+    fn of(look: &FrameLook<'_>, found: &Registration) -> Self {
         Self {
             at: found.fit.at,
             stored_turn: found.stored_turn,

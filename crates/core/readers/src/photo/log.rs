@@ -1,7 +1,7 @@
 //! The log that photos are: what each tells of itself, and what that is in navigation.
 
 use super::read::{Photo, PhotoPlace};
-use super::timed::Timed;
+use super::timed::TimedPhoto;
 use crate::folder::of_samples;
 use crate::interpret::{Role, RoleSeries};
 use crate::log::{Cells, Column, Log, LogFormat};
@@ -18,21 +18,21 @@ const HEIGHT: &str = "height_above_take_off";
 const DIRECTION: &str = "direction";
 
 /// Reads a number of a photo.
-type Number = Box<dyn Fn(&Photo) -> Option<f64>>;
+type PhotoNumber = Box<dyn Fn(&Photo) -> Option<f64>>;
 
 /// A number that a photo may tell of itself.
-struct Told {
+struct ToldNumber {
     name: String,
     unit: &'static str,
-    value: Number,
+    value: PhotoNumber,
 }
 
 fn told(
     name: impl Into<String>,
     unit: &'static str,
     value: impl Fn(&Photo) -> Option<f64> + 'static,
-) -> Told {
-    Told {
+) -> ToldNumber {
+    ToldNumber {
         name: name.into(),
         unit,
         value: Box::new(value),
@@ -40,7 +40,7 @@ fn told(
 }
 
 /// Roll, pitch and yaw of what `of` tells of, degrees.
-fn angles(what: &str, of: fn(&Photo) -> Option<Attitude>) -> [Told; 3] {
+fn angles(what: &str, of: fn(&Photo) -> Option<Attitude>) -> [ToldNumber; 3] {
     let angle = |name: &str, part: fn(&Attitude) -> f64| {
         told(format!("{what}_{name}"), "deg", move |photo| {
             Some(part(&of(photo)?).to_degrees())
@@ -54,7 +54,7 @@ fn angles(what: &str, of: fn(&Photo) -> Option<Attitude>) -> [Told; 3] {
 }
 
 /// Every number that a photo may tell, in the units of its maker.
-fn numbers() -> Vec<Told> {
+fn numbers() -> Vec<ToldNumber> {
     let place = |name, unit, part: fn(&PhotoPlace) -> Option<f64>| {
         told(name, unit, move |photo| part(&photo.place?))
     };
@@ -77,7 +77,7 @@ fn numbers() -> Vec<Told> {
 
 /// Log of one topic, a row for each photo, with every value that any of them tells; and the series that
 /// `channels` have of it.
-pub(super) fn log(name: &str, photos: &[Timed], channels: &[Channel]) -> Log {
+pub(super) fn log(name: &str, photos: &[TimedPhoto], channels: &[Channel]) -> Log {
     let mut log = Log::new(name, LogFormat::Photos);
     let names = photos.iter().map(|p| p.photo.name.clone()).collect();
     let mut columns = vec![Column {
@@ -86,7 +86,7 @@ pub(super) fn log(name: &str, photos: &[Timed], channels: &[Channel]) -> Log {
         cells: Cells::Texts(names),
     }];
     columns.extend(numbers().into_iter().filter_map(|told| {
-        let value = |p: &Timed| (told.value)(&p.photo).unwrap_or(f64::NAN);
+        let value = |p: &TimedPhoto| (told.value)(&p.photo).unwrap_or(f64::NAN);
         let values: Vec<f64> = photos.iter().map(value).collect();
         let is_told = values.iter().any(|value| value.is_finite());
         is_told.then(|| Column {
@@ -110,7 +110,7 @@ pub(super) fn log(name: &str, photos: &[Timed], channels: &[Channel]) -> Log {
 }
 
 /// Roles of the numbers in navigation: places as they are told, the rest as the flight has it.
-fn given(photos: &[Timed], channels: &[Channel]) -> Vec<RoleSeries> {
+fn given(photos: &[TimedPhoto], channels: &[Channel]) -> Vec<RoleSeries> {
     let source = |field: &str| format!("{TOPIC}.{field}");
     let place = |role, field, part: fn(&PhotoPlace) -> f64| {
         let placed = photos.iter().filter_map(|p| Some((p.time, p.photo.place?)));

@@ -1,7 +1,7 @@
 //! Reading of one photo.
 
-use super::exif::{self, Directory, Exif};
-use super::head::{Found, head};
+use super::exif::{self, Exif, ExifDirectory};
+use super::head::{HeadSearch, head};
 use super::xmp::Xmp;
 use crate::cells::{Moment, date_and_time};
 use pilotage_base::angle_text::degrees_of_text;
@@ -114,12 +114,12 @@ pub fn read_photo(source: &dyn ByteSource) -> Result<Photo, PhotoError> {
             ..found?
         });
     }
-    if matches!(head(&bytes), Found::Part(_)) && length > HEAD {
+    if matches!(head(&bytes), HeadSearch::Part(_)) && length > HEAD {
         bytes = fetch(LONGEST_HEAD)?;
     }
     match head(&bytes) {
-        Found::None => Err(PhotoError::NoJpeg { file: file() }),
-        Found::Whole(head) | Found::Part(head) => {
+        HeadSearch::None => Err(PhotoError::NoJpeg { file: file() }),
+        HeadSearch::Whole(head) | HeadSearch::Part(head) => {
             let (width, height) = head
                 .size
                 .ok_or_else(|| PhotoError::NoPicture { file: file() })?;
@@ -247,7 +247,7 @@ fn taken(exif: &Exif) -> (Option<(i64, f64)>, bool) {
 }
 
 /// Degrees, minutes and seconds together, radians; negative where `reference` says so.
-fn angle(gps: &Directory, tag: u16, reference: u16, negative: &str) -> Option<f64> {
+fn angle(gps: &ExifDirectory, tag: u16, reference: u16, negative: &str) -> Option<f64> {
     let parts = gps.reals(tag);
     let degrees = match parts[..] {
         [degrees] => degrees,
@@ -263,7 +263,7 @@ fn angle(gps: &Directory, tag: u16, reference: u16, negative: &str) -> Option<f6
     Some(sign * degrees.to_radians())
 }
 
-fn place(gps: &Directory, xmp: &Xmp) -> Option<PhotoPlace> {
+fn place(gps: &ExifDirectory, xmp: &Xmp) -> Option<PhotoPlace> {
     let of_exif = angle(gps, exif::LATITUDE, exif::LATITUDE_REF, "S").zip(angle(
         gps,
         exif::LONGITUDE,
@@ -386,7 +386,7 @@ fn camera_attitude(xmp: &Xmp) -> Option<Attitude> {
     })
 }
 
-fn direction(gps: &Directory) -> Option<f64> {
+fn direction(gps: &ExifDirectory) -> Option<f64> {
     // Directions from magnetic north are of no use without knowing how far that is from true north.
     let is_true = gps
         .text(exif::DIRECTION_REF)
@@ -397,7 +397,7 @@ fn direction(gps: &Directory) -> Option<f64> {
 }
 
 /// Distance between pixels of the stored picture, which may be smaller than the one that was taken.
-fn pixel_pitch(photo: &Directory, width: usize) -> Option<f64> {
+fn pixel_pitch(photo: &ExifDirectory, width: usize) -> Option<f64> {
     let per_unit = positive(photo.real(exif::FOCAL_PLANE_X))?;
     let unit = match photo.whole(exif::FOCAL_PLANE_UNIT).unwrap_or(2) {
         2 => 0.0254,

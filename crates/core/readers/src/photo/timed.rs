@@ -3,7 +3,7 @@
 use super::read::Photo;
 
 /// A photo with its time in the flight, seconds.
-pub(super) struct Timed {
+pub(super) struct TimedPhoto {
     pub time: f64,
     pub photo: Photo,
 }

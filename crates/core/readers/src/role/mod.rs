@@ -5,7 +5,7 @@ mod series;
 
 use serde::{Deserialize, Serialize};
 
-pub(crate) use reading::{DEGREE, Meaning, Reading, Source, field, of};
+pub(crate) use reading::{DEGREE, Meaning, RoleSource, RowReading, field, of};
 pub use series::RoleSeries;
 
 use pilotage_flight::ChannelName;

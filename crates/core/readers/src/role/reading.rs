@@ -8,7 +8,7 @@ pub(crate) const DEGREE: f64 = std::f64::consts::PI / 180.0;
 ///
 /// Those of ROS have the world's axes east, north, up and the body's forward, left, up (REP 103, REP 105).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reading {
+pub enum RowReading {
     /// A field; the factor to SI counts where the log states no unit itself.
     Field(&'static str, f64),
     /// An angle of the attitude that takes body to world, as a quaternion in the fields `name[0]` to
@@ -33,14 +33,14 @@ pub enum Reading {
 
 /// A place where a role may be found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Source {
+pub struct RoleSource {
     /// The role.
     pub role: Role,
     /// Name of the topic, whichever instance comes first; or the [kind](crate::log::Topic::kind) of its
     /// rows, and after an `@` what has to stand in its name.
     pub topic: &'static str,
     /// Reading of a row.
-    pub reading: Reading,
+    pub reading: RowReading,
 }
 
 pub(crate) const fn field(
@@ -48,16 +48,16 @@ pub(crate) const fn field(
     topic: &'static str,
     name: &'static str,
     factor: f64,
-) -> Source {
-    Source {
+) -> RoleSource {
+    RoleSource {
         role,
         topic,
-        reading: Reading::Field(name, factor),
+        reading: RowReading::Field(name, factor),
     }
 }
 
-pub(crate) const fn of(role: Role, topic: &'static str, reading: Reading) -> Source {
-    Source {
+pub(crate) const fn of(role: Role, topic: &'static str, reading: RowReading) -> RoleSource {
+    RoleSource {
         role,
         topic,
         reading,
@@ -68,7 +68,7 @@ pub(crate) const fn of(role: Role, topic: &'static str, reading: Reading) -> Sou
 #[derive(Clone, Copy)]
 pub struct Meaning {
     /// Tables of the places where roles may be found, for each role the best first.
-    pub roles: &'static [&'static [Source]],
+    pub roles: &'static [&'static [RoleSource]],
     /// Topics that tell photos, and of each its field that is 0 for a photo that was not taken, if there is one. The surest
     /// stand first: that the shutter opened, before that it was asked to.
     pub triggers: &'static [(&'static str, &'static str)],

@@ -1,7 +1,7 @@
 //! Series measured of a role.
 
 use super::Role;
-use crate::times::{Verdict, judge};
+use crate::times::{TimeVerdict, judge};
 use pilotage_base::frames::wrap_pi;
 
 /// A role found in a log.
@@ -66,7 +66,9 @@ impl RoleSeries {
         }
         let mut last = f64::NEG_INFINITY;
         let is_kept = |(row, time): (usize, &f64)| {
-            let is_sound = verdicts.as_ref().is_none_or(|v| v[row] == Verdict::Sound);
+            let is_sound = verdicts
+                .as_ref()
+                .is_none_or(|v| v[row] == TimeVerdict::Sound);
             let is_kept = is_sound && *time > last;
             if is_kept {
                 last = *time;

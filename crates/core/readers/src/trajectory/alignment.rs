@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// Kind of alignment of a trajectory with the reference before it is compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Alignment {
+pub enum TrajectoryAlignment {
     /// Not at all: both are in one world.
     #[default]
     None,
@@ -19,7 +19,7 @@ pub enum Alignment {
 
 /// A place p goes to scale · rotation · p + shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Similarity {
+pub struct TrajectorySimilarity {
     /// Scale.
     pub scale: f64,
     /// Rotation.
@@ -28,7 +28,7 @@ pub struct Similarity {
     pub shift: Vector3<f64>,
 }
 
-impl Similarity {
+impl TrajectorySimilarity {
     /// Leaves everything where it is.
     pub fn identity() -> Self {
         Self {
@@ -49,31 +49,34 @@ impl Similarity {
 ///
 /// ```
 /// use nalgebra::Point3;
-/// use pilotage_readers::trajectory::{Alignment, align};
+/// use pilotage_readers::trajectory::{TrajectoryAlignment, align};
 ///
 /// // East in place of north, twice as large and 5 m down.
 /// let pairs = [(0.0, 0.0), (10.0, 0.0), (10.0, 20.0)]
 ///     .map(|(n, e)| (Point3::new(n, e, 0.0), Point3::new(-2.0 * e, 2.0 * n, 5.0)));
-/// let over = align(&pairs, Alignment::Similarity).ok_or("one place")?;
+/// let over = align(&pairs, TrajectoryAlignment::Similarity).ok_or("one place")?;
 /// assert!((over.scale - 2.0).abs() < 1e-9);
 /// assert!((over.apply(&pairs[2].0) - pairs[2].1).norm() < 1e-9);
 /// # Ok::<(), &str>(())
 /// ```
-pub fn align(pairs: &[(Point3<f64>, Point3<f64>)], how: Alignment) -> Option<Similarity> {
+pub fn align(
+    pairs: &[(Point3<f64>, Point3<f64>)],
+    how: TrajectoryAlignment,
+) -> Option<TrajectorySimilarity> {
     let (first, second) = pairs.first()?;
     match how {
-        Alignment::None => Some(Similarity::identity()),
-        Alignment::Origin => Some(Similarity {
+        TrajectoryAlignment::None => Some(TrajectorySimilarity::identity()),
+        TrajectoryAlignment::Origin => Some(TrajectorySimilarity {
             shift: second - first,
-            ..Similarity::identity()
+            ..TrajectorySimilarity::identity()
         }),
-        Alignment::Rigid => umeyama(pairs, false),
-        Alignment::Similarity => umeyama(pairs, true),
+        TrajectoryAlignment::Rigid => umeyama(pairs, false),
+        TrajectoryAlignment::Similarity => umeyama(pairs, true),
     }
 }
 
 /// Umeyama 1991, eqs 34-42.
-fn umeyama(pairs: &[(Point3<f64>, Point3<f64>)], with_scale: bool) -> Option<Similarity> {
+fn umeyama(pairs: &[(Point3<f64>, Point3<f64>)], with_scale: bool) -> Option<TrajectorySimilarity> {
     let count = pairs.len() as f64;
     let mean_from = pairs.iter().map(|p| p.0.coords).sum::<Vector3<f64>>() / count;
     let mean_to = pairs.iter().map(|p| p.1.coords).sum::<Vector3<f64>>() / count;
@@ -101,7 +104,7 @@ fn umeyama(pairs: &[(Point3<f64>, Point3<f64>)], with_scale: bool) -> Option<Sim
     } else {
         1.0
     };
-    Some(Similarity {
+    Some(TrajectorySimilarity {
         scale,
         rotation: Rotation3::from_matrix_unchecked(rotation),
         shift: mean_to - scale * (rotation * mean_from),
@@ -119,7 +122,7 @@ mod tests {
             roll in -3.0..3.0, pitch in -1.5..1.5, yaw in -3.0..3.0, scale in 0.2..5.0,
             north in -500.0..500.0, east in -500.0..500.0,
         ) {
-            let moved = Similarity {
+            let moved = TrajectorySimilarity {
                 scale,
                 rotation: Rotation3::from_euler_angles(roll, pitch, yaw),
                 shift: Vector3::new(north, east, 30.0),
@@ -129,7 +132,7 @@ mod tests {
                 Point3::new(10.0 * t.sin(), 7.0 * t, (0.7 * t).cos())
             });
             let pairs: Vec<_> = places.map(|p| (p, moved.apply(&p))).collect();
-            let found = align(&pairs, Alignment::Similarity).unwrap();
+            let found = align(&pairs, TrajectoryAlignment::Similarity).unwrap();
             prop_assert!((found.scale - scale).abs() < 1e-9 * scale);
             for (from, to) in &pairs {
                 prop_assert!((found.apply(from) - to).norm() < 1e-7);
@@ -146,16 +149,16 @@ mod tests {
             [0.0, 0.0, 3.0],
         ];
         let pairs = corners.map(|[x, y, z]| (Point3::new(x, y, z), Point3::new(-x, y, z)));
-        let found = align(&pairs, Alignment::Rigid).unwrap();
+        let found = align(&pairs, TrajectoryAlignment::Rigid).unwrap();
         assert!((found.rotation.matrix().determinant() - 1.0).abs() < 1e-12);
     }
 
     #[test]
     fn places_that_are_one_have_no_turn() {
         let p = Point3::new(1.0, 2.0, 3.0);
-        assert_eq!(align(&[(p, p), (p, p)], Alignment::Rigid), None);
-        assert_eq!(align(&[], Alignment::None), None);
-        let shifted = align(&[(p, Point3::origin())], Alignment::Origin).unwrap();
+        assert_eq!(align(&[(p, p), (p, p)], TrajectoryAlignment::Rigid), None);
+        assert_eq!(align(&[], TrajectoryAlignment::None), None);
+        let shifted = align(&[(p, Point3::origin())], TrajectoryAlignment::Origin).unwrap();
         assert_eq!(shifted.apply(&p), Point3::origin());
     }
 }

@@ -4,12 +4,13 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::{
-    Alignment, Delta, ErrorStatistics, Track, absolute_errors, associate, relative_errors,
+    Delta, ErrorStatistics, Trajectory, TrajectoryAlignment, absolute_errors, associate,
+    relative_errors,
 };
 
 /// Relation between the times of two trajectories.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Clock {
+pub enum ClockRelation {
     /// Both run by one clock: by UTC where both know it, else their times are alike.
     #[default]
     Shared,
@@ -21,9 +22,9 @@ pub enum Clock {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ComparisonSettings {
     /// The clock.
-    pub clock: Clock,
+    pub clock: ClockRelation,
     /// Alignment of one with the other for the absolute error.
-    pub alignment: Alignment,
+    pub alignment: TrajectoryAlignment,
     /// Between which places relative errors are taken.
     pub delta: Delta,
     /// Longest time between two places of the reference between which it is interpolated, seconds.
@@ -33,8 +34,8 @@ pub struct ComparisonSettings {
 impl Default for ComparisonSettings {
     fn default() -> Self {
         Self {
-            clock: Clock::default(),
-            alignment: Alignment::default(),
+            clock: ClockRelation::default(),
+            alignment: TrajectoryAlignment::default(),
             delta: Delta::Seconds(10.0),
             longest_gap: 2.0,
         }
@@ -43,7 +44,7 @@ impl Default for ComparisonSettings {
 
 /// Comparison of one trajectory with the reference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Comparison {
+pub struct TrajectoryComparison {
     /// Seconds that were added to its times.
     pub shift: f64,
     /// Whether heights were compared as well.
@@ -73,14 +74,18 @@ pub enum NotComparable {
 }
 
 /// Seconds to add to the times of `track` to have those of `reference`.
-pub fn shift_to(reference: &Track, track: &Track, clock: Clock) -> Result<f64, NotComparable> {
-    let take_off = |track: &Track| {
+pub fn shift_to(
+    reference: &Trajectory,
+    track: &Trajectory,
+    clock: ClockRelation,
+) -> Result<f64, NotComparable> {
+    let take_off = |track: &Trajectory| {
         let found = track.take_off();
         found.ok_or_else(|| NotComparable::NoTakeOff(track.name.clone()))
     };
     match clock {
-        Clock::TakeOff => Ok(take_off(reference)? - take_off(track)?),
-        Clock::Shared => Ok(match (track.utc_at_zero, reference.utc_at_zero) {
+        ClockRelation::TakeOff => Ok(take_off(reference)? - take_off(track)?),
+        ClockRelation::Shared => Ok(match (track.utc_at_zero, reference.utc_at_zero) {
             (Some(own), Some(other)) => own - other,
             _ => 0.0,
         }),
@@ -90,12 +95,12 @@ pub fn shift_to(reference: &Track, track: &Track, clock: Clock) -> Result<f64, N
 /// `track` against `reference`, in the reference's time and world.
 ///
 /// ```
-/// use pilotage_readers::trajectory::{ComparisonSettings, Track, compare};
+/// use pilotage_readers::trajectory::{ComparisonSettings, Trajectory, compare};
 ///
 /// // Northward at 20 m/s, and the same 3 m to the north and 4 m to the east.
 /// let straight = |north: f64, east: f64| {
 ///     let places = (0..60).map(move |t| (f64::from(t), 20.0 * f64::from(t) + north, east));
-///     Track::on_the_ground("run".to_owned(), None, places)
+///     Trajectory::on_the_ground("run".to_owned(), None, places)
 /// };
 /// let found = compare(&straight(0.0, 0.0), &straight(3.0, 4.0), &ComparisonSettings::default())?;
 /// assert!((found.absolute_statistics.rmse - 5.0).abs() < 1e-9);
@@ -104,10 +109,10 @@ pub fn shift_to(reference: &Track, track: &Track, clock: Clock) -> Result<f64, N
 /// # Ok::<(), pilotage_readers::trajectory::NotComparable>(())
 /// ```
 pub fn compare(
-    reference: &Track,
-    track: &Track,
+    reference: &Trajectory,
+    track: &Trajectory,
     settings: &ComparisonSettings,
-) -> Result<Comparison, NotComparable> {
+) -> Result<TrajectoryComparison, NotComparable> {
     let shift = shift_to(reference, track, settings.clock)?;
     let mut moved = track.in_frame(reference.frame).later(shift);
     let mut fixed = reference.clone();
@@ -127,7 +132,7 @@ pub fn compare(
     let absolute_statistics = ErrorStatistics::of(errors)
         .ok_or_else(|| NotComparable::NoAlignment(track.name.clone()))?;
     let relative = relative_errors(&pairs, settings.delta);
-    Ok(Comparison {
+    Ok(TrajectoryComparison {
         shift,
         in_space,
         absolute,
@@ -142,12 +147,12 @@ mod tests {
     use super::*;
 
     /// Stands for `wait` seconds, then runs east at 20 m/s for a minute, `north` metres off.
-    fn run(name: &str, wait: f64, north: f64) -> Track {
+    fn run(name: &str, wait: f64, north: f64) -> Trajectory {
         let places = (0..=10 * (wait as u32 + 60)).map(|i| {
             let time = 0.1 * f64::from(i);
             (time, north, 20.0 * (time - wait).max(0.0))
         });
-        Track::on_the_ground(name.into(), None, places)
+        Trajectory::on_the_ground(name.into(), None, places)
     }
 
     #[test]
@@ -156,7 +161,7 @@ mod tests {
         let shared = compare(&first, &second, &ComparisonSettings::default()).unwrap();
         assert!(shared.absolute_statistics.greatest > 290.0);
         let settings = ComparisonSettings {
-            clock: Clock::TakeOff,
+            clock: ClockRelation::TakeOff,
             ..ComparisonSettings::default()
         };
         let aligned = compare(&first, &second, &settings).unwrap();
@@ -203,7 +208,7 @@ mod tests {
     #[test]
     fn what_stands_cannot_be_turned_to_fit_nor_aligned_at_take_off() {
         let moving = run("moving", 0.0, 0.0);
-        let standing = Track::on_the_ground(
+        let standing = Trajectory::on_the_ground(
             "standing".into(),
             None,
             moving.places.iter().map(|p| (p.time, 0.0, 0.0)),
@@ -213,9 +218,17 @@ mod tests {
             alignment,
             ..ComparisonSettings::default()
         };
-        let turned = compare(&moving, &standing, &with(Clock::Shared, Alignment::Rigid));
+        let turned = compare(
+            &moving,
+            &standing,
+            &with(ClockRelation::Shared, TrajectoryAlignment::Rigid),
+        );
         assert_eq!(turned, Err(NotComparable::NoAlignment("standing".into())));
-        let begun = compare(&moving, &standing, &with(Clock::TakeOff, Alignment::None));
+        let begun = compare(
+            &moving,
+            &standing,
+            &with(ClockRelation::TakeOff, TrajectoryAlignment::None),
+        );
         assert_eq!(begun, Err(NotComparable::NoTakeOff("standing".into())));
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 
-use super::{Alignment, TimedPlace, align};
+use super::{TimedPlace, TrajectoryAlignment, align};
 
 /// Between which places relative errors are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,7 +18,7 @@ pub enum Delta {
 
 /// An estimated place, and where the reference was at that time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pair {
+pub struct PlacePair {
     /// Seconds.
     pub time: f64,
     /// The estimate.
@@ -43,9 +43,13 @@ pub fn place_at(places: &[TimedPlace], time: f64, longest_gap: f64) -> Option<Po
 
 /// Pairs every estimate with the reference at its time, interpolated between samples that are at most
 /// `longest_gap` seconds apart. Both in order of time; what has no reference is left out.
-pub fn associate(estimate: &[TimedPlace], reference: &[TimedPlace], longest_gap: f64) -> Vec<Pair> {
+pub fn associate(
+    estimate: &[TimedPlace],
+    reference: &[TimedPlace],
+    longest_gap: f64,
+) -> Vec<PlacePair> {
     let pair = |e: &TimedPlace| {
-        Some(Pair {
+        Some(PlacePair {
             time: e.time,
             estimate: e.place,
             reference: place_at(reference, e.time, longest_gap)?,
@@ -56,19 +60,19 @@ pub fn associate(estimate: &[TimedPlace], reference: &[TimedPlace], longest_gap:
 
 /// Distance of every estimate from its reference (the translation part of evo's APE), metres, beside its
 /// time; empty where the trajectories cannot be laid over each other.
-pub fn absolute_errors(pairs: &[Pair], alignment: Alignment) -> Vec<(f64, f64)> {
+pub fn absolute_errors(pairs: &[PlacePair], alignment: TrajectoryAlignment) -> Vec<(f64, f64)> {
     let places: Vec<_> = pairs.iter().map(|p| (p.estimate, p.reference)).collect();
     let Some(over) = align(&places, alignment) else {
         return Vec::new();
     };
-    let error = |p: &Pair| (p.time, (over.apply(&p.estimate) - p.reference).norm());
+    let error = |p: &PlacePair| (p.time, (over.apply(&p.estimate) - p.reference).norm());
     pairs.iter().map(error).collect()
 }
 
 /// Difference between the way that the estimate went and the way of the reference (evo's RPE for places
 /// without attitude: the difference of both displacements), metres, beside the time of its end. Every
 /// sample begins a way that ends `delta` later, so that ways overlap.
-pub fn relative_errors(pairs: &[Pair], delta: Delta) -> Vec<(f64, f64)> {
+pub fn relative_errors(pairs: &[PlacePair], delta: Delta) -> Vec<(f64, f64)> {
     let mut travelled = Vec::with_capacity(pairs.len());
     let mut way = 0.0;
     for (i, pair) in pairs.iter().enumerate() {
@@ -121,12 +125,12 @@ mod tests {
     #[test]
     fn the_absolute_error_is_the_distance_and_alignment_takes_its_share() {
         let pairs = associate(&drifting(10), &straight(10), 1.0);
-        let plain = absolute_errors(&pairs, Alignment::None);
+        let plain = absolute_errors(&pairs, TrajectoryAlignment::None);
         assert!((plain[0].1 - 1.0).abs() < 1e-12);
         assert!((plain[100].1 - 5.0_f64.sqrt()).abs() < 1e-9);
-        let from_start = absolute_errors(&pairs, Alignment::Origin);
+        let from_start = absolute_errors(&pairs, TrajectoryAlignment::Origin);
         assert!((from_start[100].1 - 2.0).abs() < 1e-9);
-        let scaled = absolute_errors(&pairs, Alignment::Similarity);
+        let scaled = absolute_errors(&pairs, TrajectoryAlignment::Similarity);
         let scaled = ErrorStatistics::of(scaled.iter().map(|e| e.1)).unwrap();
         assert!(scaled.greatest < 1e-9, "{scaled:?}");
     }

@@ -6,11 +6,13 @@ mod error;
 mod statistics;
 mod track;
 
-pub use alignment::{Alignment, Similarity, align};
-pub use comparison::{Clock, Comparison, ComparisonSettings, NotComparable, compare, shift_to};
-pub use error::{Delta, Pair, absolute_errors, associate, place_at, relative_errors};
+pub use alignment::{TrajectoryAlignment, TrajectorySimilarity, align};
+pub use comparison::{
+    ClockRelation, ComparisonSettings, NotComparable, TrajectoryComparison, compare, shift_to,
+};
+pub use error::{Delta, PlacePair, absolute_errors, associate, place_at, relative_errors};
 pub use statistics::ErrorStatistics;
-pub use track::Track;
+pub use track::Trajectory;
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};

@@ -14,7 +14,7 @@ const SPEED_OVER: f64 = 1.0;
 
 /// Places over time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Track {
+pub struct Trajectory {
     /// Name for people.
     pub name: String,
     /// The world frame on the globe, where known.
@@ -27,7 +27,7 @@ pub struct Track {
     pub places: Vec<TimedPlace>,
 }
 
-impl Track {
+impl Trajectory {
     /// True track of a flight, where that is known.
     pub fn of_truth(flight: &Flight) -> Option<Self> {
         let truth = flight.truth.as_ref().filter(|t| !t.states.is_empty())?;
@@ -142,12 +142,12 @@ mod tests {
     use pilotage_base::frames::Geodetic;
 
     /// Stands for 20 s, then runs north at 15 m/s.
-    fn departing() -> Track {
+    fn departing() -> Trajectory {
         let places = (0..600).map(|i| {
             let time = 0.1 * f64::from(i);
             (time, 15.0 * (time - 20.0).max(0.0), 0.0)
         });
-        Track::on_the_ground("departing".into(), None, places)
+        Trajectory::on_the_ground("departing".into(), None, places)
     }
 
     #[test]
@@ -155,10 +155,10 @@ mod tests {
         let found = departing().take_off().unwrap();
         assert!((found - 20.0).abs() < 1.0, "{found}");
         let standing =
-            Track::on_the_ground("s".into(), None, (0..99).map(|i| (i.into(), 0.0, 0.0)));
+            Trajectory::on_the_ground("s".into(), None, (0..99).map(|i| (i.into(), 0.0, 0.0)));
         assert_eq!(standing.take_off(), None);
         assert_eq!(
-            Track::on_the_ground("none".into(), None, []).take_off(),
+            Trajectory::on_the_ground("none".into(), None, []).take_off(),
             None
         );
     }

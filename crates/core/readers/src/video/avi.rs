@@ -9,7 +9,7 @@ const LONGEST: u32 = 64 << 20;
 
 /// Chunk at the beginning of some bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Chunk {
+pub(super) enum AviChunk {
     /// More bytes are needed to tell.
     Later,
     /// So many bytes that are no picture.
@@ -50,12 +50,12 @@ impl Avi {
     }
 
     /// The chunk that begins here. Where `over`, no more bytes will come.
-    pub fn next(&mut self, bytes: &[u8], over: bool) -> Chunk {
+    pub fn next(&mut self, bytes: &[u8], over: bool) -> AviChunk {
         if self.is_lost {
             return self.search(bytes, over);
         }
         let Some((name, length)) = frame(bytes) else {
-            return if over { self.lose() } else { Chunk::Later };
+            return if over { self.lose() } else { AviChunk::Later };
         };
         if matches!(&name, b"RIFF" | b"LIST") {
             return self.list(bytes, over);
@@ -71,22 +71,22 @@ impl Avi {
         };
         match frame(behind) {
             Some((next, _)) if !is_name(&next) => return self.lose(),
-            None if !over => return Chunk::Later,
+            None if !over => return AviChunk::Later,
             _ => {}
         }
         self.chunk(name, bytes, end, whole)
     }
 
     /// A chunk that the bytes there are do not hold with its padding.
-    fn short(&mut self, bytes: &[u8], end: usize, over: bool) -> Chunk {
+    fn short(&mut self, bytes: &[u8], end: usize, over: bool) -> AviChunk {
         match frame(bytes) {
-            _ if !over => Chunk::Later,
+            _ if !over => AviChunk::Later,
             Some((name, _)) if bytes.len() >= end => self.chunk(name, bytes, end, bytes.len()),
             _ => self.lose(),
         }
     }
 
-    fn chunk(&mut self, name: [u8; 4], bytes: &[u8], end: usize, whole: usize) -> Chunk {
+    fn chunk(&mut self, name: [u8; 4], bytes: &[u8], end: usize, whole: usize) -> AviChunk {
         let data = &bytes[FRAME..end];
         let word = |at: usize| {
             let bytes = data.get(at..at + 4).and_then(|b| b.first_chunk());
@@ -105,9 +105,9 @@ impl Avi {
                     self.pictures += 1;
                     // An empty one says that the picture before stays.
                     if data.is_empty() {
-                        return Chunk::Passed(whole);
+                        return AviChunk::Passed(whole);
                     }
-                    return Chunk::Picture {
+                    return AviChunk::Picture {
                         number,
                         data: FRAME..end,
                         whole,
@@ -116,25 +116,25 @@ impl Avi {
             }
             _ => {}
         }
-        Chunk::Passed(whole)
+        AviChunk::Passed(whole)
     }
 
     /// A list, or the file itself: what is in it follows like anything else.
-    fn list(&mut self, bytes: &[u8], over: bool) -> Chunk {
+    fn list(&mut self, bytes: &[u8], over: bool) -> AviChunk {
         match bytes.get(FRAME..FRAME + 4) {
-            Some(kind) if is_name(kind) => Chunk::Passed(FRAME + 4),
-            None if !over => Chunk::Later,
+            Some(kind) if is_name(kind) => AviChunk::Passed(FRAME + 4),
+            None if !over => AviChunk::Later,
             _ => self.lose(),
         }
     }
 
-    fn lose(&mut self) -> Chunk {
+    fn lose(&mut self) -> AviChunk {
         self.is_lost = true;
-        Chunk::Broken(1)
+        AviChunk::Broken(1)
     }
 
     /// Looks for the next chunk with a picture, or list of such.
-    fn search(&mut self, bytes: &[u8], over: bool) -> Chunk {
+    fn search(&mut self, bytes: &[u8], over: bool) -> AviChunk {
         let begins = |bytes: &[u8]| match frame(bytes) {
             Some(([a, b, b'd', b'c' | b'b'], length)) => {
                 let is_number = a.is_ascii_digit() && b.is_ascii_digit();
@@ -153,10 +153,10 @@ impl Avi {
             }
             Some(place) => {
                 self.is_lost = false;
-                Chunk::Broken(place)
+                AviChunk::Broken(place)
             }
-            None if last == 0 => Chunk::Later,
-            None => Chunk::Broken(last),
+            None if last == 0 => AviChunk::Later,
+            None => AviChunk::Broken(last),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! From picture to picture through a file.
 
-use super::avi::{Avi, Chunk};
+use super::avi::{Avi, AviChunk};
 use super::jpeg::{End, Scan, size};
 use crate::log::ReadReport;
 
@@ -59,19 +59,19 @@ pub struct MotionJpegReader {
     waiting: Vec<u8>,
     done: usize,
     offset: u64,
-    form: Form,
+    form: FilmForm,
     scan: Scan,
 }
 
 #[derive(Default)]
-enum Form {
+enum FilmForm {
     #[default]
     Unknown,
     Avi(Avi),
     Bare,
 }
 
-enum Step {
+enum FilmStep {
     Wait,
     Took(usize),
 }
@@ -106,12 +106,12 @@ impl MotionJpegReader {
         while self.done < waiting.len() {
             let bytes = &waiting[self.done..];
             let took = match self.step(bytes, over) {
-                Step::Took(count) => count.clamp(1, bytes.len()),
-                Step::Wait if over => {
+                FilmStep::Took(count) => count.clamp(1, bytes.len()),
+                FilmStep::Wait if over => {
                     self.skip(bytes.len(), "the file ends too early");
                     bytes.len()
                 }
-                Step::Wait => break,
+                FilmStep::Wait => break,
             };
             self.done += took;
             self.offset += took as u64;
@@ -120,22 +120,22 @@ impl MotionJpegReader {
         self.waiting = waiting;
     }
 
-    fn step(&mut self, bytes: &[u8], over: bool) -> Step {
+    fn step(&mut self, bytes: &[u8], over: bool) -> FilmStep {
         match &mut self.form {
-            Form::Unknown => {
+            FilmForm::Unknown => {
                 if bytes.len() < 12 && !over {
-                    return Step::Wait;
+                    return FilmStep::Wait;
                 }
                 let is_avi = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"AVI ");
                 self.form = if is_avi {
-                    Form::Avi(Avi::default())
+                    FilmForm::Avi(Avi::default())
                 } else {
-                    Form::Bare
+                    FilmForm::Bare
                 };
                 self.step(bytes, over)
             }
-            Form::Avi(_) => self.step_avi(bytes, over),
-            Form::Bare => self.step_bare(bytes, over),
+            FilmForm::Avi(_) => self.step_avi(bytes, over),
+            FilmForm::Bare => self.step_bare(bytes, over),
         }
     }
 
@@ -143,9 +143,9 @@ impl MotionJpegReader {
         self.index.report.skip(self.offset, bytes as u64, cause);
     }
 
-    fn used(&mut self, bytes: usize) -> Step {
+    fn used(&mut self, bytes: usize) -> FilmStep {
         self.index.report.used_bytes += bytes as u64;
-        Step::Took(bytes)
+        FilmStep::Took(bytes)
     }
 
     fn picture(&mut self, number: u64, offset: u64, jpeg: &[u8]) {
@@ -160,23 +160,23 @@ impl MotionJpegReader {
         });
     }
 
-    fn step_avi(&mut self, bytes: &[u8], over: bool) -> Step {
-        let Form::Avi(avi) = &mut self.form else {
-            return Step::Wait;
+    fn step_avi(&mut self, bytes: &[u8], over: bool) -> FilmStep {
+        let FilmForm::Avi(avi) = &mut self.form else {
+            return FilmStep::Wait;
         };
         match avi.next(bytes, over) {
-            Chunk::Later => Step::Wait,
-            Chunk::Passed(count) => {
+            AviChunk::Later => FilmStep::Wait,
+            AviChunk::Passed(count) => {
                 self.index.rate = avi.rate();
                 self.used(count)
             }
-            Chunk::Picture {
+            AviChunk::Picture {
                 number,
                 data,
                 whole,
             } => {
                 let (Some(jpeg), true) = (bytes.get(data.clone()), data.len() <= LONGEST) else {
-                    return Step::Wait;
+                    return FilmStep::Wait;
                 };
                 if jpeg.starts_with(&BEGINNING) {
                     let offset = self.offset + data.start as u64;
@@ -184,16 +184,16 @@ impl MotionJpegReader {
                     return self.used(whole);
                 }
                 self.skip(whole, "a picture that is no JPEG");
-                Step::Took(whole)
+                FilmStep::Took(whole)
             }
-            Chunk::Broken(count) => {
+            AviChunk::Broken(count) => {
                 self.skip(count, "no chunk of an AVI begins here");
-                Step::Took(count)
+                FilmStep::Took(count)
             }
         }
     }
 
-    fn step_bare(&mut self, bytes: &[u8], over: bool) -> Step {
+    fn step_bare(&mut self, bytes: &[u8], over: bool) -> FilmStep {
         let Some(start) = bytes.windows(3).position(|b| b == BEGINNING) else {
             // The last two may be the beginning of the next picture.
             let count = if over {
@@ -202,7 +202,7 @@ impl MotionJpegReader {
                 bytes.len().saturating_sub(2)
             };
             return if count == 0 {
-                Step::Wait
+                FilmStep::Wait
             } else {
                 self.between(&bytes[..count])
             };
@@ -216,20 +216,20 @@ impl MotionJpegReader {
                 self.picture(number, self.offset, &bytes[..length]);
                 self.used(length)
             }
-            End::Later if bytes.len() <= LONGEST && !over => Step::Wait,
+            End::Later if bytes.len() <= LONGEST && !over => FilmStep::Wait,
             End::Later => {
                 self.skip(2, "a picture without an end");
-                Step::Took(2)
+                FilmStep::Took(2)
             }
             End::Broken(count) => {
                 self.skip(count, "a broken picture");
-                Step::Took(count)
+                FilmStep::Took(count)
             }
         }
     }
 
     /// Passes over what stands between pictures: text that a camera sends, or nonsense.
-    fn between(&mut self, bytes: &[u8]) -> Step {
+    fn between(&mut self, bytes: &[u8]) -> FilmStep {
         let is_text = |b: &u8| b.is_ascii_graphic() || b.is_ascii_whitespace() || *b == 0;
         let begins_with_text = is_text(&bytes[0]);
         let count = bytes
@@ -240,6 +240,6 @@ impl MotionJpegReader {
             return self.used(count);
         }
         self.skip(count, "no picture begins here");
-        Step::Took(count)
+        FilmStep::Took(count)
     }
 }

@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::days::{OtherDays, seeds};
 use pilotage_base::frames::{GroundPoint, GroundRect};
-use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::imagery::kept::RecentValues;
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Gray, Raster, Rgba, gaussian_blur, luminance, wide_blur};
 
@@ -60,7 +60,7 @@ pub struct PictureDays {
 impl PictureDays {
     /// Other days of `map`.
     pub fn new(map: Arc<dyn Imagery>) -> Self {
-        let blocks = Kept::new(KEPT);
+        let blocks = RecentValues::new(KEPT);
         Self {
             ground: Arc::new(StudiedGround { map, blocks }),
         }
@@ -112,11 +112,11 @@ struct ChangedPicture {
 struct StudiedGround {
     map: Arc<dyn Imagery>,
     /// By ground sample distance (its bits), row from the north and column from the west.
-    blocks: Kept<(u64, i64, i64), Study>,
+    blocks: RecentValues<(u64, i64, i64), GroundProperties>,
 }
 
 /// Properties that a piece of ground shows.
-struct Study {
+struct GroundProperties {
     window: Window,
     /// Pixels around the window that are known, too: as far as shadows move and canopies lean.
     margin: usize,
@@ -130,7 +130,7 @@ struct Study {
     canopy: Gray,
 }
 
-impl Study {
+impl GroundProperties {
     fn of(map: &dyn Imagery, window: &Window) -> Self {
         let gsd = window.gsd;
         // Enough that no pixel depends on where the window ends.
@@ -171,7 +171,7 @@ impl Study {
 
 impl StudiedGround {
     /// The studies of a window, each with the part of the window that it serves, as columns and rows.
-    fn studies(&self, window: &Window) -> Vec<(Arc<Study>, [usize; 4])> {
+    fn studies(&self, window: &Window) -> Vec<(Arc<GroundProperties>, [usize; 4])> {
         let (column, row) = (
             window.west_edge / window.gsd,
             -window.north_edge / window.gsd,
@@ -179,7 +179,10 @@ impl StudiedGround {
         let is_whole = |v: f64| (v - v.round()).abs() < 1e-6;
         if !is_whole(column) || !is_whole(row) {
             let whole = [0, 0, window.width, window.height];
-            return vec![(Arc::new(Study::of(self.map.as_ref(), window)), whole)];
+            return vec![(
+                Arc::new(GroundProperties::of(self.map.as_ref(), window)),
+                whole,
+            )];
         }
         let (left, top) = (column.round() as i64, row.round() as i64);
         let (right, bottom) = (left + window.width as i64, top + window.height as i64);
@@ -201,9 +204,9 @@ impl StudiedGround {
         studies
     }
 
-    fn block(&self, gsd: f64, row: i64, column: i64) -> Arc<Study> {
+    fn block(&self, gsd: f64, row: i64, column: i64) -> Arc<GroundProperties> {
         let make = || {
-            let study = Study::of(
+            let study = GroundProperties::of(
                 self.map.as_ref(),
                 &Window {
                     north_edge: -((row * BLOCK) as f64) * gsd,
@@ -290,7 +293,13 @@ impl Imagery for ChangedPicture {
 
 impl ChangedPicture {
     /// The pixel in a column and a row of the study's window.
-    fn pixel(&self, study: &Study, changes: &Changes, column: usize, row: usize) -> Rgba {
+    fn pixel(
+        &self,
+        study: &GroundProperties,
+        changes: &Changes,
+        column: usize,
+        row: usize,
+    ) -> Rgba {
         let (window, margin) = (&study.window, study.margin);
         let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
         let grown_over = f64::from(study.canopy.get(column, row));

@@ -5,7 +5,7 @@ use rand_distr::{Distribution, StandardNormal};
 use serde::{Deserialize, Serialize};
 
 use super::dryden::{DrydenGust, Turbulence};
-use super::flight_airframe::{AircraftState, Airframe, Command};
+use super::flight_airframe::{AircraftState, Airframe, AirframeCommand};
 use super::guidance::{GuidanceSettings, PathFollower};
 use super::sensors::{self, SensorSpec, Stream};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
@@ -250,7 +250,7 @@ impl FlightPlan {
                 break;
             }
             let ground_velocity = aircraft.ground_velocity(&self.wind);
-            let command = Command {
+            let command = AirframeCommand {
                 bank: path.bank(&position, &ground_velocity.xy()),
                 airspeed: self.airspeed(&targets, &path),
                 height: self.level(&targets, &path, &position),

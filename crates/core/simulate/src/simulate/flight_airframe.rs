@@ -55,7 +55,7 @@ impl Airframe {
 
 /// Command to the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Command {
+pub struct AirframeCommand {
     /// Bank, radians, right wing down positive.
     pub bank: f64,
     /// Airspeed, m/s.
@@ -148,7 +148,7 @@ impl AircraftState {
     pub fn step(
         &mut self,
         airframe: &Airframe,
-        command: &Command,
+        command: &AirframeCommand,
         wind: &Vector2<f64>,
         gust: Vector3<f64>,
         dt: f64,

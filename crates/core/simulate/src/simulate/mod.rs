@@ -21,7 +21,7 @@ pub use aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_r
 pub use county::County;
 pub use dryden::{DrydenGust, Turbulence};
 pub use flight::{FlightPlan, Target, TrueFlight};
-pub use flight_airframe::{AircraftState, Airframe, Command};
+pub use flight_airframe::{AircraftState, Airframe, AirframeCommand};
 pub use flight_day::FlightDay;
 pub use flight_frames::{SimulatedFlight, SimulatedFrames};
 pub use guidance::{GuidanceSettings, PathFollower};

@@ -72,7 +72,7 @@ impl By {
 
 /// Looks of about the same circumstances.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Bin {
+pub struct CircumstanceBin {
     /// Lower edge, in the unit of [`By::unit`].
     pub low: f64,
     /// Upper edge, itself not in the bin; equal to the lower one where values are counted.
@@ -83,7 +83,7 @@ pub struct Bin {
     pub deceived: Rate,
 }
 
-impl Bin {
+impl CircumstanceBin {
     /// Middle of the bin, at which it is drawn.
     pub fn middle(&self) -> f64 {
         0.5 * (self.low + self.high)
@@ -92,14 +92,14 @@ impl Bin {
 
 /// Detections against a circumstance, at one threshold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Breakdown {
+pub struct DetectionBreakdown {
     /// The circumstance.
     pub by: By,
     /// From the lowest to the highest; bins without a look are left out.
-    pub bins: Vec<Bin>,
+    pub bins: Vec<CircumstanceBin>,
 }
 
-impl Breakdown {
+impl DetectionBreakdown {
     /// Looks broken down at `threshold`. Where bins are not days, looks of a day go together as they do
     /// over all looks.
     pub fn of(looks: &[EvaluatedLook], by: By, threshold: f64) -> Self {
@@ -120,7 +120,7 @@ impl Breakdown {
             let rate = |what: &dyn Fn(&EvaluatedLook) -> (bool, bool), correlation| {
                 Rate::clustered(&by_day(looks.iter().copied(), what), correlation)
             };
-            (!looks.is_empty()).then(|| Bin {
+            (!looks.is_empty()).then(|| CircumstanceBin {
                 low,
                 high,
                 found: rate(&found, correlations[0]),
@@ -177,20 +177,20 @@ fn edges(looks: &[EvaluatedLook], by: By) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::{Detector, look, mark};
+    use super::super::sample::{SyntheticDetector, look, mark};
     use super::*;
 
     #[test]
     fn every_look_is_in_one_bin_of_round_edges() {
-        let looks = Detector::USUAL.looks(8, 50, 4);
+        let looks = SyntheticDetector::USUAL.looks(8, 50, 4);
         for by in By::ALL {
-            let broken = Breakdown::of(&looks, by, 1.5);
+            let broken = DetectionBreakdown::of(&looks, by, 1.5);
             let counted: usize = broken.bins.iter().map(|b| b.deceived.of).sum();
             assert_eq!(counted, looks.len(), "{by:?}");
             assert!(broken.bins.len() <= 10, "{by:?}");
             assert!(broken.bins.windows(2).all(|p| p[0].high <= p[1].low));
         }
-        let heights = Breakdown::of(&looks, By::Height, 1.5);
+        let heights = DetectionBreakdown::of(&looks, By::Height, 1.5);
         assert_eq!((heights.bins[0].low, heights.bins[0].high), (60.0, 80.0));
     }
 
@@ -203,7 +203,7 @@ mod tests {
                 seen
             })
             .collect();
-        let broken = Breakdown::of(&looks, By::Height, 0.5);
+        let broken = DetectionBreakdown::of(&looks, By::Height, 0.5);
         let share = |i: usize| broken.bins[i].found.share().unwrap();
         assert_eq!((share(0), share(broken.bins.len() - 1)), (1.0, 0.0));
     }
@@ -211,7 +211,7 @@ mod tests {
     #[test]
     fn one_height_is_one_bin() {
         let looks = [look(0, &[]), look(1, &[])];
-        let broken = Breakdown::of(&looks, By::Height, 0.5);
+        let broken = DetectionBreakdown::of(&looks, By::Height, 0.5);
         assert_eq!(broken.bins.len(), 1);
         assert_eq!(broken.bins[0].found.of, 2);
     }

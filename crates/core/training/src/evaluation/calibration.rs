@@ -14,7 +14,7 @@ const TENTHS: usize = 10;
 
 /// A mark that is right or wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Judged {
+pub struct JudgedMark {
     /// Score.
     pub score: f64,
     /// Whether it is the landmark.
@@ -39,15 +39,15 @@ impl Probability {
     /// Platt's fit. With only right or only wrong marks it is level.
     ///
     /// ```
-    /// use pilotage_training::evaluation::{Judged, Probability};
+    /// use pilotage_training::evaluation::{JudgedMark, Probability};
     ///
     /// // One of either kind: Platt's targets are 2/3 and 1/3.
-    /// let marks = [(1.0, true), (-1.0, false)].map(|(score, right)| Judged { score, right });
+    /// let marks = [(1.0, true), (-1.0, false)].map(|(score, right)| JudgedMark { score, right });
     /// let probability = Probability::logistic(&marks);
     /// assert!((probability.at(0.0) - 0.5).abs() < 1e-6);
     /// assert!((probability.at(1.0) - 2.0 / 3.0).abs() < 1e-6);
     /// ```
-    pub fn logistic(marks: &[Judged]) -> Self {
+    pub fn logistic(marks: &[JudgedMark]) -> Self {
         let judged: Vec<(f64, bool)> = marks.iter().map(|m| (m.score, m.right)).collect();
         let fitted = Likelihood::fit(&judged);
         if fitted.slope > 0.0 {
@@ -66,11 +66,11 @@ impl Probability {
     }
 
     /// The nearest rising function.
-    pub fn isotonic(marks: &[Judged]) -> Self {
+    pub fn isotonic(marks: &[JudgedMark]) -> Self {
         let scores = marks.iter().map(|m| m.score);
         let low = scores.clone().fold(f64::INFINITY, f64::min);
         let high = scores.fold(f64::NEG_INFINITY, f64::max);
-        let sample = |m: &Judged| [m.score, f64::from(u8::from(m.right)), 1.0];
+        let sample = |m: &JudgedMark| [m.score, f64::from(u8::from(m.right)), 1.0];
         let mut samples: Vec<_> = marks.iter().map(sample).collect();
         if low <= high {
             samples.extend([[low, 1.0, 1.0], [high, 0.0, 1.0]]);
@@ -123,8 +123,8 @@ impl ScoreCalibration {
     /// Learned from the best right mark of each look and from every wrong one; `None` if there are no
     /// right or no wrong ones.
     pub fn of(looks: &[EvaluatedLook]) -> Option<Self> {
-        let marks: Vec<Vec<Judged>> = looks.iter().map(judged).collect();
-        let all: Vec<Judged> = marks.iter().flatten().copied().collect();
+        let marks: Vec<Vec<JudgedMark>> = looks.iter().map(judged).collect();
+        let all: Vec<JudgedMark> = marks.iter().flatten().copied().collect();
         let right = all.iter().filter(|m| m.right).count();
         if right == 0 || right == all.len() {
             return None;
@@ -138,7 +138,7 @@ impl ScoreCalibration {
                 let chosen = chosen.filter(move |(_, f)| (**f == fold) == inside);
                 chosen.flat_map(|(marks, _)| marks.iter().copied())
             };
-            let rest: Vec<Judged> = in_fold(false).collect();
+            let rest: Vec<JudgedMark> = in_fold(false).collect();
             if rest.is_empty() {
                 continue;
             }
@@ -217,9 +217,11 @@ pub fn brier_score(stated: &[f64], came_true: &[bool]) -> f64 {
 }
 
 /// The best right mark of a look and every wrong one.
-fn judged(look: &EvaluatedLook) -> Vec<Judged> {
-    let found = look.found_at().map(|score| Judged { score, right: true });
-    let wrong = look.wrong_marks().map(|m| Judged {
+fn judged(look: &EvaluatedLook) -> Vec<JudgedMark> {
+    let found = look
+        .found_at()
+        .map(|score| JudgedMark { score, right: true });
+    let wrong = look.wrong_marks().map(|m| JudgedMark {
         score: m.score,
         right: false,
     });
@@ -269,15 +271,15 @@ fn reliability(stated: &[f64], came_true: &[bool]) -> Vec<ScoreBin> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::{Detector, look, mark};
+    use super::super::sample::{SyntheticDetector, look, mark};
     use super::*;
 
     #[test]
     fn normal_scores_are_calibrated_by_the_logistic_function_that_they_follow() {
         // Wrong marks from N(0, 1), right from N(3, 1): log odds 3 s - 4.5 + log(right / wrong).
-        let detector = Detector {
+        let detector = SyntheticDetector {
             day: 0.0,
-            ..Detector::USUAL
+            ..SyntheticDetector::USUAL
         };
         let calibration = ScoreCalibration::of(&detector.looks(20, 200, 3)).unwrap();
         let Probability::Logistic { slope, .. } = calibration.probability else {

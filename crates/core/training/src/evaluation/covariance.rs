@@ -141,7 +141,7 @@ fn ranks(values: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::{Detector, look};
+    use super::super::sample::{SyntheticDetector, look};
     use super::super::{EvaluatedLook, EvaluatedMark};
     use super::*;
     use rand::{RngExt, SeedableRng};
@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn the_covariance_and_the_bias_of_the_made_up_detector_come_back() {
-        let looks = Detector::USUAL.looks(20, 100, 8);
+        let looks = SyntheticDetector::USUAL.looks(20, 100, 8);
         let learned = MarkCovariance::of(&looks, f64::NEG_INFINITY, 1).unwrap();
         assert!((learned.covariance[(0, 0)].sqrt() - 0.8).abs() < 0.04);
         assert!((learned.covariance[(1, 1)].sqrt() - 0.5).abs() < 0.03);

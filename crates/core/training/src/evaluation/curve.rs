@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::draws::Draws;
-use super::events::{Counts, Events, Totals};
-use super::{Estimate, EvaluatedLook};
+use super::events::{Counts, MarkEvents, Totals};
+use super::{EvaluatedLook, IntervalEstimate};
 
 /// Most points that a curve keeps.
 const MOST_POINTS: usize = 200;
@@ -68,7 +68,7 @@ pub struct Curve {
 
 /// Every step of a curve, without intervals: x, y and threshold.
 pub fn trace(looks: &[EvaluatedLook], kind: CurveKind) -> Vec<[f64; 3]> {
-    let events = Events::of(looks);
+    let events = MarkEvents::of(looks);
     trace_of(&events, kind)
 }
 
@@ -89,11 +89,11 @@ pub fn trace(looks: &[EvaluatedLook], kind: CurveKind) -> Vec<[f64; 3]> {
 /// assert!((average_precision(&looks) - (0.5 + 0.5 * 2.0 / 3.0)).abs() < 1e-12);
 /// ```
 pub fn average_precision(looks: &[EvaluatedLook]) -> f64 {
-    let events = Events::of(looks);
+    let events = MarkEvents::of(looks);
     average_precision_of(&events, &events.equal_weights())
 }
 
-fn trace_of(events: &Events, kind: CurveKind) -> Vec<[f64; 3]> {
+fn trace_of(events: &MarkEvents, kind: CurveKind) -> Vec<[f64; 3]> {
     let weights = events.equal_weights();
     let totals = events.totals(&weights);
     let mut steps: Vec<[f64; 3]> = Vec::new();
@@ -107,7 +107,7 @@ fn trace_of(events: &Events, kind: CurveKind) -> Vec<[f64; 3]> {
     steps
 }
 
-fn average_precision_of(events: &Events, weights: &[f64]) -> f64 {
+fn average_precision_of(events: &MarkEvents, weights: &[f64]) -> f64 {
     let totals = events.totals(weights);
     let (mut sum, mut last) = (0.0, 0.0);
     events.sweep(weights, |_, counts| {
@@ -121,10 +121,10 @@ fn average_precision_of(events: &Events, weights: &[f64]) -> f64 {
 /// The three curves of [`CurveKind::ALL`] and the average precision, with intervals from `replicates`
 /// draws.
 pub(super) fn curves(
-    events: &Events,
+    events: &MarkEvents,
     draws: &mut Draws,
     replicates: usize,
-) -> ([Curve; 3], Estimate) {
+) -> ([Curve; 3], IntervalEstimate) {
     let steps = CurveKind::ALL.map(|kind| thinned(kind, &trace_of(events, kind)));
     let mut drawn: [Vec<Vec<f64>>; 3] =
         std::array::from_fn(|i| vec![Vec::with_capacity(replicates); steps[i].len()]);
@@ -163,7 +163,7 @@ pub(super) fn curves(
     });
     let value = average_precision_of(events, &events.equal_weights());
     let (low, high) = draws.interval(&mut precisions, value, present);
-    (curves, Estimate { value, low, high })
+    (curves, IntervalEstimate { value, low, high })
 }
 
 /// More false alarms never find less: what is sure before is sure after, and the other way round.
@@ -182,7 +182,7 @@ fn never_falling(points: &mut [CurvePoint]) {
 
 /// Appends to each column the drawn curve's y at that step's x.
 fn sample_at(
-    events: &Events,
+    events: &MarkEvents,
     weights: &[f64],
     kind: CurveKind,
     steps: &[[f64; 3]],
@@ -232,7 +232,7 @@ fn thinned(kind: CurveKind, steps: &[[f64; 3]]) -> Vec<[f64; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::{Detector, look, mark};
+    use super::super::sample::{SyntheticDetector, look, mark};
     use super::*;
 
     #[test]
@@ -254,8 +254,8 @@ mod tests {
     #[test]
     fn bands_hold_their_curve_and_more_days_narrow_them() {
         let width = |days: usize| {
-            let looks = Detector::USUAL.looks(days, 40, 5);
-            let events = Events::of(&looks);
+            let looks = SyntheticDetector::USUAL.looks(days, 40, 5);
+            let events = MarkEvents::of(&looks);
             let mut draws = Draws::new(&looks, 1);
             let (curves, precision) = curves(&events, &mut draws, 200);
             for curve in &curves {

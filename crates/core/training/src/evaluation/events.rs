@@ -4,7 +4,7 @@ use super::EvaluatedLook;
 
 /// Kind of a mark in its look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum MarkKind {
     /// The best right one: the look counts as found from here on.
     Found,
     /// The best wrong one: the look has a false alarm from here on.
@@ -14,17 +14,17 @@ enum Kind {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Event {
+struct MarkEvent {
     score: f64,
     look: usize,
-    kind: Kind,
+    kind: MarkKind,
 }
 
 /// Marks by falling score. Right marks beyond the best of a look say the same again and count as
 /// nothing.
 #[derive(Clone, Debug)]
-pub(super) struct Events {
-    events: Vec<Event>,
+pub(super) struct MarkEvents {
+    events: Vec<MarkEvent>,
     present: Vec<bool>,
 }
 
@@ -48,19 +48,26 @@ pub(super) struct Totals {
     pub present: f64,
 }
 
-impl Events {
+impl MarkEvents {
     pub fn of(looks: &[EvaluatedLook]) -> Self {
         let mut events = Vec::new();
         for (look, seen) in looks.iter().enumerate() {
-            let mut add = |score, kind| events.push(Event { score, look, kind });
+            let mut add = |score, kind| events.push(MarkEvent { score, look, kind });
             if let Some(score) = seen.found_at() {
-                add(score, Kind::Found);
+                add(score, MarkKind::Found);
             }
             let mut wrong: Vec<f64> = seen.wrong_marks().map(|m| m.score).collect();
             wrong.sort_by(|a, b| b.total_cmp(a));
             for (rank, score) in wrong.into_iter().enumerate() {
                 let first = rank == 0;
-                add(score, if first { Kind::Deceived } else { Kind::Wrong });
+                add(
+                    score,
+                    if first {
+                        MarkKind::Deceived
+                    } else {
+                        MarkKind::Wrong
+                    },
+                );
             }
         }
         events.sort_by(|a, b| b.score.total_cmp(&a.score).then(a.look.cmp(&b.look)));
@@ -95,12 +102,12 @@ impl Events {
                 let weight = weights[event.look];
                 entered |= weight > 0.0;
                 match event.kind {
-                    Kind::Found => counts.found += weight,
-                    Kind::Deceived => {
+                    MarkKind::Found => counts.found += weight,
+                    MarkKind::Deceived => {
                         counts.deceived += weight;
                         counts.wrong += weight;
                     }
-                    Kind::Wrong => counts.wrong += weight,
+                    MarkKind::Wrong => counts.wrong += weight,
                 }
                 i += 1;
             }
@@ -122,7 +129,7 @@ mod tests {
             look(0, &[mark(0.9, true), mark(0.8, true), mark(0.5, false)]),
             look(0, &[mark(0.7, false), mark(0.6, false), mark(0.5, true)]),
         ];
-        let events = Events::of(&looks);
+        let events = MarkEvents::of(&looks);
         let mut seen = Vec::new();
         events.sweep(&events.equal_weights(), |t, c| {
             seen.push((t, c.found, c.deceived, c.wrong));
@@ -140,7 +147,7 @@ mod tests {
     fn a_mark_called_right_in_a_picture_without_the_landmark_is_a_false_alarm() {
         let mut empty = look(0, &[mark(0.9, true)]);
         empty.present = false;
-        let events = Events::of(&[empty]);
+        let events = MarkEvents::of(&[empty]);
         let weights = events.equal_weights();
         assert_eq!(events.totals(&weights).present, 0.0);
         events.sweep(&weights, |_, c| assert_eq!((c.found, c.wrong), (0.0, 1.0)));

@@ -7,7 +7,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::{EvaluatedLook, EvaluatedMark};
-use crate::{FlightEnvelope, Photo, Photographer, TrainingError};
+use crate::{FlightEnvelope, Photographer, TrainingError, TrainingPhoto};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::Imagery;
 use pilotage_simulate::other_days::OtherDays;
@@ -134,7 +134,7 @@ impl DetectorJudge {
 /// was taken; `None` if the photo's place does not appear on the ground from there.
 pub(crate) fn look(
     photographer: &mut Photographer,
-    photo: &Photo,
+    photo: &TrainingPhoto,
     cascade: &Cascade,
     window: &DetectorWindow,
 ) -> Option<EvaluatedLook> {

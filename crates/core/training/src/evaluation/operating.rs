@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::draws::{Draws, by_day};
-use super::events::{Counts, Events};
+use super::events::{Counts, MarkEvents};
 use super::rate::correlation_within;
-use super::{Estimate, EvaluatedLook, Rate};
+use super::{EvaluatedLook, IntervalEstimate, Rate};
 
 /// Detections and false alarms at one threshold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -27,7 +27,7 @@ pub struct OperatingPoint {
     pub threshold: f64,
     /// Share of the looks with the landmark in which it is found, over other days, where the threshold
     /// would have been chosen otherwise.
-    pub detection: Estimate,
+    pub detection: IntervalEstimate,
     /// Result at the threshold in the looks from which it was chosen.
     pub here: AtThreshold,
     /// Result on each day at the threshold that was chosen from the others; `None` with one day.
@@ -37,7 +37,7 @@ pub struct OperatingPoint {
 impl OperatingPoint {
     pub(super) fn of(
         looks: &[EvaluatedLook],
-        events: &Events,
+        events: &MarkEvents,
         allowed: f64,
         draws: &mut Draws,
         replicates: usize,
@@ -61,7 +61,7 @@ impl OperatingPoint {
         Self {
             allowed,
             threshold,
-            detection: Estimate { value, low, high },
+            detection: IntervalEstimate { value, low, high },
             here: AtThreshold::over(looks, threshold),
             held_out: (days.len() > 1).then(|| {
                 let elsewhere = days.iter().map(|(_, day)| {
@@ -131,7 +131,7 @@ impl AtThreshold {
 
 /// The lowest threshold that lets no more false alarms in than `allowed` per look, halfway to the score
 /// that would, and what it lets in.
-fn choose(events: &Events, weights: &[f64], allowed: f64) -> (f64, Counts) {
+fn choose(events: &MarkEvents, weights: &[f64], allowed: f64) -> (f64, Counts) {
     let most = allowed * events.totals(weights).looks + 1e-9;
     let mut last: Option<(f64, Counts)> = None;
     let mut refused = None;
@@ -158,11 +158,11 @@ fn choose(events: &Events, weights: &[f64], allowed: f64) -> (f64, Counts) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::{Detector, look, mark};
+    use super::super::sample::{SyntheticDetector, look, mark};
     use super::*;
 
     fn point(looks: &[EvaluatedLook], allowed: f64) -> OperatingPoint {
-        let events = Events::of(looks);
+        let events = MarkEvents::of(looks);
         OperatingPoint::of(looks, &events, allowed, &mut Draws::new(looks, 2), 200)
     }
 
@@ -189,7 +189,7 @@ mod tests {
 
     #[test]
     fn held_out_days_get_about_the_false_alarms_that_were_allowed() {
-        let looks = Detector::USUAL.looks(40, 50, 9);
+        let looks = SyntheticDetector::USUAL.looks(40, 50, 9);
         let point = point(&looks, 0.05);
         let held_out = point.held_out.unwrap();
         assert!((point.here.false_alarms - 0.05).abs() < 0.002);
@@ -200,9 +200,9 @@ mod tests {
 
     #[test]
     fn intervals_from_twelve_days_hold_the_rate_of_all_days_in_about_nine_of_ten_studies() {
-        let detector = Detector {
+        let detector = SyntheticDetector {
             wrong: 1,
-            ..Detector::USUAL
+            ..SyntheticDetector::USUAL
         };
         let truth = point(&detector.looks(3000, 20, 1), 0.05).detection.value;
         let studies = 200;

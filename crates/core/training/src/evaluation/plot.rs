@@ -48,7 +48,7 @@ pub struct PlotPoint {
 
 /// Points that belong together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Series {
+pub struct PlotSeries {
     /// Name of the points.
     pub name: String,
     /// Style in which the points are drawn.
@@ -69,7 +69,7 @@ pub struct Plot {
     /// The axis upwards.
     pub y: PlotAxis,
     /// Series that are drawn: at most two.
-    pub series: Vec<Series>,
+    pub series: Vec<PlotSeries>,
     /// A dashed line from corner to corner, where x and y are to be equal.
     pub diagonal: bool,
     /// A dashed line at that x, with words.
@@ -87,7 +87,7 @@ impl Plot {
     }
 }
 
-impl Series {
+impl PlotSeries {
     /// The points that lines run through: those of steps with their corners.
     pub fn corners(&self) -> Vec<PlotPoint> {
         if self.style != SeriesStyle::Steps {
@@ -164,7 +164,7 @@ impl Evaluation {
 
     /// Detections against false alarms: both characteristics.
     fn trade(&self) -> Plot {
-        let series = |name: &str, curve: &super::Curve| Series {
+        let series = |name: &str, curve: &super::Curve| PlotSeries {
             name: name.to_owned(),
             style: SeriesStyle::Steps,
             points: (curve.points.iter())
@@ -201,7 +201,7 @@ impl Evaluation {
 
     fn precision(&self) -> Plot {
         let points = self.precision_recall.points.iter();
-        let series = vec![Series {
+        let series = vec![PlotSeries {
             name: format!("average precision {:.3}", self.average_precision.value),
             style: SeriesStyle::Line,
             points: points
@@ -226,7 +226,7 @@ impl Evaluation {
         if broken.bins.len() < 2 {
             return None;
         }
-        let series = |name: &str, of: &dyn Fn(&super::Bin) -> Rate| Series {
+        let series = |name: &str, of: &dyn Fn(&super::CircumstanceBin) -> Rate| PlotSeries {
             name: name.to_owned(),
             style: SeriesStyle::Dots,
             points: (broken.bins.iter())
@@ -284,7 +284,7 @@ impl Evaluation {
             title: "Probabilities on days left out".to_owned(),
             x: PlotAxis::new("stated probability of being right, %", 0.0, 100.0),
             y: PlotAxis::new("right, % of marks", 0.0, 100.0),
-            series: vec![Series {
+            series: vec![PlotSeries {
                 name: format!("Brier score {:.4}", calibration.brier),
                 style: SeriesStyle::Dots,
                 points: points.collect(),
@@ -310,7 +310,7 @@ impl Evaluation {
             title: "What a score means".to_owned(),
             x: PlotAxis::new("score", first, last),
             y: PlotAxis::new("probability of being right, %", 0.0, 100.0),
-            series: vec![Series {
+            series: vec![PlotSeries {
                 name: "probability".to_owned(),
                 style: SeriesStyle::Line,
                 points: points.collect(),
@@ -335,7 +335,7 @@ fn percent(x: f64, y: f64, low: f64, high: f64) -> PlotPoint {
 }
 
 /// An axis of percent up to 100, from where all intervals are shown.
-fn from_below(label: &str, series: &[Series]) -> PlotAxis {
+fn from_below(label: &str, series: &[PlotSeries]) -> PlotAxis {
     let points = series.iter().flat_map(|s| &s.points);
     let least = points.map(|p| p.low).fold(100.0, f64::min);
     let begins = [90.0, 80.0, 50.0].into_iter().find(|begin| least >= *begin);
@@ -345,7 +345,7 @@ fn from_below(label: &str, series: &[Series]) -> PlotAxis {
 #[cfg(test)]
 mod tests {
     use super::super::EvaluationSettings;
-    use super::super::sample::Detector;
+    use super::super::sample::SyntheticDetector;
     use super::*;
 
     fn axis(low: f64, high: f64) -> PlotAxis {
@@ -374,7 +374,7 @@ mod tests {
 
     #[test]
     fn every_plot_holds_its_points_between_its_axes() {
-        let looks = Detector::USUAL.looks(8, 40, 2);
+        let looks = SyntheticDetector::USUAL.looks(8, 40, 2);
         let settings = EvaluationSettings {
             replicates: 50,
             ..EvaluationSettings::default()

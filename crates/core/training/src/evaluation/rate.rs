@@ -7,7 +7,7 @@ pub(super) const NORMAL_95: f64 = 1.959_963_984_540_054;
 
 /// A figure with its two-sided 95 % interval.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Estimate {
+pub struct IntervalEstimate {
     /// The figure.
     pub value: f64,
     /// Lower end of the interval.

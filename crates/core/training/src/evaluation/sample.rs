@@ -31,7 +31,7 @@ pub fn look(day: usize, marks: &[EvaluatedMark]) -> EvaluatedLook {
 
 /// Properties of the made-up detector.
 #[derive(Clone, Copy)]
-pub struct Detector {
+pub struct SyntheticDetector {
     /// Separation of right and wrong scores, standard deviations.
     pub separation: f64,
     /// Standard deviation by which days move the scores of right marks.
@@ -42,7 +42,7 @@ pub struct Detector {
     pub wrong: usize,
 }
 
-impl Detector {
+impl SyntheticDetector {
     pub const USUAL: Self = Self {
         separation: 3.0,
         day: 0.5,

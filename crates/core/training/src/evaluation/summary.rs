@@ -4,10 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::curve::curves;
 use super::draws::{Draws, by_day};
-use super::events::Events;
+use super::events::MarkEvents;
 use super::{
-    Breakdown, By, Curve, CurveKind, Estimate, EvaluatedLook, EvaluationError, MarkCovariance,
-    OperatingPoint, ScoreCalibration,
+    By, Curve, CurveKind, DetectionBreakdown, EvaluatedLook, EvaluationError, IntervalEstimate,
+    MarkCovariance, OperatingPoint, ScoreCalibration,
 };
 
 /// Settings of the evaluation of looks.
@@ -53,11 +53,11 @@ pub struct Evaluation {
     /// Precision against recall.
     pub precision_recall: Curve,
     /// Mean precision over the recalls.
-    pub average_precision: Estimate,
+    pub average_precision: IntervalEstimate,
     /// The threshold of use, and what happens there.
     pub operating: OperatingPoint,
     /// Detections at that threshold against each circumstance, in the order of [`By::ALL`].
-    pub breakdowns: Vec<Breakdown>,
+    pub breakdowns: Vec<DetectionBreakdown>,
     /// Covariance of the place by right marks above that threshold; `None` with too few.
     pub covariance: Option<MarkCovariance>,
     /// Probability that marks are right; `None` with right or wrong ones alone.
@@ -75,7 +75,7 @@ impl Evaluation {
         settings: &EvaluationSettings,
     ) -> Result<Self, EvaluationError> {
         check(looks)?;
-        let events = Events::of(looks);
+        let events = MarkEvents::of(looks);
         let mut draws = Draws::new(looks, settings.seed);
         let ([roc, froc, precision_recall], average_precision) =
             curves(&events, &mut draws, settings.replicates);
@@ -98,7 +98,9 @@ impl Evaluation {
             precision_recall,
             average_precision,
             operating,
-            breakdowns: By::ALL.map(|by| Breakdown::of(looks, by, threshold)).into(),
+            breakdowns: By::ALL
+                .map(|by| DetectionBreakdown::of(looks, by, threshold))
+                .into(),
             covariance: MarkCovariance::of(looks, threshold, settings.seed),
             calibration: ScoreCalibration::of(looks),
         })
@@ -142,12 +144,12 @@ fn check(looks: &[EvaluatedLook]) -> Result<(), EvaluationError> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::{Detector, look, mark};
+    use super::super::sample::{SyntheticDetector, look, mark};
     use super::*;
 
     #[test]
     fn the_same_looks_give_the_same_evaluation_and_another_seed_moves_only_intervals() {
-        let looks = Detector::USUAL.looks(10, 30, 2);
+        let looks = SyntheticDetector::USUAL.looks(10, 30, 2);
         let settings = EvaluationSettings {
             replicates: 100,
             ..EvaluationSettings::default()

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use quick_xml::escape::escape;
 
-use super::plot::{Plot, PlotPoint, Series, SeriesStyle};
+use super::plot::{Plot, PlotPoint, PlotSeries, SeriesStyle};
 
 /// Width and height of the picture.
 const SIZE: (f64, f64) = (600.0, 400.0);
@@ -108,7 +108,7 @@ impl Plot {
         )
     }
 
-    fn write_line(&self, out: &mut String, series: &Series, tone: &str) -> std::fmt::Result {
+    fn write_line(&self, out: &mut String, series: &PlotSeries, tone: &str) -> std::fmt::Result {
         let along = |of: &dyn Fn(&PlotPoint) -> f64| -> Vec<String> {
             let place = |p: &PlotPoint| {
                 let (x, y) = self.place(p.x, of(p));
@@ -135,7 +135,7 @@ impl Plot {
         )
     }
 
-    fn write_dots(&self, out: &mut String, series: &Series, tone: &str) -> std::fmt::Result {
+    fn write_dots(&self, out: &mut String, series: &PlotSeries, tone: &str) -> std::fmt::Result {
         for point in &series.points {
             let (x, y) = self.place(point.x, point.y);
             let [low, high] = [point.low, point.high].map(|v| self.place(point.x, v).1);
@@ -167,12 +167,12 @@ fn frame() -> (f64, f64, f64, f64) {
 mod tests {
     use quick_xml::events::Event;
 
-    use super::super::sample::Detector;
+    use super::super::sample::SyntheticDetector;
     use super::super::{Evaluation, EvaluationSettings};
     use super::*;
 
     fn plots() -> Vec<Plot> {
-        let looks = Detector::USUAL.looks(8, 40, 2);
+        let looks = SyntheticDetector::USUAL.looks(8, 40, 2);
         let settings = EvaluationSettings {
             replicates: 50,
             ..EvaluationSettings::default()

@@ -7,11 +7,11 @@ use super::{AtThreshold, By, CurveKind, Evaluation, Rate};
 /// Places at which the probability of a score is written.
 const SCORES: usize = 41;
 
-struct Table {
+struct EvaluationTable {
     text: String,
 }
 
-impl Table {
+impl EvaluationTable {
     /// A row; what is `None` stays empty.
     fn row(&mut self, curve: &str, x: Option<f64>, y: [Option<f64>; 3], threshold: Option<f64>) {
         let cell = |value: Option<f64>| value.map_or_else(String::new, |v| v.to_string());
@@ -40,7 +40,7 @@ impl Evaluation {
     /// Every figure as comma-separated values: `curve,x,y,low,high,threshold`. Shares run from 0 to 1;
     /// what else has a unit says it in the name of its curve.
     pub fn csv(&self) -> String {
-        let mut table = Table {
+        let mut table = EvaluationTable {
             text: "curve,x,y,low,high,threshold\n".to_owned(),
         };
         for kind in CurveKind::ALL {
@@ -157,12 +157,12 @@ impl By {
 #[cfg(test)]
 mod tests {
     use super::super::EvaluationSettings;
-    use super::super::sample::Detector;
+    use super::super::sample::SyntheticDetector;
     use super::*;
 
     #[test]
     fn the_table_has_six_columns_and_every_curve() {
-        let looks = Detector::USUAL.looks(8, 40, 2);
+        let looks = SyntheticDetector::USUAL.looks(8, 40, 2);
         let settings = EvaluationSettings {
             replicates: 50,
             ..EvaluationSettings::default()

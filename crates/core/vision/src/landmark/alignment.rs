@@ -22,7 +22,7 @@ const TUKEY: f64 = 4.685;
 
 /// Similarity that takes patch pixels to picture pixels, both from their middles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Similarity {
+pub struct PatchSimilarity {
     /// Shift to the right, pixels.
     pub x: f64,
     /// Shift down, pixels.
@@ -35,15 +35,15 @@ pub struct Similarity {
 
 /// An alignment and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Alignment {
+pub struct PatchAlignment {
     /// Place of the patch in the picture.
-    pub similarity: Similarity,
+    pub similarity: PatchSimilarity,
     /// Covariance of (x, y, rotation, log scale), pixels and radians.
     pub covariance: Matrix4<f64>,
 }
 
 /// Residual of one pixel and its derivatives.
-struct Sample {
+struct PixelResidual {
     residual: f64,
     row: Vector6<f64>,
     block: usize,
@@ -51,7 +51,7 @@ struct Sample {
 
 /// Aligns `patch` with `picture` from `start`; `None` if the patch leaves the picture, has too few
 /// gradients, or the search runs away.
-pub fn align(patch: &Gray, picture: &Gray, start: Similarity) -> Option<Alignment> {
+pub fn align(patch: &Gray, picture: &Gray, start: PatchSimilarity) -> Option<PatchAlignment> {
     let mut at = start;
     let (mut gain, mut bias) = (1.0, 0.0);
     let mut fresh = true;
@@ -102,7 +102,7 @@ pub fn align(patch: &Gray, picture: &Gray, start: Similarity) -> Option<Alignmen
         false,
         &mut samples,
     )?;
-    Some(Alignment {
+    Some(PatchAlignment {
         similarity: at,
         covariance: covariance(&samples)?,
     })
@@ -118,7 +118,7 @@ fn tukey(residual: f64, limit: f64) -> f64 {
 }
 
 /// Robust standard deviation of the residuals, from their median magnitude.
-fn scale_of(samples: &[Sample]) -> f64 {
+fn scale_of(samples: &[PixelResidual]) -> f64 {
     let mut magnitudes: Vec<f64> = samples.iter().map(|s| s.residual.abs()).collect();
     let middle = magnitudes.len() / 2;
     let (_, median, _) = magnitudes.select_nth_unstable_by(middle, f64::total_cmp);
@@ -129,11 +129,11 @@ fn scale_of(samples: &[Sample]) -> f64 {
 fn collect(
     patch: &Gray,
     picture: &Gray,
-    at: &Similarity,
+    at: &PatchSimilarity,
     gain: &mut f64,
     bias: &mut f64,
     fresh: bool,
-    samples: &mut Vec<Sample>,
+    samples: &mut Vec<PixelResidual>,
 ) -> Option<()> {
     let (width, height) = (patch.width(), patch.height());
     let (sin, cos) = at.rotation.sin_cos();
@@ -155,7 +155,7 @@ fn collect(
             let t = f64::from(here[column]);
             let gx = 0.5 * f64::from(here[column + 1] - here[column - 1]);
             let gy = 0.5 * f64::from(below[column] - above[column]);
-            samples.push(Sample {
+            samples.push(PixelResidual {
                 // For now the raw picture value; the residual follows once gain and bias are known.
                 residual: seen,
                 row: Vector6::new(gx, gy, gy * x - gx * y, gx * x + gy * y, t, 1.0),
@@ -183,7 +183,7 @@ fn collect(
 }
 
 /// Least-squares `picture ≈ gain · patch + bias`.
-fn gain_and_bias(samples: &[Sample]) -> (f64, f64) {
+fn gain_and_bias(samples: &[PixelResidual]) -> (f64, f64) {
     let n = samples.len() as f64;
     let mt = samples.iter().map(|s| s.row[4]).sum::<f64>() / n;
     let mp = samples.iter().map(|s| s.residual).sum::<f64>() / n;
@@ -196,7 +196,7 @@ fn gain_and_bias(samples: &[Sample]) -> (f64, f64) {
 }
 
 /// The sandwich, reduced to shift, turn and scale.
-fn covariance(samples: &[Sample]) -> Option<Matrix4<f64>> {
+fn covariance(samples: &[PixelResidual]) -> Option<Matrix4<f64>> {
     let limit = TUKEY * scale_of(samples);
     let mut hessian = Matrix6::<f64>::zeros();
     let mut blocks = vec![Vector6::<f64>::zeros(); BLOCKS * BLOCKS];
@@ -244,7 +244,7 @@ mod tests {
     }
 
     /// The scene moved by a similarity, seen with another gain and bias.
-    fn picture(s: Similarity, noise: f32) -> Gray {
+    fn picture(s: PatchSimilarity, noise: f32) -> Gray {
         let (sin, cos) = s.rotation.sin_cos();
         let scale = s.log_scale.exp();
         let mut state = 12345_u32;
@@ -259,13 +259,13 @@ mod tests {
 
     #[test]
     fn a_moved_turned_and_scaled_patch_is_found_to_a_fiftieth_of_a_pixel() {
-        let truth = Similarity {
+        let truth = PatchSimilarity {
             x: 0.62,
             y: -0.83,
             rotation: 0.03,
             log_scale: -0.02,
         };
-        let found = align(&patch(), &picture(truth, 0.0), Similarity::default())
+        let found = align(&patch(), &picture(truth, 0.0), PatchSimilarity::default())
             .unwrap()
             .similarity;
         assert!(
@@ -281,7 +281,7 @@ mod tests {
 
     #[test]
     fn the_covariance_foretells_the_errors_of_noisy_pictures() {
-        let truth = Similarity {
+        let truth = PatchSimilarity {
             x: 0.3,
             y: 0.2,
             rotation: 0.0,
@@ -289,7 +289,7 @@ mod tests {
         };
         let (mut squared, mut claimed, mut n) = (0.0, 0.0, 0.0);
         for seed in 0..30 {
-            let moved = Similarity {
+            let moved = PatchSimilarity {
                 x: truth.x + 0.01 * f64::from(seed),
                 ..truth
             };
@@ -299,7 +299,7 @@ mod tests {
                 state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                 *pixel += 12.0 * ((state >> 8) as f32 / 8_388_608.0 - 1.0);
             }
-            let found = align(&patch(), &seen, Similarity::default()).unwrap();
+            let found = align(&patch(), &seen, PatchSimilarity::default()).unwrap();
             squared += (found.similarity.x - moved.x).powi(2);
             claimed += found.covariance[(0, 0)];
             n += 1.0;
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn a_shadow_over_a_fifth_of_the_patch_does_not_pull() {
-        let truth = Similarity {
+        let truth = PatchSimilarity {
             x: 0.4,
             y: -0.3,
             rotation: 0.0,
@@ -322,7 +322,7 @@ mod tests {
                 seen.set(column, row, 0.35 * seen.get(column, row));
             }
         }
-        let found = align(&patch(), &seen, Similarity::default())
+        let found = align(&patch(), &seen, PatchSimilarity::default())
             .unwrap()
             .similarity;
         assert!(
@@ -335,7 +335,11 @@ mod tests {
     fn a_flat_patch_has_no_place() {
         let flat = Gray::filled(40, 40, 90.0);
         assert_eq!(
-            align(&flat, &Gray::filled(60, 60, 90.0), Similarity::default()),
+            align(
+                &flat,
+                &Gray::filled(60, 60, 90.0),
+                PatchSimilarity::default()
+            ),
             None
         );
     }

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::cascade::{
-    Answer, Cascade, HogPicture, Kind, Patch, ShownFeature, hog_picture, stage_answers,
-    stage_features,
+    Cascade, CascadeKind, FeatureAnswer, HogPicture, Patch, ShownFeature, hog_picture,
+    stage_answers, stage_features,
 };
 use super::trained::{SearchedGround, TrainedDetector, search};
 use super::window::window_around;
@@ -52,14 +52,14 @@ pub struct PatchLook {
     /// Its edges.
     pub hog: HogPicture,
     /// For each stage, what its features say of it.
-    pub answers: Vec<Vec<Answer>>,
+    pub answers: Vec<Vec<FeatureAnswer>>,
 }
 
 /// Evidence of a trained detector: what it saw and did in a search.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CascadeEvidence {
     /// Kind of features that the detector looks at.
-    pub kind: Kind,
+    pub kind: CascadeKind,
     /// Width and height of the window that it is shown, pixels.
     pub size: (usize, usize),
     /// The searched ground under the assumed pose, at the detector's scale.
@@ -244,7 +244,7 @@ mod tests {
 
     use super::*;
     use crate::landmark::Landmark;
-    use crate::landmark::cascade::{Feature, Split, TrainedStage, TrainedTree};
+    use crate::landmark::cascade::{CascadeFeature, NodeSplit, TrainedStage, TrainedTree};
     use crate::landmark::trained::{DetectorWindow, Likelihood, MarkPrecision, Variants};
     use pilotage_base::frames::{Attitude, GroundRect, Pose};
     use pilotage_raster::camera::CameraModel;
@@ -283,10 +283,10 @@ mod tests {
 
     /// The first stage asks for an upright edge at the left, the second for a level one at the top.
     fn detector() -> TrainedDetector {
-        let feature = |cell, component| Feature::Hog { cell, component };
+        let feature = |cell, component| CascadeFeature::Hog { cell, component };
         let stage = |feature, votes| TrainedStage {
             trees: (0..votes)
-                .map(|_| TrainedTree::stump(feature, Split::Threshold(0.3), -1.0, 1.0))
+                .map(|_| TrainedTree::stump(feature, NodeSplit::Threshold(0.3), -1.0, 1.0))
                 .collect(),
             threshold: 0.5,
         };

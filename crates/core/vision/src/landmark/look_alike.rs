@@ -80,7 +80,7 @@ impl LookAlikes {
 }
 
 /// Result of a search: the score at every offset of a patch of `size` pixels in `window`.
-pub(super) struct Searched<'a> {
+pub(super) struct LookAlikeSearch<'a> {
     pub surface: &'a Gray,
     pub window: &'a Window,
     pub size: (usize, usize),
@@ -88,7 +88,7 @@ pub(super) struct Searched<'a> {
     pub expected: (GroundPoint, Matrix2<f64>),
 }
 
-impl Searched<'_> {
+impl LookAlikeSearch<'_> {
     /// Whether a landmark with its middle at `place` would be in the picture whole.
     fn is_seen(&self, place: &GroundPoint) -> bool {
         let column = (place.east - self.window.west_edge) / self.window.gsd;
@@ -191,7 +191,7 @@ mod tests {
             height: 100,
         };
         let all = Gray::filled(81, 81, 0.1);
-        let searched = |surface, deviation: f64| Searched {
+        let searched = |surface, deviation: f64| LookAlikeSearch {
             surface,
             window: &window,
             size: (20, 20),

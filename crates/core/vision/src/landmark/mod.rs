@@ -35,7 +35,7 @@ pub use match_evidence::MatchEvidence;
 pub use oriented::LEAST_PROBABILITY;
 pub use rectify::{GroundView, rectify, rectify_plane};
 pub use rehearsal::rehearse;
-pub use rehearsed::Rehearsal;
+pub use rehearsed::RehearsalFit;
 pub use settings::{TemplateFeatures, TemplateSettings};
 pub use template::TemplateDetector;
 pub use tolerance::tolerance;

@@ -9,7 +9,7 @@ pub const FORBIDDEN: f32 = -2.0;
 
 /// A local maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Peak {
+pub struct ScorePeak {
     /// Column of the surface.
     pub column: usize,
     /// Row of the surface.
@@ -24,8 +24,8 @@ pub fn separation(size: (usize, usize)) -> usize {
 }
 
 /// The best `most` places, each at least `separation` pixels (Chebyshev) from better ones.
-pub fn best_peaks(surface: &Gray, separation: usize, most: usize) -> Vec<Peak> {
-    let mut peaks: Vec<Peak> = Vec::new();
+pub fn best_peaks(surface: &Gray, separation: usize, most: usize) -> Vec<ScorePeak> {
+    let mut peaks: Vec<ScorePeak> = Vec::new();
     let mut taken = surface.map(|score| score <= FORBIDDEN);
     while peaks.len() < most {
         let best = surface
@@ -40,7 +40,7 @@ pub fn best_peaks(surface: &Gray, separation: usize, most: usize) -> Vec<Peak> {
         };
         let (column, row) = (index % surface.width(), index / surface.width());
         if is_local_maximum(surface, column, row) {
-            peaks.push(Peak {
+            peaks.push(ScorePeak {
                 column,
                 row,
                 score: *score,

@@ -6,7 +6,7 @@ use super::features::{FeatureTemplate, Features};
 use super::oriented;
 use super::patch::FLAT_CONTRAST;
 use super::peak::{best_peaks, refine};
-use super::rehearsed::{MOST_BLANK, OFF_PIXELS, Rehearsal, blank};
+use super::rehearsed::{MOST_BLANK, OFF_PIXELS, RehearsalFit, blank};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::{Imagery, Window};
 
@@ -27,7 +27,7 @@ pub fn rehearse(
     bounds: &GroundRect,
     radius: f64,
     features: TemplateFeatures,
-) -> Option<Rehearsal> {
+) -> Option<RehearsalFit> {
     if features == TemplateFeatures::Orientation {
         return oriented::rehearse(map, day, bounds, radius);
     }
@@ -79,14 +79,14 @@ pub fn rehearse(
     let drift = found.distance(&center);
     let rival = peaks.get(1);
     if drift > OFF_PIXELS * gsd {
-        return Some(Rehearsal {
+        return Some(RehearsalFit {
             score: 0.0,
             rival: kept * score,
             rival_place: found,
             drift,
         });
     }
-    Some(Rehearsal {
+    Some(RehearsalFit {
         score: kept * score,
         rival: kept * rival.map_or(0.0, |p| f64::from(p.score)),
         rival_place: rival.map_or(center, |p| place(p.column as f64, p.row as f64)),

@@ -10,7 +10,7 @@ pub(super) const MOST_BLANK: f64 = 0.005;
 
 /// Fit of a map patch to the ground on another day.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rehearsal {
+pub struct RehearsalFit {
     /// Score at the landmark's own place, -1 to 1; zero if the best place is elsewhere.
     pub score: f64,
     /// Score of the best other place.
@@ -21,7 +21,7 @@ pub struct Rehearsal {
     pub drift: f64,
 }
 
-impl Rehearsal {
+impl RehearsalFit {
     /// Margin before the detector must refuse the landmark as ambiguous, with `ambiguity` the greatest ratio
     /// of the rival's score to its own; negative if it must.
     pub fn margin(&self, ambiguity: f64) -> f64 {

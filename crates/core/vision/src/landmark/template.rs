@@ -8,13 +8,13 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix4, Vector2};
 
-use super::alignment::{Alignment, Similarity, align};
+use super::alignment::{PatchAlignment, PatchSimilarity, align};
 use super::features::Features;
-use super::look_alike::Searched;
+use super::look_alike::LookAlikeSearch;
 use super::match_evidence::{MatchEvidence, camera_gsd, in_picture};
 use super::oriented::OrientedDetector;
 use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
-use super::peak::{FORBIDDEN, Peak, best_peaks, refine, separation};
+use super::peak::{FORBIDDEN, ScorePeak, best_peaks, refine, separation};
 use super::rectify::{GroundView, rectify};
 use super::window::window_around;
 use super::{
@@ -49,7 +49,7 @@ pub struct TemplateDetector {
 
 /// Try of the fine search.
 #[derive(Clone, Copy, Debug)]
-struct Fit {
+struct FineFit {
     /// Centre of the patch on the ground under the assumed pose.
     center: GroundPoint,
     score: f64,
@@ -158,7 +158,7 @@ impl TemplateDetector {
         level: i32,
         center: GroundPoint,
         variants: &[(f64, f64)],
-    ) -> Option<Fit> {
+    ) -> Option<FineFit> {
         let patch = self.bank.level(landmark, level);
         let (gsd, size) = (patch.gsd, patch.size);
         let window = window_around(center, gsd, size, (FINE_REACH + 1, FINE_REACH + 1));
@@ -167,7 +167,7 @@ impl TemplateDetector {
             return None;
         }
         let features = Features::new(ground.luminance);
-        let mut best: Option<Fit> = None;
+        let mut best: Option<FineFit> = None;
         for (rotation, scale) in variants {
             let Some(template) = patch.template(*rotation, *scale) else {
                 continue;
@@ -181,7 +181,7 @@ impl TemplateDetector {
                 let x = peak.column as f64 + offset.x + 0.5 * size.0 as f64;
                 let y = peak.row as f64 + offset.y + 0.5 * size.1 as f64;
                 let center = window.ground_at(x, y);
-                best = Some(Fit {
+                best = Some(FineFit {
                     center,
                     score,
                     rotation: *rotation,
@@ -202,8 +202,8 @@ impl TemplateDetector {
         view: &FrameView<'_>,
         landmark: &Landmark,
         level: i32,
-        start: Fit,
-    ) -> Option<(Fit, f64)> {
+        start: FineFit,
+    ) -> Option<(FineFit, f64)> {
         let patch = self.bank.level(landmark, level);
         let (gsd, size) = (patch.gsd, patch.size);
         let reach = separation(size);
@@ -222,7 +222,7 @@ impl TemplateDetector {
         let x = best.column as f64 + offset.x + 0.5 * size.0 as f64;
         let y = best.row as f64 + offset.y + 0.5 * size.1 as f64;
         let rival = peaks.get(1).map_or(0.0, |peak| f64::from(peak.score));
-        let fit = Fit {
+        let fit = FineFit {
             center: window.ground_at(x, y),
             score,
             ..start
@@ -231,7 +231,13 @@ impl TemplateDetector {
     }
 
     /// Improves turn and scale around a fit by parabolas through the neighbouring variants.
-    fn polish(&mut self, view: &FrameView<'_>, landmark: &Landmark, level: i32, start: Fit) -> Fit {
+    fn polish(
+        &mut self,
+        view: &FrameView<'_>,
+        landmark: &Landmark,
+        level: i32,
+        start: FineFit,
+    ) -> FineFit {
         let (dr, ds) = (
             0.5 * self.settings.rotation_range,
             0.5 * self.settings.scale_range,
@@ -270,7 +276,7 @@ impl TemplateDetector {
         view: &FrameView<'_>,
         landmark: &Landmark,
         level: i32,
-        fit: &Fit,
+        fit: &FineFit,
         second_score: f64,
     ) -> Detection {
         let patch = self.bank.level(landmark, level);
@@ -278,7 +284,7 @@ impl TemplateDetector {
         let margin = |pixels: usize| pixels / 12 + 4;
         let window = window_around(fit.center, gsd, size, (margin(size.0), margin(size.1)));
         let picture = rectify(view, &window);
-        let start = Similarity {
+        let start = PatchSimilarity {
             x: 0.0,
             y: 0.0,
             rotation: fit.rotation,
@@ -361,7 +367,7 @@ impl Detector for TemplateDetector {
         let level = self.fine_level(landmark, camera_gsd(view));
         let turn = self.settings.rotation_range * 0.7;
         let variants = [(-turn, 1.0), (0.0, 1.0), (turn, 1.0)];
-        let mut fits: Vec<(Fit, Peak)> = Vec::new();
+        let mut fits: Vec<(FineFit, ScorePeak)> = Vec::new();
         // Best coarse score of a place that cannot be looked at closely for the picture's edge.
         let mut cut = FORBIDDEN;
         for peak in best_peaks(&surface, separation(size), MOST_CANDIDATES) {
@@ -391,7 +397,7 @@ impl Detector for TemplateDetector {
         let fit = self.polish(view, landmark, level, fit);
         let detection = self.detection(view, landmark, level, &fit, second);
         let look_alike = self.bank.look_alike(landmark, level + COARSE_LEVELS);
-        let searched = Searched {
+        let searched = LookAlikeSearch {
             surface: &surface,
             window: &ground.window,
             size,
@@ -427,7 +433,7 @@ impl Detector for TemplateDetector {
 
 /// Whether the peak lies next to offsets at which the patch would leave the picture: the true place may
 /// be among them, and what was found only the nearest that is seen.
-fn next_to_unseen(surface: &Gray, peak: &Peak) -> bool {
+fn next_to_unseen(surface: &Gray, peak: &ScorePeak) -> bool {
     const REACH: usize = 1;
     let columns = peak.column.saturating_sub(REACH)..(peak.column + REACH + 1).min(surface.width());
     let rows = peak.row.saturating_sub(REACH)..(peak.row + REACH + 1).min(surface.height());
@@ -438,7 +444,7 @@ fn next_to_unseen(surface: &Gray, peak: &Peak) -> bool {
     })
 }
 
-fn at_edge(surface: &Gray, peak: &Peak) -> bool {
+fn at_edge(surface: &Gray, peak: &ScorePeak) -> bool {
     peak.column == 0
         || peak.row == 0
         || peak.column + 1 == surface.width()
@@ -472,10 +478,10 @@ fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) 
 
 /// Alignment after the fine one failed: the place is known to a pixel, turn and scale to the step of their
 /// grid.
-fn unaligned(similarity: Similarity, size: (usize, usize)) -> Alignment {
+fn unaligned(similarity: PatchSimilarity, size: (usize, usize)) -> PatchAlignment {
     let lever = 0.25 * (size.0 + size.1) as f64;
     let angle = (1.5 / lever).powi(2);
-    Alignment {
+    PatchAlignment {
         similarity,
         covariance: Matrix4::from_diagonal(&nalgebra::Vector4::new(1.0, 1.0, angle, angle)),
     }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix6, SMatrix};
 
 use super::fit::{PoseFit, UNKNOWNS, differences, moved};
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 use super::prior::PosePrior;
 use pilotage_base::frames::Pose;
 
@@ -22,7 +22,7 @@ impl PoseFit {
     ///
     /// With the apparent tilt a = t + s, t ~ N(t₀, σ²), s ~ N(0, ς²): t | a has the mean
     /// t₀ + κ (a - t₀) and the variance (1 - κ) σ², κ = σ² / (σ² + ς²).
-    pub fn camera(&self, look: &Look<'_>, prior: &PosePrior) -> Option<CameraPlace> {
+    pub fn camera(&self, look: &FrameLook<'_>, prior: &PosePrior) -> Option<CameraPlace> {
         let share = prior.share_of_tilt();
         let divided = |at: &MapPose, roll: f64, pitch: f64| -> Option<MapPose> {
             let mut at = *at;

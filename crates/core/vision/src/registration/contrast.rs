@@ -5,7 +5,7 @@
 use super::agreement::{agree, least_likely};
 use super::fit::{PoseFit, fit, residual};
 use super::ground::Texture;
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 use super::patches::{PatchMatch, PatchPlan, PatchSearch, find_patches};
 use super::prior::PosePrior;
 
@@ -30,7 +30,7 @@ pub struct Exact {
 }
 
 /// Patches found at one level, and the pose that they agree on.
-struct Level {
+struct ContrastLevel {
     search: PatchSearch,
     fit: PoseFit,
     /// Of the raw agreement, in which overlapping patches count fully; to compare guesses.
@@ -40,7 +40,7 @@ struct Level {
 
 /// Plan of the patches at a pose: at the ground sample distance that is fine enough for a frame that shows
 /// nothing but map; and the finest that map and frame have.
-fn plan(look: &Look<'_>, at: &MapPose) -> Option<(PatchPlan, f64)> {
+fn plan(look: &FrameLook<'_>, at: &MapPose) -> Option<(PatchPlan, f64)> {
     let footprint = look.footprint(at)?;
     let height = look.ground_down - at.pose.position_in_world.z;
     let finest = look.map.native_gsd().max(height / look.camera.focal);
@@ -67,7 +67,12 @@ fn last_plan(middle: &PatchSearch, finest: f64) -> PatchPlan {
     }
 }
 
-fn level(look: &Look<'_>, prior: &PosePrior, at: &MapPose, plan: PatchPlan) -> Option<Level> {
+fn level(
+    look: &FrameLook<'_>,
+    prior: &PosePrior,
+    at: &MapPose,
+    plan: PatchPlan,
+) -> Option<ContrastLevel> {
     let search = find_patches(look, at, plan)?;
     let agreement = agree(&search)?;
     let height = look.ground_down - at.pose.position_in_world.z;
@@ -81,7 +86,7 @@ fn level(look: &Look<'_>, prior: &PosePrior, at: &MapPose, plan: PatchPlan) -> O
     let first = fit(look, at, &members, prior, limit)?;
     // Once more with all that fit the pose, whose perspective the agreement lacks.
     let fit = fit(look, &first.at, &search.matches, prior, limit)?;
-    Some(Level {
+    Some(ContrastLevel {
         search,
         fit,
         agreement: agreement.log_false_alarms,
@@ -91,7 +96,7 @@ fn level(look: &Look<'_>, prior: &PosePrior, at: &MapPose, plan: PatchPlan) -> O
 
 /// The pose that coarse patches agree on around a guess, and how surely: the logarithm (base 10) of the false
 /// alarms.
-pub fn begin(look: &Look<'_>, prior: &PosePrior, at: &MapPose) -> Option<(MapPose, f64)> {
+pub fn begin(look: &FrameLook<'_>, prior: &PosePrior, at: &MapPose) -> Option<(MapPose, f64)> {
     let (middle, _) = plan(look, at)?;
     let coarse = PatchPlan {
         gsd: 2.0 * middle.gsd,
@@ -105,7 +110,7 @@ pub fn begin(look: &Look<'_>, prior: &PosePrior, at: &MapPose) -> Option<(MapPos
 }
 
 /// Whether every fourth patch gives hope that they agree: most frames of other dates cost no more than that.
-pub fn is_promising(look: &Look<'_>, at: &MapPose) -> bool {
+pub fn is_promising(look: &FrameLook<'_>, at: &MapPose) -> bool {
     let Some((plan, _)) = plan(look, at) else {
         return false;
     };
@@ -118,7 +123,7 @@ pub fn is_promising(look: &Look<'_>, at: &MapPose) -> bool {
 }
 
 /// Looks for the patches of a frame around a pose, and for what they agree on.
-pub fn by_contrast(look: &Look<'_>, prior: &PosePrior, start: &MapPose) -> Option<Exact> {
+pub fn by_contrast(look: &FrameLook<'_>, prior: &PosePrior, start: &MapPose) -> Option<Exact> {
     let (plan, finest) = plan(look, start)?;
     let middle = level(look, prior, start, plan)?;
     let plan = last_plan(&middle.search, finest);

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Window;
 use pilotage_raster::raster::{Picture, Raster, Rgb, Rgba};
@@ -18,9 +18,9 @@ pub struct Draped {
 
 /// Places of the map at the corners of a picture that was stored turned by `stored_turn` (radians clockwise), clockwise
 /// from its top left; a corner that looks past the horizon is left out.
-pub fn outline(look: &Look<'_>, at: &MapPose, stored_turn: f64) -> Vec<GroundPoint> {
+pub fn outline(look: &FrameLook<'_>, at: &MapPose, stored_turn: f64) -> Vec<GroundPoint> {
     let camera = look.camera.stored_turned(stored_turn);
-    let look = Look {
+    let look = FrameLook {
         camera: &camera,
         ..*look
     };
@@ -32,14 +32,14 @@ pub fn outline(look: &Look<'_>, at: &MapPose, stored_turn: f64) -> Vec<GroundPoi
 /// The colours of `picture` on the map, with `most` pixels along the longer side of its window; `None` where it sees
 /// past the horizon.
 pub fn drape(
-    look: &Look<'_>,
+    look: &FrameLook<'_>,
     at: &MapPose,
     stored_turn: f64,
     picture: &Picture,
     most: usize,
 ) -> Option<Draped> {
     let camera = look.camera.stored_turned(stored_turn);
-    let look = Look {
+    let look = FrameLook {
         camera: &camera,
         ..*look
     };
@@ -136,7 +136,7 @@ mod tests {
         );
         let camera = CameraModel::pinhole(400, 200, 2.0 * 0.5_f64.atan());
         let luminance = Pyramid::new(picture.to_gray(), 1);
-        let look = Look {
+        let look = FrameLook {
             camera: &camera,
             ground_down: 0.0,
             luminance: &luminance,

@@ -1,9 +1,9 @@
 //! Pieces of a frame laid as a whole that lie where the map has them: what a viewer can look at.
 
 use super::fit::residual;
-use super::grid::Grid;
+use super::grid::SweepGrid;
 use super::ground::Texture;
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 use super::patches::{PatchMatch, PatchPlan, find_patches};
 
 /// Side of a piece, pixels of the sweep; how far it is looked for.
@@ -13,9 +13,9 @@ const REACH: usize = 6;
 const WITHIN: f64 = 2.5;
 
 /// The pieces that lie where the pose has them, and how many could have been found.
-pub fn pieces(look: &Look<'_>, at: &MapPose) -> Option<(Vec<PatchMatch>, usize)> {
+pub fn pieces(look: &FrameLook<'_>, at: &MapPose) -> Option<(Vec<PatchMatch>, usize)> {
     let footprint = look.footprint(at)?;
-    let gsd = Grid::full().gsd(&footprint);
+    let gsd = SweepGrid::full().gsd(&footprint);
     let plan = PatchPlan {
         texture: Texture::Edges,
         gsd,

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Point2, SMatrix, SVector, Vector2};
 
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 use super::patches::PatchMatch;
 use super::prior::PosePrior;
 use pilotage_base::frames::{GroundPoint, wrap_pi};
@@ -22,7 +22,7 @@ const LEAST_DEVIATION: f64 = 0.1;
 /// A vector of the unknowns.
 pub(super) type Vector = SVector<f64, UNKNOWNS>;
 /// Their covariance or information.
-type Matrix = SMatrix<f64, UNKNOWNS, UNKNOWNS>;
+type PoseMatrix = SMatrix<f64, UNKNOWNS, UNKNOWNS>;
 /// Jacobian of a pixel by the unknowns.
 type Jacobian = SMatrix<f64, 2, UNKNOWNS>;
 
@@ -33,14 +33,14 @@ pub struct PoseFit {
     pub at: MapPose,
     /// Covariance of north, east, down (metres), roll, pitch, yaw (radians), and of the shape's two
     /// logarithms.
-    pub covariance: Matrix,
+    pub covariance: PoseMatrix,
     /// Standard deviation of a match about the fit, pixels per axis.
     pub deviation: f64,
 }
 
 impl PoseFit {
     /// Place of the map in the middle of the picture and its covariance, m².
-    pub fn centre(&self, look: &Look<'_>) -> Option<(GroundPoint, Matrix2<f64>)> {
+    pub fn centre(&self, look: &FrameLook<'_>) -> Option<(GroundPoint, Matrix2<f64>)> {
         let jacobian = differences(|step| {
             let place = look.centre(&moved(&self.at, step))?;
             Some(place.to_vector())
@@ -83,7 +83,7 @@ pub(super) fn differences(function: impl Fn(&Vector) -> Option<Vector2<f64>>) ->
 
 /// Residual of a match in the picture, pixels: where its place on the map appears less where it was
 /// seen.
-pub(super) fn residual(look: &Look<'_>, at: &MapPose, m: &PatchMatch) -> Option<Vector2<f64>> {
+pub(super) fn residual(look: &FrameLook<'_>, at: &MapPose, m: &PatchMatch) -> Option<Vector2<f64>> {
     Some(look.pixel(at, &m.ground)? - m.pixel)
 }
 
@@ -101,19 +101,19 @@ fn held(prior: &PosePrior, at: &MapPose) -> [(usize, f64, f64); 4] {
 }
 
 /// Round of the fit: the normal equations of the matches at a pose, without the prior.
-struct Round {
+struct FitRound {
     /// `Σ w JᵀJ`.
-    information: Matrix,
+    information: PoseMatrix,
     /// Of each match that counts: pixel and w Jᵀr.
     slopes: Vec<(Point2<f64>, Vector)>,
     weights: f64,
     squares: f64,
 }
 
-impl Round {
-    fn new(look: &Look<'_>, at: &MapPose, matches: &[PatchMatch], limit: f64) -> Option<Self> {
+impl FitRound {
+    fn new(look: &FrameLook<'_>, at: &MapPose, matches: &[PatchMatch], limit: f64) -> Option<Self> {
         let mut round = Self {
-            information: Matrix::zeros(),
+            information: PoseMatrix::zeros(),
             slopes: Vec::with_capacity(matches.len()),
             weights: 0.0,
             squares: 0.0,
@@ -149,9 +149,9 @@ impl Round {
     /// Sum of the products of slopes of matches within `range` pixels of each other, weighted by how
     /// near they are (Conley 1999, with Bartlett's kernel, which keeps the sum positive): the covariance
     /// of the gradient where errors of neighbours are alike.
-    fn scatter(&self, range: f64) -> Matrix {
+    fn scatter(&self, range: f64) -> PoseMatrix {
         let near = |a: f64, b: f64| (1.0 - (a - b).abs() / range).max(0.0);
-        let mut scatter = Matrix::zeros();
+        let mut scatter = PoseMatrix::zeros();
         for (index, (a, slope_a)) in self.slopes.iter().enumerate() {
             scatter += slope_a * slope_a.transpose();
             for (b, slope_b) in &self.slopes[index + 1..] {
@@ -169,7 +169,7 @@ impl Round {
 /// Fits pose and shape by iteratively weighted least squares, Tukey's weights with `limit` pixels, tilt
 /// and shape held by the prior; `None` if the matches do not determine them.
 pub(super) fn fit(
-    look: &Look<'_>,
+    look: &FrameLook<'_>,
     start: &MapPose,
     matches: &[PatchMatch],
     prior: &PosePrior,
@@ -177,7 +177,7 @@ pub(super) fn fit(
 ) -> Option<PoseFit> {
     let mut at = *start;
     for _ in 0..ROUNDS {
-        let round = Round::new(look, &at, matches, limit)?;
+        let round = FitRound::new(look, &at, matches, limit)?;
         let variance = round.variance();
         let mut information = round.information / variance;
         let mut slope: Vector = round.slopes.iter().map(|(_, s)| s / variance).sum();
@@ -191,7 +191,7 @@ pub(super) fn fit(
             break;
         }
     }
-    let round = Round::new(look, &at, matches, limit)?;
+    let round = FitRound::new(look, &at, matches, limit)?;
     let variance = round.variance();
     let mut information = round.information / variance;
     let shorter = look.camera.width.min(look.camera.height) as f64;

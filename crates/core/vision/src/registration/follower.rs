@@ -94,7 +94,7 @@ const LEAST_SHAPE_DEVIATION: f64 = 0.01;
 
 /// Readings of the instruments when a frame is taken; radians and metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Measured {
+pub struct InstrumentReadings {
     /// Heading of the body, clockwise from north.
     pub heading: Option<f64>,
     /// Roll of the body.
@@ -107,12 +107,12 @@ pub struct Measured {
 
 /// A mean with its variance.
 #[derive(Clone, Copy, Debug)]
-struct Belief {
+struct ScalarBelief {
     mean: f64,
     variance: f64,
 }
 
-impl Belief {
+impl ScalarBelief {
     fn corrected(self, value: f64, variance: f64) -> Self {
         let gain = self.variance / (self.variance + variance);
         Self {
@@ -128,9 +128,9 @@ impl Belief {
 pub struct Follower {
     settings: FollowSettings,
     /// Natural logarithm of the height, when.
-    height: Option<(Belief, f64)>,
-    along: Belief,
-    across: Belief,
+    height: Option<(ScalarBelief, f64)>,
+    along: ScalarBelief,
+    across: ScalarBelief,
     /// Stored turn of the frame that was laid last, radians clockwise.
     stored_turn: f64,
 }
@@ -138,7 +138,7 @@ pub struct Follower {
 impl Follower {
     /// Before the first frame.
     pub fn new(settings: FollowSettings) -> Self {
-        let unknown = Belief {
+        let unknown = ScalarBelief {
             mean: 0.0,
             variance: settings.shape_deviation.powi(2),
         };
@@ -158,7 +158,7 @@ impl Follower {
         time: f64,
         position: GroundPoint,
         position_deviation: f64,
-        measured: &Measured,
+        measured: &InstrumentReadings,
     ) -> PosePrior {
         let s = &self.settings;
         let (height, log_height_deviation) = match (measured.height, self.height) {
@@ -207,7 +207,7 @@ impl Follower {
         let height = ground_down - fit.at.pose.position_in_world.z;
         let variance = fit.covariance[(2, 2)] / (height * height);
         self.height = Some((
-            Belief {
+            ScalarBelief {
                 mean: height.ln(),
                 variance,
             },
@@ -249,7 +249,7 @@ mod tests {
         let searched = |settings: FollowSettings, believed: f64| {
             let follower = Follower::new(settings);
             let at = GroundPoint::new(0.0, 0.0);
-            let prior = follower.prior(0.0, at, believed, &Measured::default());
+            let prior = follower.prior(0.0, at, believed, &InstrumentReadings::default());
             limit_of(prior.position_deviation)
         };
         assert!((searched(settings, 200.0) - 500.0).abs() < 1e-9);
@@ -263,10 +263,10 @@ mod tests {
         let mut settings = FollowSettings::default();
         settings.limit_heading(0.4);
         settings.limit_height(0.25);
-        let measured = Measured {
+        let measured = InstrumentReadings {
             heading: Some(1.0),
             height: Some(100.0),
-            ..Measured::default()
+            ..InstrumentReadings::default()
         };
         let at = GroundPoint::new(0.0, 0.0);
         let prior = Follower::new(settings).prior(0.0, at, 10.0, &measured);

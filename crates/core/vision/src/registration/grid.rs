@@ -1,8 +1,8 @@
 //! Fineness of the grid on which poses are tried.
 
-use super::guess::{BESIDE, Guess};
+use super::guess::{BESIDE, PoseGuess};
 use super::limits::REACH;
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 use super::prior::PosePrior;
 use nalgebra::Point3;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
@@ -19,7 +19,7 @@ const AFFORDABLE: f64 = 5e6;
 
 /// The fineness of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grid {
+pub(super) struct SweepGrid {
     /// Pixels across the longer side of the frame.
     pub across: f64,
 }
@@ -41,7 +41,7 @@ pub(super) struct Poses {
     pub turns: Vec<usize>,
 }
 
-impl Grid {
+impl SweepGrid {
     /// The grid of the finest whole sweep.
     pub fn full() -> Self {
         Self { across: ACROSS }
@@ -78,7 +78,7 @@ impl Grid {
     }
 
     /// The finest for which there is time; `None` if the frame does not look down.
-    pub fn affordable(looks: &[Look<'_>], prior: &PosePrior) -> Option<Self> {
+    pub fn affordable(looks: &[FrameLook<'_>], prior: &PosePrior) -> Option<Self> {
         let full = Self::full();
         let look = looks.first()?;
         let extent = look.footprint(&above(look, prior, prior.height, 0.0, prior.position))?;
@@ -103,7 +103,13 @@ impl Grid {
 
 impl Poses {
     /// Poses of a finer grid up to `steps` of a coarse one to each side of a guess.
-    pub fn around(look: &Look<'_>, guess: &Guess, grid: Grid, steps: f64, finer: Grid) -> Self {
+    pub fn around(
+        look: &FrameLook<'_>,
+        guess: &PoseGuess,
+        grid: SweepGrid,
+        steps: f64,
+        finer: SweepGrid,
+    ) -> Self {
         let position = guess.at.pose.position_in_world;
         let height = look.ground_down - position.z;
         let side = steps * grid.step();
@@ -125,7 +131,7 @@ impl Poses {
 }
 
 /// Radians times logarithm of the height that one of these poses stands for: as far as they lie from one another.
-pub(super) fn cell(headings: &[f64], heights: &[f64], grid: Grid) -> f64 {
+pub(super) fn cell(headings: &[f64], heights: &[f64], grid: SweepGrid) -> f64 {
     let turned = match headings {
         [a, b, ..] => wrap_pi(b - a).abs(),
         _ => grid.step(),
@@ -139,7 +145,7 @@ pub(super) fn cell(headings: &[f64], heights: &[f64], grid: Grid) -> f64 {
 
 /// The pose with this height and heading over a place.
 pub(super) fn above(
-    look: &Look<'_>,
+    look: &FrameLook<'_>,
     prior: &PosePrior,
     height: f64,
     heading: f64,
@@ -157,7 +163,7 @@ pub(super) fn above(
 /// The ground that the frame may show at any heading, up to `height` and `reach` metres around `center`, no
 /// farther than half a frame beyond the map; `None` if that is nowhere.
 pub(super) fn area(
-    looks: &[Look<'_>],
+    looks: &[FrameLook<'_>],
     prior: &PosePrior,
     center: GroundPoint,
     reach: f64,

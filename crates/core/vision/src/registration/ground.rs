@@ -1,6 +1,6 @@
 //! Ground seen from above: the map's and the frame's, made alike.
 
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Gray, IntegralImage};
@@ -53,7 +53,7 @@ impl GroundPicture {
 
     /// The part of `window` that a frame shows, under its assumed pose.
     pub fn of_frame(
-        look: &Look<'_>,
+        look: &FrameLook<'_>,
         place: &MapPose,
         window: &Window,
         texture: Texture,

@@ -12,7 +12,7 @@ pub(super) const BELIEVED: f64 = 0.95;
 
 /// A pose at which the frame looks like the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Guess {
+pub struct PoseGuess {
     /// The pose over the map.
     pub at: MapPose,
     /// Index of the turn of the stored picture among the possible ones.

@@ -22,7 +22,7 @@ pub struct MapPose {
 
 /// A picture and what is needed to lay it on the map.
 #[derive(Clone, Copy)]
-pub struct Look<'a> {
+pub struct FrameLook<'a> {
     /// The camera, any turn of the stored picture included.
     pub camera: &'a CameraModel,
     /// Down coordinate of the ground plane, metres.
@@ -42,7 +42,7 @@ struct CameraFromMap {
 }
 
 impl CameraFromMap {
-    fn new(look: &Look<'_>, place: &MapPose) -> Self {
+    fn new(look: &FrameLook<'_>, place: &MapPose) -> Self {
         let position = place.pose.position_in_world;
         Self {
             rotation: look.camera.camera_from_world(&place.pose),
@@ -58,7 +58,7 @@ impl CameraFromMap {
     }
 }
 
-impl Look<'_> {
+impl FrameLook<'_> {
     /// Pixel at which a place of the map appears.
     pub fn pixel(&self, place: &MapPose, ground: &GroundPoint) -> Option<Point2<f64>> {
         self.camera
@@ -71,12 +71,12 @@ impl Look<'_> {
     /// use nalgebra::{Point2, Point3};
     /// use pilotage_base::frames::{Attitude, GroundPoint, Pose};
     /// use pilotage_raster::{camera::CameraModel, imagery::Blank, raster::{Gray, Pyramid}};
-    /// use pilotage_vision::registration::{Look, MapPose, MapShape};
+    /// use pilotage_vision::registration::{FrameLook, MapPose, MapShape};
     ///
     /// let camera = CameraModel::pinhole(640, 480, 90_f64.to_radians()); // focal length 320 pixels
     /// # let luminance = Pyramid::new(Gray::filled(640, 480, 0.0), 1);
     /// # let luminance = &luminance;
-    /// let look = Look { camera: &camera, ground_down: 0.0, luminance, map: &Blank };
+    /// let look = FrameLook { camera: &camera, ground_down: 0.0, luminance, map: &Blank };
     /// # let (position_in_world, attitude) = (Point3::new(300.0, 0.0, -160.0), Attitude::level(0.0));
     /// # let pose = Pose { position_in_world, attitude };
     /// // 160 m above (300, 0): 64 pixels above the middle lie 32 m north of it.

@@ -38,13 +38,15 @@ pub use camera_place::CameraPlace;
 pub use drape::{Draped, drape, outline};
 pub use evidence::Evidence;
 pub use fit::{PoseFit, UNKNOWNS};
-pub use follower::{FollowSettings, Follower, Measured};
-pub use guess::Guess;
+pub use follower::{FollowSettings, Follower, InstrumentReadings};
+pub use guess::PoseGuess;
 pub use limits::{deviation_within, limit_of, log_deviation_within, share_of};
-pub use look::{Look, MapPose};
+pub use look::{FrameLook, MapPose};
 pub use overlay::overlay;
 pub use patches::PatchMatch;
 pub use prior::{HeadingPrior, PosePrior, StoredTurn};
-pub use register::{NotRegistered, Registration, RegistrationMethod, Sighting, register, sight};
+pub use register::{
+    FrameSighting, NotRegistered, Registration, RegistrationMethod, register, sight,
+};
 pub use shape::MapShape;
 pub use sweep::sweep;

@@ -1,6 +1,6 @@
 //! A frame drawn over the map where it was laid, for people to judge.
 
-use super::look::Look;
+use super::look::FrameLook;
 use super::register::Registration;
 use pilotage_raster::imagery::Window;
 use pilotage_raster::raster::{Picture, Raster};
@@ -12,9 +12,9 @@ const AROUND: f64 = 0.15;
 
 /// The map in colour around a laid frame, with the frame in grey in every other square of a chequerboard: roads
 /// and roofs run on from square to square where it lies right. `across` is the picture's width in pixels.
-pub fn overlay(look: &Look<'_>, laid: &Registration, across: usize) -> Option<Picture> {
+pub fn overlay(look: &FrameLook<'_>, laid: &Registration, across: usize) -> Option<Picture> {
     let camera = look.camera.stored_turned(laid.stored_turn);
-    let look = Look {
+    let look = FrameLook {
         camera: &camera,
         ..*look
     };

@@ -6,7 +6,7 @@ use super::ground::{GroundPicture, Texture};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::raster::{ChannelSearch, ChannelTemplate, Gray, Template, highest_peak};
 
-use super::look::{Look, MapPose};
+use super::look::{FrameLook, MapPose};
 
 /// Share of a patch that must be covered on the map.
 const COVERED: f64 = 0.9;
@@ -59,7 +59,7 @@ pub struct PatchSearch {
 }
 
 /// Looks for the patches of a frame, laid on the map at `place`.
-pub fn find_patches(look: &Look<'_>, place: &MapPose, plan: PatchPlan) -> Option<PatchSearch> {
+pub fn find_patches(look: &FrameLook<'_>, place: &MapPose, plan: PatchPlan) -> Option<PatchSearch> {
     let PatchPlan {
         texture,
         gsd,

@@ -7,8 +7,8 @@ use super::CameraPlace;
 use super::contrast::{Exact, begin, by_contrast, is_promising};
 use super::edges::pieces;
 use super::fit::PoseFit;
-use super::guess::{BELIEVED, Guess, are_beside};
-use super::look::{Look, MapPose};
+use super::guess::{BELIEVED, PoseGuess, are_beside};
+use super::look::{FrameLook, MapPose};
 use super::patches::PatchMatch;
 use super::prior::PosePrior;
 use super::summit::{climb, place_by_edges};
@@ -92,14 +92,14 @@ pub enum NotRegistered {
 
 /// All that a frame says of where it was taken.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sighting {
+pub struct FrameSighting {
     /// The place that it can be laid on for itself, or why there is none.
     pub verdict: Result<Registration, NotRegistered>,
     /// Every place that is not improbable, the likeliest first, no two the same; other frames may tell which.
     pub places: Vec<Registration>,
 }
 
-impl Sighting {
+impl FrameSighting {
     fn of_nothing() -> Self {
         Self {
             verdict: Err(NotRegistered::NothingAlike),
@@ -134,31 +134,32 @@ impl NotRegistered {
 ///
 /// # Errors
 /// Why no place can be believed.
-pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotRegistered> {
+pub fn register(look: &FrameLook<'_>, prior: &PosePrior) -> Result<Registration, NotRegistered> {
     sight(look, prior).verdict
 }
 
 /// Looks where a frame may lie on the map: sweeps over all that the prior allows, makes the likeliest poses exact, and
 /// believes one if its patches agree as chance would not have it, or if the whole frame leaves little doubt.
-pub fn sight(look: &Look<'_>, prior: &PosePrior) -> Sighting {
+pub fn sight(look: &FrameLook<'_>, prior: &PosePrior) -> FrameSighting {
     let turns = prior.heading.turns();
     let cameras: Vec<CameraModel> = turns
         .iter()
         .map(|turn| look.camera.stored_turned(*turn))
         .collect();
-    let looks: Vec<Look<'_>> = cameras
+    let looks: Vec<FrameLook<'_>> = cameras
         .iter()
-        .map(|camera| Look { camera, ..*look })
+        .map(|camera| FrameLook { camera, ..*look })
         .collect();
     let guesses = sweep(&looks, prior, GUESSES);
-    let turned = |guess: &Guess, laid: Registration| Registration {
+    let turned = |guess: &PoseGuess, laid: Registration| Registration {
         stored_turn: turns[guess.turn],
         ..laid
     };
     let Some((first, others)) = guesses.split_first() else {
-        return Sighting::of_nothing();
+        return FrameSighting::of_nothing();
     };
-    let made_exact = |guess: &Guess| Some(turned(guess, exact(&looks[guess.turn], prior, guess)?));
+    let made_exact =
+        |guess: &PoseGuess| Some(turned(guess, exact(&looks[guess.turn], prior, guess)?));
     let mut laid: Vec<Registration> = made_exact(first).into_iter().collect();
     // Rivals of a place that leaves them little are not worth the time.
     if laid.is_empty() || first.probability < BELIEVED {
@@ -191,7 +192,7 @@ pub fn sight(look: &Look<'_>, prior: &PosePrior) -> Sighting {
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
     let places = apart(&laid, look.ground_down);
-    Sighting {
+    FrameSighting {
         verdict: judge(laid, first.probability, look.ground_down),
         places,
     }
@@ -213,7 +214,7 @@ fn apart(laid: &[Registration], ground_down: f64) -> Vec<Registration> {
 }
 
 /// A guess made exact.
-fn exact(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Registration> {
+fn exact(look: &FrameLook<'_>, prior: &PosePrior, guess: &PoseGuess) -> Option<Registration> {
     let begun = climb(look, prior, guess);
     let start = begun.map_or(guess.at, |top| top.at);
     if is_promising(look, &start)
@@ -234,9 +235,9 @@ fn exact(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Registrati
 
 /// Registration on which patches around a pose agree, if chance does not explain it.
 fn by_patches(
-    look: &Look<'_>,
+    look: &FrameLook<'_>,
     prior: &PosePrior,
-    guess: &Guess,
+    guess: &PoseGuess,
     start: &MapPose,
 ) -> Option<Registration> {
     let found = by_contrast(look, prior, start)?;
@@ -246,9 +247,9 @@ fn by_patches(
 }
 
 fn registration(
-    look: &Look<'_>,
+    look: &FrameLook<'_>,
     prior: &PosePrior,
-    guess: &Guess,
+    guess: &PoseGuess,
     laid_by: RegistrationMethod,
     found: Exact,
 ) -> Option<Registration> {

@@ -5,17 +5,17 @@ use nalgebra::{Matrix2, SMatrix};
 
 use super::evidence::Evidence;
 use super::fit::{PoseFit, UNKNOWNS, differences, moved};
-use super::grid::Grid;
+use super::grid::SweepGrid;
 use super::ground::{GroundPicture, Texture};
-use super::guess::Guess;
-use super::look::{Look, MapPose};
+use super::guess::PoseGuess;
+use super::look::{FrameLook, MapPose};
 use super::prior::PosePrior;
 use super::weighed::frame_template;
 use pilotage_base::frames::wrap_pi;
 use pilotage_raster::raster::{ChannelSearch, Gray, Peak, highest_peak};
 
 /// A stage of the climb.
-struct Stage {
+struct ClimbStage {
     texture: Texture,
     /// Ground sample distance against that of the finest whole sweep.
     finer: f64,
@@ -25,14 +25,14 @@ struct Stage {
 }
 
 /// By edges and contrast, as the sweep weighed: where there are few edges, edges alone lead to another summit nearby.
-const WEIGHED: Stage = Stage {
+const WEIGHED: ClimbStage = ClimbStage {
     texture: Texture::EdgesAndContrast,
     finer: 1.0,
     rounds: 3,
     share: 1.0,
 };
 /// By edges alone, because shadows and crops move contrast.
-const EDGES: Stage = Stage {
+const EDGES: ClimbStage = ClimbStage {
     texture: Texture::Edges,
     finer: 0.7,
     rounds: 3,
@@ -81,12 +81,12 @@ impl Axis {
     /// The first step.
     fn step(self) -> f64 {
         match self {
-            Self::Heading | Self::LogHeight => 0.5 * Grid::full().step(),
+            Self::Heading | Self::LogHeight => 0.5 * SweepGrid::full().step(),
             Self::Roll | Self::Pitch => TILT,
         }
     }
 
-    fn moved(self, look: &Look<'_>, at: &MapPose, by: f64) -> MapPose {
+    fn moved(self, look: &FrameLook<'_>, at: &MapPose, by: f64) -> MapPose {
         let mut at = *at;
         let attitude = &mut at.pose.attitude;
         match self {
@@ -103,27 +103,27 @@ impl Axis {
 }
 
 /// The top of what the sweep weighed: near enough for patches to be looked for.
-pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Summit> {
-    let level = Level::new(look, prior, guess, &guess.at, &WEIGHED)?;
+pub fn climb(look: &FrameLook<'_>, prior: &PosePrior, guess: &PoseGuess) -> Option<Summit> {
+    let level = SummitLevel::new(look, prior, guess, &guess.at, &WEIGHED)?;
     level.climb(&guess.at, &WEIGHED)
 }
 
 /// The top by edges around that of [`climb`], and how sharp it is: the place of a frame of another date than the map.
 pub fn place_by_edges(
-    look: &Look<'_>,
+    look: &FrameLook<'_>,
     prior: &PosePrior,
-    guess: &Guess,
+    guess: &PoseGuess,
     begun: &Summit,
 ) -> Option<Climbed> {
-    let level = Level::new(look, prior, guess, &begun.at, &EDGES)?;
+    let level = SummitLevel::new(look, prior, guess, &begun.at, &EDGES)?;
     let top = level.climb(&begun.at, &EDGES)?;
     let variances = Axis::ALL.map(|axis| level.variance(axis, &top));
     Some(Climbed { top, variances })
 }
 
 /// The map around a guess at one ground sample distance.
-struct Level<'a> {
-    look: &'a Look<'a>,
+struct SummitLevel<'a> {
+    look: &'a FrameLook<'a>,
     prior: &'a PosePrior,
     evidence: &'a Evidence,
     ground: GroundPicture,
@@ -133,16 +133,19 @@ struct Level<'a> {
     texture: Texture,
 }
 
-impl<'a> Level<'a> {
+impl<'a> SummitLevel<'a> {
     fn new(
-        look: &'a Look<'a>,
+        look: &'a FrameLook<'a>,
         prior: &'a PosePrior,
-        guess: &'a Guess,
+        guess: &'a PoseGuess,
         start: &MapPose,
-        stage: &Stage,
+        stage: &ClimbStage,
     ) -> Option<Self> {
         let footprint = look.footprint(start)?;
-        let (texture, gsd) = (stage.texture, stage.finer * Grid::full().gsd(&footprint));
+        let (texture, gsd) = (
+            stage.texture,
+            stage.finer * SweepGrid::full().gsd(&footprint),
+        );
         let across = footprint.width().max(footprint.height());
         // At any heading and height of the first round, which are the farthest.
         let around = footprint.grown(MARGIN * gsd + 0.1 * across);
@@ -160,7 +163,7 @@ impl<'a> Level<'a> {
     }
 
     /// The top above a pose.
-    fn climb(&self, start: &MapPose, stage: &Stage) -> Option<Summit> {
+    fn climb(&self, start: &MapPose, stage: &ClimbStage) -> Option<Summit> {
         let mut top = self.summit(start)?;
         let mut share = stage.share;
         for _ in 0..stage.rounds {
@@ -241,7 +244,7 @@ impl<'a> Level<'a> {
 impl Climbed {
     /// The pose with its covariance: that of the place in the middle of the picture, and what place and tilt
     /// of the camera have in common around it.
-    pub fn fit(&self, look: &Look<'_>, prior: &PosePrior) -> Option<PoseFit> {
+    pub fn fit(&self, look: &FrameLook<'_>, prior: &PosePrior) -> Option<PoseFit> {
         let at = self.top.at;
         let centre = differences(|step| Some(look.centre(&moved(&at, step))?.to_vector()))?;
         let place = (-self.top.curvature)

@@ -2,12 +2,12 @@
 //! there is time for, then around the likeliest places at the full fineness. Of the ways in which the picture may be
 //! stored, those after the first are looked at only where the first leaves doubt.
 
-use super::grid::{Grid, Poses, cell};
-use super::guess::{BELIEVED, Guess};
+use super::grid::{Poses, SweepGrid, cell};
+use super::guess::{BELIEVED, PoseGuess};
 use super::limits::REACH;
-use super::look::Look;
+use super::look::FrameLook;
 use super::prior::PosePrior;
-use super::weighed::Weighed;
+use super::weighed::WeighedPoses;
 
 /// Heights over which one ground sample distance serves, as a logarithm.
 const HEIGHTS_AT_ONCE: f64 = 0.3;
@@ -23,8 +23,8 @@ const LITTLE_DOUBT: f64 = -2.0;
 
 /// The best `most` poses, best first, none beside a better one, with their probabilities. `looks` have the
 /// picture turned in the possible ways, the one to be tried first before the others.
-pub fn sweep(looks: &[Look<'_>], prior: &PosePrior, most: usize) -> Vec<Guess> {
-    let Some(grid) = Grid::affordable(looks, prior) else {
+pub fn sweep(looks: &[FrameLook<'_>], prior: &PosePrior, most: usize) -> Vec<PoseGuess> {
+    let Some(grid) = SweepGrid::affordable(looks, prior) else {
         return Vec::new();
     };
     let step = grid.step();
@@ -37,12 +37,12 @@ pub fn sweep(looks: &[Look<'_>], prior: &PosePrior, most: usize) -> Vec<Guess> {
         headings,
         turns: (0..looks.len()).collect(),
     };
-    let mut swept = Weighed::new(prior, &poses, grid);
+    let mut swept = WeighedPoses::new(prior, &poses, grid);
     let mut left = poses.turns.split_off(1);
     loop {
         look_at_all(&mut swept, looks, prior, &poses, grid);
         let guesses = finely(&mut swept, looks, prior, grid, most);
-        let is_sure = |best: &Guess| best.log_doubt <= LITTLE_DOUBT;
+        let is_sure = |best: &PoseGuess| best.log_doubt <= LITTLE_DOUBT;
         if left.is_empty() || guesses.first().is_some_and(is_sure) {
             return guesses;
         }
@@ -52,11 +52,11 @@ pub fn sweep(looks: &[Look<'_>], prior: &PosePrior, most: usize) -> Vec<Guess> {
 
 /// Looks at all poses, as many heights at once as one ground sample distance serves.
 fn look_at_all(
-    swept: &mut Weighed,
-    looks: &[Look<'_>],
+    swept: &mut WeighedPoses,
+    looks: &[FrameLook<'_>],
     prior: &PosePrior,
     poses: &Poses,
-    grid: Grid,
+    grid: SweepGrid,
 ) {
     let mut at_once: &[f64] = &poses.heights;
     while let Some(&first) = at_once.first() {
@@ -77,16 +77,17 @@ fn look_at_all(
 /// The best `most` poses of what was swept; the likeliest of a coarse grid are looked at at the full fineness first, and
 /// the likeliest of all once more still more finely where that leaves doubt.
 fn finely(
-    swept: &mut Weighed,
-    looks: &[Look<'_>],
+    swept: &mut WeighedPoses,
+    looks: &[FrameLook<'_>],
     prior: &PosePrior,
-    grid: Grid,
+    grid: SweepGrid,
     most: usize,
-) -> Vec<Guess> {
+) -> Vec<PoseGuess> {
     if !grid.is_full() {
         let coarse = swept.guesses(looks, LOOKED_AT);
         // Half a step to each side: between them.
-        return again(swept, looks, prior, &coarse, (grid, 0.5, Grid::full())).guesses(looks, most);
+        return again(swept, looks, prior, &coarse, (grid, 0.5, SweepGrid::full()))
+            .guesses(looks, most);
     }
     let guesses = swept.guesses(looks, most);
     let Some(best) = guesses.first() else {
@@ -95,18 +96,25 @@ fn finely(
     if best.probability >= BELIEVED || best.probability < HOPELESS {
         return guesses;
     }
-    let likely: Vec<Guess> = guesses.iter().take(LIKELY).copied().collect();
-    again(swept, looks, prior, &likely, (grid, 1.0, Grid::finest())).guesses(looks, most)
+    let likely: Vec<PoseGuess> = guesses.iter().take(LIKELY).copied().collect();
+    again(
+        swept,
+        looks,
+        prior,
+        &likely,
+        (grid, 1.0, SweepGrid::finest()),
+    )
+    .guesses(looks, most)
 }
 
 /// Sweep with some places looked at on a finer grid, up to some steps of the coarse one to each side.
 fn again(
-    swept: &Weighed,
-    looks: &[Look<'_>],
+    swept: &WeighedPoses,
+    looks: &[FrameLook<'_>],
     prior: &PosePrior,
-    guesses: &[Guess],
-    (grid, steps, finer): (Grid, f64, Grid),
-) -> Weighed {
+    guesses: &[PoseGuess],
+    (grid, steps, finer): (SweepGrid, f64, SweepGrid),
+) -> WeighedPoses {
     let mut fine = swept.without(looks, guesses, finer);
     for guess in guesses {
         let around = Poses::around(&looks[guess.turn], guess, grid, steps, finer);

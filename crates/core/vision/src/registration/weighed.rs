@@ -1,10 +1,10 @@
 //! Poses weighed by likelihood and prior.
 
 use super::evidence::Evidence;
-use super::grid::{Grid, Poses, above, area};
+use super::grid::{Poses, SweepGrid, above, area};
 use super::ground::{GroundPicture, Texture};
-use super::guess::{Guess, are_within};
-use super::look::{Look, MapPose};
+use super::guess::{PoseGuess, are_within};
+use super::look::{FrameLook, MapPose};
 use super::prior::PosePrior;
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Window;
@@ -30,9 +30,9 @@ const LEAST_DOUBT: f64 = -9.0;
 
 /// Poses that were looked at.
 #[derive(Clone, Debug)]
-pub(super) struct Weighed {
+pub(super) struct WeighedPoses {
     /// The highest summits at each heading and height.
-    summits: Vec<Guess>,
+    summits: Vec<PoseGuess>,
     /// All poses that say much: the pose, its turn, its weight.
     heavy: Vec<(MapPose, usize, f64)>,
     heaviest: f64,
@@ -45,9 +45,9 @@ pub(super) struct Weighed {
     beside: (f64, f64),
 }
 
-impl Weighed {
+impl WeighedPoses {
     /// Before anything was looked at of `poses`.
-    pub fn new(prior: &PosePrior, poses: &Poses, grid: Grid) -> Self {
+    pub fn new(prior: &PosePrior, poses: &Poses, grid: SweepGrid) -> Self {
         let place = std::f64::consts::TAU * prior.position_deviation.powi(2);
         let each = poses.heights.iter().flat_map(|height| {
             poses
@@ -70,7 +70,7 @@ impl Weighed {
     ///
     /// Light poses may lie on the slopes of what is taken away; chance is expected to give all poses together
     /// the weight of their prior.
-    pub fn without(&self, looks: &[Look<'_>], guesses: &[Guess], grid: Grid) -> Self {
+    pub fn without(&self, looks: &[FrameLook<'_>], guesses: &[PoseGuess], grid: SweepGrid) -> Self {
         let left = self.heavy.iter().filter(|(at, turn, _)| {
             let mut guesses = guesses.iter();
             !guesses.any(|guess| self.is_beside(looks, guess, at, *turn))
@@ -86,7 +86,13 @@ impl Weighed {
     }
 
     /// Whether a pose is one with a guess.
-    fn is_beside(&self, looks: &[Look<'_>], guess: &Guess, at: &MapPose, turn: usize) -> bool {
+    fn is_beside(
+        &self,
+        looks: &[FrameLook<'_>],
+        guess: &PoseGuess,
+        at: &MapPose,
+        turn: usize,
+    ) -> bool {
         let height = looks[turn].ground_down - guess.at.pose.position_in_world.z;
         guess.turn == turn && are_within(&guess.at, at, self.beside.0 * height, self.beside.1)
     }
@@ -103,7 +109,13 @@ impl Weighed {
     }
 
     /// Looks at poses whose heights one ground sample distance serves.
-    pub fn look(&mut self, looks: &[Look<'_>], prior: &PosePrior, poses: &Poses, grid: Grid) {
+    pub fn look(
+        &mut self,
+        looks: &[FrameLook<'_>],
+        prior: &PosePrior,
+        poses: &Poses,
+        grid: SweepGrid,
+    ) {
         let Some((place, height)) = looks.first().zip(poses.heights.last()) else {
             return;
         };
@@ -120,7 +132,7 @@ impl Weighed {
         let ground = GroundPicture::of_map(place.map, &area, gsd, Texture::EdgesAndContrast, 0);
         let search = ChannelSearch::new(&ground.channels, &ground.covered);
         // Where it is cut out of the map does not matter, as long as that is on it.
-        let cut = |look: &Look<'_>, height: f64, heading: f64| {
+        let cut = |look: &FrameLook<'_>, height: f64, heading: f64| {
             let at = above(look, prior, height, heading, area.center());
             let (template, corner) =
                 frame_template(look, &at, &ground.window, Texture::EdgesAndContrast)?;
@@ -147,7 +159,7 @@ impl Weighed {
                     continue;
                 };
                 if let Some(surface) = search.correlate(&template) {
-                    let seen = Seen {
+                    let seen = FrameAtHeading {
                         at,
                         height: *height,
                         turn,
@@ -165,7 +177,7 @@ impl Weighed {
     }
 
     /// Weighs all places of one heading and height.
-    fn weigh(&mut self, seen: &Seen<'_>, prior: &PosePrior, center: GroundPoint) {
+    fn weigh(&mut self, seen: &FrameAtHeading<'_>, prior: &PosePrior, center: GroundPoint) {
         let score = &seen.surface.score;
         let of_pose = prior.log_density(seen.height, seen.at.pose.attitude.yaw);
         let cell = seen.cell * seen.gsd * seen.gsd;
@@ -199,7 +211,7 @@ impl Weighed {
             self.heavy.sort_by(|a, b| b.2.total_cmp(&a.2));
             self.heavy.truncate(HEAVY / 2);
         }
-        let of_summit = |&(column, row, log_weight): &(usize, usize, f64)| Guess {
+        let of_summit = |&(column, row, log_weight): &(usize, usize, f64)| PoseGuess {
             at: seen.pose(column, row),
             turn: seen.turn,
             score: f64::from(score.get(column, row)),
@@ -212,15 +224,15 @@ impl Weighed {
     }
 
     /// The best `most`, none beside a better one, with the probability of all that is beside each.
-    pub fn guesses(&mut self, looks: &[Look<'_>], most: usize) -> Vec<Guess> {
+    pub fn guesses(&mut self, looks: &[FrameLook<'_>], most: usize) -> Vec<PoseGuess> {
         self.summits
             .sort_by(|a, b| b.log_weight.total_cmp(&a.log_weight));
-        let mut kept: Vec<Guess> = Vec::new();
+        let mut kept: Vec<PoseGuess> = Vec::new();
         for guess in &self.summits {
             if kept.len() == most {
                 break;
             }
-            let is_known = |k: &Guess| self.is_beside(looks, k, &guess.at, guess.turn);
+            let is_known = |k: &PoseGuess| self.is_beside(looks, k, &guess.at, guess.turn);
             if !kept.iter().any(is_known) {
                 kept.push(*guess);
             }
@@ -243,7 +255,7 @@ impl Weighed {
 }
 
 /// A frame at one heading and height against the map.
-struct Seen<'a> {
+struct FrameAtHeading<'a> {
     /// Its pose where it was cut out.
     at: MapPose,
     /// Above the ground, metres.
@@ -259,7 +271,7 @@ struct Seen<'a> {
     evidence: Evidence,
 }
 
-impl Seen<'_> {
+impl FrameAtHeading<'_> {
     /// The place below the camera with the frame's corner at a place of the surface.
     fn below(&self, column: usize, row: usize) -> GroundPoint {
         let from = self.at.pose.position_in_world;
@@ -280,7 +292,7 @@ impl Seen<'_> {
 
 /// The frame as it would lie on `window`, and where in it.
 pub(super) fn frame_template(
-    look: &Look<'_>,
+    look: &FrameLook<'_>,
     at: &MapPose,
     window: &Window,
     texture: Texture,

@@ -14,7 +14,7 @@ use photos::{Photo, Site};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Imagery;
 use pilotage_vision::registration::{
-    HeadingPrior, Look, MapShape, NotRegistered, PosePrior, Registration, StoredTurn, register,
+    FrameLook, HeadingPrior, MapShape, NotRegistered, PosePrior, Registration, StoredTurn, register,
 };
 
 /// Uncertainty about a photo; deviations.
@@ -54,7 +54,7 @@ impl Outcome {
 fn lay(site: &Site, doubt: Doubt, each: usize) -> Vec<Outcome> {
     let mut outcomes = Vec::new();
     for (index, photo) in site.photos.iter().enumerate().step_by(each) {
-        let look = Look {
+        let look = FrameLook {
             camera: &photo.camera,
             ground_down: 0.0,
             luminance: &photo.luminance,
@@ -99,7 +99,7 @@ fn believed_elsewhere(photos: &Site, map: &Site, each: usize) -> (usize, f64) {
     let bounds = map.map.bounds();
     let (mut believed, mut highest) = (0, 0.0_f64);
     for photo in photos.photos.iter().step_by(each) {
-        let look = Look {
+        let look = FrameLook {
             camera: &photo.camera,
             ground_down: 0.0,
             luminance: &photo.luminance,

@@ -12,7 +12,7 @@ use pilotage_vision::landmark::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting,
 };
 use pilotage_vision::registration::{
-    HeadingPrior, Look, MapShape, PosePrior, StoredTurn, register,
+    FrameLook, HeadingPrior, MapShape, PosePrior, StoredTurn, register,
 };
 
 /// Pixels beyond the edge of the picture.
@@ -95,8 +95,8 @@ pub fn laid(site: &Site) -> Vec<Laid<'_>> {
     site.photos.iter().filter_map(lay).collect()
 }
 
-fn look_at<'a>(site: &'a Site, photo: &'a Photo) -> Look<'a> {
-    Look {
+fn look_at<'a>(site: &'a Site, photo: &'a Photo) -> FrameLook<'a> {
+    FrameLook {
         camera: &photo.camera,
         ground_down: 0.0,
         luminance: &photo.luminance,

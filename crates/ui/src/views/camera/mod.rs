@@ -10,9 +10,9 @@ use pilotage_core::navigator::{FrameReport, Run};
 
 use super::{parts, picking};
 use crate::command::Command;
-use crate::context::{Drawn, ViewContext};
+use crate::context::{DrawnTimes, ViewContext};
 use picture::PictureCache;
-use placement::Placement;
+use placement::CameraPlacement;
 
 /// Furthest that the wheel goes in.
 const MOST_ZOOM: f32 = 12.0;
@@ -25,7 +25,7 @@ pub struct CameraView {
     zoom: f32,
     /// Shift of the picture's centre from the middle of the view, in points at zoom 1.
     shift: Vec2,
-    drawn: Option<Drawn>,
+    drawn: Option<DrawnTimes>,
 }
 
 impl Default for CameraView {
@@ -41,7 +41,7 @@ impl Default for CameraView {
 
 impl CameraView {
     /// Times that were drawn last.
-    pub fn drawn(&self) -> Option<Drawn> {
+    pub fn drawn(&self) -> Option<DrawnTimes> {
         self.drawn
     }
 
@@ -204,13 +204,13 @@ impl CameraView {
         self.shift = self.shift.clamp(-most, most);
     }
 
-    fn placement(&self, outer: Rect, size: Vec2) -> Placement {
+    fn placement(&self, outer: Rect, size: Vec2) -> CameraPlacement {
         let fitted = parts::fitted(outer, size);
         let rect = Rect::from_center_size(
             outer.center() + self.shift * self.zoom,
             fitted.size() * self.zoom,
         );
-        Placement {
+        CameraPlacement {
             rect,
             scale: rect.width() / size.x.max(1.0),
         }
@@ -220,7 +220,7 @@ impl CameraView {
 /// The landmark whose predicted or found place is nearest to the pointer and within reach.
 fn nearest(
     report: &FrameReport,
-    placement: &Placement,
+    placement: &CameraPlacement,
     pointer: Option<egui::Pos2>,
 ) -> Option<u32> {
     let pointer = pointer?;

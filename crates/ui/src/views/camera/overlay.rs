@@ -4,7 +4,7 @@ use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::navigator::{CandidateReport, FrameReport, Outcome, Run};
 
 use super::super::{ellipse, parts, picking};
-use super::placement::Placement;
+use super::placement::CameraPlacement;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
 
@@ -21,7 +21,7 @@ pub(super) fn draw(
     context: &ViewContext<'_>,
     run: &Run,
     report: &FrameReport,
-    placement: &Placement,
+    placement: &CameraPlacement,
     near: Option<u32>,
     taken: &mut Vec<Rect>,
 ) {
@@ -59,7 +59,7 @@ pub(super) fn draw(
 fn region(
     painter: &Painter,
     tokens: &Tokens,
-    placement: &Placement,
+    placement: &CameraPlacement,
     candidate: &CandidateReport,
     strong: bool,
 ) {
@@ -88,7 +88,12 @@ fn region(
 }
 
 /// Ring at the predicted place, shape at the found one, and the line that joins them.
-fn marks(painter: &Painter, tokens: &Tokens, placement: &Placement, candidate: &CandidateReport) {
+fn marks(
+    painter: &Painter,
+    tokens: &Tokens,
+    placement: &CameraPlacement,
+    candidate: &CandidateReport,
+) {
     let predicted = placement.at(&candidate.predicted_pixel);
     let dark = Stroke::new(3.5, parts::rim(tokens));
     painter.circle_stroke(predicted, RING, dark);
@@ -125,7 +130,7 @@ fn label(
     painter: &Painter,
     tokens: &Tokens,
     run: &Run,
-    placement: &Placement,
+    placement: &CameraPlacement,
     candidate: &CandidateReport,
     reason: bool,
     taken: &mut Vec<Rect>,

@@ -4,12 +4,13 @@ use egui::Key;
 
 use super::DetectorCommand;
 use crate::command::Command;
-use crate::shell::catalog::{Entry, Group, entry, plain, shift};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry, plain, shift};
 
 /// Rows of the table of all commands.
-pub fn commands() -> Vec<Entry> {
-    let of =
-        |label, shortcuts, command| entry(Group::View, label, shortcuts, Command::from(command));
+pub fn commands() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| {
+        entry(CommandGroup::View, label, shortcuts, Command::from(command))
+    };
     vec![
         of(
             "Show what a trained detector saw",

@@ -1,7 +1,7 @@
 //! A feature drawn over the window.
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
-use pilotage_core::landmark::cascade::{Answer, Kind, ShownFeature, edge_angle};
+use pilotage_core::landmark::cascade::{CascadeKind, FeatureAnswer, ShownFeature, edge_angle};
 
 use super::super::parts;
 use crate::tokens::Tokens;
@@ -52,13 +52,13 @@ impl WindowPlan {
         &self,
         painter: &Painter,
         tokens: &Tokens,
-        kind: Kind,
+        kind: CascadeKind,
         feature: &ShownFeature,
-        answer: Option<&Answer>,
+        answer: Option<&FeatureAnswer>,
     ) {
         match kind {
-            Kind::Hog => self.paint_hog(painter, tokens, feature),
-            Kind::Haar => {
+            CascadeKind::Hog => self.paint_hog(painter, tokens, feature),
+            CascadeKind::Haar => {
                 for (area, weight) in &feature.areas {
                     let color = if *weight > 0.0 { UP } else { DOWN };
                     let corners = self.corners(*area, feature.tilted);
@@ -70,7 +70,7 @@ impl WindowPlan {
                     ));
                 }
             }
-            Kind::Lbp => self.paint_pattern(painter, tokens, feature, answer),
+            CascadeKind::Lbp => self.paint_pattern(painter, tokens, feature, answer),
         }
     }
 
@@ -98,7 +98,7 @@ impl WindowPlan {
         painter: &Painter,
         tokens: &Tokens,
         feature: &ShownFeature,
-        answer: Option<&Answer>,
+        answer: Option<&FeatureAnswer>,
     ) {
         let code = answer.map(|a| a.value as usize);
         for (number, (area, _)) in feature.areas.iter().enumerate() {

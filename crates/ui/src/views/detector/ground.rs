@@ -3,7 +3,7 @@
 use egui::{Align2, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 use pilotage_core::landmark::CascadeEvidence;
 
-use super::super::chart::Axes;
+use super::super::chart::ChartAxes;
 use super::super::parts;
 use crate::tokens::Tokens;
 
@@ -14,7 +14,7 @@ const BELOW: f32 = 17.0;
 /// Place of the searched ground on the screen.
 pub(super) struct GroundPlan<'a> {
     evidence: &'a CascadeEvidence,
-    axes: Axes,
+    axes: ChartAxes,
     /// Points in a pixel of the ground.
     scale: f32,
 }
@@ -31,7 +31,7 @@ impl<'a> GroundPlan<'a> {
         let expected = evidence.expected;
         Self {
             evidence,
-            axes: Axes {
+            axes: ChartAxes {
                 rect,
                 x: (covered.west - expected.east, covered.east - expected.east),
                 y: (

@@ -30,7 +30,7 @@ pub use command::DetectorCommand;
 const STAGE_SECONDS: f64 = 0.9;
 
 /// Textures of one search.
-struct Textures {
+struct SearchTextures {
     /// Time and landmark of the search.
     key: (f64, u32),
     ground: TextureHandle,
@@ -55,7 +55,7 @@ pub struct DetectorView {
     /// To begin to play with the next frame.
     is_to_play: bool,
     patch: PatchState,
-    textures: Option<Textures>,
+    textures: Option<SearchTextures>,
 }
 
 impl DetectorView {
@@ -245,7 +245,7 @@ impl DetectorView {
             let image = bytes(&patch.as_ref()?.pixels);
             Some(load("patch", image, TextureOptions::NEAREST))
         });
-        self.textures = Some(Textures {
+        self.textures = Some(SearchTextures {
             key,
             ground: load("ground", bytes(&evidence.ground), TextureOptions::LINEAR),
             score: load("score", score, TextureOptions::NEAREST),

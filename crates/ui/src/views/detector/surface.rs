@@ -64,18 +64,18 @@ pub(super) fn show(ui: &mut Ui, tokens: &Tokens, evidence: &CascadeEvidence, sco
             tokens.refused
         };
         let label = format!("{name} score (at least {})", figures(evidence.least_score));
-        let reading = parts::Reading::new(label, figures(mark.score), "").color(color);
+        let reading = parts::NumberReadout::new(label, figures(mark.score), "").color(color);
         parts::reading(ui, tokens, &reading);
     }
     let Some(best) = evidence.marks.first() else {
         return;
     };
     let chance = format!("{:.1}", 100.0 * best.probability);
-    let reading = parts::Reading::new("Probability that this score is right", chance, "%");
+    let reading = parts::NumberReadout::new("Probability that this score is right", chance, "%");
     parts::reading(ui, tokens, &reading);
     let names = ["North of where expected", "East of where expected"];
     for (name, value) in names.into_iter().zip(offset(evidence, best)) {
-        let reading = parts::Reading::new(name, parts::brief(value), "m");
+        let reading = parts::NumberReadout::new(name, parts::brief(value), "m");
         parts::reading(ui, tokens, &reading);
     }
 }

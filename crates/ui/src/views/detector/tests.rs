@@ -5,7 +5,7 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::{Imagery, Window};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::landmark::cascade::{
-    Cascade, Feature, HaarFeature, Split, TrainedStage, TrainedTree,
+    Cascade, CascadeFeature, HaarFeature, NodeSplit, TrainedStage, TrainedTree,
 };
 use pilotage_core::landmark::trained::{
     DetectorWindow, Likelihood, MarkPrecision, TrainedDetector, Variants,
@@ -53,12 +53,12 @@ enum Look {
 /// Three stages of two, three and four features; a block of the fixture passes those that look for edges.
 fn detector(bounds: GroundRect, look: Look) -> TrainedDetector {
     let feature = |number: i32| match look {
-        Look::Edges => Feature::Hog {
+        Look::Edges => CascadeFeature::Hog {
             cell: [0, 4 + 2 * (number % 4), 5, 5],
             component: 8,
         },
-        Look::Patterns => Feature::Lbp([number, 2, 6, 6]),
-        Look::Rectangles => Feature::Haar(HaarFeature {
+        Look::Patterns => CascadeFeature::Lbp([number, 2, 6, 6]),
+        Look::Rectangles => CascadeFeature::Haar(HaarFeature {
             areas: [
                 ([6 + number, 2, 8, 6], -1.0),
                 ([6 + number, 2, 4, 6], 2.0),
@@ -68,9 +68,9 @@ fn detector(bounds: GroundRect, look: Look) -> TrainedDetector {
         }),
     };
     let split = match look {
-        Look::Edges => Split::Threshold(0.12),
-        Look::Patterns => Split::Codes([0x5555_3333; 8]),
-        Look::Rectangles => Split::Threshold(0.02),
+        Look::Edges => NodeSplit::Threshold(0.12),
+        Look::Patterns => NodeSplit::Codes([0x5555_3333; 8]),
+        Look::Rectangles => NodeSplit::Threshold(0.02),
     };
     let stage = |votes: usize| TrainedStage {
         trees: (0..votes)

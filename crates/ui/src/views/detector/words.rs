@@ -1,6 +1,6 @@
 //! Explanations of a search, in words.
 
-use pilotage_core::landmark::cascade::Kind;
+use pilotage_core::landmark::cascade::CascadeKind;
 use pilotage_core::landmark::{CascadeEvidence, PatchLook};
 
 use super::super::parts::figures;
@@ -104,7 +104,7 @@ pub(super) fn feature(
         return String::new();
     };
     let what = match evidence.kind {
-        Kind::Hog => {
+        CascadeKind::Hog => {
             let direction = shown.direction.unwrap_or_default();
             let edge = pilotage_core::landmark::cascade::edge_angle(direction).to_degrees();
             // Angles of pictures run from right towards down; people measure from right towards up.
@@ -115,8 +115,10 @@ pub(super) fn feature(
                 "Edges at {edge:.0}° in the filled cell, as a share of all in its block ({across:.1} m wide)"
             )
         }
-        Kind::Lbp => "Which of eight blocks are at least as bright as the middle one".to_owned(),
-        Kind::Haar => "Mean brightness: amber counts up, blue down".to_owned(),
+        CascadeKind::Lbp => {
+            "Which of eight blocks are at least as bright as the middle one".to_owned()
+        }
+        CascadeKind::Haar => "Mean brightness: amber counts up, blue down".to_owned(),
     };
     let answer = patch
         .and_then(|patch| patch.answers.get(stage)?.get(number))

@@ -39,9 +39,9 @@ pub struct EvaluationView {
 }
 
 /// Plots that share a place: what the place is called and the keys of its plots with their short names.
-type Place = (&'static str, &'static [(&'static str, &'static str)]);
+type PlotPlace = (&'static str, &'static [(&'static str, &'static str)]);
 
-const PLACES: [Place; 4] = [
+const PLACES: [PlotPlace; 4] = [
     ("False alarms", &[("false_alarms", "ROC and FROC")]),
     ("Precision", &[("precision_recall", "Precision")]),
     (

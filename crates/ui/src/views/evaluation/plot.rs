@@ -4,7 +4,7 @@ use egui::{
     Align2, Color32, Mesh, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
     vec2,
 };
-use pilotage_core::training::evaluation::{Plot, PlotPoint, Series, SeriesStyle};
+use pilotage_core::training::evaluation::{Plot, PlotPoint, PlotSeries, SeriesStyle};
 
 use crate::tokens::Tokens;
 
@@ -17,12 +17,12 @@ const LINE: f32 = 16.0;
 const NEAR: f32 = 40.0;
 
 /// Frame that maps a plot's values to places on the screen.
-struct Frame<'a> {
+struct PlotFrame<'a> {
     plot: &'a Plot,
     rect: Rect,
 }
 
-impl Frame<'_> {
+impl PlotFrame<'_> {
     fn at(&self, x: f64, y: f64) -> Pos2 {
         let (x, y) = (self.plot.x.fraction(x), self.plot.y.fraction(y));
         pos2(
@@ -47,7 +47,7 @@ pub(super) fn paint(ui: &mut Ui, plot: &Plot, tokens: &Tokens) {
     } else {
         0.0
     };
-    let frame = Frame {
+    let frame = PlotFrame {
         plot,
         rect: Rect::from_min_max(
             outer.min + vec2(LEFT, LINE * (1.0 + series_lines) + 2.0),
@@ -122,14 +122,14 @@ fn reading(plot: &Plot, point: &PlotPoint) -> String {
     )
 }
 
-fn nearest(frame: &Frame<'_>, pointer: Pos2) -> Option<PlotPoint> {
+fn nearest(frame: &PlotFrame<'_>, pointer: Pos2) -> Option<PlotPoint> {
     let away = |p: &PlotPoint| frame.at(p.x, p.y).distance(pointer);
     let points = frame.plot.series.iter().flat_map(|s| s.points.iter());
     let nearest = points.min_by(|a, b| away(a).total_cmp(&away(b)))?;
     (away(nearest) < NEAR).then_some(*nearest)
 }
 
-fn paint_axes(painter: &Painter, frame: &Frame<'_>, tokens: &Tokens) {
+fn paint_axes(painter: &Painter, frame: &PlotFrame<'_>, tokens: &Tokens) {
     let (plot, rect) = (frame.plot, frame.rect);
     let thin = Stroke::new(0.5, tokens.line);
     let text = |at: Pos2, align: Align2, words: &str| {
@@ -150,7 +150,7 @@ fn paint_axes(painter: &Painter, frame: &Frame<'_>, tokens: &Tokens) {
     text(below, Align2::CENTER_TOP, &plot.x.label);
 }
 
-fn paint_series(painter: &Painter, frame: &Frame<'_>, series: &Series, color: Color32) {
+fn paint_series(painter: &Painter, frame: &PlotFrame<'_>, series: &PlotSeries, color: Color32) {
     if series.style == SeriesStyle::Dots {
         for point in &series.points {
             let bar = [point.low, point.high].map(|y| frame.at(point.x, y));

@@ -4,7 +4,7 @@ use egui::{RichText, Ui};
 use pilotage_core::navigator::{JointReport, RegistrationReport, Run};
 use pilotage_core::registration::RegistrationMethod;
 
-use super::super::parts::{self, Reading, figures};
+use super::super::parts::{self, NumberReadout, figures};
 use super::matrix;
 use crate::context::ViewContext;
 
@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
         );
     }
     if let Some(probability) = laid.probability {
-        let reading = Reading::new("likeliest place", parts::brief(100.0 * probability), "%");
+        let reading = NumberReadout::new("likeliest place", parts::brief(100.0 * probability), "%");
         parts::reading(ui, tokens, &reading);
     }
     let Some(place) = &laid.place else { return };
@@ -27,14 +27,14 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
     parts::reading(
         ui,
         tokens,
-        &Reading::new("patches that agree", agreeing, ""),
+        &NumberReadout::new("patches that agree", agreeing, ""),
     );
     let doubt = match laid.laid_by {
         RegistrationMethod::Patches => "as many by chance",
         RegistrationMethod::WholeFrame => "elsewhere, or not here",
     };
     let chance = format!("10^{:.0}", laid.log_false_alarms);
-    parts::reading(ui, tokens, &Reading::new(doubt, chance, ""));
+    parts::reading(ui, tokens, &NumberReadout::new(doubt, chance, ""));
     let (factor, unit) = context.units.length();
     let deviation = |i: usize| place.covariance[(i, i)].max(0.0).sqrt();
     let position = place.pose.position_in_world;
@@ -44,7 +44,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
         ("east", position.y, 1),
         ("height above ground", ground - position.z, 2),
     ] {
-        let reading = Reading::new(name, parts::brief(factor * value), unit);
+        let reading = NumberReadout::new(name, parts::brief(factor * value), unit);
         parts::reading(
             ui,
             tokens,
@@ -58,7 +58,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
         ("pitch", attitude.pitch, 4),
         ("heading", attitude.yaw.rem_euclid(std::f64::consts::TAU), 5),
     ] {
-        let reading = Reading::new(name, parts::brief(degrees * value), "°");
+        let reading = NumberReadout::new(name, parts::brief(degrees * value), "°");
         parts::reading(
             ui,
             tokens,
@@ -67,7 +67,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
     }
     let stretch = 100.0 * (place.shape.ratio() - 1.0);
     let toward = degrees * place.shape.direction();
-    let map = Reading::new(
+    let map = NumberReadout::new(
         format!("map stretched along {toward:.0}°"),
         figures(stretch),
         "%",
@@ -78,7 +78,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &RegistrationRe
         parts::reading(
             ui,
             tokens,
-            &Reading::new("picture stored turned by", turn, "°"),
+            &NumberReadout::new("picture stored turned by", turn, "°"),
         );
     }
 }
@@ -91,7 +91,7 @@ pub(super) fn correction(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, join
     for (i, name) in AXES.iter().enumerate().take(joint.innovation.len()) {
         let sigma = joint.innovation_covariance[(i, i)].max(0.0).sqrt();
         let value = parts::brief(factor * joint.innovation[i]);
-        let reading = Reading::new(format!("picture {name} of expected"), value, unit);
+        let reading = NumberReadout::new(format!("picture {name} of expected"), value, unit);
         parts::reading(ui, tokens, &reading.deviation(figures(factor * sigma)));
     }
     ui.label(

@@ -9,9 +9,9 @@ mod sigma;
 use egui::{RichText, ScrollArea, Ui};
 use pilotage_core::navigator::{FrameReport, JointReport, Run, StepReport};
 
-use super::parts::{self, Reading, figures};
+use super::parts::{self, NumberReadout, figures};
 use super::picking;
-use crate::context::{Drawn, ViewContext};
+use crate::context::{DrawnTimes, ViewContext};
 use crate::units::Units;
 
 /// Explains the filter's step at the cursor.
@@ -20,12 +20,12 @@ pub struct InspectorView {
     stages: sigma::Stages,
     /// Show the step at the cursor itself rather than the last one with a picture.
     this_step: bool,
-    drawn: Option<Drawn>,
+    drawn: Option<DrawnTimes>,
 }
 
 impl InspectorView {
     /// Times that were drawn last.
-    pub fn drawn(&self) -> Option<Drawn> {
+    pub fn drawn(&self) -> Option<DrawnTimes> {
         self.drawn
     }
 
@@ -122,7 +122,7 @@ impl InspectorView {
                 }
                 let (factor, unit) = in_units(unit, context.units);
                 let sigma = step.after.covariance[(i, i)].max(0.0).sqrt() * factor;
-                let value = Reading::new(
+                let value = NumberReadout::new(
                     name.clone(),
                     parts::brief(step.after.mean[i] * factor),
                     unit,
@@ -137,8 +137,8 @@ impl InspectorView {
             {
                 let mean = &step.after.mean;
                 let error = (mean[0] - truth.x).hypot(mean[1] - truth.y) * factor;
-                let reading =
-                    Reading::new("distance from truth", figures(error), unit).color(tokens.truth);
+                let reading = NumberReadout::new("distance from truth", figures(error), unit)
+                    .color(tokens.truth);
                 parts::reading(ui, tokens, &reading);
             }
         });
@@ -168,7 +168,7 @@ impl InspectorView {
                 ("see", step.timing.see),
                 ("update", step.timing.update),
             ] {
-                parts::reading(ui, tokens, &Reading::new(name, figures(value), "ms"));
+                parts::reading(ui, tokens, &NumberReadout::new(name, figures(value), "ms"));
             }
         });
     }
@@ -209,7 +209,7 @@ fn correction(
     let tokens = context.tokens;
     let inside = joint.nis <= joint.threshold;
     let color = if inside { tokens.text } else { tokens.refused };
-    let nis = Reading::new(
+    let nis = NumberReadout::new(
         format!(
             "NIS of all ({} numbers, gate {})",
             joint.degrees_of_freedom,
@@ -238,7 +238,7 @@ fn correction(
         let (what, unit, factor) = number(i);
         let sigma = joint.innovation_covariance[(i, i)].max(0.0).sqrt();
         let value = parts::brief(factor * joint.innovation[i]);
-        let reading = Reading::new(format!("{name}, {what}"), value, unit);
+        let reading = NumberReadout::new(format!("{name}, {what}"), value, unit);
         parts::reading(ui, tokens, &reading.deviation(figures(factor * sigma)));
     }
     if landmarks.is_empty() {

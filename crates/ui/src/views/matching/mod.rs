@@ -9,7 +9,7 @@ use pilotage_core::navigator::{CandidateReport, Outcome, Refusal, Run, StepRepor
 use super::sights::Sights;
 use super::{parts, picking};
 use crate::command::Command;
-use crate::context::{Drawn, ViewContext};
+use crate::context::{DrawnTimes, ViewContext};
 use crate::timeline::clock_text;
 use pictures::MatchTextures;
 use pilotage_jobs::MatchPictures;
@@ -21,7 +21,7 @@ pub struct MatchView {
     wanted: Option<(f64, u32)>,
     textures: MatchTextures,
     sights: Sights,
-    drawn: Option<Drawn>,
+    drawn: Option<DrawnTimes>,
 }
 
 impl MatchView {
@@ -31,7 +31,7 @@ impl MatchView {
     }
 
     /// Times that were drawn last.
-    pub fn drawn(&self) -> Option<Drawn> {
+    pub fn drawn(&self) -> Option<DrawnTimes> {
         self.drawn
     }
 

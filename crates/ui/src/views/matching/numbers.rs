@@ -4,7 +4,7 @@ use egui::Ui;
 use pilotage_core::landmark::{LEAST_PROBABILITY, TemplateFeatures};
 use pilotage_core::navigator::{CandidateReport, Run};
 
-use super::super::parts::{self, Reading, figures};
+use super::super::parts::{self, NumberReadout, figures};
 use super::super::picking;
 use crate::context::ViewContext;
 
@@ -25,7 +25,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
 
     match candidate.nis {
         Some(nis) => {
-            let reading = Reading::new(
+            let reading = NumberReadout::new(
                 format!("NIS (gate {})", figures(candidate.threshold)),
                 figures(nis),
                 "",
@@ -38,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
             parts::reading(
                 ui,
                 tokens,
-                &Reading::new("NIS", "not reached".to_owned(), ""),
+                &NumberReadout::new("NIS", "not reached".to_owned(), ""),
             );
         }
     }
@@ -50,27 +50,27 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
                     .sqrt(),
             )
         };
-        let right = Reading::new("Innovation right", parts::brief(innovation.x), "px");
+        let right = NumberReadout::new("Innovation right", parts::brief(innovation.x), "px");
         parts::reading(ui, tokens, &right.deviation(sigma(0)));
-        let down = Reading::new("Innovation down", parts::brief(innovation.y), "px");
+        let down = NumberReadout::new("Innovation down", parts::brief(innovation.y), "px");
         parts::reading(ui, tokens, &down.deviation(sigma(1)));
     }
     if let Some(noise) = candidate.measurement_covariance {
         let sigma = |i: usize| noise[(i, i)].max(0.0).sqrt();
         if let Some(turn) = candidate.rotation {
-            let reading = Reading::new("Turned by", parts::brief(turn.to_degrees()), "°");
+            let reading = NumberReadout::new("Turned by", parts::brief(turn.to_degrees()), "°");
             let sigma = figures(sigma(2).to_degrees());
             parts::reading(ui, tokens, &reading.deviation(sigma));
         }
         if let Some(scale) = candidate.log_scale {
-            let reading = Reading::new("Scale", parts::brief(100.0 * scale.exp_m1()), "%");
+            let reading = NumberReadout::new("Scale", parts::brief(100.0 * scale.exp_m1()), "%");
             parts::reading(ui, tokens, &reading.deviation(figures(100.0 * sigma(3))));
         }
         let place = sigma(0).max(sigma(1));
         parts::reading(
             ui,
             tokens,
-            &Reading::new("Place known to (1σ)", figures(place), "px"),
+            &NumberReadout::new("Place known to (1σ)", figures(place), "px"),
         );
     }
 }
@@ -80,7 +80,7 @@ fn by_scores(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate: &Cand
     let tokens = context.tokens;
     let detector = run.settings.detector;
     let verdict_color = |good: bool| if good { tokens.text } else { tokens.refused };
-    let score = Reading::new(
+    let score = NumberReadout::new(
         format!("Score (at least {})", figures(detector.least_score)),
         format!("{:.2}", candidate.score),
         "",
@@ -90,7 +90,7 @@ fn by_scores(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate: &Cand
     parts::gauge(ui, tokens, candidate.score, detector.least_score, false);
 
     let ambiguity = picking::ambiguity(candidate);
-    let second = Reading::new(
+    let second = NumberReadout::new(
         format!(
             "Runner-up / best match (limit {})",
             figures(detector.greatest_ambiguity)
@@ -112,7 +112,7 @@ fn by_probability(
 ) {
     let tokens = context.tokens;
     let is_believed = probability >= LEAST_PROBABILITY;
-    let reading = Reading::new(
+    let reading = NumberReadout::new(
         format!("Probability (at least {})", figures(LEAST_PROBABILITY)),
         format!("{probability:.3}"),
         "",
@@ -125,5 +125,9 @@ fn by_probability(
     parts::reading(ui, tokens, &reading);
     parts::gauge(ui, tokens, probability, LEAST_PROBABILITY, false);
     let scores = format!("{:.2}, {:.2}", candidate.score, candidate.second_score);
-    parts::reading(ui, tokens, &Reading::new("Score, second best", scores, ""));
+    parts::reading(
+        ui,
+        tokens,
+        &NumberReadout::new("Score, second best", scores, ""),
+    );
 }

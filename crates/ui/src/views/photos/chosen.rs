@@ -8,9 +8,9 @@ use pilotage_core::registration::RegistrationMethod;
 
 use super::scene::{PhotosScene, send};
 use crate::context::ViewContext;
-use crate::photos::{PhotosCommand as Do, Shown};
+use crate::photos::{PhotoAppearance, PhotosCommand as Do};
 use crate::shell::{heading, muted};
-use crate::views::parts::{self, Reading};
+use crate::views::parts::{self, NumberReadout};
 use pilotage_jobs::PhotoReport;
 
 /// Opacity that is begun with.
@@ -48,18 +48,18 @@ pub(super) fn chosen(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosS
 }
 
 /// Draws the choice of the photo's appearance over the map.
-fn display(ui: &mut Ui, context: &mut ViewContext<'_>, shown: Shown) {
+fn display(ui: &mut Ui, context: &mut ViewContext<'_>, shown: PhotoAppearance) {
     let tokens = context.tokens;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
         let opacity = match shown {
-            Shown::Whole(opacity) => opacity,
+            PhotoAppearance::Whole(opacity) => opacity,
             _ => USUAL_OPACITY,
         };
         let choices = [
-            ("Chequerboard", Shown::Squares),
-            ("See-through", Shown::Whole(opacity)),
-            ("Outline", Shown::Outline),
+            ("Chequerboard", PhotoAppearance::Squares),
+            ("See-through", PhotoAppearance::Whole(opacity)),
+            ("Outline", PhotoAppearance::Outline),
         ];
         for (words, choice) in choices {
             let on = choice == shown;
@@ -68,13 +68,13 @@ fn display(ui: &mut Ui, context: &mut ViewContext<'_>, shown: Shown) {
                 send(context, Do::Display(choice));
             }
         }
-        if let Shown::Whole(mut opacity) = shown {
+        if let PhotoAppearance::Whole(mut opacity) = shown {
             ui.spacing_mut().slider_width = 72.0;
             let slider = Slider::new(&mut opacity, 0.0..=1.0).show_value(false);
             let response = ui.add_sized(vec2(80.0, 20.0), slider);
             parts::name(&response, "Opacity of the photo");
             if response.changed() {
-                send(context, Do::Display(Shown::Whole(opacity)));
+                send(context, Do::Display(PhotoAppearance::Whole(opacity)));
             }
         }
     });
@@ -88,7 +88,7 @@ fn place(
 ) {
     let (tokens, units) = (context.tokens, context.units);
     let (length, unit) = units.length();
-    let mut show = |what: &Reading| {
+    let mut show = |what: &NumberReadout| {
         parts::reading(ui, tokens, what);
     };
     let metres = |value: f64| parts::figures(length * value);
@@ -102,14 +102,22 @@ fn place(
         (format!("{:.6}, {:.6}", degrees[0], degrees[1]), "°")
     };
     let (middle, of_middle) = at(&laid.centre);
-    show(&Reading::new("Middle of the picture", middle, of_middle));
+    show(&NumberReadout::new(
+        "Middle of the picture",
+        middle,
+        of_middle,
+    ));
     let deviation = metres(laid.centre_deviation());
-    show(&Reading::new("known to, σ per axis", deviation, unit));
+    show(&NumberReadout::new("known to, σ per axis", deviation, unit));
     let (below, of_below) = at(&laid.below());
-    show(&Reading::new("Camera above", below, of_below));
+    show(&NumberReadout::new("Camera above", below, of_below));
     let camera = laid.camera_deviation(0).hypot(laid.camera_deviation(1)) / 2_f64.sqrt();
-    show(&Reading::new("known to, σ per axis", metres(camera), unit));
-    let height = Reading::new("Height above the ground", metres(laid.height()), unit);
+    show(&NumberReadout::new(
+        "known to, σ per axis",
+        metres(camera),
+        unit,
+    ));
+    let height = NumberReadout::new("Height above the ground", metres(laid.height()), unit);
     show(&height.deviation(metres(laid.camera_deviation(2))));
     let degrees = |radians: f64| format!("{:.1}", radians.to_degrees()).replace('-', "−");
     let attitude = laid.camera.attitude;
@@ -119,7 +127,7 @@ fn place(
         ("Pitch", attitude.pitch, 4),
         ("Roll", attitude.roll, 3),
     ] {
-        let reading = Reading::new(name, degrees(angle), "°");
+        let reading = NumberReadout::new(name, degrees(angle), "°");
         show(&reading.deviation(degrees(laid.camera_deviation(part))));
     }
 }

@@ -6,7 +6,7 @@ use pilotage_core::filter::probability_words;
 
 use super::scene::send;
 use crate::context::ViewContext;
-use crate::photos::{Photos, PhotosCommand as Do};
+use crate::photos::{PhotosCommand as Do, PhotosState};
 use crate::shell::muted;
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -17,7 +17,7 @@ use pilotage_jobs::PhotoReport;
 const SEEN: f32 = 260.0;
 
 /// Draws the table.
-pub(super) fn list(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &Photos) {
+pub(super) fn list(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState) {
     let tokens = context.tokens;
     let (_, unit) = context.units.length();
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -70,7 +70,7 @@ fn heading(radians: f64) -> String {
     format!("{:.0}°", radians.to_degrees().rem_euclid(360.0))
 }
 
-fn row(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &Photos, number: usize) {
+fn row(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosState, number: usize) {
     let tokens = context.tokens;
     let report = photos.reports[number].as_ref();
     let refused = report.and_then(|r| r.answer.laid.as_ref().err());

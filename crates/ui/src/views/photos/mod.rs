@@ -9,7 +9,7 @@ use egui::{Label, RichText, ScrollArea, Ui};
 
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::photos::{Photos, PhotosCommand as Do};
+use crate::photos::{PhotosCommand as Do, PhotosState};
 use crate::shell::{at_work, heading, muted, text_button, title};
 use scene::send;
 
@@ -85,7 +85,7 @@ fn begin(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
     }
 }
 
-fn summary(photos: &Photos) -> String {
+fn summary(photos: &PhotosState) -> String {
     let (laid, known) = photos.counts();
     let all = photos.reports.len();
     let words = match (known, photos.searched) {

@@ -2,12 +2,12 @@
 
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::photos::{Photos, PhotosCommand};
+use crate::photos::{PhotosCommand, PhotosState};
 
 /// Data that the sheet is drawn from.
 pub struct PhotosScene<'a> {
     /// Photos on the map.
-    pub photos: &'a Photos,
+    pub photos: &'a PhotosState,
     /// World frame of the map, if it has a place on the globe.
     pub frame: Option<pilotage_core::frames::LocalFrame>,
     /// Whether there is a map.

@@ -10,7 +10,7 @@ use crate::shell::{muted, text_button};
 use crate::views::parts;
 
 /// A number that is edited: its name, its unit, and how many units one of it is.
-struct Number<'a> {
+struct EditedNumber<'a> {
     name: &'a str,
     unit: &'a str,
     factor: f64,
@@ -18,7 +18,7 @@ struct Number<'a> {
     hint: &'a str,
 }
 
-impl Number<'_> {
+impl EditedNumber<'_> {
     /// A row: the name at the left, the value at the right. Whether it was changed.
     fn edit(&self, ui: &mut Ui, value: &mut f64) -> bool {
         ui.horizontal(|ui| {
@@ -77,7 +77,7 @@ pub(super) fn limits(ui: &mut Ui, context: &mut ViewContext<'_>, before: &PhotoS
     let mut search = *before;
     let (length, unit) = context.units.length();
     parts::section(ui, tokens, "How far is searched", true, |ui| {
-        let number = |name, unit, factor: f64, range: [f64; 2], hint| Number {
+        let number = |name, unit, factor: f64, range: [f64; 2], hint| EditedNumber {
             name,
             unit,
             factor,
@@ -133,7 +133,7 @@ pub(super) fn known(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosSc
     let mut is_around_view = false;
     parts::section(ui, tokens, "Known better than by the photos", false, |ui| {
         place(ui, context, scene, &mut search, &mut is_around_view);
-        let number = |name, unit, factor: f64, range: [f64; 2], hint| Number {
+        let number = |name, unit, factor: f64, range: [f64; 2], hint| EditedNumber {
             name,
             unit,
             factor,

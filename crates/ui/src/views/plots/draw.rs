@@ -4,20 +4,20 @@ use std::ops::Range;
 
 use egui::{Color32, Mesh, Pos2, Shape, Stroke, pos2};
 
-use super::super::chart::Axes;
-use super::pyramid::Pyramid;
+use super::super::chart::ChartAxes;
+use super::pyramid::ExtentPyramid;
 
 /// A column of a table, its times, and the factor to the units on screen.
 #[derive(Clone, Copy)]
-pub(crate) struct Curve<'a> {
+pub(crate) struct TimeCurve<'a> {
     pub times: &'a [f64],
-    pub values: &'a Pyramid,
+    pub values: &'a ExtentPyramid,
     pub factor: f64,
 }
 
 /// Samples of one column of the screen, or one sample where there are fewer samples than columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct ColumnSamples {
     /// Screen x.
     pub x: f32,
     /// Least value, in the units on screen.
@@ -26,16 +26,16 @@ pub(crate) struct Place {
     pub high: f64,
 }
 
-impl Curve<'_> {
+impl TimeCurve<'_> {
     /// Samples from the last before the left edge to the first beyond the right edge.
-    fn visible(&self, axes: &Axes) -> Range<usize> {
+    fn visible(&self, axes: &ChartAxes) -> Range<usize> {
         let first = self.times.partition_point(|t| *t < axes.x.0);
         let after = self.times.partition_point(|t| *t <= axes.x.1);
         first.saturating_sub(1)..(after + 1).min(self.values.len())
     }
 
     /// Least and greatest visible value, in the units on screen.
-    pub fn extent(&self, axes: &Axes) -> Option<(f64, f64)> {
+    pub fn extent(&self, axes: &ChartAxes) -> Option<(f64, f64)> {
         let visible = self.visible(axes);
         let extent = self.values.extent(visible.start, visible.end)?;
         let (a, b) = (
@@ -46,14 +46,14 @@ impl Curve<'_> {
     }
 
     /// Places to be drawn from left to right; `None` where the curve breaks.
-    pub fn places(&self, axes: &Axes) -> Vec<Option<Place>> {
+    pub fn places(&self, axes: &ChartAxes) -> Vec<Option<ColumnSamples>> {
         let visible = self.visible(axes);
         let columns = axes.rect.width().ceil().max(1.0) as usize;
         if visible.len() <= 2 * columns {
             return visible
                 .map(|i| {
                     let value = f64::from(self.values.get(i)?) * self.factor;
-                    Some(Place {
+                    Some(ColumnSamples {
                         x: axes.screen_x(self.times[i]),
                         low: value,
                         high: value,
@@ -75,7 +75,7 @@ impl Curve<'_> {
                         f64::from(extent.low) * self.factor,
                         f64::from(extent.high) * self.factor,
                     );
-                    Place {
+                    ColumnSamples {
                         x: x + 0.5,
                         low: a.min(b),
                         high: a.max(b),
@@ -113,7 +113,12 @@ fn first_not_before(times: &[f64], range: Range<usize>, until: f64, guess: usize
 }
 
 /// Draws a curve as a line; a column with many samples becomes a stroke from least to greatest.
-pub(crate) fn line(shapes: &mut Vec<Shape>, axes: &Axes, curve: &Curve<'_>, stroke: Stroke) {
+pub(crate) fn line(
+    shapes: &mut Vec<Shape>,
+    axes: &ChartAxes,
+    curve: &TimeCurve<'_>,
+    stroke: Stroke,
+) {
     for points in polylines(axes, curve) {
         if points.len() > 1 {
             shapes.push(Shape::line(points, stroke));
@@ -124,14 +129,19 @@ pub(crate) fn line(shapes: &mut Vec<Shape>, axes: &Axes, curve: &Curve<'_>, stro
 }
 
 /// The same with dashes.
-pub(crate) fn dashed(shapes: &mut Vec<Shape>, axes: &Axes, curve: &Curve<'_>, stroke: Stroke) {
+pub(crate) fn dashed(
+    shapes: &mut Vec<Shape>,
+    axes: &ChartAxes,
+    curve: &TimeCurve<'_>,
+    stroke: Stroke,
+) {
     for points in polylines(axes, curve) {
         shapes.extend(Shape::dashed_line(&points, stroke, 5.0, 4.0));
     }
 }
 
 /// Screen points of the unbroken parts of a curve.
-pub(crate) fn polylines(axes: &Axes, curve: &Curve<'_>) -> Vec<Vec<Pos2>> {
+pub(crate) fn polylines(axes: &ChartAxes, curve: &TimeCurve<'_>) -> Vec<Vec<Pos2>> {
     let mut lines = vec![Vec::new()];
     for place in curve.places(axes) {
         let Some(place) = place else {
@@ -164,9 +174,9 @@ pub(crate) fn polylines(axes: &Axes, curve: &Curve<'_>) -> Vec<Vec<Pos2>> {
 /// Fills between the least of `low` and the greatest of `high`.
 pub(crate) fn band(
     shapes: &mut Vec<Shape>,
-    axes: &Axes,
-    low: &Curve<'_>,
-    high: &Curve<'_>,
+    axes: &ChartAxes,
+    low: &TimeCurve<'_>,
+    high: &TimeCurve<'_>,
     color: Color32,
 ) {
     let mut mesh = Mesh::default();
@@ -195,7 +205,7 @@ pub(crate) fn band(
 }
 
 /// Marks every sample, or the least and greatest of each column.
-pub(crate) fn marks(axes: &Axes, curve: &Curve<'_>, mut mark: impl FnMut(Pos2)) {
+pub(crate) fn marks(axes: &ChartAxes, curve: &TimeCurve<'_>, mut mark: impl FnMut(Pos2)) {
     for place in curve.places(axes).into_iter().flatten() {
         let low = pos2(place.x, axes.screen_y(place.low));
         let high = pos2(place.x, axes.screen_y(place.high));
@@ -214,8 +224,8 @@ mod tests {
 
     use super::*;
 
-    fn axes(x: (f64, f64)) -> Axes {
-        Axes {
+    fn axes(x: (f64, f64)) -> ChartAxes {
+        ChartAxes {
             rect: Rect::from_min_max(pos2(0.0, 0.0), pos2(900.0, 100.0)),
             x,
             y: (-2.0, 2.0),
@@ -223,9 +233,9 @@ mod tests {
         }
     }
 
-    fn long(length: usize) -> (Vec<f64>, Pyramid) {
+    fn long(length: usize) -> (Vec<f64>, ExtentPyramid) {
         let times: Vec<f64> = (0..length).map(|i| i as f64 * 0.01).collect();
-        let mut values = Pyramid::default();
+        let mut values = ExtentPyramid::default();
         for (i, time) in times.iter().enumerate() {
             let spike = if i == length / 3 { 1.7 } else { 0.0 };
             values.push((time.sin() * 0.9) as f32 + spike);
@@ -236,7 +246,7 @@ mod tests {
     #[test]
     fn a_single_spike_among_a_million_samples_stays_visible() {
         let (times, values) = long(1_000_000);
-        let curve = Curve {
+        let curve = TimeCurve {
             times: &times,
             values: &values,
             factor: 1.0,
@@ -270,7 +280,7 @@ mod tests {
     #[test]
     fn every_column_holds_exactly_the_extent_of_its_samples() {
         let (times, values) = long(40_000);
-        let curve = Curve {
+        let curve = TimeCurve {
             times: &times,
             values: &values,
             factor: -2.0,
@@ -307,11 +317,11 @@ mod tests {
     #[test]
     fn few_samples_are_drawn_as_they_are_and_break_at_holes() {
         let times = [0.0, 1.0, 2.0, 3.0];
-        let mut values = Pyramid::default();
+        let mut values = ExtentPyramid::default();
         for value in [0.5, f32::NAN, 1.0, 1.5] {
             values.push(value);
         }
-        let curve = Curve {
+        let curve = TimeCurve {
             times: &times,
             values: &values,
             factor: 1.0,

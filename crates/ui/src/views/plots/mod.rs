@@ -7,14 +7,14 @@ mod series;
 
 use egui::{Align, Layout, Rect, ScrollArea, Sense, Shape, Stroke, Ui, pos2, vec2};
 
-use super::chart::Axes;
+use super::chart::ChartAxes;
 use super::parts;
 use super::time_axis::{LEAST_SPAN, TimeAxis};
-use crate::context::{Drawn, ViewContext};
+use crate::context::{DrawnTimes, ViewContext};
 use crate::still::Still;
 use crate::timeline::paint_span;
 use crate::tokens::Tokens;
-use panel::{Layer, PanelKind};
+use panel::{PanelKind, PlotLayer};
 pub(crate) use series::DEAD_RECKONING_AFTER;
 use series::RunSeries;
 
@@ -37,7 +37,7 @@ struct PanelState {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct CurvesKey {
     revisions: [u64; 2],
-    axes: Axes,
+    axes: ChartAxes,
     choice: usize,
     factor: f64,
     dark: bool,
@@ -51,7 +51,7 @@ pub struct PlotsView {
     ghost: RunSeries,
     /// Drawn curves of each panel.
     curves: Vec<Still<CurvesKey>>,
-    drawn: Option<Drawn>,
+    drawn: Option<DrawnTimes>,
 }
 
 impl Default for PlotsView {
@@ -82,7 +82,7 @@ fn has_data(kind: PanelKind, context: &ViewContext<'_>) -> bool {
 
 impl PlotsView {
     /// Times that were drawn last.
-    pub fn drawn(&self) -> Option<Drawn> {
+    pub fn drawn(&self) -> Option<DrawnTimes> {
         self.drawn
     }
 
@@ -245,7 +245,7 @@ impl PlotsView {
             ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click_and_drag());
         parts::name(&response, format!("{} plot", kind.title()));
         let logarithmic = kind.logarithmic(choice);
-        let mut axes = Axes {
+        let mut axes = ChartAxes {
             rect: TimeAxis::curves_rect(outer, tokens),
             x: span,
             y: (0.0, 1.0),
@@ -346,7 +346,7 @@ impl PlotsView {
 }
 
 /// Shades the stretches of dead reckoning.
-fn paint_gaps(shapes: &mut Vec<Shape>, gaps: &[(f64, f64)], axes: &Axes, tokens: &Tokens) {
+fn paint_gaps(shapes: &mut Vec<Shape>, gaps: &[(f64, f64)], axes: &ChartAxes, tokens: &Tokens) {
     let color = tokens.dead_reckoning.gamma_multiply(0.08);
     for gap in gaps {
         let across = axes.screen_x(gap.0)..=axes.screen_x(gap.1);
@@ -413,9 +413,16 @@ fn nothing(kind: PanelKind, context: &ViewContext<'_>) -> &'static str {
 }
 
 /// Samples, names and values at `time`, from the right; names go first where room is short.
-fn legend(ui: &Ui, tokens: &Tokens, layers: &[Layer<'_>], axes: &Axes, rect: Rect, time: f64) {
+fn legend(
+    ui: &Ui,
+    tokens: &Tokens,
+    layers: &[PlotLayer<'_>],
+    axes: &ChartAxes,
+    rect: Rect,
+    time: f64,
+) {
     let painter = ui.painter_at(rect);
-    let entries: Vec<(&Layer<'_>, String)> = layers
+    let entries: Vec<(&PlotLayer<'_>, String)> = layers
         .iter()
         .rev()
         .filter(|l| l.is_visible(axes))

@@ -2,10 +2,10 @@
 
 use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 
-use super::super::chart::Axes;
+use super::super::chart::ChartAxes;
 use super::super::parts;
-use super::draw::{self, Curve};
-use super::series::{FrameColumn, InnovationColumn, RunSeries, StepColumn, Table};
+use super::draw::{self, TimeCurve};
+use super::series::{FrameColumn, InnovationColumn, RunSeries, SeriesTable, StepColumn};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
@@ -82,7 +82,7 @@ impl PanelKind {
         ghost: &'a RunSeries,
         tokens: &Tokens,
         factor: f64,
-    ) -> Vec<Layer<'a>> {
+    ) -> Vec<PlotLayer<'a>> {
         let steps = |column: StepColumn| Self::curve(&series.steps, column as usize, factor);
         let old = |column: StepColumn| Self::curve(&ghost.steps, column as usize, factor);
         let north = choice == 0;
@@ -91,53 +91,53 @@ impl PanelKind {
             Self::PositionError => {
                 let error = pick(StepColumn::NorthError, StepColumn::EastError);
                 let sigma = pick(StepColumn::NorthSigma, StepColumn::EastSigma);
-                let three = |sign: f64| Curve {
+                let three = |sign: f64| TimeCurve {
                     factor: 3.0 * sign * factor,
                     ..steps(sigma)
                 };
                 vec![
-                    Layer::band("±3σ", three(-1.0), three(1.0), tokens.dead_reckoning),
-                    Layer::line("before", old(error), tokens.ghost),
-                    Layer::line("error", steps(error), tokens.corrected),
+                    PlotLayer::band("±3σ", three(-1.0), three(1.0), tokens.dead_reckoning),
+                    PlotLayer::line("before", old(error), tokens.ghost),
+                    PlotLayer::line("error", steps(error), tokens.corrected),
                 ]
             }
             Self::Distance => vec![
-                Layer::dashed(
+                PlotLayer::dashed(
                     "dead reckoning alone",
                     steps(StepColumn::DeadReckoning),
                     tokens.unaided,
                 ),
-                Layer::line("before", old(StepColumn::Distance), tokens.ghost),
-                Layer::line("estimate", steps(StepColumn::Distance), tokens.corrected),
+                PlotLayer::line("before", old(StepColumn::Distance), tokens.ghost),
+                PlotLayer::line("estimate", steps(StepColumn::Distance), tokens.corrected),
             ],
             Self::Wind => {
                 let wind = pick(StepColumn::WindNorth, StepColumn::WindEast);
                 vec![
-                    Layer::band(
+                    PlotLayer::band(
                         "±σ",
                         steps(pick(StepColumn::WindNorthLow, StepColumn::WindEastLow)),
                         steps(pick(StepColumn::WindNorthHigh, StepColumn::WindEastHigh)),
                         tokens.dead_reckoning,
                     ),
-                    Layer::line("before", old(wind), tokens.ghost),
-                    Layer::line(
+                    PlotLayer::line("before", old(wind), tokens.ghost),
+                    PlotLayer::line(
                         "truth",
                         steps(pick(StepColumn::TrueWindNorth, StepColumn::TrueWindEast)),
                         tokens.truth,
                     ),
-                    Layer::line("estimate", steps(wind), tokens.corrected),
+                    PlotLayer::line("estimate", steps(wind), tokens.corrected),
                 ]
             }
             Self::Nis => {
                 let of = |column: FrameColumn| Self::curve(&series.frames, column as usize, factor);
                 vec![
-                    Layer::band(
+                    PlotLayer::band(
                         "95 % bounds",
                         of(FrameColumn::Low),
                         of(FrameColumn::High),
                         tokens.truth,
                     ),
-                    Layer::dots("NIS", of(FrameColumn::Nis), tokens.observed),
+                    PlotLayer::dots("NIS", of(FrameColumn::Nis), tokens.observed),
                 ]
             }
             Self::Innovations => {
@@ -148,13 +148,13 @@ impl PanelKind {
                 };
                 let one = |sign: f64| Self::curve(&series.accepted, sigma as usize, sign);
                 vec![
-                    Layer::band("±σ", one(-1.0), one(1.0), tokens.dead_reckoning),
-                    Layer::crosses(
+                    PlotLayer::band("±σ", one(-1.0), one(1.0), tokens.dead_reckoning),
+                    PlotLayer::crosses(
                         "refused",
                         Self::curve(&series.refused, value as usize, 1.0),
                         tokens.refused,
                     ),
-                    Layer::dots(
+                    PlotLayer::dots(
                         "used",
                         Self::curve(&series.accepted, value as usize, 1.0),
                         tokens.observed,
@@ -164,8 +164,8 @@ impl PanelKind {
         }
     }
 
-    fn curve(table: &Table, column: usize, factor: f64) -> Curve<'_> {
-        Curve {
+    fn curve(table: &SeriesTable, column: usize, factor: f64) -> TimeCurve<'_> {
+        TimeCurve {
             times: &table.times,
             values: table.column(column),
             factor,
@@ -173,7 +173,12 @@ impl PanelKind {
     }
 
     /// Least and greatest value of the y axis so that every layer shows, rounded outwards.
-    pub fn y_range(self, layers: &[Layer<'_>], axes: &Axes, logarithmic: bool) -> (f64, f64) {
+    pub fn y_range(
+        self,
+        layers: &[PlotLayer<'_>],
+        axes: &ChartAxes,
+        logarithmic: bool,
+    ) -> (f64, f64) {
         let extent = layers
             .iter()
             .filter(|l| !(self == Self::Innovations && l.style == Style::Crosses))
@@ -228,17 +233,17 @@ pub(crate) enum Style {
 }
 
 /// Curve or band of a panel, with its name in the legend.
-pub(crate) struct Layer<'a> {
+pub(crate) struct PlotLayer<'a> {
     pub name: &'static str,
-    pub curve: Curve<'a>,
+    pub curve: TimeCurve<'a>,
     /// Upper edge of a band.
-    pub upper: Option<Curve<'a>>,
+    pub upper: Option<TimeCurve<'a>>,
     pub color: Color32,
     pub style: Style,
 }
 
-impl<'a> Layer<'a> {
-    fn new(name: &'static str, curve: Curve<'a>, color: Color32, style: Style) -> Self {
+impl<'a> PlotLayer<'a> {
+    fn new(name: &'static str, curve: TimeCurve<'a>, color: Color32, style: Style) -> Self {
         Self {
             name,
             curve,
@@ -248,23 +253,23 @@ impl<'a> Layer<'a> {
         }
     }
 
-    fn line(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+    fn line(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Line)
     }
 
-    fn dashed(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+    fn dashed(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Dashed)
     }
 
-    fn dots(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+    fn dots(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Dots)
     }
 
-    fn crosses(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+    fn crosses(name: &'static str, curve: TimeCurve<'a>, color: Color32) -> Self {
         Self::new(name, curve, color, Style::Crosses)
     }
 
-    fn band(name: &'static str, low: Curve<'a>, high: Curve<'a>, color: Color32) -> Self {
+    fn band(name: &'static str, low: TimeCurve<'a>, high: TimeCurve<'a>, color: Color32) -> Self {
         Self {
             upper: Some(high),
             ..Self::new(name, low, color, Style::Band)
@@ -272,12 +277,12 @@ impl<'a> Layer<'a> {
     }
 
     /// Whether there is anything to draw in the visible time.
-    pub fn is_visible(&self, axes: &Axes) -> bool {
+    pub fn is_visible(&self, axes: &ChartAxes) -> bool {
         self.curve.extent(axes).is_some()
     }
 
     /// Draws the layer.
-    pub fn draw(&self, shapes: &mut Vec<Shape>, axes: &Axes) {
+    pub fn draw(&self, shapes: &mut Vec<Shape>, axes: &ChartAxes) {
         let stroke = Stroke::new(1.5, self.color);
         match (self.style, &self.upper) {
             (Style::Band, Some(upper)) => {

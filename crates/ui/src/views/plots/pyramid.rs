@@ -5,14 +5,14 @@ const FAN: usize = 4;
 
 /// Least and greatest of some values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Extent {
+pub(crate) struct ValueExtent {
     /// Least value.
     pub low: f32,
     /// Greatest value.
     pub high: f32,
 }
 
-impl Extent {
+impl ValueExtent {
     /// Of no value at all.
     const EMPTY: Self = Self {
         low: f32::INFINITY,
@@ -42,17 +42,17 @@ impl Extent {
 /// Level k holds one extent per 4^(k+1) values, so the pyramid costs two thirds of the series
 /// again, and a push touches one extent per level.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Pyramid {
+pub(crate) struct ExtentPyramid {
     values: Vec<f32>,
-    levels: Vec<Vec<Extent>>,
+    levels: Vec<Vec<ValueExtent>>,
 }
 
-impl Pyramid {
+impl ExtentPyramid {
     /// Appends a value; what is not finite is a hole.
     pub fn push(&mut self, value: f32) {
         let mut index = self.values.len();
         self.values.push(value);
-        let extent = Extent::of(value);
+        let extent = ValueExtent::of(value);
         for level in &mut self.levels {
             index /= FAN;
             match level.get_mut(index) {
@@ -62,8 +62,8 @@ impl Pyramid {
         }
         let top = self.levels.last().map_or(self.values.len(), Vec::len);
         if top > FAN {
-            let block_of = |members: &mut dyn Iterator<Item = Extent>| {
-                members.fold(Extent::EMPTY, |mut all, e| {
+            let block_of = |members: &mut dyn Iterator<Item = ValueExtent>| {
+                members.fold(ValueExtent::EMPTY, |mut all, e| {
                     all.include(e);
                     all
                 })
@@ -76,7 +76,7 @@ impl Pyramid {
                 None => self
                     .values
                     .chunks(FAN)
-                    .map(|c| block_of(&mut c.iter().copied().map(Extent::of)))
+                    .map(|c| block_of(&mut c.iter().copied().map(ValueExtent::of)))
                     .collect(),
             };
             self.levels.push(level);
@@ -100,10 +100,12 @@ impl Pyramid {
             blocks.truncate(from);
             for block in from..below.div_ceil(FAN) {
                 let members = FAN * block..(FAN * (block + 1)).min(below);
-                let mut all = Extent::EMPTY;
+                let mut all = ValueExtent::EMPTY;
                 match lower.last() {
                     Some(below) => below[members].iter().for_each(|e| all.include(*e)),
-                    None => (self.values[members].iter()).for_each(|v| all.include(Extent::of(*v))),
+                    None => {
+                        (self.values[members].iter()).for_each(|v| all.include(ValueExtent::of(*v)))
+                    }
                 }
                 blocks.push(all);
             }
@@ -123,14 +125,14 @@ impl Pyramid {
     }
 
     /// Extent of the finite values in `from..to`, `None` if there is none.
-    pub fn extent(&self, from: usize, to: usize) -> Option<Extent> {
-        let mut all = Extent::EMPTY;
+    pub fn extent(&self, from: usize, to: usize) -> Option<ValueExtent> {
+        let mut all = ValueExtent::EMPTY;
         let (mut from, mut to) = (from, to.min(self.values.len()));
         let mut level = 0;
         while from < to {
             // The values themselves count as level 0; `levels[level - 1]` holds the blocks.
             let get = |index: usize| match level {
-                0 => Extent::of(self.values[index]),
+                0 => ValueExtent::of(self.values[index]),
                 _ => self.levels[level - 1][index],
             };
             let top = level == self.levels.len();
@@ -172,7 +174,7 @@ mod tests {
     #[test]
     fn the_extent_of_any_range_is_that_of_its_values() {
         let values = series(1234);
-        let mut pyramid = Pyramid::default();
+        let mut pyramid = ExtentPyramid::default();
         for value in &values {
             pyramid.push(*value);
         }
@@ -181,7 +183,7 @@ mod tests {
                 let finite = values[from..to].iter().copied().filter(|v| v.is_finite());
                 let low = finite.clone().fold(f32::INFINITY, f32::min);
                 let high = finite.fold(f32::NEG_INFINITY, f32::max);
-                let expected = (low <= high).then_some(Extent { low, high });
+                let expected = (low <= high).then_some(ValueExtent { low, high });
                 assert_eq!(pyramid.extent(from, to), expected, "{from}..{to}");
             }
         }
@@ -190,7 +192,7 @@ mod tests {
     #[test]
     fn a_pyramid_that_grows_answers_like_one_that_is_complete() {
         let values = series(300);
-        let mut pyramid = Pyramid::default();
+        let mut pyramid = ExtentPyramid::default();
         for (i, value) in values.iter().enumerate() {
             pyramid.push(*value);
             let finite = values[..=i].iter().copied().filter(|v| v.is_finite());
@@ -203,7 +205,7 @@ mod tests {
     fn values_appended_in_pieces_give_the_same_pyramid_as_one_by_one() {
         let values = series(1300);
         for piece in [1, 3, 4, 17, 64, 1000, 1300] {
-            let (mut single, mut pieces) = (Pyramid::default(), Pyramid::default());
+            let (mut single, mut pieces) = (ExtentPyramid::default(), ExtentPyramid::default());
             for values in values.chunks(piece) {
                 for value in values {
                     single.push(*value);
@@ -217,7 +219,7 @@ mod tests {
 
     #[test]
     fn a_range_of_holes_has_no_extent() {
-        let mut pyramid = Pyramid::default();
+        let mut pyramid = ExtentPyramid::default();
         for _ in 0..40 {
             pyramid.push(f32::NAN);
         }

@@ -6,7 +6,7 @@ use pilotage_core::filter::chi_square_interval;
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{Outcome, Run, StepReport};
 
-use super::pyramid::Pyramid;
+use super::pyramid::ExtentPyramid;
 
 /// Most steps taken over in one frame of the screen, so that a long run fills without a stutter.
 const STEPS_PER_FRAME: usize = 20_000;
@@ -55,17 +55,17 @@ pub(crate) enum InnovationColumn {
 
 /// Times and the columns that go with them.
 #[derive(Clone, Debug)]
-pub(crate) struct Table {
+pub(crate) struct SeriesTable {
     pub times: Vec<f64>,
-    columns: Vec<Pyramid>,
+    columns: Vec<ExtentPyramid>,
 }
 
-impl Table {
+impl SeriesTable {
     /// A table without rows.
     pub fn new(columns: usize) -> Self {
         Self {
             times: Vec::new(),
-            columns: vec![Pyramid::default(); columns],
+            columns: vec![ExtentPyramid::default(); columns],
         }
     }
 
@@ -78,7 +78,7 @@ impl Table {
     }
 
     /// Column `index` of the table.
-    pub fn column(&self, index: usize) -> &Pyramid {
+    pub fn column(&self, index: usize) -> &ExtentPyramid {
         &self.columns[index]
     }
 }
@@ -114,10 +114,10 @@ fn truth_length(flight: Option<&Flight>) -> usize {
 /// Everything the plots draw of one run.
 #[derive(Clone, Debug)]
 pub(crate) struct RunSeries {
-    pub steps: Table,
-    pub frames: Table,
-    pub accepted: Table,
-    pub refused: Table,
+    pub steps: SeriesTable,
+    pub frames: SeriesTable,
+    pub accepted: SeriesTable,
+    pub refused: SeriesTable,
     /// Stretches without a correction, seconds.
     pub gaps: Vec<(f64, f64)>,
     /// Another number whenever anything in here is another.
@@ -130,10 +130,10 @@ pub(crate) struct RunSeries {
 impl Default for RunSeries {
     fn default() -> Self {
         Self {
-            steps: Table::new(StepColumn::COUNT),
-            frames: Table::new(3),
-            accepted: Table::new(4),
-            refused: Table::new(4),
+            steps: SeriesTable::new(StepColumn::COUNT),
+            frames: SeriesTable::new(3),
+            accepted: SeriesTable::new(4),
+            refused: SeriesTable::new(4),
             gaps: Vec::new(),
             revision: 0,
             last_correction: None,

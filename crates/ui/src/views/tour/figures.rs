@@ -5,12 +5,12 @@ use nalgebra::{DMatrix, Matrix2, Vector2};
 use pilotage_core::filter::{chi_square_probability, chi_square_quantile};
 use pilotage_core::navigator::{CandidateReport, Outcome, Run, StepReport};
 
-use super::super::chart::Axes;
+use super::super::chart::ChartAxes;
 use super::super::inspector::sentence::sigma;
 use super::super::parts::{self, figures};
 use super::super::{ellipse, picking};
 use super::find::{accepted_nis, degrees_of_freedom, longest_gap};
-use super::moment::Moment;
+use super::moment::TourMoment;
 use super::stop::Stop;
 use super::unscented;
 use crate::context::ViewContext;
@@ -25,7 +25,7 @@ pub(super) fn draw(
     ui: &mut Ui,
     context: &ViewContext<'_>,
     stop: Stop,
-    moment: &Moment,
+    moment: &TourMoment,
     alpha: f64,
     room: f32,
 ) {
@@ -100,7 +100,7 @@ fn found(
     tokens: &Tokens,
     run: &Run,
     step: &StepReport,
-    moment: &Moment,
+    moment: &TourMoment,
 ) {
     let candidate = step
         .frame
@@ -226,7 +226,13 @@ fn shrinking(painter: &Painter, rect: Rect, context: &ViewContext<'_>, step: &St
 }
 
 /// Sigma points at four times of the gap, side by side at one scale.
-fn growing(painter: &Painter, rect: Rect, context: &ViewContext<'_>, run: &Run, moment: &Moment) {
+fn growing(
+    painter: &Painter,
+    rect: Rect,
+    context: &ViewContext<'_>,
+    run: &Run,
+    moment: &TourMoment,
+) {
     let tokens = context.tokens;
     let Some(first) = run.index_at(moment.from) else {
         return;
@@ -330,7 +336,7 @@ fn scores(
     tokens: &Tokens,
     run: &Run,
     step: &StepReport,
-    moment: &Moment,
+    moment: &TourMoment,
 ) {
     let candidate = step
         .frame
@@ -389,9 +395,9 @@ fn scores(
 }
 
 /// Axes over a stretch of time inside a figure.
-fn time_axes(rect: Rect, tokens: &Tokens, x: (f64, f64), y: (f64, f64)) -> Axes {
+fn time_axes(rect: Rect, tokens: &Tokens, x: (f64, f64), y: (f64, f64)) -> ChartAxes {
     let text = tokens.text_sizes[0];
-    Axes {
+    ChartAxes {
         rect: Rect::from_min_max(
             rect.min + vec2(3.2 * text, 1.8 * text),
             rect.max - vec2(tokens.space, 1.9 * text),
@@ -413,7 +419,7 @@ fn thinned(run: &Run) -> impl Iterator<Item = &StepReport> {
 }
 
 /// Both wind components beside the truth.
-fn wind(painter: &Painter, rect: Rect, context: &ViewContext<'_>, run: &Run, moment: &Moment) {
+fn wind(painter: &Painter, rect: Rect, context: &ViewContext<'_>, run: &Run, moment: &TourMoment) {
     let tokens = context.tokens;
     let Some((north, east)) = run
         .state_index("wind north")

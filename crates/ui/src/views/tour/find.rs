@@ -6,12 +6,17 @@ use pilotage_core::navigator::{CandidateReport, Outcome, Run, StepReport};
 use super::super::inspector::sentence::sigma;
 use super::super::parts::figures;
 use super::super::picking;
-use super::moment::Moment;
+use super::moment::TourMoment;
 use super::stop::Stop;
 use crate::units::Units;
 
 /// Finds the moment of `stop` in `run`; `None` while the run has not got there.
-pub(crate) fn find(stop: Stop, run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
+pub(crate) fn find(
+    stop: Stop,
+    run: &Run,
+    flight: Option<&Flight>,
+    units: Units,
+) -> Option<TourMoment> {
     match stop {
         Stop::FirstLandmark => first_landmark(run),
         Stop::Shrinking => shrinking(run, units),
@@ -35,7 +40,7 @@ fn best_accepted(step: &StepReport) -> Option<&CandidateReport> {
         .max_by(|a, b| a.score.total_cmp(&b.score))
 }
 
-fn first_landmark(run: &Run) -> Option<Moment> {
+fn first_landmark(run: &Run) -> Option<TourMoment> {
     let index = run.steps.iter().position(StepReport::corrected)?;
     let candidate = best_accepted(&run.steps[index])?;
     let name = picking::landmark_name(run, candidate.landmark);
@@ -45,11 +50,11 @@ fn first_landmark(run: &Run) -> Option<Moment> {
          That difference, the innovation, is all it ever learns from the camera.",
         figures(distance)
     );
-    Some(Moment::new(run, index, text).landmark(Some(candidate.landmark)))
+    Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
 }
 
 /// The correction that shrank σ by the largest factor.
-fn shrinking(run: &Run, units: Units) -> Option<Moment> {
+fn shrinking(run: &Run, units: Units) -> Option<TourMoment> {
     let index = (0..run.steps.len())
         .filter(|i| run.steps[*i].corrected())
         .max_by(|a, b| {
@@ -65,7 +70,7 @@ fn shrinking(run: &Run, units: Units) -> Option<Moment> {
         figures(factor * sigma(&step.predicted)),
         figures(factor * sigma(&step.after))
     );
-    Some(Moment::new(run, index, text).landmark(best_accepted(step).map(|c| c.landmark)))
+    Some(TourMoment::new(run, index, text).landmark(best_accepted(step).map(|c| c.landmark)))
 }
 
 /// Every candidate with a NIS, with the index of its step.
@@ -79,7 +84,7 @@ fn judged(run: &Run) -> impl Iterator<Item = (usize, &CandidateReport, f64)> {
 }
 
 /// The accepted match that came closest to the gate.
-fn gate(run: &Run) -> Option<Moment> {
+fn gate(run: &Run) -> Option<TourMoment> {
     let (index, candidate, nis) = judged(run)
         .filter(|(_, c, _)| c.outcome == Outcome::Accepted)
         .max_by(|a, b| a.2.total_cmp(&b.2))?;
@@ -90,12 +95,12 @@ fn gate(run: &Run) -> Option<Moment> {
         figures(candidate.threshold),
         figures(nis)
     );
-    Some(Moment::new(run, index, text).landmark(Some(candidate.landmark)))
+    Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
 }
 
 /// The most telling refusal: by the gate, then by contradiction, then the most ambiguous one.
 /// Without any, the closest call.
-fn refused(run: &Run) -> Option<Moment> {
+fn refused(run: &Run) -> Option<TourMoment> {
     let candidates = || {
         run.steps.iter().enumerate().flat_map(|(i, step)| {
             step.frame
@@ -141,7 +146,7 @@ fn refused(run: &Run) -> Option<Moment> {
              One false landmark does more harm than ten missing ones, so the filter rather goes without.",
             picking::reason(run, candidate, refusal)
         );
-        return Some(Moment::new(run, index, text).landmark(Some(candidate.landmark)));
+        return Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)));
     }
     let (index, candidate) =
         candidates().max_by(|a, b| picking::ambiguity(a.1).total_cmp(&picking::ambiguity(b.1)))?;
@@ -151,7 +156,7 @@ fn refused(run: &Run) -> Option<Moment> {
         100.0 * picking::ambiguity(candidate),
         100.0 * run.settings.detector.greatest_ambiguity
     );
-    Some(Moment::new(run, index, text).landmark(Some(candidate.landmark)))
+    Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
 }
 
 /// Parts of the start's error, or σ, at which the wind counts as learned: the smallest that the run
@@ -160,7 +165,7 @@ const LEARNED: [f64; 3] = [0.15, 0.3, 0.5];
 
 /// When the wind's error (or, without a truth, its σ) has first come down to a small part of the
 /// start's.
-fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
+fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<TourMoment> {
     let (north, east) = run
         .state_index("wind north")
         .zip(run.state_index("wind east"))?;
@@ -196,7 +201,7 @@ fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
         );
         (index, text)
     };
-    Some(Moment::new(run, index, text).from(first.time))
+    Some(TourMoment::new(run, index, text).from(first.time))
 }
 
 /// Number of steps for which the wind has to stay learned.
@@ -227,7 +232,7 @@ pub(crate) fn longest_gap(run: &Run) -> Option<(usize, usize)> {
     })
 }
 
-fn dead_reckoning(run: &Run, units: Units) -> Option<Moment> {
+fn dead_reckoning(run: &Run, units: Units) -> Option<TourMoment> {
     let (from, to) = longest_gap(run)?;
     let middle = usize::midpoint(from, to);
     let (start, end) = (&run.steps[from], &run.steps[to]);
@@ -244,10 +249,10 @@ fn dead_reckoning(run: &Run, units: Units) -> Option<Moment> {
          The track turns blue and the uncertainty grows by about {} {unit} each second.",
         figures(rate)
     );
-    Some(Moment::new(run, middle, text).from(start.time))
+    Some(TourMoment::new(run, middle, text).from(start.time))
 }
 
-fn growing(run: &Run, units: Units) -> Option<Moment> {
+fn growing(run: &Run, units: Units) -> Option<TourMoment> {
     let (from, to) = longest_gap(run)?;
     let last = if run.steps[to].corrected() {
         to.saturating_sub(1).max(from)
@@ -261,10 +266,10 @@ fn growing(run: &Run, units: Units) -> Option<Moment> {
         figures(factor * sigma(&run.steps[from].after)),
         figures(factor * sigma(&run.steps[last].after))
     );
-    Some(Moment::new(run, last, text).from(run.steps[from].time))
+    Some(TourMoment::new(run, last, text).from(run.steps[from].time))
 }
 
-fn reacquired(run: &Run, units: Units) -> Option<Moment> {
+fn reacquired(run: &Run, units: Units) -> Option<TourMoment> {
     let (from, to) = longest_gap(run)?;
     let step = &run.steps[to];
     if !step.corrected() {
@@ -284,20 +289,20 @@ fn reacquired(run: &Run, units: Units) -> Option<Moment> {
         figures(factor * sigma(&step.after))
     );
     Some(
-        Moment::new(run, to, text)
+        TourMoment::new(run, to, text)
             .from(run.steps[from].time)
             .landmark(name.map(|n| n.0)),
     )
 }
 
-fn alpha(run: &Run) -> Option<Moment> {
+fn alpha(run: &Run) -> Option<TourMoment> {
     let index = run.steps.iter().position(StepReport::corrected)?;
     let text = format!(
         "α sets how far the sigma points stand from the middle; this run uses {}. \
          Drag it below: the points move, but the mean and ellipse that they give hardly change as long as the curve they go through is gentle.",
         run.settings.alpha
     );
-    Some(Moment::new(run, index, text))
+    Some(TourMoment::new(run, index, text))
 }
 
 /// Numbers measured per landmark: the degrees of freedom of a single one's NIS.
@@ -322,7 +327,7 @@ pub(crate) fn accepted_nis(run: &Run) -> Vec<f64> {
         .collect()
 }
 
-fn consistency(run: &Run) -> Option<Moment> {
+fn consistency(run: &Run) -> Option<TourMoment> {
     let values = accepted_nis(run);
     let index = run.steps.iter().rposition(StepReport::corrected)?;
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
@@ -340,15 +345,15 @@ fn consistency(run: &Run) -> Option<Moment> {
         values.len(),
         figures(mean)
     );
-    Some(Moment::new(run, index, text))
+    Some(TourMoment::new(run, index, text))
 }
 
-fn your_turn(run: &Run) -> Option<Moment> {
+fn your_turn(run: &Run) -> Option<TourMoment> {
     let index = run.steps.len().checked_sub(1)?;
     let text = "Now pick something that looks like nothing else around it: drag a box on the map, name it, and fly again. \
                 The old run stays as a ghost, so that you see at once whether your landmark helped."
         .to_owned();
-    Some(Moment::new(run, index, text))
+    Some(TourMoment::new(run, index, text))
 }
 
 #[cfg(test)]
@@ -356,7 +361,7 @@ mod tests {
     use super::super::super::fixture::Fixture;
     use super::*;
 
-    fn moment(fixture: &Fixture, stop: Stop) -> Moment {
+    fn moment(fixture: &Fixture, stop: Stop) -> TourMoment {
         find(stop, &fixture.run, Some(&fixture.flight), Units::Metric).unwrap()
     }
 

@@ -13,7 +13,7 @@ use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 use super::parts;
 use crate::command::Command;
 use crate::context::ViewContext;
-use moment::Moment;
+use moment::TourMoment;
 use stop::Stop;
 
 /// The tour's own state: at which stop it is.
@@ -22,7 +22,7 @@ pub struct Tour {
     /// Whether the cursor has been brought to the moment of this stop.
     arrived: bool,
     /// The moment of this stop, and for how many steps of the run it was looked up.
-    found: Option<(usize, Option<Moment>)>,
+    found: Option<(usize, Option<TourMoment>)>,
     /// The slider of the stop on α.
     alpha: f64,
     /// Number of changes of the settings made here that can be taken back.

@@ -4,7 +4,7 @@ use pilotage_core::navigator::Run;
 
 /// A moment of the run, with two sentences on it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Moment {
+pub(crate) struct TourMoment {
     /// Index of the step.
     pub index: usize,
     /// Its time, seconds.
@@ -17,7 +17,7 @@ pub(crate) struct Moment {
     pub text: String,
 }
 
-impl Moment {
+impl TourMoment {
     pub(super) fn new(run: &Run, index: usize, text: String) -> Self {
         let time = run.steps[index].time;
         Self {

@@ -2,7 +2,7 @@
 
 use pilotage_core::navigator::NavigatorSettings;
 
-use super::moment::Moment;
+use super::moment::TourMoment;
 use crate::command::Command;
 
 /// Stop of the tour.
@@ -22,7 +22,7 @@ pub(crate) enum Stop {
 }
 
 /// Something to try: what the button says, and what it sends.
-pub(crate) struct Trial {
+pub(crate) struct TourTrial {
     pub text: String,
     pub commands: Vec<Command>,
     /// Whether it changes the mission, so that it can be taken back.
@@ -65,11 +65,11 @@ impl Stop {
     /// Trial for people at this stop; `alpha` is what the slider of that stop says.
     pub fn trial(
         self,
-        moment: Option<&Moment>,
+        moment: Option<&TourMoment>,
         settings: &NavigatorSettings,
         playing: bool,
         alpha: f64,
-    ) -> Trial {
+    ) -> TourTrial {
         let play = |from: f64| {
             let mut commands = vec![Command::SeekTo(from), Command::SetSpeed(1.0)];
             if !playing {
@@ -77,7 +77,7 @@ impl Stop {
             }
             commands
         };
-        let look = |text: &str, commands: Vec<Command>| Trial {
+        let look = |text: &str, commands: Vec<Command>| TourTrial {
             text: text.to_owned(),
             commands,
             edits: false,
@@ -131,10 +131,10 @@ fn change(
     settings: &NavigatorSettings,
     text: &str,
     edit: impl FnOnce(&mut NavigatorSettings),
-) -> Trial {
+) -> TourTrial {
     let mut settings = settings.clone();
     edit(&mut settings);
-    Trial {
+    TourTrial {
         text: text.to_owned(),
         commands: vec![Command::SetNavigator(Box::new(settings))],
         edits: true,

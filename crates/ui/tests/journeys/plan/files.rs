@@ -3,14 +3,14 @@ use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
-use pilotage_jobs::{ImportedFile, Job, OpenOrder, Opened};
+use pilotage_jobs::{ImportedFile, Job, OpenOrder, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
 use super::super::support::{Rig, flight::mission};
 use super::{draw, planning};
 
 fn opened(rig: &mut Rig, file: ImportedFile) {
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         key: String::new(),
         log: None,
         flight: None,

@@ -4,7 +4,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint};
 use pilotage_core::imagery::terrain::HeightDatum;
-use pilotage_jobs::{Job, Opened, TerrainInfo};
+use pilotage_jobs::{Job, OpenedFiles, TerrainInfo};
 use pilotage_ui::host::OpenedFile;
 
 use super::super::support::Rig;
@@ -18,7 +18,7 @@ fn ridge(place: &GroundPoint) -> f64 {
 
 fn open_heights(rig: &mut Rig) {
     rig.host().heights = Some(ridge);
-    rig.host().opens = Some(Opened {
+    rig.host().opens = Some(OpenedFiles {
         key: String::new(),
         log: None,
         flight: None,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use pilotage_core::flight::interpret::log_of_flight;
-use pilotage_core::flight::log::{Log, LogFormat, Outline};
+use pilotage_core::flight::log::{Log, LogFormat, LogOutline};
 use pilotage_core::flight::overview::overview;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::Window;
@@ -12,16 +12,17 @@ use pilotage_core::imagery::terrain::{HeightDatum, HeightGrid, Terrain};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::EstimatorChoice;
 use pilotage_core::plan::{
-    Breakdown, Candidate, Envelope, ExpectedDetection, Localizability, Suggestion, Tally,
+    Envelope, ExpectedDetection, LandmarkCandidate, Localizability, LookTally, Suggestion,
+    ViewBreakdown,
 };
 use pilotage_core::raster::Raster;
-use pilotage_core::study::{Comparison, Contender, Tally as FlightTally};
+use pilotage_core::study::{Contender, ContenderTally as FlightTally, EstimatorComparison};
 use pilotage_jobs::{
     Abilities, Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness,
     DistinctnessOrder, EnvelopeOrder, ExplainOrder, ExplainedBy, FieldOrder, FileContent,
     FlightSource, FlyOrder, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner, MakeFlightOrder,
-    MapInfo, OpenOrder, Opened, ProvideOrder, ReadLog, ReadLogOrder, Reply, Request, SuggestOrder,
-    TileOrder,
+    MapInfo, OpenOrder, OpenedFiles, ProvideOrder, ReadLog, ReadLogOrder, Reply, Request,
+    SuggestOrder, TileOrder,
 };
 use pilotage_ui::host::{Host, OpenedFile};
 
@@ -70,7 +71,7 @@ pub struct ScriptedHost {
     /// Error that is told of opened files.
     pub opening_fails: Option<String>,
     /// Contents of opened files.
-    pub opens: Option<Opened>,
+    pub opens: Option<OpenedFiles>,
     /// Look at opened files as a worker does.
     pub really_open: bool,
     /// Height of the ground in the elevation model that is opened, metres.
@@ -193,7 +194,7 @@ impl ScriptedHost {
         let log = Log::new(file, LogFormat::Tables);
         let flown = flight();
         let read = ReadLog {
-            outline: Outline::of(&log),
+            outline: LogOutline::of(&log),
             overview: overview(&log, &log_of_flight(&log, &flown).measured()),
             flight: Ok(flown.frame_on_globe),
             tracks: Vec::new(),
@@ -362,7 +363,7 @@ pub fn picture(index: usize) -> JobEvent {
 }
 
 /// The invented run as the judgement of every estimator.
-fn contest(order: &ContestOrder) -> Comparison {
+fn contest(order: &ContestOrder) -> EstimatorComparison {
     let vehicle = order.mission.navigator.vehicle;
     let contenders = Contender::all(&EstimatorChoice::ALL, &[vehicle]);
     let judged = contenders.into_iter().map(|contender| {
@@ -372,7 +373,7 @@ fn contest(order: &ContestOrder) -> Comparison {
             .expect("a run with its truth");
         tally
     });
-    Comparison::of(&judged.collect::<Vec<_>>())
+    EstimatorComparison::of(&judged.collect::<Vec<_>>())
 }
 
 /// The heights of ground of a shape.
@@ -428,8 +429,8 @@ fn distinctness(bounds: GroundRect, radius: f64) -> Distinctness {
 }
 
 /// So many looks, of which so many found the landmark and so many something else.
-fn tally(looks: usize, found: usize, wrong: usize) -> Tally {
-    Tally {
+fn tally(looks: usize, found: usize, wrong: usize) -> LookTally {
+    LookTally {
         looks,
         found,
         wrong,
@@ -439,7 +440,7 @@ fn tally(looks: usize, found: usize, wrong: usize) -> Tally {
 
 /// A grid in which the landmark does not fit into pictures from the lowest height.
 fn envelope(height: f64) -> Envelope {
-    let mut cells = vec![Tally::default(); 2];
+    let mut cells = vec![LookTally::default(); 2];
     cells.extend([tally(6, 6, 0), tally(6, 3, 1)]);
     Envelope {
         heights: vec![0.5 * height, height],
@@ -451,7 +452,7 @@ fn envelope(height: f64) -> Envelope {
 /// Two places of the map, the surer first.
 fn suggestions(order: &SuggestOrder) -> Vec<Suggestion> {
     let place = |north: f64, probability: f64| Suggestion {
-        candidate: Candidate {
+        candidate: LandmarkCandidate {
             bounds: GroundRect::centered(GroundPoint::new(north, 0.0), 30.0, 30.0),
             score: 0.7,
             rival: 0.3,
@@ -489,9 +490,9 @@ fn assessment(order: &AssessmentOrder) -> Assessment {
         },
         false_matches: 1.0 / 32.0,
         views: (0..32).map(glance).collect(),
-        breakdown: Breakdown {
+        breakdown: ViewBreakdown {
             heading: vec![tally(8, 4, 0); 4],
-            attitude_error: vec![tally(10, 5, 1), tally(10, 5, 0), Tally::default()],
+            attitude_error: vec![tally(10, 5, 1), tally(10, 5, 0), LookTally::default()],
             edges: [0.005, 0.01],
             day: vec![tally(8, 4, 0); 4],
         },

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use pilotage_base::frames::{Datum, Ellipsoid, ProjectionMethod, ReferenceSystem};
 
-use super::tree::{Node, Value};
-use crate::systems::definition::{Definition, Role};
+use super::tree::{WktNode, WktValue};
+use crate::systems::definition::{ParameterRole, ProjectedDefinition};
 use crate::systems::made::of_numbers;
 use crate::systems::names::{plain, shortened};
 use crate::systems::{SystemError, by_code, code_table, datums};
@@ -24,7 +24,7 @@ const UNITS: [&str; 3] = ["UNIT", "LENGTHUNIT", "ANGLEUNIT"];
 /// The system that a text describes.
 pub(in super::super) fn read(text: &str) -> Result<ReferenceSystem, SystemError> {
     let unknown = || SystemError::unknown(format!("\"{}\"", shortened(text)));
-    let root = Node::parse(text).ok_or_else(unknown)?;
+    let root = WktNode::parse(text).ok_or_else(unknown)?;
     let (node, shift) = horizontal(&root).ok_or_else(unknown)?;
     let described = match node.keyword.as_str() {
         keyword if PROJECTED.contains(&keyword) => projected(node, shift),
@@ -43,7 +43,7 @@ pub(in super::super) fn read(text: &str) -> Result<ReferenceSystem, SystemError>
 }
 
 /// The part about what lies on the ground, and a shift to WGS 84 that stands outside of it.
-fn horizontal(root: &Node) -> Option<(&Node, Option<[f64; 7]>)> {
+fn horizontal(root: &WktNode) -> Option<(&WktNode, Option<[f64; 7]>)> {
     match root.keyword.as_str() {
         "COMPD_CS" | "COMPOUNDCRS" => horizontal(root.children().next()?),
         "BOUNDCRS" => {
@@ -57,7 +57,7 @@ fn horizontal(root: &Node) -> Option<(&Node, Option<[f64; 7]>)> {
 }
 
 /// The shift of an abridged transformation; `None` if it is not one of three or seven numbers.
-fn abridged(transformation: &Node) -> Option<[f64; 7]> {
+fn abridged(transformation: &WktNode) -> Option<[f64; 7]> {
     let mut shift = [0.0; 7];
     let method = plain(transformation.child(&["METHOD", "PROJECTION"])?.name());
     let sign = if method.contains("COORDINATEFRAME") {
@@ -99,7 +99,7 @@ fn abridged(transformation: &Node) -> Option<[f64; 7]> {
     Some(shift)
 }
 
-fn projected(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, SystemError> {
+fn projected(node: &WktNode, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, SystemError> {
     let name = format!("\"{}\"", shortened(node.name()));
     let number = |cause: &str| SystemError::Number {
         name: name.clone(),
@@ -129,12 +129,12 @@ fn projected(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, Sy
     let datum = datum(base, shift, &name)?;
     let unit = unit(node).unwrap_or(1.0);
     let angle = unit_of_angles(base);
-    let mut definition = Definition {
+    let mut definition = ProjectedDefinition {
         name: name.clone(),
         datum,
         prime_meridian: prime_meridian(base),
         unit,
-        ..Definition::default()
+        ..ProjectedDefinition::default()
     };
     for parameter in conversion
         .children()
@@ -149,8 +149,8 @@ fn projected(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, Sy
             .child(&UNITS)
             .and_then(|unit| unit.numbers().first().copied());
         let size = match role {
-            Role::Scale => 1.0,
-            Role::Easting | Role::Northing => own.unwrap_or(unit),
+            ParameterRole::Scale => 1.0,
+            ParameterRole::Easting | ParameterRole::Northing => own.unwrap_or(unit),
             _ => own.unwrap_or(angle),
         };
         definition.numbers[role as usize] = Some(value * size);
@@ -158,7 +158,7 @@ fn projected(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, Sy
     definition.system(method)
 }
 
-fn geographic(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, SystemError> {
+fn geographic(node: &WktNode, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, SystemError> {
     let name = format!("\"{}\"", shortened(node.name()));
     let datum = datum(node, shift, &name)?;
     let mut numbers = code_table::plain_numbers(datum, ProjectionMethod::Geographic);
@@ -168,11 +168,11 @@ fn geographic(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, S
 }
 
 /// The datum of a system of longitude and latitude.
-fn datum(node: &Node, shift: Option<[f64; 7]>, name: &str) -> Result<Datum, SystemError> {
+fn datum(node: &WktNode, shift: Option<[f64; 7]>, name: &str) -> Result<Datum, SystemError> {
     let datum = node.child(&["DATUM", "GEODETICDATUM", "TRF", "ENSEMBLE"]);
     let unknown = || SystemError::Datum {
         name: name.to_owned(),
-        datum: shortened(datum.map_or("", Node::name)),
+        datum: shortened(datum.map_or("", WktNode::name)),
     };
     let datum = datum.ok_or_else(unknown)?;
     let known = datums::named(datum.name())
@@ -187,7 +187,7 @@ fn datum(node: &Node, shift: Option<[f64; 7]>, name: &str) -> Result<Datum, Syst
     known.ok_or_else(unknown)
 }
 
-fn ellipsoid(datum: &Node) -> Option<Ellipsoid> {
+fn ellipsoid(datum: &WktNode) -> Option<Ellipsoid> {
     let node = datum.child(&["SPHEROID", "ELLIPSOID"])?;
     let numbers = node.numbers();
     let [semi_major, inverse, ..] = numbers[..] else {
@@ -203,14 +203,14 @@ fn ellipsoid(datum: &Node) -> Option<Ellipsoid> {
 }
 
 /// Metres in the unit of the coordinates.
-fn unit(node: &Node) -> Option<f64> {
+fn unit(node: &WktNode) -> Option<f64> {
     let own = node.child(&["UNIT", "LENGTHUNIT"]);
     let axis = || node.child(&["AXIS"])?.child(&["UNIT", "LENGTHUNIT"]);
     own.or_else(axis)?.numbers().first().copied()
 }
 
 /// Radians in the unit of a system of longitude and latitude.
-fn unit_of_angles(node: &Node) -> f64 {
+fn unit_of_angles(node: &WktNode) -> f64 {
     let own = node.child(&["UNIT", "ANGLEUNIT"]);
     let axis = || node.child(&["AXIS"])?.child(&["UNIT", "ANGLEUNIT"]);
     let size = own
@@ -238,7 +238,7 @@ const MERIDIANS: [(&str, f64); 9] = [
 ];
 
 /// Longitude of the prime meridian from Greenwich, radians.
-fn prime_meridian(node: &Node) -> f64 {
+fn prime_meridian(node: &WktNode) -> f64 {
     let meridian = node.child(&["PRIMEM", "PRIMEMERIDIAN"]).or_else(|| {
         node.child(&["DATUM", "GEODETICDATUM"])?
             .child(&["PRIMEM", "PRIMEMERIDIAN"])
@@ -259,25 +259,25 @@ fn prime_meridian(node: &Node) -> f64 {
 }
 
 /// Directions of the axes, in capitals.
-fn axes(node: &Node) -> impl Iterator<Item = String> {
+fn axes(node: &WktNode) -> impl Iterator<Item = String> {
     let axes = node.children().filter(|child| child.keyword == "AXIS");
     axes.filter_map(|axis| {
         axis.values.iter().find_map(|value| match value {
-            Value::Word(word) => Some(word.to_ascii_uppercase()),
+            WktValue::Word(word) => Some(word.to_ascii_uppercase()),
             _ => None,
         })
     })
 }
 
 /// The number of a parameter with that plain name.
-fn parameter(node: &Node, name: &str) -> Option<f64> {
+fn parameter(node: &WktNode, name: &str) -> Option<f64> {
     let mut parameters = node.children().filter(|child| child.keyword == "PARAMETER");
     let found = parameters.find(|child| plain(child.name()) == name)?;
     found.numbers().first().copied()
 }
 
 /// Role of a parameter, by its name in any of the dialects.
-fn role(name: &str) -> Option<Role> {
+fn role(name: &str) -> Option<ParameterRole> {
     Some(match plain(name).as_str() {
         "LATITUDEOFORIGIN"
         | "LATITUDEOFCENTER"
@@ -285,32 +285,36 @@ fn role(name: &str) -> Option<Role> {
         | "LATITUDEOFNATURALORIGIN"
         | "LATITUDEOFFALSEORIGIN"
         | "LATITUDEOFPROJECTIONCENTRE"
-        | "CENTRALPARALLEL" => Role::Latitude,
+        | "CENTRALPARALLEL" => ParameterRole::Latitude,
         "CENTRALMERIDIAN"
         | "LONGITUDEOFORIGIN"
         | "LONGITUDEOFCENTER"
         | "LONGITUDEOFCENTRE"
         | "LONGITUDEOFNATURALORIGIN"
         | "LONGITUDEOFFALSEORIGIN"
-        | "LONGITUDEOFPROJECTIONCENTRE" => Role::Longitude,
+        | "LONGITUDEOFPROJECTIONCENTRE" => ParameterRole::Longitude,
         "STANDARDPARALLEL1"
         | "LATITUDEOF1STSTANDARDPARALLEL"
         | "LATITUDEOFSTANDARDPARALLEL"
         | "STANDARDPARALLEL"
         | "LATITUDEOFPSEUDOSTANDARDPARALLEL"
-        | "PSEUDOSTANDARDPARALLEL1" => Role::FirstParallel,
-        "STANDARDPARALLEL2" | "LATITUDEOF2NDSTANDARDPARALLEL" => Role::SecondParallel,
+        | "PSEUDOSTANDARDPARALLEL1" => ParameterRole::FirstParallel,
+        "STANDARDPARALLEL2" | "LATITUDEOF2NDSTANDARDPARALLEL" => ParameterRole::SecondParallel,
         "SCALEFACTOR"
         | "SCALEFACTORATNATURALORIGIN"
         | "SCALEFACTORATPROJECTIONCENTRE"
         | "SCALEFACTORONINITIALLINE"
-        | "SCALEFACTORONPSEUDOSTANDARDPARALLEL" => Role::Scale,
-        "FALSEEASTING" | "EASTINGATFALSEORIGIN" | "EASTINGATPROJECTIONCENTRE" => Role::Easting,
-        "FALSENORTHING" | "NORTHINGATFALSEORIGIN" | "NORTHINGATPROJECTIONCENTRE" => Role::Northing,
+        | "SCALEFACTORONPSEUDOSTANDARDPARALLEL" => ParameterRole::Scale,
+        "FALSEEASTING" | "EASTINGATFALSEORIGIN" | "EASTINGATPROJECTIONCENTRE" => {
+            ParameterRole::Easting
+        }
+        "FALSENORTHING" | "NORTHINGATFALSEORIGIN" | "NORTHINGATPROJECTIONCENTRE" => {
+            ParameterRole::Northing
+        }
         "AZIMUTH"
         | "AZIMUTHOFINITIALLINE"
         | "AZIMUTHATPROJECTIONCENTRE"
-        | "COLATITUDEOFCONEAXIS" => Role::Azimuth,
+        | "COLATITUDEOFCONEAXIS" => ParameterRole::Azimuth,
         _ => return None,
     })
 }

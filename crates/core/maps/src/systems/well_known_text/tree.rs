@@ -7,16 +7,16 @@ const DEEPEST: usize = 24;
 
 /// A keyword with what stands in its brackets.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Node {
+pub struct WktNode {
     /// In capitals.
     pub keyword: String,
     /// Values in the brackets, in order.
-    pub values: Vec<Value>,
+    pub values: Vec<WktValue>,
 }
 
 /// A value in brackets.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum WktValue {
     /// In quotes.
     Text(String),
     /// A number.
@@ -24,17 +24,17 @@ pub enum Value {
     /// A word without brackets, like the direction of an axis.
     Word(String),
     /// A keyword with brackets.
-    Node(Node),
+    Node(WktNode),
 }
 
-impl Node {
+impl WktNode {
     /// Reads a text that is one node; `None` if it is none or ends early.
     pub fn parse(text: &str) -> Option<Self> {
         if text.len() > MOST_BYTES {
             return None;
         }
         let mut rest = text.trim();
-        let Value::Node(node) = value(&mut rest, 0)? else {
+        let WktValue::Node(node) = value(&mut rest, 0)? else {
             return None;
         };
         rest.trim().is_empty().then_some(node)
@@ -42,17 +42,17 @@ impl Node {
 
     /// The first text.
     pub fn name(&self) -> &str {
-        let text = |value: &Value| matches!(value, Value::Text(_));
+        let text = |value: &WktValue| matches!(value, WktValue::Text(_));
         match self.values.iter().find(|value| text(value)) {
-            Some(Value::Text(text)) => text,
+            Some(WktValue::Text(text)) => text,
             _ => "",
         }
     }
 
     /// The numbers, in order.
     pub fn numbers(&self) -> Vec<f64> {
-        let number = |value: &Value| match value {
-            Value::Number(number) => Some(*number),
+        let number = |value: &WktValue| match value {
+            WktValue::Number(number) => Some(*number),
             _ => None,
         };
         self.values.iter().filter_map(number).collect()
@@ -61,7 +61,7 @@ impl Node {
     /// The nodes directly inside.
     pub fn children(&self) -> impl Iterator<Item = &Self> {
         self.values.iter().filter_map(|value| match value {
-            Value::Node(node) => Some(node),
+            WktValue::Node(node) => Some(node),
             _ => None,
         })
     }
@@ -79,14 +79,14 @@ impl Node {
             return None;
         }
         match id.values.get(1)? {
-            Value::Text(text) => text.trim().parse().ok(),
-            Value::Number(number) => Some(*number as u32),
+            WktValue::Text(text) => text.trim().parse().ok(),
+            WktValue::Number(number) => Some(*number as u32),
             _ => None,
         }
     }
 }
 
-fn value(rest: &mut &str, depth: usize) -> Option<Value> {
+fn value(rest: &mut &str, depth: usize) -> Option<WktValue> {
     if depth > DEEPEST {
         return None;
     }
@@ -99,7 +99,7 @@ fn value(rest: &mut &str, depth: usize) -> Option<Value> {
     *rest = &rest[end..];
     if !rest.starts_with(['[', '(']) {
         let number = word.parse().ok().filter(|v: &f64| v.is_finite());
-        return Some(number.map_or_else(|| Value::Word(word.to_owned()), Value::Number));
+        return Some(number.map_or_else(|| WktValue::Word(word.to_owned()), WktValue::Number));
     }
     let mut values = Vec::new();
     loop {
@@ -117,18 +117,18 @@ fn value(rest: &mut &str, depth: usize) -> Option<Value> {
         }
     }
     let keyword = word.to_ascii_uppercase();
-    Some(Value::Node(Node { keyword, values }))
+    Some(WktValue::Node(WktNode { keyword, values }))
 }
 
 /// A text up to its closing quote; two quotes in it are one.
-fn quoted<'a>(rest: &mut &'a str, mut after: &'a str) -> Option<Value> {
+fn quoted<'a>(rest: &mut &'a str, mut after: &'a str) -> Option<WktValue> {
     let mut text = String::new();
     loop {
         let (part, behind) = after.split_once('"')?;
         text.push_str(part);
         let Some(more) = behind.strip_prefix('"') else {
             *rest = behind;
-            return Some(Value::Text(text));
+            return Some(WktValue::Text(text));
         };
         text.push('"');
         after = more;

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::ExchangeError;
 use super::found::{FoundLabels, stated_box};
-use crate::mission::text::{Members, Text};
+use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::{FrameLabels, MissionError};
 
 /// Prefix of properties that are members, as JSON text.
@@ -115,14 +115,14 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
 fn required<'a, T: for<'d> Deserialize<'d>>(
     text: &Text<'a>,
     of: &'a RawValue,
-    members: &mut Members<'a>,
+    members: &mut ObjectMembers<'a>,
     name: &str,
 ) -> Result<T, MissionError> {
     let value = text.take(members, name)?;
     value.ok_or_else(|| text.error(of.get(), format!("`{name}` is missing")))
 }
 
-fn kept(members: Members<'_>) -> BTreeMap<String, String> {
+fn kept(members: ObjectMembers<'_>) -> BTreeMap<String, String> {
     let kept =
         |(name, value): (String, &RawValue)| (format!("{MEMBER}{name}"), value.get().to_owned());
     members.into_iter().map(kept).collect()

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{ExchangeError, Written};
+use super::{ExchangeError, WrittenFile};
 use crate::mission::FrameLabels;
 use pilotage_base::files::{FileSink as _, ZipSink};
 use pilotage_vision::landmark::Landmark;
@@ -81,7 +81,7 @@ pub fn write_labels(
     format: LabelFormat,
     frames: &[FrameLabels],
     landmarks: &[Landmark],
-) -> Result<Written, ExchangeError> {
+) -> Result<WrittenFile, ExchangeError> {
     let names = names(frames, landmarks);
     let bytes = match format {
         LabelFormat::Coco => coco::write(frames, &names).into_bytes(),
@@ -103,7 +103,7 @@ pub fn write_labels(
     };
     let boxes: usize = frames.iter().map(|f| f.boxes.len()).sum();
     let notes = vec![format!("{boxes} boxes in {} pictures", frames.len())];
-    Ok(Written { bytes, notes })
+    Ok(WrittenFile { bytes, notes })
 }
 
 /// Names of all landmarks that have labels, by id: the mission's, or else those of the labels.

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::ExchangeError;
 use super::found::{FoundLabels, stated_box};
-use crate::exchange::xml::{Element, Source, escape};
+use crate::exchange::xml::{NamedText, XmlElement, escape};
 use crate::mission::FrameLabels;
 
 /// Element that holds what only we know: ids, and landmarks that are not in the picture.
@@ -19,13 +19,14 @@ const OF_OBJECT: [&str; 5] = ["name", "bndbox", "difficult", "truncated", OWN];
 
 /// Reads the annotation of one picture.
 pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError> {
-    let source = Source { file, text };
+    let source = NamedText { file, text };
     let root = source.root()?;
     if root.name != "annotation" {
         let cause = format!("<{}> is no <annotation> of Pascal VOC", root.name);
         return Err(source.error(root.begin, cause));
     }
-    let lacking = |of: &Element, name: &str| source.error(of.begin, format!("<{name}> is missing"));
+    let lacking =
+        |of: &XmlElement, name: &str| source.error(of.begin, format!("<{name}> is missing"));
     let frame = root
         .child_text("filename")
         .ok_or_else(|| lacking(&root, "filename"))?;
@@ -80,12 +81,12 @@ pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError>
     Ok(found)
 }
 
-fn id_of(element: &Element) -> u32 {
+fn id_of(element: &XmlElement) -> u32 {
     let id = element.attribute("landmark").map(str::parse);
     id.and_then(Result::ok).unwrap_or(0)
 }
 
-fn number(source: &Source<'_>, of: &Element, name: &str) -> Result<f64, ExchangeError> {
+fn number(source: &NamedText<'_>, of: &XmlElement, name: &str) -> Result<f64, ExchangeError> {
     let Some(element) = of.child(name) else {
         return Err(source.error(of.begin, format!("<{name}> is missing")));
     };
@@ -97,7 +98,7 @@ fn number(source: &Source<'_>, of: &Element, name: &str) -> Result<f64, Exchange
 }
 
 /// Elements that are not read, as they stand; those of one name stand together.
-fn kept(source: &Source<'_>, of: &Element, read: &[&str]) -> BTreeMap<String, String> {
+fn kept(source: &NamedText<'_>, of: &XmlElement, read: &[&str]) -> BTreeMap<String, String> {
     let mut kept: BTreeMap<String, String> = BTreeMap::new();
     for child in &of.children {
         if !read.contains(&child.name.as_str())

@@ -1,7 +1,7 @@
 //! A folder of either file: its way-points as they stand.
 
 use super::super::ExchangeError;
-use super::super::xml::{Element, Source};
+use super::super::xml::{NamedText, XmlElement};
 use super::text_of;
 use crate::mission::found::{LonLat, on_globe};
 
@@ -48,7 +48,7 @@ pub(super) struct Point {
 }
 
 /// A folder with way-points.
-pub(super) struct Folder {
+pub(super) struct WaylineFolder {
     pub id: Option<String>,
     pub name: Option<String>,
     /// Mode of heights, which says from where they count, in the file's word.
@@ -58,18 +58,21 @@ pub(super) struct Folder {
 }
 
 /// The folders of a file that have way-points.
-pub(super) fn folders(source: &Source, root: &Element) -> Result<Vec<Folder>, ExchangeError> {
+pub(super) fn folders(
+    source: &NamedText,
+    root: &XmlElement,
+) -> Result<Vec<WaylineFolder>, ExchangeError> {
     let mut found = Vec::new();
     gather(source, root, &mut found)?;
     Ok(found)
 }
 
 fn gather(
-    source: &Source,
-    element: &Element,
-    found: &mut Vec<Folder>,
+    source: &NamedText,
+    element: &XmlElement,
+    found: &mut Vec<WaylineFolder>,
 ) -> Result<(), ExchangeError> {
-    let is_point = |placemark: &Element| placemark.child("Point").is_some();
+    let is_point = |placemark: &XmlElement| placemark.child("Point").is_some();
     for child in &element.children {
         if child.name == "Folder" && child.all("Placemark").any(is_point) {
             found.push(folder(source, child)?);
@@ -80,7 +83,7 @@ fn gather(
     Ok(())
 }
 
-fn folder(source: &Source, element: &Element) -> Result<Folder, ExchangeError> {
+fn folder(source: &NamedText, element: &XmlElement) -> Result<WaylineFolder, ExchangeError> {
     let system = element.child("waylineCoordinateSysParam");
     let mode = element
         .child_text("executeHeightMode")
@@ -102,8 +105,8 @@ fn folder(source: &Source, element: &Element) -> Result<Folder, ExchangeError> {
     if points.iter().all(|p| p.index.is_some()) {
         points.sort_by_key(|p| p.index);
     }
-    let other = |child: &&Element| !OWN_OF_FOLDER.contains(&child.name.as_str());
-    Ok(Folder {
+    let other = |child: &&XmlElement| !OWN_OF_FOLDER.contains(&child.name.as_str());
+    Ok(WaylineFolder {
         id: element.child_text("templateId").map(str::to_owned),
         name: element.child_text("name").map(str::to_owned),
         mode: mode.map(str::to_owned),
@@ -129,9 +132,9 @@ struct Common<'a> {
 }
 
 fn point(
-    source: &Source,
-    placemark: &Element,
-    point: &Element,
+    source: &NamedText,
+    placemark: &XmlElement,
+    point: &XmlElement,
     common: &Common,
 ) -> Result<Point, ExchangeError> {
     let coordinates = point.child("coordinates").unwrap_or(point);
@@ -161,9 +164,9 @@ fn point(
         .all("actionGroup")
         .flat_map(|group| group.all("action"))
         .filter_map(|action| action.child_text("actionActuatorFunc"));
-    let other = |child: &&Element| !OWN.contains(&child.name.as_str());
+    let other = |child: &&XmlElement| !OWN.contains(&child.name.as_str());
     let kml =
-        |child: &&Element| !["name", "description", "styleUrl"].contains(&child.name.as_str());
+        |child: &&XmlElement| !["name", "description", "styleUrl"].contains(&child.name.as_str());
     let turn = in_child(placemark, "waypointTurnParam", "waypointTurnMode").or(common.turn);
     let heading =
         in_child(placemark, "waypointHeadingParam", "waypointHeadingMode").or(common.heading);
@@ -180,7 +183,7 @@ fn point(
     })
 }
 
-fn in_child<'a>(element: &'a Element, child: &str, name: &str) -> Option<&'a str> {
+fn in_child<'a>(element: &'a XmlElement, child: &str, name: &str) -> Option<&'a str> {
     element.child(child)?.child_text(name)
 }
 
@@ -191,7 +194,11 @@ fn place(text: &str) -> Option<LonLat> {
 }
 
 /// A number that is stated, or what is wrong with it.
-fn number(source: &Source, element: &Element, name: &str) -> Result<Option<f64>, ExchangeError> {
+fn number(
+    source: &NamedText,
+    element: &XmlElement,
+    name: &str,
+) -> Result<Option<f64>, ExchangeError> {
     let Some(child) = element.child(name).filter(|c| !c.text.is_empty()) else {
         return Ok(None);
     };

@@ -7,7 +7,7 @@ use crate::mission::{Route, WayPoint, WayPointAction};
 use pilotage_base::frames::AltitudeFrame;
 
 /// Heights in metres, and the modes, in the words of both files, that say from where they count.
-pub(super) struct Heights {
+pub(super) struct WpmlHeights {
     /// `None` where the template cannot state them.
     pub drawn_mode: Option<&'static str>,
     pub drawn: Vec<f64>,
@@ -16,7 +16,7 @@ pub(super) struct Heights {
 }
 
 /// The heights of a route, which in a file of DJI all count from the same.
-pub(super) fn heights(route: &Route) -> Result<Heights, ExchangeError> {
+pub(super) fn heights(route: &Route) -> Result<WpmlHeights, ExchangeError> {
     let cannot_hold = |what: &str, advice| ExchangeError::CannotHold {
         format: NAME,
         what: what.to_owned(),
@@ -53,7 +53,7 @@ pub(super) fn heights(route: &Route) -> Result<Heights, ExchangeError> {
             "give the way-point a height",
         ));
     }
-    let same = |mode| Heights {
+    let same = |mode| WpmlHeights {
         drawn_mode: Some(mode),
         drawn: metres.clone(),
         flown_mode: mode,
@@ -72,7 +72,7 @@ pub(super) fn heights(route: &Route) -> Result<Heights, ExchangeError> {
             })?;
             let is_known = undulations.iter().all(Option::is_some);
             let flown = metres.iter().zip(&undulations);
-            Heights {
+            WpmlHeights {
                 drawn_mode: is_known.then_some("EGM96"),
                 flown: flown.map(|(m, n)| m + n.unwrap_or(0.0)).collect(),
                 flown_mode: "WGS84",

@@ -13,7 +13,7 @@ mod write;
 use std::fmt::Write;
 
 use super::shadow::is_shadow;
-use super::xml::{Element, escape};
+use super::xml::{XmlElement, escape};
 use pilotage_base::files::FileSet;
 
 pub(super) use name::NAME;
@@ -66,7 +66,7 @@ fn ending(files: &dyn FileSet, end: &str) -> Option<(String, Vec<u8>)> {
 }
 
 /// Elements as text, all in DJI's name space.
-fn text_of<'a>(elements: impl Iterator<Item = &'a Element>) -> String {
+fn text_of<'a>(elements: impl Iterator<Item = &'a XmlElement>) -> String {
     let mut text = String::new();
     for element in elements {
         let inside = text_of(element.children.iter()) + &escape(&element.text);

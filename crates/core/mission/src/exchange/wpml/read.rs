@@ -3,17 +3,17 @@
 
 use serde_json::Value;
 
-use super::super::found::Found;
+use super::super::found::GeodeticContent;
 use super::super::item::counted;
 use super::super::item_route::{GROUND_SPEED, HOME};
-use super::super::xml::{Element, Source};
+use super::super::xml::{NamedText, XmlElement};
 use super::super::{ExchangeError, kml_read};
-use super::folder::{Folder, Point, folders};
+use super::folder::{Point, WaylineFolder, folders};
 use super::{
     IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION, ending, is_shadow,
     is_text, text_of,
 };
-use crate::mission::found::FoundRoute;
+use crate::mission::found::ReadRoute;
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
 use pilotage_base::files::{FileSet, ZipFiles};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
@@ -24,15 +24,15 @@ const SAME_DEGREES: f64 = 1e-6;
 const FARTHEST_GEOID: f64 = 110.0;
 
 /// Part of the format: the flown waylines or the template.
-struct Part {
+struct WpmlPart {
     name: String,
     text: String,
-    root: Element,
-    folders: Vec<Folder>,
+    root: XmlElement,
+    folders: Vec<WaylineFolder>,
 }
 
 /// Reads the zip, or one of the two files alone.
-pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, ExchangeError> {
+pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<GeodeticContent, ExchangeError> {
     let error = |cause: &str| ExchangeError::File {
         file: file.to_owned(),
         cause: cause.to_owned(),
@@ -59,10 +59,10 @@ pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, Exchange
             &mut template
         }) = Some(only);
     }
-    let mut found = Found::default();
-    let mut told = Told {
+    let mut found = GeodeticContent::default();
+    let mut told = WpmlNotes {
         site: template.as_ref().and_then(|part| site(&part.root)),
-        ..Told::default()
+        ..WpmlNotes::default()
     };
     let drawn = template.as_ref().map_or(&[][..], |part| &part.folders);
     let flown = waylines.as_ref().map_or(&[][..], |part| &part.folders);
@@ -124,16 +124,16 @@ pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, Exchange
     Ok(found)
 }
 
-fn part(name: &str, bytes: &[u8]) -> Result<Part, ExchangeError> {
+fn part(name: &str, bytes: &[u8]) -> Result<WpmlPart, ExchangeError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}').to_owned();
-    let source = Source {
+    let source = NamedText {
         file: name,
         text: &text,
     };
     let root = source.root()?;
     let folders = folders(&source, &root)?;
-    Ok(Part {
+    Ok(WpmlPart {
         name: name.to_owned(),
         root,
         folders,
@@ -142,7 +142,7 @@ fn part(name: &str, bytes: &[u8]) -> Result<Part, ExchangeError> {
 }
 
 /// Whether a template has the same way-points as the waylines.
-fn is_same(flown: &Folder, drawn: &Folder) -> bool {
+fn is_same(flown: &WaylineFolder, drawn: &WaylineFolder) -> bool {
     let near = |(a, b): (&Point, &Point)| {
         let apart = (a.place.0 - b.place.0, a.place.1 - b.place.1);
         apart.0.abs().max(apart.1.abs()) < SAME_DEGREES
@@ -154,7 +154,7 @@ fn is_same(flown: &Folder, drawn: &Folder) -> bool {
 
 /// Height of mean sea level above the ellipsoid, metres, where a template states a height above both, as that of
 /// an area does for all of it.
-fn site(template: &Element) -> Option<f64> {
+fn site(template: &XmlElement) -> Option<f64> {
     if find(template, "heightMode")?.text != "EGM96" {
         return None;
     }
@@ -162,7 +162,7 @@ fn site(template: &Element) -> Option<f64> {
 }
 
 /// Height above the ellipsoid less that above the sea in the first element that has both, metres.
-fn difference(element: &Element) -> Option<f64> {
+fn difference(element: &XmlElement) -> Option<f64> {
     let number = |name: &str| element.child_text(name)?.parse::<f64>().ok();
     let own = number("ellipsoidHeight").zip(number("height"));
     let own = own.map(|(ellipsoid, sea)| ellipsoid - sea);
@@ -170,7 +170,7 @@ fn difference(element: &Element) -> Option<f64> {
 }
 
 /// The reference take-off point, where the geoid is known there.
-fn home(root: &Element, route: &mut FoundRoute) {
+fn home(root: &XmlElement, route: &mut ReadRoute) {
     let undulation = route
         .way_points
         .iter()
@@ -189,14 +189,14 @@ fn home(root: &Element, route: &mut FoundRoute) {
     }
 }
 
-fn find<'a>(element: &'a Element, name: &str) -> Option<&'a Element> {
+fn find<'a>(element: &'a XmlElement, name: &str) -> Option<&'a XmlElement> {
     let deeper = || element.children.iter().find_map(|child| find(child, name));
     element.child(name).or_else(deeper)
 }
 
 /// Notes on a file, by their kind.
 #[derive(Default)]
-struct Told {
+struct WpmlNotes {
     turns: Vec<String>,
     headings: Vec<String>,
     actions: Vec<String>,
@@ -210,11 +210,16 @@ struct Told {
     by_site: usize,
 }
 
-impl Told {
-    fn route(&mut self, folder: &Folder, drawn: Option<&Folder>, is_flown: bool) -> FoundRoute {
-        let mut route = FoundRoute {
+impl WpmlNotes {
+    fn route(
+        &mut self,
+        folder: &WaylineFolder,
+        drawn: Option<&WaylineFolder>,
+        is_flown: bool,
+    ) -> ReadRoute {
+        let mut route = ReadRoute {
             name: folder.name.clone(),
-            ..FoundRoute::default()
+            ..ReadRoute::default()
         };
         let mut keep = |key: &str, text: &str| {
             if !text.is_empty() {
@@ -321,7 +326,7 @@ impl Told {
     }
 
     /// Keeps the mission's configuration and the name space of DJI's elements.
-    fn mission(&mut self, root: &Element, route: &mut FoundRoute) {
+    fn mission(&mut self, root: &XmlElement, route: &mut ReadRoute) {
         if let Some(config) = find(root, "missionConfig") {
             let text = text_of(config.children.iter());
             route

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::super::ExchangeError;
-use super::super::item::{Item, RETURN_TO_LAUNCH, command_name, counted};
+use super::super::item::{MissionItem, RETURN_TO_LAUNCH, command_name, counted};
 use super::super::route_items::{RouteStep, steps_of};
-use super::super::xml::{Source, escape};
+use super::super::xml::{NamedText, escape};
 use super::heights::heights;
 use super::{
     IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, NAME_SPACE, OWN_NAME_SPACE, TEMPLATE, WAYLINES,
@@ -166,7 +166,7 @@ fn complete(mut rest: String) -> String {
 /// Those of a template's members that the waylines have as well.
 fn of_both(template: &str) -> String {
     let text = format!("<all>{template}</all>");
-    let source = Source {
+    let source = NamedText {
         file: TEMPLATE,
         text: &text,
     };
@@ -174,7 +174,7 @@ fn of_both(template: &str) -> String {
     source.root().map_or_else(
         |_| String::new(),
         |root| {
-            let both = |child: &&super::Element| OF_BOTH.contains(&child.name.as_str());
+            let both = |child: &&super::XmlElement| OF_BOTH.contains(&child.name.as_str());
             text_of(root.children.iter().filter(both))
         },
     )
@@ -209,7 +209,7 @@ fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'stati
     let mut returns = false;
     for step in steps_of(route, frame) {
         if let RouteStep::Kept(piece) = step {
-            match Item::of_json(piece.get()) {
+            match MissionItem::of_json(piece.get()) {
                 Ok(item) if item.command == RETURN_TO_LAUNCH => returns = true,
                 Ok(item) => left_out.push(command_name(item.command)),
                 Err(name) => left_out.push(name),

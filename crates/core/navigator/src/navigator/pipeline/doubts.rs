@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::super::engine::{Engine, PredictedStep};
 use super::super::frame_registration::RegisteredFrame;
-use super::super::heading_doubt::{HeadingDoubt, Turned, turned_back};
+use super::super::heading_doubt::{HeadingDoubt, TurnedCompass, turned_back};
 use super::super::picture_lag::{Onlooker, PictureLag};
 use super::super::{Control, JointReport, StepReport};
 use super::Navigator;
@@ -70,7 +70,7 @@ impl Navigator {
     fn turn_back(
         &mut self,
         index: usize,
-        turned: Turned,
+        turned: TurnedCompass,
         laid: &mut RegisteredFrame,
         report: &mut StepReport,
     ) -> Result<Option<JointReport>, FilterError> {

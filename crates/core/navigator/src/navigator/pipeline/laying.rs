@@ -1,6 +1,6 @@
 //! Whole frames laid on the map, and what is thought possible where that leaves it open.
 
-use super::super::found_places::Searched;
+use super::super::found_places::SearchedRegion;
 use super::super::frame_registration::{FrameRegistration, RegisteredFrame, measured};
 use super::super::possible_places::Sure;
 use super::super::{Estimate, JointReport, StepReport};
@@ -65,7 +65,9 @@ impl Navigator {
             }
             first = Some(laid);
         }
-        let wider = self.possible.wider(&Searched::around(&report.predicted));
+        let wider = self
+            .possible
+            .wider(&SearchedRegion::around(&report.predicted));
         let mut laid = match (first, wider) {
             (Some(first), None) => first,
             (_, around) => {

@@ -32,7 +32,7 @@ pub(super) struct Spectrum {
 }
 
 /// Transforms for signals of one length.
-struct Plan {
+struct TransformPlan {
     /// Of half as many complex samples.
     transforms: Transforms,
     twist: Twist,
@@ -42,14 +42,14 @@ struct Plan {
 const KEPT_PLANS: usize = 64;
 
 /// The plan for signals of `length` real samples.
-fn plan(length: usize) -> Arc<Plan> {
-    static PLANS: Mutex<Vec<(usize, Arc<Plan>)>> = Mutex::new(Vec::new());
+fn plan(length: usize) -> Arc<TransformPlan> {
+    static PLANS: Mutex<Vec<(usize, Arc<TransformPlan>)>> = Mutex::new(Vec::new());
     let mut plans = PLANS.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, plan)) = plans.iter().find(|(own, _)| *own == length) {
         return Arc::clone(plan);
     }
     let angle = |n: usize| PI * n as f64 / length as f64;
-    let plan = Arc::new(Plan {
+    let plan = Arc::new(TransformPlan {
         transforms: pilotage_fourier::plan(length / 2),
         twist: Twist {
             cos: (0..length / 2).map(|n| angle(n).cos() as f32).collect(),
@@ -175,7 +175,7 @@ impl Spectrum {
     }
 }
 
-impl Plan {
+impl TransformPlan {
     fn transform(&self, bins: &mut [Complex32]) {
         let forward = &self.transforms.forward;
         let mut scratch = Buffer::<Complex32>::dirty(forward.get_inplace_scratch_len());

@@ -1,12 +1,12 @@
 //! From the plain correlation to the coefficient.
 
-use super::surface::Surface;
-use crate::raster::integral::Corners;
-use crate::raster::simd::{self, Scale};
+use super::surface::CorrelationSurface;
+use crate::raster::integral::WindowCorners;
+use crate::raster::simd::{self, CoefficientScale};
 use crate::raster::{Gray, IntegralImage};
 
 /// The sums of a picture over windows of one size.
-pub(super) struct Windows<'a> {
+pub(super) struct WindowSums<'a> {
     pub sums: &'a IntegralImage,
     pub squares: &'a IntegralImage,
     /// Columns and rows of a window.
@@ -16,13 +16,13 @@ pub(super) struct Windows<'a> {
 /// Divides by the energy of every window and the norm of the template; windows with an energy up to
 /// `limit` become 0.
 pub(super) fn normalize(
-    numerator: &Surface,
-    windows: &Windows<'_>,
+    numerator: &CorrelationSurface,
+    windows: &WindowSums<'_>,
     (columns, rows): (usize, usize),
     norm: f64,
     limit: f64,
 ) -> Gray {
-    let scale = Scale {
+    let scale = CoefficientScale {
         per_area: 1.0 / (windows.size.0 * windows.size.1) as f64,
         per_norm: (1.0 / norm) as f32,
         limit,
@@ -31,8 +31,8 @@ pub(super) fn normalize(
     for row in 0..rows {
         simd::coefficients(
             &numerator.values[row * numerator.stride..][..columns],
-            &Corners::of(windows.sums, row, windows.size),
-            &Corners::of(windows.squares, row, windows.size),
+            &WindowCorners::of(windows.sums, row, windows.size),
+            &WindowCorners::of(windows.squares, row, windows.size),
             &scale,
             surface.row_mut(row),
         );

@@ -5,8 +5,8 @@ use std::sync::OnceLock;
 use super::cost;
 use super::flatness::flat_level;
 use super::fourier::{Spectrum, good_length};
-use super::normalize::{Windows, normalize};
-use super::surface::Surface;
+use super::normalize::{WindowSums, normalize};
+use super::surface::CorrelationSurface;
 use super::template::{Kernel, Template};
 use crate::raster::pool::Buffer;
 use crate::raster::simd::{self, Instructions, PaddedRows};
@@ -41,7 +41,7 @@ struct Prepared {
 
 /// An engine of the numerator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Engine {
+pub(super) enum NumeratorEngine {
     Direct(Instructions),
     Fourier,
 }
@@ -87,7 +87,11 @@ impl SearchSpectrum {
         self.correlate_by(template, None)
     }
 
-    pub(super) fn correlate_by(&self, template: &Template, engine: Option<Engine>) -> Gray {
+    pub(super) fn correlate_by(
+        &self,
+        template: &Template,
+        engine: Option<NumeratorEngine>,
+    ) -> Gray {
         if template.width > self.width || template.height > self.height {
             return Gray::filled(0, 0, 0.0);
         }
@@ -99,7 +103,7 @@ impl SearchSpectrum {
             self.height - template.height + 1,
         );
         let Some(mask) = &template.mask else {
-            let windows = Windows {
+            let windows = WindowSums {
                 sums: &self.sums,
                 squares: &self.squares,
                 size: (template.width, template.height),
@@ -133,8 +137,8 @@ impl SearchSpectrum {
         kernel: &Kernel,
         pixels: &[f32],
         prepared: &Prepared,
-        engine: Option<Engine>,
-    ) -> Surface {
+        engine: Option<NumeratorEngine>,
+    ) -> CorrelationSurface {
         let (columns, rows) = (
             self.width - kernel.width + 1,
             self.height - kernel.height + 1,
@@ -147,26 +151,26 @@ impl SearchSpectrum {
             let transforms = 1.0 + missing.into_iter().filter(|&m| m).count() as f64;
             let direct = cost::direct(columns, rows, kernel.width, kernel.height);
             if direct <= cost::fourier(self.length, transforms) {
-                Engine::Direct(Instructions::Best)
+                NumeratorEngine::Direct(Instructions::Best)
             } else {
-                Engine::Fourier
+                NumeratorEngine::Fourier
             }
         });
         match engine {
-            Engine::Direct(instructions) => {
+            NumeratorEngine::Direct(instructions) => {
                 let padded = prepared
                     .padded
                     .get_or_init(|| PaddedRows::new(pixels, self.width));
                 let (stride, values) =
                     simd::correlate(padded, kernel.blocks(), columns, rows, instructions);
-                Surface { stride, values }
+                CorrelationSurface { stride, values }
             }
-            Engine::Fourier => {
+            NumeratorEngine::Fourier => {
                 let own = prepared
                     .spectrum
                     .get_or_init(|| Spectrum::of_picture(pixels, self.width, self.length));
                 let values = own.correlate(&kernel.spectrum(self.width, self.length));
-                Surface {
+                CorrelationSurface {
                     stride: self.width,
                     values,
                 }

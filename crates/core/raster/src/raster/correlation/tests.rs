@@ -2,15 +2,15 @@
 
 use proptest::prelude::*;
 
-use super::search::{Engine, SearchSpectrum};
+use super::search::{NumeratorEngine, SearchSpectrum};
 use super::template::Template;
 use crate::raster::simd::Instructions;
 use crate::raster::{Gray, Raster};
 
-const ENGINES: [Engine; 3] = [
-    Engine::Direct(Instructions::Best),
-    Engine::Direct(Instructions::Scalar),
-    Engine::Fourier,
+const ENGINES: [NumeratorEngine; 3] = [
+    NumeratorEngine::Direct(Instructions::Best),
+    NumeratorEngine::Direct(Instructions::Scalar),
+    NumeratorEngine::Fourier,
 ];
 
 /// Noise with some structure, 0 to 255, reproducible.

@@ -7,7 +7,7 @@
 
 use pilotage_fourier::Complex32;
 
-use crate::raster::integral::Corners;
+use crate::raster::integral::WindowCorners;
 
 /// exp(iπn/N) for n < N/2, real and imaginary parts apart.
 #[derive(Clone, Debug)]
@@ -18,7 +18,7 @@ pub(in crate::raster) struct Twist {
 
 /// Factors that turn a plain correlation into a coefficient.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::raster) struct Scale {
+pub(in crate::raster) struct CoefficientScale {
     /// 1 / pixels in a window.
     pub per_area: f64,
     /// 1 / norm of the template.
@@ -118,9 +118,9 @@ pub(in crate::raster) fn multiply(a: &[Complex32], b: &[Complex32], out: &mut [C
 #[inline(always)]
 pub(in crate::raster) fn coefficients(
     numerator: &[f32],
-    sums: &Corners<'_>,
-    squares: &Corners<'_>,
-    scale: &Scale,
+    sums: &WindowCorners<'_>,
+    squares: &WindowCorners<'_>,
+    scale: &CoefficientScale,
     out: &mut [f32],
 ) {
     let length = out.len();

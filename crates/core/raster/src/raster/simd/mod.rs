@@ -13,7 +13,7 @@ mod wasm;
 mod x86;
 
 pub(super) use blocks::{BlockKernel, PaddedRows};
-pub(super) use elementwise::{Scale, Twist};
+pub(super) use elementwise::{CoefficientScale, Twist};
 #[cfg(not(target_arch = "x86_64"))]
 pub(super) use elementwise::{
     accumulate, coefficients, four_running_sums, multiply, subtract, twist, twist_reversed,

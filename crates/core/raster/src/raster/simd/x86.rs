@@ -15,23 +15,23 @@ use pilotage_fourier::Complex32;
 
 use super::blocks::{BLOCK_ROWS, BlockKernel, PaddedRows};
 use super::elementwise::{self, Twist};
-use crate::raster::integral::Corners;
+use crate::raster::integral::WindowCorners;
 
 /// The instruction sets that the kernels are written for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Level {
+enum InstructionSet {
     Avx512,
     Avx2,
     Baseline,
 }
 
-fn level() -> Level {
+fn level() -> InstructionSet {
     if !(is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")) {
-        Level::Baseline
+        InstructionSet::Baseline
     } else if is_x86_feature_detected!("avx512f") {
-        Level::Avx512
+        InstructionSet::Avx512
     } else {
-        Level::Avx2
+        InstructionSet::Avx2
     }
 }
 
@@ -47,14 +47,14 @@ pub(super) fn correlate(
 }
 
 fn correlate_at(
-    level: Level,
+    level: InstructionSet,
     search: &PaddedRows,
     kernel: &BlockKernel,
     out: &mut [f32],
     stride: usize,
     rows: usize,
 ) -> bool {
-    if level == Level::Baseline {
+    if level == InstructionSet::Baseline {
         return false;
     }
     assert!(kernel.width > 0 && kernel.height > 0);
@@ -62,7 +62,7 @@ fn correlate_at(
     assert!(kernel.width - 1 + stride <= search.stride);
     assert!((rows + kernel.height - 1) * search.stride <= search.pixels.len());
     assert!(kernel.taps.len() >= (kernel.height + BLOCK_ROWS - 1) * kernel.width);
-    let job = Job {
+    let job = KernelCall {
         search,
         kernel,
         stride,
@@ -81,20 +81,25 @@ fn correlate_at(
     true
 }
 
-struct Job<'a> {
+struct KernelCall<'a> {
     search: &'a PaddedRows,
     kernel: &'a BlockKernel,
     stride: usize,
 }
 
 /// All blocks of `R` output rows from row `y` on.
-fn sweep_row<const R: usize>(level: Level, job: &Job<'_>, out: &mut [f32], y: usize) {
+fn sweep_row<const R: usize>(
+    level: InstructionSet,
+    job: &KernelCall<'_>,
+    out: &mut [f32],
+    y: usize,
+) {
     let mut x = 0;
     while x < job.stride {
         let left = job.stride - x;
         // SAFETY: the caller looked for the instructions and asserted the bounds.
         x += unsafe {
-            if level == Level::Avx512 && left >= 16 {
+            if level == InstructionSet::Avx512 && left >= 16 {
                 // Equal pieces of at most four vectors.
                 let vectors = left / 16;
                 match vectors.div_ceil(vectors.div_ceil(4)) {
@@ -125,7 +130,7 @@ macro_rules! block {
         /// Computes a single output block; answers the number of columns done.
         #[target_feature(enable = $features)]
         unsafe fn $block<const R: usize, const K: usize>(
-            job: &Job<'_>,
+            job: &KernelCall<'_>,
             out: &mut [f32],
             x: usize,
             y: usize,
@@ -162,7 +167,7 @@ macro_rules! block {
         #[target_feature(enable = $features)]
         #[inline]
         unsafe fn $sweep<const R: usize, const K: usize, const FIRST: usize, const END: usize>(
-            job: &Job<'_>,
+            job: &KernelCall<'_>,
             x: usize,
             row: usize,
             s: usize,
@@ -232,7 +237,7 @@ macro_rules! for_avx2 {
 
         $(#[$meta])*
         pub(in crate::raster) fn $name($($argument: $type),*) {
-            if level() == Level::Baseline {
+            if level() == InstructionSet::Baseline {
                 elementwise::$name($($argument),*);
             } else {
                 // SAFETY: the instructions were looked for.
@@ -259,7 +264,7 @@ for_avx2!(multiply, multiply_fast, (
     a: &[Complex32], b: &[Complex32], out: &mut [Complex32]
 ));
 for_avx2!(coefficients, coefficients_fast, (
-    numerator: &[f32], sums: &Corners<'_>, squares: &Corners<'_>, scale: &elementwise::Scale,
+    numerator: &[f32], sums: &WindowCorners<'_>, squares: &WindowCorners<'_>, scale: &elementwise::CoefficientScale,
     out: &mut [f32]
 ));
 for_avx2!(accumulate, accumulate_fast, (above: &[f64], line: &mut [f64]));
@@ -287,8 +292,11 @@ mod tests {
                 correlate_at(level, &search, &kernel, &mut out, stride, rows);
                 out
             };
-            if level() == Level::Avx512 {
-                for (a, b) in run(Level::Avx512).iter().zip(run(Level::Avx2)) {
+            if level() == InstructionSet::Avx512 {
+                for (a, b) in run(InstructionSet::Avx512)
+                    .iter()
+                    .zip(run(InstructionSet::Avx2))
+                {
                     assert!((a - b).abs() < 1e-4, "{a} {b}");
                 }
             }

@@ -15,7 +15,7 @@ pub enum Craft {
 
 /// Everything at a moment, SI and radians, axes north-east-down and forward-right-down.
 #[derive(Clone, Debug)]
-pub struct Moment {
+pub struct FlownMoment {
     pub time: f64,
     pub north: f64,
     pub east: f64,
@@ -31,7 +31,7 @@ pub struct Moment {
     pub wind: [f64; 2],
 }
 
-impl Moment {
+impl FlownMoment {
     pub fn latitude(&self) -> f64 {
         47.4_f64.to_radians() + self.north / 6_371_000.0
     }
@@ -119,7 +119,7 @@ fn turn(craft: Craft, time: f64) -> Rotation3<f64> {
 }
 
 /// The whole flight.
-pub fn moments(craft: Craft) -> Vec<Moment> {
+pub fn moments(craft: Craft) -> Vec<FlownMoment> {
     let step = 1.0 / RATE;
     let small = 1e-4;
     let mut place = Vector3::new(0.0, 0.0, -60.0);
@@ -132,7 +132,7 @@ pub fn moments(craft: Craft) -> Vec<Moment> {
             (velocity(craft, time + small) - velocity(craft, time - small)) / (2.0 * small);
         let here = turn(craft, time);
         let apart = turn(craft, time - small).inverse() * turn(craft, time + small);
-        all.push(Moment {
+        all.push(FlownMoment {
             time,
             north: place.x,
             east: place.y,

@@ -11,12 +11,12 @@ use pilotage_base::frames::wrap_pi;
 use pilotage_flight::ChannelName;
 
 use super::{ColumnMap, flight_of_tables, guess_tables};
-use flown::{Craft, Moment, moments};
+use flown::{Craft, FlownMoment, moments};
 use written::{Choices, table};
 
 /// Result of reading a table.
 #[derive(Debug, PartialEq)]
-enum Verdict {
+enum ReadingVerdict {
     Right,
     Asked(Vec<String>),
     Wrong(Vec<String>),
@@ -33,17 +33,17 @@ fn read(text: &str) -> (Vec<ColumnMap>, Result<pilotage_flight::Flight, String>)
 }
 
 /// Compares what is read of a table with what was flown.
-fn verdict(text: &str, flown: &[Moment], choices: &Choices) -> Verdict {
+fn verdict(text: &str, flown: &[FlownMoment], choices: &Choices) -> ReadingVerdict {
     let (maps, flight) = read(text);
     let flight = match flight {
         Ok(flight) => flight,
-        Err(cause) => return Verdict::Wrong(vec![cause]),
+        Err(cause) => return ReadingVerdict::Wrong(vec![cause]),
     };
     let mut wrong = Vec::new();
     for (name, value) in choices.expected() {
         let channel = flight.channel(name);
         let start = flight.span().0;
-        let off = |moment: &Moment| {
+        let off = |moment: &FlownMoment| {
             let found = channel.and_then(|c| c.interpolated(start + moment.time));
             let expected = value(moment);
             let difference = found.map_or(f64::INFINITY, |found| found - expected);
@@ -67,15 +67,15 @@ fn verdict(text: &str, flown: &[Moment], choices: &Choices) -> Verdict {
         }
     }
     if wrong.is_empty() {
-        return Verdict::Right;
+        return ReadingVerdict::Right;
     }
     let questions: Vec<String> = maps.iter().flat_map(|map| map.questions.clone()).collect();
     wrong.extend(maps.iter().flat_map(|map| map.findings.clone()));
     if questions.is_empty() {
-        Verdict::Wrong(wrong)
+        ReadingVerdict::Wrong(wrong)
     } else {
         wrong.extend(questions);
-        Verdict::Asked(wrong)
+        ReadingVerdict::Asked(wrong)
     }
 }
 
@@ -85,12 +85,14 @@ fn count(craft: Craft, all: &[Choices]) -> (usize, usize, Vec<String>) {
     let (mut right, mut asked, mut wrong) = (0, 0, Vec::new());
     for choices in all {
         match verdict(&table(&flown, choices), &flown, choices) {
-            Verdict::Right => right += 1,
-            Verdict::Asked(why) => {
+            ReadingVerdict::Right => right += 1,
+            ReadingVerdict::Asked(why) => {
                 println!("asked: {choices:?}\n    {}", why.join("\n    "));
                 asked += 1;
             }
-            Verdict::Wrong(why) => wrong.push(format!("{choices:?}\n    {}", why.join("\n    "))),
+            ReadingVerdict::Wrong(why) => {
+                wrong.push(format!("{choices:?}\n    {}", why.join("\n    ")))
+            }
         }
     }
     (right, asked, wrong)
@@ -174,7 +176,11 @@ fn velocities_along_the_body_are_turned_by_the_attitude() {
                 let told = maps[0].findings.join("; ");
                 assert!(told.contains("along the body's axes"), "{craft:?}: {told}");
                 let found = verdict(&text, &flown, &choices);
-                assert_eq!(found, Verdict::Right, "{craft:?} {velocity:?} {attitude:?}");
+                assert_eq!(
+                    found,
+                    ReadingVerdict::Right,
+                    "{craft:?} {velocity:?} {attitude:?}"
+                );
             }
         }
     }
@@ -221,7 +227,7 @@ fn columns_without_names_are_told_by_how_their_values_go_together() {
         let (_, rows) = text.split_once('\n').unwrap();
         assert_eq!(
             verdict(rows, &flown, &choices),
-            Verdict::Right,
+            ReadingVerdict::Right,
             "{velocity:?}"
         );
         let (maps, _) = read(rows);

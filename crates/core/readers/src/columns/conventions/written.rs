@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use pilotage_flight::ChannelName;
 
-use super::flown::Moment;
+use super::flown::FlownMoment;
 
 const GRAVITY: f64 = 9.806_65;
 
@@ -36,7 +36,7 @@ choices! {
 }
 
 /// A channel and its value at a moment.
-pub type Expected = (ChannelName, fn(&Moment) -> f64);
+pub type Expected = (ChannelName, fn(&FlownMoment) -> f64);
 
 /// A value in a unit and axes of each.
 #[derive(Clone, Copy, Debug, Default)]
@@ -80,9 +80,9 @@ fn speed(unit: Speed, value: f64) -> f64 {
 }
 
 /// A small generator of choices.
-struct Dice(u64);
+struct ChoiceGenerator(u64);
 
-impl Dice {
+impl ChoiceGenerator {
     fn of<T: Copy>(&mut self, all: &[T]) -> T {
         self.0 = self
             .0
@@ -151,7 +151,7 @@ impl Choices {
 
     /// Conventions thrown together; with some groups of columns missing, if `is_sparse`.
     pub fn mixed(count: usize, is_sparse: bool) -> Vec<Self> {
-        let mut dice = Dice(if is_sparse { 77 } else { 5 });
+        let mut dice = ChoiceGenerator(if is_sparse { 77 } else { 5 });
         let mut one = || {
             let mut choices = Self {
                 time: dice.of(Time::ALL),
@@ -220,7 +220,7 @@ impl Choices {
         all
     }
 
-    fn row(&self, m: &Moment) -> Vec<(String, f64)> {
+    fn row(&self, m: &FlownMoment) -> Vec<(String, f64)> {
         let mut cells: Vec<(String, f64)> = Vec::new();
         let mut put = |name: &str, value: f64| cells.push((name.to_owned(), value));
         let time = m.time;
@@ -319,7 +319,7 @@ impl Choices {
     }
 
     /// Velocity over ground.
-    fn velocities(&self, m: &Moment) -> Vec<(&'static str, f64)> {
+    fn velocities(&self, m: &FlownMoment) -> Vec<(&'static str, f64)> {
         let v = [m.velocity.x, m.velocity.y, m.velocity.z].map(|v| speed(self.speed, v));
         let three =
             |names: [&'static str; 3], values: [f64; 3]| names.into_iter().zip(values).collect();
@@ -343,7 +343,7 @@ impl Choices {
     }
 
     /// Gyros and accelerometers.
-    fn inertial(&self, m: &Moment, cells: &mut Vec<(String, f64)>) {
+    fn inertial(&self, m: &FlownMoment, cells: &mut Vec<(String, f64)>) {
         let (is_up, pulls) = match self.axes {
             Axes::Down => (false, 1.0),
             Axes::Up => (true, 1.0),
@@ -394,7 +394,7 @@ impl Choices {
     }
 
     /// Course, airspeed and wind.
-    fn slow(&self, m: &Moment, cells: &mut Vec<(String, f64)>) {
+    fn slow(&self, m: &FlownMoment, cells: &mut Vec<(String, f64)>) {
         let mut put = |name: &str, value: f64| cells.push((name.to_owned(), value));
         if self.velocity == Velocity::Course || self.course_header.is_some() {
             let course = m.velocity.y.atan2(m.velocity.x).rem_euclid(TAU);
@@ -434,7 +434,7 @@ impl Choices {
 }
 
 /// The table of a flight in these conventions.
-pub fn table(flown: &[Moment], choices: &Choices) -> String {
+pub fn table(flown: &[FlownMoment], choices: &Choices) -> String {
     let mut text = String::new();
     for (index, moment) in flown.iter().enumerate() {
         let cells = choices.row(moment);

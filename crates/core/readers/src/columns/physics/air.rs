@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Vector2};
 use pilotage_flight::ChannelName;
 
 use super::Known;
-use super::board::{Basis, Board, Id, nearest};
+use super::board::{FlightColumns, Id, UnitBasis, nearest};
 use super::grid::quantile;
 use crate::cells::Dimension;
 use crate::columns::ColumnRole;
@@ -15,8 +15,8 @@ const SCALE: f64 = 0.32;
 const STRONGEST: f64 = 45.0;
 
 /// Judges airspeed and wind.
-pub(super) fn judge(board: &mut Board, known: &Known) {
-    let channel = |board: &Board, name| board.find(ColumnRole::Channel(name));
+pub(super) fn judge(board: &mut FlightColumns, known: &Known) {
+    let channel = |board: &FlightColumns, name| board.find(ColumnRole::Channel(name));
     let airspeeds = [ChannelName::Airspeed, ChannelName::EquivalentAirspeed];
     let mut wind = None;
     for name in airspeeds {
@@ -40,14 +40,14 @@ pub(super) fn judge(board: &mut Board, known: &Known) {
 }
 
 /// The wind that a fit of airspeed and heading, or of airspeed alone, makes of the velocity over ground.
-struct Fit {
+struct WindFit {
     wind: Vector2<f64>,
     /// Factor from the airspeed's numbers to m/s.
     factor: f64,
 }
 
 /// By heading: velocity = factor · airspeed · heading + wind, linear in all three unknowns.
-fn by_heading(known: &Known, airspeed: &[f64], heading: &[f64]) -> Option<Fit> {
+fn by_heading(known: &Known, airspeed: &[f64], heading: &[f64]) -> Option<WindFit> {
     let [north, east, _] = &known.velocity;
     let mut rows = Vec::new();
     for index in 0..airspeed.len() {
@@ -76,14 +76,14 @@ fn by_heading(known: &Known, airspeed: &[f64], heading: &[f64]) -> Option<Fit> {
         return None;
     }
     let factor = xv / xx;
-    Some(Fit {
+    Some(WindFit {
         wind: Vector2::new(n - factor * x, e - factor * y),
         factor,
     })
 }
 
 /// By airspeed alone: |velocity - wind|² = (factor · airspeed)², linear in the wind, its square and the factor's.
-fn by_circles(known: &Known, airspeed: &[f64]) -> Option<Fit> {
+fn by_circles(known: &Known, airspeed: &[f64]) -> Option<WindFit> {
     let [north, east, _] = &known.velocity;
     let cells = airspeed.iter().zip(north).zip(east);
     let cells: Vec<[f64; 3]> = cells
@@ -112,20 +112,20 @@ fn by_circles(known: &Known, airspeed: &[f64]) -> Option<Fit> {
     let wind = Vector2::new(solution[0], solution[1]);
     let left: f64 = (&design * &solution - &squares).norm() / squares.norm();
     let is_wind = wind.norm() < STRONGEST && solution[3] > 0.0 && left < 0.4;
-    is_wind.then(|| Fit {
+    is_wind.then(|| WindFit {
         wind,
         factor: solution[3].sqrt() / size,
     })
 }
 
 /// Finds the unit of an airspeed; returns the wind that goes with it.
-fn airspeed(board: &mut Board, known: &Known, id: Id) -> Option<Vector2<f64>> {
+fn airspeed(board: &mut FlightColumns, known: &Known, id: Id) -> Option<Vector2<f64>> {
     let raw = known.grid.mean(&board.raw(id));
     let fit = by_heading(known, &raw, &known.attitude[2]).or_else(|| by_circles(known, &raw));
     let fit = fit.or_else(|| {
         // Without turns: the airspeed is about the ground speed.
         let (factor, scatter) = super::velocity::ratio(&known.speed(), &raw)?;
-        (scatter < 0.5).then_some(Fit {
+        (scatter < 0.5).then_some(WindFit {
             wind: Vector2::new(f64::NAN, f64::NAN),
             factor,
         })
@@ -138,7 +138,7 @@ fn airspeed(board: &mut Board, known: &Known, id: Id) -> Option<Vector2<f64>> {
         .factor(&board.column(id).unit)
         .unwrap_or(1.0);
     if (fit.factor / present).ln().abs() < tolerance {
-        if has_wind || board.basis(id) == Basis::Stated {
+        if has_wind || board.basis(id) == UnitBasis::Stated {
             board.confirm(id);
         }
     } else if nearest(Dimension::Speed, fit.factor).is_some_and(|(_, off)| off.abs() < 0.3) {
@@ -163,7 +163,7 @@ fn constant(known: &Known) -> Option<Vector2<f64>> {
 }
 
 /// Asks whether a wind is that which blows or where it comes from, where nothing tells.
-fn ask(board: &mut Board, ids: &[Id], is_from: bool) {
+fn ask(board: &mut FlightColumns, ids: &[Id], is_from: bool) {
     let names = board.names(ids);
     let taken = if is_from {
         "where it comes from"
@@ -178,14 +178,14 @@ fn ask(board: &mut Board, ids: &[Id], is_from: bool) {
 }
 
 /// Settles the unit of an airspeed that is this factor of SI: airspeeds are off by more than some units differ.
-fn unit_of_airspeed(board: &mut Board, id: Id, factor: f64, tolerance: f64) {
+fn unit_of_airspeed(board: &mut FlightColumns, id: Id, factor: f64, tolerance: f64) {
     let off = |unit: &str| {
         let known = Dimension::Speed.factor(Some(unit)).unwrap_or(1.0);
         (factor / known).ln().abs()
     };
     let what = "the velocity over ground";
     let beside = board.find(ColumnRole::SpeedOverGround);
-    let beside = beside.filter(|other| board.basis(*other) == Basis::Found);
+    let beside = beside.filter(|other| board.basis(*other) == UnitBasis::Found);
     let beside = beside.map(|other| board.column(other).unit.clone());
     if let Some(unit) = beside.filter(|unit| off(unit) < tolerance) {
         let known = Dimension::Speed.factor(Some(&unit)).unwrap_or(1.0);
@@ -214,7 +214,13 @@ fn unit_of_airspeed(board: &mut Board, id: Id, factor: f64, tolerance: f64) {
 }
 
 /// Strength and direction: from where, or where to.
-fn polar(board: &mut Board, known: &Known, wind: Option<Vector2<f64>>, speed: Id, from: Id) {
+fn polar(
+    board: &mut FlightColumns,
+    known: &Known,
+    wind: Option<Vector2<f64>>,
+    speed: Id,
+    from: Id,
+) {
     let strength = known.grid.mean(&board.values(speed));
     let middle = quantile(&strength, 0.5);
     let mut is_told = false;
@@ -277,10 +283,13 @@ fn polar(board: &mut Board, known: &Known, wind: Option<Vector2<f64>>, speed: Id
 }
 
 /// Takes for a wind whose unit nothing else tells the unit of the speeds beside it.
-fn as_beside(board: &mut Board, ids: &[Id]) {
+fn as_beside(board: &mut FlightColumns, ids: &[Id]) {
     let unit = unit_beside(board, ids[0]);
     for id in ids {
-        if let Some(unit) = unit.as_ref().filter(|_| board.basis(*id) == Basis::Assumed) {
+        if let Some(unit) = unit
+            .as_ref()
+            .filter(|_| board.basis(*id) == UnitBasis::Assumed)
+        {
             board.found(
                 *id,
                 unit,
@@ -291,7 +300,7 @@ fn as_beside(board: &mut Board, ids: &[Id]) {
 }
 
 /// The unit of a speed in the same table that is sure.
-fn unit_beside(board: &Board, id: Id) -> Option<String> {
+fn unit_beside(board: &FlightColumns, id: Id) -> Option<String> {
     let roles = [
         ColumnRole::Channel(ChannelName::Airspeed),
         ColumnRole::SpeedOverGround,
@@ -300,14 +309,14 @@ fn unit_beside(board: &Board, id: Id) -> Option<String> {
     let mut others = roles
         .into_iter()
         .filter_map(|role| board.find_in(id.0, role));
-    let beside = others.find(|other| board.basis(*other) == Basis::Found);
+    let beside = others.find(|other| board.basis(*other) == UnitBasis::Found);
     beside.map(|other| board.column(other).unit.clone())
 }
 
 /// The unit of a wind's strength: that of the fit within a factor of two, that of other speeds beside it before others.
-fn amount(board: &mut Board, ids: &[Id], wind: f64, middle: f64) {
+fn amount(board: &mut FlightColumns, ids: &[Id], wind: f64, middle: f64) {
     let id = ids[0];
-    if board.basis(id) == Basis::Stated || middle.is_nan() || middle <= 0.5 {
+    if board.basis(id) == UnitBasis::Stated || middle.is_nan() || middle <= 0.5 {
         return;
     }
     let present = board
@@ -337,7 +346,7 @@ fn amount(board: &mut Board, ids: &[Id], wind: f64, middle: f64) {
     }
 }
 
-fn components(board: &mut Board, wind: Option<Vector2<f64>>, north: Id, east: Id) {
+fn components(board: &mut FlightColumns, wind: Option<Vector2<f64>>, north: Id, east: Id) {
     let ids = [north, east];
     let names = board.names(&ids);
     let middle = ids.map(|id| quantile(&board.values(id).values, 0.5));

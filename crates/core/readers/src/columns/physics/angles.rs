@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::board::{Basis, Board, Id};
-use super::grid::Grid;
+use super::board::{FlightColumns, Id, UnitBasis};
+use super::grid::TimeCells;
 use crate::cells::Dimension;
 
 /// From where and in which sense a direction is counted.
@@ -44,7 +44,7 @@ impl Convention {
 
 /// A way to read a column as a direction.
 #[derive(Clone, Debug)]
-pub(super) struct Reading {
+pub(super) struct DirectionReading {
     pub unit: &'static str,
     pub convention: Convention,
     /// Mean cosine of its difference from the reference, with a little more for what was expected.
@@ -55,9 +55,9 @@ pub(super) struct Reading {
     pub cells: Vec<f64>,
 }
 
-impl Reading {
+impl DirectionReading {
     /// Says what is unusual about how the column `id` was read: `stated`, if its table says otherwise.
-    pub fn tell(&self, board: &mut Board, id: Id, stated: Option<String>) {
+    pub fn tell(&self, board: &mut FlightColumns, id: Id, stated: Option<String>) {
         let name = board.name(id);
         if let Some(stated) = stated {
             board.tell(id.0, format!("{name}: {stated}"));
@@ -76,7 +76,7 @@ impl Reading {
     }
 
     /// Reads the column so.
-    pub fn apply(&self, board: &mut Board, id: Id, what: &str) {
+    pub fn apply(&self, board: &mut FlightColumns, id: Id, what: &str) {
         let (sign, offset) = self.convention.terms();
         let factor = Dimension::Angle.factor(Some(self.unit)).unwrap_or(1.0);
         let role = board.column(id).role;
@@ -105,18 +105,18 @@ pub(super) fn tidy(value: f64) -> f64 {
 
 /// Every way to read a column as a direction, against a reference per cell, the best first.
 pub(super) fn readings(
-    board: &Board,
-    grid: &Grid,
+    board: &FlightColumns,
+    grid: &TimeCells,
     id: Id,
     reference: &[f64],
     conventions: &[Convention],
-) -> Vec<Reading> {
+) -> Vec<DirectionReading> {
     let raw = board.raw(id);
     let reach = raw
         .values
         .iter()
         .fold(0.0_f64, |reach, value| reach.max(value.abs()));
-    let is_stated = board.basis(id) == Basis::Stated;
+    let is_stated = board.basis(id) == UnitBasis::Stated;
     let expected = board.column(id).unit.clone();
     let mut found = Vec::new();
     for unit in Dimension::Angle.names() {
@@ -141,7 +141,7 @@ pub(super) fn readings(
             } else {
                 0.0
             };
-            found.push(Reading {
+            found.push(DirectionReading {
                 unit,
                 convention: *convention,
                 score: cosine + bonus,

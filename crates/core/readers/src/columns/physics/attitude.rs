@@ -5,7 +5,7 @@ use pilotage_flight::ChannelName;
 use super::Known;
 use super::angles::{self, Convention, agreement, spread};
 use super::axes::{centred, compare};
-use super::board::{Basis, Board, Id};
+use super::board::{FlightColumns, Id, UnitBasis};
 use super::grid::quantile;
 use super::ros::AHEAD;
 use super::{inertial, lean, quaternion};
@@ -18,9 +18,9 @@ const WINGS: f64 = 7.0;
 const GRAVITY: f64 = 9.806_65;
 
 /// Judges attitude and keeps it.
-pub(super) fn judge(board: &mut Board, known: &mut Known) {
+pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     quaternion::judge(board, known);
-    let channel = |board: &Board, name| board.find(ColumnRole::Channel(name));
+    let channel = |board: &FlightColumns, name| board.find(ColumnRole::Channel(name));
     if let Some(id) = channel(board, ChannelName::Heading) {
         heading(board, known, id);
     }
@@ -43,7 +43,7 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
 }
 
 /// Reads attitude as the maps have it now.
-pub(super) fn keep(board: &Board, known: &mut Known) {
+pub(super) fn keep(board: &FlightColumns, known: &mut Known) {
     let names = [ChannelName::Roll, ChannelName::Pitch, ChannelName::Heading];
     let mut series = names.map(|name| {
         let id = board.find(ColumnRole::Channel(name))?;
@@ -66,7 +66,7 @@ pub(super) fn keep(board: &Board, known: &mut Known) {
     }
 }
 
-fn heading(board: &mut Board, known: &mut Known, id: Id) {
+fn heading(board: &mut FlightColumns, known: &mut Known, id: Id) {
     let course = known.course();
     let conventions = [
         Convention::Compass,
@@ -80,13 +80,13 @@ fn heading(board: &mut Board, known: &mut Known, id: Id) {
         .first()
         .filter(|best| best.score > AHEAD && speed > 3.0);
     let rival = best.and_then(|best| {
-        let differs = |other: &&angles::Reading| {
+        let differs = |other: &&angles::DirectionReading| {
             agreement(&best.cells, &other.cells).is_none_or(|(cosine, _)| cosine < 0.9)
         };
         readings.iter().find(differs).map(|other| other.score)
     });
     if let Some(best) = best.filter(|best| turns && rival.is_none_or(|r| best.score > r + 0.1)) {
-        let is_stated = board.basis(id) == Basis::Stated;
+        let is_stated = board.basis(id) == UnitBasis::Stated;
         let before = board.column(id).unit.clone();
         best.apply(board, id, "the course over ground");
         let stated = (is_stated && before != best.unit).then(|| {
@@ -108,8 +108,8 @@ fn heading(board: &mut Board, known: &mut Known, id: Id) {
 
 /// Settles heading and the sign of pitch by the lean in turns, for an aircraft that does not fly where it looks.
 /// Returns whether that tells.
-fn by_lean(board: &mut Board, known: &mut Known, id: Id) -> bool {
-    let channel = |board: &Board, name| board.find_in(id.0, ColumnRole::Channel(name));
+fn by_lean(board: &mut FlightColumns, known: &mut Known, id: Id) -> bool {
+    let channel = |board: &FlightColumns, name| board.find_in(id.0, ColumnRole::Channel(name));
     let tilt = channel(board, ChannelName::Roll).zip(channel(board, ChannelName::Pitch));
     let Some((roll, pitch)) = tilt else {
         return false;
@@ -171,8 +171,10 @@ fn by_lean(board: &mut Board, known: &mut Known, id: Id) -> bool {
 }
 
 /// Units that roll, pitch and heading together may be in: as stated or found, else all in which none is beyond a turn.
-fn lean_units(board: &Board, ids: [Id; 3]) -> Vec<&'static str> {
-    let sure = ids.iter().find(|id| board.basis(**id) != Basis::Assumed);
+fn lean_units(board: &FlightColumns, ids: [Id; 3]) -> Vec<&'static str> {
+    let sure = ids
+        .iter()
+        .find(|id| board.basis(**id) != UnitBasis::Assumed);
     let sure = sure.map(|id| board.column(*id).unit.clone());
     let reach = ids.map(|id| quantile(&board.raw(id).map(f64::abs).values, 1.0));
     let fits = |unit: &&'static str| {
@@ -187,8 +189,8 @@ fn lean_units(board: &Board, ids: [Id; 3]) -> Vec<&'static str> {
 }
 
 /// A heading that goes all around, from 0 to a turn or from half a turn to the other, says its unit by its reach.
-fn by_reach(board: &mut Board, id: Id) {
-    if board.basis(id) != Basis::Assumed {
+fn by_reach(board: &mut FlightColumns, id: Id) {
+    if board.basis(id) != UnitBasis::Assumed {
         return;
     }
     let raw = board.raw(id).values;
@@ -216,7 +218,7 @@ fn by_reach(board: &mut Board, id: Id) {
 
 /// Settles the sense of the heading by gyros, and theirs by gravity, for an aircraft that does not fly where
 /// it looks.
-fn by_gyro(board: &mut Board, known: &mut Known, id: Id) {
+fn by_gyro(board: &mut FlightColumns, known: &mut Known, id: Id) {
     let Some(gyro) = board.find(ColumnRole::Channel(ChannelName::YawRate)) else {
         return;
     };
@@ -255,11 +257,12 @@ fn by_gyro(board: &mut Board, known: &mut Known, id: Id) {
 }
 
 /// A group keeps its unit: roll and pitch are in that of the heading beside them, unless they are beyond a turn then.
-fn same_unit(board: &mut Board, heading: Option<Id>, id: Id) {
-    let Some(heading) = heading.filter(|h| h.0 == id.0 && board.basis(*h) != Basis::Assumed) else {
+fn same_unit(board: &mut FlightColumns, heading: Option<Id>, id: Id) {
+    let Some(heading) = heading.filter(|h| h.0 == id.0 && board.basis(*h) != UnitBasis::Assumed)
+    else {
         return;
     };
-    if board.basis(id) != Basis::Assumed {
+    if board.basis(id) != UnitBasis::Assumed {
         return;
     }
     let unit = board.column(heading).unit.clone();
@@ -282,7 +285,7 @@ fn same_unit(board: &mut Board, heading: Option<Id>, id: Id) {
 }
 
 /// Whether a heading is that of a compass by its name, or as it counts from 0 to a turn.
-fn is_of_compass(board: &Board, id: Id) -> bool {
+fn is_of_compass(board: &FlightColumns, id: Id) -> bool {
     let words = board.name(id).to_lowercase();
     let called = ["head", "hdg", "compass", "azimuth", "course"];
     let is_called = called.iter().any(|word| words.contains(word));
@@ -290,7 +293,7 @@ fn is_of_compass(board: &Board, id: Id) -> bool {
 }
 
 /// Asks how a heading is counted where nothing tells.
-fn ask_for_sense(board: &mut Board, known: &Known, id: Id) {
+fn ask_for_sense(board: &mut FlightColumns, known: &Known, id: Id) {
     if known.is_heading_sure || is_of_compass(board, id) {
         return;
     }
@@ -316,7 +319,7 @@ fn has_wings(known: &Known) -> bool {
 }
 
 /// Roll by the turn that it makes: tan(roll) = speed · rate of turn / gravity.
-fn roll(board: &mut Board, known: &mut Known, id: Id) {
+fn roll(board: &mut FlightColumns, known: &mut Known, id: Id) {
     keep(board, known);
     if !has_wings(known) {
         return;
@@ -352,11 +355,11 @@ fn roll(board: &mut Board, known: &mut Known, id: Id) {
 }
 
 /// Pitch by the climb that it makes, or by the axes of the heading beside it.
-fn pitch(board: &mut Board, known: &mut Known, id: Id) {
+fn pitch(board: &mut FlightColumns, known: &mut Known, id: Id) {
     keep(board, known);
     let roll = board.find_in(id.0, ColumnRole::Channel(ChannelName::Roll));
-    if let Some(roll) =
-        roll.filter(|r| board.basis(id) == Basis::Assumed && board.basis(*r) == Basis::Found)
+    if let Some(roll) = roll
+        .filter(|r| board.basis(id) == UnitBasis::Assumed && board.basis(*r) == UnitBasis::Found)
     {
         let unit = board.column(roll).unit.clone();
         board.found(id, &unit, &format!("in {unit}, as {} is", board.name(roll)));

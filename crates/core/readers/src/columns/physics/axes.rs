@@ -4,26 +4,26 @@ use super::grid::quantile;
 
 /// An order of columns and their signs: along axis i lies `sign[i]` times column `order[i]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Axes {
+pub(super) struct AxisOrder {
     /// Name for people.
     pub name: &'static str,
     pub order: [usize; 3],
     pub sign: [f64; 3],
 }
 
-const fn axes(name: &'static str, order: [usize; 3], sign: [f64; 3]) -> Axes {
-    Axes { name, order, sign }
+const fn axes(name: &'static str, order: [usize; 3], sign: [f64; 3]) -> AxisOrder {
+    AxisOrder { name, order, sign }
 }
 
 /// Axes over ground, the likeliest first.
-pub(super) const EARTH: [Axes; 3] = [
+pub(super) const EARTH: [AxisOrder; 3] = [
     axes("north, east, down", [0, 1, 2], [1.0, 1.0, 1.0]),
     axes("east, north, up", [1, 0, 2], [1.0, 1.0, -1.0]),
     axes("north, west, up", [0, 1, 2], [1.0, -1.0, -1.0]),
 ];
 
 /// Axes of the body, the likeliest first.
-pub(super) const BODY: [Axes; 3] = [
+pub(super) const BODY: [AxisOrder; 3] = [
     axes("forward, right, down", [0, 1, 2], [1.0, 1.0, 1.0]),
     axes("forward, left, up", [0, 1, 2], [1.0, -1.0, -1.0]),
     axes("right, forward, up", [1, 0, 2], [1.0, 1.0, -1.0]),
@@ -31,8 +31,8 @@ pub(super) const BODY: [Axes; 3] = [
 
 /// Agreement of axes with a reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Fit {
-    pub axes: Axes,
+pub(super) struct AxesFit {
+    pub axes: AxisOrder,
     /// Mean of the correlations along the axes that tell something, -1 to 1.
     pub score: f64,
     /// Factor from values to the reference.
@@ -87,13 +87,13 @@ fn energy(values: &[f64]) -> f64 {
 /// Agreement of all `candidates` with the reference, the best first; of equals the likelier. Axes along which the
 /// reference is NaN or hardly anything tell nothing.
 pub(super) fn fits(
-    candidates: &[Axes],
+    candidates: &[AxisOrder],
     reference: &[Vec<f64>; 3],
     values: &[Vec<f64>; 3],
-) -> Vec<Fit> {
+) -> Vec<AxesFit> {
     let energies = reference.each_ref().map(|part| energy(part));
     let all: f64 = energies.iter().sum();
-    let fit = |axes: &Axes| {
+    let fit = |axes: &AxisOrder| {
         let (mut scores, mut factors, mut weight, mut count) = (0.0, 0.0, 0.0, 0.0);
         for axis in 0..3 {
             if energies[axis] < 0.02 * all || all == 0.0 {
@@ -108,13 +108,13 @@ pub(super) fn fits(
             weight += energies[axis];
             count += 1.0;
         }
-        (count > 0.0).then(|| Fit {
+        (count > 0.0).then(|| AxesFit {
             axes: *axes,
             score: scores / count,
             factor: (factors / weight).exp(),
         })
     };
-    let mut fits: Vec<Fit> = candidates.iter().filter_map(fit).collect();
+    let mut fits: Vec<AxesFit> = candidates.iter().filter_map(fit).collect();
     fits.sort_by(|a, b| b.score.total_cmp(&a.score));
     fits
 }

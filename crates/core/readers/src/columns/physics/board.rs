@@ -1,7 +1,7 @@
 //! The columns of a flight's tables, by what they mean.
 
-use super::evidence::Evidence;
-use super::grid::{Grid, Series, quantile};
+use super::evidence::TableEvidence;
+use super::grid::{TimeCells, TimedNumbers, quantile};
 use crate::cells::{Dimension, linear};
 use crate::columns::settle::give_up;
 use crate::columns::{ColumnMap, ColumnRole, MappedColumn};
@@ -11,7 +11,7 @@ pub(super) type Id = (usize, usize);
 
 /// Basis of the unit of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Basis {
+pub(super) enum UnitBasis {
     /// The table states it.
     Stated,
     /// Physics says it.
@@ -21,26 +21,27 @@ pub(super) enum Basis {
 }
 
 /// The columns of a flight's tables.
-pub(super) struct Board<'a, 'b> {
+pub(super) struct FlightColumns<'a, 'b> {
     pub maps: &'a mut [&'b mut ColumnMap],
-    pub evidence: &'a [Evidence],
+    pub evidence: &'a [TableEvidence],
     times: Vec<Vec<f64>>,
-    bases: Vec<Vec<Basis>>,
+    bases: Vec<Vec<UnitBasis>>,
 }
 
-impl<'a, 'b> Board<'a, 'b> {
+impl<'a, 'b> FlightColumns<'a, 'b> {
     /// Those of tables with these maps.
-    pub fn new(maps: &'a mut [&'b mut ColumnMap], evidence: &'a [Evidence]) -> Self {
+    pub fn new(maps: &'a mut [&'b mut ColumnMap], evidence: &'a [TableEvidence]) -> Self {
         let pairs = || maps.iter().zip(evidence);
         let times = pairs().map(|(map, known)| known.rows.times(map)).collect();
         let basis = |is_stated| {
             if is_stated {
-                Basis::Stated
+                UnitBasis::Stated
             } else {
-                Basis::Assumed
+                UnitBasis::Assumed
             }
         };
-        let of_table = |known: &Evidence| known.hints.iter().map(|h| basis(h.is_stated)).collect();
+        let of_table =
+            |known: &TableEvidence| known.hints.iter().map(|h| basis(h.is_stated)).collect();
         Self {
             times,
             bases: evidence.iter().map(of_table).collect(),
@@ -50,7 +51,7 @@ impl<'a, 'b> Board<'a, 'b> {
     }
 
     /// The grid over all tables that have times.
-    pub fn grid(&self) -> Option<Grid> {
+    pub fn grid(&self) -> Option<TimeCells> {
         let with_times = |times: &&Vec<f64>| times.iter().filter(|t| t.is_finite()).count() > 8;
         let used = self.times.iter().enumerate().filter(|(index, times)| {
             let is_used =
@@ -74,7 +75,7 @@ impl<'a, 'b> Board<'a, 'b> {
             Some((start.min(a), end.max(b), least.min(step)))
         });
         let (start, end, step) = whole?;
-        Grid::new(start, end, 3.0 * step)
+        TimeCells::new(start, end, 3.0 * step)
     }
 
     /// The first column of that role in a table with times.
@@ -111,7 +112,7 @@ impl<'a, 'b> Board<'a, 'b> {
         names.join(", ")
     }
 
-    pub fn basis(&self, id: Id) -> Basis {
+    pub fn basis(&self, id: Id) -> UnitBasis {
         self.bases[id.0][id.1]
     }
 
@@ -120,25 +121,25 @@ impl<'a, 'b> Board<'a, 'b> {
     }
 
     /// The numbers of a column as they stand in its cells, of degrees and minutes the degrees.
-    pub fn raw(&self, id: Id) -> Series {
+    pub fn raw(&self, id: Id) -> TimedNumbers {
         let values = &self.evidence[id.0].rows.columns;
         let values = values.get(id.1).map_or(&[][..], Vec::as_slice);
         let unit = &self.column(id).unit;
         let numbers = values.iter().map(|value| linear(unit, *value));
-        Series::new(&self.times[id.0], numbers)
+        TimedNumbers::new(&self.times[id.0], numbers)
     }
 
     /// The places in a column of two numbers a cell, latitude and longitude as they stand there.
-    pub fn places(&self, id: Id) -> [Series; 2] {
+    pub fn places(&self, id: Id) -> [TimedNumbers; 2] {
         let known = self.evidence[id.0].rows.places.get(&id.1);
         [0, 1].map(|part| {
             let values = known.map_or(&[][..], |both| both[part].as_slice());
-            Series::new(&self.times[id.0], values.iter().copied())
+            TimedNumbers::new(&self.times[id.0], values.iter().copied())
         })
     }
 
     /// The values of a column as its map reads them, SI and radians.
-    pub fn values(&self, id: Id) -> Series {
+    pub fn values(&self, id: Id) -> TimedNumbers {
         let column = self.column(id);
         let factor = column.role.factor(&column.unit).unwrap_or(1.0);
         let (scale, offset) = (column.scale, column.offset);
@@ -152,7 +153,7 @@ impl<'a, 'b> Board<'a, 'b> {
 
     /// Takes a column's unit as found, and says why.
     pub fn found(&mut self, id: Id, unit: &str, why: &str) {
-        self.bases[id.0][id.1] = Basis::Found;
+        self.bases[id.0][id.1] = UnitBasis::Found;
         let column = self.column_mut(id);
         unit.clone_into(&mut column.unit);
         column.confidence = column.confidence.max(0.9);
@@ -162,8 +163,8 @@ impl<'a, 'b> Board<'a, 'b> {
     /// Takes the unit that a column has as confirmed.
     pub fn confirm(&mut self, id: Id) {
         let basis = &mut self.bases[id.0][id.1];
-        if *basis == Basis::Assumed {
-            *basis = Basis::Found;
+        if *basis == UnitBasis::Assumed {
+            *basis = UnitBasis::Found;
         }
     }
 
@@ -226,7 +227,7 @@ pub(super) fn nearest(dimension: Dimension, factor: f64) -> Option<(&'static str
     found.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
 }
 
-impl Board<'_, '_> {
+impl FlightColumns<'_, '_> {
     /// Settles the unit of columns that are `factor` of SI by what they were held against: `what` says that, as in "the
     /// steps of the position". Where no unit is near, they mean nothing, and a sentence says by which factor they
     /// differ. `tolerance` is how far the factor may be off, as a logarithm. Returns whether a unit was found.
@@ -238,7 +239,7 @@ impl Board<'_, '_> {
         let unit = self.column(first).unit.clone();
         let present = dimension.factor(Some(&unit)).unwrap_or(1.0);
         let names = self.names(ids);
-        let is_stated = ids.iter().any(|id| self.basis(*id) == Basis::Stated);
+        let is_stated = ids.iter().any(|id| self.basis(*id) == UnitBasis::Stated);
         let near = nearest(dimension, factor);
         if is_stated && (factor / present).ln().abs() < tolerance.max(0.3) {
             for id in ids {

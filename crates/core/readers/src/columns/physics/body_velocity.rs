@@ -4,9 +4,9 @@ use nalgebra::{Rotation3, Vector3};
 use pilotage_flight::ChannelName;
 
 use super::Known;
-use super::axes::{BODY, Fit, fits};
-use super::board::{Board, Id};
-use super::known::Turned;
+use super::axes::{AxesFit, BODY, fits};
+use super::board::{FlightColumns, Id};
+use super::known::TurnedVelocities;
 use super::velocity::{TOLERANCE, along_earth};
 use crate::columns::{BodyAxis, ColumnRole};
 
@@ -22,8 +22,8 @@ const NAMES: [ChannelName; 3] = [
 ];
 
 /// Reads a velocity that is that of the track, but not along north and east, along the body's axes, if it is.
-pub(super) fn judge(board: &mut Board, known: &Known) {
-    let Some(Turned { ids, earth }) = &known.turned else {
+pub(super) fn judge(board: &mut FlightColumns, known: &Known) {
+    let Some(TurnedVelocities { ids, earth }) = &known.turned else {
         return;
     };
     let first = ids[0];
@@ -36,7 +36,7 @@ pub(super) fn judge(board: &mut Board, known: &Known) {
     let raw = [of(0), of(1), of(2)];
     let reference = along_body(known);
     let best = fits(&BODY, &reference, &raw).first().copied();
-    let is_better = |best: &Fit| best.score > ALIKE && best.score > earth.score + BETTER;
+    let is_better = |best: &AxesFit| best.score > ALIKE && best.score > earth.score + BETTER;
     let Some(best) = best.filter(is_better) else {
         if earth.score >= 0.5 {
             for (id, name) in ids.iter().zip(NAMES) {

@@ -1,7 +1,7 @@
 //! Samples of a table: knowledge of it besides its map.
 
-use crate::columns::groups::Group;
-use crate::columns::rows::Rows;
+use crate::columns::groups::ColumnGroup;
+use crate::columns::rows::EvenRows;
 
 /// Meaning that a column's name says for sure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,8 +14,8 @@ pub(in crate::columns) struct Hint {
 
 /// Knowledge of a table besides its map.
 #[derive(Debug)]
-pub(in crate::columns) struct Evidence {
-    pub rows: Rows,
+pub(in crate::columns) struct TableEvidence {
+    pub rows: EvenRows,
     pub hints: Vec<Hint>,
-    pub groups: Vec<Group>,
+    pub groups: Vec<ColumnGroup>,
 }

@@ -7,12 +7,12 @@ const MOST: f64 = 20_000.0;
 
 /// Numbers and when they were measured, seconds.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Series {
+pub(super) struct TimedNumbers {
     pub times: Vec<f64>,
     pub values: Vec<f64>,
 }
 
-impl Series {
+impl TimedNumbers {
     /// Those of both that are numbers, without those that are not later than the one before.
     pub fn new(times: &[f64], values: impl IntoIterator<Item = f64>) -> Self {
         let mut series = Self::default();
@@ -73,13 +73,13 @@ impl Series {
 
 /// Cells of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grid {
+pub(super) struct TimeCells {
     pub start: f64,
     pub step: f64,
     pub count: usize,
 }
 
-impl Grid {
+impl TimeCells {
     /// Cells of about a second from `start` to `end`, shorter ones of less than half a minute, none shorter than
     /// `least`; `None` if there are fewer than eight.
     pub fn new(start: f64, end: f64, least: f64) -> Option<Self> {
@@ -98,7 +98,7 @@ impl Grid {
     }
 
     /// The mean of the samples in each cell; where there is none, the value in its middle.
-    pub fn mean(&self, series: &Series) -> Vec<f64> {
+    pub fn mean(&self, series: &TimedNumbers) -> Vec<f64> {
         let mut sums = vec![(0.0, 0_usize); self.count];
         for (time, value) in series.times.iter().zip(&series.values) {
             let cell = ((time - self.start) / self.step).floor();
@@ -119,18 +119,18 @@ impl Grid {
         sums.into_iter().enumerate().map(cell).collect()
     }
 
-    fn in_middle(&self, series: &Series, index: usize) -> f64 {
+    fn in_middle(&self, series: &TimedNumbers, index: usize) -> f64 {
         series.at(self.edge(index) + 0.5 * self.step)
     }
 
     /// The value in the middle of each cell.
-    pub fn middle(&self, series: &Series) -> Vec<f64> {
+    pub fn middle(&self, series: &TimedNumbers) -> Vec<f64> {
         let cells = 0..self.count;
         cells.map(|index| self.in_middle(series, index)).collect()
     }
 
     /// Change over each cell, per second.
-    pub fn rate(&self, series: &Series) -> Vec<f64> {
+    pub fn rate(&self, series: &TimedNumbers) -> Vec<f64> {
         let edges: Vec<f64> = (0..=self.count).map(|i| series.at(self.edge(i))).collect();
         edges
             .windows(2)
@@ -167,13 +167,13 @@ mod tests {
     #[test]
     fn cells_have_the_mean_of_their_samples_and_the_change_over_them() {
         let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.1).collect();
-        let series = Series::new(&times, times.iter().map(|t| 3.0 * t));
-        let grid = Grid::new(0.0, 40.0, 0.0).unwrap();
+        let series = TimedNumbers::new(&times, times.iter().map(|t| 3.0 * t));
+        let grid = TimeCells::new(0.0, 40.0, 0.0).unwrap();
         assert_eq!(grid.count, 40);
         let (mean, rate) = (grid.mean(&series), grid.rate(&series));
         assert!((mean[4] - 3.0 * 4.45).abs() < 1e-9);
         assert!(rate.iter().all(|rate| (rate - 3.0).abs() < 1e-9));
-        let angles = Series::new(
+        let angles = TimedNumbers::new(
             &times,
             times.iter().map(|t| pilotage_base::frames::wrap_pi(*t)),
         );

@@ -4,7 +4,7 @@ use pilotage_flight::ChannelName;
 
 use super::Known;
 use super::axes::{centred, compare};
-use super::board::{Basis, Board, Id, nearest};
+use super::board::{FlightColumns, Id, UnitBasis, nearest};
 use super::grid::quantile;
 use super::velocity::sign_by_height;
 use crate::cells::Dimension;
@@ -17,13 +17,13 @@ const HEIGHTS: [ChannelName; 3] = [
 ];
 
 /// Judges the vertical velocity's sign and the heights' units; keeps the vertical velocity.
-pub(super) fn judge(board: &mut Board, known: &mut Known) {
+pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     let down = board.find(ColumnRole::Channel(ChannelName::GpsVelocityDown));
     let ids: Vec<Id> = HEIGHTS
         .iter()
         .filter_map(|name| board.find(ColumnRole::Channel(*name)))
         .collect();
-    let rate = |board: &Board, id: Id| known.grid.rate(&board.values(id));
+    let rate = |board: &FlightColumns, id: Id| known.grid.rate(&board.values(id));
     if let Some(down) = down {
         as_beside(board, down);
     }
@@ -39,12 +39,12 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
         let climbing = rate(board, *id);
         if let Some((down, down_values)) = by_velocity {
             let up: Vec<f64> = down_values.iter().map(|v| -v).collect();
-            let is_sure = board.basis(*down) != Basis::Assumed;
+            let is_sure = board.basis(*down) != UnitBasis::Assumed;
             match compare(&up, &climbing) {
                 // Two that agree in the units that they have confirm each other.
                 Some((correlation, factor, _)) if correlation > 0.6 && !is_sure => {
                     let is_same = factor.ln().abs() < 0.3;
-                    if is_same && board.basis(*id) == Basis::Assumed {
+                    if is_same && board.basis(*id) == UnitBasis::Assumed {
                         board.confirm(*id);
                         board.confirm(*down);
                     }
@@ -61,7 +61,7 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
         }
         let others = ids
             .iter()
-            .filter(|other| *other != id && board.basis(**other) != Basis::Assumed);
+            .filter(|other| *other != id && board.basis(**other) != UnitBasis::Assumed);
         let other = others.copied().next();
         if let Some(other) = other {
             let height = |id: Id| centred(&known.grid.mean(&board.values(id)));
@@ -75,7 +75,7 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
     }
     let height = ids
         .iter()
-        .find(|id| board.basis(**id) != Basis::Assumed)
+        .find(|id| board.basis(**id) != UnitBasis::Assumed)
         .or(ids.first());
     let down = match (&down, height) {
         (Some((id, _)), _) => known.grid.mean(&board.values(*id)),
@@ -86,10 +86,10 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
 }
 
 /// A group keeps its units: a vertical velocity is in that of the speed over ground beside it.
-fn as_beside(board: &mut Board, down: Id) {
+fn as_beside(board: &mut FlightColumns, down: Id) {
     let speed = board.find_in(down.0, ColumnRole::SpeedOverGround);
-    let sure = speed.filter(|id| board.basis(*id) == Basis::Found);
-    if let Some(speed) = sure.filter(|_| board.basis(down) == Basis::Assumed) {
+    let sure = speed.filter(|id| board.basis(*id) == UnitBasis::Found);
+    if let Some(speed) = sure.filter(|_| board.basis(down) == UnitBasis::Assumed) {
         let unit = board.column(speed).unit.clone();
         let name = board.name(speed);
         board.found(down, &unit, &format!("in {unit}, as {name} is"));
@@ -98,8 +98,8 @@ fn as_beside(board: &mut Board, down: Id) {
 
 /// A height of no stated unit that changes much faster than the aircraft flies is in the next smaller unit in which it
 /// does not.
-fn plausible(board: &mut Board, known: &Known, id: Id) {
-    if board.basis(id) != Basis::Assumed {
+fn plausible(board: &mut FlightColumns, known: &Known, id: Id) {
+    if board.basis(id) != UnitBasis::Assumed {
         return;
     }
     let speed = quantile(&known.speed(), 0.9);
@@ -123,7 +123,7 @@ fn plausible(board: &mut Board, known: &Known, id: Id) {
     }
 }
 
-fn settle(board: &mut Board, id: Id, factor: f64, what: &str) {
+fn settle(board: &mut FlightColumns, id: Id, factor: f64, what: &str) {
     let present = board.column(id).role.factor(&board.column(id).unit);
     let factor = factor * present.unwrap_or(1.0);
     // Pressure and receivers differ; units by three at least.
@@ -133,7 +133,7 @@ fn settle(board: &mut Board, id: Id, factor: f64, what: &str) {
 }
 
 /// Up or down, where the name does not say: by what the height does.
-fn vertical(board: &mut Board, known: &Known, down: Id, height: Id) {
+fn vertical(board: &mut FlightColumns, known: &Known, down: Id, height: Id) {
     let climbing = known.grid.rate(&board.values(height));
     let velocity = known.grid.mean(&board.raw(down));
     let sign = sign_by_height(&climbing, &velocity);
@@ -148,7 +148,7 @@ fn vertical(board: &mut Board, known: &Known, down: Id, height: Id) {
         );
     }
     // The receiver's vertical velocity in a unit of its own, if it is none of three.
-    if board.basis(down) == Basis::Assumed && board.basis(height) != Basis::Assumed {
+    if board.basis(down) == UnitBasis::Assumed && board.basis(height) != UnitBasis::Assumed {
         let up: Vec<f64> = climbing.iter().map(|v| -v).collect();
         let values = known.grid.mean(&board.raw(down));
         let sign = board.column(down).scale;
@@ -162,14 +162,14 @@ fn vertical(board: &mut Board, known: &Known, down: Id, height: Id) {
 }
 
 /// Heights that nothing else tells: by the climb that an airplane's pitch makes.
-pub(super) fn by_pitch(board: &mut Board, known: &Known) {
+pub(super) fn by_pitch(board: &mut FlightColumns, known: &Known) {
     let speed = known.speed();
     let pitch = centred(&known.attitude[1]);
     let climb: Vec<f64> = pitch.iter().zip(&speed).map(|(p, v)| p * v).collect();
     let is_fast = quantile(&speed, 0.5) > 7.0;
     for name in HEIGHTS {
         let id = board.find(ColumnRole::Channel(name));
-        let Some(id) = id.filter(|id| is_fast && board.basis(*id) == Basis::Assumed) else {
+        let Some(id) = id.filter(|id| is_fast && board.basis(*id) == UnitBasis::Assumed) else {
             continue;
         };
         let climbing = centred(&known.grid.rate(&board.values(id)));

@@ -3,8 +3,8 @@
 use pilotage_flight::ChannelName;
 
 use super::Known;
-use super::axes::{Axes, BODY, Fit, centred, compare, fits};
-use super::board::{Board, Id};
+use super::axes::{AxesFit, AxisOrder, BODY, centred, compare, fits};
+use super::board::{FlightColumns, Id};
 use super::grid::quantile;
 use crate::cells::Dimension;
 use crate::columns::ColumnRole;
@@ -12,13 +12,13 @@ use crate::columns::ColumnRole;
 const GRAVITY: f64 = 9.806_65;
 
 /// Axes whose accelerations have the other sign: that which pulls instead of that which carries.
-const PULLING: [Axes; 2] = [
-    Axes {
+const PULLING: [AxisOrder; 2] = [
+    AxisOrder {
         name: "forward, right, down with the sign of gravity",
         order: [0, 1, 2],
         sign: [-1.0, -1.0, -1.0],
     },
-    Axes {
+    AxisOrder {
         name: "forward, left, up with the sign of gravity",
         order: [0, 1, 2],
         sign: [-1.0, 1.0, 1.0],
@@ -26,7 +26,7 @@ const PULLING: [Axes; 2] = [
 ];
 
 /// Judges gyros, then accelerometers.
-pub(super) fn judge(board: &mut Board, known: &mut Known) {
+pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     let gyros = [
         ChannelName::RollRate,
         ChannelName::PitchRate,
@@ -44,14 +44,14 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
 }
 
 /// The columns of three channels in one table.
-pub(super) fn triple(board: &Board, names: [ChannelName; 3]) -> Option<[Id; 3]> {
+pub(super) fn triple(board: &FlightColumns, names: [ChannelName; 3]) -> Option<[Id; 3]> {
     let first = board.find(ColumnRole::Channel(names[0]))?;
     let [_, second, third] = names.map(|name| board.find_in(first.0, ColumnRole::Channel(name)));
     Some([first, second?, third?])
 }
 
 /// Whether gravity in the accelerations says that the third axis points up; `None` where it does not say.
-pub(super) fn is_up_positive(board: &Board) -> Option<bool> {
+pub(super) fn is_up_positive(board: &FlightColumns) -> Option<bool> {
     let ids = triple(
         board,
         [
@@ -65,7 +65,7 @@ pub(super) fn is_up_positive(board: &Board) -> Option<bool> {
     (down.abs() > 0.7 * size).then_some(down > 0.0)
 }
 
-fn norms(board: &Board, ids: [Id; 3]) -> Vec<f64> {
+fn norms(board: &FlightColumns, ids: [Id; 3]) -> Vec<f64> {
     let [x, y, z] = ids.map(|id| board.raw(id).values);
     let pairs = x.iter().zip(&y).zip(&z);
     pairs
@@ -75,7 +75,7 @@ fn norms(board: &Board, ids: [Id; 3]) -> Vec<f64> {
 
 /// The sign of pitch, `values` per cell, by what the accelerometer along the nose reads: gravity · sin(pitch), and the
 /// change of speed. `None` where its own sign is not sure.
-pub(super) fn sign_of_pitch(board: &Board, known: &Known, values: &[f64]) -> Option<f64> {
+pub(super) fn sign_of_pitch(board: &FlightColumns, known: &Known, values: &[f64]) -> Option<f64> {
     // Forward is forward whatever the other axes, unless gravity is counted as positive down: then all is turned.
     if is_up_positive(board)? {
         return None;
@@ -119,7 +119,7 @@ pub(super) fn course_rate(known: &Known) -> Vec<f64> {
     rates
 }
 
-fn rates(board: &mut Board, known: &Known, ids: [Id; 3]) -> Option<Fit> {
+fn rates(board: &mut FlightColumns, known: &Known, ids: [Id; 3]) -> Option<AxesFit> {
     let mut reference = body_rates(known);
     if reference[2].iter().all(|v| !v.is_finite()) {
         reference[2] = course_rate(known);
@@ -157,14 +157,19 @@ fn rates(board: &mut Board, known: &Known, ids: [Id; 3]) -> Option<Fit> {
 }
 
 /// Has three columns mean what their axes say.
-fn place(board: &mut Board, ids: [Id; 3], axes: Axes, names: [ChannelName; 3]) {
+fn place(board: &mut FlightColumns, ids: [Id; 3], axes: AxisOrder, names: [ChannelName; 3]) {
     for (axis, name) in names.into_iter().enumerate() {
         let id = ids[axes.order[axis]];
         board.assign(id, ColumnRole::Channel(name), axes.sign[axis], 0.0);
     }
 }
 
-fn acceleration(board: &mut Board, known: &mut Known, ids: [Id; 3], gyros: Option<Fit>) {
+fn acceleration(
+    board: &mut FlightColumns,
+    known: &mut Known,
+    ids: [Id; 3],
+    gyros: Option<AxesFit>,
+) {
     let names = board.names(&ids);
     let size = quantile(&norms(board, ids), 0.5);
     if size.is_nan() || size <= 0.0 {
@@ -183,8 +188,8 @@ fn acceleration(board: &mut Board, known: &mut Known, ids: [Id; 3], gyros: Optio
     }
     board.settle_unit(&ids, GRAVITY / size, 0.3, "gravity");
     let is_up = is_up_positive(board);
-    let all: Vec<Axes> = BODY.into_iter().chain(PULLING).collect();
-    let allowed: Vec<Axes> = all
+    let all: Vec<AxisOrder> = BODY.into_iter().chain(PULLING).collect();
+    let allowed: Vec<AxisOrder> = all
         .into_iter()
         .filter(|axes| is_up.is_none_or(|up| up == (axes.sign[2] < 0.0)))
         .collect();
@@ -249,7 +254,7 @@ fn acceleration(board: &mut Board, known: &mut Known, ids: [Id; 3], gyros: Optio
 }
 
 /// Gyros that nothing else tells of keep the axes of the accelerometers in their table.
-fn gyros_beside(board: &mut Board, ids: [Id; 3], is_up: bool) {
+fn gyros_beside(board: &mut FlightColumns, ids: [Id; 3], is_up: bool) {
     let names = [
         ChannelName::RollRate,
         ChannelName::PitchRate,

@@ -1,13 +1,13 @@
 //! Knowledge that the columns of a flight are held against.
 
-use super::axes::Fit;
+use super::axes::AxesFit;
 use super::board::Id;
-use super::grid::{Grid, quantile};
+use super::grid::{TimeCells, quantile};
 
 /// References that the columns are compared with, once they are known; values per cell of the grid, NaN where
 /// there is none.
 pub(super) struct Known {
-    pub grid: Grid,
+    pub grid: TimeCells,
     /// Velocity over ground, m/s north, east, down.
     pub velocity: [Vec<f64>; 3],
     /// Whether that is of the position's own steps.
@@ -21,19 +21,19 @@ pub(super) struct Known {
     /// Whether the sense of the heading is by evidence.
     pub is_heading_sure: bool,
     /// A velocity that has the amount of the track's, but hardly its direction.
-    pub turned: Option<Turned>,
+    pub turned: Option<TurnedVelocities>,
 }
 
 /// Velocities that have the amount of the track's, but hardly its direction.
-pub(super) struct Turned {
+pub(super) struct TurnedVelocities {
     pub ids: Vec<Id>,
     /// Best agreement along north and east.
-    pub earth: Fit,
+    pub earth: AxesFit,
 }
 
 impl Known {
     /// Nothing yet, on this grid.
-    pub fn new(grid: Grid) -> Self {
+    pub fn new(grid: TimeCells) -> Self {
         let none = || vec![f64::NAN; grid.count];
         Self {
             velocity: [none(), none(), none()],

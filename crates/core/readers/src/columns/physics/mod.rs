@@ -26,14 +26,14 @@ mod velocity;
 
 use super::ColumnMap;
 use super::settle::settle;
-use board::Board;
+use board::FlightColumns;
 use known::Known;
 
-pub(super) use evidence::{Evidence, Hint};
+pub(super) use evidence::{Hint, TableEvidence};
 
 /// Judges the tables of one flight, a map each, and writes into the maps what was found.
-pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[Evidence]) {
-    let mut board = Board::new(maps, evidence);
+pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[TableEvidence]) {
+    let mut board = FlightColumns::new(maps, evidence);
     let Some(grid) = board.grid() else {
         nameless::tell(&mut board);
         questions::ask(&mut board);

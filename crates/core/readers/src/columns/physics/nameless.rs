@@ -5,8 +5,8 @@ use pilotage_flight::ChannelName;
 use super::Known;
 use super::angles::{self, Convention};
 use super::axes::{centred, compare};
-use super::board::{Board, Id};
-use super::grid::{Series, quantile};
+use super::board::{FlightColumns, Id};
+use super::grid::{TimedNumbers, quantile};
 use super::inertial::course_rate;
 use crate::cells::Dimension;
 use crate::columns::ColumnRole;
@@ -24,7 +24,7 @@ const AWAY: f64 = 0.5;
 const CLIMB: f64 = 40.0;
 
 /// Tables without names that have a time.
-fn tables(board: &Board) -> Vec<usize> {
+fn tables(board: &FlightColumns) -> Vec<usize> {
     let all = 0..board.maps.len();
     all.filter(|table| {
         !board.maps[*table].shape.has_header && board.find_in(*table, ColumnRole::Time).is_some()
@@ -32,12 +32,12 @@ fn tables(board: &Board) -> Vec<usize> {
     .collect()
 }
 
-fn is_free(board: &Board, id: Id) -> bool {
+fn is_free(board: &FlightColumns, id: Id) -> bool {
     board.column(id).role == ColumnRole::Nothing
 }
 
 /// Columns one beside the other, all free.
-pub(super) fn windows<const N: usize>(board: &Board) -> Vec<[Id; N]> {
+pub(super) fn windows<const N: usize>(board: &FlightColumns) -> Vec<[Id; N]> {
     let of_table = |table: usize| {
         let count = board.maps[table].columns.len();
         let begins = 0..(count + 1).saturating_sub(N);
@@ -49,7 +49,7 @@ pub(super) fn windows<const N: usize>(board: &Board) -> Vec<[Id; N]> {
 }
 
 /// Latitude and longitude, which stand side by side: degrees between which something flies.
-pub(super) fn place(board: &mut Board) {
+pub(super) fn place(board: &mut FlightColumns) {
     for ids in windows::<2>(board) {
         let has_place = board.find_in(ids[0].0, ColumnRole::Latitude).is_some();
         if has_place || !ids.iter().all(|id| is_free(board, *id)) {
@@ -60,14 +60,15 @@ pub(super) fn place(board: &mut Board) {
         if [&first, &second].into_iter().any(grows) {
             continue;
         }
-        let is_whole = |series: &Series| series.values.iter().all(|value| value.fract() == 0.0);
+        let is_whole =
+            |series: &TimedNumbers| series.values.iter().all(|value| value.fract() == 0.0);
         for (unit, factor) in [("deg", 1.0), ("deg1e7", 1e-7)] {
             if factor < 1.0 && !(is_whole(&first) && is_whole(&second)) {
                 continue;
             }
-            let degrees = |series: &Series| series.map(|value| value * factor);
+            let degrees = |series: &TimedNumbers| series.map(|value| value * factor);
             let (a, b) = (degrees(&first), degrees(&second));
-            let reach = |series: &Series| quantile(&series.map(f64::abs).values, 1.0);
+            let reach = |series: &TimedNumbers| quantile(&series.map(f64::abs).values, 1.0);
             // Where the first cannot be a latitude the second may be one.
             let turned = reach(&a) > 90.0;
             let (latitude, longitude) = if turned { (&b, &a) } else { (&a, &b) };
@@ -89,12 +90,12 @@ pub(super) fn place(board: &mut Board) {
 }
 
 /// Whether values never fall.
-fn grows(series: &Series) -> bool {
+fn grows(series: &TimedNumbers) -> bool {
     series.values.windows(2).all(|pair| pair[0] <= pair[1])
 }
 
 /// Whether degrees of latitude and longitude are a way that something flies.
-fn is_flown(latitude: &Series, longitude: &Series) -> bool {
+fn is_flown(latitude: &TimedNumbers, longitude: &TimedNumbers) -> bool {
     let mut places: Vec<(f64, f64, f64)> = Vec::new();
     for (time, degrees) in latitude.times.iter().zip(&latitude.values) {
         let beside = longitude.at(*time);
@@ -125,7 +126,7 @@ fn is_flown(latitude: &Series, longitude: &Series) -> bool {
 }
 
 /// Heights: by satellites beside a longitude, by air pressure what goes up and down with them.
-pub(super) fn heights(board: &mut Board, known: &Known) {
+pub(super) fn heights(board: &mut FlightColumns, known: &Known) {
     for table in tables(board) {
         let Some(longitude) = board.find_in(table, ColumnRole::Longitude) else {
             continue;
@@ -167,7 +168,7 @@ pub(super) fn heights(board: &mut Board, known: &Known) {
     }
 }
 
-fn is_height(board: &Board, known: &Known, id: Id) -> bool {
+fn is_height(board: &FlightColumns, known: &Known, id: Id) -> bool {
     let raw = board.raw(id);
     let (low, high) = (quantile(&raw.values, 0.01), quantile(&raw.values, 0.99));
     let climbs: Vec<f64> = known
@@ -180,7 +181,7 @@ fn is_height(board: &Board, known: &Known, id: Id) -> bool {
 }
 
 /// Roll, pitch and heading, which stand side by side: the third goes with the course, the first with its turns.
-pub(super) fn attitude(board: &mut Board, known: &Known) {
+pub(super) fn attitude(board: &mut FlightColumns, known: &Known) {
     if !known.is_of_track || quantile(&known.speed(), 0.9) < FLOWN.start {
         return;
     }
@@ -219,7 +220,7 @@ pub(super) fn attitude(board: &mut Board, known: &Known) {
 }
 
 /// An airspeed: with it and the heading the velocity is explained better than with the heading alone.
-pub(super) fn airspeed(board: &mut Board, known: &Known) {
+pub(super) fn airspeed(board: &mut FlightColumns, known: &Known) {
     const BETTER: f64 = 0.92;
     let is_told = board
         .find(ColumnRole::Channel(ChannelName::Airspeed))
@@ -286,7 +287,7 @@ fn unexplained(known: &Known, raw: &[f64], airspeed: &dyn Fn(f64) -> f64) -> Opt
 }
 
 /// Says of tables without names what became of them.
-pub(super) fn tell(board: &mut Board) {
+pub(super) fn tell(board: &mut FlightColumns) {
     for table in 0..board.maps.len() {
         if board.maps[table].shape.has_header {
             continue;

@@ -4,8 +4,8 @@ use pilotage_flight::ChannelName;
 
 use super::Known;
 use super::axes::EARTH;
-use super::board::{Basis, Board, Id, nearest};
-use super::grid::{self, Grid, Series, quantile};
+use super::board::{FlightColumns, Id, UnitBasis, nearest};
+use super::grid::{self, TimeCells, TimedNumbers, quantile};
 use crate::cells::{DEGREES_AND_MINUTES, Dimension};
 use crate::columns::ColumnRole;
 
@@ -34,16 +34,16 @@ const FASTEST: f64 = 400.0;
 const SMOOTHED: usize = 7;
 
 /// Reading of places on the globe that may be right.
-struct Reading {
+struct PlaceReading {
     unit: &'static str,
     time_unit: Option<&'static str>,
     likelihood: f64,
     velocity: [Vec<f64>; 2],
-    grid: Grid,
+    grid: TimeCells,
 }
 
 /// Finds the track, settles its units, and keeps its velocity as what all else is held against.
-pub(super) fn judge(board: &mut Board, known: &mut Known) {
+pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     let latitude = board.find(ColumnRole::Latitude);
     let longitude = latitude.and_then(|id| board.find_in(id.0, ColumnRole::Longitude));
     match latitude.zip(longitude) {
@@ -59,7 +59,7 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
 }
 
 /// Places of two numbers in a cell are degrees.
-fn in_pairs(board: &Board, known: &mut Known, id: Id) {
+fn in_pairs(board: &FlightColumns, known: &mut Known, id: Id) {
     let [latitude, longitude] = board.places(id);
     let degree = 1.0_f64.to_radians();
     if let Some(track) = track(&latitude, &longitude, degree) {
@@ -84,8 +84,8 @@ fn calm(known: &mut Known) {
     }
 }
 
-fn on_globe(board: &mut Board, known: &mut Known, (latitude, longitude): (Id, Id)) {
-    let stated = board.basis(latitude) == Basis::Stated;
+fn on_globe(board: &mut FlightColumns, known: &mut Known, (latitude, longitude): (Id, Id)) {
+    let stated = board.basis(latitude) == UnitBasis::Stated;
     let present = board.column(latitude).unit.clone();
     let readings = readings(board, known, (latitude, longitude));
     let best = readings
@@ -136,9 +136,9 @@ fn on_globe(board: &mut Board, known: &mut Known, (latitude, longitude): (Id, Id
 }
 
 /// Every way to read places, with each unit of time where none is stated.
-fn readings(board: &mut Board, known: &Known, pair: (Id, Id)) -> Vec<Reading> {
+fn readings(board: &mut FlightColumns, known: &Known, pair: (Id, Id)) -> Vec<PlaceReading> {
     let (latitude, longitude) = pair;
-    let stated = board.basis(latitude) == Basis::Stated;
+    let stated = board.basis(latitude) == UnitBasis::Stated;
     let present = board.column(latitude).unit.clone();
     let reach = |id: Id| quantile(&board.raw(id).map(f64::abs).values, 0.99);
     let reach = (reach(latitude), reach(longitude));
@@ -148,7 +148,7 @@ fn readings(board: &mut Board, known: &Known, pair: (Id, Id)) -> Vec<Reading> {
     let time = board.find_in(latitude.0, ColumnRole::Time);
     let time_unit = time.map(|id| board.column(id).unit.clone());
     let is_date = time_unit.as_deref() == Some(crate::columns::time::DATE);
-    let is_time_told = is_date || time.is_none_or(|id| board.basis(id) == Basis::Stated);
+    let is_time_told = is_date || time.is_none_or(|id| board.basis(id) == UnitBasis::Stated);
     let mut time_units = vec![None];
     if !is_time_told {
         let others = ["s", "ms", "us", "ns"].into_iter();
@@ -160,7 +160,7 @@ fn readings(board: &mut Board, known: &Known, pair: (Id, Id)) -> Vec<Reading> {
         // No other unit of time outweighs a reading that is likely by itself.
         if readings
             .iter()
-            .any(|reading: &Reading| reading.likelihood >= LIKELY)
+            .any(|reading: &PlaceReading| reading.likelihood >= LIKELY)
         {
             break;
         }
@@ -188,7 +188,7 @@ fn readings(board: &mut Board, known: &Known, pair: (Id, Id)) -> Vec<Reading> {
             };
             let by_name = if stated && unit != present { 0.05 } else { 1.0 };
             let found = reading(board, &grid, pair, unit);
-            readings.extend(found.map(|(velocity, likelihood)| Reading {
+            readings.extend(found.map(|(velocity, likelihood)| PlaceReading {
                 unit,
                 time_unit: unit_of_time,
                 likelihood: prior * by_time * by_range * by_name * likelihood,
@@ -208,7 +208,12 @@ fn norms([north, east]: &[Vec<f64>; 2]) -> Vec<f64> {
 }
 
 /// The velocity of the track in a unit, and how likely it is; `None` if these are no places.
-fn reading(board: &Board, grid: &Grid, pair: (Id, Id), unit: &str) -> Option<([Vec<f64>; 2], f64)> {
+fn reading(
+    board: &FlightColumns,
+    grid: &TimeCells,
+    pair: (Id, Id),
+    unit: &str,
+) -> Option<([Vec<f64>; 2], f64)> {
     let factor = Dimension::Angle.factor(Some(unit)).ok()?;
     // A hemisphere in a column of its own turns the sign.
     let read = |id: Id| {
@@ -232,7 +237,11 @@ fn reading(board: &Board, grid: &Grid, pair: (Id, Id), unit: &str) -> Option<([V
 }
 
 /// North and east of the first place, metres, where places change; `None` if they are none.
-fn track(latitude: &Series, longitude: &Series, factor: f64) -> Option<[Series; 2]> {
+fn track(
+    latitude: &TimedNumbers,
+    longitude: &TimedNumbers,
+    factor: f64,
+) -> Option<[TimedNumbers; 2]> {
     let mut places: Vec<(f64, f64, f64)> = Vec::new();
     for (time, raw) in latitude.times.iter().zip(&latitude.values) {
         let (a, b) = (raw * factor, longitude.at(*time) * factor);
@@ -254,11 +263,14 @@ fn track(latitude: &Series, longitude: &Series, factor: f64) -> Option<[Series; 
     let east = places
         .iter()
         .map(|place| turn(place) * RADIUS * first.1.cos());
-    Some([Series::new(&times, north), Series::new(&times, east)])
+    Some([
+        TimedNumbers::new(&times, north),
+        TimedNumbers::new(&times, east),
+    ])
 }
 
 /// Distance of the ratio of the columns' speed and the track's from a unit, as a logarithm; `None` without either.
-fn against_speed(board: &Board, grid: &Grid, velocity: &[Vec<f64>; 2]) -> Option<f64> {
+fn against_speed(board: &FlightColumns, grid: &TimeCells, velocity: &[Vec<f64>; 2]) -> Option<f64> {
     let speed = norms(velocity);
     let told = board
         .find(ColumnRole::SpeedOverGround)
@@ -276,8 +288,8 @@ fn against_speed(board: &Board, grid: &Grid, velocity: &[Vec<f64>; 2]) -> Option
 }
 
 /// Places in metres of a frame of their own: north first, or east first where the accelerometer says that up is up.
-fn in_metres(board: &mut Board, known: &mut Known) {
-    let channel = |board: &Board, name| board.find(ColumnRole::Channel(name));
+fn in_metres(board: &mut FlightColumns, known: &mut Known) {
+    let channel = |board: &FlightColumns, name| board.find(ColumnRole::Channel(name));
     let Some(first) = channel(board, ChannelName::GpsNorth) else {
         return;
     };
@@ -309,7 +321,7 @@ fn in_metres(board: &mut Board, known: &mut Known) {
     let speed = norms(&velocity);
     // Metres cannot be told from the steps alone: by the speed that columns tell, if their unit is sure.
     let told = board.find(ColumnRole::SpeedOverGround);
-    let told = told.filter(|id| board.basis(*id) == Basis::Stated);
+    let told = told.filter(|id| board.basis(*id) == UnitBasis::Stated);
     if let Some(id) = told {
         let told = known.grid.mean(&board.values(id));
         if let Some((ratio, _)) = super::velocity::ratio(&told, &speed) {

@@ -2,15 +2,15 @@
 
 use super::Known;
 use super::angles::agreement;
-use super::board::{Board, Id};
-use super::grid::Series;
+use super::board::{FlightColumns, Id};
+use super::grid::TimedNumbers;
 use super::ros::{AHEAD, is_of_ros};
 use super::{inertial, lean};
 use crate::columns::attitude::attitude;
 use crate::columns::groups::quaternion_roles;
 
 /// Roll, pitch and heading of a quaternion, without jumps.
-pub(super) fn angles(board: &Board, parts: [Id; 4], is_ros: bool) -> [Series; 3] {
+pub(super) fn angles(board: &FlightColumns, parts: [Id; 4], is_ros: bool) -> [TimedNumbers; 3] {
     let [w, x, y, z] = parts.map(|id| {
         let column = board.column(id);
         let (scale, offset) = (column.scale, column.offset);
@@ -26,11 +26,11 @@ pub(super) fn angles(board: &Board, parts: [Id; 4], is_ros: bool) -> [Series; 3]
             }
         }
     }
-    angles.map(|values| Series::new(&times, values).unwrapped())
+    angles.map(|values| TimedNumbers::new(&times, values).unwrapped())
 }
 
 /// Finds which of four columns is the real part, and between which axes they turn.
-pub(super) fn judge(board: &mut Board, known: &mut Known) {
+pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     let parts = quaternion_roles(false).map(|role| board.find(role));
     let [Some(a), Some(b), Some(c), Some(d)] = parts else {
         return;
@@ -93,7 +93,7 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
 }
 
 /// A way to read four columns as a quaternion.
-struct Way {
+struct QuaternionReading {
     order: [Id; 4],
     is_ros: bool,
     /// Sum of the level attitude, the agreement of heading and course, and the lean in turns, each up to 1.
@@ -101,7 +101,11 @@ struct Way {
 }
 
 /// Every way to read four columns as a quaternion, the best first; `None` if they are none.
-fn ways(board: &Board, known: &Known, orders: &[[Id; 4]]) -> Option<Vec<Way>> {
+fn ways(
+    board: &FlightColumns,
+    known: &Known,
+    orders: &[[Id; 4]],
+) -> Option<Vec<QuaternionReading>> {
     let course = known.course();
     let mut ways = Vec::new();
     for order in orders {
@@ -118,7 +122,7 @@ fn ways(board: &Board, known: &Known, orders: &[[Id; 4]]) -> Option<Vec<Way>> {
             // Who flies elsewhere than it looks tells nothing by that.
             let ahead = if ahead > AHEAD { ahead } else { 0.0 };
             let leans = lean::agreement(known, [roll, pitch, yaw]).map_or(0.0, |(leans, _)| leans);
-            ways.push(Way {
+            ways.push(QuaternionReading {
                 order: *order,
                 is_ros,
                 score: level + ahead + leans,

@@ -2,11 +2,11 @@
 
 use pilotage_flight::{ChannelName, Quantity};
 
-use super::board::{Basis, Board};
+use super::board::{FlightColumns, UnitBasis};
 use crate::columns::ColumnRole;
 
 /// Adds a question about a table.
-pub(super) fn add(board: &mut Board, table: usize, question: String) {
+pub(super) fn add(board: &mut FlightColumns, table: usize, question: String) {
     let questions = &mut board.maps[table].questions;
     if !questions.contains(&question) {
         questions.push(question);
@@ -14,7 +14,7 @@ pub(super) fn add(board: &mut Board, table: usize, question: String) {
 }
 
 /// Asks for the units that nothing tells.
-pub(super) fn ask(board: &mut Board) {
+pub(super) fn ask(board: &mut FlightColumns) {
     same_units(board);
     let mut assumed: Vec<(usize, String)> = Vec::new();
     for table in 0..board.maps.len() {
@@ -30,7 +30,7 @@ pub(super) fn ask(board: &mut Board) {
                 ColumnRole::Latitude | ColumnRole::Longitude | ColumnRole::Place
             );
             let is_used = column.role != ColumnRole::Nothing && matters && !is_place;
-            if is_used && board.basis((table, index)) == Basis::Assumed {
+            if is_used && board.basis((table, index)) == UnitBasis::Assumed {
                 assumed.push((
                     table,
                     format!(
@@ -55,7 +55,7 @@ pub(super) fn ask(board: &mut Board) {
 }
 
 /// A group keeps its units: what is assumed takes the unit of what was found of the same quantity in its table.
-fn same_units(board: &mut Board) {
+fn same_units(board: &mut FlightColumns) {
     for table in 0..board.maps.len() {
         let count = board.maps[table].columns.len();
         for index in 0..count {
@@ -63,7 +63,7 @@ fn same_units(board: &mut Board) {
             let Some(quantity) = board.column(id).role.quantity() else {
                 continue;
             };
-            if board.basis(id) != Basis::Assumed
+            if board.basis(id) != UnitBasis::Assumed
                 || quantity == Quantity::Length
                 || matches!(
                     board.column(id).role,
@@ -78,7 +78,7 @@ fn same_units(board: &mut Board) {
                 let column = board.column(other);
                 let is_place = matches!(column.role, ColumnRole::Latitude | ColumnRole::Longitude);
                 column.role.quantity() == Some(quantity)
-                    && board.basis(other) == Basis::Found
+                    && board.basis(other) == UnitBasis::Found
                     && !is_place
             };
             let Some(other) = (0..count).find(is_like) else {

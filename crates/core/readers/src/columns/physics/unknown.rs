@@ -2,13 +2,13 @@
 
 use super::Known;
 use super::axes::{BODY, EARTH, centred, fits};
-use super::board::{Board, Id};
+use super::board::{FlightColumns, Id};
 use super::grid::quantile;
 use crate::columns::ColumnRole;
-use crate::columns::groups::Kind;
+use crate::columns::groups::GroupQuantity;
 
 /// Triples that nobody knows what they are.
-fn triples(board: &Board) -> Vec<[Id; 3]> {
+fn triples(board: &FlightColumns) -> Vec<[Id; 3]> {
     let mut found = Vec::new();
     for (table, known) in board.evidence.iter().enumerate() {
         for group in known
@@ -30,7 +30,7 @@ fn triples(board: &Board) -> Vec<[Id; 3]> {
     found
 }
 
-fn take(board: &mut Board, ids: [Id; 3], kind: Kind, unit: &str, why: &str) {
+fn take(board: &mut FlightColumns, ids: [Id; 3], kind: GroupQuantity, unit: &str, why: &str) {
     let roles = kind.roles();
     // Of tables without names each tells what it has; which of them is to be believed is settled between them.
     let table = ids[0].0;
@@ -59,7 +59,7 @@ fn take(board: &mut Board, ids: [Id; 3], kind: Kind, unit: &str, why: &str) {
 }
 
 /// Velocities and places, by the track.
-pub(super) fn place(board: &mut Board, known: &Known) {
+pub(super) fn place(board: &mut FlightColumns, known: &Known) {
     for ids in triples(board) {
         // Where there is no track, nothing tells.
         if !known.is_of_track || quantile(&known.speed(), 0.9) < 1.0 {
@@ -73,7 +73,7 @@ pub(super) fn place(board: &mut Board, known: &Known) {
             take(
                 board,
                 ids,
-                Kind::Velocity,
+                GroupQuantity::Velocity,
                 "m/s",
                 "they go as the velocity of the track does",
             );
@@ -82,7 +82,7 @@ pub(super) fn place(board: &mut Board, known: &Known) {
 }
 
 /// Accelerations by gravity, gyros by attitude.
-pub(super) fn inertial(board: &mut Board, known: &Known) {
+pub(super) fn inertial(board: &mut FlightColumns, known: &Known) {
     for ids in triples(board) {
         let values = ids.map(|id| board.raw(id).values);
         let sizes: Vec<f64> = values[0]
@@ -106,7 +106,7 @@ pub(super) fn inertial(board: &mut Board, known: &Known) {
             take(
                 board,
                 ids,
-                Kind::Acceleration,
+                GroupQuantity::Acceleration,
                 unit,
                 "their amount is that of gravity",
             );
@@ -122,7 +122,7 @@ pub(super) fn inertial(board: &mut Board, known: &Known) {
             take(
                 board,
                 ids,
-                Kind::Rate,
+                GroupQuantity::Rate,
                 "rad/s",
                 "they go as the change of attitude does",
             );

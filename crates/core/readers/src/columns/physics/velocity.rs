@@ -3,10 +3,10 @@
 use pilotage_flight::ChannelName;
 
 use super::angles::{self, Convention};
-use super::axes::{EARTH, Fit, compare, fits};
-use super::board::{Basis, Board, Id};
-use super::grid::{Series, quantile};
-use super::known::{Known, Turned};
+use super::axes::{AxesFit, EARTH, compare, fits};
+use super::board::{FlightColumns, Id, UnitBasis};
+use super::grid::{TimedNumbers, quantile};
+use super::known::{Known, TurnedVelocities};
 use crate::cells::Dimension;
 use crate::columns::ColumnRole;
 
@@ -18,7 +18,7 @@ const SURE: f64 = 0.9;
 pub(super) const TOLERANCE: f64 = 0.2;
 
 /// Judges velocities, then speed and course.
-pub(super) fn judge(board: &mut Board, known: &mut Known) {
+pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
     let north = board.find(ColumnRole::Channel(ChannelName::GpsVelocityNorth));
     let east =
         north.and_then(|id| board.find_in(id.0, ColumnRole::Channel(ChannelName::GpsVelocityEast)));
@@ -58,7 +58,7 @@ fn is_moving(known: &Known) -> bool {
 }
 
 /// The velocity's columns, down last, if it is there.
-fn vector(board: &mut Board, known: &mut Known, north: Id, east: Id) {
+fn vector(board: &mut FlightColumns, known: &mut Known, north: Id, east: Id) {
     let down = board.find_in(north.0, ColumnRole::Channel(ChannelName::GpsVelocityDown));
     let ids: Vec<Id> = [Some(north), Some(east), down]
         .into_iter()
@@ -91,14 +91,14 @@ fn vector(board: &mut Board, known: &mut Known, north: Id, east: Id) {
                 "their amount is that of the track's velocity, but hardly along north and east";
             board.drop(*id, why);
         }
-        known.turned = Some(Turned { ids, earth: best });
+        known.turned = Some(TurnedVelocities { ids, earth: best });
         return;
     }
     along_earth(board, &ids, best);
 }
 
 /// Takes columns for the velocity over ground as far as they agree with it.
-pub(super) fn along_earth(board: &mut Board, ids: &[Id], best: Fit) {
+pub(super) fn along_earth(board: &mut FlightColumns, ids: &[Id], best: AxesFit) {
     let names = board.names(ids);
     let first = ids[0];
     if (0.5..0.8).contains(&best.score) {
@@ -141,7 +141,7 @@ pub(super) fn along_earth(board: &mut Board, ids: &[Id], best: Fit) {
     board.settle_unit(ids, best.factor, TOLERANCE, "the steps of the position");
 }
 
-fn speed(board: &mut Board, known: &mut Known, id: Id) {
+fn speed(board: &mut FlightColumns, known: &mut Known, id: Id) {
     if !is_moving(known) {
         return;
     }
@@ -156,7 +156,7 @@ fn speed(board: &mut Board, known: &mut Known, id: Id) {
     board.settle_unit(&[id], ratio, TOLERANCE, "the steps of the position");
 }
 
-fn course(board: &mut Board, known: &mut Known, id: Id) {
+fn course(board: &mut FlightColumns, known: &mut Known, id: Id) {
     if !is_moving(known) {
         return;
     }
@@ -171,7 +171,7 @@ fn course(board: &mut Board, known: &mut Known, id: Id) {
     let Some(best) = readings.first() else { return };
     let name = board.name(id);
     if best.score > 0.75 && (spread > 0.3 || best.off.abs() < 0.4) {
-        let is_stated = board.basis(id) == Basis::Stated;
+        let is_stated = board.basis(id) == UnitBasis::Stated;
         let before = board.column(id).unit.clone();
         best.apply(board, id, "the track's own direction");
         let stated = (is_stated && before != best.unit).then(|| {
@@ -196,8 +196,8 @@ fn course(board: &mut Board, known: &mut Known, id: Id) {
 }
 
 /// Takes the velocity that columns tell as the reference for all else, where there is no position.
-fn without_track(board: &Board, known: &mut Known) {
-    let values = |role| -> Option<Series> { board.find(role).map(|id| board.values(id)) };
+fn without_track(board: &FlightColumns, known: &mut Known) {
+    let values = |role| -> Option<TimedNumbers> { board.find(role).map(|id| board.values(id)) };
     let channel = |name| values(ColumnRole::Channel(name));
     let pair = channel(ChannelName::GpsVelocityNorth).zip(channel(ChannelName::GpsVelocityEast));
     if let Some((north, east)) = pair {

@@ -1,8 +1,8 @@
 //! Messages found in a stream of bytes.
 
 use super::super::{Log, LogReader};
-use super::contents::{Announced, Contents, UNANNOUNCED};
-use super::format::{FORMAT, Format, HEADER};
+use super::contents::{Announced, DataflashContents, UNANNOUNCED};
+use super::format::{FORMAT, HEADER, MessageFormat};
 
 /// The bytes that every message begins with.
 const MARKS: [u8; 2] = [0xa3, 0x95];
@@ -16,7 +16,7 @@ const CUT_OFF: &str = "the file ends within a message";
 
 /// Reads `ArduPilot`'s dataflash logs, binary.
 pub struct DataflashReader {
-    contents: Contents,
+    contents: DataflashContents,
     /// Bytes that wait for more.
     waiting: Vec<u8>,
     /// Place in the file of the first byte that waits.
@@ -28,7 +28,7 @@ pub struct DataflashReader {
 }
 
 /// Next step of the reader.
-enum Step {
+enum BinaryStep {
     /// Wait for more bytes.
     Wait,
     /// Take a message of so many bytes.
@@ -39,7 +39,7 @@ enum Step {
 
 /// Answer to whether a message stands at a place.
 #[derive(PartialEq)]
-enum Found {
+enum FoundMessage {
     Yes,
     No,
     /// That takes more bytes to say.
@@ -51,7 +51,7 @@ pub fn begins(head: &[u8]) -> bool {
     let starts = head.windows(HEADER).enumerate();
     let mut announcements = starts.filter(|(_, w)| **w == [MARKS[0], MARKS[1], FORMAT]);
     announcements.any(|(at, _)| {
-        let format = Format::read(&head[at + HEADER..]);
+        let format = MessageFormat::read(&head[at + HEADER..]);
         format.is_ok_and(|format| format.oddity().is_none())
     })
 }
@@ -60,7 +60,7 @@ impl DataflashReader {
     /// A reader at the beginning of a file.
     pub fn new() -> Self {
         Self {
-            contents: Contents::new(Announced::ByRows),
+            contents: DataflashContents::new(Announced::ByRows),
             waiting: Vec::new(),
             offset: 0,
             is_in_step: true,
@@ -74,8 +74,8 @@ impl DataflashReader {
         loop {
             let rest = &bytes[at..];
             let (length, cause) = match self.step(rest, is_last) {
-                Step::Wait => break,
-                Step::Take(length) => {
+                BinaryStep::Wait => break,
+                BinaryStep::Take(length) => {
                     match self.contents.row(rest[2], &rest[HEADER..length], log) {
                         Ok(()) => {
                             log.report.message(length);
@@ -87,7 +87,7 @@ impl DataflashReader {
                         Err(cause) => (length, cause),
                     }
                 }
-                Step::Skip(length, cause) => {
+                BinaryStep::Skip(length, cause) => {
                     self.is_in_step = false;
                     (length, cause)
                 }
@@ -102,67 +102,73 @@ impl DataflashReader {
     }
 
     #[inline]
-    fn step(&self, rest: &[u8], is_last: bool) -> Step {
+    fn step(&self, rest: &[u8], is_last: bool) -> BinaryStep {
         let length = match *rest {
-            [] => return Step::Wait,
+            [] => return BinaryStep::Wait,
             [a, b, number, ..] if [a, b] == MARKS => match self.contents.length(number) {
                 Some(length) => length,
-                None => return Step::Skip(MARKS.len(), UNANNOUNCED),
+                None => return BinaryStep::Skip(MARKS.len(), UNANNOUNCED),
             },
             [_] | [_, _] if MARKS.starts_with(rest) => {
                 return if is_last {
-                    Step::Skip(rest.len(), CUT_OFF)
+                    BinaryStep::Skip(rest.len(), CUT_OFF)
                 } else {
-                    Step::Wait
+                    BinaryStep::Wait
                 };
             }
             _ => {
                 let next = rest[1..].iter().position(|b| *b == MARKS[0]);
-                return Step::Skip(next.map_or(rest.len(), |n| n + 1), NOISE);
+                return BinaryStep::Skip(next.map_or(rest.len(), |n| n + 1), NOISE);
             }
         };
         match Self::ends_before_another(rest, length, is_last) {
-            Found::Yes => Step::Take(length),
-            Found::Unknown => Step::Wait,
-            Found::No => self.doubtful(rest, length, is_last),
+            FoundMessage::Yes => BinaryStep::Take(length),
+            FoundMessage::Unknown => BinaryStep::Wait,
+            FoundMessage::No => self.doubtful(rest, length, is_last),
         }
     }
 
     /// Tells whether the message is there as a whole and followed by another one, or by the end of the file.
     #[inline]
-    fn ends_before_another(rest: &[u8], length: usize, is_last: bool) -> Found {
-        let is = |yes| if yes { Found::Yes } else { Found::No };
+    fn ends_before_another(rest: &[u8], length: usize, is_last: bool) -> FoundMessage {
+        let is = |yes| {
+            if yes {
+                FoundMessage::Yes
+            } else {
+                FoundMessage::No
+            }
+        };
         match rest.get(length..) {
             Some([a, b, ..]) => is([*a, *b] == MARKS),
-            _ if !is_last => Found::Unknown,
+            _ if !is_last => FoundMessage::Unknown,
             Some([a]) => is(*a == MARKS[0]),
-            Some(_) => Found::Yes,
-            None => Found::No,
+            Some(_) => FoundMessage::Yes,
+            None => FoundMessage::No,
         }
     }
 
     /// A message that no other one follows. After another message it counts, unless a whole one begins within
     /// it; in the midst of noise its marks may be chance.
-    fn doubtful(&self, rest: &[u8], length: usize, is_last: bool) -> Step {
+    fn doubtful(&self, rest: &[u8], length: usize, is_last: bool) -> BinaryStep {
         if !self.is_in_step {
-            return Step::Skip(MARKS.len(), NOISE);
+            return BinaryStep::Skip(MARKS.len(), NOISE);
         }
         if rest.len() < ENOUGH && !is_last {
-            return Step::Wait;
+            return BinaryStep::Wait;
         }
         let within = rest.windows(HEADER).enumerate().take(length).skip(1);
         for (at, header) in within {
             if header[..2] == MARKS
                 && let Some(length) = self.contents.length(header[2])
-                && Self::ends_before_another(&rest[at..], length, is_last) == Found::Yes
+                && Self::ends_before_another(&rest[at..], length, is_last) == FoundMessage::Yes
             {
-                return Step::Skip(at, INTERRUPTED);
+                return BinaryStep::Skip(at, INTERRUPTED);
             }
         }
         if rest.len() < length {
-            return Step::Skip(rest.len(), CUT_OFF);
+            return BinaryStep::Skip(rest.len(), CUT_OFF);
         }
-        Step::Take(length)
+        BinaryStep::Take(length)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::gps_time::utc_of_gps;
 use super::super::{FieldKind, FieldLayout, Log, Topic};
-use super::format::Format;
+use super::format::MessageFormat;
 
 /// Kind of fix from which on a receiver knows the time.
 const FULL_FIX: f64 = 3.0;
@@ -24,7 +24,7 @@ impl Stamp {
     /// milliseconds in the field `T` of satellite receivers, whose `TimeMS` counts from the week's
     /// beginning. `TimeMS` of raw samples is another clock's. Logs of PX4's older format tell the time in
     /// messages of its own.
-    pub fn of(format: &Format) -> Option<Self> {
+    pub fn of(format: &MessageFormat) -> Option<Self> {
         let (columns, _) = format.fields();
         let name = format.name.as_str();
         let find = |name: &str| columns.iter().find(|c| c.name == name);

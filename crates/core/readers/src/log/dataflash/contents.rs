@@ -2,10 +2,10 @@
 
 use super::super::{Log, Topic};
 use super::clock::{Clock, is_receiver};
-use super::format::{FORMAT, Format, HEADER};
-use super::topics::{Kind, Owners};
-use super::units::{Labels, Units};
-use super::words::Words;
+use super::format::{FORMAT, HEADER, MessageFormat};
+use super::topics::{MessageKind, Owners};
+use super::units::{Labels, UnitTables};
+use super::words::LogTexts;
 
 /// Why a message is skipped whose kind was never announced.
 pub const UNANNOUNCED: &str = "a kind of message that was not announced";
@@ -13,7 +13,7 @@ const TOO_MANY: &str = "too many kinds of message";
 
 /// Messages that mean more than their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Meaning {
+enum SpecialMessage {
     None,
     Format,
     Labels,
@@ -26,8 +26,8 @@ enum Meaning {
     Receiver,
 }
 
-impl Meaning {
-    fn of(format: &Format) -> Self {
+impl SpecialMessage {
+    fn of(format: &MessageFormat) -> Self {
         match format.name.as_str() {
             _ if format.number == FORMAT => Self::Format,
             "FMTU" => Self::Labels,
@@ -53,35 +53,35 @@ pub enum Announced {
 }
 
 /// The kinds of message that were announced, and all that was said of the log as a whole.
-pub struct Contents {
-    kinds: Vec<Option<Box<(Kind, Meaning)>>>,
+pub struct DataflashContents {
+    kinds: Vec<Option<Box<(MessageKind, SpecialMessage)>>>,
     announced: Announced,
-    units: Units,
+    units: UnitTables,
     clock: Clock,
-    words: Words,
+    words: LogTexts,
     owners: Owners,
     /// Places of topics whose rows have times of their own.
     timed: Vec<usize>,
 }
 
-impl Contents {
+impl DataflashContents {
     /// Nothing but the announcement of announcements.
     pub fn new(announced: Announced) -> Self {
         let mut contents = Self {
             kinds: (0..256).map(|_| None).collect(),
             announced,
-            units: Units::default(),
+            units: UnitTables::default(),
             clock: Clock::new(),
-            words: Words::default(),
+            words: LogTexts::default(),
             owners: Owners::default(),
             timed: Vec::new(),
         };
-        contents.set(Format::of_formats(), Labels::default());
+        contents.set(MessageFormat::of_formats(), Labels::default());
         contents
     }
 
     /// The kind of message of that number.
-    pub fn format(&self, number: u8) -> Option<&Format> {
+    pub fn format(&self, number: u8) -> Option<&MessageFormat> {
         let kind = self.kinds[usize::from(number)].as_deref();
         kind.map(|(kind, _)| &kind.format)
     }
@@ -115,25 +115,27 @@ impl Contents {
         topic.push(time, body);
         self.clock.put(place, topic.len() - 1);
         let meaning = *meaning;
-        if meaning != Meaning::None {
+        if meaning != SpecialMessage::None {
             self.understand(meaning, place, body, log);
         }
         Ok(())
     }
 
-    fn understand(&mut self, meaning: Meaning, place: usize, body: &[u8], log: &mut Log) {
-        let row = Row {
+    fn understand(&mut self, meaning: SpecialMessage, place: usize, body: &[u8], log: &mut Log) {
+        let row = MessageRow {
             topic: &log.topics[place],
             body,
         };
         let time = row.topic.times.last().copied().unwrap_or_default();
         match meaning {
-            Meaning::Format if self.announced == Announced::ByRows => match Format::read(body) {
-                Ok(format) => self.add(format, log),
-                Err(cause) => log.report.remark(cause),
-            },
-            Meaning::None | Meaning::Format => {}
-            Meaning::Labels => {
+            SpecialMessage::Format if self.announced == Announced::ByRows => {
+                match MessageFormat::read(body) {
+                    Ok(format) => self.add(format, log),
+                    Err(cause) => log.report.remark(cause),
+                }
+            }
+            SpecialMessage::None | SpecialMessage::Format => {}
+            SpecialMessage::Labels => {
                 let labels = Labels {
                     units: row.text("UnitIds").unwrap_or_default().into_bytes(),
                     multipliers: row.text("MultIds").unwrap_or_default().into_bytes(),
@@ -142,45 +144,45 @@ impl Contents {
                     self.label(number as u8, labels, log);
                 }
             }
-            Meaning::Unit => {
+            SpecialMessage::Unit => {
                 if let (Some(letter), Some(unit)) = (row.number("Id"), row.text("Label")) {
                     self.owners.is_changed |= self.units.unit(letter as i64 as u8, unit);
                 }
             }
-            Meaning::Multiplier => {
+            SpecialMessage::Multiplier => {
                 if let (Some(letter), Some(factor)) = (row.number("Id"), row.number("Mult")) {
                     self.owners.is_changed |= self.units.multiplier(letter as i64 as u8, factor);
                 }
             }
-            Meaning::Parameter => {
+            SpecialMessage::Parameter => {
                 if let (Some(name), Some(value)) = (row.text("Name"), row.number("Value")) {
-                    Words::parameter(time, name, value, log);
+                    LogTexts::parameter(time, name, value, log);
                 }
             }
-            Meaning::Message => {
+            SpecialMessage::Message => {
                 let number = row.number("ID").or_else(|| row.number("Id"));
                 let piece = number.zip(row.number("Seq"));
                 if let Some(text) = row.text("Message") {
                     self.words.message(time, &text, piece, log);
                 }
             }
-            Meaning::Mode => {
+            SpecialMessage::Mode => {
                 if let Some(name) = row.text("Mode") {
-                    Words::mode_name(time, &name, log);
+                    LogTexts::mode_name(time, &name, log);
                 } else if let Some(number) = row.number("ModeNum").or_else(|| row.number("Mode")) {
                     self.words.mode_number(time, number as u32, log);
                 }
             }
-            Meaning::Version => {
+            SpecialMessage::Version => {
                 let (build, firmware) = (row.number("BU"), row.text("FWS"));
                 self.words.version(build, firmware.as_deref(), log);
             }
-            Meaning::Receiver => self.clock.fix(place, log),
+            SpecialMessage::Receiver => self.clock.fix(place, log),
         }
     }
 
     /// Learns a kind of message. One that is known already, under the same name, keeps its units.
-    pub fn add(&mut self, format: Format, log: &mut Log) {
+    pub fn add(&mut self, format: MessageFormat, log: &mut Log) {
         if format.number == FORMAT || self.format(format.number) == Some(&format) {
             return;
         }
@@ -197,10 +199,10 @@ impl Contents {
         self.set(format, labels.unwrap_or_default());
     }
 
-    fn set(&mut self, format: Format, labels: Labels) {
+    fn set(&mut self, format: MessageFormat, labels: Labels) {
         let number = usize::from(format.number);
-        let meaning = Meaning::of(&format);
-        let kind = Kind::new(format, labels, &self.units);
+        let meaning = SpecialMessage::of(&format);
+        let kind = MessageKind::new(format, labels, &self.units);
         self.kinds[number] = Some(Box::new((kind, meaning)));
     }
 
@@ -285,12 +287,12 @@ impl Contents {
 }
 
 /// A row with the fields of its topic.
-struct Row<'a> {
+struct MessageRow<'a> {
     topic: &'a Topic,
     body: &'a [u8],
 }
 
-impl Row<'_> {
+impl MessageRow<'_> {
     /// The number as it is stored.
     fn number(&self, name: &str) -> Option<f64> {
         let field = self.topic.field(name)?;

@@ -12,7 +12,7 @@ const FORMAT_BODY: usize = 86;
 
 /// A kind of message: what its number, its name and its fields are.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Format {
+pub struct MessageFormat {
     /// Number in the header.
     pub number: u8,
     /// Bytes after the header.
@@ -27,7 +27,7 @@ pub struct Format {
 
 /// A field of a message.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Column {
+pub struct MessageField {
     /// Its name.
     pub name: String,
     /// Meaning of its letter.
@@ -36,7 +36,7 @@ pub struct Column {
     pub offset: usize,
 }
 
-impl Format {
+impl MessageFormat {
     /// The announcement of announcements, which logs repeat but need not.
     pub fn of_formats() -> Self {
         Self {
@@ -103,7 +103,7 @@ impl Format {
 
     /// The fields that can be told apart: those whose letters are known and that fit into the message.
     /// Beside them the bytes that they take.
-    pub fn fields(&self) -> (Vec<Column>, usize) {
+    pub fn fields(&self) -> (Vec<MessageField>, usize) {
         let mut offset = 0;
         let mut columns = Vec::new();
         for (i, letter) in self.letters.iter().enumerate() {
@@ -119,7 +119,7 @@ impl Format {
                 // A piece of some file, which need not be letters.
                 letter.kind = FieldKind::Bytes(letter.kind.size() as u16);
             }
-            columns.push(Column {
+            columns.push(MessageField {
                 name,
                 letter,
                 offset,
@@ -161,8 +161,8 @@ fn names(columns: &str) -> Vec<String> {
 mod tests {
     use super::*;
 
-    fn format(length: usize, letters: &str, columns: &str) -> Format {
-        Format::new(7, length, "ATT".to_owned(), letters, columns).unwrap()
+    fn format(length: usize, letters: &str, columns: &str) -> MessageFormat {
+        MessageFormat::new(7, length, "ATT".to_owned(), letters, columns).unwrap()
     }
 
     #[test]
@@ -198,13 +198,21 @@ mod tests {
 
     #[test]
     fn what_cannot_be_an_announcement_is_none() {
-        assert!(Format::read(&[1, 2, 3]).is_err());
+        assert!(MessageFormat::read(&[1, 2, 3]).is_err());
         let mut body = vec![7, 2, b'A', b'T', b'T', 0];
         body.resize(86, 0);
-        assert!(Format::read(&body).unwrap_err().contains("length of 2"));
+        assert!(
+            MessageFormat::read(&body)
+                .unwrap_err()
+                .contains("length of 2")
+        );
         body[1] = 3;
-        assert_eq!(Format::read(&body).unwrap().length, 0);
+        assert_eq!(MessageFormat::read(&body).unwrap().length, 0);
         body[2] = 9;
-        assert!(Format::read(&body).unwrap_err().contains("unreadable"));
+        assert!(
+            MessageFormat::read(&body)
+                .unwrap_err()
+                .contains("unreadable")
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! The letters that say what the fields of a message are.
 
-use super::super::{FieldKind, Scale};
+use super::super::{FieldKind, ValueScale};
 
 /// Elements of the only letter that is an array.
 const ARRAY: usize = 32;
@@ -11,7 +11,7 @@ pub struct Letter {
     /// Kind of an element.
     pub kind: FieldKind,
     /// The scale that the letter implies; then a multiplier of the log says nothing new.
-    pub scale: Scale,
+    pub scale: ValueScale,
     /// Number of elements.
     pub count: usize,
 }
@@ -44,7 +44,7 @@ impl Letter {
         };
         Some(Self {
             kind,
-            scale: Scale::by(factor),
+            scale: ValueScale::by(factor),
             count: if letter == b'a' { ARRAY } else { 1 },
         })
     }

@@ -27,10 +27,10 @@ pub use modes::Vehicle;
 pub(super) use roles::MEANING;
 pub use text::{DataflashTextReader, begins as text_begins};
 
-use super::{FormatInfo, LogFormat};
+use super::{LogFormat, LogFormatInfo};
 
 /// The binary format.
-pub(super) const BINARY: FormatInfo = FormatInfo {
+pub(super) const BINARY: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Dataflash,
     endings: &["bin"],
     begins,
@@ -38,7 +38,7 @@ pub(super) const BINARY: FormatInfo = FormatInfo {
 };
 
 /// The same as text.
-pub(super) const TEXT: FormatInfo = FormatInfo {
+pub(super) const TEXT: LogFormatInfo = LogFormatInfo {
     format: LogFormat::DataflashText,
     endings: &["log"],
     begins: text_begins,

@@ -1,6 +1,6 @@
 //! Fields of `ArduPilot`'s messages that hold the roles, and those that tell photos: tables to be read, one line a place.
 
-use crate::role::{DEGREE, Meaning, Reading, Role, Source, field, of};
+use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
 
 /// Meaning of the topics for a flight.
 pub(in super::super) const MEANING: Meaning = Meaning {
@@ -8,7 +8,7 @@ pub(in super::super) const MEANING: Meaning = Meaning {
     triggers: &[("CAM", ""), ("TRIG", "")],
 };
 
-const DATAFLASH: &[Source] = &[
+const DATAFLASH: &[RoleSource] = &[
     field(Role::Airspeed, "ARSP", "Airspeed", 1.0),
     field(Role::Airspeed, "ASP2", "Airspeed", 1.0),
     field(Role::Airspeed, "CTUN", "As", 1.0),
@@ -32,12 +32,12 @@ const DATAFLASH: &[Source] = &[
     of(
         Role::GpsVelocityNorth,
         "GPS",
-        Reading::Course("Spd", 1.0, "GCrs", DEGREE),
+        RowReading::Course("Spd", 1.0, "GCrs", DEGREE),
     ),
     of(
         Role::GpsVelocityEast,
         "GPS",
-        Reading::Course("Spd", 1.0, "GCrs", DEGREE),
+        RowReading::Course("Spd", 1.0, "GCrs", DEGREE),
     ),
     field(Role::GpsVelocityDown, "GPS", "VZ", 1.0),
     field(Role::GpsVelocityDown, "GPS", "VelZ", 1.0),
@@ -59,13 +59,13 @@ const DATAFLASH: &[Source] = &[
     field(Role::AutopilotLatitude, "POS", "Lat", DEGREE),
     field(Role::AutopilotLongitude, "POS", "Lng", DEGREE),
     field(Role::AutopilotHeight, "POS", "Alt", 1.0),
-    of(Role::AutopilotLatitude, "XKF1", Reading::FromOrigin),
-    of(Role::AutopilotLongitude, "XKF1", Reading::FromOrigin),
-    of(Role::AutopilotHeight, "XKF1", Reading::FromOrigin),
-    of(Role::AutopilotLatitude, "NKF1", Reading::FromOrigin),
-    of(Role::AutopilotLongitude, "NKF1", Reading::FromOrigin),
-    of(Role::AutopilotHeight, "NKF1", Reading::FromOrigin),
-    of(Role::AutopilotLatitude, "EKF1", Reading::FromOrigin),
-    of(Role::AutopilotLongitude, "EKF1", Reading::FromOrigin),
-    of(Role::AutopilotHeight, "EKF1", Reading::FromOrigin),
+    of(Role::AutopilotLatitude, "XKF1", RowReading::FromOrigin),
+    of(Role::AutopilotLongitude, "XKF1", RowReading::FromOrigin),
+    of(Role::AutopilotHeight, "XKF1", RowReading::FromOrigin),
+    of(Role::AutopilotLatitude, "NKF1", RowReading::FromOrigin),
+    of(Role::AutopilotLongitude, "NKF1", RowReading::FromOrigin),
+    of(Role::AutopilotHeight, "NKF1", RowReading::FromOrigin),
+    of(Role::AutopilotLatitude, "EKF1", RowReading::FromOrigin),
+    of(Role::AutopilotLongitude, "EKF1", RowReading::FromOrigin),
+    of(Role::AutopilotHeight, "EKF1", RowReading::FromOrigin),
 ];

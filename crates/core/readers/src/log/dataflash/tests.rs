@@ -1,6 +1,6 @@
 //! Small logs made by hand.
 
-use super::super::{FieldKind, Log, LogFormat, LogReader, Scale, TopicName, recognise};
+use super::super::{FieldKind, Log, LogFormat, LogReader, TopicName, ValueScale, recognise};
 use super::{DataflashReader, DataflashTextReader};
 
 /// The bytes of a binary log.
@@ -228,10 +228,13 @@ fn instances_are_topics_and_multipliers_make_plain_units() {
     let length = first.field("Length").unwrap();
     assert_eq!(
         (length.unit.as_str(), length.scale),
-        ("m", Scale::Over(1000.0))
+        ("m", ValueScale::Over(1000.0))
     );
     let time = first.field("TimeUS").unwrap();
-    assert_eq!((time.unit.as_str(), time.scale), ("s", Scale::Over(1e6)));
+    assert_eq!(
+        (time.unit.as_str(), time.scale),
+        ("s", ValueScale::Over(1e6))
+    );
     let second = log.topic(&instance("TST", 3)).unwrap();
     assert_eq!((second.len(), second.times[0]), (1, 2e-6));
     assert!(log.topic(&TopicName::single("TST")).is_none());

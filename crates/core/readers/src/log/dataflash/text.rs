@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use super::super::{Log, LogReader};
-use super::contents::{Announced, Contents};
-use super::format::{FORMAT, Format, HEADER};
+use super::contents::{Announced, DataflashContents};
+use super::format::{FORMAT, HEADER, MessageFormat};
 use super::letters::Letter;
 use super::values;
 
@@ -18,9 +18,9 @@ const SHORT: &str = "a line has too few values";
 
 /// Reads `ArduPilot`'s dataflash logs that are text.
 pub struct DataflashTextReader {
-    contents: Contents,
+    contents: DataflashContents,
     /// Fields of the lines that begin with a name.
-    lines: HashMap<String, Line>,
+    lines: HashMap<String, LineFields>,
     /// The beginning of a line whose end has not come.
     begun: Vec<u8>,
     /// Whether the line is too long and left out.
@@ -35,15 +35,15 @@ pub struct DataflashTextReader {
 
 /// Fields in the lines of a kind of message.
 #[derive(Clone, Debug)]
-struct Line {
+struct LineFields {
     number: u8,
     fields: Vec<Letter>,
     /// Fields that are modes.
     modes: Vec<usize>,
 }
 
-impl Line {
-    fn of(format: &Format) -> Self {
+impl LineFields {
+    fn of(format: &MessageFormat) -> Self {
         let (columns, _) = format.fields();
         let letters = format.letters.iter().take(columns.len()).enumerate();
         Self {
@@ -87,9 +87,9 @@ fn text_of(bytes: &[u8]) -> Cow<'_, str> {
 impl DataflashTextReader {
     /// A reader at the beginning of a file.
     pub fn new() -> Self {
-        let line = Line::of(&Format::of_formats());
+        let line = LineFields::of(&MessageFormat::of_formats());
         Self {
-            contents: Contents::new(Announced::Otherwise),
+            contents: DataflashContents::new(Announced::Otherwise),
             lines: HashMap::from([("FMT".to_owned(), line)]),
             begun: Vec::new(),
             is_overlong: false,
@@ -151,7 +151,7 @@ impl DataflashTextReader {
         let known = letters.bytes().map_while(Letter::of);
         let length = known.map(Letter::size).sum::<usize>() + HEADER;
         let length = length.min(usize::from(u8::MAX));
-        match Format::new(number, length, name.to_owned(), letters, columns) {
+        match MessageFormat::new(number, length, name.to_owned(), letters, columns) {
             Ok(format) if number != FORMAT => self.learn(format, log),
             Ok(_) => {}
             Err(cause) => log.report.remark(cause),
@@ -159,10 +159,11 @@ impl DataflashTextReader {
         Ok(())
     }
 
-    fn learn(&mut self, format: Format, log: &mut Log) {
+    fn learn(&mut self, format: MessageFormat, log: &mut Log) {
         self.lines.retain(|_, line| line.number != format.number);
         if format.name != "FMT" {
-            self.lines.insert(format.name.clone(), Line::of(&format));
+            self.lines
+                .insert(format.name.clone(), LineFields::of(&format));
         }
         self.contents.add(format, log);
     }

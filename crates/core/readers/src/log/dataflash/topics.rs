@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::super::{FieldKind, FieldLayout, Log, Rows, TopicName};
 use super::clock::Stamp;
-use super::format::Format;
-use super::units::{INSTANCE, Labels, Units};
+use super::format::MessageFormat;
+use super::units::{INSTANCE, Labels, UnitTables};
 
 /// Most topics of a log: what is damaged or made up must not fill the memory with names.
 const TOPICS: usize = 4096;
@@ -39,9 +39,9 @@ impl Owners {
 
 /// A kind of message, and where its rows go.
 #[derive(Clone, Debug)]
-pub struct Kind {
+pub struct MessageKind {
     /// As it was announced.
-    pub format: Format,
+    pub format: MessageFormat,
     /// Field of its time.
     pub stamp: Option<Stamp>,
     /// Letters of its units.
@@ -56,9 +56,9 @@ pub struct Kind {
     parts: BTreeMap<Vec<u8>, usize>,
 }
 
-impl Kind {
+impl MessageKind {
     /// A kind without rows.
-    pub fn new(format: Format, labels: Labels, units: &Units) -> Self {
+    pub fn new(format: MessageFormat, labels: Labels, units: &UnitTables) -> Self {
         let mut kind = Self {
             stamp: Stamp::of(&format),
             format,
@@ -78,7 +78,7 @@ impl Kind {
     }
 
     /// Learns the letters of its units; whether it has other instances now.
-    pub fn set_labels(&mut self, labels: Labels, units: &Units) -> bool {
+    pub fn set_labels(&mut self, labels: Labels, units: &UnitTables) -> bool {
         self.labels = labels;
         self.set_fields(units);
         let marked = self.labels.units.iter().position(|u| *u == INSTANCE);
@@ -90,7 +90,7 @@ impl Kind {
         is_other
     }
 
-    fn set_fields(&mut self, units: &Units) {
+    fn set_fields(&mut self, units: &UnitTables) {
         self.fields.clear();
         let (columns, used) = self.format.fields();
         for (i, column) in columns.iter().enumerate() {
@@ -115,7 +115,7 @@ impl Kind {
     }
 
     /// Brings units and scales of its topics up to what the tables say now.
-    pub fn update(&mut self, units: &Units, owners: &Owners, log: &mut Log) {
+    pub fn update(&mut self, units: &UnitTables, owners: &Owners, log: &mut Log) {
         self.set_fields(units);
         let number = self.format.number;
         for place in self.places().filter(|place| owners.is(*place, number)) {

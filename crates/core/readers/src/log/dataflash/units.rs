@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::super::Scale;
+use super::super::ValueScale;
 use super::letters::Letter;
 
 /// The letter that marks the field by which instances are told apart.
@@ -10,7 +10,7 @@ pub const INSTANCE: u8 = b'#';
 
 /// The tables of the log.
 #[derive(Clone, Debug, Default)]
-pub struct Units {
+pub struct UnitTables {
     units: BTreeMap<u8, String>,
     multipliers: BTreeMap<u8, f64>,
 }
@@ -24,7 +24,7 @@ pub struct Labels {
     pub multipliers: Vec<u8>,
 }
 
-impl Units {
+impl UnitTables {
     /// Says what a letter for units means; whether that is news.
     pub fn unit(&mut self, letter: u8, unit: String) -> bool {
         let old = self.units.insert(letter, unit);
@@ -43,14 +43,17 @@ impl Units {
     ///
     /// A letter of the format that implies a scale has the last word. So it is without a unit: then there
     /// is nothing that a multiplier would be of. Zero stands for none.
-    pub fn of(&self, labels: &Labels, index: usize, letter: &Letter) -> (String, Scale) {
+    pub fn of(&self, labels: &Labels, index: usize, letter: &Letter) -> (String, ValueScale) {
         let unit = labels.units.get(index).and_then(|id| self.units.get(id));
         let unit = unit.cloned().unwrap_or_default();
-        let is_open = letter.scale == Scale::One && letter.kind.is_number() && !unit.is_empty();
+        let is_open =
+            letter.scale == ValueScale::One && letter.kind.is_number() && !unit.is_empty();
         let multiplier = labels.multipliers.get(index);
         let factor = multiplier.and_then(|id| self.multipliers.get(id));
         let scale = match factor {
-            Some(factor) if is_open && *factor != 0.0 && factor.is_finite() => Scale::by(*factor),
+            Some(factor) if is_open && *factor != 0.0 && factor.is_finite() => {
+                ValueScale::by(*factor)
+            }
             _ => letter.scale,
         };
         (unit, scale)
@@ -61,8 +64,8 @@ impl Units {
 mod tests {
     use super::*;
 
-    fn tables() -> Units {
-        let mut units = Units::default();
+    fn tables() -> UnitTables {
+        let mut units = UnitTables::default();
         for (letter, unit) in [(b'-', ""), (b'd', "deg"), (b's', "s")] {
             assert!(units.unit(letter, unit.to_owned()));
         }
@@ -85,14 +88,14 @@ mod tests {
             let letter = Letter::of(letter).unwrap();
             tables().of(&labels(), index, &letter)
         };
-        assert_eq!(of(0, b'Q'), ("s".to_owned(), Scale::Over(1e6)));
-        assert_eq!(of(1, b'h'), ("deg".to_owned(), Scale::Over(100.0)));
-        assert_eq!(of(1, b'L'), ("deg".to_owned(), Scale::Over(1e7)));
-        assert_eq!(of(2, b'f'), ("deg".to_owned(), Scale::One));
-        assert_eq!(of(3, b'h'), (String::new(), Scale::One));
-        assert_eq!(of(4, b'c'), ("deg".to_owned(), Scale::Over(100.0)));
-        assert_eq!(of(5, b'h'), (String::new(), Scale::One));
-        assert_eq!(of(9, b'e'), (String::new(), Scale::Over(100.0)));
+        assert_eq!(of(0, b'Q'), ("s".to_owned(), ValueScale::Over(1e6)));
+        assert_eq!(of(1, b'h'), ("deg".to_owned(), ValueScale::Over(100.0)));
+        assert_eq!(of(1, b'L'), ("deg".to_owned(), ValueScale::Over(1e7)));
+        assert_eq!(of(2, b'f'), ("deg".to_owned(), ValueScale::One));
+        assert_eq!(of(3, b'h'), (String::new(), ValueScale::One));
+        assert_eq!(of(4, b'c'), ("deg".to_owned(), ValueScale::Over(100.0)));
+        assert_eq!(of(5, b'h'), (String::new(), ValueScale::One));
+        assert_eq!(of(9, b'e'), (String::new(), ValueScale::Over(100.0)));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Values written as text, put into the bytes that the binary log would have.
 
-use super::super::{FieldKind, Scale};
+use super::super::{FieldKind, ValueScale};
 use super::letters::Letter;
 
 /// Appends the bytes of `text`, a value of that letter. Numbers of letters that imply a scale are written
@@ -54,16 +54,16 @@ fn bounds(kind: FieldKind) -> (i128, i128) {
 }
 
 /// The stored number of a written one, nearest where it has more decimals.
-fn whole(text: &str, scale: Scale) -> Option<i128> {
-    if scale == Scale::One
+fn whole(text: &str, scale: ValueScale) -> Option<i128> {
+    if scale == ValueScale::One
         && let Ok(number) = text.parse()
     {
         return Some(number);
     }
     let stored = match scale {
-        Scale::One => real(text)?,
-        Scale::Over(divisor) => real(text)? * divisor,
-        Scale::Times(factor) => real(text)? / factor,
+        ValueScale::One => real(text)?,
+        ValueScale::Over(divisor) => real(text)? * divisor,
+        ValueScale::Times(factor) => real(text)? / factor,
     };
     // Beyond 2⁶⁴ nothing fits anyway.
     (stored.abs() < 2e19).then(|| stored.round() as i128)

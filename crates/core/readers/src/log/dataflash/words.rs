@@ -5,7 +5,7 @@ use super::modes::Vehicle;
 
 /// Words of a log beside its numbers, as far as it was read.
 #[derive(Clone, Debug, Default)]
-pub struct Words {
+pub struct LogTexts {
     vehicle: Option<Vehicle>,
     /// Whether the vehicle was named with a version, as firmware does when it starts.
     is_versioned: bool,
@@ -26,7 +26,7 @@ fn has_version(text: &str) -> bool {
         .any(|pair| is_v(pair[0]) && pair[1].is_ascii_digit())
 }
 
-impl Words {
+impl LogTexts {
     /// Takes a message. Longer ones come in pieces of equal number, counted from zero.
     pub fn message(&mut self, time: f64, text: &str, piece: Option<(f64, f64)>, log: &mut Log) {
         let follows = match (self.piece, piece) {
@@ -141,7 +141,7 @@ mod tests {
 
     #[test]
     fn modes_get_their_names_when_the_vehicle_is_known() {
-        let (mut words, mut log) = (Words::default(), log());
+        let (mut words, mut log) = (LogTexts::default(), log());
         for (time, number) in [(1.0, 5), (2.0, 5), (3.0, 10), (4.0, 99)] {
             words.mode_number(time, number, &mut log);
         }
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn a_version_message_knows_the_vehicle_best() {
-        let (mut words, mut log) = (Words::default(), log());
+        let (mut words, mut log) = (LogTexts::default(), log());
         words.mode_number(1.0, 19, &mut log);
         words.talk("ArduPlane V4.1", &mut log);
         words.version(Some(7.0), Some("Bluefin V4.1.0"), &mut log);
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn pieces_of_a_message_are_joined_if_they_follow() {
-        let (mut words, mut log) = (Words::default(), log());
+        let (mut words, mut log) = (LogTexts::default(), log());
         words.message(1.0, "one ", Some((7.0, 0.0)), &mut log);
         words.message(1.1, "text", Some((7.0, 1.0)), &mut log);
         words.message(2.0, "lost", Some((7.0, 3.0)), &mut log);
@@ -185,7 +185,7 @@ mod tests {
     fn a_mode_that_is_a_name_is_a_change_only_once() {
         let mut log = log();
         for name in ["Auto", "AUTO", "Rtl"] {
-            Words::mode_name(1.0, name, &mut log);
+            LogTexts::mode_name(1.0, name, &mut log);
         }
         assert_eq!(modes(&log), ["AUTO", "RTL"]);
     }

@@ -24,7 +24,7 @@ pub(super) enum Packing {
 
 /// Header of a chunk, before its records.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Head {
+pub(super) struct ChunkHead {
     pub packing: Packing,
     /// Bytes of the whole record before the packed ones.
     pub length: usize,
@@ -38,7 +38,7 @@ pub(super) struct Head {
 
 /// The head of the chunk that `bytes` begin with; `None` if more are needed to tell. The lengths in it have
 /// to agree, which hardly any accident brings about.
-pub(super) fn head(bytes: &[u8]) -> Option<Result<Head, &'static str>> {
+pub(super) fn head(bytes: &[u8]) -> Option<Result<ChunkHead, &'static str>> {
     const WRONG: &str = "a chunk contradicts itself";
     let mut bytes = Cursor::new(bytes);
     bytes.byte()?;
@@ -68,7 +68,7 @@ pub(super) fn head(bytes: &[u8]) -> Option<Result<Head, &'static str>> {
     let packed = usize::try_from(packed).ok().filter(|_| fits);
     // On machines of 32 bits no chunk reaches beyond what can be counted.
     let packed = packed.filter(|packed| packed.checked_add(FRAME + before).is_some());
-    Some(packed.ok_or(WRONG).map(|packed| Head {
+    Some(packed.ok_or(WRONG).map(|packed| ChunkHead {
         packing,
         length: FRAME + before,
         packed,
@@ -78,7 +78,10 @@ pub(super) fn head(bytes: &[u8]) -> Option<Result<Head, &'static str>> {
 }
 
 /// Records as they were before they were packed, as far as that goes, and why it goes no further.
-pub(super) fn unpack<'a>(head: &Head, packed: &'a [u8]) -> (Cow<'a, [u8]>, Option<&'static str>) {
+pub(super) fn unpack<'a>(
+    head: &ChunkHead,
+    packed: &'a [u8],
+) -> (Cow<'a, [u8]>, Option<&'static str>) {
     let most = UNPACKED + UNPACKED_PER_BYTE * packed.len() as u64;
     if head.unpacked > most {
         let bomb = "a chunk says that it unpacks to far more than it has";

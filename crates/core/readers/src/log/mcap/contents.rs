@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::message_topic::MessageTopic;
-use super::record::{MESSAGE_HEAD, Message, Record};
+use super::record::{MESSAGE_HEAD, McapMessage, Record};
 use super::schema::Schema;
 use crate::log::growing::Room;
 use crate::log::{Fact, Log};
@@ -16,7 +16,7 @@ const MOST_WAITING: usize = 64 << 20;
 const YEAR_2000: u64 = 946_684_800_000_000_000;
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Channel {
+struct McapChannel {
     schema: u16,
     topic: String,
     encoding: String,
@@ -31,9 +31,9 @@ struct Waiting {
 
 /// Schemas and channels described so far, and the messages read by them.
 #[derive(Default)]
-pub(super) struct Contents {
+pub(super) struct McapContents {
     schemas: HashMap<u16, Arc<Schema>>,
-    channels: HashMap<u16, Channel>,
+    channels: HashMap<u16, McapChannel>,
     topics: Vec<MessageTopic>,
     /// Index of the topic that the messages of a channel go to.
     places: HashMap<u16, usize>,
@@ -47,7 +47,7 @@ pub(super) struct Contents {
     said: Option<u64>,
 }
 
-impl Contents {
+impl McapContents {
     /// Takes a record. The error says why it cannot be.
     pub fn take(&mut self, record: Record, log: &mut Log) -> Result<(), &'static str> {
         match record {
@@ -77,7 +77,7 @@ impl Contents {
                 topic,
                 encoding,
             } => {
-                let channel = Channel {
+                let channel = McapChannel {
                     schema,
                     topic: topic.to_owned(),
                     encoding: encoding.to_owned(),
@@ -114,7 +114,7 @@ impl Contents {
         }
     }
 
-    fn add_channel(&mut self, number: u16, channel: Channel, log: &mut Log) {
+    fn add_channel(&mut self, number: u16, channel: McapChannel, log: &mut Log) {
         if self.channels.get(&number) == Some(&channel) {
             return;
         }
@@ -129,7 +129,7 @@ impl Contents {
         channel.is_some_and(|c| c.schema == 0 || self.schemas.contains_key(&c.schema))
     }
 
-    fn message(&mut self, message: Message, log: &mut Log) -> Result<(), &'static str> {
+    fn message(&mut self, message: McapMessage, log: &mut Log) -> Result<(), &'static str> {
         if self.zero.is_none() {
             self.zero = Some(message.logged);
             if message.logged > YEAR_2000 {
@@ -178,7 +178,12 @@ impl Contents {
         Some(place)
     }
 
-    fn store(&mut self, place: usize, message: Message, log: &mut Log) -> Result<(), &'static str> {
+    fn store(
+        &mut self,
+        place: usize,
+        message: McapMessage,
+        log: &mut Log,
+    ) -> Result<(), &'static str> {
         let since = |time: u64| {
             let zero = i128::from(self.zero.unwrap_or_default());
             (i128::from(time) - zero) as f64 / 1e9
@@ -197,7 +202,7 @@ impl Contents {
         }
         for waiting in self.waiting.remove(&number).unwrap_or_default() {
             self.waiting_bytes -= size_of::<Waiting>() + waiting.data.len();
-            let message = Message {
+            let message = McapMessage {
                 channel: number,
                 logged: waiting.logged,
                 published: waiting.published,
@@ -235,7 +240,7 @@ impl Contents {
             log.report.remark(format!(
                 "channel {number} is described nowhere: of its messages only times and lengths are kept"
             ));
-            let channel = Channel {
+            let channel = McapChannel {
                 schema: 0,
                 topic: format!("channel {number}"),
                 encoding: String::new(),

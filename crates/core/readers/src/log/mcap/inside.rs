@@ -1,12 +1,12 @@
 //! From record to record through a chunk.
 
-use super::contents::Contents;
+use super::contents::McapContents;
 use super::record::{CHANNEL, FRAME, MESSAGE, Record, SCHEMA, frame, parse, whole_length};
 use super::search::{followed, next_inside};
 use crate::log::Log;
 
 /// The records of a chunk.
-pub(super) struct Inside<'a> {
+pub(super) struct ChunkRecords<'a> {
     pub records: &'a [u8],
     /// Place of the first in the file, where they are not packed.
     pub offset: Option<u64>,
@@ -14,10 +14,10 @@ pub(super) struct Inside<'a> {
     pub is_sound: bool,
 }
 
-impl Inside<'_> {
+impl ChunkRecords<'_> {
     /// Takes all records; returns the number of bytes that make no sense. What is not packed is accounted
     /// for in the log's report.
-    pub fn walk(&self, contents: &mut Contents, log: &mut Log) -> usize {
+    pub fn walk(&self, contents: &mut McapContents, log: &mut Log) -> usize {
         let mut nonsense = 0;
         let mut place = 0;
         while place < self.records.len() {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::decode::Decoder;
 use super::schema::Schema;
 use super::units::units_of;
-use super::words::Meaning;
-use crate::log::growing::{Part, Path, Place, Room, Table};
+use super::words::SchemaMeaning;
+use crate::log::growing::{FieldStep, GrowingTable, Path, Room, ValuePlace};
 use crate::log::{FieldKind, Log, TopicName};
 
 /// Topic of messages of one name, encoding and schema.
@@ -15,10 +15,10 @@ pub(super) struct MessageTopic {
     encoding: String,
     schema: Option<Arc<Schema>>,
     decoder: Decoder,
-    table: Table,
+    table: GrowingTable,
     /// Place that the time of publishing goes to.
-    published: Place,
-    meaning: Meaning,
+    published: ValuePlace,
+    meaning: SchemaMeaning,
     /// Messages that could not be read, and why the first of them could not.
     failed: Option<(u64, &'static str)>,
 }
@@ -43,9 +43,9 @@ impl MessageTopic {
             name: name.to_owned(),
             encoding: encoding.to_owned(),
             decoder,
-            table: Table::new(place, units_of(schema_name)),
-            published: Place::New,
-            meaning: Meaning::of(schema_name),
+            table: GrowingTable::new(place, units_of(schema_name)),
+            published: ValuePlace::New,
+            meaning: SchemaMeaning::of(schema_name),
             schema,
             failed: None,
         }
@@ -70,7 +70,7 @@ impl MessageTopic {
         if stored.is_ok() {
             if published != logged {
                 let root = Path::default();
-                let path = root.then(Part::Name("publish_time"));
+                let path = root.then(FieldStep::Name("publish_time"));
                 let bytes = published.to_le_bytes();
                 self.table
                     .number(&mut self.published, &path, FieldKind::F64, &bytes);

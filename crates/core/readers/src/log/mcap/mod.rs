@@ -31,10 +31,10 @@ use magic::MAGIC;
 pub(super) use ros::MEANING;
 
 use super::stepping::Stepping;
-use super::{FormatInfo, LogFormat};
+use super::{LogFormat, LogFormatInfo};
 
 /// The format.
-pub(super) const INFO: FormatInfo = FormatInfo {
+pub(super) const INFO: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Mcap,
     endings: &["mcap"],
     begins: |head| head.starts_with(&MAGIC),

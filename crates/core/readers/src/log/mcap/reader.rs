@@ -4,14 +4,14 @@ use crc32fast::Hasher;
 
 use super::attachment::{Attachment, attachment};
 use super::chunk::{self, Packing};
-use super::contents::Contents;
-use super::inside::Inside;
+use super::contents::McapContents;
+use super::inside::ChunkRecords;
 use super::magic::MAGIC;
 use super::record::{
     ATTACHMENT, CHUNK, FRAME, MESSAGE, Record, frame, is_known, parse, whole_length,
 };
 use super::search::{followed, next_sure};
-use crate::log::stepping::{Step, Steps};
+use crate::log::stepping::{LogStep, LogSteps};
 use crate::log::{Fact, Log};
 
 const TOO_EARLY: &str = "the file ends too early";
@@ -19,7 +19,7 @@ const TOO_EARLY: &str = "the file ends too early";
 /// The state of reading.
 #[derive(Default)]
 pub(super) struct Mcap {
-    contents: Contents,
+    contents: McapContents,
     /// Why the next record has to be looked for, if it has.
     lost: Option<&'static str>,
     attachment: Option<Attachment>,
@@ -27,11 +27,11 @@ pub(super) struct Mcap {
     section: Hasher,
     /// Whether another section begins behind the record at hand.
     is_section_over: bool,
-    stage: Stage,
+    stage: ReadStage,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
-enum Stage {
+enum ReadStage {
     #[default]
     Before,
     Within,
@@ -41,15 +41,15 @@ enum Stage {
     Closed,
 }
 
-impl Steps for Mcap {
-    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+impl LogSteps for Mcap {
+    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> LogStep {
         let step = match (&mut self.attachment, self.lost) {
-            _ if self.stage == Stage::Before => self.begin(bytes, over, log),
+            _ if self.stage == ReadStage::Before => self.begin(bytes, over, log),
             (Some(_), _) => self.go_on_attaching(bytes, log),
             (None, Some(cause)) => self.search(bytes, offset, over, cause, log),
             (None, None) => self.next(bytes, offset, over, log),
         };
-        if let Step::Took(count) = step {
+        if let LogStep::Took(count) = step {
             self.section.update(&bytes[..count.min(bytes.len())]);
             if self.is_section_over {
                 self.is_section_over = false;
@@ -65,7 +65,7 @@ impl Steps for Mcap {
             log.report
                 .remark(format!("the file ends within what is attached as {name}"));
         }
-        if self.stage == Stage::Within {
+        if self.stage == ReadStage::Within {
             log.report.remark(
                 "the file has no end: it was cut off, or whoever wrote it did not close it",
             );
@@ -76,27 +76,27 @@ impl Steps for Mcap {
 }
 
 impl Mcap {
-    fn begin(&mut self, bytes: &[u8], over: bool, log: &mut Log) -> Step {
+    fn begin(&mut self, bytes: &[u8], over: bool, log: &mut Log) -> LogStep {
         if bytes.len() < MAGIC.len() && !over {
-            return Step::Wait;
+            return LogStep::Wait;
         }
-        self.stage = Stage::Within;
+        self.stage = ReadStage::Within;
         if bytes.starts_with(&MAGIC) {
             log.report.used_bytes += MAGIC.len() as u64;
-            return Step::Took(MAGIC.len());
+            return LogStep::Took(MAGIC.len());
         }
         log.report.remark("the file does not begin as MCAP does");
         self.lose(0, "no beginning of MCAP", log)
     }
 
-    fn lose(&mut self, offset: u64, cause: &'static str, log: &mut Log) -> Step {
+    fn lose(&mut self, offset: u64, cause: &'static str, log: &mut Log) -> LogStep {
         self.lost = Some(cause);
         log.report.skip(offset, 1, cause);
-        Step::Took(1)
+        LogStep::Took(1)
     }
 
     /// Takes the record that begins here.
-    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> LogStep {
         if bytes.starts_with(&MAGIC) {
             return self.mark(offset, log);
         }
@@ -104,7 +104,7 @@ impl Mcap {
             if over {
                 reader.lose(offset, TOO_EARLY, log)
             } else {
-                Step::Wait
+                LogStep::Wait
             }
         };
         if MAGIC.starts_with(bytes) {
@@ -119,7 +119,7 @@ impl Mcap {
                 Some(Err(cause)) => return self.lose(offset, cause, log),
                 Some(Ok(head)) => {
                     if bytes.len() < head.length + head.packed && !over {
-                        return Step::Wait;
+                        return LogStep::Wait;
                     }
                     return self.chunk(&head, bytes, offset, log);
                 }
@@ -140,7 +140,7 @@ impl Mcap {
         // What is known by little needs another record behind it.
         if kind == MESSAGE || !is_known(kind) {
             match followed(&bytes[length..], over) {
-                None => return Step::Wait,
+                None => return LogStep::Wait,
                 Some(false) => return self.lose(offset, "no record follows", log),
                 Some(true) => {}
             }
@@ -148,7 +148,7 @@ impl Mcap {
         if !is_known(kind) {
             let cause = "a record of a kind that is not known";
             log.report.skip(offset, length as u64, cause);
-            return Step::Took(length);
+            return LogStep::Took(length);
         }
         match parse(kind, contents) {
             Ok(record) => self.take(record, bytes, length, offset, log),
@@ -157,18 +157,18 @@ impl Mcap {
     }
 
     /// Takes what every file begins and ends with.
-    fn mark(&mut self, offset: u64, log: &mut Log) -> Step {
+    fn mark(&mut self, offset: u64, log: &mut Log) -> LogStep {
         log.report.used_bytes += MAGIC.len() as u64;
-        if self.stage == Stage::Footed {
-            self.stage = Stage::Closed;
+        if self.stage == ReadStage::Footed {
+            self.stage = ReadStage::Closed;
         } else {
             log.report
                 .remark(format!("another file begins at byte {offset}"));
             self.contents.forget(log);
-            self.stage = Stage::Within;
+            self.stage = ReadStage::Within;
             self.section = Hasher::new();
         }
-        Step::Took(MAGIC.len())
+        LogStep::Took(MAGIC.len())
     }
 
     fn take(
@@ -178,7 +178,7 @@ impl Mcap {
         length: usize,
         offset: u64,
         log: &mut Log,
-    ) -> Step {
+    ) -> LogStep {
         match record {
             Record::DataEnd { checksum } => {
                 let found = self.section.clone().finalize();
@@ -194,21 +194,27 @@ impl Mcap {
                     "the checksum of the summary",
                     log,
                 );
-                self.stage = Stage::Footed;
+                self.stage = ReadStage::Footed;
             }
             record => {
                 if let Err(cause) = self.contents.take(record, log) {
                     log.report.skip(offset, length as u64, cause);
-                    return Step::Took(length);
+                    return LogStep::Took(length);
                 }
             }
         }
         log.report.used_bytes += length as u64;
-        Step::Took(length)
+        LogStep::Took(length)
     }
 
     /// Takes a chunk, or what there is of it.
-    fn chunk(&mut self, head: &chunk::Head, bytes: &[u8], offset: u64, log: &mut Log) -> Step {
+    fn chunk(
+        &mut self,
+        head: &chunk::ChunkHead,
+        bytes: &[u8],
+        offset: u64,
+        log: &mut Log,
+    ) -> LogStep {
         let end = head.length + head.packed;
         let is_whole = bytes.len() >= end;
         let length = end.min(bytes.len());
@@ -217,7 +223,7 @@ impl Mcap {
                 .remark(format!("chunks packed as {name} cannot be read"));
             let cause = "a chunk is packed in a way that is not known";
             log.report.skip(offset, length as u64, cause);
-            return Step::Took(length);
+            return LogStep::Took(length);
         }
         let (records, trouble) = chunk::unpack(head, &bytes[head.length..length]);
         let mut is_sound = false;
@@ -234,7 +240,7 @@ impl Mcap {
         if is_packed {
             log.report.unpacked_bytes += records.len() as u64;
         }
-        let inside = Inside {
+        let inside = ChunkRecords {
             records: &records,
             offset: (!is_packed).then_some(offset + head.length as u64),
             is_sound,
@@ -252,10 +258,10 @@ impl Mcap {
         } else {
             log.report.used_bytes += length as u64;
         }
-        Step::Took(length)
+        LogStep::Took(length)
     }
 
-    fn attach(&mut self, attachment: Attachment, log: &mut Log) -> Step {
+    fn attach(&mut self, attachment: Attachment, log: &mut Log) -> LogStep {
         let head = attachment.head;
         log.report.used_bytes += head as u64;
         log.facts.push(Fact {
@@ -263,12 +269,12 @@ impl Mcap {
             text: format!("{}, {} bytes", attachment.media, attachment.left - 4),
         });
         self.attachment = Some(attachment);
-        Step::Took(head)
+        LogStep::Took(head)
     }
 
-    fn go_on_attaching(&mut self, bytes: &[u8], log: &mut Log) -> Step {
+    fn go_on_attaching(&mut self, bytes: &[u8], log: &mut Log) -> LogStep {
         let Some(attachment) = &mut self.attachment else {
-            return Step::Wait;
+            return LogStep::Wait;
         };
         let count = usize::try_from(attachment.left)
             .unwrap_or(usize::MAX)
@@ -288,7 +294,7 @@ impl Mcap {
             compare(u32::from_le_bytes(attachment.last), found, &what, log);
             self.attachment = None;
         }
-        Step::Took(count)
+        LogStep::Took(count)
     }
 
     /// Looks for the next record that is surely one.
@@ -299,18 +305,18 @@ impl Mcap {
         over: bool,
         cause: &'static str,
         log: &mut Log,
-    ) -> Step {
+    ) -> LogStep {
         let (count, is_found) = next_sure(&self.contents, bytes, over);
         if is_found {
             self.lost = None;
         }
         if count > 0 {
             log.report.skip(offset, count as u64, cause);
-            Step::Took(count)
+            LogStep::Took(count)
         } else if is_found {
             self.next(bytes, offset, over, log)
         } else {
-            Step::Wait
+            LogStep::Wait
         }
     }
 }

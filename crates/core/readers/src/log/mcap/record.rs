@@ -27,7 +27,7 @@ pub(super) const DATA_END: u8 = 0x0f;
 
 /// A message, still packed as its schema says.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Message<'a> {
+pub(super) struct McapMessage<'a> {
     pub channel: u16,
     /// When it was logged, nanoseconds.
     pub logged: u64,
@@ -60,7 +60,7 @@ pub(super) enum Record<'a> {
         topic: &'a str,
         encoding: &'a str,
     },
-    Message(Message<'a>),
+    Message(McapMessage<'a>),
     Statistics {
         messages: u64,
     },
@@ -168,7 +168,7 @@ fn channel<'a>(bytes: &mut Cursor<'a>) -> Option<Record<'a>> {
 fn message<'a>(bytes: &mut Cursor<'a>) -> Option<Record<'a>> {
     let channel = bytes.short()?;
     bytes.word()?;
-    let message = Message {
+    let message = McapMessage {
         channel,
         logged: bytes.long()?,
         published: bytes.long()?,
@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn a_message_is_all_that_follows_its_times() {
         let contents = [&[7, 0, 1, 0, 0, 0][..], &[2; 8], &[3; 8], b"data"].concat();
-        let message = Message {
+        let message = McapMessage {
             channel: 7,
             logged: 0x0202_0202_0202_0202,
             published: 0x0303_0303_0303_0303,

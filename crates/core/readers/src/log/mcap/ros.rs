@@ -1,7 +1,7 @@
 //! Fields of messages of ROS and of Foxglove that hold the roles.
 
 use super::super::ulog;
-use crate::role::{DEGREE, Meaning, Reading, Role, Source, field, of};
+use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
 
 const IMU: &str = "sensor_msgs/Imu";
 const FIX: &str = "sensor_msgs/NavSatFix";
@@ -23,66 +23,70 @@ pub(in super::super) const MEANING: Meaning = Meaning {
 };
 
 /// Places of the messages, for each role the best first.
-const ROS: &[Source] = &[
+const ROS: &[RoleSource] = &[
     field(Role::Airspeed, HUD, "airspeed", 1.0),
-    of(Role::Heading, IMU, Reading::RosQuaternion("orientation")),
-    of(Role::Roll, IMU, Reading::RosQuaternion("orientation")),
-    of(Role::Pitch, IMU, Reading::RosQuaternion("orientation")),
+    of(Role::Heading, IMU, RowReading::RosQuaternion("orientation")),
+    of(Role::Roll, IMU, RowReading::RosQuaternion("orientation")),
+    of(Role::Pitch, IMU, RowReading::RosQuaternion("orientation")),
     of(
         Role::Heading,
         ODOMETRY,
-        Reading::RosQuaternion("pose.pose.orientation"),
+        RowReading::RosQuaternion("pose.pose.orientation"),
     ),
     of(
         Role::Roll,
         ODOMETRY,
-        Reading::RosQuaternion("pose.pose.orientation"),
+        RowReading::RosQuaternion("pose.pose.orientation"),
     ),
     of(
         Role::Pitch,
         ODOMETRY,
-        Reading::RosQuaternion("pose.pose.orientation"),
+        RowReading::RosQuaternion("pose.pose.orientation"),
     ),
     of(
         Role::Heading,
         UNSURE_POSE,
-        Reading::RosQuaternion("pose.pose.orientation"),
+        RowReading::RosQuaternion("pose.pose.orientation"),
     ),
     of(
         Role::Roll,
         UNSURE_POSE,
-        Reading::RosQuaternion("pose.pose.orientation"),
+        RowReading::RosQuaternion("pose.pose.orientation"),
     ),
     of(
         Role::Pitch,
         UNSURE_POSE,
-        Reading::RosQuaternion("pose.pose.orientation"),
+        RowReading::RosQuaternion("pose.pose.orientation"),
     ),
     of(
         Role::Heading,
         POSE,
-        Reading::RosQuaternion("pose.orientation"),
+        RowReading::RosQuaternion("pose.orientation"),
     ),
-    of(Role::Roll, POSE, Reading::RosQuaternion("pose.orientation")),
+    of(
+        Role::Roll,
+        POSE,
+        RowReading::RosQuaternion("pose.orientation"),
+    ),
     of(
         Role::Pitch,
         POSE,
-        Reading::RosQuaternion("pose.orientation"),
+        RowReading::RosQuaternion("pose.orientation"),
     ),
     of(
         Role::Heading,
         FOXGLOVE_POSE,
-        Reading::RosQuaternion("pose.orientation"),
+        RowReading::RosQuaternion("pose.orientation"),
     ),
     of(
         Role::Roll,
         FOXGLOVE_POSE,
-        Reading::RosQuaternion("pose.orientation"),
+        RowReading::RosQuaternion("pose.orientation"),
     ),
     of(
         Role::Pitch,
         FOXGLOVE_POSE,
-        Reading::RosQuaternion("pose.orientation"),
+        RowReading::RosQuaternion("pose.orientation"),
     ),
     field(
         Role::Heading,
@@ -103,13 +107,13 @@ const ROS: &[Source] = &[
     of(
         Role::BarometricHeight,
         "sensor_msgs/FluidPressure",
-        Reading::Pressure("fluid_pressure"),
+        RowReading::Pressure("fluid_pressure"),
     ),
     field(Role::BarometricHeight, HUD, "altitude", 1.0),
     field(Role::Latitude, FIX, "latitude", DEGREE),
     field(Role::Longitude, FIX, "longitude", DEGREE),
     field(Role::GpsHeight, FIX, "altitude", 1.0),
-    of(Role::GpsFix, FIX, Reading::RosFix("status.status")),
+    of(Role::GpsFix, FIX, RowReading::RosFix("status.status")),
     field(Role::Latitude, LOCATION, "latitude", DEGREE),
     field(Role::Longitude, LOCATION, "longitude", DEGREE),
     field(Role::GpsHeight, LOCATION, "altitude", 1.0),

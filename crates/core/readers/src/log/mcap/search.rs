@@ -2,7 +2,7 @@
 
 use super::attachment::attachment;
 use super::chunk;
-use super::contents::Contents;
+use super::contents::McapContents;
 use super::magic::MAGIC;
 use super::record::{
     ATTACHMENT, CHANNEL, CHUNK, FRAME, MESSAGE, MESSAGE_HEAD, SCHEMA, frame, is_known, may_begin,
@@ -15,12 +15,12 @@ const LONGEST: usize = 1 << 12;
 
 /// Number of `bytes` before the next record that is no accident, and whether there is one. Where more bytes
 /// are needed to tell, the count ends there; where `over`, no more will come.
-pub(super) fn next_sure(contents: &Contents, bytes: &[u8], over: bool) -> (usize, bool) {
+pub(super) fn next_sure(contents: &McapContents, bytes: &[u8], over: bool) -> (usize, bool) {
     next(bytes, over, |rest| is_sure(contents, rest, over))
 }
 
 /// The same among the records of a chunk that is there as a whole.
-pub(super) fn next_inside(contents: &Contents, bytes: &[u8]) -> usize {
+pub(super) fn next_inside(contents: &McapContents, bytes: &[u8]) -> usize {
     let inside = |rest: &[u8]| matches!(rest.first(), Some(&(SCHEMA | CHANNEL | MESSAGE)));
     next(bytes, true, |rest| {
         if inside(rest) {
@@ -48,7 +48,7 @@ fn next(bytes: &[u8], over: bool, is_sure: impl Fn(&[u8]) -> Option<bool>) -> (u
 }
 
 /// Whether a record begins here that is no accident; `None` if that takes more bytes.
-fn is_sure(contents: &Contents, bytes: &[u8], over: bool) -> Option<bool> {
+fn is_sure(contents: &McapContents, bytes: &[u8], over: bool) -> Option<bool> {
     if bytes.starts_with(&MAGIC) {
         return Some(true);
     }

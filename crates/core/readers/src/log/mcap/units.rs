@@ -3,9 +3,9 @@
 //! A schema tells no units. Those given here are what the packages of ROS (REP 103: SI units) and the
 //! schemas of Foxglove bind to a name; PX4's messages keep theirs. Every other field has none.
 
-use crate::log::growing::Units;
+use crate::log::growing::FieldUnit;
 use crate::log::schema::{plain, px4_topic};
-use crate::log::{FieldKind, Scale, ulog};
+use crate::log::{FieldKind, ValueScale, ulog};
 
 /// Packages whose messages follow REP 103, and the schemas of Foxglove.
 const PACKAGES: [&str; 5] = [
@@ -44,7 +44,7 @@ const NUMBERS: [(&str, &str); 11] = [
 ];
 
 /// Units of the fields of messages of a schema.
-pub(super) fn units_of(schema: &str) -> Units {
+pub(super) fn units_of(schema: &str) -> FieldUnit {
     let schema = schema.to_owned();
     Box::new(move |path, kind| {
         let (unit, scale) = unit_and_scale(&schema, path, kind);
@@ -53,14 +53,14 @@ pub(super) fn units_of(schema: &str) -> Units {
 }
 
 /// Unit of the values of a field, and what the stored number is multiplied by to have it.
-fn unit_and_scale(schema: &str, path: &str, kind: FieldKind) -> (&'static str, Scale) {
+fn unit_and_scale(schema: &str, path: &str, kind: FieldKind) -> (&'static str, ValueScale) {
     if let Some(topic) = px4_topic(schema) {
         return ulog::unit_and_scale(&topic, path, kind);
     }
     let schema = plain(schema);
     let is_known = PACKAGES.iter().any(|package| schema.starts_with(package));
     if !is_known || !kind.is_number() {
-        return ("", Scale::One);
+        return ("", ValueScale::One);
     }
     let mut parts = path.rsplit('.');
     let last = parts.next().unwrap_or_default();
@@ -70,7 +70,7 @@ fn unit_and_scale(schema: &str, path: &str, kind: FieldKind) -> (&'static str, S
     } else {
         NUMBERS.iter().find(|(name, _)| *name == last)
     };
-    (unit.map_or("", |(_, unit)| *unit), Scale::One)
+    (unit.map_or("", |(_, unit)| *unit), ValueScale::One)
 }
 
 #[cfg(test)]
@@ -90,6 +90,6 @@ mod tests {
     #[test]
     fn messages_of_px4_have_the_units_of_its_logs() {
         let (unit, scale) = unit_and_scale("px4_msgs/msg/SensorGps", "lat", FieldKind::I32);
-        assert_eq!((unit, scale), ("deg", Scale::Over(1e7)));
+        assert_eq!((unit, scale), ("deg", ValueScale::Over(1e7)));
     }
 }

@@ -4,7 +4,7 @@ use crate::log::schema::plain;
 use crate::log::{Log, LogMessage, ModeChange, Topic, px4_modes};
 
 /// Meaning of a schema's messages beside their rows.
-pub(super) enum Meaning {
+pub(super) enum SchemaMeaning {
     Nothing,
     /// Words, in a field of that name, with what makes an urgency as syslog counts it of the field `level`.
     Words(&'static str, fn(f64) -> u8),
@@ -14,7 +14,7 @@ pub(super) enum Meaning {
     ModeNumber(Option<u8>),
 }
 
-impl Meaning {
+impl SchemaMeaning {
     pub fn of(schema: &str) -> Self {
         match plain(schema).as_str() {
             "rosgraph_msgs/Log" => Self::Words("msg", of_first_ros),

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::super::{FieldLayout, Log, Topic, system_of};
-use crate::times::{Verdict, judge, starts_of};
+use crate::times::{TimeVerdict, judge, starts_of};
 
 /// Fields in which messages carry the time, with how many of them are a second.
 const STAMPS: [(&str, f64); 2] = [("time_boot_ms", 1e3), ("time_usec", 1e6)];
@@ -44,7 +44,7 @@ impl Start {
 }
 
 /// A topic whose messages carry a time.
-struct Timed {
+struct TimedTopic {
     place: usize,
     sent: Vec<f64>,
     /// Rows between two starts, with the clock as these rows tell it.
@@ -64,7 +64,7 @@ pub(super) fn count_by_messages(log: &mut Log) {
         let timed = places
             .iter()
             .filter_map(|place| timed(*place, &log.topics[*place]));
-        let timed: Vec<Timed> = timed.collect();
+        let timed: Vec<TimedTopic> = timed.collect();
         let Some(most) = timed.iter().max_by_key(|timed| timed.sent.len()) else {
             continue;
         };
@@ -124,7 +124,7 @@ fn at(starts: &[Start], received: f64) -> Option<&Start> {
 }
 
 /// The times that the messages of a topic carry; `None` where they carry none that runs.
-fn timed(place: usize, topic: &Topic) -> Option<Timed> {
+fn timed(place: usize, topic: &Topic) -> Option<TimedTopic> {
     let (field, per_second) = STAMPS
         .iter()
         .find_map(|(name, per_second)| Some((topic.field(name)?, *per_second)))?;
@@ -142,7 +142,7 @@ fn timed(place: usize, topic: &Topic) -> Option<Timed> {
     for rows in starts {
         if let Some(verdicts) = judge(&sent[rows.clone()]) {
             for (row, verdict) in rows.clone().zip(verdicts) {
-                if verdict == Verdict::Wrong {
+                if verdict == TimeVerdict::Wrong {
                     sent[row] = f64::NAN;
                 }
             }
@@ -150,7 +150,7 @@ fn timed(place: usize, topic: &Topic) -> Option<Timed> {
         let is_received = |row: &usize| {
             receptions
                 .as_ref()
-                .is_none_or(|v| v[*row] != Verdict::Wrong)
+                .is_none_or(|v| v[*row] != TimeVerdict::Wrong)
         };
         let pairs = rows
             .clone()
@@ -163,7 +163,7 @@ fn timed(place: usize, topic: &Topic) -> Option<Timed> {
             sent[rows].fill(f64::NAN);
         }
     }
-    (!fitted.is_empty()).then_some(Timed {
+    (!fitted.is_empty()).then_some(TimedTopic {
         place,
         sent,
         starts: fitted,

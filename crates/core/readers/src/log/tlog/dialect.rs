@@ -13,7 +13,7 @@ const MOST_NUMBERS: u16 = 64;
 
 /// A kind of message.
 #[derive(Debug)]
-pub(super) struct Definition {
+pub(super) struct MessageDefinition {
     /// Name.
     pub name: &'static str,
     /// Fields in the order of the definition; they lie in another order in the row.
@@ -26,7 +26,7 @@ pub(super) struct Definition {
 /// The kinds of messages.
 pub(super) struct Dialect {
     lines: HashMap<u32, &'static str>,
-    read: HashMap<u32, Definition>,
+    read: HashMap<u32, MessageDefinition>,
 }
 
 impl Default for Dialect {
@@ -41,9 +41,9 @@ impl Default for Dialect {
 
 impl Dialect {
     /// The kind with that number.
-    pub fn get(&mut self, number: u32) -> Option<&Definition> {
+    pub fn get(&mut self, number: u32) -> Option<&MessageDefinition> {
         if !self.read.contains_key(&number) {
-            let definition = Definition::from_line(self.lines.get(&number)?)?;
+            let definition = MessageDefinition::from_line(self.lines.get(&number)?)?;
             self.read.insert(number, definition);
         }
         self.read.get(&number)
@@ -51,7 +51,7 @@ impl Dialect {
 }
 
 /// A field as the table has it.
-struct Field {
+struct DialectField {
     letter: u8,
     /// Length, if it is an array.
     array: Option<u16>,
@@ -60,7 +60,7 @@ struct Field {
     offset: usize,
 }
 
-impl Field {
+impl DialectField {
     fn parse(text: &'static str) -> Option<Self> {
         let mut words = text.split(' ');
         let (letter, array) = words.next()?.split_at_checked(1)?;
@@ -118,7 +118,7 @@ impl Field {
     }
 }
 
-impl Definition {
+impl MessageDefinition {
     fn from_line(line: &'static str) -> Option<Self> {
         let mut parts = line.split(';').skip(1);
         let name = parts.next()?;
@@ -128,7 +128,7 @@ impl Definition {
             if part == "+" {
                 first_extension = Some(fields.len());
             } else {
-                fields.push((Field::parse(part)?, FieldKind::U8, ""));
+                fields.push((DialectField::parse(part)?, FieldKind::U8, ""));
             }
         }
         for (field, kind, word) in &mut fields {

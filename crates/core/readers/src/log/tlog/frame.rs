@@ -15,7 +15,7 @@ const LATEST: u64 = 100 * 31_556_952 * 1_000_000;
 
 /// A message with its time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Frame<'a> {
+pub(super) struct MavlinkFrame<'a> {
     /// Microseconds since 1970.
     pub time: u64,
     /// System that sent it.
@@ -42,7 +42,7 @@ pub(super) enum NoFrame {
     None,
 }
 
-impl<'a> Frame<'a> {
+impl<'a> MavlinkFrame<'a> {
     /// The frame that begins here, its checksum not looked at.
     pub fn parse(bytes: &'a [u8]) -> Result<Self, NoFrame> {
         // Most places are none, which their first byte says.
@@ -104,7 +104,7 @@ const DAMAGED: usize = 600;
 /// than its time and marker is not looked at.
 pub(super) fn may_begin(bytes: &[u8]) -> bool {
     let bytes = &bytes[..bytes.len().min(STAMP + 1)];
-    Frame::parse(bytes) != Err(NoFrame::None)
+    MavlinkFrame::parse(bytes) != Err(NoFrame::None)
 }
 
 /// Whether a file that begins so is of this format: its first message is sound, or (where it is of a kind
@@ -113,11 +113,11 @@ pub(super) fn may_begin(bytes: &[u8]) -> bool {
 pub(super) fn begins(head: &[u8]) -> bool {
     let mut dialect = Dialect::default();
     // Nothing is known of kinds that no dialect has.
-    let mut is_sound = |frame: &Frame| {
+    let mut is_sound = |frame: &MavlinkFrame| {
         let definition = dialect.get(frame.number)?;
         Some(frame.is_sound(definition.seed))
     };
-    if let Ok(frame) = Frame::parse(head) {
+    if let Ok(frame) = MavlinkFrame::parse(head) {
         let behind = &head[frame.length..];
         let is_followed = behind.len() > STAMP && may_begin(behind);
         if is_sound(&frame).unwrap_or(is_followed) {
@@ -129,7 +129,9 @@ pub(super) fn begins(head: &[u8]) -> bool {
         return false;
     }
     let mut places = 1..head.len().min(DAMAGED);
-    places.any(|at| Frame::parse(&head[at..]).is_ok_and(|frame| is_sound(&frame) == Some(true)))
+    places.any(|at| {
+        MavlinkFrame::parse(&head[at..]).is_ok_and(|frame| is_sound(&frame) == Some(true))
+    })
 }
 
 #[cfg(test)]
@@ -148,19 +150,19 @@ mod tests {
         let heartbeat = [
             0, 5, 0x9b, 0, 0, 0, 0, 1, 0xfe, 9, 7, 1, 2, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0,
         ];
-        let frame = Frame::parse(&heartbeat).unwrap();
+        let frame = MavlinkFrame::parse(&heartbeat).unwrap();
         assert_eq!((frame.system, frame.component, frame.number), (1, 2, 0));
         assert_eq!(frame.payload, [1, 2, 3, 4, 5, 6, 7, 8, 9]);
         assert_eq!(frame.length, heartbeat.len());
         assert!(!frame.is_sound(50));
         for end in 0..heartbeat.len() {
-            assert_eq!(Frame::parse(&heartbeat[..end]), Err(NoFrame::Short));
+            assert_eq!(MavlinkFrame::parse(&heartbeat[..end]), Err(NoFrame::Short));
         }
         let mut other = heartbeat;
         other[8] = 0x55;
-        assert_eq!(Frame::parse(&other), Err(NoFrame::None));
+        assert_eq!(MavlinkFrame::parse(&other), Err(NoFrame::None));
         other = heartbeat;
         other[1] = 0x1f;
-        assert_eq!(Frame::parse(&other), Err(NoFrame::None));
+        assert_eq!(MavlinkFrame::parse(&other), Err(NoFrame::None));
     }
 }

@@ -2,26 +2,26 @@
 
 use super::super::Log;
 use super::parameters::Parameters;
-use super::row::{Row, Sender};
+use super::row::{PayloadRow, Sender};
 use super::vehicle::Heartbeats;
-use super::words::Words;
+use super::words::SpokenTexts;
 
 /// State of the messages that say more than their row: heartbeats, parameters, words.
 #[derive(Default)]
-pub(super) struct Meaning {
+pub(super) struct SpecialMessages {
     heartbeats: Heartbeats,
     parameters: Parameters,
-    words: Words,
+    words: SpokenTexts,
 }
 
-impl Meaning {
+impl SpecialMessages {
     /// Takes a message by the number of its kind.
     pub fn take<'a>(
         &mut self,
         number: u32,
         sender: Sender,
         time: f64,
-        row: impl Fn() -> Row<'a>,
+        row: impl Fn() -> PayloadRow<'a>,
         log: &mut Log,
     ) {
         match number {

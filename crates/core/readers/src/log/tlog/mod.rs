@@ -26,10 +26,10 @@ mod tests;
 pub(super) use roles::MEANING;
 
 use super::stepping::Stepping;
-use super::{FormatInfo, LogFormat};
+use super::{LogFormat, LogFormatInfo};
 
 /// The format.
-pub(super) const INFO: FormatInfo = FormatInfo {
+pub(super) const INFO: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Tlog,
     endings: &["tlog"],
     begins: frame::begins,

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::{FieldKind, Log, Parameter};
-use super::row::{Row, Sender};
+use super::row::{PayloadRow, Sender};
 
 /// A parameter whose four bytes are not understood before the vehicle is known.
 struct Sent {
@@ -29,7 +29,7 @@ pub(super) struct Parameters {
 
 impl Parameters {
     /// Takes a value that was sent.
-    pub fn take(&mut self, sender: Sender, time: f64, row: &Row, log: &mut Log) {
+    pub fn take(&mut self, sender: Sender, time: f64, row: &PayloadRow, log: &mut Log) {
         let sent = Sent {
             sender: (sender.system, sender.component),
             name: row.text("param_id"),

@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use super::super::stepping::{Step, Steps};
+use super::super::stepping::{LogStep, LogSteps};
 use super::super::{Log, TopicName};
-use super::dialect::{Definition, Dialect};
-use super::frame::{Frame, NoFrame, STAMP, may_begin};
-use super::meaning::Meaning;
-use super::row::{Row, Sender};
+use super::dialect::{Dialect, MessageDefinition};
+use super::frame::{MavlinkFrame, NoFrame, STAMP, may_begin};
+use super::meaning::SpecialMessages;
+use super::row::{PayloadRow, Sender};
 
 /// Most topics: kinds of messages times their senders. A file made to harm could have millions.
 const MOST_TOPICS: usize = 10_000;
@@ -30,11 +30,11 @@ pub(super) struct Tlog {
     times: Option<(u64, u64)>,
     /// Why the next message has to be looked for, if it has.
     lost: Option<&'static str>,
-    meaning: Meaning,
+    meaning: SpecialMessages,
 }
 
-impl Steps for Tlog {
-    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+impl LogSteps for Tlog {
+    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> LogStep {
         match self.lost {
             Some(cause) => self.search(bytes, offset, over, cause, log),
             None => self.next(bytes, offset, over, log),
@@ -49,17 +49,17 @@ impl Steps for Tlog {
 }
 
 impl Tlog {
-    fn lose(&mut self, cause: &'static str, offset: u64, log: &mut Log) -> Step {
+    fn lose(&mut self, cause: &'static str, offset: u64, log: &mut Log) -> LogStep {
         self.lost = Some(cause);
         log.report.skip(offset, 1, cause);
-        Step::Took(1)
+        LogStep::Took(1)
     }
 
     /// Takes the message that begins here.
-    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
-        let frame = match Frame::parse(bytes) {
+    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> LogStep {
+        let frame = match MavlinkFrame::parse(bytes) {
             Ok(frame) => frame,
-            Err(NoFrame::Short) if !over => return Step::Wait,
+            Err(NoFrame::Short) if !over => return LogStep::Wait,
             Err(NoFrame::Short) => {
                 return self.lose("a message reaches beyond the end", offset, log);
             }
@@ -74,7 +74,7 @@ impl Tlog {
                 .copied()
                 .map(u64::from_be_bytes)
             {
-                None if !over => return Step::Wait,
+                None if !over => return LogStep::Wait,
                 Some(next) if next.abs_diff(last) <= DAY => {
                     return self.lose("a time far from those around it", offset, log);
                 }
@@ -83,7 +83,7 @@ impl Tlog {
         }
         let Some(definition) = self.dialect.get(frame.number) else {
             if behind.len() <= STAMP && !over {
-                return Step::Wait;
+                return LogStep::Wait;
             }
             if !may_begin(behind) {
                 return self.lose("no time and no message", offset, log);
@@ -92,7 +92,7 @@ impl Tlog {
             log.report.remark(remark);
             let cause = "a kind of message that is not known";
             log.report.skip(offset, frame.length as u64, cause);
-            return Step::Took(frame.length);
+            return LogStep::Took(frame.length);
         };
         if !frame.is_sound(definition.seed) {
             return self.lose("a wrong checksum", offset, log);
@@ -101,7 +101,7 @@ impl Tlog {
         let Some((topic, instance)) = place else {
             log.report
                 .skip(offset, frame.length as u64, "too many senders");
-            return Step::Took(frame.length);
+            return LogStep::Took(frame.length);
         };
         let (first, last) = self.times.get_or_insert_with(|| {
             let is_set = frame.time >= YEAR_2000;
@@ -117,9 +117,9 @@ impl Tlog {
             component: frame.component,
             instance,
         };
-        let row = || Row::new(&definition.fields, frame.payload);
+        let row = || PayloadRow::new(&definition.fields, frame.payload);
         self.meaning.take(frame.number, sender, time, row, log);
-        Step::Took(frame.length)
+        LogStep::Took(frame.length)
     }
 
     /// Looks for the next message whose checksum is right.
@@ -130,11 +130,11 @@ impl Tlog {
         over: bool,
         cause: &str,
         log: &mut Log,
-    ) -> Step {
+    ) -> LogStep {
         let mut count = bytes.len();
         let mut is_found = false;
         for place in 0..bytes.len() {
-            match Frame::parse(&bytes[place..]) {
+            match MavlinkFrame::parse(&bytes[place..]) {
                 Err(NoFrame::None) => continue,
                 Err(NoFrame::Short) if over => continue,
                 Err(NoFrame::Short) => {}
@@ -154,11 +154,11 @@ impl Tlog {
         }
         if count > 0 {
             log.report.skip(offset, count as u64, cause);
-            Step::Took(count)
+            LogStep::Took(count)
         } else if is_found {
             self.next(bytes, offset, over, log)
         } else {
-            Step::Wait
+            LogStep::Wait
         }
     }
 }
@@ -166,8 +166,8 @@ impl Tlog {
 /// Topic and instance of what that sender sends of that kind; `None` beyond [`MOST_TOPICS`].
 fn place(
     places: &mut HashMap<(u32, u8, u8), (usize, u32)>,
-    frame: &Frame,
-    definition: &Definition,
+    frame: &MavlinkFrame,
+    definition: &MessageDefinition,
     log: &mut Log,
 ) -> Option<(usize, u32)> {
     let sender = (frame.number, frame.system, frame.component);

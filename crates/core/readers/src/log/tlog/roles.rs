@@ -1,6 +1,6 @@
 //! Fields of `MAVLink` messages that hold the roles, and those that tell photos: tables to be read, one line a place.
 
-use crate::role::{DEGREE, Meaning, Reading, Role, Source, field, of};
+use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
 
 const GRAVITY: f64 = pilotage_base::frames::units::GRAVITY;
 
@@ -14,7 +14,7 @@ pub(in super::super) const MEANING: Meaning = Meaning {
     ],
 };
 
-const TLOG: &[Source] = &[
+const TLOG: &[RoleSource] = &[
     field(Role::Airspeed, "VFR_HUD", "airspeed", 1.0),
     field(Role::Heading, "ATTITUDE", "yaw", 1.0),
     field(Role::Roll, "ATTITUDE", "roll", 1.0),
@@ -38,12 +38,12 @@ const TLOG: &[Source] = &[
     of(
         Role::GpsVelocityNorth,
         "GPS_RAW_INT",
-        Reading::Course("vel", 0.01, "cog", 0.01 * DEGREE),
+        RowReading::Course("vel", 0.01, "cog", 0.01 * DEGREE),
     ),
     of(
         Role::GpsVelocityEast,
         "GPS_RAW_INT",
-        Reading::Course("vel", 0.01, "cog", 0.01 * DEGREE),
+        RowReading::Course("vel", 0.01, "cog", 0.01 * DEGREE),
     ),
     field(Role::GpsVelocityDown, "GLOBAL_POSITION_INT", "vz", 0.01),
     field(Role::GroundSpeed, "GPS_RAW_INT", "vel", 0.01),
@@ -69,12 +69,12 @@ const TLOG: &[Source] = &[
     of(
         Role::WindNorth,
         "WIND",
-        Reading::WindFrom("direction", DEGREE, "speed"),
+        RowReading::WindFrom("direction", DEGREE, "speed"),
     ),
     of(
         Role::WindEast,
         "WIND",
-        Reading::WindFrom("direction", DEGREE, "speed"),
+        RowReading::WindFrom("direction", DEGREE, "speed"),
     ),
     field(
         Role::AutopilotLatitude,

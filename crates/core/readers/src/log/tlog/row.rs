@@ -17,12 +17,12 @@ pub(super) struct Sender {
 }
 
 /// The payload of a message with its fields.
-pub(super) struct Row<'a> {
+pub(super) struct PayloadRow<'a> {
     fields: &'a [FieldLayout],
     bytes: [u8; LONGEST],
 }
 
-impl<'a> Row<'a> {
+impl<'a> PayloadRow<'a> {
     /// A payload of which zeros at the end may have been left out.
     pub fn new(fields: &'a [FieldLayout], payload: &[u8]) -> Self {
         let mut bytes = [0; LONGEST];

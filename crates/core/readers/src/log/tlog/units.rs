@@ -1,6 +1,6 @@
 //! Units of `MAVLink`'s definitions.
 
-use super::super::Scale;
+use super::super::ValueScale;
 
 /// Scaled units, what they are parts of, and how many of them make one.
 const PARTS: [(&str, &str, f64); 21] = [
@@ -37,14 +37,14 @@ const MULTIPLES: [(&str, &str, f64); 4] = [
 
 /// Unit of the values, and what makes a value of a number in `unit` of the definitions. Times stay as they
 /// are: their fields are named after their unit.
-pub(super) fn unit_and_scale(unit: &'static str) -> (&'static str, Scale) {
+pub(super) fn unit_and_scale(unit: &'static str) -> (&'static str, ValueScale) {
     if let Some((_, whole, parts)) = PARTS.iter().find(|(part, _, _)| *part == unit) {
-        return (whole, Scale::Over(*parts));
+        return (whole, ValueScale::Over(*parts));
     }
     if let Some((_, one, count)) = MULTIPLES.iter().find(|(several, _, _)| *several == unit) {
-        return (one, Scale::Times(*count));
+        return (one, ValueScale::Times(*count));
     }
-    (unit, Scale::One)
+    (unit, ValueScale::One)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::super::dataflash::Vehicle;
 use super::super::release::release;
 use super::super::{Log, ModeChange, px4_modes};
-use super::row::{Row, Sender};
+use super::row::{PayloadRow, Sender};
 
 /// `MAV_AUTOPILOT`: `ArduPilot`'s, PX4's, and what is no autopilot.
 const ARDUPILOT: u8 = 3;
@@ -28,7 +28,7 @@ pub(super) struct Heartbeats {
 
 impl Heartbeats {
     /// Takes a heartbeat; returns whether it is the first one of the vehicle.
-    pub fn beat(&mut self, sender: Sender, time: f64, row: &Row, log: &mut Log) -> bool {
+    pub fn beat(&mut self, sender: Sender, time: f64, row: &PayloadRow, log: &mut Log) -> bool {
         let byte = |name| row.integer(name) as u8;
         let (autopilot, kind) = (byte("autopilot"), byte("type"));
         let is_station = kind == GROUND_STATION || sender.system >= STATIONS;
@@ -63,7 +63,7 @@ impl Heartbeats {
     }
 
     /// Takes the version of the software.
-    pub fn version(&mut self, sender: Sender, row: &Row, log: &mut Log) {
+    pub fn version(&mut self, sender: Sender, row: &PayloadRow, log: &mut Log) {
         if self.sender == Some((sender.system, sender.component)) {
             self.release = release(row.integer("flight_sw_version") as u32);
             self.name(log);

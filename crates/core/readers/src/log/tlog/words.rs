@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::{Log, LogMessage};
-use super::row::{Row, Sender};
+use super::row::{PayloadRow, Sender};
 
 /// Text in place of pieces that never came.
 const MISSING: &str = " … ";
@@ -20,13 +20,13 @@ struct Open {
 
 /// The words that were said.
 #[derive(Default)]
-pub(super) struct Words {
+pub(super) struct SpokenTexts {
     open: HashMap<(u8, u8), Open>,
 }
 
-impl Words {
+impl SpokenTexts {
     /// Takes a piece; returns the text so far.
-    pub fn take(&mut self, sender: Sender, time: f64, row: &Row, log: &mut Log) -> String {
+    pub fn take(&mut self, sender: Sender, time: f64, row: &PayloadRow, log: &mut Log) -> String {
         let own = (sender.system, sender.component);
         let number = row.integer("id") as u16;
         let piece = row.integer("chunk_seq") as u8;

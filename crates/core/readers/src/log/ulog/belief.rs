@@ -1,12 +1,12 @@
 //! Trust in messages.
 
 use super::definition::Definitions;
-use super::message::Message;
-use super::rows::{Fit, Subscriptions};
+use super::message::UlogMessage;
+use super::rows::{RowFit, Subscriptions};
 
 /// Trust in a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Belief {
+pub(super) enum MessageTrust {
     /// It holds together so well that it is no accident.
     Sure,
     /// Only if another message follows right behind it.
@@ -17,25 +17,31 @@ pub(super) enum Belief {
 pub(super) fn belief(
     definitions: &Definitions,
     subscriptions: &Subscriptions,
-    message: &Message,
-) -> Result<Belief, &'static str> {
-    let sure_if = |good| Ok(if good { Belief::Sure } else { Belief::Likely });
+    message: &UlogMessage,
+) -> Result<MessageTrust, &'static str> {
+    let sure_if = |good| {
+        Ok(if good {
+            MessageTrust::Sure
+        } else {
+            MessageTrust::Likely
+        })
+    };
     match message {
-        Message::Definition(_) | Message::Sync => Ok(Belief::Sure),
-        Message::Fact(value) => sure_if(value.is_whole()),
-        Message::Parameter(value) | Message::Default { value, .. } => {
+        UlogMessage::Definition(_) | UlogMessage::Sync => Ok(MessageTrust::Sure),
+        UlogMessage::Fact(value) => sure_if(value.is_whole()),
+        UlogMessage::Parameter(value) | UlogMessage::Default { value, .. } => {
             let is_parameter = value.parameter().is_some();
             is_parameter
-                .then_some(Belief::Sure)
+                .then_some(MessageTrust::Sure)
                 .ok_or("a parameter that is no number")
         }
-        Message::Subscribe { name, .. } => sure_if(definitions.has(name)),
-        Message::Row { number, row } => match subscriptions.fit(*number, row.len()) {
-            Fit::Yes => Ok(Belief::Sure),
-            Fit::Unknown => Ok(Belief::Likely),
-            Fit::No => Err("a row has not the length of its definition"),
+        UlogMessage::Subscribe { name, .. } => sure_if(definitions.has(name)),
+        UlogMessage::Row { number, row } => match subscriptions.fit(*number, row.len()) {
+            RowFit::Yes => Ok(MessageTrust::Sure),
+            RowFit::Unknown => Ok(MessageTrust::Likely),
+            RowFit::No => Err("a row has not the length of its definition"),
         },
-        Message::Words { text, .. } => {
+        UlogMessage::Words { text, .. } => {
             let is_clean = |text: &str| {
                 !text
                     .chars()
@@ -43,8 +49,9 @@ pub(super) fn belief(
             };
             sure_if(str::from_utf8(text).is_ok_and(is_clean))
         }
-        Message::Flags { .. } | Message::Unsubscribe | Message::Dropout(_) | Message::Unknown => {
-            Ok(Belief::Likely)
-        }
+        UlogMessage::Flags { .. }
+        | UlogMessage::Unsubscribe
+        | UlogMessage::Dropout(_)
+        | UlogMessage::Unknown => Ok(MessageTrust::Likely),
     }
 }

@@ -57,13 +57,13 @@ pub(super) fn is_name(text: &str) -> bool {
 
 /// A definition as its message has it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Definition {
+pub(super) struct UlogDefinition {
     name: String,
     /// Type and name of each field.
     fields: Vec<(String, String)>,
 }
 
-impl Definition {
+impl UlogDefinition {
     /// From `name:type field;…`.
     pub fn parse(bytes: &[u8]) -> Option<Self> {
         let colon = bytes
@@ -89,7 +89,7 @@ impl Definition {
 /// Every definition of a file.
 #[derive(Default)]
 pub(super) struct Definitions {
-    by_name: HashMap<String, Definition>,
+    by_name: HashMap<String, UlogDefinition>,
     lengths: HashMap<String, usize>,
 }
 
@@ -104,7 +104,7 @@ pub(super) struct RowLength {
 
 impl Definitions {
     /// Adds a definition, in place of an earlier one of the same name.
-    pub fn add(&mut self, definition: Definition) {
+    pub fn add(&mut self, definition: UlogDefinition) {
         if self.by_name.get(&definition.name) != Some(&definition) {
             self.lengths.clear();
             self.by_name.insert(definition.name.clone(), definition);
@@ -246,7 +246,7 @@ mod tests {
     fn definitions(texts: &[&str]) -> Definitions {
         let mut all = Definitions::default();
         for text in texts {
-            all.add(Definition::parse(text.as_bytes()).unwrap());
+            all.add(UlogDefinition::parse(text.as_bytes()).unwrap());
         }
         all
     }
@@ -320,17 +320,17 @@ mod tests {
             b"name:float x\xff;",
             b"na me:float x;",
         ] {
-            assert!(Definition::parse(text).is_none());
+            assert!(UlogDefinition::parse(text).is_none());
         }
         let long = format!("{}:float x;", "n".repeat(300));
-        assert!(Definition::parse(long.as_bytes()).is_none());
+        assert!(UlogDefinition::parse(long.as_bytes()).is_none());
     }
 
     #[test]
     fn a_later_definition_takes_the_place_of_an_earlier_one() {
         let mut all = definitions(&["inner:float x;", "outer:inner i;"]);
         assert_eq!(all.row_length("outer").map(|l| l.longest), Some(4));
-        all.add(Definition::parse(b"inner:double x;").unwrap());
+        all.add(UlogDefinition::parse(b"inner:double x;").unwrap());
         assert_eq!(all.row_length("outer").map(|l| l.longest), Some(8));
     }
 }

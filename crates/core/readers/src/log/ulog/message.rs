@@ -1,6 +1,6 @@
 //! The messages of a `ULog` file, each in a frame that tells its length and kind.
 
-use super::{definition::Definition, value::Keyed};
+use super::{definition::UlogDefinition, value::Keyed};
 
 /// Bytes of a frame before its message: two of length, one of kind.
 pub(super) const FRAME: usize = 3;
@@ -10,11 +10,11 @@ const LONGEST_UNKNOWN: usize = 10_000;
 const SYNC: [u8; 8] = [0x2f, 0x73, 0x13, 0x20, 0x25, 0x0c, 0xbb, 0x12];
 
 /// A message as it stands in the file.
-pub(super) enum Message<'a> {
+pub(super) enum UlogMessage<'a> {
     /// Deviations of the file from the plain format, and the places at which data were appended.
     Flags { unknown: bool, appended: [u64; 3] },
     /// Definition of a kind of row or of a part of one.
-    Definition(Definition),
+    Definition(UlogDefinition),
     /// Something that the log says of itself.
     Fact(Keyed<'a>),
     /// A parameter's value.
@@ -53,27 +53,26 @@ pub(super) fn frame(bytes: &[u8]) -> Option<(usize, u8)> {
 }
 
 /// The message of that kind, or why it makes no sense.
-pub(super) fn parse(kind: u8, bytes: &[u8]) -> Result<Message<'_>, &'static str> {
+pub(super) fn parse(kind: u8, bytes: &[u8]) -> Result<UlogMessage<'_>, &'static str> {
     let message = match kind {
         b'B' => flags(bytes),
-        b'F' => Definition::parse(bytes).map(Message::Definition),
-        b'I' => Keyed::parse(bytes).map(Message::Fact),
-        b'M' => Keyed::parse(bytes.get(1..).unwrap_or_default()).map(Message::Fact),
-        b'P' => Keyed::parse(bytes).map(Message::Parameter),
+        b'F' => UlogDefinition::parse(bytes).map(UlogMessage::Definition),
+        b'I' => Keyed::parse(bytes).map(UlogMessage::Fact),
+        b'M' => Keyed::parse(bytes.get(1..).unwrap_or_default()).map(UlogMessage::Fact),
+        b'P' => Keyed::parse(bytes).map(UlogMessage::Parameter),
         b'Q' => default(bytes),
         b'A' => subscribe(bytes),
-        b'R' => (bytes.len() == 2).then_some(Message::Unsubscribe),
-        b'D' => take(bytes).map(|(number, row)| Message::Row {
+        b'R' => (bytes.len() == 2).then_some(UlogMessage::Unsubscribe),
+        b'D' => take(bytes).map(|(number, row)| UlogMessage::Row {
             number: u16::from_le_bytes(number),
             row,
         }),
         b'L' => words(bytes, false),
         b'C' => words(bytes, true),
-        b'S' => (bytes == SYNC).then_some(Message::Sync),
-        b'O' => {
-            (bytes.len() == 2).then(|| Message::Dropout(u16::from_le_bytes([bytes[0], bytes[1]])))
-        }
-        _ if kind.is_ascii_alphabetic() && !bytes.is_empty() => Some(Message::Unknown),
+        b'S' => (bytes == SYNC).then_some(UlogMessage::Sync),
+        b'O' => (bytes.len() == 2)
+            .then(|| UlogMessage::Dropout(u16::from_le_bytes([bytes[0], bytes[1]]))),
+        _ if kind.is_ascii_alphabetic() && !bytes.is_empty() => Some(UlogMessage::Unknown),
         _ => return Err("no kind of message"),
     };
     message.ok_or(match kind {
@@ -108,7 +107,7 @@ fn take<const N: usize>(bytes: &[u8]) -> Option<([u8; N], &[u8])> {
     Some((head.try_into().ok()?, rest))
 }
 
-fn flags(bytes: &[u8]) -> Option<Message<'_>> {
+fn flags(bytes: &[u8]) -> Option<UlogMessage<'_>> {
     let (_compatible, rest) = take::<8>(bytes)?;
     let (incompatible, rest) = take::<8>(rest)?;
     let has_appended = incompatible[0] & 1 == 1;
@@ -124,26 +123,26 @@ fn flags(bytes: &[u8]) -> Option<Message<'_>> {
         rest = after;
     }
     let unknown = incompatible[0] & !1 != 0 || incompatible[1..].iter().any(|flags| *flags != 0);
-    Some(Message::Flags { unknown, appended })
+    Some(UlogMessage::Flags { unknown, appended })
 }
 
-fn default(bytes: &[u8]) -> Option<Message<'_>> {
+fn default(bytes: &[u8]) -> Option<UlogMessage<'_>> {
     let ([kinds], rest) = take(bytes)?;
     let value = Keyed::parse(rest)?;
-    Some(Message::Default { kinds, value })
+    Some(UlogMessage::Default { kinds, value })
 }
 
-fn subscribe(bytes: &[u8]) -> Option<Message<'_>> {
+fn subscribe(bytes: &[u8]) -> Option<UlogMessage<'_>> {
     let ([instance, low, high], name) = take(bytes)?;
     let name = str::from_utf8(name).ok().filter(|name| !name.is_empty())?;
-    Some(Message::Subscribe {
+    Some(UlogMessage::Subscribe {
         number: u16::from_le_bytes([low, high]),
         instance,
         name,
     })
 }
 
-fn words(bytes: &[u8], tagged: bool) -> Option<Message<'_>> {
+fn words(bytes: &[u8], tagged: bool) -> Option<UlogMessage<'_>> {
     let ([level], rest) = take(bytes)?;
     let (tag, rest) = if tagged {
         let (tag, rest) = take(rest)?;
@@ -154,7 +153,7 @@ fn words(bytes: &[u8], tagged: bool) -> Option<Message<'_>> {
     let (microseconds, text) = take(rest)?;
     // The level is a digit, as the Linux kernel writes it.
     let severity = level.checked_sub(b'0').filter(|severity| *severity < 8)?;
-    Some(Message::Words {
+    Some(UlogMessage::Words {
         severity,
         tag,
         microseconds: u64::from_le_bytes(microseconds),
@@ -169,7 +168,7 @@ mod tests {
     #[test]
     fn words_have_a_severity_a_time_and_perhaps_a_tag() {
         let message = parse(b'C', b"3\x07\0\x40\x42\x0f\0\0\0\0\0low battery");
-        let Ok(Message::Words {
+        let Ok(UlogMessage::Words {
             severity,
             tag,
             microseconds,
@@ -189,7 +188,7 @@ mod tests {
         let mut bytes = [0_u8; 40];
         bytes[16] = 200;
         let appended = |bytes: &[u8]| match parse(b'B', bytes) {
-            Ok(Message::Flags { appended, unknown }) => (appended, unknown),
+            Ok(UlogMessage::Flags { appended, unknown }) => (appended, unknown),
             _ => panic!("these are flags"),
         };
         assert_eq!(appended(&bytes), ([0, 0, 0], false));
@@ -202,7 +201,7 @@ mod tests {
 
     #[test]
     fn a_later_version_may_have_further_kinds_but_a_zero_is_none() {
-        assert!(matches!(parse(b'Z', b"new"), Ok(Message::Unknown)));
+        assert!(matches!(parse(b'Z', b"new"), Ok(UlogMessage::Unknown)));
         assert!(parse(0, b"new").is_err());
         assert!(may_begin(&[8, 0, b'Z']) && !may_begin(&[8, 80, b'Z']));
         assert!(may_begin(&[8, 0, b'S']) && !may_begin(&[9, 0, b'S']));

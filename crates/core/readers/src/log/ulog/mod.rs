@@ -25,10 +25,10 @@ pub(super) use roles::{MEANING, ROLES};
 pub(super) use units::unit_and_scale;
 
 use super::stepping::Stepping;
-use super::{FormatInfo, LogFormat};
+use super::{LogFormat, LogFormatInfo};
 
 /// The format.
-pub(super) const INFO: FormatInfo = FormatInfo {
+pub(super) const INFO: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Ulog,
     endings: &["ulg"],
     begins: |head| head.starts_with(&MAGIC),

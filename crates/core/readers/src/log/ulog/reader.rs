@@ -1,12 +1,12 @@
 //! From message to message through a `ULog` file.
 
 use super::super::release::release;
-use super::super::stepping::{Step, Steps};
+use super::super::stepping::{LogStep, LogSteps};
 use super::super::{DefaultValue, Fact, Log, LogMessage, Parameter, TopicName};
-use super::belief::{Belief, belief};
+use super::belief::{MessageTrust, belief};
 use super::definition::Definitions;
 use super::header::{HEADER, MAGIC};
-use super::message::{FRAME, Message, frame, may_begin, parse};
+use super::message::{FRAME, UlogMessage, frame, may_begin, parse};
 use super::rows::Subscriptions;
 use super::search::next_sure;
 use super::value::Keyed;
@@ -42,13 +42,13 @@ struct Software {
     hardware: String,
 }
 
-impl Steps for Ulog {
+impl LogSteps for Ulog {
     fn end(&mut self, log: &mut Log) {
         log.leave_out_wrong_times(|_| true);
         tell_earlier(log);
     }
 
-    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> LogStep {
         if !self.is_begun {
             return self.header(bytes, over, log);
         }
@@ -74,19 +74,19 @@ impl Steps for Ulog {
 }
 
 impl Ulog {
-    fn header(&mut self, bytes: &[u8], over: bool, log: &mut Log) -> Step {
+    fn header(&mut self, bytes: &[u8], over: bool, log: &mut Log) -> LogStep {
         if bytes.len() < HEADER && !over {
-            return Step::Wait;
+            return LogStep::Wait;
         }
         self.is_begun = true;
         if self.begin(bytes, log) {
             log.begins = Some(self.time);
-            return Step::Took(HEADER);
+            return LogStep::Took(HEADER);
         }
         log.report.remark("the file has no header of a ULog");
         log.report.skip(0, 1, "no header of a ULog");
         self.lost = Some("no header of a ULog");
-        Step::Took(1)
+        LogStep::Took(1)
     }
 
     /// Takes a header, if `bytes` begin with one.
@@ -111,7 +111,7 @@ impl Ulog {
     }
 
     /// Another log begins within the file: what one was told holds no more.
-    pub(super) fn begin_again(&mut self, bytes: &[u8], offset: u64, log: &mut Log) -> Step {
+    pub(super) fn begin_again(&mut self, bytes: &[u8], offset: u64, log: &mut Log) -> LogStep {
         self.begin(bytes, log);
         self.definitions = Definitions::default();
         self.subscriptions.forget();
@@ -119,18 +119,18 @@ impl Ulog {
         self.lost = None;
         log.report
             .remark(format!("another log begins at byte {offset}"));
-        Step::Took(HEADER)
+        LogStep::Took(HEADER)
     }
 
     /// Takes the message that begins here.
-    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> LogStep {
         let lose = |reader: &mut Self, cause: &'static str, log: &mut Log| {
             reader.lost = Some(cause);
             log.report.skip(offset, 1, cause);
-            Step::Took(1)
+            LogStep::Took(1)
         };
         if bytes.len() < HEADER && !over && bytes.starts_with(&MAGIC[..3]) {
-            return Step::Wait;
+            return LogStep::Wait;
         }
         if bytes.len() >= HEADER && bytes.starts_with(&MAGIC) {
             return self.begin_again(bytes, offset, log);
@@ -138,7 +138,7 @@ impl Ulog {
         let whole = frame(bytes).map(|(length, kind)| (FRAME + length, kind));
         let Some((length, kind)) = whole.filter(|(length, _)| *length <= bytes.len()) else {
             if !over {
-                return Step::Wait;
+                return LogStep::Wait;
             }
             return lose(self, "a message reaches beyond the end", log);
         };
@@ -148,11 +148,11 @@ impl Ulog {
         };
         match belief(&self.definitions, &self.subscriptions, &message) {
             Err(cause) => return lose(self, cause, log),
-            Ok(Belief::Sure) => {}
-            Ok(Belief::Likely) => {
+            Ok(MessageTrust::Sure) => {}
+            Ok(MessageTrust::Likely) => {
                 let behind = &bytes[length..];
                 if behind.len() < FRAME && !over {
-                    return Step::Wait;
+                    return LogStep::Wait;
                 }
                 if behind.len() >= FRAME
                     && !may_begin(behind)
@@ -166,16 +166,21 @@ impl Ulog {
             Ok(()) => log.report.message(length),
             Err(cause) => log.report.skip(offset, length as u64, cause),
         }
-        Step::Took(length)
+        LogStep::Took(length)
     }
 
     /// Puts into the log what a message says, or tells why that cannot be.
-    fn take(&mut self, message: Message, offset: u64, log: &mut Log) -> Result<(), &'static str> {
+    fn take(
+        &mut self,
+        message: UlogMessage,
+        offset: u64,
+        log: &mut Log,
+    ) -> Result<(), &'static str> {
         match message {
-            Message::Flags { unknown, appended } => self.flags(unknown, appended, offset, log),
-            Message::Definition(definition) => self.definitions.add(definition),
-            Message::Fact(value) => self.fact(&value, log),
-            Message::Parameter(value) => {
+            UlogMessage::Flags { unknown, appended } => self.flags(unknown, appended, offset, log),
+            UlogMessage::Definition(definition) => self.definitions.add(definition),
+            UlogMessage::Fact(value) => self.fact(&value, log),
+            UlogMessage::Parameter(value) => {
                 if let Some(number) = value.parameter() {
                     log.parameters.push(Parameter {
                         name: value.name.to_owned(),
@@ -184,8 +189,8 @@ impl Ulog {
                     });
                 }
             }
-            Message::Default { kinds, value } => add_default(kinds, &value, log),
-            Message::Subscribe {
+            UlogMessage::Default { kinds, value } => add_default(kinds, &value, log),
+            UlogMessage::Subscribe {
                 number,
                 instance,
                 name,
@@ -197,7 +202,7 @@ impl Ulog {
                 self.subscriptions
                     .announce(number, name, &mut self.definitions, log);
             }
-            Message::Row { number, row } => {
+            UlogMessage::Row { number, row } => {
                 let definitions = &mut self.definitions;
                 let time = &mut self.time;
                 if !self
@@ -207,7 +212,7 @@ impl Ulog {
                     return Err("a row of a topic that was not announced or cannot be read");
                 }
             }
-            Message::Words {
+            UlogMessage::Words {
                 severity,
                 tag,
                 microseconds,
@@ -218,11 +223,11 @@ impl Ulog {
                 severity: Some(severity),
                 text: String::from_utf8_lossy(text).into_owned(),
             }),
-            Message::Dropout(milliseconds) => {
+            UlogMessage::Dropout(milliseconds) => {
                 log.report.gap(self.time, f64::from(milliseconds) / 1e3);
             }
-            Message::Unknown => return Err("a kind of message that is not known"),
-            Message::Unsubscribe | Message::Sync => {}
+            UlogMessage::Unknown => return Err("a kind of message that is not known"),
+            UlogMessage::Unsubscribe | UlogMessage::Sync => {}
         }
         Ok(())
     }
@@ -275,7 +280,7 @@ impl Ulog {
         over: bool,
         cause: &str,
         log: &mut Log,
-    ) -> Step {
+    ) -> LogStep {
         let (count, is_found) = next_sure(&self.definitions, &self.subscriptions, bytes, over);
         if count > 0 {
             log.report.skip(offset, count as u64, cause);
@@ -287,9 +292,9 @@ impl Ulog {
             }
         }
         if count == 0 {
-            Step::Wait
+            LogStep::Wait
         } else {
-            Step::Took(count)
+            LogStep::Took(count)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Fields of PX4's topics that hold the roles, and those that tell photos: tables to be read, one line a place.
 
-use crate::role::{DEGREE, Meaning, Reading, Role, Source, field, of};
+use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
 
 /// Meaning of the topics for a flight.
 pub(in super::super) const MEANING: Meaning = Meaning {
@@ -9,7 +9,7 @@ pub(in super::super) const MEANING: Meaning = Meaning {
 };
 
 /// Places of the topics, for each role the best first.
-pub(in super::super) const ROLES: &[Source] = &[
+pub(in super::super) const ROLES: &[RoleSource] = &[
     field(
         Role::Airspeed,
         "airspeed_validated",
@@ -17,9 +17,13 @@ pub(in super::super) const ROLES: &[Source] = &[
         1.0,
     ),
     field(Role::Airspeed, "airspeed", "true_airspeed_m_s", 1.0),
-    of(Role::Heading, "vehicle_attitude", Reading::Quaternion("q")),
-    of(Role::Roll, "vehicle_attitude", Reading::Quaternion("q")),
-    of(Role::Pitch, "vehicle_attitude", Reading::Quaternion("q")),
+    of(
+        Role::Heading,
+        "vehicle_attitude",
+        RowReading::Quaternion("q"),
+    ),
+    of(Role::Roll, "vehicle_attitude", RowReading::Quaternion("q")),
+    of(Role::Pitch, "vehicle_attitude", RowReading::Quaternion("q")),
     field(
         Role::HeightAboveGround,
         "vehicle_local_position",

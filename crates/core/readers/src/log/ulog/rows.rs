@@ -19,17 +19,17 @@ const FIX_IN_SPACE: f64 = 3.0;
 struct Subscription {
     name: TopicName,
     length: Option<RowLength>,
-    opened: Opened,
+    opened: OpenedTopic,
 }
 
-enum Opened {
+enum OpenedTopic {
     NotYet,
     Refused,
-    At(Box<Place>),
+    At(Box<RowTopic>),
 }
 
 /// Topic of rows, and their fields that tell more than a row.
-struct Place {
+struct RowTopic {
     topic: usize,
     timestamp: Option<FieldLayout>,
     navigation_state: Option<FieldLayout>,
@@ -50,7 +50,7 @@ pub(super) struct Subscriptions {
 
 /// Agreement of a row with its announcement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Fit {
+pub(super) enum RowFit {
     /// It does.
     Yes,
     /// Its number was never announced, or of what cannot be read.
@@ -77,7 +77,7 @@ impl Subscriptions {
         let subscription = Subscription {
             name,
             length,
-            opened: Opened::NotYet,
+            opened: OpenedTopic::NotYet,
         };
         self.by_number.insert(number, subscription);
     }
@@ -88,15 +88,15 @@ impl Subscriptions {
     }
 
     /// Tells whether a row of `length` bytes with that number is as announced.
-    pub fn fit(&self, number: u16, length: usize) -> Fit {
+    pub fn fit(&self, number: u16, length: usize) -> RowFit {
         let subscription = self.by_number.get(&number);
         let Some(expected) = subscription.and_then(|subscription| subscription.length) else {
-            return Fit::Unknown;
+            return RowFit::Unknown;
         };
         if (expected.shortest..=expected.longest).contains(&length) {
-            Fit::Yes
+            RowFit::Yes
         } else {
-            Fit::No
+            RowFit::No
         }
     }
 
@@ -113,12 +113,13 @@ impl Subscriptions {
         let Some(subscription) = self.by_number.get_mut(&number) else {
             return false;
         };
-        if matches!(subscription.opened, Opened::NotYet) {
+        if matches!(subscription.opened, OpenedTopic::NotYet) {
             let place = open(&subscription.name, &mut self.fields, definitions, log);
-            subscription.opened =
-                place.map_or(Opened::Refused, |place| Opened::At(Box::new(place)));
+            subscription.opened = place.map_or(OpenedTopic::Refused, |place| {
+                OpenedTopic::At(Box::new(place))
+            });
         }
-        let Opened::At(place) = &subscription.opened else {
+        let OpenedTopic::At(place) = &subscription.opened else {
             return false;
         };
         let microseconds = place.timestamp.as_ref().and_then(|field| field.value(row));
@@ -160,7 +161,7 @@ fn open(
     fields_so_far: &mut usize,
     definitions: &mut Definitions,
     log: &mut Log,
-) -> Option<Place> {
+) -> Option<RowTopic> {
     let Some(fields) = definitions.fields(&name.name) else {
         log.report
             .remark(format!("{}: a definition of too many fields", name.name));
@@ -184,7 +185,7 @@ fn open(
     let is_whole = |field: &FieldLayout| field.kind == FieldKind::U64;
     let is_receiver = matches!(name.name.as_str(), "vehicle_gps_position" | "sensor_gps");
     let is_status = name.name == "vehicle_status" && name.instance == Some(0);
-    Some(Place {
+    Some(RowTopic {
         topic,
         timestamp: field("timestamp").filter(|field| field.kind.is_number()),
         navigation_state: field("nav_state").filter(|_| is_status),

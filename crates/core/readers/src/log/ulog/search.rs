@@ -1,10 +1,10 @@
 //! The way back after damage.
 
-use super::belief::{Belief, belief};
+use super::belief::{MessageTrust, belief};
 use super::definition::Definitions;
 use super::header::{HEADER, MAGIC};
 use super::message::{FRAME, frame, parse};
-use super::rows::{Fit, Subscriptions};
+use super::rows::{RowFit, Subscriptions};
 
 /// Number of `bytes` before the next message that holds together so well that it is no accident, and whether
 /// there is one. Where more bytes are needed to tell, the count ends there; where `over`, no more will come.
@@ -41,13 +41,12 @@ fn is_sure(definitions: &Definitions, subscriptions: &Subscriptions, bytes: &[u8
         let number = bytes.get(FRAME..FRAME + 2)?;
         let number = u16::from_le_bytes(number.try_into().ok()?);
         let row = length.checked_sub(2);
-        if row.map(|row| subscriptions.fit(number, row)) != Some(Fit::Yes) {
+        if row.map(|row| subscriptions.fit(number, row)) != Some(RowFit::Yes) {
             return Some(false);
         }
     }
     let message = parse(kind, bytes.get(FRAME..FRAME + length)?);
-    Some(
-        message
-            .is_ok_and(|message| belief(definitions, subscriptions, &message) == Ok(Belief::Sure)),
-    )
+    Some(message.is_ok_and(|message| {
+        belief(definitions, subscriptions, &message) == Ok(MessageTrust::Sure)
+    }))
 }

@@ -4,7 +4,7 @@
 //! to a name: times, names that end in their unit, and the scaled integers of satellite positions.
 //! Every other field has none.
 
-use super::super::{FieldKind, Scale};
+use super::super::{FieldKind, ValueScale};
 
 /// Endings of names that are their unit.
 const ENDINGS: [(&str, &str); 13] = [
@@ -28,25 +28,25 @@ pub(in super::super) fn unit_and_scale(
     topic: &str,
     field: &str,
     kind: FieldKind,
-) -> (&'static str, Scale) {
+) -> (&'static str, ValueScale) {
     if !kind.is_number() {
-        return ("", Scale::One);
+        return ("", ValueScale::One);
     }
     let is_receiver = matches!(topic, "vehicle_gps_position" | "sensor_gps");
     if is_receiver && kind == FieldKind::I32 {
         match field {
-            "lat" | "lon" => return ("deg", Scale::Over(1e7)),
-            "alt" | "alt_ellipsoid" => return ("m", Scale::Over(1e3)),
+            "lat" | "lon" => return ("deg", ValueScale::Over(1e7)),
+            "alt" | "alt_ellipsoid" => return ("m", ValueScale::Over(1e3)),
             _ => {}
         }
     }
     let name = field.rsplit('.').next().unwrap_or(field);
     let name = name.split('[').next().unwrap_or(name);
     if kind == FieldKind::U64 && (name.starts_with("timestamp") || name == "time_utc_usec") {
-        return ("us", Scale::One);
+        return ("us", ValueScale::One);
     }
     let ending = ENDINGS.iter().find(|(ending, _)| name.ends_with(ending));
-    ending.map_or(("", Scale::One), |(_, unit)| (unit, Scale::One))
+    ending.map_or(("", ValueScale::One), |(_, unit)| (unit, ValueScale::One))
 }
 
 #[cfg(test)]
@@ -67,12 +67,15 @@ mod tests {
     #[test]
     fn positions_of_satellite_receivers_are_scaled_integers_or_plain_doubles() {
         let unit = |field, kind| unit_and_scale("sensor_gps", field, kind);
-        assert_eq!(unit("lat", FieldKind::I32), ("deg", Scale::Over(1e7)));
-        assert_eq!(unit("alt", FieldKind::I32), ("m", Scale::Over(1e3)));
-        assert_eq!(unit("latitude_deg", FieldKind::F64), ("deg", Scale::One));
+        assert_eq!(unit("lat", FieldKind::I32), ("deg", ValueScale::Over(1e7)));
+        assert_eq!(unit("alt", FieldKind::I32), ("m", ValueScale::Over(1e3)));
+        assert_eq!(
+            unit("latitude_deg", FieldKind::F64),
+            ("deg", ValueScale::One)
+        );
         assert_eq!(
             unit_and_scale("home", "lat", FieldKind::F64),
-            ("", Scale::One)
+            ("", ValueScale::One)
         );
     }
 }

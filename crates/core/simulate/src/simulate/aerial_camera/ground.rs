@@ -24,13 +24,13 @@ const COARSEST: u32 = 16;
 const HAZE: [f32; 3] = [168.0, 178.0, 188.0];
 
 /// Red, green and blue of all pixels, 0 to 255.
-pub(super) struct Light {
+pub(super) struct PixelLight {
     pub width: usize,
     pub samples: Vec<f32>,
 }
 
 /// The plane seen through the rays of a camera.
-struct View<'a> {
+struct PlaneView<'a> {
     rays: &'a RayTable,
     /// Rows of the rotation from camera to world.
     world_from_camera: [[f32; 3]; 3],
@@ -42,7 +42,7 @@ struct View<'a> {
     lowest: f32,
 }
 
-impl View<'_> {
+impl PlaneView<'_> {
     /// Ground at a ray, metres (north, east) from the nadir point, and the downward part of the
     /// ray; `None` at the horizon.
     #[inline]
@@ -114,7 +114,7 @@ fn tile_window(native: f64, level: u32, row: i64, column: i64) -> Window {
 }
 
 /// Tiles of one level put together.
-struct Mosaic {
+struct TileMosaic {
     /// Pixels of the level's grid from the nadir point to the mosaic's corner, and per metre.
     south: f32,
     east: f32,
@@ -125,7 +125,7 @@ struct Mosaic {
     pixels: Vec<Rgba>,
 }
 
-impl Mosaic {
+impl TileMosaic {
     fn new(imagery: &dyn Imagery, level: u32, tiles: &[(i64, i64)], nadir: (f64, f64)) -> Self {
         let span = |values: &mut dyn Iterator<Item = i64>| {
             values.fold((i64::MAX, i64::MIN), |(low, high), v| {
@@ -185,8 +185,8 @@ pub(super) fn render(
     imagery: &dyn Imagery,
     pose: &Pose,
     ground_down: f64,
-) -> Light {
-    let mut light = Light {
+) -> PixelLight {
+    let mut light = PixelLight {
         width: camera.width,
         samples: HAZE.repeat(camera.width * camera.height),
     };
@@ -196,7 +196,7 @@ pub(super) fn render(
     if !(height > 0.0 && height.is_finite() && lens.coords.norm().is_finite()) {
         return light;
     }
-    let view = View {
+    let view = PlaneView {
         rays,
         world_from_camera: std::array::from_fn(|r| {
             std::array::from_fn(|c| world_from_camera[(r, c)] as f32)
@@ -217,12 +217,12 @@ pub(super) fn render(
             }
         }
     }
-    let mosaics: BTreeMap<u32, Mosaic> = wanted
+    let mosaics: BTreeMap<u32, TileMosaic> = wanted
         .into_iter()
         .map(|(level, mut tiles)| {
             tiles.sort_unstable();
             tiles.dedup();
-            (level, Mosaic::new(imagery, level, &tiles, nadir))
+            (level, TileMosaic::new(imagery, level, &tiles, nadir))
         })
         .collect();
     for cell in &cells {
@@ -261,7 +261,7 @@ struct Cell {
 }
 
 /// All cells that see ground.
-fn cells(camera: &CameraModel, view: &View<'_>, native: f64, nadir: (f64, f64)) -> Vec<Cell> {
+fn cells(camera: &CameraModel, view: &PlaneView<'_>, native: f64, nadir: (f64, f64)) -> Vec<Cell> {
     let mut all = Vec::new();
     for top in (0..camera.height).step_by(CELL) {
         let rows = top..(top + CELL).min(camera.height);
@@ -317,7 +317,12 @@ fn cells(camera: &CameraModel, view: &View<'_>, native: f64, nadir: (f64, f64)) 
 
 /// Fills a cell from `sample(north, east)`.
 #[inline]
-fn paint(light: &mut Light, view: &View<'_>, cell: &Cell, sample: impl Fn(f32, f32) -> [f32; 4]) {
+fn paint(
+    light: &mut PixelLight,
+    view: &PlaneView<'_>,
+    cell: &Cell,
+    sample: impl Fn(f32, f32) -> [f32; 4],
+) {
     for row in cell.rows.clone() {
         let rays = &view.rays.row(row)[cell.columns.clone()];
         let start = 3 * (row * light.width + cell.columns.start);

@@ -4,13 +4,13 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
 use super::AerialCameraSettings;
-use super::ground::Light;
+use super::ground::PixelLight;
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::{Picture, blur_interleaved};
 
 /// Optics, vignetting, exposure, noise and eight bits.
 pub(super) fn expose(
-    light: Light,
+    light: PixelLight,
     camera: &CameraModel,
     settings: &AerialCameraSettings,
     gain: f64,
@@ -27,7 +27,7 @@ pub(super) fn expose(
     let mut picture = Picture::filled(width, camera.height, [0; 3]);
     let lines = samples.chunks_exact(3 * width).enumerate();
     for (row, line) in lines {
-        let mut random = Noise::new(seed, row);
+        let mut random = NormalNumbers::new(seed, row);
         let dy = row as f32 + 0.5 - half_height;
         let pixels = picture.row_mut(row).iter_mut().zip(line.as_chunks::<3>().0);
         for (column, (pixel, light)) in pixels.enumerate() {
@@ -51,9 +51,9 @@ pub(super) fn pass_over(random: &mut ChaCha8Rng) {
 }
 
 /// Nearly normal numbers of unit variance at a nanosecond each: the sum of four uniform ones.
-struct Noise(u64);
+struct NormalNumbers(u64);
 
-impl Noise {
+impl NormalNumbers {
     fn new(seed: u64, row: usize) -> Self {
         Self(seed.wrapping_add((row as u64).wrapping_mul(0xd1b5_4a32_d192_ed03)))
     }
@@ -80,7 +80,7 @@ mod tests {
     fn the_noise_has_zero_mean_and_unit_variance() {
         let (mut sum, mut squares) = (0.0, 0.0);
         for row in 0..100 {
-            let mut noise = Noise::new(7, row);
+            let mut noise = NormalNumbers::new(7, row);
             for _ in 0..1000 {
                 let v = f64::from(noise.next());
                 sum += v;

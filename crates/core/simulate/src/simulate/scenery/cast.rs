@@ -1,9 +1,9 @@
 //! Shadows on level ground: of solids and props, and of crowns.
 
-use super::light::Light;
+use super::light::DayLight;
 use super::parcels::center_of;
 use super::shape::{Slab, Spot, convex_hull};
-use super::things::{Crown, Form, Habit, Prop};
+use super::things::{Crown, Habit, Prop, PropForm};
 
 /// The shadow of a solid or prop on level ground: a convex polygon as half planes.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ impl Shadow {
     }
 
     /// The shadow of the convex hull of points (place, height).
-    pub(super) fn cast(points: &[(Spot, f32)], light: &Light, caster: u32) -> Self {
+    pub(super) fn cast(points: &[(Spot, f32)], light: &DayLight, caster: u32) -> Self {
         let away = light.toward * -light.shadow_per_height;
         let corners = convex_hull(points.iter().map(|&(p, h)| p + away * h).collect());
         let center = center_of(&corners);
@@ -68,7 +68,7 @@ impl Shadow {
 /// Points (place, height) whose hull stands for a car, bale or crate.
 pub(super) fn prop_vertices(p: &Prop) -> Vec<(Spot, f32)> {
     let corners = p.slab.corners();
-    let low = if p.form == Form::Car {
+    let low = if p.form == PropForm::Car {
         0.55 * p.height
     } else {
         p.height
@@ -100,7 +100,7 @@ pub(super) struct CrownShadow {
 
 impl CrownShadow {
     /// The crown is taken as an ellipsoid in the upper part of the tree.
-    pub(super) fn new(c: &Crown, light: &Light, bare: bool) -> Self {
+    pub(super) fn new(c: &Crown, light: &DayLight, bare: bool) -> Self {
         let semi = match c.habit {
             Habit::Conifer => 0.4 * c.height,
             Habit::Broadleaf | Habit::Dead => 0.36 * c.height,
@@ -121,7 +121,7 @@ impl CrownShadow {
     }
 
     /// The rectangle that holds the shadow.
-    pub(super) fn slab(&self, light: &Light) -> Slab {
+    pub(super) fn slab(&self, light: &DayLight) -> Slab {
         Slab {
             center: self.center,
             axis: light.toward,

@@ -4,7 +4,7 @@ use super::face::Face;
 use super::fields::{line_share, repeated, stripes};
 use super::light::{Color, mix, scale};
 use super::noise::{fractal, hash2, smooth_step, unit};
-use super::things::{Cover, Solid};
+use super::things::{RoofCover, Solid};
 
 /// Fine variation at a place on a roof, and the roof's own tint from 0 to 1.
 pub(super) struct Grain {
@@ -24,11 +24,11 @@ pub(super) fn covering(
     gsd: f32,
 ) -> Color {
     match solid.cover {
-        Cover::Tiles => tiles(solid, f, grain, gsd),
-        Cover::Metal => metal(solid, f, grain, gsd),
-        Cover::Felt | Cover::Ballast => felt(solid, v, grain, gsd),
-        Cover::Glass => glass(solid, u, v, grain, gsd),
-        Cover::Plain => plain(solid, f, inside, grain, gsd),
+        RoofCover::Tiles => tiles(solid, f, grain, gsd),
+        RoofCover::Metal => metal(solid, f, grain, gsd),
+        RoofCover::Felt | RoofCover::Ballast => felt(solid, v, grain, gsd),
+        RoofCover::Glass => glass(solid, u, v, grain, gsd),
+        RoofCover::Plain => plain(solid, f, inside, grain, gsd),
     }
 }
 
@@ -123,7 +123,7 @@ fn felt(solid: &Solid, v: f32, grain: &Grain, gsd: f32) -> Color {
         scale(solid.color, 0.6),
         0.35 * veins * smooth_step(0.0, 0.4, patches),
     );
-    if solid.cover == Cover::Ballast {
+    if solid.cover == RoofCover::Ballast {
         c = scale(c, 1.0 + 0.14 * speckle + 0.08 * clumps);
     }
     c

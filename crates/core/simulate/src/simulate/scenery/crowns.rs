@@ -5,7 +5,7 @@ use super::noise::{smooth_step, unit};
 use super::shape::{Spot, spot};
 use super::texture::{individual, turned_back};
 use super::things::{Crown, Habit};
-use super::world::World;
+use super::world::SceneryWorld;
 
 /// The best crown found at a place.
 struct Top {
@@ -16,7 +16,7 @@ struct Top {
     open: f32,
 }
 
-impl World {
+impl SceneryWorld {
     /// Paints the crowns of a cell over `light`.
     pub(super) fn crowns(&self, light: Color, cell: &[u32], p: Spot, gsd: f32, soft: f32) -> Color {
         let mut top: Option<Top> = None;

@@ -4,13 +4,13 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use super::house::ROOFS;
 use super::noise::Dice;
-use super::plan::Plan;
+use super::plan::SceneryPlan;
 use super::scene_kind::SceneKind;
-use super::shape::{Outline, Slab, Spot, smooth_curve};
-use super::things::{Cover, Form, Ground, Habit, Road, RoadClass, Roof};
+use super::shape::{GroundOutline, Slab, Spot, smooth_curve};
+use super::things::{Habit, PropForm, Road, RoadClass, Roof, RoofCover, SurfaceMaterial};
 
 /// Builds a farm around its yard, and a track to the nearest road.
-pub(super) fn build(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) {
+pub(super) fn build(plan: &mut SceneryPlan, center: Spot, angle: f32, dice: &mut Dice) {
     let yard = Slab::new(
         center,
         angle,
@@ -18,8 +18,8 @@ pub(super) fn build(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) 
         dice.range(40.0, 52.0),
     );
     plan.lay(
-        Outline::Slab(yard),
-        Ground::Dirt,
+        GroundOutline::Slab(yard),
+        SurfaceMaterial::Dirt,
         yard.axis,
         3.5,
         Some(SceneKind::Yard),
@@ -42,7 +42,7 @@ pub(super) fn build(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) 
     plan.raise(
         barn,
         Roof::Gable,
-        Cover::Metal,
+        RoofCover::Metal,
         dice.pick(&colors),
         5.0,
         3.2,
@@ -57,7 +57,7 @@ pub(super) fn build(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) 
     plan.raise(
         second,
         Roof::Gable,
-        Cover::Metal,
+        RoofCover::Metal,
         dice.pick(&colors),
         4.2,
         2.4,
@@ -73,7 +73,7 @@ pub(super) fn build(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) 
         plan.raise(
             open,
             Roof::Gable,
-            Cover::Metal,
+            RoofCover::Metal,
             dice.pick(&colors),
             3.6,
             1.0,
@@ -86,12 +86,12 @@ pub(super) fn build(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) 
         13.0,
         9.0,
     );
-    plan.lay_slab(house.grown(6.0), Ground::Lawn, 0.8);
+    plan.lay_slab(house.grown(6.0), SurfaceMaterial::Lawn, 0.8);
     plan.reserved.push(house.grown(6.0));
     plan.raise(
         house,
         Roof::Gable,
-        Cover::Tiles,
+        RoofCover::Tiles,
         dice.pick(&ROOFS),
         5.2,
         3.4,
@@ -102,7 +102,7 @@ pub(super) fn build(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) 
 }
 
 /// Silos, bales, machinery and trees about a yard.
-fn clutter(plan: &mut Plan, yard: &Slab, angle: f32, dice: &mut Dice) {
+fn clutter(plan: &mut SceneryPlan, yard: &Slab, angle: f32, dice: &mut Dice) {
     let (a, b) = (yard.half_along, yard.half_across);
     for i in 0..dice.bits() % 3 {
         let r = dice.range(2.2, 3.2);
@@ -115,7 +115,7 @@ fn clutter(plan: &mut Plan, yard: &Slab, angle: f32, dice: &mut Dice) {
         plan.raise(
             silo,
             Roof::Cone,
-            Cover::Plain,
+            RoofCover::Plain,
             [0.34, 0.345, 0.345],
             dice.range(8.0, 13.0),
             1.5,
@@ -130,7 +130,7 @@ fn clutter(plan: &mut Plan, yard: &Slab, angle: f32, dice: &mut Dice) {
         plan.put(
             Slab::new(p, angle + 0.04 * (i % 3) as f32, 1.4, 1.5),
             1.4,
-            Form::Bale,
+            PropForm::Bale,
             [0.24, 0.205, 0.125],
         );
     }
@@ -144,7 +144,12 @@ fn clutter(plan: &mut Plan, yard: &Slab, angle: f32, dice: &mut Dice) {
                 [0.22, 0.16, 0.05],
                 [0.2, 0.2, 0.2],
             ]);
-            plan.put(slab, 2.4, dice.pick(&[Form::Truck, Form::Crate]), color);
+            plan.put(
+                slab,
+                2.4,
+                dice.pick(&[PropForm::Truck, PropForm::Crate]),
+                color,
+            );
         }
     }
     for _ in 0..9 {
@@ -158,7 +163,7 @@ fn clutter(plan: &mut Plan, yard: &Slab, angle: f32, dice: &mut Dice) {
 }
 
 /// A track from the yard to the nearest road.
-fn track(plan: &mut Plan, center: Spot, dice: &mut Dice) {
+fn track(plan: &mut SceneryPlan, center: Spot, dice: &mut Dice) {
     let nearest = plan
         .roads
         .iter()

@@ -3,10 +3,10 @@
 use super::bend::BEND;
 use super::light::{Color, mix, scale};
 use super::noise::{floor, hash2, smooth_step, unit};
-use super::parcels::Cover;
+use super::parcels::FieldCover;
 use super::shape::{Spot, spot};
 use super::texture::{LAND_SCALE, individual};
-use super::world::World;
+use super::world::SceneryWorld;
 
 /// A smooth periodic wave from -1 to 1, one crest per `period`, faded before it aliases.
 #[inline]
@@ -33,7 +33,7 @@ pub(super) fn repeated(x: f32, period: f32) -> f32 {
     x - period * floor(x / period + 0.5) as f32
 }
 
-impl World {
+impl SceneryWorld {
     /// Reflectance of the open land at a place.
     #[expect(clippy::too_many_lines, reason = "one arm for each crop")]
     pub(super) fn land(&self, p: Spot, gsd: f32) -> Color {
@@ -98,7 +98,7 @@ impl World {
             mix(dry, wet, smooth_step(-0.45, 0.4, damp + 0.25 * patches))
         };
         let body = match parcel.cover {
-            Cover::Green => {
+            FieldCover::Green => {
                 let young = mix([0.05, 0.078, 0.034], [0.085, 0.102, 0.034], second);
                 let leaf = mix([0.042, 0.06, 0.02], young, tint);
                 let weak = mix([0.1, 0.105, 0.05], soil, 0.35);
@@ -117,7 +117,7 @@ impl World {
                 let drill = stripes(across + 0.1 * wide[1], 6.1, gsd) * 0.035;
                 mix(scale(c, 1.0 + drill), scale(soil, 0.75), 0.7 * tram(0.3))
             }
-            Cover::Ripe => {
+            FieldCover::Ripe => {
                 let ear = mix([0.165, 0.138, 0.076], [0.215, 0.178, 0.105], tint);
                 let green = [0.1, 0.105, 0.05];
                 let late = smooth_step(0.0, 0.9, -damp + 0.4 * mottle);
@@ -138,7 +138,7 @@ impl World {
                     0.62 * tram(0.32),
                 )
             }
-            Cover::Stubble => {
+            FieldCover::Stubble => {
                 let straw = mix([0.165, 0.142, 0.095], [0.2, 0.175, 0.12], tint);
                 let swath = stripes(across + 0.25 * patches, 7.4, gsd);
                 let row = stripes(across + wiggle, 0.62, gsd);
@@ -163,7 +163,7 @@ impl World {
                     0.5 * smooth_step(0.25, 0.7, mottle + 0.3 * damp),
                 )
             }
-            Cover::Plough => {
+            FieldCover::Plough => {
                 let furrow = stripes(across + 0.12 * clumps, 0.42, gsd);
                 let pass = stripes(across, 2.9, gsd);
                 let c = scale(
@@ -180,7 +180,7 @@ impl World {
                     0.3 * smooth_step(0.4, 0.9, mottle - damp),
                 )
             }
-            Cover::Sprouting => {
+            FieldCover::Sprouting => {
                 let rows = stripes(across + wiggle, 0.6, gsd);
                 let vigour = (0.45 + 0.4 * tint - 0.35 * damp + 0.25 * mottle).clamp(0.08, 0.95);
                 let green = [0.062, 0.088, 0.034];
@@ -188,7 +188,7 @@ impl World {
                 let c = scale(mix(soil, green, share), 1.0 + 0.1 * speckle);
                 mix(c, scale(soil, 0.9), 0.85 * tram(0.3))
             }
-            Cover::Pasture => {
+            FieldCover::Pasture => {
                 let lush = mix([0.05, 0.066, 0.022], [0.076, 0.092, 0.034], tint);
                 let dry = mix([0.115, 0.112, 0.058], [0.14, 0.125, 0.075], second);
                 let wear = smooth_step(
@@ -203,7 +203,7 @@ impl World {
                 c = mix(c, [0.17, 0.145, 0.1], 0.22 * path);
                 scale(c, 1.0 + 0.16 * clumps + 0.13 * speckle + 0.08 * mottle)
             }
-            Cover::Mown => {
+            FieldCover::Mown => {
                 let swath = stripes(across + 0.15 * patches, 5.6, gsd);
                 let cut = mix([0.088, 0.1, 0.046], [0.13, 0.128, 0.066], tint);
                 let lying = line_share(repeated(across + 0.3 * clumps, 5.6), 0.7, gsd);
@@ -220,7 +220,7 @@ impl World {
                 }
                 c
             }
-            Cover::Floor => {
+            FieldCover::Floor => {
                 let litter = [0.058, 0.046, 0.03];
                 let herb = [0.045, 0.06, 0.022];
                 let c = mix(
@@ -234,7 +234,7 @@ impl World {
         // No two fields have quite the same tone and hue.
         let tone = 0.85 + 0.3 * unit(growth.rotate_left(17));
         let warm = 0.2 * (unit(growth.rotate_left(23)) - 0.5);
-        let body = if parcel.cover == Cover::Floor {
+        let body = if parcel.cover == FieldCover::Floor {
             body
         } else {
             let [r, g, b] = scale(body, tone);
@@ -243,7 +243,7 @@ impl World {
         let mut out = mix(
             body,
             grass,
-            if parcel.cover == Cover::Floor {
+            if parcel.cover == FieldCover::Floor {
                 0.5 * verge
             } else {
                 0.88 * verge

@@ -9,7 +9,7 @@ const SIDE: i32 = (2.0 * REACH / CELL) as i32;
 
 /// Cell lists of one kind of object, in the objects' order.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Grid {
+pub(super) struct CellLists {
     starts: Vec<u32>,
     items: Vec<u32>,
 }
@@ -23,7 +23,7 @@ pub(super) fn cell_of(p: Spot) -> Option<usize> {
         .then_some((row * SIDE + column) as usize)
 }
 
-impl Grid {
+impl CellLists {
     /// Lists every object in the cells that its corners' bounding box, grown by `margin`, touches
     /// and that `keeps` (given the cell's centre and half diagonal) does not rule out.
     pub(super) fn new<T>(

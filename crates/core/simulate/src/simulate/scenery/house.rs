@@ -3,10 +3,10 @@
 use std::f32::consts::FRAC_PI_2;
 
 use super::noise::Dice;
-use super::plan::Plan;
+use super::plan::SceneryPlan;
 use super::scene_kind::SceneKind;
 use super::shape::Slab;
-use super::things::{Cover, Ground, Habit, Roof};
+use super::things::{Habit, Roof, RoofCover, SurfaceMaterial};
 
 /// Linear reflectances of house roofs.
 pub(super) const ROOFS: [[f32; 3]; 9] = [
@@ -35,8 +35,8 @@ struct Lot<'a> {
 }
 
 /// Builds on a lot whose axis, with that heading, points away from the street.
-pub(super) fn lot(plan: &mut Plan, slab: &Slab, heading: f32, dice: &mut Dice) {
-    plan.lay_slab(*slab, Ground::Lawn, 0.35);
+pub(super) fn lot(plan: &mut SceneryPlan, slab: &Slab, heading: f32, dice: &mut Dice) {
+    plan.lay_slab(*slab, SurfaceMaterial::Lawn, 0.35);
     let lot = Lot {
         slab,
         heading,
@@ -54,7 +54,7 @@ pub(super) fn lot(plan: &mut Plan, slab: &Slab, heading: f32, dice: &mut Dice) {
 }
 
 /// The house; gives its roof's colour and its greatest extent.
-fn house(plan: &mut Plan, lot: &Lot, dice: &mut Dice) -> ([f32; 3], f32) {
+fn house(plan: &mut SceneryPlan, lot: &Lot, dice: &mut Dice) -> ([f32; 3], f32) {
     let (length, width) = (dice.range(9.5, 13.5), dice.range(7.2, 9.0));
     let wobble = dice.range(-0.05, 0.05);
     let across_street = dice.chance(0.7);
@@ -77,7 +77,7 @@ fn house(plan: &mut Plan, lot: &Lot, dice: &mut Dice) -> ([f32; 3], f32) {
     plan.raise(
         slab,
         roof,
-        Cover::Tiles,
+        RoofCover::Tiles,
         color,
         eaves,
         rise,
@@ -93,7 +93,7 @@ fn house(plan: &mut Plan, lot: &Lot, dice: &mut Dice) -> ([f32; 3], f32) {
         plan.raise(
             wing,
             roof,
-            Cover::Tiles,
+            RoofCover::Tiles,
             color,
             eaves - 0.3,
             rise * 0.7,
@@ -108,7 +108,7 @@ fn house(plan: &mut Plan, lot: &Lot, dice: &mut Dice) -> ([f32; 3], f32) {
         plan.raise(
             Slab::new(at, angle, 0.75, 0.6),
             Roof::Flat,
-            Cover::Plain,
+            RoofCover::Plain,
             [0.16, 0.1, 0.08],
             eaves + rise + 0.4,
             0.0,
@@ -119,14 +119,14 @@ fn house(plan: &mut Plan, lot: &Lot, dice: &mut Dice) -> ([f32; 3], f32) {
 }
 
 /// Drive, garage and the walk to the door.
-fn drive(plan: &mut Plan, lot: &Lot, color: [f32; 3], dice: &mut Dice) {
+fn drive(plan: &mut SceneryPlan, lot: &Lot, color: [f32; 3], dice: &mut Dice) {
     let drive_v = lot.mirror * (lot.half - 2.3);
     let drive_length = lot.setback + dice.range(3.0, 9.0);
     let surface = dice.pick(&[
-        Ground::Asphalt,
-        Ground::Gravel,
-        Ground::Paving,
-        Ground::Concrete,
+        SurfaceMaterial::Asphalt,
+        SurfaceMaterial::Gravel,
+        SurfaceMaterial::Paving,
+        SurfaceMaterial::Concrete,
     ]);
     let drive = Slab::new(
         lot.slab.at(lot.front + 0.5 * drive_length - 1.2, drive_v),
@@ -149,7 +149,7 @@ fn drive(plan: &mut Plan, lot: &Lot, color: [f32; 3], dice: &mut Dice) {
         plan.raise(
             garage,
             Roof::Gable,
-            Cover::Tiles,
+            RoofCover::Tiles,
             color,
             2.5,
             1.1,
@@ -163,11 +163,11 @@ fn drive(plan: &mut Plan, lot: &Lot, color: [f32; 3], dice: &mut Dice) {
         lot.setback,
         1.2,
     );
-    plan.lay_slab(walk, Ground::Paving, 0.05);
+    plan.lay_slab(walk, SurfaceMaterial::Paving, 0.05);
 }
 
 /// Patio, vegetable beds, shed and trees behind the house.
-fn garden(plan: &mut Plan, lot: &Lot, depth: f32, dice: &mut Dice) {
+fn garden(plan: &mut SceneryPlan, lot: &Lot, depth: f32, dice: &mut Dice) {
     let back = lot.front + lot.setback + depth + 2.0;
     let patio = Slab::new(
         lot.slab.at(
@@ -178,7 +178,7 @@ fn garden(plan: &mut Plan, lot: &Lot, depth: f32, dice: &mut Dice) {
         3.5,
         5.0,
     );
-    plan.lay_slab(patio, Ground::Paving, 0.05);
+    plan.lay_slab(patio, SurfaceMaterial::Paving, 0.05);
     if dice.chance(0.35) {
         let beds = Slab::new(
             lot.slab.at(lot.slab.half_along - 4.0, lot.mirror * 3.0),
@@ -186,7 +186,7 @@ fn garden(plan: &mut Plan, lot: &Lot, depth: f32, dice: &mut Dice) {
             5.0,
             6.0,
         );
-        plan.lay_slab(beds, Ground::Beds, 0.2);
+        plan.lay_slab(beds, SurfaceMaterial::Beds, 0.2);
     }
     if dice.chance(0.55) {
         let shed = Slab::new(
@@ -200,7 +200,7 @@ fn garden(plan: &mut Plan, lot: &Lot, depth: f32, dice: &mut Dice) {
         plan.raise(
             shed,
             Roof::Gable,
-            Cover::Felt,
+            RoofCover::Felt,
             [tone, tone * 0.95, tone * 0.9],
             2.0,
             0.6,
@@ -234,7 +234,7 @@ fn garden(plan: &mut Plan, lot: &Lot, depth: f32, dice: &mut Dice) {
 }
 
 /// Hedges and shrubs between neighbours.
-fn fences(plan: &mut Plan, lot: &Lot, dice: &mut Dice) {
+fn fences(plan: &mut SceneryPlan, lot: &Lot, dice: &mut Dice) {
     for side in [-1.0, 1.0] {
         if dice.chance(0.5) {
             let mut u = lot.front + 3.0;

@@ -1,15 +1,15 @@
 //! Labels by which the scenery tells what is in it.
 
 use super::bend::bent;
-use super::parcels::Cover;
+use super::parcels::FieldCover;
 use super::scene_kind::{SceneKind, SceneLabel};
-use super::shape::{Outline, Spot};
-use super::things::{Form, Ground, Habit, RoadClass};
-use super::world::World;
+use super::shape::{GroundOutline, Spot};
+use super::things::{Habit, PropForm, RoadClass, SurfaceMaterial};
+use super::world::SceneryWorld;
 use pilotage_base::frames::{GroundPoint, GroundRect};
 
 /// A parcel's outline as it lies on the ground, with corners every 20 m or so.
-fn bent_outline(world: &World, corners: &[Spot]) -> Vec<GroundPoint> {
+fn bent_outline(world: &SceneryWorld, corners: &[Spot]) -> Vec<GroundPoint> {
     let mut polygon = Vec::new();
     for i in 0..corners.len() {
         let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
@@ -23,7 +23,7 @@ fn bent_outline(world: &World, corners: &[Spot]) -> Vec<GroundPoint> {
 }
 
 /// All labels whose outline's bounding box touches `rect`.
-pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
+pub(super) fn labels(world: &SceneryWorld, rect: &GroundRect) -> Vec<SceneLabel> {
     let mut labels = Vec::new();
     let mut add = |kind, name: Option<&str>, polygon: Vec<GroundPoint>| {
         if GroundRect::around(polygon.iter().copied()).is_some_and(|b| b.overlaps(rect)) {
@@ -38,7 +38,7 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         add(feature.kind, Some(&feature.name), feature.outline.clone());
     }
     for parcel in &world.parcels.parcels {
-        let kind = if parcel.cover == Cover::Floor {
+        let kind = if parcel.cover == FieldCover::Floor {
             SceneKind::Wood
         } else {
             SceneKind::Field
@@ -48,8 +48,8 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
     for surface in &world.land.plan.surfaces {
         let kind = match (surface.label, surface.ground) {
             (Some(kind), _) => kind,
-            (None, Ground::Stalls) => SceneKind::CarPark,
-            (None, Ground::Zebra) => SceneKind::Crossing,
+            (None, SurfaceMaterial::Stalls) => SceneKind::CarPark,
+            (None, SurfaceMaterial::Zebra) => SceneKind::Crossing,
             _ => continue,
         };
         add(kind, None, ground_polygon(&surface.outline));
@@ -69,11 +69,11 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
     for solid in &world.land.plan.solids {
         add(solid.label, None, ground_polygon(&solid.outline()));
     }
-    for prop in world.props.iter().filter(|p| p.form == Form::Car) {
+    for prop in world.props.iter().filter(|p| p.form == PropForm::Car) {
         add(
             SceneKind::Car,
             None,
-            ground_polygon(&Outline::Slab(prop.slab)),
+            ground_polygon(&GroundOutline::Slab(prop.slab)),
         );
     }
     for crown in &world.land.plan.crowns {
@@ -81,7 +81,7 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
             add(
                 SceneKind::Tree,
                 None,
-                ground_polygon(&Outline::Disc(crown.center, crown.radius)),
+                ground_polygon(&GroundOutline::Disc(crown.center, crown.radius)),
             );
         }
     }
@@ -89,6 +89,6 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
 }
 
 /// Corners of an outline in world metres.
-fn ground_polygon(outline: &Outline) -> Vec<GroundPoint> {
+fn ground_polygon(outline: &GroundOutline) -> Vec<GroundPoint> {
     outline.corners().into_iter().map(Spot::ground).collect()
 }

@@ -1,32 +1,32 @@
 //! Parts of the countryside that are the same on every day, with the grids that find them.
 
-use super::grid::{Grid, REACH};
+use super::grid::{CellLists, REACH};
 use super::parcels::Parcels;
-use super::plan::{Plan, Segment, segment_grid};
+use super::plan::{SceneryPlan, Segment, segment_grid};
 use super::shape::{Spot, spot};
-use super::texture::Textures;
+use super::texture::PeriodicTextures;
 use super::{distinct, network, settlement, water, woods};
 
 /// The plan without the cars of a day, its grids, and the textures of the ground.
 #[derive(Clone, Debug)]
 pub(super) struct Land {
     pub(super) seed: u64,
-    pub(super) plan: Plan,
+    pub(super) plan: SceneryPlan,
     /// The parcels and their use; what they bear on a day is not settled yet.
     pub(super) parcels: Parcels,
     pub(super) segments: Vec<Segment>,
-    pub(super) segment_grid: Grid,
-    pub(super) surface_grid: Grid,
-    pub(super) solid_grid: Grid,
-    pub(super) crown_grid: Grid,
-    pub(super) textures: Textures,
+    pub(super) segment_grid: CellLists,
+    pub(super) surface_grid: CellLists,
+    pub(super) solid_grid: CellLists,
+    pub(super) crown_grid: CellLists,
+    pub(super) textures: PeriodicTextures,
 }
 
 impl Land {
     /// With the village and its roads, or open country without them.
     pub(super) fn new(seed: u64, settled: bool) -> Self {
-        let textures = Textures::new(seed);
-        let mut plan = Plan::default();
+        let textures = PeriodicTextures::new(seed);
+        let mut plan = SceneryPlan::default();
         if settled {
             distinct::build(&mut plan);
             network::build(&mut plan);
@@ -38,19 +38,19 @@ impl Land {
         let parcels = Parcels::new(seed);
         let segments = plan.segments();
         let segment_grid = segment_grid(&segments);
-        let surface_grid = Grid::new(
+        let surface_grid = CellLists::new(
             &plan.surfaces,
             2.0,
             |s| s.outline.corners(),
             |s, center, reach| s.outline.distance(center) < reach + 2.0 * s.ragged,
         );
-        let solid_grid = Grid::new(
+        let solid_grid = CellLists::new(
             &plan.solids,
             1.0,
             |s| s.outline().corners(),
             |s, center, reach| s.distance(center) < reach,
         );
-        let ground = woods::Ground {
+        let ground = woods::TreeObstacles {
             land: &textures.land,
             segments: &segments,
             segment_grid: &segment_grid,
@@ -60,7 +60,7 @@ impl Land {
         woods::plant(&mut plan, &parcels, &ground, seed);
         plan.crowns
             .retain(|c| c.center.n.abs() < REACH + 8.0 && c.center.e.abs() < REACH + 8.0);
-        let crown_grid = Grid::new(
+        let crown_grid = CellLists::new(
             &plan.crowns,
             1.0,
             |c| square(c.center, c.radius * 1.14),

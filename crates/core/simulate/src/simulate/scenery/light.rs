@@ -25,7 +25,7 @@ pub(super) fn scale(a: Color, k: f32) -> Color {
 
 /// The light of one day.
 #[derive(Clone, Debug)]
-pub(super) struct Light {
+pub(super) struct DayLight {
     /// Horizontal unit vector towards the sun.
     pub(super) toward: Spot,
     /// Metres of shadow per metre of height.
@@ -42,7 +42,7 @@ pub(super) struct Light {
 
 const STEPS: usize = 4096;
 
-impl Light {
+impl DayLight {
     pub(super) fn new(day: &Day) -> Self {
         let elevation = day.sun_elevation.clamp(0.12, 1.5) as f32;
         let azimuth = day.sun_azimuth as f32;

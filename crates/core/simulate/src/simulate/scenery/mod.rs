@@ -54,7 +54,7 @@ use land::Land;
 use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Raster, Rgba};
-use world::World;
+use world::SceneryWorld;
 
 /// The seed of the built-in demo.
 pub const DEMO_SEED: u64 = 7;
@@ -68,7 +68,7 @@ pub const NATIVE_GSD: f64 = 0.15;
 /// 180°, so that the flights begin north-westward, into the wind of the wind scenario.
 #[derive(Clone, Debug)]
 pub struct Scenery {
-    world: Arc<World>,
+    world: Arc<SceneryWorld>,
     day: Day,
 }
 
@@ -85,7 +85,7 @@ impl Scenery {
 
     fn laid_out(seed: u64, day: Day, settled: bool) -> Self {
         Self {
-            world: Arc::new(World::new(
+            world: Arc::new(SceneryWorld::new(
                 Arc::new(Land::new(seed, settled)),
                 &in_plan(day),
             )),
@@ -97,7 +97,10 @@ impl Scenery {
     #[must_use]
     pub fn on_day(&self, day: Day) -> Self {
         Self {
-            world: Arc::new(World::new(Arc::clone(&self.world.land), &in_plan(day))),
+            world: Arc::new(SceneryWorld::new(
+                Arc::clone(&self.world.land),
+                &in_plan(day),
+            )),
             day,
         }
     }

@@ -1,13 +1,13 @@
 //! The road network: fixed curves, named for people.
 
-use super::plan::Plan;
+use super::plan::SceneryPlan;
 use super::road_table::ROADS;
 use super::scene_kind::SceneKind;
-use super::shape::{Outline, Slab, Spot, smooth_curve, spot};
+use super::shape::{GroundOutline, Slab, Spot, smooth_curve, spot};
 use super::things::RoadClass::{Main, Street, Track};
-use super::things::{Ground, Road, RoadClass};
+use super::things::{Road, RoadClass, SurfaceMaterial};
 
-fn road(plan: &mut Plan, name: &'static str, class: RoadClass, controls: &[Spot]) {
+fn road(plan: &mut SceneryPlan, name: &'static str, class: RoadClass, controls: &[Spot]) {
     let half_width = match class {
         Main => 3.6,
         RoadClass::Stream => 1.7,
@@ -24,15 +24,15 @@ fn road(plan: &mut Plan, name: &'static str, class: RoadClass, controls: &[Spot]
 }
 
 /// The roundabout where the main roads meet.
-fn roundabout(plan: &mut Plan) {
+fn roundabout(plan: &mut SceneryPlan) {
     let center = spot(428.0, 617.0);
-    let ring = |radius: f32, ground| (Outline::Disc(center, radius), ground);
+    let ring = |radius: f32, ground| (GroundOutline::Disc(center, radius), ground);
     for (outline, ground) in [
-        ring(24.0, Ground::Grass),
-        ring(17.9, Ground::Asphalt),
-        ring(9.3, Ground::Paving),
-        ring(8.2, Ground::Lawn),
-        ring(3.0, Ground::Beds),
+        ring(24.0, SurfaceMaterial::Grass),
+        ring(17.9, SurfaceMaterial::Asphalt),
+        ring(9.3, SurfaceMaterial::Paving),
+        ring(8.2, SurfaceMaterial::Lawn),
+        ring(3.0, SurfaceMaterial::Beds),
     ] {
         plan.lay(outline, ground, spot(1.0, 0.0), 0.1, None);
     }
@@ -51,7 +51,7 @@ fn roundabout(plan: &mut Plan) {
     });
     let site = Slab::new(center, 0.0, 52.0, 52.0);
     plan.reserved.push(site);
-    let outline = Outline::Disc(center, 18.5).corners();
+    let outline = GroundOutline::Disc(center, 18.5).corners();
     plan.announce("roundabout", SceneKind::Place, outline, &site);
 }
 
@@ -69,7 +69,7 @@ const CROSSINGS: [(&str, f32); 9] = [
 ];
 
 /// Paints the crossings of the village streets.
-fn crossings(plan: &mut Plan) {
+fn crossings(plan: &mut SceneryPlan) {
     for (name, along) in CROSSINGS {
         let Some(road) = plan.roads.iter().find(|r| r.name == Some(name)) else {
             continue;
@@ -82,13 +82,13 @@ fn crossings(plan: &mut Plan) {
                 half_along: half_width - 0.25,
                 half_across: 1.7,
             };
-            plan.lay_slab(slab, Ground::Zebra, 0.0);
+            plan.lay_slab(slab, SurfaceMaterial::Zebra, 0.0);
         }
     }
 }
 
 /// Lays all roads.
-pub(super) fn build(plan: &mut Plan) {
+pub(super) fn build(plan: &mut SceneryPlan) {
     roundabout(plan);
     for (name, class, controls) in ROADS {
         road(plan, name, class, controls);

@@ -4,9 +4,9 @@ use super::fields::line_share;
 use super::grid::cell_of;
 use super::light::{Color, mix};
 use super::noise::fractal;
-use super::shape::{Outline, Spot};
-use super::things::Ground;
-use super::world::World;
+use super::shape::{GroundOutline, Spot};
+use super::things::SurfaceMaterial;
+use super::world::SceneryWorld;
 
 /// Share of a pixel of that size covered at a signed distance from an edge.
 #[inline]
@@ -14,7 +14,7 @@ pub(super) fn cover_share(distance: f32, gsd: f32) -> f32 {
     (0.5 - distance / gsd).clamp(0.0, 1.0)
 }
 
-impl World {
+impl SceneryWorld {
     /// Light that leaves a place upwards, averaged over about `gsd` metres; `None` outside.
     pub(super) fn light_at(&self, p: Spot, gsd: f32) -> Option<Color> {
         let cell = cell_of(p)?;
@@ -24,7 +24,7 @@ impl World {
         let mut has_marks = false;
         for &i in surfaces {
             let surface = &self.land.plan.surfaces[i as usize];
-            if surface.ground == Ground::Zebra {
+            if surface.ground == SurfaceMaterial::Zebra {
                 has_marks = true;
                 continue;
             }
@@ -36,7 +36,7 @@ impl World {
                 d += surface.ragged * fractal(p.n, p.e, 1.2 + 2.0 * surface.ragged, 3, gsd, 40);
             }
             let share = match &surface.outline {
-                Outline::Slab(slab) if slab.half_across < 1.0 => {
+                GroundOutline::Slab(slab) if slab.half_across < 1.0 => {
                     let (u, v) = slab.local(p);
                     line_share(u, slab.half_along, gsd) * line_share(v, slab.half_across, gsd)
                 }
@@ -53,7 +53,7 @@ impl World {
         if has_marks {
             for &i in surfaces {
                 let surface = &self.land.plan.surfaces[i as usize];
-                if surface.ground == Ground::Zebra {
+                if surface.ground == SurfaceMaterial::Zebra {
                     let d = surface.outline.distance(p);
                     let share = cover_share(d, soft);
                     if share > 0.0 {

@@ -19,7 +19,7 @@ pub(super) enum Use {
 
 /// Look of a field on the day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Cover {
+pub(super) enum FieldCover {
     Green,
     Ripe,
     Stubble,
@@ -34,7 +34,7 @@ pub(super) enum Cover {
 #[derive(Clone, Debug)]
 pub(super) struct Parcel {
     pub(super) use_: Use,
-    pub(super) cover: Cover,
+    pub(super) cover: FieldCover,
     /// Direction of the rows.
     pub(super) axis: Spot,
     pub(super) variant: u32,
@@ -45,7 +45,7 @@ pub(super) struct Parcel {
 
 /// A cutting line or a leaf.
 #[derive(Clone, Copy, Debug)]
-enum Node {
+enum ParcelNode {
     /// `normal · p - offset`: negative goes to the first child, else to the second.
     Cut {
         normal: Spot,
@@ -59,7 +59,7 @@ enum Node {
 /// All parcels with the tree that finds them.
 #[derive(Clone, Debug)]
 pub(super) struct Parcels {
-    nodes: Vec<Node>,
+    nodes: Vec<ParcelNode>,
     pub(super) parcels: Vec<Parcel>,
 }
 
@@ -94,10 +94,10 @@ impl Parcels {
         let target = dice.range(9_000.0, 42_000.0);
         let number = self.nodes.len() as u32;
         if area < target || depth > 12 {
-            self.nodes.push(Node::Leaf(self.parcels.len() as u32));
+            self.nodes.push(ParcelNode::Leaf(self.parcels.len() as u32));
             self.parcels.push(Parcel {
                 use_: Use::Cereal,
-                cover: Cover::Green,
+                cover: FieldCover::Green,
                 axis: longest_side(&corners),
                 variant: dice.bits() as u32,
                 corners,
@@ -119,11 +119,11 @@ impl Parcels {
         let (low, high) = (reach(f32::min), reach(f32::max));
         let offset = low + (high - low) * dice.range(0.36, 0.64);
         let (first, second) = split(&corners, normal, offset);
-        self.nodes.push(Node::Leaf(0));
+        self.nodes.push(ParcelNode::Leaf(0));
         let track = (2..6).contains(&depth) && dice.chance(0.3);
         let a = self.cut(first, depth + 1, dice);
         let b = self.cut(second, depth + 1, dice);
-        self.nodes[number as usize] = Node::Cut {
+        self.nodes[number as usize] = ParcelNode::Cut {
             normal,
             offset,
             children: [a, b],
@@ -184,11 +184,11 @@ impl Parcels {
         };
         loop {
             match self.nodes[number as usize] {
-                Node::Leaf(parcel) => {
+                ParcelNode::Leaf(parcel) => {
                     located.parcel = parcel;
                     return located;
                 }
-                Node::Cut {
+                ParcelNode::Cut {
                     normal,
                     offset,
                     children,
@@ -227,8 +227,8 @@ fn is_always_wood(c: Spot) -> bool {
     .any(|w| (c - w).length() < 70.0)
 }
 
-fn cover(use_: Use, season: Season, roll: f32) -> Cover {
-    use Cover::{Floor, Green, Mown, Pasture, Plough, Ripe, Sprouting, Stubble};
+fn cover(use_: Use, season: Season, roll: f32) -> FieldCover {
+    use FieldCover::{Floor, Green, Mown, Pasture, Plough, Ripe, Sprouting, Stubble};
     match (use_, season) {
         (Use::Wood | Use::ConiferWood, _) => Floor,
         (Use::Orchard | Use::Grassland, _) => Pasture,

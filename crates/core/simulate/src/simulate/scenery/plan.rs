@@ -1,18 +1,19 @@
 //! The plan on paper: lists of objects, filled by the builders in their order.
 
-use super::grid::Grid;
+use super::grid::CellLists;
 use super::noise::Dice;
 use super::scene_kind::{DistinctFeature, SceneKind};
-use super::shape::{Outline, Slab, Spot, spot};
+use super::shape::{GroundOutline, Slab, Spot, spot};
 use super::things::{
-    Cover, Crown, Form, Ground, Habit, Prop, Road, RoadClass, Roof, Solid, Surface,
+    Crown, FlatSurface, Habit, Prop, PropForm, Road, RoadClass, Roof, RoofCover, Solid,
+    SurfaceMaterial,
 };
 use pilotage_base::frames::GroundRect;
 
 /// Everything that stands or lies on the ground.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Plan {
-    pub(super) surfaces: Vec<Surface>,
+pub(super) struct SceneryPlan {
+    pub(super) surfaces: Vec<FlatSurface>,
     pub(super) solids: Vec<Solid>,
     pub(super) crowns: Vec<Crown>,
     pub(super) props: Vec<Prop>,
@@ -24,18 +25,18 @@ pub(super) struct Plan {
     pub(super) stalls: Vec<(Slab, f32)>,
 }
 
-impl Plan {
+impl SceneryPlan {
     /// Lays a surface.
     pub(super) fn lay(
         &mut self,
-        outline: Outline,
-        ground: Ground,
+        outline: GroundOutline,
+        ground: SurfaceMaterial,
         axis: Spot,
         ragged: f32,
         label: Option<SceneKind>,
     ) {
         let variant = (self.surfaces.len() as u32).wrapping_mul(0x9e37_79b9);
-        self.surfaces.push(Surface {
+        self.surfaces.push(FlatSurface {
             outline,
             ground,
             axis,
@@ -46,8 +47,8 @@ impl Plan {
     }
 
     /// Lays a rectangular surface with its stripes along the long side.
-    pub(super) fn lay_slab(&mut self, slab: Slab, ground: Ground, ragged: f32) {
-        self.lay(Outline::Slab(slab), ground, slab.axis, ragged, None);
+    pub(super) fn lay_slab(&mut self, slab: Slab, ground: SurfaceMaterial, ragged: f32) {
+        self.lay(GroundOutline::Slab(slab), ground, slab.axis, ragged, None);
     }
 
     /// Puts up a volume.
@@ -59,7 +60,7 @@ impl Plan {
         &mut self,
         slab: Slab,
         roof: Roof,
-        cover: Cover,
+        cover: RoofCover,
         color: [f32; 3],
         eaves: f32,
         rise: f32,
@@ -96,7 +97,7 @@ impl Plan {
     }
 
     /// Puts down a small thing.
-    pub(super) fn put(&mut self, slab: Slab, height: f32, form: Form, color: [f32; 3]) {
+    pub(super) fn put(&mut self, slab: Slab, height: f32, form: PropForm, color: [f32; 3]) {
         self.props.push(Prop {
             slab,
             height,
@@ -206,8 +207,8 @@ impl Segment {
 }
 
 /// The grid over road segments.
-pub(super) fn segment_grid(segments: &[Segment]) -> Grid {
-    Grid::new(
+pub(super) fn segment_grid(segments: &[Segment]) -> CellLists {
+    CellLists::new(
         segments,
         9.5,
         |s| vec![s.start, s.end()],

@@ -1,13 +1,13 @@
 //! Windows: samples averaged into pixels.
 
 use super::shape::spot;
-use super::world::World;
+use super::world::SceneryWorld;
 use pilotage_raster::imagery::Window;
 use pilotage_raster::raster::{Raster, Rgba};
 
 /// The pixels of a window. A coarse pixel averages a few samples, each of them already smoothed
 /// over its own part of the pixel, so that the cost per pixel stays bounded at any scale.
-pub(super) fn window(world: &World, window: &Window) -> Raster<Rgba> {
+pub(super) fn window(world: &SceneryWorld, window: &Window) -> Raster<Rgba> {
     let per_side = ((window.gsd / 1.25).ceil() as usize).clamp(1, 4);
     let step = window.gsd / per_side as f64;
     let share = 1.0 / (per_side * per_side) as f32;

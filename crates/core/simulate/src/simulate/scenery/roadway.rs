@@ -8,7 +8,7 @@ use super::plan::Segment;
 use super::shape::Spot;
 use super::surfaces::tarmac;
 use super::things::RoadClass;
-use super::world::World;
+use super::world::SceneryWorld;
 
 /// Road near a place.
 #[derive(Clone, Copy)]
@@ -24,7 +24,7 @@ struct Near {
 const YELLOW: Color = [0.42, 0.285, 0.05];
 const WHITE: Color = [0.43, 0.43, 0.41];
 
-impl World {
+impl SceneryWorld {
     /// The nearest piece of each road of a cell, and how many there are.
     #[inline]
     fn nearest(&self, cell: &[u32], p: Spot) -> ([Option<Near>; 4], usize) {

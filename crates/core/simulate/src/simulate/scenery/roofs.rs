@@ -7,8 +7,8 @@ use super::light::{Color, mix, scale};
 use super::noise::{hash2, unit};
 use super::shape::{Spot, spot};
 use super::texture::individual;
-use super::things::{Cover, Roof, Solid};
-use super::world::World;
+use super::things::{Roof, RoofCover, Solid};
+use super::world::SceneryWorld;
 
 fn face(solid: &Solid, u: f32, v: f32) -> Face {
     let (a, b) = (solid.slab.half_along, solid.slab.half_across);
@@ -108,7 +108,7 @@ fn face(solid: &Solid, u: f32, v: f32) -> Face {
     }
 }
 
-impl World {
+impl SceneryWorld {
     /// Light from a roof at a place.
     pub(super) fn roof(&self, solid: &Solid, number: u32, p: Spot, gsd: f32, soft: f32) -> Color {
         let (u, v) = solid.slab.local(p);
@@ -129,7 +129,7 @@ impl World {
             tint,
         };
         let mut c = covering(solid, &f, (u, v, inside), &found, gsd);
-        if solid.cover == Cover::Metal {
+        if solid.cover == RoofCover::Metal {
             slope = slope + solid.slab.axis * (0.1 * stripes(f.along, 0.9, gsd));
         }
         if f.glazing > 0.0 {

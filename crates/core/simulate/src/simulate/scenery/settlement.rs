@@ -1,7 +1,7 @@
 //! Houses along streets, with their gardens, drives and sheds; farms and hamlets.
 
 use super::noise::Dice;
-use super::plan::Plan;
+use super::plan::SceneryPlan;
 use super::shape::{Slab, Spot, spot};
 use super::{farm, house};
 
@@ -40,7 +40,7 @@ const FARMS: [(f32, f32, f32); 8] = [
 ];
 
 /// Builds farms first, then the rows of houses where there is room.
-pub(super) fn build(plan: &mut Plan, seed: u64) {
+pub(super) fn build(plan: &mut SceneryPlan, seed: u64) {
     let mut dice = Dice::new(seed, 21);
     for (n, e, angle) in FARMS {
         farm::build(plan, spot(n, e), angle, &mut dice);
@@ -83,7 +83,7 @@ fn under_second_leg(p: Spot) -> bool {
 }
 
 fn row(
-    plan: &mut Plan,
+    plan: &mut SceneryPlan,
     curve: &[Spot],
     half_width: f32,
     (from, to, spacing): (f32, f32, f32),

@@ -2,7 +2,7 @@
 
 use super::grid::cell_of;
 use super::shape::{Slab, Spot};
-use super::world::World;
+use super::world::SceneryWorld;
 
 /// Length of the way from `p` in a direction, up to `reach`, that lies over a rectangle.
 fn chord(slab: &Slab, p: Spot, direction: Spot, reach: f32) -> f32 {
@@ -23,7 +23,7 @@ fn chord(slab: &Slab, p: Spot, direction: Spot, reach: f32) -> f32 {
     (to - from).max(0.0)
 }
 
-impl World {
+impl SceneryWorld {
     /// Share of the sun that reaches a place at a height, 0 to 1; `caster` casts none on itself.
     pub(super) fn sun_reaching(
         &self,

@@ -130,7 +130,7 @@ impl Slab {
 
 /// An outline on the ground.
 #[derive(Clone, Debug)]
-pub(super) enum Outline {
+pub(super) enum GroundOutline {
     Slab(Slab),
     Disc(Spot, f32),
     /// Corners in order, any simple polygon.
@@ -139,7 +139,7 @@ pub(super) enum Outline {
     Ellipse(Slab),
 }
 
-impl Outline {
+impl GroundOutline {
     /// Signed distance, metres, negative inside (approximate outside for ellipses).
     #[inline]
     pub(super) fn distance(&self, p: Spot) -> f32 {

@@ -5,20 +5,20 @@ use super::light::{Color, mix, scale};
 use super::noise::{fractal, hash2, smooth_step, unit};
 use super::shape::Spot;
 use super::texture::individual;
-use super::things::{Ground, Surface};
-use super::world::World;
+use super::things::{FlatSurface, SurfaceMaterial};
+use super::world::SceneryWorld;
 
-impl World {
+impl SceneryWorld {
     /// Reflectance of a surface at a place `depth` metres inside its edge.
     #[expect(clippy::too_many_lines, reason = "one arm for each material")]
-    pub(super) fn surface(&self, s: &Surface, p: Spot, depth: f32, gsd: f32) -> Color {
+    pub(super) fn surface(&self, s: &FlatSurface, p: Spot, depth: f32, gsd: f32) -> Color {
         let g = individual(p, s.variant);
         let [speckle, clumps, patches, veins] = self.land.textures.grain.sample(g, gsd);
         let tint = unit(hash2(s.variant as i32, 3, 8));
         let along = s.axis.dot(p);
         let across = s.axis.cross(p);
         match s.ground {
-            Ground::Lawn => {
+            SurfaceMaterial::Lawn => {
                 let care = unit(hash2(s.variant as i32, self.growth as i32, 4));
                 let green = mix([0.058, 0.076, 0.028], [0.078, 0.1, 0.036], tint);
                 let dry = [0.128, 0.12, 0.062];
@@ -30,7 +30,7 @@ impl World {
                 );
                 scale(c, 1.0 + stripe + 0.13 * clumps + 0.1 * speckle)
             }
-            Ground::Turf => {
+            SurfaceMaterial::Turf => {
                 let stripe = stripes(along, 10.0, gsd);
                 let c = mix(
                     [0.06, 0.085, 0.03],
@@ -44,7 +44,7 @@ impl World {
                         + 0.08 * speckle,
                 )
             }
-            Ground::Grass => {
+            SurfaceMaterial::Grass => {
                 let c = mix(
                     [0.062, 0.074, 0.032],
                     [0.12, 0.112, 0.06],
@@ -52,8 +52,8 @@ impl World {
                 );
                 scale(c, 1.0 + 0.22 * clumps + 0.14 * speckle)
             }
-            Ground::Asphalt => tarmac([speckle, clumps, patches, veins], tint),
-            Ground::Stalls => {
+            SurfaceMaterial::Asphalt => tarmac([speckle, clumps, patches, veins], tint),
+            SurfaceMaterial::Stalls => {
                 let mut c = tarmac([speckle, clumps, patches, veins], 0.35);
                 let oil = smooth_step(0.3, 0.05, repeated(along + 1.3, 2.6).abs() * 0.4)
                     * smooth_step(0.2, 0.7, clumps + patches);
@@ -67,7 +67,7 @@ impl World {
                     (0.85 + 0.4 * clumps).clamp(0.0, 1.0) * line.max(middle),
                 )
             }
-            Ground::Concrete => {
+            SurfaceMaterial::Concrete => {
                 let joint = line_share(repeated(along, 4.5), 0.05, gsd).max(line_share(
                     repeated(across, 4.5),
                     0.05,
@@ -92,7 +92,7 @@ impl World {
                     0.6 * joint,
                 )
             }
-            Ground::Gravel => {
+            SurfaceMaterial::Gravel => {
                 let c = mix([0.205, 0.19, 0.165], [0.24, 0.215, 0.175], tint);
                 let c = scale(c, 1.0 + 0.16 * speckle + 0.07 * clumps + 0.1 * patches);
                 mix(
@@ -101,7 +101,7 @@ impl World {
                     0.55 * smooth_step(0.3, 0.7, clumps + 0.7 * patches - 0.25 * depth),
                 )
             }
-            Ground::Dirt => {
+            SurfaceMaterial::Dirt => {
                 let wet = smooth_step(0.15, 0.65, patches + 0.35 * clumps);
                 let c = mix([0.2, 0.17, 0.13], [0.115, 0.092, 0.068], wet);
                 let ruts = smooth_step(
@@ -119,7 +119,7 @@ impl World {
                     0.7 * smooth_step(0.1, 0.7, clumps + patches - 0.35 * depth + 0.5),
                 )
             }
-            Ground::Paving => {
+            SurfaceMaterial::Paving => {
                 let joint = line_share(repeated(along, 1.0), 0.025, gsd).max(line_share(
                     repeated(across, 1.0),
                     0.025,
@@ -141,7 +141,7 @@ impl World {
                 );
                 mix(c, scale(base, 0.5), joint)
             }
-            Ground::Pool => {
+            SurfaceMaterial::Pool => {
                 let wave = fractal(p.n, p.e, 1.6, 3, gsd, 71);
                 let ripple = (1.0 - wave.abs() * 3.0).max(0.0);
                 let lanes = line_share(
@@ -161,7 +161,7 @@ impl World {
                 );
                 mix([0.42, 0.42, 0.4], c, smooth_step(0.15, 0.35, depth))
             }
-            Ground::Pond => {
+            SurfaceMaterial::Pond => {
                 let ripple = fractal(p.n * 0.7, p.e * 1.4, 2.4, 3, gsd, 72);
                 let deep = scale([0.017, 0.024, 0.024], 1.0 + 0.18 * ripple + 0.2 * patches);
                 let algae = [0.04, 0.05, 0.018];
@@ -176,17 +176,17 @@ impl World {
                     smooth_step(0.1, 1.3, depth + 0.6 * clumps),
                 )
             }
-            Ground::Paint => scale([0.45, 0.45, 0.43], 0.9 + 0.1 * clumps),
-            Ground::Zebra => {
+            SurfaceMaterial::Paint => scale([0.45, 0.45, 0.43], 0.9 + 0.1 * clumps),
+            SurfaceMaterial::Zebra => {
                 let bar = smooth_step(-0.25, 0.25, stripes(along, 1.1, gsd));
                 let worn = (0.9 + 0.5 * clumps + 0.2 * speckle).clamp(0.2, 1.0);
                 mix([0.1, 0.1, 0.098], [0.5, 0.5, 0.48], bar * worn)
             }
-            Ground::Tartan => scale(
+            SurfaceMaterial::Tartan => scale(
                 [0.135, 0.068, 0.054],
                 1.0 + 0.1 * patches + 0.06 * clumps + 0.05 * speckle,
             ),
-            Ground::Rock => {
+            SurfaceMaterial::Rock => {
                 let from_rim = depth + 2.5 * patches + 1.5 * clumps;
                 let face = smooth_step(1.6, 0.4, (from_rim - 3.0).abs())
                     + smooth_step(1.5, 0.5, (from_rim - 14.0).abs());
@@ -214,7 +214,7 @@ impl World {
                     0.7 * smooth_step(0.1, 0.7, patches + clumps - 0.06 * depth),
                 )
             }
-            Ground::Beds => {
+            SurfaceMaterial::Beds => {
                 let row = stripes(across, 0.9, gsd);
                 let kind = hash2((across / 3.6).floor() as i32, s.variant as i32, self.growth);
                 let green = [
@@ -232,7 +232,7 @@ impl World {
                     1.0 + 0.2 * speckle + 0.15 * clumps,
                 )
             }
-            Ground::Graves => {
+            SurfaceMaterial::Graves => {
                 let grass = scale(
                     mix(
                         [0.06, 0.078, 0.03],
@@ -269,11 +269,13 @@ impl World {
     }
 }
 
-fn surface_center(s: &Surface) -> Spot {
+fn surface_center(s: &FlatSurface) -> Spot {
     match &s.outline {
-        super::shape::Outline::Slab(slab) | super::shape::Outline::Ellipse(slab) => slab.center,
-        super::shape::Outline::Disc(center, _) => *center,
-        super::shape::Outline::Polygon(corners) => super::parcels::center_of(corners),
+        super::shape::GroundOutline::Slab(slab) | super::shape::GroundOutline::Ellipse(slab) => {
+            slab.center
+        }
+        super::shape::GroundOutline::Disc(center, _) => *center,
+        super::shape::GroundOutline::Polygon(corners) => super::parcels::center_of(corners),
     }
 }
 

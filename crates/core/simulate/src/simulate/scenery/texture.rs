@@ -13,13 +13,13 @@ const TEXEL: f32 = 0.125;
 
 /// The textures of one seed; clones share them.
 #[derive(Clone, Debug)]
-pub(super) struct Textures {
-    pub(super) foliage: Texture,
-    pub(super) grain: Texture,
-    pub(super) land: Texture,
+pub(super) struct PeriodicTextures {
+    pub(super) foliage: PeriodicTexture,
+    pub(super) grain: PeriodicTexture,
+    pub(super) land: PeriodicTexture,
 }
 
-impl Textures {
+impl PeriodicTextures {
     pub(super) fn new(seed: u64) -> Self {
         Self {
             foliage: foliage(seed as u32 ^ 0x51),
@@ -31,12 +31,12 @@ impl Textures {
 
 /// A periodic picture of four channels from -1 to 1.
 #[derive(Clone, Debug)]
-pub(super) struct Texture {
+pub(super) struct PeriodicTexture {
     levels: Arc<[Vec<[i8; 4]>]>,
     side: usize,
 }
 
-impl Texture {
+impl PeriodicTexture {
     /// A texture of `side` (a power of two) texels, computed texel by texel.
     pub(super) fn from_fn(side: usize, f: impl Fn(f32, f32) -> [f32; 4]) -> Self {
         let finest = (0..side * side)
@@ -181,7 +181,7 @@ fn cells(x: f32, y: f32, count: i32, period: f32, seed: u32) -> (f32, f32) {
 const FOLIAGE_SIDE: usize = 256;
 
 /// Foliage: height 0 to 1 (as -1 to 1), slopes north and east (in units of 2.5), tone.
-fn foliage(seed: u32) -> Texture {
+fn foliage(seed: u32) -> PeriodicTexture {
     let period = FOLIAGE_SIDE as f32 * TEXEL;
     let dome = |d: f32| (1.0 - d * d).max(0.0);
     let wave = |cells, salt| Periodic::new(cells, period, seed ^ salt);
@@ -207,7 +207,7 @@ fn foliage(seed: u32) -> Texture {
     let count = heights.len() as f32;
     let mean = heights.iter().map(|h| h.0).sum::<f32>() / count;
     let spread = (heights.iter().map(|h| (h.0 - mean).powi(2)).sum::<f32>() / count).sqrt();
-    Texture::from_fn(FOLIAGE_SIDE, |x, y| {
+    PeriodicTexture::from_fn(FOLIAGE_SIDE, |x, y| {
         let (i, j) = ((x / TEXEL) as usize, (y / TEXEL) as usize);
         let at = |i: usize, j: usize| heights[(i % FOLIAGE_SIDE) * FOLIAGE_SIDE + j % FOLIAGE_SIDE];
         let (height, tone) = at(i, j);
@@ -224,14 +224,14 @@ fn foliage(seed: u32) -> Texture {
 const GRAIN_SIDE: usize = 512;
 
 /// Ground detail: speckle, clumps of half a metre, patches of some metres, thin veins.
-fn grain(seed: u32) -> Texture {
+fn grain(seed: u32) -> PeriodicTexture {
     let period = GRAIN_SIDE as f32 * TEXEL;
     let wave = |cells, salt| Periodic::new(cells, period, seed ^ salt);
     let speckles = [wave(512, 0), wave(301, 6)];
     let clumped = [wave(150, 7), wave(83, 8), wave(240, 9)];
     let patched = [wave(13, 0xa), wave(27, 0xb), wave(49, 0xc)];
     let (bends, ridges) = (wave(20, 0xd), wave(16, 0xe));
-    Texture::from_fn(GRAIN_SIDE, |x, y| {
+    PeriodicTexture::from_fn(GRAIN_SIDE, |x, y| {
         let speckle = 0.6 * speckles[0].at(x, y) + 0.5 * speckles[1].at(x, y);
         let clumps =
             0.6 * clumped[0].at(x, y) + 0.45 * clumped[1].at(x, y) + 0.3 * clumped[2].at(x, y);
@@ -248,7 +248,7 @@ fn grain(seed: u32) -> Texture {
 pub(super) const LAND_SCALE: f32 = 1.0 / 45.0;
 
 /// Slow variation of the land: how boundaries bend north and east, dampness, brightness.
-fn lay_of_the_land(seed: u32) -> Texture {
+fn lay_of_the_land(seed: u32) -> PeriodicTexture {
     const SIDE: usize = 256;
     let period = SIDE as f32 * TEXEL;
     let wave = |cells, salt| Periodic::new(cells, period, seed ^ salt);
@@ -256,7 +256,7 @@ fn lay_of_the_land(seed: u32) -> Texture {
     let east = [wave(15, 33), wave(41, 34)];
     let damp = [wave(15, 35), wave(32, 36), wave(65, 37)];
     let bright = [wave(5, 38), wave(12, 39)];
-    Texture::from_fn(SIDE, |x, y| {
+    PeriodicTexture::from_fn(SIDE, |x, y| {
         [
             0.75 * north[0].at(x, y) + 0.25 * north[1].at(x, y),
             0.75 * east[0].at(x, y) + 0.25 * east[1].at(x, y),

@@ -1,11 +1,11 @@
 //! The objects that the scenery is made of.
 
 use super::scene_kind::SceneKind;
-use super::shape::{Outline, Slab, Spot};
+use super::shape::{GroundOutline, Slab, Spot};
 
 /// Material of a flat surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ground {
+pub(super) enum SurfaceMaterial {
     /// Mown grass; stripes along the surface's axis.
     Lawn,
     /// Rough grass.
@@ -41,9 +41,9 @@ pub(super) enum Ground {
 
 /// A flat surface painted over the ground.
 #[derive(Clone, Debug)]
-pub(super) struct Surface {
-    pub(super) outline: Outline,
-    pub(super) ground: Ground,
+pub(super) struct FlatSurface {
+    pub(super) outline: GroundOutline,
+    pub(super) ground: SurfaceMaterial,
     /// Direction of stripes, stalls and slabs.
     pub(super) axis: Spot,
     /// Amplitude of the ragged edge, metres.
@@ -75,7 +75,7 @@ pub(super) enum Roof {
 
 /// Covering of a roof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Cover {
+pub(super) enum RoofCover {
     /// Tiles or shingles in courses.
     Tiles,
     /// Standing seam or corrugated metal.
@@ -95,7 +95,7 @@ pub(super) enum Cover {
 pub(super) struct Solid {
     pub(super) slab: Slab,
     pub(super) roof: Roof,
-    pub(super) cover: Cover,
+    pub(super) cover: RoofCover,
     /// Linear reflectance of the roof.
     pub(super) color: [f32; 3],
     /// Height of the eaves, metres.
@@ -114,11 +114,11 @@ impl Solid {
         matches!(self.roof, Roof::Cone | Roof::Dome)
     }
     /// Its outline on the ground.
-    pub(super) fn outline(&self) -> Outline {
+    pub(super) fn outline(&self) -> GroundOutline {
         if self.is_round() {
-            Outline::Disc(self.slab.center, self.slab.half_along)
+            GroundOutline::Disc(self.slab.center, self.slab.half_along)
         } else {
-            Outline::Slab(self.slab)
+            GroundOutline::Slab(self.slab)
         }
     }
     /// Signed distance to the plan, metres, negative inside.
@@ -196,14 +196,14 @@ pub(super) struct Crown {
 pub(super) struct Prop {
     pub(super) slab: Slab,
     pub(super) height: f32,
-    pub(super) form: Form,
+    pub(super) form: PropForm,
     /// Linear reflectance.
     pub(super) color: [f32; 3],
 }
 
 /// Kind of a [`Prop`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum PropForm {
     Car,
     Truck,
     Bale,

@@ -4,10 +4,10 @@ use super::fields::{line_share, stripes};
 use super::light::{Color, mix, scale};
 use super::noise::smooth_step;
 use super::shape::Spot;
-use super::things::{Form, Prop};
-use super::world::World;
+use super::things::{Prop, PropForm};
+use super::world::SceneryWorld;
 
-impl World {
+impl SceneryWorld {
     /// Paints a small thing over `light`.
     pub(super) fn prop(&self, light: Color, prop: &Prop, p: Spot, gsd: f32, soft: f32) -> Color {
         let (u, v) = prop.slab.local(p);
@@ -20,7 +20,7 @@ impl World {
         let mut slope = Spot::default();
         let mut height = prop.height;
         match prop.form {
-            Form::Car => {
+            PropForm::Car => {
                 // Rounded corners, bonnet, glass, roof.
                 let corner = (u.abs() - a + 0.45)
                     .max(0.0)
@@ -47,7 +47,7 @@ impl World {
                 c = mix(c, scale(prop.color, 1.04), roof);
                 c = mix(c, scale(c, 0.7), 0.5 * line_share(t - 0.33, 0.02, gsd / a));
             }
-            Form::Truck => {
+            PropForm::Truck => {
                 let cab = smooth_step(0.62, 0.66, u / a);
                 c = mix(
                     scale(c, 1.0 + 0.08 * stripes(u, 1.2, gsd)),
@@ -56,17 +56,17 @@ impl World {
                 );
                 c = mix(c, [0.02, 0.02, 0.025], line_share(u - 0.6 * a, 0.12, gsd));
             }
-            Form::Bale => {
+            PropForm::Bale => {
                 slope = axis_slope(prop, -0.8 * v / b);
                 c = scale(c, 1.0 + 0.1 * stripes(u, 0.3, gsd));
             }
-            Form::Crate => c = scale(c, 1.0 + 0.12 * stripes(u, 0.6, gsd)),
+            PropForm::Crate => c = scale(c, 1.0 + 0.12 * stripes(u, 0.6, gsd)),
         }
         let sunlit = self.sun_reaching(p, height, u32::MAX, gsd, soft);
         let mut own = self
             .light
             .reflect(c, sunlit * self.light.cosine(slope), 0.95);
-        if prop.form == Form::Car {
+        if prop.form == PropForm::Car {
             // Paint and glass mirror some sky.
             own = mix(own, [0.3, 0.34, 0.4], 0.06);
         }

@@ -1,12 +1,12 @@
 //! The pond and the stream.
 
-use super::plan::Plan;
+use super::plan::SceneryPlan;
 use super::scene_kind::SceneKind;
-use super::shape::{Outline, Slab, Spot, polygon_distance, smooth_curve, spot};
-use super::things::{Ground, Road, RoadClass};
+use super::shape::{GroundOutline, Slab, Spot, polygon_distance, smooth_curve, spot};
+use super::things::{Road, RoadClass, SurfaceMaterial};
 
 /// Lays the pond and the stream that feeds and leaves it.
-pub(super) fn build(plan: &mut Plan) {
+pub(super) fn build(plan: &mut SceneryPlan) {
     let s = spot;
     let course = [
         s(1250.0, 330.0),
@@ -50,10 +50,16 @@ pub(super) fn build(plan: &mut Plan) {
         .iter()
         .map(|&c| pond.center + (c - pond.center) * 1.12)
         .collect();
-    plan.lay(Outline::Polygon(bank), Ground::Grass, pond.axis, 2.5, None);
     plan.lay(
-        Outline::Polygon(shore.clone()),
-        Ground::Pond,
+        GroundOutline::Polygon(bank),
+        SurfaceMaterial::Grass,
+        pond.axis,
+        2.5,
+        None,
+    );
+    plan.lay(
+        GroundOutline::Polygon(shore.clone()),
+        SurfaceMaterial::Pond,
         pond.axis,
         1.6,
         Some(SceneKind::Pond),

@@ -1,26 +1,26 @@
 //! Places where trees grow: woods, hedges, road sides, water sides and single trees.
 
 use super::bend::{bent, unbent};
-use super::grid::{Grid, REACH};
+use super::grid::{CellLists, REACH};
 use super::noise::{Dice, hash2, unit, value_noise};
 use super::parcels::{Parcels, Use};
-use super::plan::{Plan, Segment};
+use super::plan::{SceneryPlan, Segment};
 use super::shape::{Spot, spot};
-use super::texture::Texture;
+use super::texture::PeriodicTexture;
 use super::things::{Habit, RoadClass};
 
 /// Obstacles that keep trees away, looked up by cells.
-pub(super) struct Ground<'a> {
-    pub(super) land: &'a Texture,
+pub(super) struct TreeObstacles<'a> {
+    pub(super) land: &'a PeriodicTexture,
     pub(super) segments: &'a [Segment],
-    pub(super) segment_grid: &'a Grid,
-    pub(super) surface_grid: &'a Grid,
-    pub(super) solid_grid: &'a Grid,
+    pub(super) segment_grid: &'a CellLists,
+    pub(super) surface_grid: &'a CellLists,
+    pub(super) solid_grid: &'a CellLists,
 }
 
-impl Ground<'_> {
+impl TreeObstacles<'_> {
     /// Whether a crown of that radius may stand there.
-    fn is_open(&self, plan: &Plan, p: Spot, radius: f32) -> bool {
+    fn is_open(&self, plan: &SceneryPlan, p: Spot, radius: f32) -> bool {
         let clear_of_roads = self.segment_grid.at(p).iter().all(|&i| {
             let s = &self.segments[i as usize];
             s.measure(p).0 > s.half_width + (0.75 * radius).min(4.0) + 0.6
@@ -28,7 +28,8 @@ impl Ground<'_> {
         clear_of_roads
             && self.surface_grid.at(p).iter().all(|&i| {
                 let s = &plan.surfaces[i as usize];
-                s.ground == super::things::Ground::Grass || s.outline.distance(p) > 0.4 * radius
+                s.ground == super::things::SurfaceMaterial::Grass
+                    || s.outline.distance(p) > 0.4 * radius
             })
             && self
                 .solid_grid
@@ -39,7 +40,7 @@ impl Ground<'_> {
 }
 
 /// Plants woods and hedges on the parcels, with a few single trees.
-pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u64) {
+pub(super) fn plant(plan: &mut SceneryPlan, parcels: &Parcels, ground: &TreeObstacles, seed: u64) {
     let mut dice = Dice::new(seed, 31);
     let pitch = 5.0;
     let count = (2.0 * REACH / pitch) as i32;
@@ -104,7 +105,7 @@ pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u
 }
 
 /// Shrubs between the trees and along the edges of woods.
-fn undergrowth(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) {
+fn undergrowth(plan: &mut SceneryPlan, parcels: &Parcels, ground: &TreeObstacles, dice: &mut Dice) {
     for parcel in parcels
         .parcels
         .iter()
@@ -140,11 +141,11 @@ fn bounds(corners: &[Spot]) -> Option<(Spot, Spot)> {
 }
 
 /// Bushes and trees along water.
-fn banks(plan: &mut Plan, ground: &Ground, dice: &mut Dice) {
+fn banks(plan: &mut SceneryPlan, ground: &TreeObstacles, dice: &mut Dice) {
     let ponds = plan
         .surfaces
         .iter()
-        .filter(|s| s.ground == super::things::Ground::Pond)
+        .filter(|s| s.ground == super::things::SurfaceMaterial::Pond)
         .map(|s| {
             let mut corners = s.outline.corners();
             corners.extend(corners.first().copied());
@@ -181,7 +182,7 @@ fn banks(plan: &mut Plan, ground: &Ground, dice: &mut Dice) {
     }
 }
 
-fn hedges(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) {
+fn hedges(plan: &mut SceneryPlan, parcels: &Parcels, ground: &TreeObstacles, dice: &mut Dice) {
     for parcel in &parcels.parcels {
         if !parcel.hedged {
             continue;
@@ -220,7 +221,7 @@ fn hedges(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) 
     }
 }
 
-fn orchards(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) {
+fn orchards(plan: &mut SceneryPlan, parcels: &Parcels, ground: &TreeObstacles, dice: &mut Dice) {
     for parcel in parcels.parcels.iter().filter(|p| p.use_ == Use::Orchard) {
         let center = super::parcels::center_of(&parcel.corners);
         for i in -40..40 {

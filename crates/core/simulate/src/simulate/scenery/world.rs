@@ -5,39 +5,39 @@ use std::sync::Arc;
 use super::cast::{CrownShadow, Shadow, prop_vertices};
 use super::day::{Day, Season};
 use super::foliage::Foliage;
-use super::grid::Grid;
+use super::grid::CellLists;
 use super::land::Land;
-use super::light::Light;
+use super::light::DayLight;
 use super::noise::{hash2, unit};
 use super::parcels::Parcels;
 use super::shape::Slab;
-use super::things::{Form, Prop};
+use super::things::{Prop, PropForm};
 
 /// The land, and what a day makes of it.
 #[derive(Clone, Debug)]
-pub(super) struct World {
+pub(super) struct SceneryWorld {
     pub(super) land: Arc<Land>,
     pub(super) parcels: Parcels,
     pub(super) props: Vec<Prop>,
-    pub(super) prop_grid: Grid,
+    pub(super) prop_grid: CellLists,
     pub(super) shadows: Vec<Shadow>,
-    pub(super) shadow_grid: Grid,
-    pub(super) crown_shadow_grid: Grid,
+    pub(super) shadow_grid: CellLists,
+    pub(super) crown_shadow_grid: CellLists,
     pub(super) crown_shadows: Vec<CrownShadow>,
     pub(super) foliage: Foliage,
     pub(super) growth: u32,
-    pub(super) light: Light,
+    pub(super) light: DayLight,
 }
 
-impl World {
+impl SceneryWorld {
     /// `land` on `day`.
     pub(super) fn new(land: Arc<Land>, day: &Day) -> Self {
-        let light = Light::new(day);
+        let light = DayLight::new(day);
         let parcels = land.parcels.on_day(land.seed, day);
         let plan = &land.plan;
         let mut props = plan.props.clone();
         props.extend(parked(&plan.stalls, day));
-        let prop_grid = Grid::new(
+        let prop_grid = CellLists::new(
             &props,
             0.6,
             |p| p.slab.corners().to_vec(),
@@ -54,7 +54,7 @@ impl World {
                 .iter()
                 .map(|p| Shadow::cast(&prop_vertices(p), &light, u32::MAX)),
         );
-        let shadow_grid = Grid::new(
+        let shadow_grid = CellLists::new(
             &shadows,
             1.0,
             |s| s.corners.clone(),
@@ -66,7 +66,7 @@ impl World {
             .iter()
             .map(|c| CrownShadow::new(c, &light, bare))
             .collect();
-        let crown_shadow_grid = Grid::new(
+        let crown_shadow_grid = CellLists::new(
             &crown_shadows,
             0.5,
             |s| s.slab(&light).corners().to_vec(),
@@ -123,7 +123,7 @@ fn parked(stalls: &[(Slab, f32)], day: &Day) -> Vec<Prop> {
             cars.push(Prop {
                 slab,
                 height: 1.5,
-                form: Form::Car,
+                form: PropForm::Car,
                 color: paint,
             });
         }

@@ -2,14 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::grid::Grid;
-use super::layout::{Layout, Tables};
+use super::grid::RowGrid;
+use super::layout::{FeatureLayout, FeatureTables};
 use super::model::{Cascade, Tree};
 use super::patch::Patch;
 
 /// Answer of a feature on a patch, and what follows from it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
+pub struct FeatureAnswer {
     /// Value of a Haar feature, or share of the edges of a HOG one; an LBP code, 0 to 255.
     pub value: f32,
     /// Threshold with which the value is compared; none for an LBP code, which is in a set or not.
@@ -23,11 +23,11 @@ pub struct Answer {
 ///
 /// # Panics
 /// If `patch` is not as large as the cascade's window.
-pub fn stage_answers(cascade: &Cascade, stage: usize, patch: &Patch) -> Vec<Answer> {
+pub fn stage_answers(cascade: &Cascade, stage: usize, patch: &Patch) -> Vec<FeatureAnswer> {
     let (width, height) = (cascade.width, cascade.height);
     assert_eq!((patch.width(), patch.height()), (width, height));
-    let grid = Grid::new(width + 2, 1);
-    let layout = Layout::new(&cascade.features, width, height, grid);
+    let grid = RowGrid::new(width + 2, 1);
+    let layout = FeatureLayout::new(&cascade.features, width, height, grid);
     let tables = layout.tables(patch.pixels());
     let at = grid.place(1, 1);
     let (Some(stage), Some(factor)) = (cascade.stages.get(stage), layout.factor(&tables, at))
@@ -47,16 +47,16 @@ pub fn stage_answers(cascade: &Cascade, stage: usize, patch: &Patch) -> Vec<Answ
 
 struct Seen<'a> {
     cascade: &'a Cascade,
-    layout: Layout,
-    tables: Tables,
+    layout: FeatureLayout,
+    tables: FeatureTables,
     at: usize,
     factor: f32,
 }
 
 impl Seen<'_> {
-    fn answers(&self, tree: &Tree) -> Vec<Answer> {
+    fn answers(&self, tree: &Tree) -> Vec<FeatureAnswer> {
         let vote = self.vote(tree);
-        let answer = |index: usize| Answer {
+        let answer = |index: usize| FeatureAnswer {
             value: self.value(index),
             threshold: (self.cascade.subsets.get(index))
                 .is_none()
@@ -97,7 +97,8 @@ impl Seen<'_> {
 mod tests {
     use super::*;
     use crate::landmark::cascade::{
-        Feature, HaarFeature, Split, TrainedStage, TrainedTree, responses, stage_features,
+        CascadeFeature, HaarFeature, NodeSplit, TrainedStage, TrainedTree, responses,
+        stage_features,
     };
     use pilotage_raster::raster::Raster;
 
@@ -108,7 +109,7 @@ mod tests {
     }
 
     /// Two stages of two stumps each, which ask any window something and refuse none.
-    fn cascade(features: Vec<Feature>, split: &Split) -> Cascade {
+    fn cascade(features: Vec<CascadeFeature>, split: &NodeSplit) -> Cascade {
         let stump =
             |feature, sign: f32| TrainedTree::stump(feature, *split, -0.3 * sign, 0.7 * sign);
         let stage = |sign| TrainedStage {
@@ -138,13 +139,13 @@ mod tests {
 
     #[test]
     fn the_votes_of_every_kind_of_feature_add_up_to_the_score_of_the_window() {
-        let hog = |component| Feature::Hog {
+        let hog = |component| CascadeFeature::Hog {
             cell: [0, 0, 6, 6],
             component,
         };
-        votes_add_up(&cascade(vec![hog(3), hog(20)], &Split::Threshold(0.02)));
+        votes_add_up(&cascade(vec![hog(3), hog(20)], &NodeSplit::Threshold(0.02)));
         let haar = |tilted| {
-            Feature::Haar(HaarFeature {
+            CascadeFeature::Haar(HaarFeature {
                 areas: [
                     ([4, 1, 4, 4], -1.0),
                     ([4, 1, 2, 4], 2.0),
@@ -155,20 +156,20 @@ mod tests {
         };
         votes_add_up(&cascade(
             vec![haar(false), haar(true)],
-            &Split::Threshold(0.0),
+            &NodeSplit::Threshold(0.0),
         ));
-        let lbp = |x| Feature::Lbp([x, 1, 3, 3]);
-        let codes = Split::Codes([0x0f0f_3535, 7, 0xffff, 0, 0x1234_5678, 1, 99, 0xff00_0000]);
+        let lbp = |x| CascadeFeature::Lbp([x, 1, 3, 3]);
+        let codes = NodeSplit::Codes([0x0f0f_3535, 7, 0xffff, 0, 0x1234_5678, 1, 99, 0xff00_0000]);
         votes_add_up(&cascade(vec![lbp(0), lbp(2)], &codes));
     }
 
     #[test]
     fn a_flat_patch_is_asked_nothing() {
-        let haar = Feature::Haar(HaarFeature {
+        let haar = CascadeFeature::Haar(HaarFeature {
             areas: [([0, 0, 4, 4], -1.0), ([0, 0, 2, 4], 2.0), ([0; 4], 0.0)],
             tilted: false,
         });
-        let cascade = cascade(vec![haar.clone(), haar], &Split::Threshold(0.0));
+        let cascade = cascade(vec![haar.clone(), haar], &NodeSplit::Threshold(0.0));
         let flat = Patch::with_margin(Raster::filled(14, 14, 90)).unwrap();
         assert!(stage_answers(&cascade, 0, &flat).is_empty());
         assert!(stage_answers(&cascade, 5, &flat).is_empty());

@@ -13,7 +13,7 @@
 
 use super::CascadeError;
 use super::check::{NO_AREA, empty};
-use super::model::{Area, Cascade, Feature, HaarFeature, Kind, Node};
+use super::model::{Area, Cascade, CascadeFeature, CascadeKind, HaarFeature, TreeNode};
 use super::write::leaves;
 
 /// First bytes of the format.
@@ -50,9 +50,9 @@ fn put_area(out: &mut Vec<u8>, area: &Area) {
     }
 }
 
-fn put_feature(out: &mut Vec<u8>, feature: &Feature) {
+fn put_feature(out: &mut Vec<u8>, feature: &CascadeFeature) {
     match feature {
-        Feature::Haar(haar) => {
+        CascadeFeature::Haar(haar) => {
             let areas = haar.areas.iter().filter(|(_, weight)| *weight != 0.0);
             put_whole(
                 out,
@@ -63,8 +63,8 @@ fn put_feature(out: &mut Vec<u8>, feature: &Feature) {
                 out.extend(weight.to_le_bytes());
             }
         }
-        Feature::Lbp(area) => put_area(out, area),
-        Feature::Hog { cell, component } => {
+        CascadeFeature::Lbp(area) => put_area(out, area),
+        CascadeFeature::Hog { cell, component } => {
             put_area(out, cell);
             out.push(*component);
         }
@@ -77,9 +77,9 @@ impl Cascade {
         let mut out = MAGIC.to_vec();
         out.push(VERSION);
         out.push(match self.kind() {
-            Kind::Haar => 0,
-            Kind::Lbp => 1,
-            Kind::Hog => 2,
+            CascadeKind::Haar => 0,
+            CascadeKind::Lbp => 1,
+            CascadeKind::Hog => 2,
         });
         for count in [self.width, self.height, self.features.len()] {
             put_whole(&mut out, count as u64);
@@ -118,7 +118,7 @@ impl Cascade {
     /// # Errors
     /// Says at which byte what is wrong.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, CascadeError> {
-        let mut source = Source { bytes, at: 0 };
+        let mut source = ByteCursor { bytes, at: 0 };
         match source.read() {
             Err(cause) => Err(CascadeError::Bytes {
                 offset: source.at,
@@ -130,12 +130,12 @@ impl Cascade {
 }
 
 /// Bytes that are read one after the other.
-struct Source<'a> {
+struct ByteCursor<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
-impl Source<'_> {
+impl ByteCursor<'_> {
     fn take<const N: usize>(&mut self) -> Result<[u8; N], String> {
         match self.bytes.get(self.at..).and_then(<[u8]>::first_chunk) {
             Some(taken) => {
@@ -176,9 +176,9 @@ impl Source<'_> {
         Ok(area)
     }
 
-    fn feature(&mut self, kind: Kind) -> Result<Feature, String> {
+    fn feature(&mut self, kind: CascadeKind) -> Result<CascadeFeature, String> {
         Ok(match kind {
-            Kind::Haar => {
+            CascadeKind::Haar => {
                 let header = self.whole()?;
                 let (count, tilted) = ((header % 4) as usize, header / 4 == 1);
                 if header >= 8 {
@@ -188,22 +188,22 @@ impl Source<'_> {
                 for area in &mut areas[..count] {
                     *area = (self.area()?, self.real()?);
                 }
-                Feature::Haar(HaarFeature { areas, tilted })
+                CascadeFeature::Haar(HaarFeature { areas, tilted })
             }
-            Kind::Lbp => Feature::Lbp(self.area()?),
-            Kind::Hog => Feature::Hog {
+            CascadeKind::Lbp => CascadeFeature::Lbp(self.area()?),
+            CascadeKind::Hog => CascadeFeature::Hog {
                 cell: self.area()?,
                 component: self.take::<1>()?[0],
             },
         })
     }
 
-    fn tree(&mut self, kind: Kind, cascade: &mut Cascade) -> Result<(), String> {
+    fn tree(&mut self, kind: CascadeKind, cascade: &mut Cascade) -> Result<(), String> {
         let (mut nodes, mut leaves) = (Vec::new(), Vec::new());
         for _ in 0..self.whole()? {
             let (feature, left, right) = (self.whole()?, self.folded()?, self.folded()?);
             let mut threshold = 0.0;
-            if kind == Kind::Lbp {
+            if kind == CascadeKind::Lbp {
                 let mut words = [0; 8];
                 for word in &mut words {
                     *word = u32::from_le_bytes(self.take()?);
@@ -212,7 +212,7 @@ impl Source<'_> {
             } else {
                 threshold = self.real()?;
             }
-            nodes.push(Node {
+            nodes.push(TreeNode {
                 feature,
                 left,
                 right,
@@ -242,9 +242,9 @@ impl Source<'_> {
         }
         self.bytes = content;
         let kind = match self.take()? {
-            [0] => Kind::Haar,
-            [1] => Kind::Lbp,
-            [2] => Kind::Hog,
+            [0] => CascadeKind::Haar,
+            [1] => CascadeKind::Lbp,
+            [2] => CascadeKind::Hog,
             [other] => return Err(format!("features of the kind {other} are not known")),
         };
         let mut cascade = empty(i64::from(self.whole()?), i64::from(self.whole()?))?;
@@ -274,7 +274,7 @@ mod tests {
         for value in [0, 1, -1, 63, -64, 64, 70_000, i32::MAX, i32::MIN] {
             let mut bytes = Vec::new();
             put_folded(&mut bytes, value);
-            let mut source = Source {
+            let mut source = ByteCursor {
                 bytes: &bytes,
                 at: 0,
             };

@@ -4,12 +4,12 @@ use serde::{Deserialize, Serialize};
 
 use super::CascadeError;
 use super::check::empty;
-use super::model::{Cascade, Feature, Kind, Node, kind};
+use super::model::{Cascade, CascadeFeature, CascadeKind, TreeNode, kind};
 use super::read::THRESHOLD_SLACK;
 
 /// Decision of a tree's node.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Split {
+pub enum NodeSplit {
     /// Left is what is less (Haar and HOG).
     Threshold(f32),
     /// Left are the codes whose bit is set, code `c` in word `c / 32` at bit `c % 32` (LBP).
@@ -22,7 +22,7 @@ pub struct TrainedNode {
     /// Index of its feature.
     pub feature: usize,
     /// Decision of the node.
-    pub split: Split,
+    pub split: NodeSplit,
     /// Next on the left: another node of the tree, behind this one, by its index; or a leaf by its index
     /// negated (zero is the first leaf).
     pub left: i32,
@@ -41,7 +41,7 @@ pub struct TrainedTree {
 
 impl TrainedTree {
     /// A tree of one node.
-    pub fn stump(feature: usize, split: Split, left: f32, right: f32) -> Self {
+    pub fn stump(feature: usize, split: NodeSplit, left: f32, right: f32) -> Self {
         let node = TrainedNode {
             feature,
             split,
@@ -77,13 +77,13 @@ impl Cascade {
     /// ```
     /// # use pilotage_raster::raster::Raster;
     /// use pilotage_vision::landmark::cascade::{
-    ///     Cascade, Feature, HaarFeature, Split, TrainedStage, TrainedTree, responses,
+    ///     Cascade, CascadeFeature, HaarFeature, NodeSplit, TrainedStage, TrainedTree, responses,
     /// };
     ///
     /// // The right half less the left half of a window of 24 × 24 pixels.
     /// let areas = [([0, 0, 24, 24], -1.0), ([12, 0, 12, 24], 2.0), ([0, 0, 0, 0], 0.0)];
-    /// let feature = Feature::Haar(HaarFeature { areas, tilted: false });
-    /// let trees = vec![TrainedTree::stump(0, Split::Threshold(0.1), 0.0, 1.0)];
+    /// let feature = CascadeFeature::Haar(HaarFeature { areas, tilted: false });
+    /// let trees = vec![TrainedTree::stump(0, NodeSplit::Threshold(0.1), 0.0, 1.0)];
     /// let cascade = Cascade::from_parts(24, 24, vec![feature], &[TrainedStage { trees, threshold: 0.5 }])?;
     /// // An edge at column 40 lies in the middle of the window that begins at column 28.
     /// let picture = Raster::from_fn(80, 24, |column, _| if column < 40 { 20 } else { 220 });
@@ -94,11 +94,11 @@ impl Cascade {
     pub fn from_parts(
         width: usize,
         height: usize,
-        features: Vec<Feature>,
+        features: Vec<CascadeFeature>,
         stages: &[TrainedStage],
     ) -> Result<Self, CascadeError> {
         let fail = |place: String| move |cause| CascadeError::Parts { place, cause };
-        let with_codes = kind(&features) == Kind::Lbp;
+        let with_codes = kind(&features) == CascadeKind::Lbp;
         let mut cascade =
             empty(width as i64, height as i64).map_err(fail("the window".to_owned()))?;
         for (i, feature) in features.into_iter().enumerate() {
@@ -124,14 +124,14 @@ impl Cascade {
         let mut nodes = Vec::with_capacity(tree.nodes.len());
         for node in &tree.nodes {
             let threshold = match node.split {
-                Split::Threshold(threshold) if !with_codes => threshold,
-                Split::Codes(codes) if with_codes => {
+                NodeSplit::Threshold(threshold) if !with_codes => threshold,
+                NodeSplit::Codes(codes) if with_codes => {
                     self.subsets.push(codes);
                     0.0
                 }
                 _ => return Err("a split that does not suit the feature".to_owned()),
             };
-            nodes.push(Node {
+            nodes.push(TreeNode {
                 feature: u32::try_from(node.feature).unwrap_or(u32::MAX),
                 left: node.left,
                 right: node.right,
@@ -160,7 +160,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn stump(feature: usize, split: Split) -> Vec<TrainedStage> {
+    fn stump(feature: usize, split: NodeSplit) -> Vec<TrainedStage> {
         vec![TrainedStage {
             trees: vec![TrainedTree::stump(feature, split, -1.0, 1.0)],
             threshold: 0.0,
@@ -169,17 +169,17 @@ mod tests {
 
     #[test]
     fn what_a_trainer_must_not_say_is_refused_and_named() {
-        let lbp = || vec![Feature::Lbp([0, 0, 4, 4])];
-        let hog = |cell, component| vec![Feature::Hog { cell, component }];
-        let said = |features: Vec<Feature>, stages: &[TrainedStage]| {
+        let lbp = || vec![CascadeFeature::Lbp([0, 0, 4, 4])];
+        let hog = |cell, component| vec![CascadeFeature::Hog { cell, component }];
+        let said = |features: Vec<CascadeFeature>, stages: &[TrainedStage]| {
             let cascade = Cascade::from_parts(12, 12, features, stages);
             cascade.expect_err("refused").to_string()
         };
-        let codes = Split::Codes([0; 8]);
+        let codes = NodeSplit::Codes([0; 8]);
         assert!(said(lbp(), &[]).contains("no stage"));
         assert!(said(lbp(), &stump(1, codes)).contains("feature 1 of 1"));
-        assert!(said(lbp(), &stump(0, Split::Threshold(0.0))).contains("does not suit"));
-        let threshold = Split::Threshold(f32::NAN);
+        assert!(said(lbp(), &stump(0, NodeSplit::Threshold(0.0))).contains("does not suit"));
+        let threshold = NodeSplit::Threshold(f32::NAN);
         assert!(said(hog([0, 0, 6, 6], 0), &stump(0, threshold)).contains("NaN"));
         assert!(said(hog([0, 0, 7, 6], 0), &[]).contains("leaves the window"));
         assert!(said(hog([0, 0, 6, 6], 36), &[]).contains("component 36"));

@@ -1,6 +1,6 @@
 //! Requirements on a cascade, wherever it comes from.
 
-use super::model::{Area, COMPONENTS, Cascade, Feature, HaarFeature, Node, Stage, Tree};
+use super::model::{Area, COMPONENTS, Cascade, CascadeFeature, HaarFeature, Stage, Tree, TreeNode};
 
 /// Longest side of a window, pixels.
 const LONGEST: usize = 2048;
@@ -34,17 +34,17 @@ pub(super) fn empty(width: i64, height: i64) -> Result<Cascade, String> {
 
 impl Cascade {
     /// Appends a feature that lies in the window.
-    pub(super) fn add_feature(&mut self, mut feature: Feature) -> Result<(), String> {
+    pub(super) fn add_feature(&mut self, mut feature: CascadeFeature) -> Result<(), String> {
         match &mut feature {
-            Feature::Haar(haar) => {
+            CascadeFeature::Haar(haar) => {
                 for area in haar.areas.iter_mut().filter(|(_, weight)| *weight == 0.0) {
                     *area = NO_AREA;
                 }
                 haar.areas.sort_by_key(|(_, weight)| *weight == 0.0);
                 self.check_haar(haar)?;
             }
-            Feature::Lbp(area) => self.check_area(*area, 3)?,
-            Feature::Hog { cell, component } => {
+            CascadeFeature::Lbp(area) => self.check_area(*area, 3)?,
+            CascadeFeature::Hog { cell, component } => {
                 self.check_area(*cell, 2)?;
                 if *component >= COMPONENTS {
                     return Err(format!("component {component} of {COMPONENTS}"));
@@ -114,7 +114,7 @@ impl Cascade {
     }
 
     /// Appends a tree. A next node lies behind its own, so that every walk ends.
-    pub(super) fn grow(&mut self, nodes: &[Node], leaves: &[f32]) -> Result<(), String> {
+    pub(super) fn grow(&mut self, nodes: &[TreeNode], leaves: &[f32]) -> Result<(), String> {
         if nodes.is_empty() || leaves.len() != nodes.len() + 1 {
             return Err(format!(
                 "{} nodes with {} leaves",

@@ -8,7 +8,7 @@ pub(super) const SLACK: usize = 32;
 /// Where only every other window is looked at, numbers of even columns come first in a row and then those
 /// of odd ones: what neighbouring windows ask for lies side by side in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Grid {
+pub(super) struct RowGrid {
     /// Numbers in a row.
     pub stride: usize,
     /// Pixels from one window to the next: 1 or 2.
@@ -17,7 +17,7 @@ pub(super) struct Grid {
     half: usize,
 }
 
-impl Grid {
+impl RowGrid {
     /// For pictures of that width.
     pub fn new(width: usize, step: usize) -> Self {
         let half = (width + 1).div_ceil(2);

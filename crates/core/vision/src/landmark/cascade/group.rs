@@ -7,7 +7,7 @@ const SLACK: f64 = 0.2;
 
 /// Windows that lie together.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Group {
+pub struct WindowGroup {
     /// Their mean.
     pub rectangle: Rectangle,
     /// Number of the windows.
@@ -19,7 +19,7 @@ pub struct Group {
 /// Groups of more than `least` windows, as OpenCV's `groupRectangles` makes them with 0.2 of slack:
 /// windows are alike by their edges, groups are what alikeness connects, and a small group within a
 /// larger one of more members is left out.
-pub fn group(windows: &[Scanned], least: usize) -> Vec<Group> {
+pub fn group(windows: &[Scanned], least: usize) -> Vec<WindowGroup> {
     let mut groups: Vec<(Vec<usize>, Rectangle, f64)> = Vec::new();
     for members in connected(windows) {
         let mean = mean(windows, &members);
@@ -50,7 +50,7 @@ pub fn group(windows: &[Scanned], least: usize) -> Vec<Group> {
                 && (m > n.max(3) || n < 3)
         });
         if !swallowed {
-            kept.push(Group {
+            kept.push(WindowGroup {
                 rectangle: *a,
                 members: n,
                 score: *score,

@@ -1,6 +1,6 @@
 //! Sums over rectangles of the strength of a picture's edges, by their direction.
 
-use super::grid::Grid;
+use super::grid::RowGrid;
 use pilotage_raster::raster::Raster;
 
 /// Directions that are told apart, over half a turn.
@@ -58,7 +58,7 @@ pub(super) fn direction(dx: i32, dy: i32) -> usize {
 
 impl Histograms {
     /// Fills the tables for a picture, in multiples of `unit`.
-    pub fn fill(&mut self, picture: &Raster<u8>, grid: Grid, unit: f32) {
+    pub fn fill(&mut self, picture: &Raster<u8>, grid: RowGrid, unit: f32) {
         let (width, height) = (picture.width(), picture.height());
         for table in self.directions.iter_mut().chain([&mut self.all]) {
             grid.prepare(height, table);

@@ -1,6 +1,6 @@
 //! Sums over rectangles of a picture.
 
-use super::grid::Grid;
+use super::grid::RowGrid;
 use pilotage_raster::raster::Raster;
 
 /// Sums of all pixels above and to the left of each corner, in a table of one column and one row more
@@ -21,7 +21,7 @@ impl Integral {
     pub fn fill(
         &mut self,
         picture: &Raster<u8>,
-        grid: Grid,
+        grid: RowGrid,
         with_squares: bool,
         with_tilted: bool,
     ) {
@@ -36,7 +36,7 @@ impl Integral {
     }
 }
 
-fn sums(picture: &Raster<u8>, grid: Grid, table: &mut Vec<i32>) {
+fn sums(picture: &Raster<u8>, grid: RowGrid, table: &mut Vec<i32>) {
     grid.prepare(picture.height(), table);
     let mut line = vec![0_i32; picture.width() + 1];
     for y in 0..picture.height() {
@@ -52,7 +52,7 @@ fn sums(picture: &Raster<u8>, grid: Grid, table: &mut Vec<i32>) {
 /// Both tables in one go: each addition waits for the one before, and two rows of them wait together.
 fn sums_and_squares(
     picture: &Raster<u8>,
-    grid: Grid,
+    grid: RowGrid,
     table: &mut Vec<i32>,
     squares: &mut Vec<i32>,
 ) {
@@ -76,7 +76,7 @@ fn sums_and_squares(
 }
 
 /// Entry (x, y): the sum of the pixels (i, j) with j < y and |i - x + 1| ≤ y - j - 1 (Lienhart 2002).
-fn tilted(picture: &Raster<u8>, grid: Grid, table: &mut Vec<i32>) {
+fn tilted(picture: &Raster<u8>, grid: RowGrid, table: &mut Vec<i32>) {
     let (width, height) = (picture.width(), picture.height());
     grid.prepare(height, table);
     // T(x, y) = T(x-1, y-1) + T(x+1, y-1) - T(x, y-2) + I(x-1, y-1) + I(x-1, y-2). What of T(-1, y-1)
@@ -115,11 +115,11 @@ mod tests {
     fn the_tables_are_the_sums_that_they_are_said_to_be() {
         let picture = picture();
         for step in [1, 2] {
-            check(&picture, Grid::new(9, step));
+            check(&picture, RowGrid::new(9, step));
         }
     }
 
-    fn check(picture: &Raster<u8>, grid: Grid) {
+    fn check(picture: &Raster<u8>, grid: RowGrid) {
         let mut integral = Integral::default();
         integral.fill(picture, grid, true, true);
         for y in 0..=7_i32 {

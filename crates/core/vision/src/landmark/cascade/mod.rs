@@ -33,12 +33,12 @@ mod twin;
 mod write;
 mod xml;
 
-pub use answers::{Answer, stage_answers};
-pub use build::{Split, TrainedNode, TrainedStage, TrainedTree};
+pub use answers::{FeatureAnswer, stage_answers};
+pub use build::{NodeSplit, TrainedNode, TrainedStage, TrainedTree};
 pub use error::CascadeError;
-pub use group::{Group, group};
-pub use model::{Area, Cascade, Feature, HaarFeature, Kind, Stage};
-pub use patch::{Evaluator, Patch, feature_codes, feature_values};
+pub use group::{WindowGroup, group};
+pub use model::{Area, Cascade, CascadeFeature, CascadeKind, HaarFeature, Stage};
+pub use patch::{Patch, PatchEvaluator, feature_codes, feature_values};
 pub use refine::{Refined, refined};
 pub use responses::{Responses, responses};
 pub use scan::{Rectangle, ScanSettings, Scanned, scan};

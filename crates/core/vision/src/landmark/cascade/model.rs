@@ -9,7 +9,7 @@ pub type Area = [i32; 4];
 
 /// Feature that a cascade looks at.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Feature {
+pub enum CascadeFeature {
     /// Weighted sums of rectangles (Viola and Jones 2001, tilted ones by Lienhart 2002).
     Haar(HaarFeature),
     /// Nine blocks, each compared with the middle one; the first of them: left, top, width, height.
@@ -30,22 +30,22 @@ pub(super) const COMPONENTS: u8 = 36;
 
 /// Kind of a cascade's features; all of them are of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Kind {
-    /// [`Feature::Haar`].
+pub enum CascadeKind {
+    /// [`CascadeFeature::Haar`].
     Haar,
-    /// [`Feature::Lbp`].
+    /// [`CascadeFeature::Lbp`].
     Lbp,
-    /// [`Feature::Hog`].
+    /// [`CascadeFeature::Hog`].
     Hog,
 }
 
-impl Feature {
+impl CascadeFeature {
     /// Its kind.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> CascadeKind {
         match self {
-            Feature::Haar(_) => Kind::Haar,
-            Feature::Lbp(_) => Kind::Lbp,
-            Feature::Hog { .. } => Kind::Hog,
+            CascadeFeature::Haar(_) => CascadeKind::Haar,
+            CascadeFeature::Lbp(_) => CascadeKind::Lbp,
+            CascadeFeature::Hog { .. } => CascadeKind::Hog,
         }
     }
 }
@@ -61,7 +61,7 @@ pub struct HaarFeature {
 
 /// A node of a tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Node {
+pub(super) struct TreeNode {
     /// Index of the feature.
     pub feature: u32,
     /// Next node of the tree if positive, otherwise the negative index of a leaf.
@@ -103,11 +103,11 @@ pub struct Cascade {
     /// Height of the window, pixels.
     pub height: usize,
     /// Features that the cascade looks at.
-    pub features: Vec<Feature>,
+    pub features: Vec<CascadeFeature>,
     /// The stages in the order in which a window meets them.
     pub stages: Vec<Stage>,
     pub(super) trees: Vec<Tree>,
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Vec<TreeNode>,
     pub(super) leaves: Vec<f32>,
     /// For each node of an LBP cascade, the codes that go left.
     pub(super) subsets: Vec<[u32; 8]>,
@@ -115,18 +115,20 @@ pub struct Cascade {
 
 impl Cascade {
     /// Kind of the features that the cascade looks at.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> CascadeKind {
         kind(&self.features)
     }
 }
 
 /// The kind of the features, that of the first; none at all count as Haar.
-pub(super) fn kind(features: &[Feature]) -> Kind {
-    features.first().map_or(Kind::Haar, Feature::kind)
+pub(super) fn kind(features: &[CascadeFeature]) -> CascadeKind {
+    features
+        .first()
+        .map_or(CascadeKind::Haar, CascadeFeature::kind)
 }
 
 /// Whether any of the features is turned by 45°.
-pub(super) fn any_tilted(features: &[Feature]) -> bool {
-    let tilted = |f: &Feature| matches!(f, Feature::Haar(h) if h.tilted);
+pub(super) fn any_tilted(features: &[CascadeFeature]) -> bool {
+    let tilted = |f: &CascadeFeature| matches!(f, CascadeFeature::Haar(h) if h.tilted);
     features.iter().any(tilted)
 }

@@ -1,8 +1,8 @@
 //! The features of one window, for those who train.
 
-use super::grid::Grid;
-use super::layout::Layout;
-use super::model::{Feature, Kind, kind};
+use super::grid::RowGrid;
+use super::layout::FeatureLayout;
+use super::model::{CascadeFeature, CascadeKind, kind};
 use pilotage_raster::raster::Raster;
 
 /// A window with one pixel more on every side: gradients at its rim look there.
@@ -57,20 +57,20 @@ impl Patch {
 ///
 /// What it says of a patch is to the bit what the scan sees where the patch was cut.
 #[derive(Clone, Debug)]
-pub struct Evaluator {
-    layout: Layout,
+pub struct PatchEvaluator {
+    layout: FeatureLayout,
     width: usize,
     height: usize,
 }
 
-impl Evaluator {
+impl PatchEvaluator {
     /// For windows of `width` × `height` pixels.
     ///
     /// # Panics
     /// Evaluation panics if a feature does not lie in such a window.
-    pub fn new(features: &[Feature], width: usize, height: usize) -> Self {
+    pub fn new(features: &[CascadeFeature], width: usize, height: usize) -> Self {
         Self {
-            layout: Layout::new(features, width, height, Grid::new(width + 2, 1)),
+            layout: FeatureLayout::new(features, width, height, RowGrid::new(width + 2, 1)),
             width,
             height,
         }
@@ -111,19 +111,19 @@ impl Evaluator {
     }
 }
 
-/// [`Evaluator::values`] for once: values of Haar or HOG features in `patch`.
+/// [`PatchEvaluator::values`] for once: values of Haar or HOG features in `patch`.
 ///
 /// # Panics
 /// If `out` is not as long as `features`, or one of these leaves the patch.
-pub fn feature_values(features: &[Feature], patch: &Patch, out: &mut [f32]) -> bool {
-    debug_assert_ne!(kind(features), Kind::Lbp, "these have codes");
-    Evaluator::new(features, patch.width(), patch.height()).values(patch, out)
+pub fn feature_values(features: &[CascadeFeature], patch: &Patch, out: &mut [f32]) -> bool {
+    debug_assert_ne!(kind(features), CascadeKind::Lbp, "these have codes");
+    PatchEvaluator::new(features, patch.width(), patch.height()).values(patch, out)
 }
 
-/// [`Evaluator::codes`] for once: codes of LBP features in `patch`, 0 to 255.
+/// [`PatchEvaluator::codes`] for once: codes of LBP features in `patch`, 0 to 255.
 ///
 /// # Panics
 /// If `out` is not as long as `features`, or one of these leaves the patch.
-pub fn feature_codes(features: &[Feature], patch: &Patch, out: &mut [u8]) {
-    Evaluator::new(features, patch.width(), patch.height()).codes(patch, out);
+pub fn feature_codes(features: &[CascadeFeature], patch: &Patch, out: &mut [u8]) {
+    PatchEvaluator::new(features, patch.width(), patch.height()).codes(patch, out);
 }

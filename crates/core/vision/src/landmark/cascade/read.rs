@@ -5,20 +5,20 @@ use std::str::FromStr;
 
 use super::CascadeError;
 use super::check::{NO_AREA, empty};
-use super::model::{Area, Cascade, Feature, HaarFeature, Kind, Node};
-use super::xml::{self, Element};
+use super::model::{Area, Cascade, CascadeFeature, CascadeKind, HaarFeature, TreeNode};
+use super::xml::{self, CascadeElement};
 
 /// Amount that OpenCV takes from each stage's threshold, against rounding.
 pub(super) const THRESHOLD_SLACK: f32 = 1e-5;
 
 /// An element on the way down and what it is called in complaints.
-struct Place<'a> {
+struct ElementPlace<'a> {
     file: &'a str,
     path: String,
-    element: &'a Element,
+    element: &'a CascadeElement,
 }
 
-impl<'a> Place<'a> {
+impl<'a> ElementPlace<'a> {
     fn fail<T>(&self, cause: impl Into<String>) -> Result<T, CascadeError> {
         Err(CascadeError::Content {
             file: self.file.to_owned(),
@@ -31,8 +31,8 @@ impl<'a> Place<'a> {
         result.or_else(|cause| self.fail(cause))
     }
 
-    fn below(&self, name: &str, element: &'a Element) -> Self {
-        Place {
+    fn below(&self, name: &str, element: &'a CascadeElement) -> Self {
+        ElementPlace {
             file: self.file,
             path: format!("{} / {name}", self.path),
             element,
@@ -71,7 +71,7 @@ impl Cascade {
     /// Names the file, the element and what is wrong with it.
     pub fn read(name: &str, text: &str) -> Result<Self, CascadeError> {
         let root = xml::read(name, text)?;
-        let top = Place {
+        let top = ElementPlace {
             file: name,
             path: root.name.clone(),
             element: &root,
@@ -79,7 +79,7 @@ impl Cascade {
         if let Ok(cascade) = top.child("cascade") {
             return present(&cascade);
         }
-        let old = |e: &&Element| e.type_id.as_deref() == Some("opencv-haar-classifier");
+        let old = |e: &&CascadeElement| e.type_id.as_deref() == Some("opencv-haar-classifier");
         match root.children.iter().find(old) {
             Some(element) => former(&top.below(&element.name, element)),
             None => {
@@ -88,7 +88,7 @@ impl Cascade {
         }
     }
 
-    fn haar(&mut self, place: &Place<'_>) -> Result<(), CascadeError> {
+    fn haar(&mut self, place: &ElementPlace<'_>) -> Result<(), CascadeError> {
         let tilted = match place.element.child("tilted") {
             Some(_) => place.child("tilted")?.number::<i32>()? != 0,
             None => false,
@@ -102,13 +102,13 @@ impl Cascade {
             };
             *area = (whole(&item, &numbers)?, numbers[4] as f32);
         }
-        let feature = Feature::Haar(HaarFeature { areas, tilted });
+        let feature = CascadeFeature::Haar(HaarFeature { areas, tilted });
         rects.checked(self.add_feature(feature))
     }
 }
 
 /// Four numbers that are whole.
-fn whole(place: &Place<'_>, numbers: &[f64]) -> Result<Area, CascadeError> {
+fn whole(place: &ElementPlace<'_>, numbers: &[f64]) -> Result<Area, CascadeError> {
     if numbers[..4]
         .iter()
         .all(|v| v.fract() == 0.0 && v.abs() < 1e6)
@@ -120,31 +120,31 @@ fn whole(place: &Place<'_>, numbers: &[f64]) -> Result<Area, CascadeError> {
 }
 
 /// The present layout.
-fn present(place: &Place<'_>) -> Result<Cascade, CascadeError> {
+fn present(place: &ElementPlace<'_>) -> Result<Cascade, CascadeError> {
     let size = |name| place.child(name)?.number::<i64>();
     let mut cascade = place.checked(empty(size("width")?, size("height")?))?;
     let kind = place.child("featureType")?;
     let kind = match kind.element.text.trim() {
-        "HAAR" => Kind::Haar,
-        "LBP" => Kind::Lbp,
-        "HOG" => Kind::Hog,
+        "HAAR" => CascadeKind::Haar,
+        "LBP" => CascadeKind::Lbp,
+        "HOG" => CascadeKind::Hog,
         other => return kind.fail(format!("features of the kind {other} are not known")),
     };
     for item in place.child("features")?.items("feature") {
-        if kind == Kind::Haar {
+        if kind == CascadeKind::Haar {
             cascade.haar(&item)?;
             continue;
         }
         let rect = item.child("rect")?;
-        let numbers = rect.numbers::<f64>(if kind == Kind::Hog { 5 } else { 4 })?;
+        let numbers = rect.numbers::<f64>(if kind == CascadeKind::Hog { 5 } else { 4 })?;
         let area = whole(&rect, &numbers)?;
-        let feature = if kind == Kind::Lbp {
-            Feature::Lbp(area)
+        let feature = if kind == CascadeKind::Lbp {
+            CascadeFeature::Lbp(area)
         } else {
             if numbers[4].fract() != 0.0 || !(0.0..256.0).contains(&numbers[4]) {
                 return rect.fail(format!("component {}", numbers[4]));
             }
-            Feature::Hog {
+            CascadeFeature::Hog {
                 cell: area,
                 component: numbers[4] as u8,
             }
@@ -157,7 +157,7 @@ fn present(place: &Place<'_>) -> Result<Cascade, CascadeError> {
             let nodes = nodes(
                 &mut cascade,
                 &tree.child("internalNodes")?,
-                kind == Kind::Lbp,
+                kind == CascadeKind::Lbp,
             )?;
             let leaves = tree.child("leafValues")?.numbers::<f32>(2)?;
             tree.checked(cascade.grow(&nodes, &leaves))?;
@@ -169,7 +169,11 @@ fn present(place: &Place<'_>) -> Result<Cascade, CascadeError> {
 }
 
 /// Rows of left, right, feature, threshold, or in place of the threshold eight words of codes.
-fn nodes(cascade: &mut Cascade, place: &Place<'_>, lbp: bool) -> Result<Vec<Node>, CascadeError> {
+fn nodes(
+    cascade: &mut Cascade,
+    place: &ElementPlace<'_>,
+    lbp: bool,
+) -> Result<Vec<TreeNode>, CascadeError> {
     let numbers = place.numbers::<f64>(1)?;
     let step = if lbp { 11 } else { 4 };
     if !numbers.len().is_multiple_of(step) {
@@ -184,7 +188,7 @@ fn nodes(cascade: &mut Cascade, place: &Place<'_>, lbp: bool) -> Result<Vec<Node
             let word = |i: usize| (row[3 + i] as i64) as u32;
             cascade.subsets.push(std::array::from_fn(word));
         }
-        nodes.push(Node {
+        nodes.push(TreeNode {
             left: row[0] as i32,
             right: row[1] as i32,
             feature: row[2] as u32,
@@ -195,7 +199,7 @@ fn nodes(cascade: &mut Cascade, place: &Place<'_>, lbp: bool) -> Result<Vec<Node
 }
 
 /// The layout of before 2010, Haar only: features stand in the nodes.
-fn former(place: &Place<'_>) -> Result<Cascade, CascadeError> {
+fn former(place: &ElementPlace<'_>) -> Result<Cascade, CascadeError> {
     let size = place.child("size")?.numbers::<i64>(2)?;
     let mut cascade = place.checked(empty(size[0], size[1]))?;
     for stage in place.child("stages")?.items("stage") {
@@ -211,7 +215,7 @@ fn former(place: &Place<'_>) -> Result<Cascade, CascadeError> {
                     }
                     node.child(&format!("{side}_node"))?.number()
                 };
-                nodes.push(Node {
+                nodes.push(TreeNode {
                     left: next("left")?,
                     right: next("right")?,
                     feature: cascade.features.len() as u32 - 1,

@@ -28,7 +28,7 @@ pub struct Refined {
 
 /// An answer: offset of the centre (pixels of the window's scale) and of the logarithm of the scale
 /// (steps), and the margin.
-type Answer = ([f64; 3], f64);
+type RefinedWindow = ([f64; 3], f64);
 
 /// Asks all trees of the cascade about every window around one that was found, on its scale and those
 /// next to it, no stage refusing any. The place is the mean of the centres of the windows that come near
@@ -79,7 +79,7 @@ fn ask(
     centre: [f64; 2],
     scale: f64,
     level: f64,
-    answers: &mut Vec<Answer>,
+    answers: &mut Vec<RefinedWindow>,
 ) {
     let own = scale * SCALE_STEP.powf(level);
     let half = |side: usize| (side as f64 / 2.0 + REACH + 2.0) * own;
@@ -117,7 +117,7 @@ fn ask(
 }
 
 /// Mean by margin, and the covariance that it would have if the windows were independent.
-fn mean(answers: &[Answer]) -> ([f64; 3], [[f64; 2]; 2]) {
+fn mean(answers: &[RefinedWindow]) -> ([f64; 3], [[f64; 2]; 2]) {
     let sum: f64 = answers.iter().map(|a| a.1).sum();
     let mean = [0, 1, 2].map(|i| answers.iter().map(|a| a.0[i] * a.1).sum::<f64>() / sum);
     let mut covariance = [[0.0; 2]; 2];
@@ -139,8 +139,8 @@ fn mean(answers: &[Answer]) -> ([f64; 3], [[f64; 2]; 2]) {
 mod tests {
     use super::*;
     use crate::landmark::cascade::{
-        Evaluator, Feature, Patch, ScanSettings, Split, TrainedStage, TrainedTree, scan,
-        soft_suppressed,
+        CascadeFeature, NodeSplit, Patch, PatchEvaluator, ScanSettings, TrainedStage, TrainedTree,
+        scan, soft_suppressed,
     };
 
     /// A soft ring with a stroke in it, its middle at (x, y), so many times as large.
@@ -166,19 +166,19 @@ mod tests {
             for y in (0..=24 - 2 * h).step_by(2) {
                 for x in (0..=24 - 2 * w).step_by(2) {
                     let cell = [x, y, w, h];
-                    all.extend((0..36).map(|component| Feature::Hog { cell, component }));
+                    all.extend((0..36).map(|component| CascadeFeature::Hog { cell, component }));
                 }
             }
         }
         let patch = Patch::cut(&ring(60, 60, 30.0, 30.0, 1.0), 18, 18, 24, 24).unwrap();
         let mut values = vec![0.0; all.len()];
-        Evaluator::new(&all, 24, 24).values(&patch, &mut values);
+        PatchEvaluator::new(&all, 24, 24).values(&patch, &mut values);
         let mut strong: Vec<usize> = (0..all.len()).filter(|&i| values[i] > 0.06).collect();
         strong.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
         let step = strong.len() / 120;
         let chosen: Vec<usize> = strong.into_iter().step_by(step).take(120).collect();
         let tree = |(k, &i): (usize, &usize)| {
-            TrainedTree::stump(k, Split::Threshold(values[i] * 0.8), -1.0, 1.0)
+            TrainedTree::stump(k, NodeSplit::Threshold(values[i] * 0.8), -1.0, 1.0)
         };
         let trees: Vec<_> = chosen.iter().enumerate().map(tree).collect();
         let stages: Vec<_> = trees

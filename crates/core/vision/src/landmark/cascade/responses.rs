@@ -1,7 +1,7 @@
 //! Responses of a cascade to every window of a picture.
 
 use super::model::Cascade;
-use super::rows::{BATCH, Rows, Scratch};
+use super::rows::{BATCH, RowsOfWindows, Scratch};
 use pilotage_raster::raster::Raster;
 
 /// Responses of a cascade to every window, by the window's upper left pixel; narrower and lower than the
@@ -27,7 +27,7 @@ pub fn responses(cascade: &Cascade, picture: &Raster<u8>) -> Responses {
         };
     }
     let mut scratch = Scratch::default();
-    let shown = Rows::new(cascade, picture, 1, &mut scratch);
+    let shown = RowsOfWindows::new(cascade, picture, 1, &mut scratch);
     let mut stages = Raster::filled(columns, rows, 0_u8);
     let mut score = Raster::filled(columns, rows, f32::NEG_INFINITY);
     for y in (0..rows).step_by(BATCH) {

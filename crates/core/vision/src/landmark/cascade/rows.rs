@@ -1,20 +1,20 @@
 //! Every window of a picture shown to a cascade, many at once.
 
-use super::grid::Grid;
-use super::layout::{Layout, Tables};
-use super::model::{Cascade, Kind};
-use super::simd::{self, Program, Windows};
+use super::grid::RowGrid;
+use super::layout::{FeatureLayout, FeatureTables};
+use super::model::{Cascade, CascadeKind};
+use super::simd::{self, CascadeProgram, RunningWindows};
 use pilotage_raster::raster::Raster;
 
 /// Rows whose windows are shown the later stages together.
 pub(super) const BATCH: usize = 16;
 
 /// A picture that a cascade is shown many windows at once.
-pub(super) struct Rows<'a> {
+pub(super) struct RowsOfWindows<'a> {
     cascade: &'a Cascade,
-    layout: Layout,
-    tables: Tables,
-    program: Program,
+    layout: FeatureLayout,
+    tables: FeatureTables,
+    program: CascadeProgram,
     /// Windows in a row.
     columns: usize,
     /// Rows of windows.
@@ -23,7 +23,7 @@ pub(super) struct Rows<'a> {
 
 /// Verdict of a stage on a window.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Judged {
+pub(super) struct JudgedWindow {
     /// Number of the stage.
     pub stage: usize,
     /// Place of the window in the tables.
@@ -39,13 +39,13 @@ pub(super) struct Judged {
 /// Memory that is used again from level to level.
 #[derive(Default)]
 pub(super) struct Scratch {
-    tables: Tables,
+    tables: FeatureTables,
     factors: Vec<f32>,
     votes: Vec<f64>,
-    batch: Windows,
+    batch: RunningWindows,
 }
 
-impl<'a> Rows<'a> {
+impl<'a> RowsOfWindows<'a> {
     /// Every `step`th window of every row, which is 1 or 2.
     pub fn new(
         cascade: &'a Cascade,
@@ -53,15 +53,16 @@ impl<'a> Rows<'a> {
         step: usize,
         scratch: &mut Scratch,
     ) -> Self {
-        let grid = Grid::new(picture.width(), step);
-        let layout = Layout::of_windows(&cascade.features, cascade.width, cascade.height, grid);
+        let grid = RowGrid::new(picture.width(), step);
+        let layout =
+            FeatureLayout::of_windows(&cascade.features, cascade.width, cascade.height, grid);
         let columns = (picture.width() + 1).saturating_sub(cascade.width);
         let mut tables = std::mem::take(&mut scratch.tables);
         layout.fill(&mut tables, picture);
         Self {
             cascade,
             tables,
-            program: Program::new(cascade, &layout),
+            program: CascadeProgram::new(cascade, &layout),
             layout,
             columns: columns.div_ceil(step),
             height: (picture.height() + 1).saturating_sub(cascade.height),
@@ -87,7 +88,7 @@ impl<'a> Rows<'a> {
         ys: impl Iterator<Item = usize>,
         every: Option<usize>,
         scratch: &mut Scratch,
-        mut judged: impl FnMut(Judged),
+        mut judged: impl FnMut(JudgedWindow),
     ) {
         let Scratch {
             factors,
@@ -105,7 +106,7 @@ impl<'a> Rows<'a> {
         }
         for y in ys {
             let first = self.layout.grid.place(0, y);
-            if self.layout.kind == Kind::Haar {
+            if self.layout.kind == CascadeKind::Haar {
                 simd::factors(&self.layout, &self.tables, first, factors);
             }
             simd::first_votes(&self.program, &self.tables, first, factors, votes);
@@ -137,9 +138,9 @@ impl<'a> Rows<'a> {
         }
     }
 
-    fn judge(&self, stage: usize, place: usize, votes: f64, margin: f64) -> Judged {
+    fn judge(&self, stage: usize, place: usize, votes: f64, margin: f64) -> JudgedWindow {
         let excess = votes - f64::from(self.cascade.stages[stage].threshold);
-        Judged {
+        JudgedWindow {
             stage,
             place,
             votes,

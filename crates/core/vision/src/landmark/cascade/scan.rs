@@ -1,7 +1,7 @@
 //! A cascade shown every window of a picture at every scale.
 
 use super::model::Cascade;
-use super::rows::{BATCH, Rows, Scratch};
+use super::rows::{BATCH, RowsOfWindows, Scratch};
 use super::scale::resized;
 use pilotage_raster::raster::Raster;
 
@@ -103,7 +103,7 @@ pub fn scan(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) ->
     let mut scratch = Scratch::default();
     for scale in scales(cascade, picture, settings) {
         let stride = settings.stride;
-        let level = Level {
+        let level = ScanLevel {
             cascade,
             scale,
             stride,
@@ -152,14 +152,14 @@ fn scales(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) -> V
 }
 
 /// A scale, and which windows of it are looked at.
-struct Level<'a> {
+struct ScanLevel<'a> {
     cascade: &'a Cascade,
     scale: f32,
     stride: usize,
     spare: usize,
 }
 
-impl Level<'_> {
+impl ScanLevel<'_> {
     /// Shows every window of a smaller copy of `picture`.
     fn scan(&self, picture: &Raster<u8>, scratch: &mut Scratch, found: &mut Vec<Scanned>) {
         let (cascade, scale) = (self.cascade, self.scale);
@@ -173,7 +173,7 @@ impl Level<'_> {
         };
         let step = if stride % 2 == 0 { 2 } else { 1 };
         let every = (self.stride > 0).then_some(stride / step);
-        let rows = Rows::new(cascade, &copy, step, scratch);
+        let rows = RowsOfWindows::new(cascade, &copy, step, scratch);
         let round = |v: f32| v.round_ties_even() as i32;
         let enough = cascade.stages.len().saturating_sub(self.spare);
         let mut ends = Vec::new();

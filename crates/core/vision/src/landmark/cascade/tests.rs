@@ -41,16 +41,16 @@ fn plain_hog(picture: &Raster<u8>, at: (i32, i32), [x, y, w, h]: Area, component
     }
 }
 
-fn hog_features() -> Vec<Feature> {
+fn hog_features() -> Vec<CascadeFeature> {
     let cells = [[0, 0, 8, 8], [4, 2, 4, 7], [3, 1, 6, 5], [1, 0, 7, 8]];
     let components = 0..36;
     components
-        .flat_map(|component| cells.map(|cell| Feature::Hog { cell, component }))
+        .flat_map(|component| cells.map(|cell| CascadeFeature::Hog { cell, component }))
         .collect()
 }
 
-fn haar_features() -> Vec<Feature> {
-    let haar = |areas, tilted| Feature::Haar(HaarFeature { areas, tilted });
+fn haar_features() -> Vec<CascadeFeature> {
+    let haar = |areas, tilted| CascadeFeature::Haar(HaarFeature { areas, tilted });
     vec![
         haar(
             [
@@ -79,9 +79,9 @@ fn haar_features() -> Vec<Feature> {
     ]
 }
 
-fn lbp_features() -> Vec<Feature> {
+fn lbp_features() -> Vec<CascadeFeature> {
     let areas = [[0, 0, 5, 5], [1, 3, 2, 4], [4, 0, 3, 5], [0, 10, 4, 1]];
-    areas.map(Feature::Lbp).to_vec()
+    areas.map(CascadeFeature::Lbp).to_vec()
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn hog_values_are_the_shares_that_a_plain_computation_finds() {
         let patch = Patch::cut(&picture, at.0, at.1, 16, 16).unwrap();
         assert!(feature_values(&features, &patch, &mut values));
         for (feature, value) in features.iter().zip(&values) {
-            let Feature::Hog { cell, component } = feature else {
+            let CascadeFeature::Hog { cell, component } = feature else {
                 panic!("these are HOG features");
             };
             let plain = plain_hog(&picture, (at.0 as i32, at.1 as i32), *cell, *component);
@@ -107,11 +107,11 @@ fn hog_values_are_the_shares_that_a_plain_computation_finds() {
 /// A window that looks for an edge upright through the middle of its upper left cell.
 fn upright_edge() -> Cascade {
     // The gradient points along x: 170° to 190°, the last direction. The cell below has the other half.
-    let feature = Feature::Hog {
+    let feature = CascadeFeature::Hog {
         cell: [0, 0, 8, 8],
         component: 8,
     };
-    let stump = TrainedTree::stump(0, Split::Threshold(0.45), -1.0, 1.0);
+    let stump = TrainedTree::stump(0, NodeSplit::Threshold(0.45), -1.0, 1.0);
     let stage = TrainedStage {
         trees: vec![stump],
         threshold: 0.5,
@@ -150,8 +150,8 @@ fn one_hog_stump_finds_an_upright_edge_and_no_other() {
 fn exact_stages(values: &[f32]) -> Vec<TrainedStage> {
     let stumps = values.iter().enumerate().flat_map(|(i, &value)| {
         [
-            TrainedTree::stump(i, Split::Threshold(value), -1.0, 1.0),
-            TrainedTree::stump(i, Split::Threshold(value.next_up()), 1.0, -1.0),
+            TrainedTree::stump(i, NodeSplit::Threshold(value), -1.0, 1.0),
+            TrainedTree::stump(i, NodeSplit::Threshold(value.next_up()), 1.0, -1.0),
         ]
     });
     let trees: Vec<_> = stumps.collect();
@@ -163,7 +163,7 @@ fn exact_stages(values: &[f32]) -> Vec<TrainedStage> {
 fn a_patch_has_to_the_bit_the_values_that_the_scan_sees_where_it_was_cut() {
     let picture = picture(50, 44);
     for features in [hog_features(), haar_features()] {
-        let evaluator = Evaluator::new(&features, 16, 16);
+        let evaluator = PatchEvaluator::new(&features, 16, 16);
         let mut values = vec![0.0; features.len()];
         for (x, y) in [(0, 0), (34, 28), (34, 3), (13, 17), (20, 28)] {
             let patch = Patch::cut(&picture, x, y, 16, 16).unwrap();
@@ -179,7 +179,7 @@ fn a_patch_has_to_the_bit_the_values_that_the_scan_sees_where_it_was_cut() {
 fn a_patch_has_the_codes_that_the_scan_sees() {
     let picture = picture(50, 44);
     let features = lbp_features();
-    let evaluator = Evaluator::new(&features, 16, 16);
+    let evaluator = PatchEvaluator::new(&features, 16, 16);
     let mut codes = vec![0; features.len()];
     for (x, y) in [(0, 0), (34, 28), (13, 17)] {
         let patch = Patch::cut(&picture, x, y, 16, 16).unwrap();
@@ -190,7 +190,7 @@ fn a_patch_has_the_codes_that_the_scan_sees() {
             .map(|(i, &code)| {
                 let mut set = [0; 8];
                 set[usize::from(code / 32)] |= 1 << (code % 32);
-                TrainedTree::stump(i, Split::Codes(set), 1.0, -1.0)
+                TrainedTree::stump(i, NodeSplit::Codes(set), 1.0, -1.0)
             })
             .collect();
         let threshold = trees.len() as f32 - 0.5;
@@ -247,7 +247,7 @@ fn what_is_written_reads_as_the_same_cascade() {
             nodes: [(2, 1), (0, -1), (-2, -3)]
                 .map(|(left, right)| TrainedNode {
                     feature: 1,
-                    split: Split::Threshold(0.125),
+                    split: NodeSplit::Threshold(0.125),
                     left,
                     right,
                 })
@@ -269,7 +269,7 @@ fn what_the_former_layout_cannot_say_is_refused() {
     assert!(said.contains("Haar features only"), "{said}");
     let node = |left, right| TrainedNode {
         feature: 0,
-        split: Split::Threshold(0.0),
+        split: NodeSplit::Threshold(0.0),
         left,
         right,
     };
@@ -288,18 +288,18 @@ fn what_the_former_layout_cannot_say_is_refused() {
 }
 
 /// Trees of three nodes over features and thresholds that part the windows of a picture.
-fn forest(features: &[Feature], picture: &Raster<u8>) -> Vec<TrainedStage> {
-    let lbp = matches!(features[0], Feature::Lbp(_));
-    let evaluator = Evaluator::new(features, 16, 16);
+fn forest(features: &[CascadeFeature], picture: &Raster<u8>) -> Vec<TrainedStage> {
+    let lbp = matches!(features[0], CascadeFeature::Lbp(_));
+    let evaluator = PatchEvaluator::new(features, 16, 16);
     let typical = Patch::cut(picture, 11, 9, 16, 16).unwrap();
     let mut values = vec![0.0; features.len()];
     evaluator.values(&typical, &mut values);
     let split = |feature: usize, salt: u32| {
         if lbp {
             let word = |i: u32| (i + salt).wrapping_mul(2_654_435_761) ^ 0x5a5a_f00f;
-            Split::Codes(std::array::from_fn(|i| word(i as u32)))
+            NodeSplit::Codes(std::array::from_fn(|i| word(i as u32)))
         } else {
-            Split::Threshold(values[feature] * 1.01)
+            NodeSplit::Threshold(values[feature] * 1.01)
         }
     };
     let stage = |number: usize| {
@@ -335,7 +335,7 @@ fn many_windows_at_once_are_judged_to_the_bit_as_one_after_the_other() {
         let stages = forest(&features, &picture);
         let cascade = Cascade::from_parts(16, 16, features, &stages).unwrap();
         let found = responses(&cascade, &picture);
-        let twin = twin::Sight::new(&cascade, &picture);
+        let twin = twin::CascadeView::new(&cascade, &picture);
         let mut by_stage = [0; 5];
         for y in 0..found.stages.height() {
             for x in 0..found.stages.width() {

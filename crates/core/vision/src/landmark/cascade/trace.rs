@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::grid::Grid;
+use super::grid::RowGrid;
 use super::histograms::{DIRECTIONS, Histograms, unit};
-use super::model::{Area, Cascade, Feature};
+use super::model::{Area, Cascade, CascadeFeature};
 use super::patch::Patch;
 use super::responses::responses;
 use super::scale::resized;
@@ -60,7 +60,7 @@ pub fn edge_angle(direction: usize) -> f64 {
 pub fn hog_picture(patch: &Patch, cell: usize) -> HogPicture {
     let cell = cell.max(1);
     let pixels = patch.pixels();
-    let grid = Grid::new(pixels.width(), 1);
+    let grid = RowGrid::new(pixels.width(), 1);
     let unit = unit(pixels.width() * pixels.height());
     let mut histograms = Histograms::default();
     histograms.fill(pixels, grid, unit);
@@ -111,20 +111,20 @@ pub fn stage_features(cascade: &Cascade, stage: usize) -> Vec<ShownFeature> {
         .collect()
 }
 
-fn shown(tree: usize, feature: &Feature) -> ShownFeature {
+fn shown(tree: usize, feature: &CascadeFeature) -> ShownFeature {
     let (areas, tilted, direction) = match feature {
-        Feature::Haar(haar) => {
+        CascadeFeature::Haar(haar) => {
             let areas = haar.areas.iter().filter(|(_, weight)| *weight != 0.0);
             (areas.copied().collect(), haar.tilted, None)
         }
-        Feature::Lbp([x, y, w, h]) => {
+        CascadeFeature::Lbp([x, y, w, h]) => {
             let block = |i: i32| {
                 let area = [x + i % 3 * w, y + i / 3 * h, *w, *h];
                 (area, if i == 4 { -1.0 } else { 1.0 })
             };
             ((0..9).map(block).collect(), false, None)
         }
-        Feature::Hog {
+        CascadeFeature::Hog {
             cell: [x, y, w, h],
             component,
         } => {
@@ -146,18 +146,18 @@ fn shown(tree: usize, feature: &Feature) -> ShownFeature {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::landmark::cascade::{HaarFeature, Split, TrainedStage, TrainedTree};
+    use crate::landmark::cascade::{HaarFeature, NodeSplit, TrainedStage, TrainedTree};
 
     /// Two stages that look for an edge upright, the second in the lower half, too.
     fn cascade() -> Cascade {
-        let feature = |component| Feature::Hog {
+        let feature = |component| CascadeFeature::Hog {
             cell: [0, 0, 8, 8],
             component,
         };
         let stage = |feature| TrainedStage {
             trees: vec![TrainedTree::stump(
                 feature,
-                Split::Threshold(0.45),
+                NodeSplit::Threshold(0.45),
                 -1.0,
                 1.0,
             )],
@@ -226,7 +226,7 @@ mod tests {
         assert_eq!(shown[0].areas[1], ([0, 0, 16, 16], 0.0));
         assert_eq!(shown[0].direction, Some(8));
         assert!(stage_features(&cascade(), 2).is_empty());
-        let haar = Feature::Haar(HaarFeature {
+        let haar = CascadeFeature::Haar(HaarFeature {
             areas: [
                 ([0, 0, 9, 9], -1.0),
                 ([3, 3, 3, 3], 9.0),
@@ -235,7 +235,7 @@ mod tests {
             tilted: false,
         });
         assert_eq!(super::shown(4, &haar).areas.len(), 2);
-        let lbp = super::shown(0, &Feature::Lbp([1, 2, 3, 4]));
+        let lbp = super::shown(0, &CascadeFeature::Lbp([1, 2, 3, 4]));
         assert_eq!(lbp.areas[8].0, [7, 10, 3, 4]);
     }
 }

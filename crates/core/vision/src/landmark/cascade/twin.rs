@@ -1,19 +1,19 @@
 //! Windows shown one after the other: what [`super::rows`] is tested against.
 
-use super::grid::Grid;
-use super::layout::{Layout, Tables};
+use super::grid::RowGrid;
+use super::layout::{FeatureLayout, FeatureTables};
 use super::model::{Cascade, Tree};
 use pilotage_raster::raster::Raster;
 
 /// A picture seen through a cascade.
-pub(super) struct Sight<'a> {
+pub(super) struct CascadeView<'a> {
     cascade: &'a Cascade,
-    layout: Layout,
-    tables: Tables,
+    layout: FeatureLayout,
+    tables: FeatureTables,
 }
 
 /// Answer of a cascade on a window.
-pub(super) struct Seen {
+pub(super) struct WindowAnswer {
     /// Stages passed.
     pub passed: usize,
     /// Whether the window was so flat that no stage was asked.
@@ -24,10 +24,10 @@ pub(super) struct Seen {
     pub margin: f64,
 }
 
-impl<'a> Sight<'a> {
+impl<'a> CascadeView<'a> {
     pub fn new(cascade: &'a Cascade, picture: &Raster<u8>) -> Self {
-        let grid = Grid::new(picture.width(), 1);
-        let layout = Layout::new(&cascade.features, cascade.width, cascade.height, grid);
+        let grid = RowGrid::new(picture.width(), 1);
+        let layout = FeatureLayout::new(&cascade.features, cascade.width, cascade.height, grid);
         Self {
             cascade,
             tables: layout.tables(picture),
@@ -36,9 +36,9 @@ impl<'a> Sight<'a> {
     }
 
     /// Shows the window whose upper left pixel is (x, y).
-    pub fn look(&self, x: usize, y: usize) -> Seen {
+    pub fn look(&self, x: usize, y: usize) -> WindowAnswer {
         let at = y * self.layout.grid.stride + x;
-        let mut seen = Seen {
+        let mut seen = WindowAnswer {
             passed: 0,
             flat: false,
             votes: 0.0,

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::CascadeError;
 use super::build::writable;
-use super::model::{Cascade, Feature, HaarFeature, Kind, Node, Tree};
+use super::model::{Cascade, CascadeFeature, CascadeKind, HaarFeature, Tree, TreeNode};
 
 /// Text before everything else: the XML declaration and the tag that encloses the rest.
 const HEAD: &str = "<?xml version=\"1.0\"?>\n<opencv_storage>\n";
@@ -32,12 +32,12 @@ impl Cascade {
     ///
     /// ```
     /// use pilotage_vision::landmark::cascade::{
-    ///     Cascade, Feature, Split, TrainedStage, TrainedTree,
+    ///     Cascade, CascadeFeature, NodeSplit, TrainedStage, TrainedTree,
     /// };
     ///
     /// let codes = [u32::MAX, 0, 0, 0, 0, 0, 0, 0];
-    /// let trees = vec![TrainedTree::stump(0, Split::Codes(codes), -1.0, 1.0)];
-    /// let features = vec![Feature::Lbp([2, 2, 4, 4])];
+    /// let trees = vec![TrainedTree::stump(0, NodeSplit::Codes(codes), -1.0, 1.0)];
+    /// let features = vec![CascadeFeature::Lbp([2, 2, 4, 4])];
     /// let stage = TrainedStage { trees, threshold: 0.25 };
     /// let cascade = Cascade::from_parts(24, 24, features, &[stage])?;
     /// let text = cascade.to_xml();
@@ -49,9 +49,9 @@ impl Cascade {
         let kind = self.kind();
         let mut out = HEAD.to_owned();
         let (name, categories, size) = match kind {
-            Kind::Haar => ("HAAR", 0, 1),
-            Kind::Lbp => ("LBP", 256, 1),
-            Kind::Hog => ("HOG", 0, 36),
+            CascadeKind::Haar => ("HAAR", 0, 1),
+            CascadeKind::Lbp => ("LBP", 256, 1),
+            CascadeKind::Hog => ("HOG", 0, 36),
         };
         let most = self.stages.iter().map(|s| s.trees.len()).max().unwrap_or(0);
         let depth = self.trees.iter().map(|t| t.nodes.len()).max().unwrap_or(1);
@@ -66,7 +66,7 @@ impl Cascade {
              </featureParams>\n<stageNum>{}</stageNum>\n<stages>\n",
             self.height,
             self.width,
-            if kind == Kind::Haar {
+            if kind == CascadeKind::Haar {
                 "<mode>ALL</mode>"
             } else {
                 ""
@@ -90,11 +90,11 @@ impl Cascade {
         for feature in &self.features {
             out.push_str("<_>");
             match feature {
-                Feature::Haar(haar) => put_haar(&mut out, haar),
-                Feature::Lbp([x, y, w, h]) => {
+                CascadeFeature::Haar(haar) => put_haar(&mut out, haar),
+                CascadeFeature::Lbp([x, y, w, h]) => {
                     put!(out, "<rect>{x} {y} {w} {h}</rect>");
                 }
-                Feature::Hog {
+                CascadeFeature::Hog {
                     cell: [x, y, w, h],
                     component,
                 } => {
@@ -143,7 +143,7 @@ impl Cascade {
             place,
             cause: cause.to_owned(),
         };
-        if self.kind() != Kind::Haar {
+        if self.kind() != CascadeKind::Haar {
             let cause = "the former layout knows Haar features only";
             return Err(fail("the cascade".to_owned(), cause));
         }
@@ -182,7 +182,7 @@ impl Cascade {
         let mut reached = vec![0; tree.nodes.len()];
         out.push_str("<_>\n");
         for node in &self.nodes[tree.nodes.clone()] {
-            let Some(Feature::Haar(haar)) = self.features.get(node.feature as usize) else {
+            let Some(CascadeFeature::Haar(haar)) = self.features.get(node.feature as usize) else {
                 return false;
             };
             out.push_str("<_><feature>");
@@ -203,7 +203,7 @@ impl Cascade {
     }
 
     /// Writes the next nodes of a node, or the values of its leaves.
-    fn put_former_way(&self, out: &mut String, tree: &Tree, node: &Node, reached: &mut [u32]) {
+    fn put_former_way(&self, out: &mut String, tree: &Tree, node: &TreeNode, reached: &mut [u32]) {
         for (side, next) in [("left", node.left), ("right", node.right)] {
             if next > 0 {
                 reached[next as usize] += 1;

@@ -10,14 +10,14 @@ const DEEPEST: usize = 64;
 
 /// An element with its text and what is in it.
 #[derive(Debug, Default)]
-pub(super) struct Element {
+pub(super) struct CascadeElement {
     pub name: String,
     pub type_id: Option<String>,
     pub text: String,
-    pub children: Vec<Element>,
+    pub children: Vec<CascadeElement>,
 }
 
-impl Element {
+impl CascadeElement {
     /// The first child of that name.
     pub fn child(&self, name: &str) -> Option<&Self> {
         self.children.iter().find(|c| c.name == name)
@@ -38,7 +38,7 @@ impl Element {
 }
 
 /// The root of a text.
-pub(super) fn read(file: &str, text: &str) -> Result<Element, CascadeError> {
+pub(super) fn read(file: &str, text: &str) -> Result<CascadeElement, CascadeError> {
     let mut reader = Reader::from_str(text);
     reader.config_mut().allow_dangling_amp = true;
     let error = |offset: u64, cause: String| CascadeError::Xml {
@@ -46,7 +46,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Element, CascadeError> {
         offset,
         cause,
     };
-    let mut open = vec![Element::default()];
+    let mut open = vec![CascadeElement::default()];
     loop {
         let event = reader
             .read_event()
@@ -58,10 +58,10 @@ pub(super) fn read(file: &str, text: &str) -> Result<Element, CascadeError> {
                     .filter(|a| a.key.as_ref() == "type_id")
                     .map(|a| a.value.into_owned())
                     .next();
-                let element = Element {
+                let element = CascadeElement {
                     name: start.local_name().as_ref().to_owned(),
                     type_id,
-                    ..Element::default()
+                    ..CascadeElement::default()
                 };
                 if open.len() > DEEPEST {
                     let cause = format!("elements are nested over {DEEPEST} deep");
@@ -90,8 +90,8 @@ pub(super) fn read(file: &str, text: &str) -> Result<Element, CascadeError> {
         }
     }
     let cause = || "the file ends inside an element".to_owned();
-    let [root] =
-        <[Element; 1]>::try_from(open).map_err(|_| error(reader.buffer_position(), cause()))?;
+    let [root] = <[CascadeElement; 1]>::try_from(open)
+        .map_err(|_| error(reader.buffer_position(), cause()))?;
     let mut top = root.children;
     if top.len() != 1 {
         return Err(error(

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use nalgebra::{Matrix2, Matrix4, Rotation2};
 
 use super::patch::{ACROSS, OrientedBank, OrientedPatch};
-use super::twins::{self, Found};
-use super::variants::{Variant, Variants};
-use super::weighed::{Place, Prior, Weighed};
+use super::twins::{self, TwinSearch};
+use super::variants::{PatchVariant, PatchVariants};
+use super::weighed::{Prior, VariantPlace, WeighedPlaces};
 use crate::evidence::Evidence;
 use crate::landmark::match_evidence::{MatchEvidence, camera_gsd, in_picture};
 use crate::landmark::patch::{FLAT_CONTRAST, gsd_of, level_of};
@@ -37,7 +37,7 @@ pub(in crate::landmark) struct OrientedDetector {
 }
 
 /// Result of a search.
-struct Searched {
+struct OrientedSearch {
     detection: Detection,
     refusal: Option<Refusal>,
     evidence: MatchEvidence,
@@ -57,7 +57,7 @@ impl OrientedDetector {
         &mut self,
         view: &FrameView<'_>,
         request: &SearchRequest<'_>,
-    ) -> Result<Searched, Refusal> {
+    ) -> Result<OrientedSearch, Refusal> {
         let landmark = request.landmark;
         let center = landmark.bounds.center();
         let longer = landmark.bounds.width().max(landmark.bounds.height());
@@ -74,7 +74,7 @@ impl OrientedDetector {
         let window = window_around(center, gsd, size, (reach(east), reach(north)));
         let (window, rectified, search) = seen(view, &window, size)?;
         let variants = patch.variants(request.turn_deviation, request.log_scale_deviation);
-        let all: Vec<Variant> = variants.all().collect();
+        let all: Vec<PatchVariant> = variants.all().collect();
         let apart = all.len().div_ceil(CHANCES);
         let by_chance = all.iter().step_by(apart).filter_map(|variant| {
             search.correlate(&patch.template(&variants, *variant)?.turned_half())
@@ -89,7 +89,7 @@ impl OrientedDetector {
             turn: request.turn_deviation,
             log_scale: request.log_scale_deviation,
         };
-        let mut weighed = Weighed::new(&prior, &window, size, evidence);
+        let mut weighed = WeighedPlaces::new(&prior, &window, size, evidence);
         for variant in all {
             let template = patch.template(&variants, variant);
             if let Some(surface) = template.and_then(|t| search.correlate(&t)) {
@@ -100,7 +100,7 @@ impl OrientedDetector {
         let (coarse, likely) = weighed.best.zip(likely).ok_or(Refusal::OutOfPicture)?;
         let best = between(coarse, patch, &variants, &search);
         let middle = weighed.ground_at(best.peak.x, best.peak.y);
-        let found = Found {
+        let found = TwinSearch {
             prior: &prior,
             evidence,
             place: middle,
@@ -125,7 +125,7 @@ impl OrientedDetector {
             scale: log_scale.exp(),
         };
         let peaks = [Some(best.peak), second].into_iter().flatten();
-        Ok(Searched {
+        Ok(OrientedSearch {
             detection,
             refusal,
             evidence: MatchEvidence {
@@ -183,19 +183,19 @@ fn seen(
 
 /// The best of a place and of what lies beside it between the turns and sizes of the grid.
 fn between(
-    coarse: Place,
+    coarse: VariantPlace,
     patch: &mut OrientedPatch,
-    variants: &Variants,
+    variants: &PatchVariants,
     search: &ChannelSearch,
-) -> Place {
+) -> VariantPlace {
     let mut best = coarse;
-    for variant in Variants::beside(coarse.variant) {
+    for variant in PatchVariants::beside(coarse.variant) {
         let (column, row) = coarse.peak.sample;
         let template = patch.template(variants, variant);
         if let Some(surface) = template.and_then(|t| search.correlate(&t)) {
             let peak = nearby(&surface.score, column, row);
             if peak.value > best.peak.value {
-                best = Place {
+                best = VariantPlace {
                     variant,
                     peak,
                     ..best
@@ -242,7 +242,7 @@ fn nearby(surface: &Gray, column: usize, row: usize) -> Peak {
 
 /// Covariance of the place (north, east, m²), of the turn and of the logarithm of the size: from how sharp the summit
 /// is (Laplace's approximation), and from the `step` between what is tried.
-fn covariance_of(best: &Place, evidence: Evidence, gsd: f64, step: f64) -> Matrix4<f64> {
+fn covariance_of(best: &VariantPlace, evidence: Evidence, gsd: f64, step: f64) -> Matrix4<f64> {
     let h = best.peak.hessian;
     // Rows run south and columns east.
     let curvature = evidence.slope(best.peak.value, best.share) / (gsd * gsd)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 
-use super::variants::{Variant, Variants};
+use super::variants::{PatchVariant, PatchVariants};
 use crate::landmark::Landmark;
 use crate::landmark::look_alike::LookAlike;
 use crate::landmark::patch::deviation;
@@ -34,7 +34,7 @@ pub(super) struct OrientedPatch {
     pub contrast: f64,
     surroundings: Gray,
     covered: Gray,
-    templates: HashMap<(u64, Variant), Option<Arc<ChannelTemplate>>>,
+    templates: HashMap<(u64, PatchVariant), Option<Arc<ChannelTemplate>>>,
     /// Ground that looks like it, and how far that was looked for, metres.
     pub(super) twins: (f64, Vec<LookAlike>),
 }
@@ -66,9 +66,9 @@ impl OrientedPatch {
     }
 
     /// Turns and sizes to be tried for these deviations (radians, and of the logarithm of the size).
-    pub fn variants(&self, turn_deviation: f64, log_scale_deviation: f64) -> Variants {
+    pub fn variants(&self, turn_deviation: f64, log_scale_deviation: f64) -> PatchVariants {
         let half = 0.25 * (self.size.0 + self.size.1) as f64;
-        Variants::new(half, turn_deviation, log_scale_deviation)
+        PatchVariants::new(half, turn_deviation, log_scale_deviation)
     }
 
     /// Luminance in a variant with `margin` pixels around it, and what of it the map covers.
@@ -92,8 +92,8 @@ impl OrientedPatch {
     /// The patch in a variant; `None` if nothing stands out, or it is too large for what is known around it.
     pub fn template(
         &mut self,
-        variants: &Variants,
-        variant: Variant,
+        variants: &PatchVariants,
+        variant: PatchVariant,
     ) -> Option<Arc<ChannelTemplate>> {
         let key = (variants.step.to_bits(), variant);
         if let Some(known) = self.templates.get(&key) {

@@ -1,10 +1,10 @@
 //! A landmark on another day, as the orientation field sees it.
 
 use super::patch::{ACROSS, OrientedPatch};
-use super::variants::{Variant, Variants};
+use super::variants::{PatchVariant, PatchVariants};
 use crate::landmark::patch::FLAT_CONTRAST;
 use crate::landmark::peak::separation;
-use crate::landmark::rehearsed::{MOST_BLANK, OFF_PIXELS, Rehearsal, blank};
+use crate::landmark::rehearsed::{MOST_BLANK, OFF_PIXELS, RehearsalFit, blank};
 use crate::landmark::window::window_around;
 use crate::texture::Texture;
 use pilotage_base::frames::GroundRect;
@@ -21,7 +21,7 @@ pub(in crate::landmark) fn rehearse(
     day: &dyn Imagery,
     bounds: &GroundRect,
     radius: f64,
-) -> Option<Rehearsal> {
+) -> Option<RehearsalFit> {
     let gsd = (bounds.width().max(bounds.height()) / ACROSS).max(map.native_gsd());
     let mut patch = OrientedPatch::new(map, bounds, gsd);
     let size = patch.size;
@@ -30,8 +30,8 @@ pub(in crate::landmark) fn rehearse(
     if has_hole || patch.contrast < FLAT_CONTRAST {
         return None;
     }
-    let as_it_is = Variants::new(size.0 as f64, 0.0, 0.0);
-    let template = patch.template(&as_it_is, Variant { turn: 0, size: 0 })?;
+    let as_it_is = PatchVariants::new(size.0 as f64, 0.0, 0.0);
+    let template = patch.template(&as_it_is, PatchVariant { turn: 0, size: 0 })?;
     let reach = (radius / gsd).ceil() as usize;
     let window = window_around(bounds.center(), gsd, size, (reach, reach));
     let picture = day.window(&window);
@@ -46,7 +46,7 @@ pub(in crate::landmark) fn rehearse(
     let found = place(&peak);
     let drift = found.distance(&bounds.center());
     if drift > COARSER * OFF_PIXELS * gsd {
-        return Some(Rehearsal {
+        return Some(RehearsalFit {
             score: 0.0,
             rival: peak.value,
             rival_place: found,
@@ -54,7 +54,7 @@ pub(in crate::landmark) fn rehearse(
         });
     }
     let rival = rival_peak(&surface.score, &peak, separation(size) as f64);
-    Some(Rehearsal {
+    Some(RehearsalFit {
         score: peak.value,
         rival: rival.map_or(0.0, |r| r.value),
         rival_place: rival.map_or(bounds.center(), |r| place(&r)),

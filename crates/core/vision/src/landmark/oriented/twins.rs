@@ -2,7 +2,7 @@
 //! out of the picture.
 
 use super::patch::OrientedPatch;
-use super::variants::{Variant, Variants};
+use super::variants::{PatchVariant, PatchVariants};
 use super::weighed::Prior;
 use crate::evidence::Evidence;
 use crate::landmark::look_alike::LookAlike;
@@ -40,8 +40,8 @@ fn find(map: &dyn Imagery, patch: &mut OrientedPatch, reach: f64) -> Vec<LookAli
     let picture = map.window(&window);
     let covered = picture.map(|p| if p[3] == 255 { 1.0 } else { 0.0 });
     let (channels, covered) = Texture::EdgesAndContrast.channels(&picture.to_gray(), covered, 0);
-    let as_it_is = Variants::new(size.0 as f64, 0.0, 0.0);
-    let template = patch.template(&as_it_is, Variant { turn: 0, size: 0 });
+    let as_it_is = PatchVariants::new(size.0 as f64, 0.0, 0.0);
+    let template = patch.template(&as_it_is, PatchVariant { turn: 0, size: 0 });
     let surface = template.and_then(|t| ChannelSearch::new(&channels, &covered).correlate(&t));
     let Some(surface) = surface else {
         return Vec::new();
@@ -62,7 +62,7 @@ fn find(map: &dyn Imagery, patch: &mut OrientedPatch, reach: f64) -> Vec<LookAli
 }
 
 /// Result of a search, and what it saw elsewhere.
-pub(super) struct Found<'a> {
+pub(super) struct TwinSearch<'a> {
     pub prior: &'a Prior,
     pub evidence: Evidence,
     /// Middle of the patch.
@@ -77,7 +77,7 @@ pub(super) struct Found<'a> {
 ///
 /// A twin that scores m on the map shares as much with the landmark: only by the rest do scores tell the two apart.
 /// One of a landmark that nobody sees scores in a picture what it scores on the map, give or take chance.
-pub(super) fn odds(twins: &[LookAlike], found: &Found<'_>) -> [f64; 2] {
+pub(super) fn odds(twins: &[LookAlike], found: &TwinSearch<'_>) -> [f64; 2] {
     let likelihood = |score: f64| found.evidence.log_likelihood(score, 1.0);
     let mut odds = [0.0; 2];
     for twin in twins {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Vector2};
 
-use super::variants::{Variant, Variants};
+use super::variants::{PatchVariant, PatchVariants};
 use crate::evidence::Evidence;
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Window;
@@ -32,8 +32,8 @@ pub(super) struct Prior {
 
 /// A place, turn and size.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub variant: Variant,
+pub(super) struct VariantPlace {
+    pub variant: PatchVariant,
     /// Between the samples of the surface.
     pub peak: Peak,
     /// Share of the patch that is seen there.
@@ -43,7 +43,7 @@ pub(super) struct Place {
 }
 
 /// Weights of all places.
-pub(super) struct Weighed<'a> {
+pub(super) struct WeighedPlaces<'a> {
     prior: &'a Prior,
     window: &'a Window,
     size: (usize, usize),
@@ -55,11 +55,11 @@ pub(super) struct Weighed<'a> {
     /// Sum of the prior over places that are seen, and over all.
     prior_seen: f64,
     prior_all: f64,
-    pub best: Option<Place>,
+    pub best: Option<VariantPlace>,
 }
 
 impl Prior {
-    fn log_of_variant(&self, variants: &Variants, variant: Variant) -> f64 {
+    fn log_of_variant(&self, variants: &PatchVariants, variant: PatchVariant) -> f64 {
         let square = |off: f64, deviation: f64| (off / deviation.max(0.5 * variants.step)).powi(2);
         -0.5 * (square(variants.turn(variant), self.turn)
             + square(variants.log_scale(variant), self.log_scale))
@@ -72,7 +72,7 @@ impl Prior {
     }
 }
 
-impl<'a> Weighed<'a> {
+impl<'a> WeighedPlaces<'a> {
     /// Before anything was weighed; surfaces have `width` × `height` offsets of a patch of `size` pixels in
     /// `window`.
     pub fn new(
@@ -102,7 +102,12 @@ impl<'a> Weighed<'a> {
     }
 
     /// Weighs all places of a turn and size.
-    pub fn add(&mut self, variants: &Variants, variant: Variant, surface: &ChannelSurface) {
+    pub fn add(
+        &mut self,
+        variants: &PatchVariants,
+        variant: PatchVariant,
+        surface: &ChannelSurface,
+    ) {
         let of_variant = self.prior.log_of_variant(variants, variant);
         let cell = self.window.gsd.powi(2);
         let root = self.prior.information.determinant().sqrt();
@@ -125,7 +130,7 @@ impl<'a> Weighed<'a> {
             let best = self.best_scores.get(column, row);
             self.best_scores.set(column, row, best.max(*value));
             if self.best.is_none_or(|b| log_weight > b.log_weight) {
-                self.best = Some(Place {
+                self.best = Some(VariantPlace {
                     variant,
                     peak: refine_peak(&surface.score, column, row),
                     share: f64::from(share),

@@ -17,6 +17,6 @@ pub(super) use detector::{BELIEVED, probabilities};
 pub use likelihood::Likelihood;
 pub use mark::Mark;
 pub use model::{DetectorWindow, TemplateLikelihood, TrainedDetector};
-pub use precision::{ByScore, MarkPrecision, Reading, ScoreScale};
+pub use precision::{ByScore, MarkPrecision, ReadingEstimate, ScoreScale};
 pub use search::{SearchedGround, search, to_bytes};
 pub use variants::{Preparation, Steps, Variant, Variants};

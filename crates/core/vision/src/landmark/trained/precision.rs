@@ -49,14 +49,14 @@ impl ByScore {
 /// only as far as the cascade tells turns apart: reading = slope × truth + error. Truth is then estimated
 /// by reading / slope, with the variance of error / slope; a reading that does not follow says nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Reading {
+pub struct ReadingEstimate {
     /// The estimate per unit of the reading.
     pub factor: f64,
     /// Variance of the estimate, in the square of its unit.
     pub variance: f64,
 }
 
-impl Reading {
+impl ReadingEstimate {
     /// Learned from pairs of truth and reading, both zero on average; `None` where the reading does not
     /// follow the truth for certain.
     pub fn learned(pairs: &[(f64, f64)]) -> Option<Self> {
@@ -85,9 +85,9 @@ pub struct MarkPrecision {
     /// Dependence of the covariance on the score.
     pub by_score: ByScore,
     /// Estimate of the ground's turn from the turn of a mark, if it tells anything.
-    pub turn: Option<Reading>,
+    pub turn: Option<ReadingEstimate>,
     /// The same of the logarithm of the size.
-    pub log_scale: Option<Reading>,
+    pub log_scale: Option<ReadingEstimate>,
 }
 
 impl MarkPrecision {
@@ -106,7 +106,7 @@ impl MarkPrecision {
     /// Turn (radians) and logarithm of the size of the ground next to the map, zero where marks do not
     /// say, and the covariance of (north, east, turn, logarithm of the size), metres and radians.
     pub fn of(&self, mark: &Mark) -> ([f64; 2], Matrix4<f64>) {
-        let read = |reading: Option<Reading>, read: f64, unknown: f64| {
+        let read = |reading: Option<ReadingEstimate>, read: f64, unknown: f64| {
             let unknown = unknown * unknown;
             reading.map_or((0.0, unknown), |r| {
                 (r.factor * read, r.variance.min(unknown))
@@ -140,7 +140,7 @@ mod tests {
                 (truth, steps.nearest(truth))
             })
             .collect();
-        let reading = Reading::learned(&pairs).unwrap();
+        let reading = ReadingEstimate::learned(&pairs).unwrap();
         // Rounding takes from the slope what it has of the square of the range: 1 / 6².
         assert!(
             (1.0 / reading.factor - 35.0 / 36.0).abs() < 0.01,
@@ -162,11 +162,11 @@ mod tests {
                 })
                 .collect()
         };
-        let half = Reading::learned(&pairs(0.5)).unwrap();
+        let half = ReadingEstimate::learned(&pairs(0.5)).unwrap();
         assert!((half.factor - 2.0).abs() < 0.15, "{half:?}");
         assert!((half.variance.sqrt() - 0.1).abs() < 0.01, "{half:?}");
-        assert_eq!(Reading::learned(&pairs(0.0)), None);
-        assert_eq!(Reading::learned(&[(0.1, 0.1); 5]), None);
+        assert_eq!(ReadingEstimate::learned(&pairs(0.0)), None);
+        assert_eq!(ReadingEstimate::learned(&[(0.1, 0.1); 5]), None);
     }
 
     #[test]

@@ -18,7 +18,7 @@ pub(super) enum Version {
 
 /// Type of a member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Element {
+pub(super) enum MemberType {
     Number(FieldKind),
     Text,
     /// Another type, by its number.
@@ -39,7 +39,7 @@ pub(super) enum Count {
 pub(super) struct Member {
     /// Name; without one, it says nothing.
     pub name: String,
-    pub element: Element,
+    pub element: MemberType,
     pub count: Count,
     /// Fewest bytes that one element takes.
     pub shortest: usize,
@@ -59,7 +59,7 @@ impl Member {
 /// Member that ROS 2 writes for a type without members, as its interface language allows none such.
 const FILLER: Member = Member {
     name: String::new(),
-    element: Element::Number(FieldKind::U8),
+    element: MemberType::Number(FieldKind::U8),
     count: Count::One,
     shortest: 1,
 };
@@ -77,7 +77,7 @@ impl Types {
     /// is wrong with it.
     pub fn parse(name: &str, text: &[u8], version: Version) -> Result<Self, String> {
         let text = str::from_utf8(text).map_err(|_| "its definition is no text".to_owned())?;
-        let mut reading = Reading {
+        let mut reading = DefinitionReading {
             texts: sections(name, text),
             version,
             types: Self::default(),
@@ -118,7 +118,7 @@ fn plain(name: &str) -> String {
     name.replacen("/msg/", "/", 1)
 }
 
-struct Reading<'a> {
+struct DefinitionReading<'a> {
     texts: HashMap<String, &'a str>,
     version: Version,
     types: Types,
@@ -126,7 +126,7 @@ struct Reading<'a> {
     members: usize,
 }
 
-impl Reading<'_> {
+impl DefinitionReading<'_> {
     /// Number of the type `name` as it is called in `package`.
     fn number(&mut self, name: &str, package: &str, depth: usize) -> Result<usize, String> {
         let mut name = plain(name);
@@ -213,12 +213,12 @@ impl Reading<'_> {
             None if kind == "wstring" => {
                 return Err("wide letters are written in several ways".to_owned());
             }
-            None => Element::Type(self.number(kind, package, depth + 1)?),
+            None => MemberType::Type(self.number(kind, package, depth + 1)?),
         };
         let shortest = match element {
-            Element::Number(kind) => kind.size(),
-            Element::Text => 4,
-            Element::Type(number) => self.types.least[number],
+            MemberType::Number(kind) => kind.size(),
+            MemberType::Text => 4,
+            MemberType::Type(number) => self.types.least[number],
         };
         let is_nothing = shortest == 0 && count != Count::Counted || count == Count::Always(0);
         Ok((!is_nothing).then(|| Member {
@@ -231,8 +231,8 @@ impl Reading<'_> {
 }
 
 /// Element of a built-in type; `None` for other types.
-fn element(kind: &str, version: Version) -> Option<Element> {
-    Some(Element::Number(match kind {
+fn element(kind: &str, version: Version) -> Option<MemberType> {
+    Some(MemberType::Number(match kind {
         "bool" => FieldKind::Bool,
         "int8" => FieldKind::I8,
         "byte" if version == Version::First => FieldKind::I8,
@@ -245,7 +245,7 @@ fn element(kind: &str, version: Version) -> Option<Element> {
         "uint64" => FieldKind::U64,
         "float32" => FieldKind::F32,
         "float64" => FieldKind::F64,
-        "string" => return Some(Element::Text),
+        "string" => return Some(MemberType::Text),
         _ => return None,
     }))
 }
@@ -306,7 +306,7 @@ float64 z
         assert_eq!(types[3][2].count, Count::Always(9));
         assert_eq!(
             (types[3][3].count, types[3][3].element),
-            (Count::Counted, Element::Text)
+            (Count::Counted, MemberType::Text)
         );
     }
 

@@ -1,6 +1,6 @@
 //! Descriptors of Protocol Buffers: what `descriptor.proto` says of messages and their fields.
 
-use super::varint::{Field, Fields, Value};
+use super::varint::{Fields, WireField, WireValue};
 
 /// Types within types within types…
 const DEEPEST: usize = 16;
@@ -25,14 +25,14 @@ pub(super) struct FieldDescriptor {
     pub has_presence: bool,
 }
 
-fn text(value: Value) -> String {
+fn text(value: WireValue) -> String {
     match value {
-        Value::Bytes(bytes) => String::from_utf8_lossy(bytes).into_owned(),
+        WireValue::Bytes(bytes) => String::from_utf8_lossy(bytes).into_owned(),
         _ => String::new(),
     }
 }
 
-fn fields(bytes: &[u8]) -> Result<Vec<Field<'_>>, String> {
+fn fields(bytes: &[u8]) -> Result<Vec<WireField<'_>>, String> {
     let fields: Result<Vec<_>, _> = Fields::new(bytes).collect();
     fields.map_err(|cause| format!("its descriptor cannot be read: {cause}"))
 }
@@ -52,7 +52,7 @@ impl Descriptor {
         // Later than the third edition every field has presence, unless it says otherwise.
         let is_third = last(12).is_some_and(|syntax| syntax == "proto3");
         for field in &fields {
-            if let (4, Value::Bytes(message)) = (field.number, field.value) {
+            if let (4, WireValue::Bytes(message)) = (field.number, field.value) {
                 Self::of_message(message, &package, is_third, 0, found)?;
             }
         }
@@ -80,8 +80,10 @@ impl Descriptor {
         let mut members = Vec::new();
         for field in &fields {
             match (field.number, field.value) {
-                (2, Value::Bytes(field)) => members.push(FieldDescriptor::parse(field, is_third)?),
-                (3, Value::Bytes(nested)) => {
+                (2, WireValue::Bytes(field)) => {
+                    members.push(FieldDescriptor::parse(field, is_third)?)
+                }
+                (3, WireValue::Bytes(nested)) => {
                     Self::of_message(nested, &name, is_third, depth + 1, found)?;
                 }
                 _ => {}
@@ -104,9 +106,9 @@ impl FieldDescriptor {
         for field in fields(bytes)? {
             match (field.number, field.value) {
                 (1, name) => parsed.name = text(name),
-                (3, Value::Varint(number)) => parsed.number = number as u32,
-                (4, Value::Varint(label)) => parsed.is_list = label == 3,
-                (5, Value::Varint(kind)) => parsed.kind = kind,
+                (3, WireValue::Varint(number)) => parsed.number = number as u32,
+                (4, WireValue::Varint(label)) => parsed.is_list = label == 3,
+                (5, WireValue::Varint(kind)) => parsed.kind = kind,
                 (6, name) => text(name)
                     .trim_start_matches('.')
                     .clone_into(&mut parsed.type_name),

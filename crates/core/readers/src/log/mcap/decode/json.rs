@@ -3,7 +3,7 @@
 use serde_json::{Number, Value};
 
 use crate::log::FieldKind;
-use crate::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
+use crate::log::growing::{FieldStep, GrowingTable, MOST_ELEMENTS, Path, ValuePlace};
 
 /// Largest whole number up to which every one is a double, too.
 const WHOLE: u64 = 1 << 53;
@@ -18,13 +18,17 @@ const LETTERS: &str = "\u{1}text";
 const LIST: &str = "\u{1}list";
 
 /// Puts what a message says into the row.
-pub(super) fn decode(data: &[u8], root: &mut Place, table: &mut Table) -> Result<(), &'static str> {
+pub(super) fn decode(
+    data: &[u8],
+    root: &mut ValuePlace,
+    table: &mut GrowingTable,
+) -> Result<(), &'static str> {
     let value = serde_json::from_slice(data).map_err(|_| "a message is no JSON")?;
     put(&value, root, &Path::default(), table);
     Ok(())
 }
 
-fn put(value: &Value, place: &mut Place, path: &Path, table: &mut Table) {
+fn put(value: &Value, place: &mut ValuePlace, path: &Path, table: &mut GrowingTable) {
     match value {
         Value::Null => {}
         Value::Bool(truth) => {
@@ -52,20 +56,20 @@ fn put(value: &Value, place: &mut Place, path: &Path, table: &mut Table) {
                 table.cut_list(path, kept);
             }
             for (index, (value, place)) in list.iter().zip(places).enumerate() {
-                put(value, place, &path.then(Part::Index(index)), table);
+                put(value, place, &path.then(FieldStep::Index(index)), table);
             }
         }
         Value::Object(members) => {
             for (index, (name, value)) in members.iter().enumerate() {
                 if let Some(place) = table.named(place, name, index) {
-                    put(value, place, &path.then(Part::Name(name)), table);
+                    put(value, place, &path.then(FieldStep::Name(name)), table);
                 }
             }
         }
     }
 }
 
-fn put_number(number: &Number, place: &mut Place, path: &Path, table: &mut Table) {
+fn put_number(number: &Number, place: &mut ValuePlace, path: &Path, table: &mut GrowingTable) {
     let (kind, name, bytes) = match (number.as_u64(), number.as_i64()) {
         (Some(natural), _) if natural > WHOLE => (FieldKind::U64, NATURAL, natural.to_le_bytes()),
         (None, Some(whole)) if whole.unsigned_abs() > WHOLE => {
@@ -83,9 +87,9 @@ fn put_bytes(
     name: &str,
     kind: FieldKind,
     bytes: &[u8],
-    place: &mut Place,
+    place: &mut ValuePlace,
     path: &Path,
-    table: &mut Table,
+    table: &mut GrowingTable,
 ) {
     leaf(name, place, path, table, |place, path, table| {
         table.number(place, path, kind, bytes);
@@ -96,18 +100,18 @@ fn put_bytes(
 /// has its name behind it.
 fn leaf(
     name: &str,
-    place: &mut Place,
+    place: &mut ValuePlace,
     path: &Path,
-    table: &mut Table,
-    put: impl FnOnce(&mut Place, &Path, &mut Table),
+    table: &mut GrowingTable,
+    put: impl FnOnce(&mut ValuePlace, &Path, &mut GrowingTable),
 ) {
     let is_second =
-        matches!(place, Place::Named(names) if names.first().is_some_and(|(n, _)| n != name));
+        matches!(place, ValuePlace::Named(names) if names.first().is_some_and(|(n, _)| n != name));
     let Some(place) = table.named(place, name, 0) else {
         return;
     };
     if is_second {
-        put(place, &path.then(Part::Name(&name[1..])), table);
+        put(place, &path.then(FieldStep::Name(&name[1..])), table);
     } else {
         put(place, path, table);
     }

@@ -10,16 +10,16 @@ mod wire;
 
 use super::schema::Schema;
 use crate::log::FieldKind;
-use crate::log::growing::{Part, Path, Place, Table};
+use crate::log::growing::{FieldStep, GrowingTable, Path, ValuePlace};
 
 /// Puts what a message says into the row of a table.
 pub(super) struct Decoder {
-    form: Form,
+    form: MessageEncoding,
     /// Place that the message goes to.
-    root: Place,
+    root: ValuePlace,
 }
 
-enum Form {
+enum MessageEncoding {
     Json,
     Ros(ros::Ros),
     Protobuf(protobuf::Protobuf),
@@ -34,15 +34,15 @@ impl Decoder {
         let described = schema.map_or("", |schema| &schema.encoding);
         let form = match (encoding, described, schema) {
             // The messages themselves say what they hold.
-            ("json", "jsonschema" | "", _) => Ok(Form::Json),
+            ("json", "jsonschema" | "", _) => Ok(MessageEncoding::Json),
             ("ros1", "ros1msg", Some(schema)) => {
-                ros::Ros::first(&schema.name, &schema.data).map(Form::Ros)
+                ros::Ros::first(&schema.name, &schema.data).map(MessageEncoding::Ros)
             }
             ("cdr", "ros2msg", Some(schema)) => {
-                ros::Ros::second(&schema.name, &schema.data).map(Form::Ros)
+                ros::Ros::second(&schema.name, &schema.data).map(MessageEncoding::Ros)
             }
             ("protobuf", "protobuf", Some(schema)) => {
-                protobuf::Protobuf::new(&schema.name, &schema.data).map(Form::Protobuf)
+                protobuf::Protobuf::new(&schema.name, &schema.data).map(MessageEncoding::Protobuf)
             }
             _ => Err(format!(
                 "messages encoded as \"{encoding}\" with a schema in \"{described}\" are not known here"
@@ -50,23 +50,23 @@ impl Decoder {
         };
         let (form, cause) = match form {
             Ok(form) => (form, None),
-            Err(cause) => (Form::Unknown, Some(cause)),
+            Err(cause) => (MessageEncoding::Unknown, Some(cause)),
         };
-        let root = Place::New;
+        let root = ValuePlace::New;
         (Self { form, root }, cause)
     }
 
     /// Puts what the message says into the row. The error says why it is none of its schema.
-    pub fn decode(&mut self, data: &[u8], table: &mut Table) -> Result<(), &'static str> {
+    pub fn decode(&mut self, data: &[u8], table: &mut GrowingTable) -> Result<(), &'static str> {
         let root = &mut self.root;
         match &self.form {
-            Form::Json => json::decode(data, root, table),
-            Form::Ros(ros) => ros.decode(data, root, table),
-            Form::Protobuf(protobuf) => protobuf.decode(data, root, table),
-            Form::Unknown => {
+            MessageEncoding::Json => json::decode(data, root, table),
+            MessageEncoding::Ros(ros) => ros.decode(data, root, table),
+            MessageEncoding::Protobuf(protobuf) => protobuf.decode(data, root, table),
+            MessageEncoding::Unknown => {
                 let length = u32::try_from(data.len()).unwrap_or(u32::MAX).to_le_bytes();
                 let path = Path::default();
-                let path = path.then(Part::Name("bytes"));
+                let path = path.then(FieldStep::Name("bytes"));
                 table.number(root, &path, FieldKind::U32, &length);
                 Ok(())
             }

@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use super::descriptor::{Descriptor, FieldDescriptor};
-use super::varint::{Field as Raw, Fields, Value};
+use super::varint::{Fields, WireField as Raw, WireValue};
 use crate::log::FieldKind;
-use crate::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
+use crate::log::growing::{FieldStep, GrowingTable, MOST_ELEMENTS, Path, ValuePlace};
 
 /// Messages within messages within messages…
 const DEEPEST: usize = 16;
@@ -24,7 +24,7 @@ enum Writing {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Element {
+enum FieldType {
     Number(FieldKind, Writing),
     Text,
     Bytes,
@@ -34,10 +34,10 @@ enum Element {
 
 /// A field of a type.
 #[derive(Clone, Debug, PartialEq)]
-struct Field {
+struct DescribedField {
     name: String,
     number: u32,
-    element: Element,
+    element: FieldType,
     is_list: bool,
     /// Whether a message tells if it has it; those that do not have zero where they are left out.
     has_presence: bool,
@@ -45,7 +45,7 @@ struct Field {
 
 /// A type of message.
 pub(super) struct Protobuf {
-    types: Vec<Vec<Field>>,
+    types: Vec<Vec<DescribedField>>,
     root: usize,
 }
 
@@ -55,7 +55,7 @@ impl Protobuf {
         let mut found = Vec::new();
         for field in Fields::new(descriptors) {
             let file = field.map_err(str::to_owned)?;
-            if let (1, Value::Bytes(file)) = (file.number, file.value) {
+            if let (1, WireValue::Bytes(file)) = (file.number, file.value) {
                 Descriptor::of_file(file, &mut found)?;
             }
         }
@@ -72,7 +72,7 @@ impl Protobuf {
         let types = found.iter().map(|descriptor| {
             let fields = descriptor.fields.iter();
             fields
-                .filter_map(|field| Field::new(field, &numbers).transpose())
+                .filter_map(|field| DescribedField::new(field, &numbers).transpose())
                 .collect()
         });
         let types = types.collect::<Result<_, _>>()?;
@@ -83,8 +83,8 @@ impl Protobuf {
     pub fn decode(
         &self,
         data: &[u8],
-        root: &mut Place,
-        table: &mut Table,
+        root: &mut ValuePlace,
+        table: &mut GrowingTable,
     ) -> Result<(), &'static str> {
         self.message(self.root, data, root, &Path::default(), 0, table)
     }
@@ -93,10 +93,10 @@ impl Protobuf {
         &self,
         number: usize,
         data: &[u8],
-        place: &mut Place,
+        place: &mut ValuePlace,
         path: &Path,
         depth: usize,
-        table: &mut Table,
+        table: &mut GrowingTable,
     ) -> Result<(), &'static str> {
         let fields = &self.types[number];
         let Some(places) = table
@@ -120,7 +120,7 @@ impl Protobuf {
                 continue;
             };
             let field = &fields[index];
-            let path = path.then(Part::Name(&field.name));
+            let path = path.then(FieldStep::Name(&field.name));
             let place = &mut places[index];
             if field.is_list {
                 self.list(field, &raw, place, &path, depth, &mut counts[index], table)?;
@@ -129,7 +129,7 @@ impl Protobuf {
             }
         }
         for (index, field) in fields.iter().enumerate().filter(|(_, field)| field.is_list) {
-            let path = path.then(Part::Name(&field.name));
+            let path = path.then(FieldStep::Name(&field.name));
             if let Some([length, ..]) = table.parts(&mut places[index], 1) {
                 table.length(length, &path, counts[index]);
             }
@@ -146,15 +146,15 @@ impl Protobuf {
     )]
     fn list(
         &self,
-        field: &Field,
+        field: &DescribedField,
         raw: &Raw,
-        place: &mut Place,
+        place: &mut ValuePlace,
         path: &Path,
         depth: usize,
         count: &mut usize,
-        table: &mut Table,
+        table: &mut GrowingTable,
     ) -> Result<(), &'static str> {
-        let mut one = |raw: &Raw, table: &mut Table| {
+        let mut one = |raw: &Raw, table: &mut GrowingTable| {
             let index = *count;
             *count += 1;
             if index >= MOST_ELEMENTS {
@@ -163,7 +163,7 @@ impl Protobuf {
             let Some(places) = table.parts(place, 2 + index) else {
                 return Ok(());
             };
-            let path = path.then(Part::Index(index));
+            let path = path.then(FieldStep::Index(index));
             self.element(
                 field.element,
                 raw,
@@ -175,12 +175,12 @@ impl Protobuf {
         };
         match (field.element, &raw.value) {
             // Numbers may stand side by side without their field's number.
-            (Element::Number(kind, writing), Value::Bytes(packed)) => {
+            (FieldType::Number(kind, writing), WireValue::Bytes(packed)) => {
                 let mut packed = *packed;
                 while !packed.is_empty() {
                     let value = match writing {
-                        Writing::Fixed => Value::fixed(&mut packed, kind.size()),
-                        _ => Value::varint(&mut packed),
+                        Writing::Fixed => WireValue::fixed(&mut packed, kind.size()),
+                        _ => WireValue::varint(&mut packed),
                     };
                     let value = value.ok_or("numbers side by side are cut off")?;
                     let number = raw.number;
@@ -194,22 +194,22 @@ impl Protobuf {
 
     fn element(
         &self,
-        element: Element,
+        element: FieldType,
         raw: &Raw,
-        place: &mut Place,
+        place: &mut ValuePlace,
         path: &Path,
         depth: usize,
-        table: &mut Table,
+        table: &mut GrowingTable,
     ) -> Result<(), &'static str> {
         match (element, &raw.value) {
-            (Element::Number(kind, writing), value) => {
+            (FieldType::Number(kind, writing), value) => {
                 let bits = match (writing, value) {
-                    (Writing::Plain, Value::Varint(bits)) => *bits,
-                    (Writing::ZigZag, Value::Varint(bits)) => {
+                    (Writing::Plain, WireValue::Varint(bits)) => *bits,
+                    (Writing::ZigZag, WireValue::Varint(bits)) => {
                         (bits >> 1) ^ (bits & 1).wrapping_neg()
                     }
-                    (Writing::Fixed, Value::Word(bits)) if kind.size() == 4 => u64::from(*bits),
-                    (Writing::Fixed, Value::Long(bits)) if kind.size() == 8 => *bits,
+                    (Writing::Fixed, WireValue::Word(bits)) if kind.size() == 4 => u64::from(*bits),
+                    (Writing::Fixed, WireValue::Long(bits)) if kind.size() == 8 => *bits,
                     _ => return Err("a field is written otherwise than its schema says"),
                 };
                 let bits = if kind == FieldKind::Bool {
@@ -219,8 +219,8 @@ impl Protobuf {
                 };
                 table.number(place, path, kind, &bits.to_le_bytes()[..kind.size()]);
             }
-            (Element::Text, Value::Bytes(letters)) => table.text(place, path, letters),
-            (Element::Bytes, Value::Bytes(bytes)) => {
+            (FieldType::Text, WireValue::Bytes(letters)) => table.text(place, path, letters),
+            (FieldType::Bytes, WireValue::Bytes(bytes)) => {
                 if let Some([length]) = table.parts(place, 1) {
                     table.length(length, path, bytes.len());
                 }
@@ -228,7 +228,7 @@ impl Protobuf {
                     table.cut_list(path, 0);
                 }
             }
-            (Element::Message(number), Value::Bytes(data)) => {
+            (FieldType::Message(number), WireValue::Bytes(data)) => {
                 self.message(number, data, place, path, depth + 1, table)?;
             }
             _ => return Err("a field is written otherwise than its schema says"),
@@ -237,13 +237,13 @@ impl Protobuf {
     }
 }
 
-impl Field {
+impl DescribedField {
     /// A field after its descriptor; `None` for a group, which nobody writes any more.
     fn new(
         descriptor: &FieldDescriptor,
         types: &HashMap<&str, usize>,
     ) -> Result<Option<Self>, String> {
-        let number = |kind, writing| Element::Number(kind, writing);
+        let number = |kind, writing| FieldType::Number(kind, writing);
         let element = match descriptor.kind {
             1 => number(FieldKind::F64, Writing::Fixed),
             2 => number(FieldKind::F32, Writing::Fixed),
@@ -253,14 +253,14 @@ impl Field {
             6 => number(FieldKind::U64, Writing::Fixed),
             7 => number(FieldKind::U32, Writing::Fixed),
             8 => number(FieldKind::Bool, Writing::Plain),
-            9 => Element::Text,
+            9 => FieldType::Text,
             10 => return Ok(None),
             11 => {
                 let name = &descriptor.type_name;
                 let known = types.get(name.as_str());
-                Element::Message(*known.ok_or_else(|| format!("{name} is not defined"))?)
+                FieldType::Message(*known.ok_or_else(|| format!("{name} is not defined"))?)
             }
-            12 => Element::Bytes,
+            12 => FieldType::Bytes,
             13 => number(FieldKind::U32, Writing::Plain),
             15 => number(FieldKind::I32, Writing::Fixed),
             16 => number(FieldKind::I64, Writing::Fixed),
@@ -279,18 +279,18 @@ impl Field {
 }
 
 /// Puts what a field has that is left out.
-fn put_zero(field: &Field, place: &mut Place, path: &Path, table: &mut Table) {
-    let path = path.then(Part::Name(&field.name));
+fn put_zero(field: &DescribedField, place: &mut ValuePlace, path: &Path, table: &mut GrowingTable) {
+    let path = path.then(FieldStep::Name(&field.name));
     match field.element {
-        Element::Number(kind, _) => {
+        FieldType::Number(kind, _) => {
             table.number(place, &path, kind, &[0; 8][..kind.size()]);
         }
-        Element::Bytes => {
+        FieldType::Bytes => {
             if let Some([length]) = table.parts(place, 1) {
                 table.length(length, &path, 0);
             }
         }
-        Element::Text => table.text(place, &path, b""),
-        Element::Message(_) => {}
+        FieldType::Text => table.text(place, &path, b""),
+        FieldType::Message(_) => {}
     }
 }

@@ -1,9 +1,9 @@
 //! Messages of ROS 1 and ROS 2.
 
-use super::definition::{Count, Element, Member, Types, Version};
-use super::wire::{Form, Wire};
+use super::definition::{Count, Member, MemberType, Types, Version};
+use super::wire::{MessageLayout, Wire};
 use crate::log::FieldKind;
-use crate::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
+use crate::log::growing::{FieldStep, GrowingTable, MOST_ELEMENTS, Path, ValuePlace};
 
 const SHORT: &str = "a message is shorter than its schema says";
 
@@ -33,14 +33,15 @@ impl Ros {
     pub fn decode(
         &self,
         data: &[u8],
-        root: &mut Place,
-        table: &mut Table,
+        root: &mut ValuePlace,
+        table: &mut GrowingTable,
     ) -> Result<(), &'static str> {
         let mut wire = match self.version {
-            Version::First => Wire::new(data, Form::FIRST),
+            Version::First => Wire::new(data, MessageLayout::FIRST),
             Version::Second => {
                 let (head, data) = data.split_first_chunk().ok_or(SHORT)?;
-                let form = Form::of_cdr(*head).ok_or("a message in another form of CDR")?;
+                let form =
+                    MessageLayout::of_cdr(*head).ok_or("a message in another form of CDR")?;
                 Wire::new(data, form)
             }
         };
@@ -56,9 +57,9 @@ impl Ros {
         &self,
         number: usize,
         wire: &mut Wire,
-        place: Option<&mut Place>,
+        place: Option<&mut ValuePlace>,
         path: &Path,
-        table: &mut Table,
+        table: &mut GrowingTable,
     ) -> Option<()> {
         // What is too short is known before anything is done, so that work is in proportion to the bytes.
         if self.types.least[number] > wire.left() {
@@ -69,7 +70,7 @@ impl Ros {
         for (index, member) in members.iter().enumerate() {
             let place = places.as_mut().map(|places| &mut places[index]);
             let place = place.filter(|_| !member.name.is_empty());
-            let path = path.then(Part::Name(&member.name));
+            let path = path.then(FieldStep::Name(&member.name));
             match member.count {
                 Count::One => self.element(member.element, wire, place, &path, table)?,
                 Count::Always(count) => {
@@ -94,14 +95,14 @@ impl Ros {
         count: usize,
         is_counted: bool,
         wire: &mut Wire,
-        place: Option<&mut Place>,
+        place: Option<&mut ValuePlace>,
         path: &Path,
-        table: &mut Table,
+        table: &mut GrowingTable,
     ) -> Option<()> {
         if member.shortest.saturating_mul(count) > wire.left() {
             return None;
         }
-        let is_blob = is_counted && member.element == Element::Number(FieldKind::U8);
+        let is_blob = is_counted && member.element == MemberType::Number(FieldKind::U8);
         let kept = if is_blob { 0 } else { count.min(MOST_ELEMENTS) };
         let before = usize::from(is_counted);
         let mut places = place.and_then(|place| table.parts(place, before + kept));
@@ -117,13 +118,13 @@ impl Ros {
                 member.element,
                 wire,
                 place,
-                &path.then(Part::Index(index)),
+                &path.then(FieldStep::Index(index)),
                 table,
             )?;
         }
         match member.element {
             // Nothing of those that are left has to be looked at.
-            Element::Number(kind) => wire.take((count - kept) * kind.size()).map(|_| ()),
+            MemberType::Number(kind) => wire.take((count - kept) * kind.size()).map(|_| ()),
             element if member.shortest > 0 => {
                 (kept..count).try_for_each(|_| self.element(element, wire, None, path, table))
             }
@@ -133,27 +134,27 @@ impl Ros {
 
     fn element(
         &self,
-        element: Element,
+        element: MemberType,
         wire: &mut Wire,
-        place: Option<&mut Place>,
+        place: Option<&mut ValuePlace>,
         path: &Path,
-        table: &mut Table,
+        table: &mut GrowingTable,
     ) -> Option<()> {
         match element {
-            Element::Number(kind) => match kind.size() {
+            MemberType::Number(kind) => match kind.size() {
                 1 => put::<1>(kind, wire, place, path, table),
                 2 => put::<2>(kind, wire, place, path, table),
                 4 => put::<4>(kind, wire, place, path, table),
                 _ => put::<8>(kind, wire, place, path, table),
             },
-            Element::Text => {
+            MemberType::Text => {
                 let letters = wire.text()?;
                 if let Some(place) = place {
                     table.text(place, path, letters);
                 }
                 Some(())
             }
-            Element::Type(number) => self.members(number, wire, place, path, table),
+            MemberType::Type(number) => self.members(number, wire, place, path, table),
         }
     }
 }
@@ -162,9 +163,9 @@ impl Ros {
 fn put<const N: usize>(
     kind: FieldKind,
     wire: &mut Wire,
-    place: Option<&mut Place>,
+    place: Option<&mut ValuePlace>,
     path: &Path,
-    table: &mut Table,
+    table: &mut GrowingTable,
 ) -> Option<()> {
     let bytes = wire.number::<N>()?;
     if let Some(place) = place {

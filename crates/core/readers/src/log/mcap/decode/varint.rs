@@ -6,14 +6,14 @@ const CUT: &str = "a field is cut off";
 
 /// Value of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Value<'a> {
+pub(super) enum WireValue<'a> {
     Varint(u64),
     Word(u32),
     Long(u64),
     Bytes(&'a [u8]),
 }
 
-impl<'a> Value<'a> {
+impl<'a> WireValue<'a> {
     /// A number of seven bits a byte.
     pub fn varint(bytes: &mut &'a [u8]) -> Option<Self> {
         number(bytes).map(Self::Varint)
@@ -35,9 +35,9 @@ impl<'a> Value<'a> {
 
 /// A field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Field<'a> {
+pub(super) struct WireField<'a> {
     pub number: u32,
-    pub value: Value<'a>,
+    pub value: WireValue<'a>,
 }
 
 /// The fields of a message; ends after the first that cannot be read.
@@ -51,26 +51,26 @@ impl<'a> Fields<'a> {
     }
 
     /// The next field; `None` for a group, which nobody writes any more.
-    fn field(&mut self) -> Result<Option<Field<'a>>, &'static str> {
+    fn field(&mut self) -> Result<Option<WireField<'a>>, &'static str> {
         let key = number(&mut self.rest).ok_or(CUT)?;
         let number = u32::try_from(key >> 3).map_err(|_| "a field of impossible number")?;
         let value = match key & 7 {
-            0 => Value::varint(&mut self.rest),
-            1 => Value::fixed(&mut self.rest, 8),
-            2 => bytes(&mut self.rest).map(Value::Bytes),
-            5 => Value::fixed(&mut self.rest, 4),
+            0 => WireValue::varint(&mut self.rest),
+            1 => WireValue::fixed(&mut self.rest, 8),
+            2 => bytes(&mut self.rest).map(WireValue::Bytes),
+            5 => WireValue::fixed(&mut self.rest, 4),
             3 => {
                 return skip_group(&mut self.rest, 0).map(|()| None).ok_or(CUT);
             }
             _ => return Err("a field of impossible form"),
         };
         let value = value.ok_or(CUT)?;
-        Ok(Some(Field { number, value }))
+        Ok(Some(WireField { number, value }))
     }
 }
 
 impl<'a> Iterator for Fields<'a> {
-    type Item = Result<Field<'a>, &'static str>;
+    type Item = Result<WireField<'a>, &'static str>;
 
     fn next(&mut self) -> Option<Self::Item> {
         while !self.rest.is_empty() {
@@ -109,11 +109,11 @@ fn skip_group(rest: &mut &[u8], depth: usize) -> Option<()> {
     loop {
         match number(rest)? & 7 {
             0 => number(rest).map(|_| ())?,
-            1 => Value::fixed(rest, 8).map(|_| ())?,
+            1 => WireValue::fixed(rest, 8).map(|_| ())?,
             2 => bytes(rest).map(|_| ())?,
             3 if depth < DEEPEST => skip_group(rest, depth + 1)?,
             4 => return Some(()),
-            5 => Value::fixed(rest, 4).map(|_| ())?,
+            5 => WireValue::fixed(rest, 4).map(|_| ())?,
             _ => return None,
         }
     }
@@ -134,12 +134,12 @@ mod tests {
         ];
         let fields = Fields::new(&message).collect::<Result<Vec<_>, _>>();
         let expected = [
-            (1, Value::Varint(150)),
-            (3, Value::Bytes(b"hi")),
-            (4, Value::Word(1)),
-            (5, Value::Long(2)),
+            (1, WireValue::Varint(150)),
+            (3, WireValue::Bytes(b"hi")),
+            (4, WireValue::Word(1)),
+            (5, WireValue::Long(2)),
         ];
-        let expected = expected.map(|(number, value)| Field { number, value });
+        let expected = expected.map(|(number, value)| WireField { number, value });
         assert_eq!(fields, Ok(expected.to_vec()));
     }
 

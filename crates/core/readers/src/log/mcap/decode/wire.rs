@@ -2,7 +2,7 @@
 
 /// Layout of the bytes of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Form {
+pub(super) struct MessageLayout {
     /// Whether numbers have their lowest byte first.
     pub is_little: bool,
     /// Numbers begin at multiples of their size, if that is not more than this.
@@ -11,7 +11,7 @@ pub(super) struct Form {
     pub ends_texts: bool,
 }
 
-impl Form {
+impl MessageLayout {
     /// ROS 1: everything side by side.
     pub const FIRST: Self = Self {
         is_little: true,
@@ -38,11 +38,11 @@ impl Form {
 pub(super) struct Wire<'a> {
     bytes: &'a [u8],
     place: usize,
-    form: Form,
+    form: MessageLayout,
 }
 
 impl<'a> Wire<'a> {
-    pub fn new(bytes: &'a [u8], form: Form) -> Self {
+    pub fn new(bytes: &'a [u8], form: MessageLayout) -> Self {
         Self {
             bytes,
             place: 0,
@@ -100,12 +100,12 @@ mod tests {
     #[test]
     fn numbers_begin_at_multiples_of_their_size_in_cdr_only() {
         let bytes = [7, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0];
-        let form = Form::of_cdr([0, 1, 0, 0]).expect("ROS 2 writes it");
+        let form = MessageLayout::of_cdr([0, 1, 0, 0]).expect("ROS 2 writes it");
         let mut wire = Wire::new(&bytes, form);
         assert_eq!(wire.number(), Some([7]));
         assert_eq!(wire.number(), Some([1, 0, 0, 0]));
         assert_eq!(wire.number().map(u64::from_le_bytes), Some(2));
-        let mut wire = Wire::new(&bytes, Form::FIRST);
+        let mut wire = Wire::new(&bytes, MessageLayout::FIRST);
         assert_eq!(wire.number(), Some([7]));
         assert_eq!(wire.number(), Some([0, 0, 0, 1]));
         assert_eq!(wire.left(), 11);
@@ -113,11 +113,11 @@ mod tests {
 
     #[test]
     fn a_highest_byte_first_is_turned_round() {
-        let form = Form::of_cdr([0, 0, 0, 0]).expect("ROS 2 may write it");
+        let form = MessageLayout::of_cdr([0, 0, 0, 0]).expect("ROS 2 may write it");
         let mut wire = Wire::new(&[0, 0, 0, 3, b'a', b'b', 0, 9, 0, 5], form);
         assert_eq!(wire.text(), Some(&b"ab"[..]));
         assert_eq!(wire.number::<2>(), Some([5, 0]));
         assert_eq!(wire.number::<1>(), None);
-        assert_eq!(Form::of_cdr([0, 3, 0, 0]), None);
+        assert_eq!(MessageLayout::of_cdr([0, 3, 0, 0]), None);
     }
 }

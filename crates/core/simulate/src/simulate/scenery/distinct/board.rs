@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_PI_2;
 
 use super::super::noise::Dice;
-use super::super::plan::Plan;
+use super::super::plan::SceneryPlan;
 use super::super::scene_kind::SceneKind;
 use super::super::shape::{Slab, Spot};
 use super::super::things::Habit;
@@ -18,13 +18,13 @@ pub(super) const GLASS: [f32; 3] = [0.34, 0.4, 0.39];
 pub(super) const CONCRETE: [f32; 3] = [0.26, 0.25, 0.235];
 
 /// A drawing board at a place: coordinates along and across a heading.
-pub(super) struct Board {
+pub(super) struct DrawingBoard {
     pub(super) frame: Slab,
     /// Heading of the `along` axis, radians.
     pub(super) angle: f32,
 }
 
-impl Board {
+impl DrawingBoard {
     pub(super) fn new(center: Spot, angle: f32) -> Self {
         Self {
             frame: Slab::new(center, angle, 1.0, 1.0),
@@ -53,7 +53,7 @@ impl Board {
 }
 
 /// Trees at fixed places: along, across, crown radius.
-pub(super) fn trees(plan: &mut Plan, board: &Board, places: &[(f32, f32, f32)]) {
+pub(super) fn trees(plan: &mut SceneryPlan, board: &DrawingBoard, places: &[(f32, f32, f32)]) {
     let mut dice = Dice::new(41, plan.crowns.len() as u64);
     for &(u, v, radius) in places {
         plan.plant(board.at(u, v), radius, Habit::Broadleaf, &mut dice);
@@ -61,7 +61,12 @@ pub(super) fn trees(plan: &mut Plan, board: &Board, places: &[(f32, f32, f32)]) 
 }
 
 /// A clipped hedge from one place to another.
-pub(super) fn hedge(plan: &mut Plan, board: &Board, from: (f32, f32), to: (f32, f32)) {
+pub(super) fn hedge(
+    plan: &mut SceneryPlan,
+    board: &DrawingBoard,
+    from: (f32, f32),
+    to: (f32, f32),
+) {
     let mut dice = Dice::new(43, plan.crowns.len() as u64);
     let (a, b) = (board.at(from.0, from.1), board.at(to.0, to.1));
     let steps = ((b - a).length() / 0.8) as usize;
@@ -74,9 +79,9 @@ pub(super) fn hedge(plan: &mut Plan, board: &Board, from: (f32, f32), to: (f32, 
 
 /// Reserves the site and announces the building as a distinct feature.
 pub(super) fn finish(
-    plan: &mut Plan,
+    plan: &mut SceneryPlan,
     name: &str,
-    board: &Board,
+    board: &DrawingBoard,
     corners: &[(f32, f32)],
     size: (f32, f32),
 ) {

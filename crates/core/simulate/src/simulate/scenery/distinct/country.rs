@@ -2,20 +2,25 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::plan::{LEG_ONE_HEADING, Plan, leg_one};
+use super::super::plan::{LEG_ONE_HEADING, SceneryPlan, leg_one};
 use super::super::scene_kind::SceneKind::{Building, Pool, Tank};
-use super::super::shape::{Outline, spot};
-use super::super::things::Cover::{Glass, Metal, Plain, Tiles};
+use super::super::shape::{GroundOutline, spot};
 use super::super::things::Roof::{Cone, Dome, Gable, Hip, Vault};
-use super::super::things::{Form, Ground};
+use super::super::things::RoofCover::{Glass, Metal, Plain, Tiles};
+use super::super::things::{PropForm, SurfaceMaterial};
 use super::board::{
-    Board, GLASS, GREEN_METAL, RED_TILE, RUST_METAL, SLATE, WHITE_STEEL, finish, hedge, trees,
+    DrawingBoard, GLASS, GREEN_METAL, RED_TILE, RUST_METAL, SLATE, WHITE_STEEL, finish, hedge,
+    trees,
 };
 
-pub(super) fn dairy_barn(plan: &mut Plan) {
-    let b = Board::new(leg_one(62.0, -16.0), LEG_ONE_HEADING + 0.35);
-    plan.lay_slab(b.slab(0.0, 2.0, 62.0, 44.0), Ground::Dirt, 2.5);
-    plan.lay_slab(b.slab(-2.0, -15.0, 50.0, 9.0), Ground::Concrete, 0.4);
+pub(super) fn dairy_barn(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(62.0, -16.0), LEG_ONE_HEADING + 0.35);
+    plan.lay_slab(b.slab(0.0, 2.0, 62.0, 44.0), SurfaceMaterial::Dirt, 2.5);
+    plan.lay_slab(
+        b.slab(-2.0, -15.0, 50.0, 9.0),
+        SurfaceMaterial::Concrete,
+        0.4,
+    );
     plan.raise(
         b.slab(-2.0, 0.0, 46.0, 17.0),
         Gable,
@@ -45,27 +50,27 @@ pub(super) fn dairy_barn(plan: &mut Plan) {
             1.4,
             1.5,
         );
-        plan.put(s, 1.3, Form::Bale, [0.42, 0.35, 0.2]);
+        plan.put(s, 1.3, PropForm::Bale, [0.42, 0.35, 0.2]);
     }
     plan.put(
         b.slab(12.0, 13.0, 4.8, 2.2),
         2.6,
-        Form::Truck,
+        PropForm::Truck,
         [0.06, 0.13, 0.04],
     );
     plan.put(
         b.slab(17.0, 15.0, 6.0, 2.3),
         1.6,
-        Form::Crate,
+        PropForm::Crate,
         [0.21, 0.055, 0.035],
     );
     let corners = [(-25.0, -8.5), (21.0, -8.5), (21.0, 8.5), (-25.0, 8.5)];
     finish(plan, "dairy barn", &b, &corners, (64.0, 44.0));
 }
 
-pub(super) fn greenhouses(plan: &mut Plan) {
-    let b = Board::new(leg_one(140.0, 20.0), LEG_ONE_HEADING - 0.5);
-    plan.lay_slab(b.slab(0.0, 0.0, 46.0, 48.0), Ground::Gravel, 1.0);
+pub(super) fn greenhouses(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(140.0, 20.0), LEG_ONE_HEADING - 0.5);
+    plan.lay_slab(b.slab(0.0, 0.0, 46.0, 48.0), SurfaceMaterial::Gravel, 1.0);
     for i in 0..5 {
         let across = -18.0 + 9.0 * i as f32;
         let cut = if i == 3 { 8.0 } else { 0.0 };
@@ -88,18 +93,18 @@ pub(super) fn greenhouses(plan: &mut Plan) {
         1.4,
         Building,
     );
-    plan.lay_slab(b.slab(0.0, 26.0, 38.0, 5.0), Ground::Beds, 0.3);
+    plan.lay_slab(b.slab(0.0, 26.0, 38.0, 5.0), SurfaceMaterial::Beds, 0.3);
     let corners = [(-20.0, -21.7), (20.0, -21.7), (20.0, 21.7), (-20.0, 21.7)];
     finish(plan, "greenhouse rows", &b, &corners, (48.0, 52.0));
 }
 
-pub(super) fn church(plan: &mut Plan) {
-    let b = Board::new(leg_one(217.0, -8.0), FRAC_PI_2 + 0.12);
-    plan.lay_slab(b.slab(0.0, 0.0, 52.0, 44.0), Ground::Lawn, 0.3);
-    plan.lay_slab(b.slab(3.0, 15.5, 40.0, 11.0), Ground::Graves, 0.2);
-    plan.lay_slab(b.slab(8.0, -16.5, 26.0, 9.0), Ground::Graves, 0.2);
-    plan.lay_slab(b.slab(-22.5, 0.0, 9.0, 3.0), Ground::Paving, 0.2);
-    plan.lay_slab(b.slab(0.0, 0.0, 44.0, 15.0), Ground::Gravel, 0.3);
+pub(super) fn church(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(217.0, -8.0), FRAC_PI_2 + 0.12);
+    plan.lay_slab(b.slab(0.0, 0.0, 52.0, 44.0), SurfaceMaterial::Lawn, 0.3);
+    plan.lay_slab(b.slab(3.0, 15.5, 40.0, 11.0), SurfaceMaterial::Graves, 0.2);
+    plan.lay_slab(b.slab(8.0, -16.5, 26.0, 9.0), SurfaceMaterial::Graves, 0.2);
+    plan.lay_slab(b.slab(-22.5, 0.0, 9.0, 3.0), SurfaceMaterial::Paving, 0.2);
+    plan.lay_slab(b.slab(0.0, 0.0, 44.0, 15.0), SurfaceMaterial::Gravel, 0.3);
     plan.raise(
         b.slab(1.0, 0.0, 32.0, 10.5),
         Gable,
@@ -180,27 +185,27 @@ pub(super) fn church(plan: &mut Plan) {
     finish(plan, "church", &b, &corners, (54.0, 46.0));
 }
 
-pub(super) fn pool(plan: &mut Plan) {
-    let b = Board::new(spot(-492.5, -257.5), 1.25 * std::f32::consts::PI);
-    plan.lay_slab(b.slab(0.0, 8.0, 60.0, 46.0), Ground::Lawn, 0.4);
-    plan.lay_slab(b.slab(0.0, 1.0, 36.0, 23.0), Ground::Paving, 0.0);
+pub(super) fn pool(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(spot(-492.5, -257.5), 1.25 * std::f32::consts::PI);
+    plan.lay_slab(b.slab(0.0, 8.0, 60.0, 46.0), SurfaceMaterial::Lawn, 0.4);
+    plan.lay_slab(b.slab(0.0, 1.0, 36.0, 23.0), SurfaceMaterial::Paving, 0.0);
     plan.lay(
-        Outline::Slab(b.slab(0.0, 0.0, 25.0, 12.5)),
-        Ground::Pool,
+        GroundOutline::Slab(b.slab(0.0, 0.0, 25.0, 12.5)),
+        SurfaceMaterial::Pool,
         b.frame.axis,
         0.0,
         Some(Pool),
     );
     plan.lay(
-        Outline::Disc(b.at(-16.0, 14.5), 3.6),
-        Ground::Paving,
+        GroundOutline::Disc(b.at(-16.0, 14.5), 3.6),
+        SurfaceMaterial::Paving,
         b.frame.axis,
         0.0,
         None,
     );
     plan.lay(
-        Outline::Disc(b.at(-16.0, 14.5), 2.8),
-        Ground::Pool,
+        GroundOutline::Disc(b.at(-16.0, 14.5), 2.8),
+        SurfaceMaterial::Pool,
         b.frame.axis,
         0.0,
         Some(Pool),
@@ -214,7 +219,7 @@ pub(super) fn pool(plan: &mut Plan) {
         2.2,
         Building,
     );
-    plan.lay_slab(b.slab(37.0, 6.0, 10.0, 26.0), Ground::Asphalt, 0.3);
+    plan.lay_slab(b.slab(37.0, 6.0, 10.0, 26.0), SurfaceMaterial::Asphalt, 0.3);
     for i in 0..6 {
         let s = b.slab(36.0, -4.0 + 2.7 * i as f32, 4.4, 1.8);
         plan.stalls.push((s, 0.6));
@@ -230,13 +235,13 @@ pub(super) fn pool(plan: &mut Plan) {
             1.9,
         );
         let cloth = [[0.42, 0.42, 0.4], [0.1, 0.16, 0.28], [0.36, 0.3, 0.12]][i % 3];
-        plan.put(lounger, 0.4, Form::Crate, cloth);
+        plan.put(lounger, 0.4, PropForm::Crate, cloth);
     }
     for (u, v) in [(-10.0, 10.6), (1.5, 10.8), (13.0, 10.4), (15.8, -8.0)] {
         let shade = b.slab(u, v, 2.8, 2.8);
         plan.raise(shade, Cone, Plain, [0.4, 0.38, 0.34], 2.2, 0.6, Building);
     }
-    plan.lay_slab(b.slab(25.0, 6.0, 15.0, 2.4), Ground::Paving, 0.1);
+    plan.lay_slab(b.slab(25.0, 6.0, 15.0, 2.4), SurfaceMaterial::Paving, 0.1);
     hedge(plan, &b, (-29.0, -13.5), (22.0, -13.5));
     hedge(plan, &b, (-29.0, -13.5), (-29.0, 28.0));
     trees(

@@ -2,16 +2,16 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::plan::Plan;
+use super::super::plan::SceneryPlan;
 use super::super::scene_kind::SceneKind::{Building, Place};
-use super::super::shape::{Outline, Spot, spot};
-use super::super::things::Cover::{Ballast, Metal, Tiles};
+use super::super::shape::{GroundOutline, Spot, spot};
 use super::super::things::Roof::{Cone, Flat, Gable};
-use super::super::things::{Form, Ground};
-use super::board::{Board, RUST_METAL, SLATE, WHITE_STEEL, finish};
+use super::super::things::RoofCover::{Ballast, Metal, Tiles};
+use super::super::things::{PropForm, SurfaceMaterial};
+use super::board::{DrawingBoard, RUST_METAL, SLATE, WHITE_STEEL, finish};
 
-pub(super) fn running_track(plan: &mut Plan) {
-    let b = Board::new(spot(715.0, 195.0), 0.45);
+pub(super) fn running_track(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(spot(715.0, 195.0), 0.45);
     let oval = |grow: f32| {
         let mut corners = Vec::new();
         for (center, from) in [(42.0_f32, -FRAC_PI_2), (-42.0, FRAC_PI_2)] {
@@ -22,10 +22,10 @@ pub(super) fn running_track(plan: &mut Plan) {
         }
         corners
     };
-    plan.lay_slab(b.slab(0.0, 0.0, 180.0, 104.0), Ground::Grass, 2.0);
+    plan.lay_slab(b.slab(0.0, 0.0, 180.0, 104.0), SurfaceMaterial::Grass, 2.0);
     plan.lay(
-        Outline::Polygon(oval(8.0)),
-        Ground::Tartan,
+        GroundOutline::Polygon(oval(8.0)),
+        SurfaceMaterial::Tartan,
         b.frame.axis,
         0.0,
         Some(Place),
@@ -33,23 +33,23 @@ pub(super) fn running_track(plan: &mut Plan) {
     for lane in 0..7 {
         let grow = 8.0 - 1.22 * lane as f32;
         plan.lay(
-            Outline::Polygon(oval(grow - 0.1)),
-            Ground::Paint,
+            GroundOutline::Polygon(oval(grow - 0.1)),
+            SurfaceMaterial::Paint,
             b.frame.axis,
             0.0,
             None,
         );
         plan.lay(
-            Outline::Polygon(oval(grow - 0.2)),
-            Ground::Tartan,
+            GroundOutline::Polygon(oval(grow - 0.2)),
+            SurfaceMaterial::Tartan,
             b.frame.axis,
             0.0,
             None,
         );
     }
     plan.lay(
-        Outline::Polygon(oval(0.0)),
-        Ground::Turf,
+        GroundOutline::Polygon(oval(0.0)),
+        SurfaceMaterial::Turf,
         b.frame.axis,
         0.0,
         None,
@@ -72,8 +72,8 @@ pub(super) fn running_track(plan: &mut Plan) {
     );
 }
 
-pub(super) fn quarry(plan: &mut Plan) {
-    let b = Board::new(spot(-780.0, 560.0), 0.8);
+pub(super) fn quarry(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(spot(-780.0, 560.0), 0.8);
     let rim: Vec<Spot> = (0..28)
         .map(|i| {
             let (sin, cos) = (i as f32 * std::f32::consts::TAU / 28.0).sin_cos();
@@ -82,8 +82,8 @@ pub(super) fn quarry(plan: &mut Plan) {
         })
         .collect();
     plan.lay(
-        Outline::Polygon(rim.clone()),
-        Ground::Rock,
+        GroundOutline::Polygon(rim.clone()),
+        SurfaceMaterial::Rock,
         b.frame.axis,
         4.0,
         Some(Place),
@@ -108,13 +108,13 @@ pub(super) fn quarry(plan: &mut Plan) {
     plan.put(
         b.slab(-14.0, -6.0, 6.5, 3.0),
         3.0,
-        Form::Truck,
+        PropForm::Truck,
         [0.28, 0.2, 0.04],
     );
     plan.put(
         b.slab(-20.0, 4.0, 8.0, 3.2),
         3.2,
-        Form::Crate,
+        PropForm::Crate,
         [0.26, 0.18, 0.04],
     );
     plan.raise(
@@ -128,8 +128,8 @@ pub(super) fn quarry(plan: &mut Plan) {
     );
     let lake = b.slab(30.0, 10.0, 52.0, 34.0);
     plan.lay(
-        Outline::Ellipse(lake),
-        Ground::Pond,
+        GroundOutline::Ellipse(lake),
+        SurfaceMaterial::Pond,
         b.frame.axis,
         3.0,
         None,
@@ -139,14 +139,14 @@ pub(super) fn quarry(plan: &mut Plan) {
     plan.announce("quarry", Place, rim, &site);
 }
 
-pub(super) fn cemetery(plan: &mut Plan) {
-    let b = Board::new(spot(338.0, 62.0), 0.2);
-    plan.lay_slab(b.slab(0.0, 0.0, 84.0, 60.0), Ground::Lawn, 0.3);
+pub(super) fn cemetery(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(spot(338.0, 62.0), 0.2);
+    plan.lay_slab(b.slab(0.0, 0.0, 84.0, 60.0), SurfaceMaterial::Lawn, 0.3);
     for (u, v) in [(-21.0, -15.0), (21.0, -15.0), (-21.0, 15.0), (21.0, 15.0)] {
-        plan.lay_slab(b.slab(u, v, 36.0, 24.0), Ground::Graves, 0.1);
+        plan.lay_slab(b.slab(u, v, 36.0, 24.0), SurfaceMaterial::Graves, 0.1);
     }
-    plan.lay_slab(b.slab(0.0, 0.0, 82.0, 2.6), Ground::Gravel, 0.2);
-    plan.lay_slab(b.turned(0.0, 0.0, 2.6, 58.0), Ground::Gravel, 0.2);
+    plan.lay_slab(b.slab(0.0, 0.0, 82.0, 2.6), SurfaceMaterial::Gravel, 0.2);
+    plan.lay_slab(b.turned(0.0, 0.0, 2.6, 58.0), SurfaceMaterial::Gravel, 0.2);
     plan.raise(
         b.slab(36.0, -8.0, 9.0, 6.0),
         Gable,

@@ -8,10 +8,10 @@ mod elsewhere;
 mod public;
 mod works;
 
-use super::plan::Plan;
+use super::plan::SceneryPlan;
 
 /// Builds all of them, in the order in which the first flights meet them.
-pub(super) fn build(plan: &mut Plan) {
+pub(super) fn build(plan: &mut SceneryPlan) {
     country::dairy_barn(plan);
     country::greenhouses(plan);
     country::church(plan);

@@ -2,19 +2,19 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::plan::{LEG_ONE_HEADING, Plan, leg_one};
+use super::super::plan::{LEG_ONE_HEADING, SceneryPlan, leg_one};
 use super::super::scene_kind::SceneKind::Building;
-use super::super::shape::{Outline, Slab};
-use super::super::things::Cover::{Ballast, Felt, Glass, Metal, Plain};
+use super::super::shape::{GroundOutline, Slab};
 use super::super::things::Roof::{Flat, Hip, Vault};
-use super::super::things::{Form, Ground};
-use super::board::{Board, CONCRETE, GLASS, GRAY_FELT, WHITE_STEEL, finish, trees};
+use super::super::things::RoofCover::{Ballast, Felt, Glass, Metal, Plain};
+use super::super::things::{PropForm, SurfaceMaterial};
+use super::board::{CONCRETE, DrawingBoard, GLASS, GRAY_FELT, WHITE_STEEL, finish, trees};
 
-pub(super) fn school(plan: &mut Plan) {
-    let b = Board::new(leg_one(296.0, 18.0), LEG_ONE_HEADING + 0.06);
-    plan.lay_slab(b.slab(0.0, 0.0, 58.0, 50.0), Ground::Lawn, 0.4);
-    plan.lay_slab(b.slab(7.0, 7.0, 40.0, 32.0), Ground::Asphalt, 0.2);
-    plan.lay_slab(b.slab(12.0, 10.0, 24.0, 13.0), Ground::Tartan, 0.1);
+pub(super) fn school(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(296.0, 18.0), LEG_ONE_HEADING + 0.06);
+    plan.lay_slab(b.slab(0.0, 0.0, 58.0, 50.0), SurfaceMaterial::Lawn, 0.4);
+    plan.lay_slab(b.slab(7.0, 7.0, 40.0, 32.0), SurfaceMaterial::Asphalt, 0.2);
+    plan.lay_slab(b.slab(12.0, 10.0, 24.0, 13.0), SurfaceMaterial::Tartan, 0.1);
     for (u, v, l, w) in [
         (12.0, 3.8, 23.6, 0.12),
         (12.0, 16.2, 23.6, 0.12),
@@ -22,7 +22,7 @@ pub(super) fn school(plan: &mut Plan) {
         (23.8, 10.0, 0.12, 12.4),
         (12.0, 10.0, 0.12, 12.4),
     ] {
-        plan.lay_slab(b.slab(u, v, l, w), Ground::Paint, 0.0);
+        plan.lay_slab(b.slab(u, v, l, w), SurfaceMaterial::Paint, 0.0);
     }
     plan.raise(
         b.slab(0.0, -16.0, 54.0, 14.0),
@@ -77,7 +77,7 @@ pub(super) fn school(plan: &mut Plan) {
     plan.put(
         b.slab(-8.0, -4.5, 6.0, 2.0),
         0.8,
-        Form::Crate,
+        PropForm::Crate,
         [0.09, 0.12, 0.05],
     );
     let corners = [
@@ -91,10 +91,10 @@ pub(super) fn school(plan: &mut Plan) {
     finish(plan, "L-shaped school", &b, &corners, (60.0, 54.0));
 }
 
-pub(super) fn sports_hall(plan: &mut Plan) {
-    let b = Board::new(leg_one(371.0, -22.0), LEG_ONE_HEADING - 0.85);
-    plan.lay_slab(b.slab(0.0, 3.0, 52.0, 40.0), Ground::Asphalt, 0.3);
-    plan.lay_slab(b.slab(0.0, 18.5, 48.0, 5.2), Ground::Stalls, 0.0);
+pub(super) fn sports_hall(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(371.0, -22.0), LEG_ONE_HEADING - 0.85);
+    plan.lay_slab(b.slab(0.0, 3.0, 52.0, 40.0), SurfaceMaterial::Asphalt, 0.3);
+    plan.lay_slab(b.slab(0.0, 18.5, 48.0, 5.2), SurfaceMaterial::Stalls, 0.0);
     plan.raise(
         b.slab(0.0, -2.0, 42.0, 25.0),
         Vault,
@@ -136,20 +136,24 @@ pub(super) fn sports_hall(plan: &mut Plan) {
     finish(plan, "vaulted sports hall", &b, &corners, (54.0, 46.0));
 }
 
-pub(super) fn hospital(plan: &mut Plan) {
-    let b = Board::new(leg_one(450.0, 6.0), LEG_ONE_HEADING + 0.2);
-    plan.lay_slab(b.slab(0.0, 0.0, 60.0, 56.0), Ground::Lawn, 0.4);
-    plan.lay_slab(b.slab(0.0, -18.0, 20.0, 20.0), Ground::Asphalt, 0.2);
+pub(super) fn hospital(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(450.0, 6.0), LEG_ONE_HEADING + 0.2);
+    plan.lay_slab(b.slab(0.0, 0.0, 60.0, 56.0), SurfaceMaterial::Lawn, 0.4);
+    plan.lay_slab(
+        b.slab(0.0, -18.0, 20.0, 20.0),
+        SurfaceMaterial::Asphalt,
+        0.2,
+    );
     plan.lay(
-        Outline::Disc(b.at(0.0, -17.0), 5.0),
-        Ground::Lawn,
+        GroundOutline::Disc(b.at(0.0, -17.0), 5.0),
+        SurfaceMaterial::Lawn,
         b.frame.axis,
         0.1,
         None,
     );
     plan.lay(
-        Outline::Disc(b.at(0.0, 17.0), 7.5),
-        Ground::Paving,
+        GroundOutline::Disc(b.at(0.0, 17.0), 7.5),
+        SurfaceMaterial::Paving,
         b.frame.axis,
         0.0,
         None,

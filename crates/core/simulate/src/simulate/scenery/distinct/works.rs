@@ -2,17 +2,17 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::plan::{LEG_ONE_HEADING, Plan, leg_one};
+use super::super::plan::{LEG_ONE_HEADING, SceneryPlan, leg_one};
 use super::super::scene_kind::SceneKind::{Building, Tank};
 use super::super::shape::{Slab, spot};
-use super::super::things::Cover::{Felt, Glass, Metal, Plain, Tiles};
 use super::super::things::Roof::{Cone, Flat, Gable, Sawtooth};
-use super::super::things::{Form, Ground};
-use super::board::{Board, GRAY_FELT, RED_TILE, finish, hedge, trees};
+use super::super::things::RoofCover::{Felt, Glass, Metal, Plain, Tiles};
+use super::super::things::{PropForm, SurfaceMaterial};
+use super::board::{DrawingBoard, GRAY_FELT, RED_TILE, finish, hedge, trees};
 
-pub(super) fn supermarket(plan: &mut Plan) {
-    let b = Board::new(leg_one(526.0, -14.0), LEG_ONE_HEADING - 0.12);
-    plan.lay_slab(b.slab(0.0, 0.0, 64.0, 60.0), Ground::Asphalt, 0.4);
+pub(super) fn supermarket(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(526.0, -14.0), LEG_ONE_HEADING - 0.12);
+    plan.lay_slab(b.slab(0.0, 0.0, 64.0, 60.0), SurfaceMaterial::Asphalt, 0.4);
     plan.raise(
         b.slab(-4.0, -15.0, 46.0, 26.0),
         Flat,
@@ -45,7 +45,7 @@ pub(super) fn supermarket(plan: &mut Plan) {
     }
     for row in 0..2 {
         let across = 11.5 + 11.6 * row as f32;
-        plan.lay_slab(b.slab(0.0, across, 58.0, 9.6), Ground::Stalls, 0.0);
+        plan.lay_slab(b.slab(0.0, across, 58.0, 9.6), SurfaceMaterial::Stalls, 0.0);
         for i in 0..22 {
             for side in [-2.5, 2.5] {
                 let s = Slab::new(
@@ -75,9 +75,9 @@ pub(super) fn supermarket(plan: &mut Plan) {
     finish(plan, "supermarket", &b, &corners, (66.0, 62.0));
 }
 
-pub(super) fn water_tanks(plan: &mut Plan) {
-    let b = Board::new(leg_one(606.0, 16.0), LEG_ONE_HEADING + 0.55);
-    plan.lay_slab(b.slab(0.0, 0.0, 60.0, 38.0), Ground::Gravel, 1.2);
+pub(super) fn water_tanks(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(606.0, 16.0), LEG_ONE_HEADING + 0.55);
+    plan.lay_slab(b.slab(0.0, 0.0, 60.0, 38.0), SurfaceMaterial::Gravel, 1.2);
     plan.raise(
         b.slab(-14.0, 0.0, 25.0, 25.0),
         Cone,
@@ -115,9 +115,9 @@ pub(super) fn water_tanks(plan: &mut Plan) {
     finish(plan, "water tanks", &b, &corners, (60.0, 40.0));
 }
 
-pub(super) fn sawtooth_factory(plan: &mut Plan) {
-    let b = Board::new(leg_one(684.0, -10.0), LEG_ONE_HEADING - 0.3);
-    plan.lay_slab(b.slab(2.0, 0.0, 66.0, 52.0), Ground::Concrete, 1.2);
+pub(super) fn sawtooth_factory(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(leg_one(684.0, -10.0), LEG_ONE_HEADING - 0.3);
+    plan.lay_slab(b.slab(2.0, 0.0, 66.0, 52.0), SurfaceMaterial::Concrete, 1.2);
     plan.raise(
         b.slab(0.0, -4.0, 48.0, 34.0),
         Sawtooth(8.0),
@@ -149,14 +149,14 @@ pub(super) fn sawtooth_factory(plan: &mut Plan) {
         plan.put(
             b.slab(8.0 + 3.2 * i as f32, 19.0, 2.4, 6.0),
             2.6,
-            Form::Crate,
+            PropForm::Crate,
             [[0.2, 0.07, 0.05], [0.06, 0.1, 0.17], [0.26, 0.26, 0.25]][i % 3],
         );
     }
     plan.put(
         b.slab(30.0, -12.0, 2.5, 12.0),
         3.6,
-        Form::Truck,
+        PropForm::Truck,
         [0.5, 0.5, 0.5],
     );
     let corners = [
@@ -170,9 +170,9 @@ pub(super) fn sawtooth_factory(plan: &mut Plan) {
     finish(plan, "sawtooth factory", &b, &corners, (66.0, 54.0));
 }
 
-pub(super) fn warehouse(plan: &mut Plan) {
-    let b = Board::new(spot(548.0, 572.0), 0.3);
-    plan.lay_slab(b.slab(0.0, 4.0, 84.0, 66.0), Ground::Asphalt, 0.8);
+pub(super) fn warehouse(plan: &mut SceneryPlan) {
+    let b = DrawingBoard::new(spot(548.0, 572.0), 0.3);
+    plan.lay_slab(b.slab(0.0, 4.0, 84.0, 66.0), SurfaceMaterial::Asphalt, 0.8);
     plan.raise(
         b.slab(0.0, -8.0, 68.0, 36.0),
         Flat,
@@ -204,7 +204,7 @@ pub(super) fn warehouse(plan: &mut Plan) {
                     2.5,
                 ),
                 3.8,
-                Form::Truck,
+                PropForm::Truck,
                 [0.5, 0.5, 0.49],
             );
         }

@@ -2,17 +2,17 @@
 
 use std::ops::Range;
 
-use super::looks::Look;
-use super::places::{LANES, Lanes, Places, Scattered, SideBySide};
-use super::program::{Branch, Branches, Program};
-use super::windows::Windows;
-use crate::landmark::cascade::layout::{Layout, Tables};
+use super::looks::NodeDecision;
+use super::places::{LANES, Lanes, Scattered, SideBySide, WindowPlaces};
+use super::program::{Branch, Branches, CascadeProgram};
+use super::windows::RunningWindows;
+use crate::landmark::cascade::layout::{FeatureLayout, FeatureTables};
 
 /// Windows of a row of [`LANES`] that make it worth while to work on all of it.
 const WORTH: usize = 3;
 
 #[inline(always)]
-pub(super) fn factors(layout: &Layout, tables: &Tables, at: usize, out: &mut [f32]) {
+pub(super) fn factors(layout: &FeatureLayout, tables: &FeatureTables, at: usize, out: &mut [f32]) {
     let length = out.len();
     let (sum, squares) = (&tables.integral.sum, &tables.integral.squares);
     let [a, b, c, d] = layout.norm.map(|corner| &sum[at + corner..][..length]);
@@ -36,7 +36,12 @@ pub(super) fn factors(layout: &Layout, tables: &Tables, at: usize, out: &mut [f3
 }
 
 #[inline(always)]
-pub(super) fn vote(program: &Program, stage: usize, tables: &Tables, windows: &mut Windows) {
+pub(super) fn vote(
+    program: &CascadeProgram,
+    stage: usize,
+    tables: &FeatureTables,
+    windows: &mut RunningWindows,
+) {
     match &program.branches {
         Branches::Haar(branches) => vote_with(program, branches, stage, tables, windows),
         Branches::Lbp(branches) => vote_with(program, branches, stage, tables, windows),
@@ -46,8 +51,8 @@ pub(super) fn vote(program: &Program, stage: usize, tables: &Tables, windows: &m
 
 #[inline(always)]
 pub(super) fn first_votes(
-    program: &Program,
-    tables: &Tables,
+    program: &CascadeProgram,
+    tables: &FeatureTables,
     first: usize,
     factors: &[f32],
     votes: &mut [f64],
@@ -60,17 +65,17 @@ pub(super) fn first_votes(
 }
 
 #[inline(always)]
-fn first_votes_with<L: Look>(
-    program: &Program,
+fn first_votes_with<L: NodeDecision>(
+    program: &CascadeProgram,
     branches: &[Branch<L>],
-    tables: &Tables,
+    tables: &FeatureTables,
     first: usize,
     factors: &[f32],
     votes: &mut [f64],
 ) {
     assert!(first + factors.len() + program.reach + LANES <= program.shortest(tables));
     assert!(factors.len() == votes.len());
-    let job = Job {
+    let job = StageCall {
         program,
         branches,
         stage: program.stages[0].clone(),
@@ -100,12 +105,12 @@ pub(super) fn blend(upper: &[u16], lower: &[u16], weight: u32, out: &mut [u8]) {
 }
 
 #[inline(always)]
-fn vote_with<L: Look>(
-    program: &Program,
+fn vote_with<L: NodeDecision>(
+    program: &CascadeProgram,
     branches: &[Branch<L>],
     stage: usize,
-    tables: &Tables,
-    windows: &mut Windows,
+    tables: &FeatureTables,
+    windows: &mut RunningWindows,
 ) {
     let count = windows.at.len();
     let Some(&last) = windows.at.iter().max() else {
@@ -113,7 +118,7 @@ fn vote_with<L: Look>(
     };
     assert!(last + program.reach + LANES <= program.shortest(tables));
     assert!(windows.factor.len() == count && windows.votes.len() == count);
-    let job = Job {
+    let job = StageCall {
         program,
         branches,
         stage: program.stages[stage].clone(),
@@ -153,19 +158,19 @@ fn vote_with<L: Look>(
 }
 
 /// A stage and what it looks at.
-struct Job<'a, L> {
-    program: &'a Program,
+struct StageCall<'a, L> {
+    program: &'a CascadeProgram,
     branches: &'a [Branch<L>],
     stage: Range<usize>,
-    tables: &'a Tables,
+    tables: &'a FeatureTables,
 }
 
-impl<L: Look> Job<'_, L> {
+impl<L: NodeDecision> StageCall<'_, L> {
     /// Adds the votes of all trees, one after the other.
     #[inline(always)]
     fn sum(
         &self,
-        places: &impl Places,
+        places: &impl WindowPlaces,
         factors: &Lanes<f32>,
         sums: &mut Lanes<f64>,
         reached: &mut [Lanes<u32>],

@@ -1,7 +1,7 @@
 //! Decisions of nodes, for many windows at once.
 
-use super::places::{LANES, Lanes, Places};
-use crate::landmark::cascade::layout::{Corners, LEAST_EDGE, Tables};
+use super::places::{LANES, Lanes, WindowPlaces};
+use crate::landmark::cascade::layout::{CornerSum, FeatureTables, LEAST_EDGE};
 
 /// All bits or none.
 #[inline(always)]
@@ -10,15 +10,20 @@ fn mask(yes: bool) -> u32 {
 }
 
 /// Decision of a node.
-pub(super) trait Look {
+pub(super) trait NodeDecision {
     /// For each window, all bits if it goes left, and none otherwise.
-    fn left(&self, tables: &Tables, places: &impl Places, factors: &Lanes<f32>) -> Lanes<u32>;
+    fn left(
+        &self,
+        tables: &FeatureTables,
+        places: &impl WindowPlaces,
+        factors: &Lanes<f32>,
+    ) -> Lanes<u32>;
 }
 
 /// Weighted sums of rectangles below a threshold.
 #[derive(Clone, Debug)]
 pub(super) struct Haar {
-    corners: [Corners; 3],
+    corners: [CornerSum; 3],
     weights: [f32; 3],
     three: bool,
     tilted: bool,
@@ -26,7 +31,7 @@ pub(super) struct Haar {
 }
 
 impl Haar {
-    pub fn new(areas: &[(Corners, f32); 3], tilted: bool, threshold: f32) -> Self {
+    pub fn new(areas: &[(CornerSum, f32); 3], tilted: bool, threshold: f32) -> Self {
         Self {
             corners: areas.map(|a| a.0),
             weights: areas.map(|a| a.1),
@@ -37,7 +42,7 @@ impl Haar {
     }
 
     #[inline(always)]
-    fn table<'a>(&self, tables: &'a Tables) -> &'a [i32] {
+    fn table<'a>(&self, tables: &'a FeatureTables) -> &'a [i32] {
         if self.tilted {
             &tables.integral.tilted
         } else {
@@ -46,9 +51,14 @@ impl Haar {
     }
 }
 
-impl Look for Haar {
+impl NodeDecision for Haar {
     #[inline(always)]
-    fn left(&self, tables: &Tables, places: &impl Places, factors: &Lanes<f32>) -> Lanes<u32> {
+    fn left(
+        &self,
+        tables: &FeatureTables,
+        places: &impl WindowPlaces,
+        factors: &Lanes<f32>,
+    ) -> Lanes<u32> {
         let table = self.table(tables);
         let first = places.sums(table, &self.corners[0]);
         let second = places.sums(table, &self.corners[1]);
@@ -86,9 +96,14 @@ impl Lbp {
     }
 }
 
-impl Look for Lbp {
+impl NodeDecision for Lbp {
     #[inline(always)]
-    fn left(&self, tables: &Tables, places: &impl Places, _: &Lanes<f32>) -> Lanes<u32> {
+    fn left(
+        &self,
+        tables: &FeatureTables,
+        places: &impl WindowPlaces,
+        _: &Lanes<f32>,
+    ) -> Lanes<u32> {
         let table = &tables.integral.sum;
         let entries = places.entries(table, &self.lattice);
         let mut sums = [[0_i32; LANES]; 9];
@@ -126,8 +141,8 @@ impl Look for Lbp {
 /// Shares of edges below a threshold.
 #[derive(Clone, Debug)]
 pub(super) struct Hog {
-    cell: Corners,
-    block: Corners,
+    cell: CornerSum,
+    block: CornerSum,
     direction: usize,
     unit: f32,
     threshold: f32,
@@ -135,8 +150,8 @@ pub(super) struct Hog {
 
 impl Hog {
     pub fn new(
-        cell: &Corners,
-        block: &Corners,
+        cell: &CornerSum,
+        block: &CornerSum,
         direction: usize,
         unit: f32,
         threshold: f32,
@@ -151,9 +166,14 @@ impl Hog {
     }
 }
 
-impl Look for Hog {
+impl NodeDecision for Hog {
     #[inline(always)]
-    fn left(&self, tables: &Tables, places: &impl Places, _: &Lanes<f32>) -> Lanes<u32> {
+    fn left(
+        &self,
+        tables: &FeatureTables,
+        places: &impl WindowPlaces,
+        _: &Lanes<f32>,
+    ) -> Lanes<u32> {
         let own = places.sums(&tables.histograms.directions[self.direction], &self.cell);
         let all = places.sums(&tables.histograms.all, &self.block);
         let mut left = [0; LANES];

@@ -20,10 +20,10 @@ mod places;
 mod program;
 mod windows;
 
-pub(super) use program::Program;
-pub(super) use windows::Windows;
+pub(super) use program::CascadeProgram;
+pub(super) use windows::RunningWindows;
 
-use super::layout::{Layout, Tables};
+use super::layout::{FeatureLayout, FeatureTables};
 
 /// Defines a function that runs the loop of that name compiled for AVX2 where there is AVX2.
 macro_rules! dispatched {
@@ -50,15 +50,15 @@ macro_rules! dispatched {
 }
 
 dispatched!(
-    /// [`Layout::factor`] of as many windows side by side, from place `at` on, as `out` is long; NaN for
+    /// [`FeatureLayout::factor`] of as many windows side by side, from place `at` on, as `out` is long; NaN for
     /// flat ones.
-    factors, factors_fast, (layout: &Layout, tables: &Tables, at: usize, out: &mut [f32])
+    factors, factors_fast, (layout: &FeatureLayout, tables: &FeatureTables, at: usize, out: &mut [f32])
 );
 dispatched!(
     /// Sums of the votes of the first stage on windows side by side, from place `first` on, as many as
     /// there are `factors`; where all of some are NaN nothing is written.
     first_votes, first_votes_fast,
-    (program: &Program, tables: &Tables, first: usize, factors: &[f32], votes: &mut [f64])
+    (program: &CascadeProgram, tables: &FeatureTables, first: usize, factors: &[f32], votes: &mut [f64])
 );
 dispatched!(
     /// Pixels between two rows of them times 256, where the lower one weighs `weight` of 256.
@@ -66,25 +66,25 @@ dispatched!(
 );
 dispatched!(
     /// Shows one stage all windows, and writes down the sums of its votes.
-    vote, vote_fast, (program: &Program, stage: usize, tables: &Tables, windows: &mut Windows)
+    vote, vote_fast, (program: &CascadeProgram, stage: usize, tables: &FeatureTables, windows: &mut RunningWindows)
 );
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::landmark::cascade::grid::Grid;
-    use crate::landmark::cascade::{Cascade, Feature, Split, TrainedStage, TrainedTree};
+    use crate::landmark::cascade::grid::RowGrid;
+    use crate::landmark::cascade::{Cascade, CascadeFeature, NodeSplit, TrainedStage, TrainedTree};
     use pilotage_raster::raster::Raster;
 
     #[test]
     fn the_best_instructions_say_what_the_plainest_say() {
-        let features: Vec<Feature> = (0..36)
-            .map(|component| Feature::Hog {
+        let features: Vec<CascadeFeature> = (0..36)
+            .map(|component| CascadeFeature::Hog {
                 cell: [1, 0, 5, 6],
                 component,
             })
             .collect();
-        let tree = |i| TrainedTree::stump(i, Split::Threshold(0.03), -0.7, 0.3);
+        let tree = |i| TrainedTree::stump(i, NodeSplit::Threshold(0.03), -0.7, 0.3);
         let stage = TrainedStage {
             trees: (0..36).map(tree).collect(),
             threshold: 0.0,
@@ -92,11 +92,11 @@ mod tests {
         let cascade = Cascade::from_parts(12, 12, features, &[stage]).unwrap();
         let picture = Raster::from_fn(70, 30, |x, y| ((x * 31 + y * 57 + x * y) % 256) as u8);
         for step in [1, 2] {
-            let grid = Grid::new(70, step);
-            let layout = Layout::new(&cascade.features, 12, 12, grid);
+            let grid = RowGrid::new(70, step);
+            let layout = FeatureLayout::new(&cascade.features, 12, 12, grid);
             let tables = layout.tables(&picture);
-            let program = Program::new(&cascade, &layout);
-            let mut windows = Windows::default();
+            let program = CascadeProgram::new(&cascade, &layout);
+            let mut windows = RunningWindows::default();
             // Some side by side, some far apart.
             for number in [0, 1, 2, 5, 9, 10, 11, 12, 13, 20, 29] {
                 windows.push(grid.place(0, 7) + number, 1.0, 0.0);

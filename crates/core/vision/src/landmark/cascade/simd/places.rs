@@ -1,7 +1,7 @@
 //! Places of windows in the tables, as many at once as a vector holds.
 
 use crate::landmark::cascade::grid::SLACK;
-use crate::landmark::cascade::layout::Corners;
+use crate::landmark::cascade::layout::CornerSum;
 
 /// Windows that one step works on.
 pub(super) const LANES: usize = 8;
@@ -12,10 +12,10 @@ pub(super) type Lanes<T> = [T; LANES];
 const _: () = assert!(LANES <= SLACK, "tables are longer by a vector");
 
 /// Places of windows in the tables.
-pub(super) trait Places {
+pub(super) trait WindowPlaces {
     /// Sums over a rectangle, given by its corners relative to each window, below the reach of the
     /// program.
-    fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32>;
+    fn sums(&self, table: &[i32], corners: &CornerSum) -> Lanes<i32>;
 
     /// Entries at points relative to each window, below the reach of the program.
     fn entries(&self, table: &[i32], points: &[usize; 16]) -> [Lanes<i32>; 16];
@@ -24,9 +24,9 @@ pub(super) trait Places {
 /// Windows side by side, from this place on.
 pub(super) struct SideBySide(pub usize);
 
-impl Places for SideBySide {
+impl WindowPlaces for SideBySide {
     #[inline(always)]
-    fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32> {
+    fn sums(&self, table: &[i32], corners: &CornerSum) -> Lanes<i32> {
         // SAFETY: whoever votes asserted that this place plus reach plus lanes lies in the table.
         let [a, b, c, d] = corners
             .map(|corner| unsafe { table.get_unchecked(self.0 + corner..self.0 + corner + LANES) });
@@ -55,9 +55,9 @@ impl Places for SideBySide {
 /// Windows anywhere.
 pub(super) struct Scattered(pub Lanes<usize>);
 
-impl Places for Scattered {
+impl WindowPlaces for Scattered {
     #[inline(always)]
-    fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32> {
+    fn sums(&self, table: &[i32], corners: &CornerSum) -> Lanes<i32> {
         let mut sums = [0; LANES];
         for i in 0..LANES {
             // SAFETY: whoever votes asserted that the last place plus reach lies in the table.

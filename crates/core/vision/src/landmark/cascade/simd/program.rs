@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use super::looks::{Haar, Hog, Lbp};
-use crate::landmark::cascade::grid::Grid;
-use crate::landmark::cascade::layout::{Laid, Layout, Tables};
-use crate::landmark::cascade::model::{Cascade, Kind, any_tilted};
+use crate::landmark::cascade::grid::RowGrid;
+use crate::landmark::cascade::layout::{FeatureLayout, FeatureTables, LaidOutFeature};
+use crate::landmark::cascade::model::{Cascade, CascadeKind, any_tilted};
 
 /// A node of a tree: how it decides, and where that leads (as in [`Cascade`]).
 #[derive(Clone, Debug)]
@@ -32,7 +32,7 @@ pub(super) enum Branches {
 
 /// A cascade laid out for tables.
 #[derive(Clone, Debug)]
-pub(in super::super) struct Program {
+pub(in super::super) struct CascadeProgram {
     pub(super) stages: Vec<Range<usize>>,
     pub(super) trees: Vec<Votes>,
     pub(super) branches: Branches,
@@ -48,13 +48,13 @@ pub(in super::super) struct Program {
 /// Branches, one for each node whose feature is of the kind that `look` takes: all of them.
 fn branches<L>(
     cascade: &Cascade,
-    grid: Grid,
+    grid: RowGrid,
     reach: usize,
-    look: impl Fn(usize, &Laid) -> Option<L>,
+    look: impl Fn(usize, &LaidOutFeature) -> Option<L>,
 ) -> Vec<Branch<L>> {
     let mut branches = Vec::with_capacity(cascade.nodes.len());
     for (i, node) in cascade.nodes.iter().enumerate() {
-        let laid = Laid::new(&cascade.features[node.feature as usize], grid);
+        let laid = LaidOutFeature::new(&cascade.features[node.feature as usize], grid);
         assert!(laid.reach() <= reach, "the feature leaves the window");
         branches.extend(look(i, &laid).map(|look| Branch {
             look,
@@ -66,37 +66,45 @@ fn branches<L>(
     branches
 }
 
-impl Program {
+impl CascadeProgram {
     /// For tables laid out as those of `layout`.
-    pub fn new(cascade: &Cascade, layout: &Layout) -> Self {
+    pub fn new(cascade: &Cascade, layout: &FeatureLayout) -> Self {
         let grid = layout.grid;
         // No feature leaves the window; of even and odd columns, either may lie further in memory.
         let corner = |back| grid.place(cascade.width - back, cascade.height);
         let reach = corner(0).max(corner(1));
         let threshold = |node: usize| cascade.nodes[node].threshold;
         let branches = match layout.kind {
-            Kind::Haar => Branches::Haar(branches(cascade, grid, reach, |node, laid| match laid {
-                Laid::Haar { areas, tilted } => Some(Haar::new(areas, *tilted, threshold(node))),
-                _ => None,
-            })),
-            Kind::Lbp => Branches::Lbp(branches(cascade, grid, reach, |node, laid| match laid {
-                Laid::Lbp(lattice) => Some(Lbp::new(lattice, cascade.subsets[node])),
-                _ => None,
-            })),
-            Kind::Hog => Branches::Hog(branches(cascade, grid, reach, |node, laid| match laid {
-                Laid::Hog {
-                    cell,
-                    block,
-                    direction,
-                } => Some(Hog::new(
-                    cell,
-                    block,
-                    *direction,
-                    layout.unit,
-                    threshold(node),
-                )),
-                _ => None,
-            })),
+            CascadeKind::Haar => {
+                Branches::Haar(branches(cascade, grid, reach, |node, laid| match laid {
+                    LaidOutFeature::Haar { areas, tilted } => {
+                        Some(Haar::new(areas, *tilted, threshold(node)))
+                    }
+                    _ => None,
+                }))
+            }
+            CascadeKind::Lbp => {
+                Branches::Lbp(branches(cascade, grid, reach, |node, laid| match laid {
+                    LaidOutFeature::Lbp(lattice) => Some(Lbp::new(lattice, cascade.subsets[node])),
+                    _ => None,
+                }))
+            }
+            CascadeKind::Hog => {
+                Branches::Hog(branches(cascade, grid, reach, |node, laid| match laid {
+                    LaidOutFeature::Hog {
+                        cell,
+                        block,
+                        direction,
+                    } => Some(Hog::new(
+                        cell,
+                        block,
+                        *direction,
+                        layout.unit,
+                        threshold(node),
+                    )),
+                    _ => None,
+                }))
+            }
         };
         let trees = cascade.trees.iter().map(|tree| Votes {
             nodes: tree.nodes.clone(),
@@ -115,7 +123,7 @@ impl Program {
     }
 
     /// Length of the shortest table that is read.
-    pub(super) fn shortest(&self, tables: &Tables) -> usize {
+    pub(super) fn shortest(&self, tables: &FeatureTables) -> usize {
         let (integral, histograms) = (&tables.integral, &tables.histograms);
         match self.branches {
             Branches::Haar(_) if self.with_tilted => integral.sum.len().min(integral.tilted.len()),

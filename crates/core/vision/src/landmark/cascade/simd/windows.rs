@@ -2,7 +2,7 @@
 
 /// Windows that are still in the running, and what the last stage said of them.
 #[derive(Clone, Debug, Default)]
-pub(in super::super) struct Windows {
+pub(in super::super) struct RunningWindows {
     /// Places in the tables, ascending.
     pub at: Vec<usize>,
     /// Factors on Haar values.
@@ -13,7 +13,7 @@ pub(in super::super) struct Windows {
     pub margin: Vec<f64>,
 }
 
-impl Windows {
+impl RunningWindows {
     /// Forgets them.
     pub fn clear(&mut self) {
         self.at.clear();

@@ -5,7 +5,7 @@ use rand::seq::index;
 use rand_chacha::ChaCha8Rng;
 
 use super::stump::{Stump, best_stump};
-use super::table::Table;
+use super::table::BinTable;
 
 /// Share of the weight that a vote may leave out: that of the samples that are right anyway (weight
 /// trimming, Friedman, Hastie and Tibshirani 2000).
@@ -17,7 +17,7 @@ const OFFERED: usize = 1500;
 
 /// Samples of two kinds that votes are found for.
 pub(super) struct Boosting {
-    table: Table,
+    table: BinTable,
     /// 1 for what shall be found, -1 for what shall not.
     pub targets: Vec<i8>,
     /// Samples that votes are fitted to; the others are only judged.
@@ -30,7 +30,7 @@ pub(super) struct Boosting {
 
 impl Boosting {
     /// Before the first vote: both kinds weigh the same.
-    pub fn new(table: Table, targets: Vec<i8>, fitted: Vec<bool>, seed: u64) -> Self {
+    pub fn new(table: BinTable, targets: Vec<i8>, fitted: Vec<bool>, seed: u64) -> Self {
         let count = |kind: i8| {
             let own = targets.iter().zip(&fitted);
             own.filter(|(t, f)| **t == kind && **f).count().max(1) as f64
@@ -93,7 +93,7 @@ mod tests {
         let targets: Vec<i8> = (0..count)
             .map(|i| if i % 2 == 0 { 1 } else { -1 })
             .collect();
-        let table = Table::of_numbers(count, 2, |i, row| {
+        let table = BinTable::of_numbers(count, 2, |i, row| {
             row.copy_from_slice(&values[2 * i..2 * i + 2]);
         });
         let fitted: Vec<bool> = (0..count).map(|i| i < 180).collect();

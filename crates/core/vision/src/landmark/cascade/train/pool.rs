@@ -5,7 +5,7 @@ use rand::seq::index;
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
-use super::super::{Area, Feature, HaarFeature};
+use super::super::{Area, CascadeFeature, HaarFeature};
 
 /// Sides of the cells of a block of gradients, pixels.
 const CELLS: [i32; 7] = [3, 4, 5, 6, 8, 12, 16];
@@ -44,7 +44,7 @@ impl FeatureKind {
 }
 
 /// Features of a kind for a window of `width` × `height` pixels; where there are too many, `seed` draws.
-pub fn pool(kind: FeatureKind, width: usize, height: usize, seed: u64) -> Vec<Feature> {
+pub fn pool(kind: FeatureKind, width: usize, height: usize, seed: u64) -> Vec<CascadeFeature> {
     let size = (width as i32, height as i32);
     match kind {
         FeatureKind::Hog => blocks(size),
@@ -62,7 +62,7 @@ pub fn pool(kind: FeatureKind, width: usize, height: usize, seed: u64) -> Vec<Fe
 }
 
 /// [`DRAWN`] of them at most, in an order drawn by `seed`.
-fn drawn(all: &[Feature], seed: u64) -> Vec<Feature> {
+fn drawn(all: &[CascadeFeature], seed: u64) -> Vec<CascadeFeature> {
     let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x0fea_70e5);
     let chosen = index::sample(&mut random, all.len(), all.len().min(DRAWN));
     chosen.iter().map(|i| all[i].clone()).collect()
@@ -81,43 +81,45 @@ fn places(
     })
 }
 
-fn blocks(size: (i32, i32)) -> Vec<Feature> {
+fn blocks(size: (i32, i32)) -> Vec<CascadeFeature> {
     let mut all = Vec::new();
     for side in CELLS {
         for (w, h) in [(side, side), (side, 2 * side), (2 * side, side)] {
             for (x, y) in places(size, (2 * w, 2 * h), (w / 2, h / 2)) {
                 let cell = [x, y, w, h];
-                all.extend((0..COMPONENTS).map(|component| Feature::Hog { cell, component }));
+                all.extend(
+                    (0..COMPONENTS).map(|component| CascadeFeature::Hog { cell, component }),
+                );
             }
         }
     }
     all
 }
 
-fn patterns(size: (i32, i32)) -> Vec<Feature> {
+fn patterns(size: (i32, i32)) -> Vec<CascadeFeature> {
     let mut all = Vec::new();
     for h in 1..=size.1 / 3 {
         for w in 1..=size.0 / 3 {
             let places = places(size, (3 * w, 3 * h), (1, 1));
-            all.extend(places.map(|(x, y)| Feature::Lbp([x, y, w, h])));
+            all.extend(places.map(|(x, y)| CascadeFeature::Lbp([x, y, w, h])));
         }
     }
     all
 }
 
 /// A whole that counts -1 and a part that counts so that both are level on even ground.
-fn parts(whole: Area, inner: &[Area], tilted: bool) -> Feature {
+fn parts(whole: Area, inner: &[Area], tilted: bool) -> CascadeFeature {
     let size = |[_, _, w, h]: Area| f64::from(w * h);
     let weight = size(whole) / inner.iter().map(|a| size(*a)).sum::<f64>();
     let mut areas = [(whole, -1.0), ([1, 0, 1, 1], 0.0), ([1, 0, 1, 1], 0.0)];
     for (slot, area) in areas[1..].iter_mut().zip(inner) {
         *slot = (*area, weight as f32);
     }
-    Feature::Haar(HaarFeature { areas, tilted })
+    CascadeFeature::Haar(HaarFeature { areas, tilted })
 }
 
 /// Edges, lines, chequers and spots.
-fn upright(size: (i32, i32)) -> Vec<Feature> {
+fn upright(size: (i32, i32)) -> Vec<CascadeFeature> {
     let mut all = Vec::new();
     for h in 2..=size.1 / 2 {
         for w in 2..=size.0 / 2 {
@@ -139,7 +141,7 @@ fn upright(size: (i32, i32)) -> Vec<Feature> {
 }
 
 /// Edges and lines turned by 45°; a rectangle goes from its upper corner right and left downward.
-fn tilted((width, height): (i32, i32)) -> Vec<Feature> {
+fn tilted((width, height): (i32, i32)) -> Vec<CascadeFeature> {
     let mut all = Vec::new();
     for h in 2..=height / 2 {
         for w in 2..=width / 2 {
@@ -177,14 +179,14 @@ mod tests {
             assert_eq!(all, pool(kind, 32, 24, 3));
             for feature in &all {
                 let ([x, y, w, h], grown) = match feature {
-                    Feature::Hog { cell, component } => {
+                    CascadeFeature::Hog { cell, component } => {
                         assert!(*component < COMPONENTS);
                         (*cell, 2)
                     }
-                    Feature::Lbp(area) => (*area, 3),
-                    Feature::Haar(haar) => (haar.areas[0].0, 1),
+                    CascadeFeature::Lbp(area) => (*area, 3),
+                    CascadeFeature::Haar(haar) => (haar.areas[0].0, 1),
                 };
-                let turned = matches!(feature, Feature::Haar(h) if h.tilted);
+                let turned = matches!(feature, CascadeFeature::Haar(h) if h.tilted);
                 let inside = if turned {
                     x - h >= 0 && x + w <= 32 && y + w + h <= 24
                 } else {
@@ -198,7 +200,7 @@ mod tests {
     #[test]
     fn a_haar_feature_is_level_on_even_ground() {
         for feature in pool(FeatureKind::TiltedHaar, 24, 24, 1) {
-            let Feature::Haar(haar) = feature else {
+            let CascadeFeature::Haar(haar) = feature else {
                 panic!("{feature:?} in a pool of Haar features");
             };
             let sum: f32 = haar

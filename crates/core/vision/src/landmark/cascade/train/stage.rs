@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::boost::Boosting;
 use super::stump::Stump;
-use super::table::Table;
+use super::table::BinTable;
 use pilotage_base::statistics::chi_square_quantile;
 
 /// Groups of samples of which one is only judged: a stage that knew them all would think too well of itself.
@@ -63,7 +63,7 @@ pub(super) struct Growing {
 impl Growing {
     /// Of a table with the positives first; samples of a `group` have much in common.
     pub fn new(
-        table: Table,
+        table: BinTable,
         positives: usize,
         groups: &[usize],
         goal: StageGoal,
@@ -156,7 +156,7 @@ mod tests {
             let middle = if is_first && !is_odd { 1.0 } else { -1.0 };
             middle + 0.3 * ((i as f32 * 0.618).fract() - 0.5)
         };
-        let table = Table::of_numbers(count, 1, |i, row| row[0] = value(i));
+        let table = BinTable::of_numbers(count, 1, |i, row| row[0] = value(i));
         let groups: Vec<usize> = (0..count).map(|i| i % 25).collect();
         let goal = StageGoal {
             hit_rate,

@@ -1,6 +1,6 @@
 //! The regression stump that fits weighted targets best.
 
-use super::table::Table;
+use super::table::BinTable;
 
 /// Share of the weight that is looked at before a feature is given up.
 const LOOKED_AT: f64 = 0.3;
@@ -13,14 +13,14 @@ pub struct Stump {
     /// Number of the feature.
     pub feature: usize,
     /// Decision which samples go left.
-    pub split: Split,
+    pub split: SampleSplit,
     /// Votes for the samples that go left and for the others.
     pub leaves: [f32; 2],
 }
 
 /// Decision which samples go left.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Split {
+pub enum SampleSplit {
     /// Those less than this.
     Below(f32),
     /// Those with one of these codes, a bit each.
@@ -28,7 +28,7 @@ pub enum Split {
 }
 
 /// A stump in the terms of a table.
-struct Fit {
+struct StumpFit {
     feature: usize,
     /// For each bin whether it goes left.
     left: [bool; CODES],
@@ -54,7 +54,7 @@ struct Bin {
 /// weightiest few can only grow with further samples: a feature that is worse on them than another on all
 /// is not looked at further (Appel, Fuchs, Dollár and Perona 2013), which changes nothing.
 pub(super) fn best_stump(
-    table: &Table,
+    table: &BinTable,
     offered: &[usize],
     order: &[u32],
     weights: &[f64],
@@ -92,7 +92,7 @@ pub(super) fn best_stump(
         })
         .collect();
     bounds.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let mut best: Option<Fit> = None;
+    let mut best: Option<StumpFit> = None;
     for (bound, feature) in bounds {
         if best.as_ref().is_some_and(|b| bound > total - b.gain) {
             break;
@@ -101,7 +101,7 @@ pub(super) fn best_stump(
         count(table.row(feature), first, &mut bins);
         count(table.row(feature), rest, &mut bins);
         let fit = fitted(feature, &bins);
-        let is_better = |b: &Fit| (fit.gain, b.feature) > (b.gain, feature);
+        let is_better = |b: &StumpFit| (fit.gain, b.feature) > (b.gain, feature);
         if fit.leaves[0] != fit.leaves[1] && best.as_ref().is_none_or(is_better) {
             best = Some(fit);
         }
@@ -112,9 +112,9 @@ pub(super) fn best_stump(
         for code in (0..CODES).filter(|c| fit.left[*c]) {
             words[code >> 5] |= 1 << (code & 31);
         }
-        Split::Among(words)
+        SampleSplit::Among(words)
     } else {
-        Split::Below(table.edge(fit.feature, fit.last)?)
+        SampleSplit::Below(table.edge(fit.feature, fit.last)?)
     };
     let leaves = fit.leaves.map(|leaf| leaf as f32);
     let row = table.row(fit.feature).iter();
@@ -181,9 +181,9 @@ fn best_cut(
     best
 }
 
-fn by_order(feature: usize, bins: &[Bin; CODES]) -> Fit {
+fn by_order(feature: usize, bins: &[Bin; CODES]) -> StumpFit {
     let (count, gain, leaves) = best_cut(bins, 0..super::table::BINS);
-    Fit {
+    StumpFit {
         feature,
         left: std::array::from_fn(|bin| bin < count),
         last: count.saturating_sub(1),
@@ -194,7 +194,7 @@ fn by_order(feature: usize, bins: &[Bin; CODES]) -> Fit {
 
 /// Codes are put in the order of their mean targets: one of the cuts is then the best of all subsets
 /// (Fisher 1958).
-fn by_codes(feature: usize, bins: &[Bin; CODES]) -> Fit {
+fn by_codes(feature: usize, bins: &[Bin; CODES]) -> StumpFit {
     let mut order = [0_usize; CODES];
     let mut used = 0;
     for (code, bin) in bins.iter().enumerate() {
@@ -212,7 +212,7 @@ fn by_codes(feature: usize, bins: &[Bin; CODES]) -> Fit {
     for code in &order[..count] {
         left[*code] = true;
     }
-    Fit {
+    StumpFit {
         feature,
         left,
         last: 0,
@@ -256,7 +256,7 @@ mod tests {
                     helps + random.random::<f32>()
                 })
                 .collect();
-            let table = Table::of_numbers(count, features, |i, row| {
+            let table = BinTable::of_numbers(count, features, |i, row| {
                 row.copy_from_slice(&values[i * features..(i + 1) * features]);
             });
             let (stump, says) = best_stump(
@@ -302,7 +302,7 @@ mod tests {
         let mut random = ChaCha8Rng::seed_from_u64(8);
         let names = [3_u8, 70, 131, 200, 255];
         let codes: Vec<u8> = (0..120).map(|_| names[random.random_range(0..5)]).collect();
-        let table = Table::of_codes(&codes, 1);
+        let table = BinTable::of_codes(&codes, 1);
         let (stump, says) = best_stump(
             &table,
             &(0..table.features()).collect::<Vec<_>>(),
@@ -334,12 +334,12 @@ mod tests {
                 "{stump:?}"
             );
         }
-        assert!(matches!(stump.split, Split::Among(_)));
+        assert!(matches!(stump.split, SampleSplit::Among(_)));
     }
 
     #[test]
     fn samples_that_no_feature_parts_have_no_stump() {
-        let table = Table::of_numbers(10, 3, |_, row| row.fill(1.0));
+        let table = BinTable::of_numbers(10, 3, |_, row| row.fill(1.0));
         let targets = [1, -1, 1, -1, 1, -1, 1, -1, 1, -1];
         let order: Vec<u32> = (0..10).collect();
         assert_eq!(

@@ -6,7 +6,7 @@ pub(super) const BINS: usize = 64;
 const RANKED: usize = 640;
 
 /// For each feature, the bin of each sample.
-pub(super) struct Table {
+pub(super) struct BinTable {
     samples: usize,
     /// Feature after feature.
     bins: Vec<u8>,
@@ -14,7 +14,7 @@ pub(super) struct Table {
     edges: Vec<Vec<f32>>,
 }
 
-impl Table {
+impl BinTable {
     /// Of numbers: `fill` writes those of a sample, one for each feature. It is asked twice for some.
     pub fn of_numbers(
         samples: usize,
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn bins_keep_the_order_of_the_numbers_and_part_them_at_their_edges() {
         let values: Vec<f32> = (0..300).map(|i| ((i * 37) % 300) as f32).collect();
-        let table = Table::of_numbers(300, 1, |i, row| row[0] = values[i]);
+        let table = BinTable::of_numbers(300, 1, |i, row| row[0] = values[i]);
         let row = table.row(0);
         assert!(row.iter().any(|b| usize::from(*b) == BINS - 1));
         for i in 0..300 {
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_feature_that_is_always_the_same_has_no_edge() {
-        let table = Table::of_numbers(40, 1, |_, row| row[0] = 2.0);
+        let table = BinTable::of_numbers(40, 1, |_, row| row[0] = 2.0);
         assert_eq!(table.edge(0, 0), None);
         assert!(table.row(0).iter().all(|b| *b == 0));
     }

@@ -5,13 +5,13 @@ use rand::seq::index;
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
-use super::super::Feature;
+use super::super::CascadeFeature;
 use super::super::{
-    Cascade, CascadeError, Evaluator, Patch, Split, TrainedStage, TrainedTree, responses,
+    Cascade, CascadeError, NodeSplit, Patch, PatchEvaluator, TrainedStage, TrainedTree, responses,
 };
 use super::pool::{FeatureKind, pool};
 use super::stage::{Growing, StageGoal, StageRow};
-use super::table::Table;
+use super::table::BinTable;
 
 /// Features of the pool that a stage chooses among: one of few votes, and one of many.
 const FEATURES: [usize; 2] = [2500, 5000];
@@ -34,7 +34,7 @@ pub struct TrainingSettings {
 /// A cascade that grows stage by stage. The caller brings what it still takes for the thing it looks for.
 pub struct CascadeTraining {
     settings: TrainingSettings,
-    pool: Vec<Feature>,
+    pool: Vec<CascadeFeature>,
     positives: Vec<(Patch, usize)>,
     stages: Vec<TrainedStage>,
     growing: Option<Growing>,
@@ -141,19 +141,20 @@ impl CascadeTraining {
         Ok(())
     }
 
-    fn table(&self, windows: &[&Patch]) -> Table {
+    fn table(&self, windows: &[&Patch]) -> BinTable {
         let features = self.offered.len();
         let TrainingSettings { width, height, .. } = self.settings;
-        let chosen: Vec<Feature> = self.offered.iter().map(|i| self.pool[*i].clone()).collect();
-        let evaluator = Evaluator::new(&chosen, width, height);
+        let chosen: Vec<CascadeFeature> =
+            self.offered.iter().map(|i| self.pool[*i].clone()).collect();
+        let evaluator = PatchEvaluator::new(&chosen, width, height);
         if self.settings.kind == FeatureKind::Lbp {
             let mut codes = vec![0_u8; features * windows.len()];
             for (window, row) in windows.iter().zip(codes.chunks_exact_mut(features)) {
                 evaluator.codes(window, row);
             }
-            Table::of_codes(&codes, features)
+            BinTable::of_codes(&codes, features)
         } else {
-            Table::of_numbers(windows.len(), features, |i, row| {
+            BinTable::of_numbers(windows.len(), features, |i, row| {
                 evaluator.values(windows[i], row);
             })
         }
@@ -169,8 +170,8 @@ impl CascadeTraining {
         let grown = self.growing.take()?;
         let trees = grown.votes.iter().map(|vote| {
             let split = match vote.split {
-                super::stump::Split::Below(edge) => Split::Threshold(edge),
-                super::stump::Split::Among(codes) => Split::Codes(codes),
+                super::stump::SampleSplit::Below(edge) => NodeSplit::Threshold(edge),
+                super::stump::SampleSplit::Among(codes) => NodeSplit::Codes(codes),
             };
             TrainedTree::stump(
                 self.offered[vote.feature],
