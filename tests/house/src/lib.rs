@@ -9,6 +9,7 @@ pub mod docstrings;
 pub mod layers;
 pub mod manifest;
 pub mod modules;
+pub mod names;
 pub mod reach;
 pub mod shape;
 pub mod sources;

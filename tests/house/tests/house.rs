@@ -1,7 +1,7 @@
 //! The rules of the house, applied to this repository.
 
 use pilotage_house::{
-    assert_none, circles, docstrings, layers, manifest, reach, shape,
+    assert_none, circles, docstrings, layers, manifest, names, reach, shape,
     sources::{below, folders_with_rust, repository},
 };
 
@@ -148,6 +148,25 @@ fn documentation_begins_with_the_thing_that_it_is_of() {
         .flat_map(docstrings::empty_beginnings)
         .collect();
     assert_none(&found);
+}
+
+#[test]
+fn no_two_public_types_share_a_name() {
+    let rust = below("crates").into_iter().filter(|source| source.is("rs"));
+    let sources = reach::without_test_files(rust.collect());
+    assert_none(&names::shared_names(&sources, &names::SHARED));
+    let once = names::no_longer_shared(&sources, &names::SHARED);
+    assert!(
+        once.is_empty(),
+        "{once:?} stand once: take them off the list"
+    );
+    let glossary = text("docs/glossary.md");
+    for (name, _) in names::SHARED {
+        assert!(
+            glossary.contains(&format!("| `{name}` |")),
+            "docs/glossary.md says nothing of `{name}`"
+        );
+    }
 }
 
 #[test]
