@@ -18,6 +18,9 @@ fn send(commands: &mut Vec<Command>, command: GeoreferenceCommand) {
     commands.push(Command::from(command));
 }
 
+/// Room for the button that adds the place which was typed, points.
+const ADD_BUTTON: f32 = 104.0;
+
 impl Georeferencer {
     /// Draws the column.
     pub fn panel(
@@ -70,7 +73,7 @@ impl Georeferencer {
     fn coordinates(&mut self, ui: &mut Ui, tokens: &Tokens) {
         caption(ui, tokens, "Coordinates of the place");
         ui.horizontal(|ui| {
-            let width = (ui.available_width() - 64.0).max(80.0);
+            let width = (ui.available_width() - ADD_BUTTON).max(80.0);
             let field = TextEdit::singleline(&mut self.typed)
                 .desired_width(width)
                 .hint_text("46.8571, -92.0765 or east north");
