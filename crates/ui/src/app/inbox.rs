@@ -216,8 +216,7 @@ impl App {
             let files = FlightFiles::opened(opening.key.clone(), name, over, mission);
             self.read_flight(&files, context, host);
             if !photos.is_empty() {
-                let info = map.as_ref();
-                self.take_photo_flight(host, files.key, photos, &flight, map_source, info);
+                self.take_photo_flight(host, files.key, photos, &flight, map_source, map.as_ref());
             }
         } else {
             if let Some(info) = map {
