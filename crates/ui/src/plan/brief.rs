@@ -155,9 +155,8 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
     for zone in scene.no_fly {
         // A hole is a ring of its own: the rule of even and odd leaves it out.
         let rings = std::iter::once(&zone.corners).chain(&zone.holes);
-        let path: String = rings
-            .map(|ring| format!("M{}Z", points(&mut ring.iter().copied())))
-            .collect();
+        let rings = rings.map(|ring| format!("M{}Z", points(&mut ring.iter().copied())));
+        let path = rings.collect::<Vec<_>>().concat();
         let _ = write!(text, "<path class=\"no-fly\" d=\"{path}\"/>");
         if let Some(first) = zone.corners.first() {
             let (x, y) = at(first);

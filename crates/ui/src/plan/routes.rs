@@ -140,7 +140,7 @@ mod tests {
         let depth = documents.history.depth().0;
         for metres in [10.0, 20.0, 30.0] {
             documents.edit_route(id, EditStep::Drag, |r| {
-                r.way_points[1].position.north += metres
+                r.way_points[1].position.north += metres;
             });
         }
         documents.edit_route(id, EditStep::Whole, |_| {});

@@ -104,7 +104,8 @@ impl ExtentPyramid {
                 match lower.last() {
                     Some(below) => below[members].iter().for_each(|e| all.include(*e)),
                     None => {
-                        (self.values[members].iter()).for_each(|v| all.include(ValueExtent::of(*v)))
+                        (self.values[members].iter())
+                            .for_each(|v| all.include(ValueExtent::of(*v)));
                     }
                 }
                 blocks.push(all);

@@ -91,7 +91,7 @@ fn count(craft: Craft, all: &[Choices]) -> (usize, usize, Vec<String>) {
                 asked += 1;
             }
             ReadingVerdict::Wrong(why) => {
-                wrong.push(format!("{choices:?}\n    {}", why.join("\n    ")))
+                wrong.push(format!("{choices:?}\n    {}", why.join("\n    ")));
             }
         }
     }

@@ -81,7 +81,7 @@ impl Descriptor {
         for field in &fields {
             match (field.number, field.value) {
                 (2, WireValue::Bytes(field)) => {
-                    members.push(FieldDescriptor::parse(field, is_third)?)
+                    members.push(FieldDescriptor::parse(field, is_third)?);
                 }
                 (3, WireValue::Bytes(nested)) => {
                     Self::of_message(nested, &name, is_third, depth + 1, found)?;
