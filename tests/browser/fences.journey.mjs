@@ -30,9 +30,17 @@ export async function run(page, tools) {
   await page.waitForTimeout(800);
   await tools.screenshot("fences");
 
+  // The route leads over them: that is asked about before it is exported.
+  const ask = async () => {
+    await tools.click(await tools.find("Button", "Export"));
+    await tools.click(await tools.find("Button", "Export the route as a QGroundControl plan"));
+  };
+  const warned = await tools.waitFor((s) => s.plan.no_fly_warnings?.length, "what leads over them", 30_000);
+  tools.say(warned.plan.no_fly_warnings.join(" "));
+  await ask();
+  await tools.waitFor((s) => s.toasts.some((t) => /Export again/.test(t.text)), "the question", 10_000);
   const download = page.waitForEvent("download");
-  await tools.click(await tools.find("Button", "Export"));
-  await tools.click(await tools.find("Button", "Export the route as a QGroundControl plan"));
+  await ask();
   const parts = [];
   for await (const part of await (await download).createReadStream()) parts.push(part);
   const fence = JSON.parse(Buffer.concat(parts).toString()).geoFence;

@@ -58,11 +58,17 @@ export async function run(page, tools) {
   await tools.screenshot("plan-unknown-commands");
 
   // What was not understood is written again.
+  const ask = async () => {
+    await page.keyboard.press("Control+k");
+    await tools.waitFor((s) => s.dialogs.palette, "the palette");
+    await page.keyboard.type("export the route as a qgroundcontrol plan");
+    await page.keyboard.press("Enter");
+  };
+  // The route leads over the fence: that is asked about first.
+  await ask();
+  await tools.waitFor((s) => s.toasts.some((t) => /Export again/.test(t.text)), "the question", 10_000);
   const download = page.waitForEvent("download");
-  await page.keyboard.press("Control+k");
-  await tools.waitFor((s) => s.dialogs.palette, "the palette");
-  await page.keyboard.type("export the route as a qgroundcontrol plan");
-  await page.keyboard.press("Enter");
+  await ask();
   const stream = await (await download).createReadStream();
   let text = "";
   for await (const part of stream) text += part;

@@ -20,7 +20,6 @@ use super::open::{OpenOrder, ReadPlacesOrder};
 use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::prepare::PrepareMapOrder;
 use super::provided::{LetGoOrder, ProvideOrder};
-use super::rehearse::RehearseOrder;
 use super::running::once;
 use super::share::ShareOrder;
 use super::smooth::SmoothOrder;
@@ -145,7 +144,6 @@ orders! {
     Propose(ProposeOrder),
     Field(Box<FieldOrder>),
     Find(Box<FindOrder>),
-    Rehearse(Box<RehearseOrder>),
     Brief(BriefOrder),
     Pack(Box<PackOrder>),
     Export(Box<ExportOrder>),

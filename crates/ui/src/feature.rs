@@ -345,12 +345,12 @@ pub trait Feature {
         Value::Null
     }
 
-    /// Takes up its part of what is remembered between visits; null if there is nothing.
-    fn restore(&mut self, _saved: &Value) {}
+    /// Takes up its part of what is remembered between visits, a JSON object.
+    fn restore(&mut self, _saved: &str) {}
 
-    /// Its part of what is remembered between visits; null if there is nothing.
-    fn save(&self) -> Value {
-        Value::Null
+    /// Its part of what is remembered between visits, a JSON object; `None` if there is nothing.
+    fn save(&self) -> Option<String> {
+        None
     }
 
     /// Takes up what it stored at an earlier visit itself, once, as the app starts.

@@ -31,7 +31,8 @@ pub struct FeatureCommand {
 }
 
 impl FeatureCommand {
-    /// Command for the feature `to`.
+    /// Command for the feature `to`. Over a hundred places make one: it is code of its own, lest each has a copy.
+    #[inline(never)]
     pub fn new(to: FeatureId, action: impl FeatureAction) -> Self {
         let action = Arc::new(action);
         Self { to, action }

@@ -118,6 +118,7 @@ const UI: Order = Order {
         "tokens",
         "units",
         "kept_mesh",
+        "state_json",
         "still",
         "host",
         "feature_command",

@@ -1,5 +1,6 @@
 //! The app's state in words and as JSON, for screen readers and for journeys in the browser.
 
+use crate::state_json::object;
 use egui::Rect;
 use pilotage_core::flight::photo::RegisteredPhoto;
 use pilotage_core::frames::LocalFrame;
@@ -20,7 +21,7 @@ fn rect_json(rect: Option<Rect>) -> Value {
 fn drawn_json(drawn: Option<DrawnTimes>) -> Value {
     drawn.map_or(
         Value::Null,
-        |d| json!({"cursor": d.cursor, "content": d.content}),
+        |d| object!({"cursor": d.cursor, "content": d.content}),
     )
 }
 
@@ -46,7 +47,7 @@ impl App {
             .landmarks
             .iter()
             .map(|l| {
-                json!({
+                object!({
                     "id": l.id,
                     "name": l.name,
                     "enabled": l.enabled,
@@ -68,7 +69,7 @@ impl App {
             .collect();
         let navigator = &documents.mission.navigator;
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
-        json!({
+        object!({
             "photos": self.photos_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
@@ -76,7 +77,7 @@ impl App {
             }),
             "georeferencer": self.views.georeferencer.as_ref().map(|it| {
                 let fit = it.fitted().as_ref().ok();
-                json!({
+                object!({
                     "name": it.name,
                     "size": it.size.map(|(w, h)| [w, h]),
                     "points": it.points.len(),
@@ -92,18 +93,18 @@ impl App {
                     "epsg": it.system.and_then(|s| s.epsg()),
                 })
             }),
-            "labelling": self.views.labeller.as_ref().map(|it| json!({
+            "labelling": self.views.labeller.as_ref().map(|it| object!({
                 "picture": rect_json(it.picture_rect()),
                 "proposal": it.proposal().map(|(_, label)| [label.min, label.max]),
             })),
-            "labels": documents.mission.labels.iter().map(|l| json!({
+            "labels": documents.mission.labels.iter().map(|l| object!({
                 "frame": l.frame,
                 "boxes": l.boxes.iter().map(|b| json!([b.name, b.min, b.max])).collect::<Vec<_>>(),
                 "absent": l.absent,
             })).collect::<Vec<_>>(),
             "terrain": documents.terrain.heights().map(|grid| {
                 let center = grid.height_at(&self.views.map.camera.center);
-                json!({
+                object!({
                     "name": grid.name(),
                     "datum": grid.datum().name(),
                     "spacing": grid.spacing(),
@@ -120,11 +121,11 @@ impl App {
             "distinctness": found.map(|d| d.verdict.clone()),
             "undo": documents.history.depth().0,
             "redo": documents.history.depth().1,
-            "navigator": {
+            "navigator": object!({
                 "alpha": navigator.alpha,
                 "gate_confidence": navigator.gate_confidence,
                 "redraw": navigator.redraw,
-            },
+            }),
         })
     }
 
@@ -138,8 +139,8 @@ impl App {
                 .filter_map(|s| s.frame.as_ref())
         };
         let job = self.progress();
-        json!({
-            "job": job.map(|(f, w)| json!({"progress": f, "words": w})),
+        object!({
+            "job": job.map(|(f, w)| object!({"progress": f, "words": w})),
             "run_steps": run.map_or(0, |r| r.steps.len()),
             "run_complete": documents.run_complete,
             "run_generation": documents.run_generation,
@@ -148,7 +149,7 @@ impl App {
             "laid": frames().filter(|f| f.laid.as_ref().is_some_and(RegistrationReport::is_believed)).count(),
             "candidates": frames().map(|f| f.candidates.len()).sum::<usize>(),
             "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
-            "step": step.map(|s| json!({
+            "step": step.map(|s| object!({
                 "time": s.time,
                 "north": s.after.position().north,
                 "east": s.after.position().east,
@@ -157,7 +158,7 @@ impl App {
             "match": documents
                 .match_pictures
                 .as_ref()
-                .map(|m| json!({"time": m.time, "landmark": m.landmark})),
+                .map(|m| object!({"time": m.time, "landmark": m.landmark})),
         })
     }
 
@@ -172,7 +173,7 @@ impl App {
                 let at = LocalFrame::new(origin).geodetic_from_ground(&laid.centre);
                 [at.latitude.to_degrees(), at.longitude.to_degrees()]
             });
-            json!({
+            object!({
                 "name": photos.name(number),
                 "probability": report.map(|r| r.answer.probability),
                 "refused": report.and_then(|r| r.answer.laid.as_ref().err()),
@@ -184,7 +185,7 @@ impl App {
                 "height": laid.map(RegisteredPhoto::height),
             })
         };
-        json!({
+        object!({
             "rows": (0..photos.reports.len()).map(row).collect::<Vec<_>>(),
             "at_work": photos.at_work.is_some(),
             "trouble": photos.trouble,
@@ -199,10 +200,10 @@ impl App {
             .toasts
             .list()
             .iter()
-            .map(|t| json!({"title": t.title, "text": t.text, "trouble": t.trouble}))
+            .map(|t| object!({"title": t.title, "text": t.text, "trouble": t.trouble}))
             .collect();
         let map = &self.views.map;
-        json!({
+        object!({
             "time": self.playback.time,
             "span": self.documents.span().map(|(a, b)| [a, b]),
             "selected": self.playback.selected_span.map(|(a, b)| [a, b]),
@@ -217,18 +218,18 @@ impl App {
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
             "download": self.jobs.download.map(|d| {
-                json!({"done": d.done, "all": d.all, "failed": d.failed, "over": d.over})
+                object!({"done": d.done, "all": d.all, "failed": d.failed, "over": d.over})
             }),
             "toasts": toasts,
-            "dialogs": {
+            "dialogs": object!({
                 "palette": self.dialogs.palette.is_open(),
                 "help": self.dialogs.help,
                 "simulate": self.dialogs.simulate.is_open(),
                 "settings": self.dialogs.settings,
                 "web_map": self.dialogs.web_map.is_open(),
                 "columns": self.columns_json(),
-            },
-            "map": {
+            }),
+            "map": object!({
                 "rect": rect_json(map.rect()),
                 "center": [map.camera.center.north, map.camera.center.east],
                 "metres_per_point": map.camera.metres_per_point,
@@ -247,16 +248,16 @@ impl App {
                 "bounds": self.documents.map.as_ref().map(|m| {
                     [m.bounds.south, m.bounds.west, m.bounds.north, m.bounds.east]
                 }),
-            },
+            }),
             "timeline": rect_json(self.views.timeline.track()),
-            "drawn": {
+            "drawn": object!({
                 "map": drawn_json(map.drawn()),
                 "camera": drawn_json(self.views.camera.drawn()),
                 "match": drawn_json(self.views.matching.drawn()),
                 "plots": drawn_json(self.views.plots.drawn()),
                 "inspector": drawn_json(self.views.inspector.drawn()),
                 "timeline": drawn_json(self.views.timeline.drawn()),
-            },
+            }),
         })
     }
 

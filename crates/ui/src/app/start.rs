@@ -1,7 +1,5 @@
 //! The first moments, and what is remembered of an earlier visit.
 
-use serde_json::Value;
-
 use super::App;
 use super::aside::Aside;
 use super::frame_pictures::FramePictureRequests;
@@ -81,8 +79,11 @@ impl App {
         app.views.map.camera.metres_per_point = 0.7;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
         for feature in &mut app.views.features {
-            let saved = app.view.features.get(feature.info().id);
-            feature.restore(saved.unwrap_or(&Value::Null));
+            let own = feature.info().id;
+            let saved = app.view.features.iter().find(|(id, _)| id == own);
+            if let Some((_, part)) = saved {
+                feature.restore(part);
+            }
         }
         app
     }
@@ -160,10 +161,11 @@ impl App {
         self.view.speed = self.playback.speed;
         self.view.looping = self.playback.looping;
         for feature in &self.views.features {
-            let part = feature.save();
-            if !part.is_null() {
-                let id = feature.info().id.to_owned();
-                self.view.features.insert(id, part);
+            if let Some(part) = feature.save() {
+                let own = feature.info().id;
+                let parts = &mut self.view.features;
+                parts.retain(|(id, _)| id != own);
+                parts.push((own.to_owned(), part));
             }
         }
         self.view.hidden_layers = self.views.map.layers.hidden_names();

@@ -8,7 +8,7 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_core::navigator::VehicleChoice;
 use pilotage_core::registration::FollowSettings;
 use pilotage_jobs::{CalibrationOrder, Job, JobEvent, JobId, MapSource};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::CameraLogCommand;
 use super::panel::{CameraLogScene, CameraLogView};
@@ -21,6 +21,7 @@ use crate::feature::{
 };
 use crate::map::{MapLayer, ScreenFromWorld, paint_tried_footprint};
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
+use crate::state_json::object;
 
 /// Description of the feature.
 const INFO: FeatureInfo = FeatureInfo {
@@ -220,11 +221,11 @@ impl Feature for CameraLogFeature {
         let summaries = work.preview().map(|preview| preview.summaries);
         let rms = summaries.map(|of| of.map(|s| s.map(|s| s.place)));
         let frames = documents.flight.as_ref().map_or(&[][..], |f| &f.frames);
-        json!({
+        object!({
             "missing": missing.map(|missing| format!("{missing:?}")),
             "at_work": self.job.words.is_some(),
             "trouble": self.job.trouble,
-            "estimate": work.found.map(|found| json!({"told": found.told, "change": found.change})),
+            "estimate": work.found.map(|found| object!({"told": found.told, "change": found.change})),
             "by_hand": work.change(applied.as_ref()),
             "applied": applied,
             "position_rms": rms,

@@ -77,9 +77,10 @@ pub struct ViewState {
     pub looping: bool,
     /// Map layers that are switched off, by name.
     pub hidden_layers: Vec<String>,
-    /// Everything as it was stored: parts of features stand in it under their identities, beside the fields above.
+    /// Parts of features as JSON by their identities: they are stored beside the fields above, of which none is an
+    /// object.
     #[serde(skip)]
-    pub features: Map<String, Value>,
+    pub features: Vec<(String, String)>,
 }
 
 impl Default for ViewState {
@@ -97,7 +98,7 @@ impl Default for ViewState {
             speed: 2.0,
             looping: true,
             hidden_layers: Vec::new(),
-            features: Map::new(),
+            features: Vec::new(),
         }
     }
 }
@@ -105,20 +106,22 @@ impl Default for ViewState {
 impl ViewState {
     /// As bytes for the storage.
     pub fn encode(&self) -> Vec<u8> {
-        let mut all = self.features.clone();
-        if let Ok(Value::Object(own)) = serde_json::to_value(self) {
-            all.extend(own);
+        let mut text = serde_json::to_string(self).unwrap_or_default();
+        for (id, part) in &self.features {
+            if text.pop().is_some() {
+                text = format!("{text},\"{id}\":{part}}}");
+            }
         }
-        serde_json::to_vec(&all).unwrap_or_default()
+        text.into_bytes()
     }
 
     /// From the storage; the default if there is nothing readable.
     pub fn decode(bytes: &[u8]) -> Self {
         let all: Map<String, Value> = serde_json::from_slice(bytes).unwrap_or_default();
-        let own = Self::deserialize(&Value::Object(all.clone())).unwrap_or_default();
+        let parts = all.into_iter().filter(|(_, part)| part.is_object());
         Self {
-            features: all,
-            ..own
+            features: parts.map(|(id, part)| (id, part.to_string())).collect(),
+            ..serde_json::from_slice(bytes).unwrap_or_default()
         }
     }
 }
@@ -168,7 +171,8 @@ mod tests {
         let stored = br#"{"dark":false,"plan":{"limit":7.5}}"#;
         let mut view = ViewState::decode(stored);
         assert!(!view.dark);
-        assert_eq!(view.features["plan"], json!({"limit": 7.5}));
+        let part = (String::from("plan"), String::from("{\"limit\":7.5}"));
+        assert_eq!(view.features, [part]);
         view.dark = true;
         let again: Value = serde_json::from_slice(&view.encode()).unwrap();
         assert_eq!(again["dark"], json!(true));

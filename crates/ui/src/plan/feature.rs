@@ -116,12 +116,12 @@ impl Feature for Planner {
         self.recall_trainings(context);
     }
 
-    fn restore(&mut self, saved: &Value) {
+    fn restore(&mut self, saved: &str) {
         self.restore_preferences(saved);
     }
 
-    fn save(&self) -> Value {
-        self.saved()
+    fn save(&self) -> Option<String> {
+        serde_json::to_string(&self.preferences).ok()
     }
 
     fn on_event(&mut self, job: JobId, event: &JobEvent, context: &mut FeatureContext<'_>) {

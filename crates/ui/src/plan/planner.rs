@@ -6,7 +6,6 @@ use pilotage_core::mission::turn::turn_radius;
 use pilotage_core::simulate::{Airframe, Wind};
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 use super::assessments::Assessments;
 use super::chart::Chart;
@@ -142,14 +141,9 @@ pub struct Seen {
 }
 
 impl Planner {
-    /// Preferences, to be remembered until the next visit.
-    pub fn saved(&self) -> Value {
-        serde_json::to_value(&self.preferences).unwrap_or_default()
-    }
-
     /// Takes up preferences that an earlier visit remembered; the usual ones if they are not readable.
-    pub fn restore_preferences(&mut self, saved: &Value) {
-        self.preferences = PlanPreferences::deserialize(saved).unwrap_or_default();
+    pub fn restore_preferences(&mut self, saved: &str) {
+        self.preferences = serde_json::from_str(saved).unwrap_or_default();
     }
 
     /// Lets go of what does not exist any more, and selects the first route if none is.

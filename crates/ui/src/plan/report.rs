@@ -1,6 +1,8 @@
 //! The Plan workspace as journeys read it.
 
-use serde_json::{Value, json};
+use serde_json::Value;
+
+use crate::state_json::object;
 
 use super::patterns::Pattern;
 use super::planner::Planner;
@@ -14,7 +16,7 @@ impl Planner {
         let mission = &documents.mission;
         let way_point = |w: &pilotage_core::mission::WayPoint| {
             let screen = self.seen.view.map(|v| v.apply(&w.position));
-            json!({
+            object!({
                 "north": w.position.north,
                 "east": w.position.east,
                 "altitude": w.altitude.metres,
@@ -28,7 +30,7 @@ impl Planner {
             .routes
             .iter()
             .map(|r| {
-                json!({
+                object!({
                     "id": r.id,
                     "name": r.name,
                     "length": r.length(),
@@ -49,7 +51,7 @@ impl Planner {
             .iter()
             .filter_map(|l| Some((l, self.assessments.of(l)?)))
             .map(|(l, m)| {
-                json!({
+                object!({
                     "id": l.id,
                     "probability": m.last.expected.probability(),
                     "false_matches": m.last.false_matches,
@@ -57,20 +59,20 @@ impl Planner {
                 })
             })
             .collect();
-        json!({
+        object!({
             "routes": routes,
             "route": documents.route,
             "way_point": self.way_point,
             "drawing": self.drawing,
             "limit": self.preferences.limit,
             "chart": self.chart_rect().map(|r| [r.left(), r.top(), r.right(), r.bottom()]),
-            "marking": self.marking.as_ref().map(|m| json!({
+            "marking": self.marking.as_ref().map(|m| object!({
                 "purpose": format!("{:?}", m.purpose),
                 "corners": m.corners.len(),
             })),
             "marked": self.marked(self.seen.selection),
             "tab": format!("{:?}", self.tab),
-            "prediction": outlook.map(|o| json!({
+            "prediction": outlook.map(|o| object!({
                 "fine": self.forecast.is_fine(),
                 "worlds": shown.map(|s| s.order.worlds),
                 "took": shown.map(|s| s.took),
@@ -87,7 +89,7 @@ impl Planner {
             })),
             "trouble": self.forecast.trouble(),
             "measured": measured,
-            "areas": mission.no_fly.iter().map(|z| json!({
+            "areas": mission.no_fly.iter().map(|z| object!({
                 "name": z.name,
                 "corners": z.corners.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
             })).collect::<Vec<_>>(),
@@ -102,12 +104,12 @@ impl Planner {
             "envelopes": mission.landmarks.iter().filter_map(|l| {
                 let (height, envelope) = self.assessments.envelope(l)?;
                 let looks = envelope.cells.iter().map(|c| c.looks).sum::<usize>();
-                Some(json!({"id": l.id, "height": height, "looks": looks}))
+                Some(object!({"id": l.id, "height": height, "looks": looks}))
             }).collect::<Vec<_>>(),
             "surveying": self.assessments.surveyed(),
             "trainings": self.trainings.json(documents),
             "measuring": self.assessments.under_way().map(|(id, fraction, words)| {
-                json!({"id": id, "progress": fraction, "words": words})
+                object!({"id": id, "progress": fraction, "words": words})
             }),
         })
     }

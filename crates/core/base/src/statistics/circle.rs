@@ -21,15 +21,18 @@ const DIRECTIONS: usize = 64;
 /// assert!((radius - 2.4477).abs() < 1e-4);
 /// ```
 pub fn circle_radius(covariance: &Matrix2<f64>, probability: f64) -> f64 {
-    let axes = covariance.symmetric_eigenvalues().map(|v| v.max(0.0));
-    let longest = axes.max().sqrt();
+    // Eigenvalues of two rows, in closed form.
+    let middle = 0.5 * covariance.trace();
+    let half = (0.5 * (covariance.m11 - covariance.m22)).hypot(covariance.m12);
+    let axes = [middle + half, (middle - half).max(0.0)];
+    let longest = axes[0].max(0.0).sqrt();
     if longest <= 0.0 || !longest.is_finite() {
         return 0.0;
     }
     let step = FRAC_PI_2 / DIRECTIONS as f64;
     let directions = (0..DIRECTIONS).map(|i| {
         let cos = (step * (i as f64 + 0.5)).cos().powi(2);
-        axes.x * cos + axes.y * (1.0 - cos)
+        axes[0] * cos + axes[1] * (1.0 - cos)
     });
     let directions: Vec<f64> = directions.collect();
     let held = |radius: f64| {
