@@ -11,6 +11,8 @@ pub struct ShortcutListener {
     pending: Vec<Command>,
     /// Whether letters are for a field that is about to have the keyboard.
     held: bool,
+    /// Events that wait for the next frame, in their order.
+    waiting: Vec<Event>,
 }
 
 impl ShortcutListener {
@@ -24,6 +26,7 @@ impl ShortcutListener {
             table,
             pending: Vec::new(),
             held: false,
+            waiting: Vec::new(),
         }
     }
 
@@ -37,6 +40,28 @@ impl ShortcutListener {
     /// Says whether letters belong to a dialog, even before its field has the keyboard.
     pub fn hold(context: &Context, held: bool) {
         context.with_plugin(|listener: &mut Self| listener.held = held);
+    }
+
+    /// Leaves in `events` the presses of one key, or the clicks, that come first, with what is around them; the others
+    /// wait.
+    ///
+    /// A slow frame may hold several. Shortcuts are obeyed as it begins and other keys and clicks as it is drawn, so
+    /// that together they would be obeyed in another order than the one in which they came.
+    fn wait_in_turn(&mut self, events: &mut Vec<Event>) {
+        let mut first = None;
+        let second = events.iter().position(|event| {
+            let turn = match event {
+                Event::Key {
+                    key, pressed: true, ..
+                } => Some(*key),
+                Event::PointerButton { .. } => None,
+                _ => return false,
+            };
+            *first.get_or_insert(turn) != turn
+        });
+        if let Some(second) = second {
+            self.waiting = events.split_off(second);
+        }
     }
 
     fn command_for(&self, key: Key, modifiers: Modifiers) -> Option<&Command> {
@@ -75,6 +100,15 @@ impl Plugin for ShortcutListener {
 
     fn input_hook(&mut self, context: &Context, input: &mut RawInput) {
         let mut typing = self.held || context.text_edit_focused();
+        if !self.waiting.is_empty() {
+            input.events.splice(0..0, self.waiting.drain(..));
+        }
+        if !typing {
+            self.wait_in_turn(&mut input.events);
+        }
+        if !self.waiting.is_empty() {
+            context.request_repaint();
+        }
         let focused = context.memory(|memory| memory.focused().is_some());
         let mut pending = Vec::new();
         let mut took_letter = false;
@@ -104,5 +138,67 @@ impl Plugin for ShortcutListener {
             false
         });
         self.pending.extend(pending);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(key: Key) -> Event {
+        Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        }
+    }
+
+    /// For each of four frames, of which the first holds all the events: presses of "down" and of the mouse that
+    /// widgets see, and commands.
+    fn seen(events: Vec<Event>) -> Vec<(usize, usize, usize)> {
+        let context = Context::default();
+        let shortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Q);
+        let mut listener = ShortcutListener::new(&[]);
+        listener.table = vec![(shortcut, Command::TogglePlay)];
+        context.add_plugin(listener);
+        let mut events = Some(events);
+        let frames = (0..4).map(|_| {
+            let input = RawInput {
+                events: events.take().unwrap_or_default(),
+                ..RawInput::default()
+            };
+            let mut seen = (0, 0, 0);
+            let mut output = context.run_ui(input, |ui| {
+                seen.0 = ui.input(|i| i.num_presses(Key::ArrowDown));
+                seen.1 = usize::from(ui.input(|i| i.pointer.any_pressed()));
+                seen.2 = ShortcutListener::take(ui.ctx()).len();
+            });
+            output.textures_delta.clear();
+            seen
+        });
+        frames.collect()
+    }
+
+    #[test]
+    fn keys_and_clicks_of_a_slow_frame_are_obeyed_in_their_order() {
+        let [down, shortcut] = [press(Key::ArrowDown), press(Key::Q)];
+        let click = Event::PointerButton {
+            pos: egui::pos2(5.0, 5.0),
+            button: egui::PointerButton::Primary,
+            pressed: true,
+            modifiers: Modifiers::NONE,
+        };
+        let letter = Event::Text("q".to_owned());
+        let events = vec![
+            down.clone(),
+            down,
+            shortcut.clone(),
+            letter,
+            click,
+            shortcut,
+        ];
+        assert_eq!(seen(events), [(2, 0, 0), (0, 0, 1), (0, 1, 0), (0, 0, 1)]);
     }
 }
