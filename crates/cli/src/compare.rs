@@ -9,7 +9,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{EstimatorChoice, VehicleChoice};
 use pilotage_core::simulate::Scenario;
 use pilotage_core::study::{ComparisonRow, Contender, ContenderTally, EstimatorComparison};
-use pilotage_jobs::{ContestOrder, FlightSource, JobEvent, MapSource, TallyOrder};
+use pilotage_jobs::{ContestOrder, FlightSource, JobEvent, MapSource};
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
@@ -109,14 +109,15 @@ fn contest(
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let seeds: Vec<u64> = flights.iter().map(|(_, seed)| *seed).collect();
     let order = |(flight, seed)| {
-        TallyOrder(ContestOrder {
+        ContestOrder {
             flight,
             map: map.clone(),
             mission: mission.clone(),
             contenders: contenders.clone(),
             smooth: arguments.smooth,
             seed,
-        })
+        }
+        .tallied()
     };
     let orders = flights.into_iter().map(order).collect();
     let mut tallies: Vec<ContenderTally> = Vec::new();

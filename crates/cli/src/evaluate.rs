@@ -8,9 +8,7 @@ use pilotage_core::flight::read_flight;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::text::in_quotes;
 use pilotage_core::training::evaluation::Rate;
-use pilotage_jobs::{
-    AssessmentOrder, EvaluationInDetail, EvaluationOrder, JobEvent, JudgedDetector,
-};
+use pilotage_jobs::{AssessmentOrder, EvaluationOrder, JobEvent, JudgedDetector};
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, write_whole};
@@ -80,7 +78,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         lent = lent.with_flight(Arc::new(folder.flight), Some(folder.frames));
     }
     let order = |landmark: &Landmark| {
-        EvaluationInDetail(EvaluationOrder {
+        EvaluationOrder {
             about: ground.assessment(landmark, AssessmentOrder::SEED),
             flight: flight.clone(),
             photos: arguments.photos as usize,
@@ -88,7 +86,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             seed: arguments.seed,
             most_frames: usize::MAX,
             false_alarms: arguments.false_alarms,
-        })
+        }
+        .in_detail()
     };
     let orders = landmarks.iter().map(order).collect();
     let (mut all, mut told) = (Vec::<JudgedDetector>::new(), Instant::now());

@@ -9,7 +9,7 @@ use pilotage_core::landmark::trained::Preparation;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
 use pilotage_core::training::{FlightEnvelope, StageReport, TrainingPlan};
-use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder, TrainWithinOrder, TrainingOutcome};
+use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder, TrainingOutcome};
 use serde::Serialize;
 
 use crate::CommandResult;
@@ -173,7 +173,7 @@ fn train(
             tilt: arguments.tilt.to_radians(),
             ..usual
         };
-        TrainWithinOrder(order, envelope)
+        order.within(envelope)
     };
     let orders = landmarks.iter().map(order).collect();
     let (mut rows, mut stages) = (Vec::new(), 0);

@@ -10,7 +10,7 @@ use pilotage_core::navigator::Navigator;
 use pilotage_core::study::{Contender, ContenderTally, EstimatorComparison};
 
 use super::flights::OpenFlight;
-use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
+use super::order::{Order, Reads, Urgency, VariantOrder, WorkerRole, around, keys_of};
 use super::passage::Passage;
 use super::{Advance, ContestOrder, JobEvent, MapSource, RunningJob, WorkerState};
 
@@ -150,29 +150,15 @@ impl Order for ContestOrder {
     }
 }
 
-/// Contest over one of several flights: event `Figures` with the tallies ([`ContenderTally`]) of its contenders, to be
-/// merged with those of the other flights.
-pub struct TallyOrder(pub ContestOrder);
-
-impl Order for TallyOrder {
-    const URGENCY: Urgency = ContestOrder::URGENCY;
-
-    fn role(&self) -> WorkerRole {
-        self.0.role()
-    }
-
-    fn files(&self) -> Vec<&str> {
-        self.0.files()
-    }
-
-    fn reads(&self) -> Option<(&MapSource, Reads)> {
-        self.0.reads()
-    }
-
-    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Contest::new(self.0, |tallies| {
-            JobEvent::of_figures(&tallies)
-        }))
+impl ContestOrder {
+    /// The contest over one of several flights: event `Figures` with the tallies ([`ContenderTally`]) of its contenders, to
+    /// be merged with those of the other flights.
+    pub fn tallied(self) -> VariantOrder<Self> {
+        VariantOrder::new(self, |order| {
+            Box::new(Contest::new(order, |tallies| {
+                JobEvent::of_figures(&tallies)
+            }))
+        })
     }
 }
 
@@ -245,12 +231,13 @@ mod tests {
             });
             let mut mission = mission.clone();
             mission.navigator.alpha = alpha;
-            TallyOrder(ContestOrder {
+            ContestOrder {
                 contenders: Contender::all(&[EstimatorChoice::Unscented], &[vehicle]),
                 smooth: false,
                 seed,
                 ..ContestOrder::of_all(flight, MapSource::world("countryside"), mission)
-            })
+            }
+            .tallied()
         };
         let mut tallies: Vec<ContenderTally> = figures(order(1, 1.0));
         let of_second: Vec<ContenderTally> = figures(order(2, 1.0));

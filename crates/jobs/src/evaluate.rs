@@ -14,7 +14,7 @@ use pilotage_core::training::evaluation::{
 };
 
 use super::flights::OpenFlight;
-use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
+use super::order::{Order, Reads, Urgency, VariantOrder, WorkerRole, around, keys_of};
 use super::running::SLICE;
 use super::{
     Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, JudgedDetector, MapSource,
@@ -376,26 +376,12 @@ impl Order for EvaluationOrder {
     }
 }
 
-/// Judging of which everything is told: after the last report an event `Figures` with a [`JudgedDetector`].
-pub struct EvaluationInDetail(pub EvaluationOrder);
-
-impl Order for EvaluationInDetail {
-    const URGENCY: Urgency = EvaluationOrder::URGENCY;
-
-    fn role(&self) -> WorkerRole {
-        self.0.role()
-    }
-
-    fn files(&self) -> Vec<&str> {
-        self.0.files()
-    }
-
-    fn reads(&self) -> Option<(&MapSource, Reads)> {
-        self.0.reads()
-    }
-
-    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Evaluate::new(self.0, Some(in_detail)))
+impl EvaluationOrder {
+    /// Judging of which everything is told: after the last report an event `Figures` with a [`JudgedDetector`].
+    pub fn in_detail(self) -> VariantOrder<Self> {
+        VariantOrder::new(self, |order| {
+            Box::new(Evaluate::new(order, Some(in_detail)))
+        })
     }
 }
 
@@ -535,7 +521,7 @@ mod tests {
         let mut order = order(true);
         order.most_frames = 3;
         order.false_alarms = 0.25;
-        let judged: JudgedDetector = crate::running::figures(EvaluationInDetail(order.clone()));
+        let judged: JudgedDetector = crate::running::figures(order.clone().in_detail());
         assert_eq!(judged.landmark, order.about.landmark.name);
         assert_eq!(judged.evaluation.operating.allowed, 0.25);
         let real = judged.looks.iter().filter(|look| look.real).count();
@@ -548,7 +534,7 @@ mod tests {
         assert_eq!(of_real.deceived.of, real);
         // Without a flight nothing is said of real frames.
         order.flight = None;
-        let judged: JudgedDetector = crate::running::figures(EvaluationInDetail(order));
+        let judged: JudgedDetector = crate::running::figures(order.in_detail());
         assert_eq!((judged.in_real_frames, judged.looks.len()), (None, 10));
     }
 }

@@ -63,10 +63,8 @@ mod worker_pool;
 mod worker_state;
 
 pub use assess::SumUpOrder;
-pub use contest::TallyOrder;
 pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
-pub use evaluate::EvaluationInDetail;
 pub use explain::ExplainOrder;
 pub use fetched_tiles::WEB_TILES;
 pub use file_pool::has_ending;
@@ -92,7 +90,7 @@ pub use messages::{
     TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
-pub use order::{Order, Reads, Urgency, WorkerRole};
+pub use order::{Order, Reads, Urgency, VariantOrder, WorkerRole};
 pub use passage::Passage;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use prepare::PrepareMapOrder;
@@ -107,7 +105,6 @@ pub use smooth::SmoothOrder;
 pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;
 pub use tables::{COLUMNS_FILE, MakeFlightOrder, write_columns};
-pub use train::TrainWithinOrder;
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
 pub use worker_pool::{WorkerPool, WorkerPort};

@@ -104,6 +104,40 @@ impl<O: Order> Order for Box<O> {
     }
 }
 
+/// Order that is done in another way than by itself: it needs what that needs.
+pub struct VariantOrder<O> {
+    order: O,
+    begin: Box<dyn FnOnce(O) -> Box<dyn RunningJob> + Send>,
+}
+
+impl<O: Order> VariantOrder<O> {
+    /// The order, made ready to advance by `begin`.
+    pub fn new(order: O, begin: impl FnOnce(O) -> Box<dyn RunningJob> + Send + 'static) -> Self {
+        let begin = Box::new(begin);
+        Self { order, begin }
+    }
+}
+
+impl<O: Order> Order for VariantOrder<O> {
+    const URGENCY: Urgency = O::URGENCY;
+
+    fn role(&self) -> WorkerRole {
+        self.order.role()
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.order.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.order.reads()
+    }
+
+    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
+        (self.begin)(self.order)
+    }
+}
+
 /// Margin around a landmark within which pixels are needed to look for it, metres.
 const AROUND_LANDMARK: f64 = 80.0;
 

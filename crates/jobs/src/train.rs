@@ -8,7 +8,7 @@ use pilotage_core::frames::GroundRect;
 use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{DetectorTraining, FlightEnvelope, TrainingPhoto, labelled_photos};
 
-use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
+use super::order::{Order, Reads, Urgency, VariantOrder, WorkerRole, around, keys_of};
 use super::running::SLICE;
 use super::{
     Advance, JobEvent, MapSource, RunningJob, TrainOrder, TrainingLeft, TrainingOutcome,
@@ -227,26 +227,10 @@ impl Order for TrainOrder {
     }
 }
 
-/// Training for flights in another envelope than that around the planned one.
-pub struct TrainWithinOrder(pub TrainOrder, pub FlightEnvelope);
-
-impl Order for TrainWithinOrder {
-    const URGENCY: Urgency = TrainOrder::URGENCY;
-
-    fn role(&self) -> WorkerRole {
-        self.0.role()
-    }
-
-    fn files(&self) -> Vec<&str> {
-        self.0.files()
-    }
-
-    fn reads(&self) -> Option<(&MapSource, Reads)> {
-        self.0.reads()
-    }
-
-    fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(Train::new(self.0, self.1))
+impl TrainOrder {
+    /// Training for flights in another envelope than that around the planned one.
+    pub fn within(self, envelope: FlightEnvelope) -> VariantOrder<Self> {
+        VariantOrder::new(self, move |order| Box::new(Train::new(order, envelope)))
     }
 }
 

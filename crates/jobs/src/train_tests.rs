@@ -298,7 +298,7 @@ fn a_landmark_that_fits_into_no_picture_is_refused_in_words() {
 
 #[test]
 fn a_training_within_the_usual_envelope_is_the_usual_one_and_within_another_is_not() {
-    let trained = |order: TrainWithinOrder| {
+    let trained = |order: VariantOrder<TrainOrder>| {
         let mut events = crate::running::finished(order).into_iter();
         let found = events.find_map(|event| match event {
             JobEvent::Trained(outcome) => Some(outcome.detector),
@@ -312,8 +312,8 @@ fn a_training_within_the_usual_envelope_is_the_usual_one_and_within_another_is_n
         ..usual.clone()
     };
     let plain = crate::running::finished(order());
-    let usual = trained(TrainWithinOrder(order(), usual));
+    let usual = trained(order().within(usual));
     let is_same = |event: &JobEvent| matches!(event, JobEvent::Trained(o) if o.detector == usual);
     assert!(plain.iter().any(is_same));
-    assert_ne!(trained(TrainWithinOrder(order(), level)), usual);
+    assert_ne!(trained(order().within(level)), usual);
 }

@@ -47,17 +47,21 @@ impl SimulationOptions {
         MapSource::world(self.world().key())
     }
 
-    /// Values that it has otherwise than its scenario.
-    pub fn overrides(&self) -> Overrides {
-        let day = if self.other_day {
+    /// Day on which the pictures are taken.
+    pub fn day(&self) -> FlightDay {
+        if self.other_day {
             FlightDay::Other
         } else {
             FlightDay::Same
-        };
+        }
+    }
+
+    /// Values that it has otherwise than its scenario.
+    pub fn overrides(&self) -> Overrides {
         Overrides {
             wind: self.wind.map(|(from, speed)| Wind { from, speed }),
             height: self.height,
-            day: Some(day),
+            day: Some(self.day()),
             ..Overrides::default()
         }
     }

@@ -4,7 +4,6 @@
 use std::sync::Arc;
 
 use pilotage_core::imagery::Blank;
-use pilotage_core::simulate::FlightDay;
 
 use super::super::flights::OpenFlight;
 use super::super::worker_state::OpenedMap;
@@ -24,12 +23,8 @@ pub fn open_flight(worker: &mut WorkerState, source: &FlightSource) -> Result<Op
     match source {
         FlightSource::Simulated(options) => {
             let world = worker.world(simulated::choice(options)?.world.key())?;
-            let day = if options.other_day {
-                FlightDay::Other
-            } else {
-                FlightDay::Same
-            };
-            simulated::open(options, world.as_ref(), worker.shown_ground(day))
+            let shown = worker.shown_ground(options.day());
+            simulated::open(options, world.as_ref(), shown)
         }
         FlightSource::Nothing => Err("no flight is open".to_owned()),
         FlightSource::Files(_) => {
