@@ -20,6 +20,7 @@ pub mod outage;
 pub mod photos;
 pub mod plan;
 pub mod shell;
+pub mod short_map;
 mod state_json;
 pub mod still;
 pub mod timeline;

@@ -1,13 +1,13 @@
 //! The page's entry.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use js_sys::{Array, Uint8Array};
 use pilotage_jobs::FileContent;
 use pilotage_ui::host::OpenedFile;
 use pilotage_ui::kept_mesh::install;
+use pilotage_ui::short_map::ShortMap;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -23,8 +23,8 @@ use crate::lent::{Blob, lend};
 #[derive(Clone)]
 pub struct WebHandle {
     runner: eframe::WebRunner,
-    remembered: Rc<RefCell<HashMap<String, Vec<u8>>>>,
-    remembered_files: Rc<RefCell<HashMap<String, FileContent>>>,
+    remembered: Rc<RefCell<ShortMap<String, Vec<u8>>>>,
+    remembered_files: Rc<RefCell<ShortMap<String, FileContent>>>,
     running: Rc<RefCell<Option<(egui::Context, PageHost)>>>,
 }
 

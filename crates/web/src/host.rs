@@ -1,7 +1,7 @@
 //! The page's services for the app.
 
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use js_sys::Uint8Array;
@@ -10,6 +10,7 @@ use pilotage_jobs::{
     FileContent, FirstSeconds, Job, JobEvent, JobId, Prelude, Reply, WorkerPool, wanted_addresses,
 };
 use pilotage_ui::host::{Download, Host, OpenedFile};
+use pilotage_ui::short_map::ShortMap;
 
 use wasm_bindgen::JsValue;
 
@@ -25,9 +26,9 @@ const READING: f64 = 3.0;
 #[derive(Default)]
 pub struct Remembered {
     /// Documents.
-    pub bytes: HashMap<String, Vec<u8>>,
+    pub bytes: ShortMap<String, Vec<u8>>,
     /// Large files.
-    pub files: HashMap<String, FileContent>,
+    pub files: ShortMap<String, FileContent>,
 }
 
 /// The page's services; every clone is the same.
@@ -48,9 +49,17 @@ struct Inner {
     announced: String,
     timings: Vec<StepTiming>,
     /// Jobs that wait for tiles of the web.
-    fetching: HashSet<JobId>,
+    fetching: Vec<JobId>,
     /// Problem last told of tiles that cannot be had, in words.
     told: Option<String>,
+}
+
+impl Inner {
+    /// Whether a job's tiles were on their way; they are awaited no more.
+    fn ends_fetching(&mut self, job: JobId) -> bool {
+        let at = self.fetching.iter().position(|id| *id == job);
+        at.map(|at| self.fetching.swap_remove(at)).is_some()
+    }
 }
 
 impl PageHost {
@@ -58,14 +67,14 @@ impl PageHost {
     fn fetch_for(&self, job: Job, addresses: Vec<String>) -> JobId {
         let mut inner = self.inner.borrow_mut();
         let id = inner.pool.reserve();
-        inner.fetching.insert(id);
+        inner.fetching.push(id);
         let list = addresses.iter().map(JsValue::from).collect();
         let promise = inner.shell.fetch_tiles(list);
         let shared = self.inner.clone();
         wasm_bindgen_futures::spawn_local(async move {
             let came = fetched(addresses, promise).await;
             let mut inner = shared.borrow_mut();
-            if !inner.fetching.remove(&id) {
+            if !inner.ends_fetching(id) {
                 return;
             }
             if came.problem.is_some() && came.problem != inner.told {
@@ -101,7 +110,7 @@ impl PageHost {
             opened: Vec::new(),
             announced: String::new(),
             timings: Vec::new(),
-            fetching: HashSet::new(),
+            fetching: Vec::new(),
             told: None,
         };
         Self {
@@ -239,7 +248,7 @@ impl Host for PageHost {
 
     fn cancel(&mut self, job: JobId) {
         let mut inner = self.inner.borrow_mut();
-        if inner.fetching.remove(&job) {
+        if inner.ends_fetching(job) {
             inner.pool.say(job, JobEvent::Cancelled);
         } else {
             inner.pool.cancel(job);

@@ -120,6 +120,7 @@ const UI: Order = Order {
         "kept_mesh",
         "state_json",
         "still",
+        "short_map",
         "host",
         "feature_command",
         "command",

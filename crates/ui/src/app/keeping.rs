@@ -86,8 +86,8 @@ impl App {
         used.extend(
             self.jobs
                 .opening
-                .values()
-                .map(|opening| opening.key.clone()),
+                .iter()
+                .map(|(_, opening)| opening.key.clone()),
         );
         used.extend(self.views.georeferencer.as_ref().map(|g| g.key.clone()));
         used.extend(self.dialogs.columns.key().map(str::to_owned));

@@ -177,7 +177,7 @@ impl App {
 
     /// Stops looking at opened files; true if that was under way.
     pub(super) fn stop_opening(&mut self, host: &mut dyn Host) -> bool {
-        let ids: Vec<JobId> = self.jobs.opening.keys().copied().collect();
+        let ids: Vec<JobId> = self.jobs.opening.iter().map(|(id, _)| *id).collect();
         for id in &ids {
             host.cancel(*id);
         }

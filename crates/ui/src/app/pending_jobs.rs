@@ -1,13 +1,12 @@
 //! The jobs under way and what they are for.
 
-use std::collections::HashMap;
-
 use super::storage::Keeping;
 use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
 use crate::host::Download;
 use crate::host::OpenedFile;
 use crate::map::TileKey;
+use crate::short_map::ShortMap;
 use pilotage_jobs::{FlightSource, JobId, MapSource};
 
 /// A flight being flown and navigated.
@@ -93,7 +92,7 @@ pub struct PendingJobs {
     /// When to fly again after a change, milliseconds of the host's clock.
     pub fly_again_at: Option<f64>,
     /// Tiles asked for.
-    pub tiles: HashMap<JobId, TileKey>,
+    pub tiles: ShortMap<JobId, TileKey>,
     /// The map being made ready for wide views: job, how far, in words.
     pub preparing: Option<(JobId, f32, String)>,
     /// Whether the user stopped that.
@@ -103,7 +102,7 @@ pub struct PendingJobs {
     /// Whether the map is to be shown whole once it is known how far it reaches.
     pub fit_map_when_known: bool,
     /// Tiles asked for of the picture that is put on the ground.
-    pub picture_tiles: HashMap<JobId, TileKey>,
+    pub picture_tiles: ShortMap<JobId, TileKey>,
     /// The question what that picture is.
     pub describe_picture: Option<JobId>,
     /// The files that the picture is among: what people call them, and they themselves.
@@ -123,7 +122,7 @@ pub struct PendingJobs {
     /// The search of a trained detector being looked at again: job, time, landmark.
     pub detector: Option<(JobId, f64, u32)>,
     /// Files being looked at.
-    pub opening: HashMap<JobId, Opening>,
+    pub opening: ShortMap<JobId, Opening>,
     /// Batches of files opened so far.
     pub opened_batches: usize,
     /// Whether the document changed since it was stored last.

@@ -117,11 +117,12 @@ impl ViewState {
 
     /// From the storage; the default if there is nothing readable.
     pub fn decode(bytes: &[u8]) -> Self {
-        let all: Map<String, Value> = serde_json::from_slice(bytes).unwrap_or_default();
+        let text = std::str::from_utf8(bytes).unwrap_or_default();
+        let all: Map<String, Value> = serde_json::from_str(text).unwrap_or_default();
         let parts = all.into_iter().filter(|(_, part)| part.is_object());
         Self {
             features: parts.map(|(id, part)| (id, part.to_string())).collect(),
-            ..serde_json::from_slice(bytes).unwrap_or_default()
+            ..serde_json::from_str(text).unwrap_or_default()
         }
     }
 }

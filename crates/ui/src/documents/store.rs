@@ -1,7 +1,5 @@
 //! The open documents. Nothing else remembers what is shown.
 
-use std::collections::HashMap;
-
 use pilotage_core::calibration::CameraAdjustment;
 use pilotage_core::flight::Flight;
 use pilotage_core::frames::Geodetic;
@@ -13,6 +11,7 @@ use super::empty_mission::empty_mission;
 use super::{Brought, FramePictures, History, LogFile, Noticed, OpenedTerrain, Session};
 use crate::context::route_of;
 use crate::photos::PhotosState;
+use crate::short_map::ShortMap;
 use crate::views::Examined;
 use pilotage_jobs::{
     DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures,
@@ -68,7 +67,7 @@ pub struct Documents {
     /// The height of the ground.
     pub terrain: OpenedTerrain,
     /// Distinctness of landmarks, by id; true only while the box is the same.
-    pub distinctness: HashMap<u32, Distinctness>,
+    pub distinctness: ShortMap<u32, Distinctness>,
     /// The landmark that could not be examined, and why.
     pub examined_in_vain: Option<(u32, String)>,
     /// The pictures of the match asked for last.
@@ -112,7 +111,7 @@ impl Documents {
             map_source: session.map.clone(),
             map: None,
             terrain: OpenedTerrain::default(),
-            distinctness: HashMap::new(),
+            distinctness: ShortMap::default(),
             examined_in_vain: None,
             match_pictures: None,
             detector_search: None,

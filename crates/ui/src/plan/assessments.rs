@@ -10,6 +10,7 @@ use super::kept::{MEASURED_KEY, basis_of, decode, encode, use_what_is_true};
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::host::Host;
+use crate::short_map::ShortMap;
 use pilotage_jobs::{
     Assessment, AssessmentOrder, EnvelopeOrder, Job, JobEvent, JobId, KeptMeasurement, MapSource,
     MeasuredLandmark, MeasurementBasis,
@@ -35,11 +36,11 @@ pub fn assumed() -> ExpectedDetection {
 pub struct Assessments {
     measured: HashMap<u32, MeasuredLandmark>,
     /// The height around which landmarks were looked at, and the envelopes.
-    envelopes: HashMap<u32, (Landmark, f64, Envelope)>,
+    envelopes: ShortMap<u32, (Landmark, f64, Envelope)>,
     wants_envelope: Option<AssessmentOrder>,
     surveyed: Option<(JobId, AssessmentOrder)>,
     /// Why a landmark could not be measured.
-    failed: HashMap<u32, (Landmark, String)>,
+    failed: ShortMap<u32, (Landmark, String)>,
     waiting: VecDeque<AssessmentOrder>,
     asked: Option<(JobId, u32)>,
     /// Progress of the measurement under way, 0 to 1, and its words.
@@ -51,7 +52,7 @@ pub struct Assessments {
     /// The map that all of it is about.
     map: Option<MapSource>,
     /// Basis of the measurements of a landmark.
-    bases: HashMap<u32, MeasurementBasis>,
+    bases: ShortMap<u32, MeasurementBasis>,
     /// Measurements of an earlier visit or out of a mission file that are not true of what is open.
     recalled: Vec<KeptMeasurement>,
     /// Whether there is something new to be stored.
@@ -233,7 +234,9 @@ impl Assessments {
             self.measured.remove(&id);
             self.envelopes.remove(&id);
         }
-        self.bases.extend(basis.map(|basis| (id, basis)));
+        if let Some(basis) = basis {
+            self.bases.insert(id, basis);
+        }
     }
 
     /// Begins the next one.

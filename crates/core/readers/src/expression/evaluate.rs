@@ -1,7 +1,6 @@
 //! The values of an expression.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -55,7 +54,7 @@ struct RequestedSeries {
 
 struct ExpressionEvaluator<'a> {
     source: &'a dyn SeriesSource,
-    loaded: RefCell<HashMap<String, Rc<RequestedSeries>>>,
+    loaded: RefCell<Vec<(String, Rc<RequestedSeries>)>>,
 }
 
 impl Expression {
@@ -101,7 +100,8 @@ impl ExpressionEvaluator<'_> {
         name: &str,
         place: &Range<usize>,
     ) -> Result<Rc<RequestedSeries>, ExpressionError> {
-        if let Some(found) = self.loaded.borrow().get(name) {
+        let is_named = |(own, _): &&(String, _)| own == name;
+        if let Some((_, found)) = self.loaded.borrow().iter().find(is_named) {
             return Ok(found.clone());
         }
         let Some(samples) = self.source.samples(name) else {
@@ -119,7 +119,7 @@ impl ExpressionEvaluator<'_> {
             unit: samples.unit,
             period,
         });
-        (self.loaded.borrow_mut()).insert(name.to_owned(), series.clone());
+        (self.loaded.borrow_mut()).push((name.to_owned(), series.clone()));
         Ok(series)
     }
 

@@ -1,12 +1,11 @@
 //! Series of the plots, taken from a run step by step as it streams in.
 
-use std::collections::HashMap;
-
 use pilotage_core::filter::chi_square_interval;
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{Outcome, Run, StepReport};
 
 use super::pyramid::ExtentPyramid;
+use crate::short_map::ShortMap;
 
 /// Most steps taken over in one frame of the screen, so that a long run fills without a stutter.
 const STEPS_PER_FRAME: usize = 20_000;
@@ -124,7 +123,7 @@ pub(crate) struct RunSeries {
     pub revision: u64,
     last_correction: Option<f64>,
     seen: Option<Fingerprint>,
-    bounds: HashMap<usize, (f64, f64)>,
+    bounds: ShortMap<usize, (f64, f64)>,
 }
 
 impl Default for RunSeries {
@@ -138,7 +137,7 @@ impl Default for RunSeries {
             revision: 0,
             last_correction: None,
             seen: None,
-            bounds: HashMap::new(),
+            bounds: ShortMap::default(),
         }
     }
 }
@@ -225,10 +224,13 @@ impl RunSeries {
     fn add_frame(&mut self, step: &StepReport) {
         let Some(frame) = &step.frame else { return };
         if let Some(joint) = &frame.joint {
-            let (low, high) = *self
-                .bounds
-                .entry(joint.degrees_of_freedom)
-                .or_insert_with(|| chi_square_interval(joint.degrees_of_freedom as f64));
+            let freedom = joint.degrees_of_freedom;
+            let known = self.bounds.get(&freedom).copied();
+            let (low, high) = known.unwrap_or_else(|| {
+                let found = chi_square_interval(freedom as f64);
+                self.bounds.insert(freedom, found);
+                found
+            });
             self.frames
                 .push(step.time, [Some(joint.nis), Some(low), Some(high)]);
         }
