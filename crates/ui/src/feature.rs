@@ -319,7 +319,7 @@ pub trait Feature {
     }
 
     /// Takes an event of a job that it started.
-    fn on_event(&mut self, _job: JobId, _event: &JobEvent, _context: &mut FeatureContext<'_>) {}
+    fn on_event(&mut self, _job: JobId, _event: JobEvent, _context: &mut FeatureContext<'_>) {}
 
     /// Stops its work because people asked for that; whether there was any.
     fn stop(&mut self, _context: &mut FeatureContext<'_>) -> bool {

@@ -211,25 +211,29 @@ impl App {
         true
     }
 
-    /// Brings an event to the feature that started its job; whether one did.
+    /// Number of the feature that started a job, if one did.
+    pub(super) fn owner_of(&self, id: JobId) -> Option<usize> {
+        let owner = self.owners.iter().find(|(job, _)| *job == id);
+        owner.and_then(|(_, owner)| self.feature(owner))
+    }
+
+    /// Brings an event to the feature of that number, which started its job.
     pub(super) fn feature_event(
         &mut self,
+        index: usize,
         egui: &egui::Context,
         host: &mut dyn Host,
-        id: JobId,
-        event: &JobEvent,
-    ) -> bool {
-        let owner = self.owners.iter().find(|(job, _)| *job == id);
-        let Some(index) = owner.and_then(|(_, owner)| self.feature(owner)) else {
-            return false;
-        };
+        (id, event): (JobId, JobEvent),
+    ) {
         if event.is_last() {
             self.owners.retain(|(job, _)| *job != id);
         }
+        let mut event = Some(event);
         self.with_feature(index, egui, host, &mut |feature, context| {
-            feature.on_event(id, event, context);
+            if let Some(event) = event.take() {
+                feature.on_event(id, event, context);
+            }
         });
-        true
     }
 
     /// Stops the work of the first feature that has any; whether one had.

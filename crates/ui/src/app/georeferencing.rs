@@ -194,7 +194,12 @@ impl App {
             return;
         };
         let wanted = georeferencer.canvas.tiles.wanted();
-        let under_way: Vec<_> = self.jobs.picture_tiles.values().copied().collect();
+        let under_way: Vec<_> = self
+            .jobs
+            .picture_tiles
+            .iter()
+            .map(|(_, key)| *key)
+            .collect();
         let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
         let next = wanted.iter().filter(|key| !under_way.contains(key));
         for key in next.take(room) {

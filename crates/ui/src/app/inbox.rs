@@ -62,8 +62,9 @@ impl App {
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        if self.evaluating.receive(id, &event)
-            || self.feature_event(context, host, id, &event)
+        if let Some(index) = self.owner_of(id) {
+            self.feature_event(index, context, host, (id, event));
+        } else if self.evaluating.receive(id, &event)
             || self
                 .frame_pictures
                 .receive(id, &event, &mut self.views.camera)

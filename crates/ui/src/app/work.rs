@@ -196,7 +196,7 @@ impl App {
             self.jobs.tiles.remove(&id);
             host.cancel(id);
         }
-        let under_way: Vec<_> = self.jobs.tiles.values().copied().collect();
+        let under_way: Vec<_> = self.jobs.tiles.iter().map(|(_, key)| *key).collect();
         let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
         let next: Vec<_> = wanted
             .iter()

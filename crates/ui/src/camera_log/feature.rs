@@ -166,11 +166,11 @@ impl Feature for CameraLogFeature {
         vec![self]
     }
 
-    fn on_event(&mut self, _job: JobId, event: &JobEvent, _context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, _job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
+        self.job.take(&event);
         if let JobEvent::CameraCalibrated(found) = event {
-            self.work.take(**found);
+            self.work.take(*found);
         }
-        self.job.take(event);
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

@@ -206,15 +206,15 @@ impl Feature for Compare {
         vec![&self.shelf]
     }
 
-    fn on_event(&mut self, job: JobId, event: &JobEvent, context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
         let smoothing = self.smoothing.as_ref().filter(|(id, _)| *id == job);
         if let Some((_, track)) = smoothing.cloned() {
-            return self.smoothing_event(track, event, context);
+            return self.smoothing_event(track, &event, context);
         }
+        self.contest.work.take(&event);
         if let JobEvent::ContestJudged(found) = event {
-            self.contest.found = Some((**found).clone());
+            self.contest.found = Some(*found);
         }
-        self.contest.work.take(event);
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

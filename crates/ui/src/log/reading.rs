@@ -73,24 +73,24 @@ impl LogFeature {
         reading.is_some()
     }
 
-    pub(super) fn reading_event(&mut self, event: &JobEvent, context: &mut FeatureContext<'_>) {
+    pub(super) fn reading_event(&mut self, event: JobEvent, context: &mut FeatureContext<'_>) {
         let Some(reading) = &mut self.reading else {
             return;
         };
         match event {
             JobEvent::Progress(progress, words) => {
-                (reading.progress, reading.words) = (*progress, words.clone());
+                (reading.progress, reading.words) = (progress, words);
             }
             JobEvent::LogOutline(outline) => {
                 self.show(context);
-                self.grow((**outline).clone(), context);
+                self.grow(*outline, context);
                 if self.plots.is_empty() {
                     self.plots.begin(OpenLog::likely_fields());
                 }
             }
             JobEvent::LogRead(read) => {
                 self.show(context);
-                self.take(read, context);
+                self.take(*read, context);
             }
             JobEvent::Failed(why) => {
                 let title = format!("{} was not read to its end", reading.flight.name);
@@ -132,17 +132,17 @@ impl LogFeature {
         }
     }
 
-    fn take(&mut self, read: &ReadLog, context: &mut FeatureContext<'_>) {
+    fn take(&mut self, read: ReadLog, context: &mut FeatureContext<'_>) {
         let Some(Reading { flight, .. }) = self.reading.take() else {
             return;
         };
-        self.grow(read.outline.clone(), context);
+        self.grow(read.outline, context);
         let Some(log) = &mut self.log else {
             return;
         };
-        log.overview = Some(read.overview.clone());
+        log.overview = Some(read.overview);
         let frame = read.flight.as_ref().ok().copied().flatten();
-        log.tracks = (read.tracks.clone(), frame);
+        log.tracks = (read.tracks, frame);
         self.answers = LogAnswers::default();
         let plots = &mut self.plots;
         if plots.is_empty() || plots.panels().eq(OpenLog::likely_fields()) {

@@ -116,13 +116,13 @@ impl Feature for Outages {
         vec![self]
     }
 
-    fn on_event(&mut self, _job: JobId, event: &JobEvent, _context: &mut FeatureContext<'_>) {
+    fn on_event(&mut self, _job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
+        self.work.take(&event);
         match event {
-            JobEvent::OutageMade(report) => self.report = Some((**report).clone()),
-            JobEvent::OutagesStudied(report) => self.study = Some((**report).clone()),
+            JobEvent::OutageMade(report) => self.report = Some(*report),
+            JobEvent::OutagesStudied(report) => self.study = Some(*report),
             _ => {}
         }
-        self.work.take(event);
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

@@ -95,7 +95,7 @@ impl Feature for Planner {
             context.tokens,
             context.units,
             self,
-            (context.mission, context.selected_route()),
+            context.mission,
             corner,
         );
         let below = rect.left_top() + vec2(16.0, 68.0);
@@ -124,8 +124,8 @@ impl Feature for Planner {
         serde_json::to_string(&self.preferences).ok()
     }
 
-    fn on_event(&mut self, job: JobId, event: &JobEvent, context: &mut FeatureContext<'_>) {
-        self.receive(job, event, context);
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+        self.receive(job, &event, context);
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {

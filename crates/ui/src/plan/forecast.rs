@@ -33,6 +33,8 @@ pub struct ShownPrediction {
 #[derive(Debug, Default)]
 pub struct Forecast {
     shown: Option<ShownPrediction>,
+    /// Number of predictions that were shown or taken away so far.
+    number: u64,
     /// Why nothing can be predicted.
     trouble: Option<String>,
     asked: Option<AskedPrediction>,
@@ -47,6 +49,11 @@ impl Forecast {
     /// The prediction on screen.
     pub fn shown(&self) -> Option<&ShownPrediction> {
         self.shown.as_ref()
+    }
+
+    /// Number of the prediction on screen, another one for each and for none.
+    pub fn number(&self) -> u64 {
+        self.number
     }
 
     /// Why nothing can be predicted.
@@ -137,6 +144,7 @@ impl Forecast {
         if let Some(asked) = self.asked.take() {
             context.cancel(asked.id);
         }
+        self.number += 1;
         self.shown = None;
         self.plan = None;
         self.trouble = None;
@@ -158,6 +166,7 @@ impl Forecast {
                 if asked.order.worlds == COARSE {
                     self.coarse = Some((took, *computed));
                 }
+                self.number += 1;
                 self.shown = Some(ShownPrediction {
                     prediction,
                     order: asked.order,
@@ -166,6 +175,7 @@ impl Forecast {
             }
             JobEvent::Failed(why) => {
                 self.trouble = Some(why.clone());
+                self.number += 1;
                 self.shown = None;
             }
             JobEvent::Finished | JobEvent::Cancelled => {}

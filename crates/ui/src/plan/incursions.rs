@@ -1,12 +1,11 @@
 //! No-fly areas that the selected route leads over or near: said, marked on the map, asked about before an export.
 
 use egui::{Painter, Pos2, Shape, Stroke};
-use pilotage_core::frames::GroundPoint;
-use pilotage_core::mission::{Mission, Route};
-use pilotage_core::plan::{Incursion, ReachedZone, incursions, reached_zones};
+use pilotage_core::plan::Incursion;
 
 use super::planner::Planner;
 use super::words::distance_text;
+use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::map::ScreenFromWorld;
 use crate::tokens::Tokens;
@@ -15,55 +14,39 @@ use crate::units::Units;
 /// Distance between two strokes of the hatch along a leg, points.
 const HATCH: f32 = 9.0;
 
-/// Legs of a route over no-fly areas.
-pub fn over(mission: &Mission, route: &Route) -> Vec<Incursion> {
-    if mission.no_fly.is_empty() {
-        return Vec::new();
-    }
-    let places: Vec<GroundPoint> = route.way_points.iter().map(|w| w.position).collect();
-    incursions(&places, &mission.no_fly)
-}
-
 impl Planner {
-    /// Stretches of the predicted path on which its corridor reaches into no-fly areas.
-    pub fn reached(&self, mission: &Mission) -> Vec<ReachedZone> {
-        match self.forecast.shown() {
-            Some(shown) if !mission.no_fly.is_empty() => {
-                reached_zones(&shown.prediction.samples, &mission.no_fly)
-            }
-            _ => Vec::new(),
-        }
-    }
-
     /// Warnings about no-fly areas; empty where the route and its corridor keep clear of them.
-    pub fn no_fly_sentences(&self, mission: &Mission, route: &Route, units: Units) -> Vec<String> {
-        let name = |zone: usize| mission.no_fly[zone].name.as_str();
-        let legs = over(mission, route);
-        let mut list: Vec<String> = legs
+    pub fn no_fly_sentences(&self, units: Units) -> Vec<String> {
+        let found = &self.incursions;
+        let mut list: Vec<String> = found
+            .legs
             .iter()
             .map(|it| {
-                let length = distance_text(it.length(), units);
-                format!("Leg {} crosses {} for {length}.", it.leg + 1, name(it.zone))
+                let (leg, length) = (it.leg + 1, distance_text(it.length(), units));
+                format!("Leg {leg} crosses {} for {length}.", found.name(it.zone))
             })
             .collect();
-        for it in self.reached(mission) {
+        for it in &found.reached {
             let [from, to] = [it.between.0, it.between.1].map(|d| distance_text(d, units));
             list.push(format!(
                 "The 95 % corridor reaches into {} from {from} to {to} of the way.",
-                name(it.zone)
+                found.name(it.zone)
             ));
         }
         list
     }
 
+    /// Looks at no-fly areas along the selected route anew, if anything changed.
+    pub(super) fn check_incursions(&mut self, documents: &Documents) {
+        let route = documents.selected_route();
+        self.incursions
+            .keep_to(&documents.mission, route, &self.forecast);
+    }
+
     /// Says what is wrong before a route is exported for the first time; whether it did, so that the export waits.
     pub(super) fn asks_before_export(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        let documents = &*context.documents;
-        let Some(route) = documents.selected_route() else {
-            return false;
-        };
-        let units = context.view.units;
-        let mut warnings = self.no_fly_sentences(&documents.mission, route, units);
+        self.check_incursions(context.documents);
+        let mut warnings = self.no_fly_sentences(context.view.units);
         if warnings.is_empty() || self.warned == warnings {
             return false;
         }
@@ -74,15 +57,14 @@ impl Planner {
     }
 }
 
-/// Marks the legs of a route that lead over no-fly areas.
+/// Marks legs that lead over no-fly areas.
 pub fn paint_incursions(
     painter: &Painter,
     view: &ScreenFromWorld,
-    mission: &Mission,
-    route: &Route,
+    legs: &[Incursion],
     tokens: &Tokens,
 ) {
-    for [a, b] in over(mission, route).iter().flat_map(|it| &it.parts) {
+    for [a, b] in legs.iter().flat_map(|it| &it.parts) {
         hatched(painter, view.apply(a), view.apply(b), tokens);
     }
 }

@@ -10,7 +10,7 @@ use pilotage_core::mission::Mission;
 use super::assessments::{Assessments, assumed};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, text_button};
+use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, paint_row, text_button};
 use crate::tokens::Tokens;
 use crate::views::landmark_keyboard;
 
@@ -338,14 +338,7 @@ fn row(
             WidgetInfo::selected(Role::Button, true, selected, name)
         });
         let painter = ui.painter();
-        if selected || response.hovered() {
-            let fill = if selected {
-                tokens.accent.gamma_multiply(0.16)
-            } else {
-                tokens.hover()
-            };
-            painter.rect_filled(rect.shrink2(vec2(0.0, 1.0)), tokens.radius, fill);
-        }
+        paint_row(painter, rect, tokens, selected, response.hovered());
         let color = if landmark.enabled {
             tokens.text
         } else {

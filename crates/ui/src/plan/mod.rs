@@ -26,6 +26,7 @@ mod heat_order;
 mod heat_paint;
 mod hit;
 mod imports;
+mod incursion_check;
 mod incursions;
 mod kept;
 mod landmark_commands;

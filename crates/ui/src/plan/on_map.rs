@@ -6,7 +6,7 @@ use super::find_command::FindPick;
 use super::find_tool::paint_hint;
 use super::incursions::paint_incursions;
 use super::planner::Planner;
-use crate::context::{ViewContext, route_of};
+use crate::context::ViewContext;
 use crate::map::{Layer, MapCanvas, MapStage, MapTool, ScreenFromWorld};
 
 impl MapTool for Planner {
@@ -50,9 +50,7 @@ impl MapTool for Planner {
                 self.paint_corridor(painter, view, tokens);
             }
             MapStage::AboveMarks if layers.shows(Layer::Route) => {
-                if let Some(selected) = route.and_then(|id| route_of(mission, id)) {
-                    paint_incursions(painter, view, mission, selected, tokens);
-                }
+                paint_incursions(painter, view, &self.incursions.legs, tokens);
                 self.paint_routes(painter, view, mission, route, &self.pointer, tokens);
             }
             MapStage::BelowMarks | MapStage::AboveMarks => {}

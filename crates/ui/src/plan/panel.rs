@@ -85,8 +85,9 @@ impl Planner {
             return;
         };
         let landmarks: Vec<_> = shown.order.landmarks.iter().map(|(l, _)| l).collect();
-        let reached = self.reached(context.mission);
-        let no_fly: Vec<_> = reached.iter().map(|it| it.between).collect();
+        let no_fly: Vec<_> = (self.incursions.reached.iter())
+            .map(|it| it.between)
+            .collect();
         let scene = ChartScene {
             prediction: &shown.prediction,
             no_fly: &no_fly,

@@ -19,6 +19,7 @@ use super::forecast::Forecast;
 use super::heat::Heat;
 use super::heat_command::HeatPreferences;
 use super::hit::PlanPointer;
+use super::incursion_check::IncursionCheck;
 use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
@@ -127,6 +128,8 @@ pub struct Planner {
     pub(super) list: LandmarkList,
     /// Parts of the app beside it, as they were last.
     pub(super) seen: Seen,
+    /// No-fly areas that the selected route leads over or near.
+    pub(super) incursions: IncursionCheck,
     /// Warnings that people were told before an export.
     pub(super) warned: Vec<String>,
 }

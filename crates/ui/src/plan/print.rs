@@ -143,7 +143,7 @@ impl Planner {
             ),
         ];
         assumed.extend(assumptions(self, documents, route, units));
-        let warnings = self.no_fly_sentences(&documents.mission, route, units);
+        let warnings = self.no_fly_sentences(units);
         let scene = BriefScene {
             mission: &documents.mission.name,
             route,

@@ -1,10 +1,10 @@
 //! The few numbers of a plan that matter, above the map.
 
 use egui::{Align2, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
-use pilotage_core::mission::{Mission, Route};
+use pilotage_core::mission::Mission;
 use pilotage_core::plan::Incursion;
 
-use super::incursions::over as over_areas;
+use super::incursion_check::IncursionCheck;
 use super::planner::Planner;
 use super::words::{PredictionFigures, distance_text};
 use crate::tokens::Tokens;
@@ -19,7 +19,7 @@ pub fn plan_readouts(
     tokens: &Tokens,
     units: Units,
     planner: &Planner,
-    (mission, route): (&Mission, Option<&Route>),
+    mission: &Mission,
     left_top: egui::Pos2,
 ) -> Option<Rect> {
     let outlook = PredictionFigures::of(&planner.forecast.shown()?.prediction)?;
@@ -48,9 +48,9 @@ pub fn plan_readouts(
         ("Too uncertain", over, outlook.stretches > 0),
     ];
     if !mission.no_fly.is_empty() {
-        let legs = route.map_or_else(Vec::new, |route| over_areas(mission, route));
+        let IncursionCheck { legs, reached, .. } = &planner.incursions;
         let over: f64 = legs.iter().map(Incursion::length).sum();
-        let is_reached = !planner.reached(mission).is_empty();
+        let is_reached = !reached.is_empty();
         let words = match (legs.is_empty(), is_reached) {
             (false, _) => format!("{} over", distance_text(over, units)),
             (true, true) => "corridor reaches".to_owned(),

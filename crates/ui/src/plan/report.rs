@@ -93,9 +93,9 @@ impl Planner {
                 "name": z.name,
                 "corners": z.corners.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
             })).collect::<Vec<_>>(),
-            "no_fly_warnings": documents.selected_route().map(|route| {
-                self.no_fly_sentences(mission, route, crate::units::Units::Metric)
-            }),
+            "no_fly_warnings": documents
+                .selected_route()
+                .map(|_| self.no_fly_sentences(crate::units::Units::Metric)),
             "no_fly": mission.no_fly.iter().map(|z| z.corners.len()).collect::<Vec<_>>(),
             "heat": self.heat_json(),
             "remedies": self.remedies.json(),

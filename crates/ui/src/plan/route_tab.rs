@@ -209,7 +209,7 @@ fn prediction(
     context: &mut ViewContext<'_>,
 ) {
     let tokens = context.tokens;
-    for sentence in planner.no_fly_sentences(context.mission, route, context.units) {
+    for sentence in planner.no_fly_sentences(context.units) {
         ui.label(egui::RichText::new(sentence).color(tokens.no_fly));
     }
     ui.horizontal(|ui| {

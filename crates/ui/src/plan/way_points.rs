@@ -16,7 +16,7 @@ use super::relief::Relief;
 use super::words::distance_text;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring};
+use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, paint_row};
 use crate::units::Units;
 
 const ROW: f32 = 38.0;
@@ -111,14 +111,7 @@ fn row(
         WidgetInfo::selected(Role::Button, true, chosen, name)
     });
     let painter = ui.painter();
-    if chosen || response.hovered() {
-        let fill = if chosen {
-            tokens.accent.gamma_multiply(0.16)
-        } else {
-            tokens.hover()
-        };
-        painter.rect_filled(rect.shrink2(vec2(0.0, 1.0)), tokens.radius, fill);
-    }
+    paint_row(painter, rect, tokens, chosen, response.hovered());
     let (upper, lower) = (rect.top() + 12.0, rect.top() + 27.0);
     let number = pos2(rect.left() + 16.0, rect.center().y);
     painter.circle_stroke(number, 10.0, egui::Stroke::new(1.5, tokens.accent));

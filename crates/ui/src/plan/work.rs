@@ -39,6 +39,7 @@ impl Planner {
         self.assessments.work(context);
         self.trainings.work(context);
         self.keep_detectors(context);
+        self.check_incursions(context.documents);
         if context.is_shown {
             waits |= self.work_on_route(context);
         }

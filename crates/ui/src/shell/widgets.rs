@@ -211,6 +211,22 @@ pub fn title(ui: &mut Ui, tokens: &Tokens, text: &str) -> bool {
     .inner
 }
 
+/// Background of a row of a list that can be selected: nothing unless it is, or the pointer is over it.
+pub fn paint_row(
+    painter: &egui::Painter,
+    rect: egui::Rect,
+    tokens: &Tokens,
+    is_selected: bool,
+    is_hovered: bool,
+) {
+    let fill = match (is_selected, is_hovered) {
+        (true, _) => tokens.accent.gamma_multiply(0.16),
+        (false, true) => tokens.hover(),
+        (false, false) => return,
+    };
+    painter.rect_filled(rect.shrink2(egui::vec2(0.0, 1.0)), tokens.radius, fill);
+}
+
 /// An outline that shows where the keyboard is.
 pub fn paint_focus_ring(painter: &egui::Painter, rect: egui::Rect, tokens: &Tokens) {
     let stroke = Stroke::new(1.5, tokens.accent);

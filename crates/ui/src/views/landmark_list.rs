@@ -11,7 +11,9 @@ use super::heat_image::heat_image;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
-use crate::shell::{caption, chip, heading, icon_button, muted, paint_focus_ring, text_button};
+use crate::shell::{
+    caption, chip, heading, icon_button, muted, paint_focus_ring, paint_row, text_button,
+};
 use pilotage_jobs::Distinctness;
 
 /// Distinctness of the selected landmark, as far as it is known.
@@ -164,14 +166,7 @@ fn row(
             WidgetInfo::selected(Role::Button, true, selected, landmark.name.as_str())
         });
         let painter = ui.painter();
-        if selected || response.hovered() {
-            let fill = if selected {
-                tokens.accent.gamma_multiply(0.16)
-            } else {
-                tokens.hover()
-            };
-            painter.rect_filled(rect.shrink2(vec2(0.0, 1.0)), tokens.radius, fill);
-        }
+        paint_row(painter, rect, tokens, selected, response.hovered());
         let color = if landmark.enabled {
             tokens.text
         } else {

@@ -3,7 +3,7 @@ use egui_kittest::kittest::Queryable as _;
 use pilotage_core::plan::{Aim, BudgetOf};
 use pilotage_jobs::Job;
 
-use super::{click, number, planning, screen, scroll, set};
+use super::{click, draw_area, number, planning, screen, scroll, set};
 
 #[test]
 fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
@@ -41,18 +41,7 @@ fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
 #[test]
 fn a_no_fly_area_is_drawn_flown_around_and_undone() {
     let mut rig = planning();
-    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::A);
-    rig.settle();
-    for (north, east) in [
-        (-120.0, -60.0),
-        (120.0, -60.0),
-        (120.0, 60.0),
-        (-120.0, 60.0),
-    ] {
-        click(&mut rig, north, east);
-    }
-    rig.key(Key::Enter);
-    rig.settle();
+    draw_area(&mut rig);
     assert_eq!(rig.state()["plan"]["no_fly"][0], 4);
     rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::F);
     rig.settle();

@@ -3,30 +3,13 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
-use super::{click, planning};
+use super::{draw, draw_area, planning};
 use crate::support::Rig;
 
-/// An area of 240 by 120 m about the origin, and a route; the area is drawn first.
+/// A no-fly area about the origin, and a route.
 fn over_an_area(rig: &mut Rig, route: [(f64, f64); 2]) {
-    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::A);
-    rig.settle();
-    for (north, east) in [
-        (-120.0, -60.0),
-        (120.0, -60.0),
-        (120.0, 60.0),
-        (-120.0, 60.0),
-    ] {
-        click(rig, north, east);
-    }
-    rig.key(Key::Enter);
-    rig.settle();
-    rig.key(Key::W);
-    rig.settle();
-    for (north, east) in route {
-        click(rig, north, east);
-    }
-    rig.key(Key::Enter);
-    rig.settle();
+    draw_area(rig);
+    draw(rig, &route);
     rig.harness.get_by_label("Route").click();
     rig.settle();
 }

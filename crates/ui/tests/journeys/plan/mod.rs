@@ -21,7 +21,7 @@ mod training;
 mod undo;
 mod workspace;
 
-use egui::{Key, Pos2, Vec2};
+use egui::{Key, Modifiers, Pos2, Vec2};
 use egui_kittest::kittest::Queryable as _;
 
 use super::support::{Rig, rig};
@@ -106,6 +106,22 @@ pub fn draw(rig: &mut Rig, places: &[(f64, f64)]) {
     rig.key(Key::W);
     for (north, east) in places {
         click(rig, *north, *east);
+    }
+    rig.key(Key::Enter);
+    rig.settle();
+}
+
+/// Draws a no-fly area of 240 by 120 m about the origin.
+pub fn draw_area(rig: &mut Rig) {
+    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::A);
+    rig.settle();
+    for (north, east) in [
+        (-120.0, -60.0),
+        (120.0, -60.0),
+        (120.0, 60.0),
+        (-120.0, 60.0),
+    ] {
+        click(rig, north, east);
     }
     rig.key(Key::Enter);
     rig.settle();

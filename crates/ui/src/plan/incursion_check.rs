@@ -1,0 +1,85 @@
+//! No-fly areas that the selected route leads over or near, found anew when route, areas or prediction change.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::{Mission, NoFlyZone, Route};
+use pilotage_core::plan::{Incursion, ReachedZone, incursions, reached_zones};
+
+use super::forecast::Forecast;
+
+/// Legs over no-fly areas, and stretches on which the corridor reaches into them.
+#[derive(Debug, Default)]
+pub struct IncursionCheck {
+    /// Areas that were looked at.
+    zones: Vec<NoFlyZone>,
+    places: Vec<GroundPoint>,
+    prediction: u64,
+    /// Legs of the route over areas.
+    pub legs: Vec<Incursion>,
+    /// Stretches of the predicted path.
+    pub reached: Vec<ReachedZone>,
+}
+
+impl IncursionCheck {
+    /// Looks at the route anew, if anything changed.
+    pub fn keep_to(&mut self, mission: &Mission, route: Option<&Route>, forecast: &Forecast) {
+        let way_points = route.map_or(&[][..], |route| &route.way_points);
+        let places = || way_points.iter().map(|w| w.position);
+        let is_same = self.zones == mission.no_fly
+            && self.prediction == forecast.number()
+            && places().eq(self.places.iter().copied());
+        if is_same {
+            return;
+        }
+        self.zones.clone_from(&mission.no_fly);
+        self.places = places().collect();
+        self.prediction = forecast.number();
+        self.legs = incursions(&self.places, &self.zones);
+        let samples = forecast.shown().map_or(&[][..], |s| &s.prediction.samples);
+        self.reached = reached_zones(samples, &self.zones);
+    }
+
+    /// Name of an area that was looked at.
+    pub fn name(&self, zone: usize) -> &str {
+        &self.zones[zone].name
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::Documents;
+    use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
+
+    #[test]
+    fn a_route_is_looked_at_again_when_it_or_an_area_changes() {
+        let mut mission = Documents::empty_mission();
+        let at = |north, east| GroundPoint::new(north, east);
+        let way = [at(50.0, -50.0), at(50.0, 150.0)];
+        let mut route = Route {
+            way_points: way.map(|p| WayPoint::new(p, USUAL_ALTITUDE)).to_vec(),
+            ..Route::default()
+        };
+        let mut check = IncursionCheck::default();
+        let forecast = Forecast::default();
+        check.keep_to(&mission, Some(&route), &forecast);
+        assert!(check.legs.is_empty());
+        mission.no_fly.push(NoFlyZone {
+            name: "Village".to_owned(),
+            corners: vec![
+                at(0.0, 0.0),
+                at(0.0, 100.0),
+                at(100.0, 100.0),
+                at(100.0, 0.0),
+            ],
+            ..NoFlyZone::default()
+        });
+        check.keep_to(&mission, Some(&route), &forecast);
+        assert_eq!(
+            (check.legs.len(), check.name(check.legs[0].zone)),
+            (1, "Village")
+        );
+        route.way_points[1].position.east = -10.0;
+        check.keep_to(&mission, Some(&route), &forecast);
+        assert!(check.legs.is_empty());
+    }
+}
