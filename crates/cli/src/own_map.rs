@@ -107,7 +107,7 @@ fn by_mission(own: &OwnMap) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>
     let plan = FlightPlan {
         name: route.map_or_else(String::new, |route| route.name.clone()),
         frame_on_globe: LocalFrame::new(ground.mission.origin),
-        ..plan.plan()
+        ..plan.path.plan()
     };
     let days: Box<dyn OtherDays> = match ground.source {
         MapSource::World(_) => Box::new(SceneryDays {

@@ -14,8 +14,8 @@ use super::field::LOOKS_AWAY;
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::slice;
 use super::{
-    Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PredictionOrder,
-    RunningJob, WorkerState,
+    Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, RunningJob,
+    WorkerState,
 };
 
 /// Cells along the longer side of the ground that is searched, at most.
@@ -108,8 +108,8 @@ impl FindRoute {
             no_fly: order.no_fly.clone(),
             clearance: order.clearance,
             forbidden: order.high_ground.clone().map(HighGround::forbidden),
-            airspeed: order.flight.airspeed.unwrap_or(cruise),
-            wind: order.flight.wind.velocity(),
+            airspeed: order.flight.path.airspeed.unwrap_or(cruise),
+            wind: order.flight.path.wind.velocity(),
             before_first_fix: growth_before_first_fix(&order.flight.navigator),
             turns: order.turns,
             budget: order.budget,
@@ -165,11 +165,9 @@ impl RunningJob for FindRoute {
                 if let Some(route) = left.pop() {
                     let share = 0.75 + 0.12 * done.len() as f32;
                     emit(JobEvent::Progress(share, "Predicting both".to_owned()));
-                    let order = PredictionOrder {
-                        way_points: route.way_points.clone(),
-                        worlds: WORLDS,
-                        ..self.order.flight.clone()
-                    };
+                    let mut order = self.order.flight.clone();
+                    order.path.way_points.clone_from(&route.way_points);
+                    order.worlds = WORLDS;
                     let prediction = order.predict()?;
                     done.push(Foreseen { route, prediction });
                 } else if let (Some(surest), Some(shortest)) = (done.pop(), done.pop()) {

@@ -218,7 +218,10 @@ impl Order for FlyOrder {
 
     fn reads(&self) -> Option<(&MapSource, Reads)> {
         let landmarks = self.mission.iter().flat_map(|mission| &mission.landmarks);
-        let areas = landmarks.map(|landmark| around(&landmark.bounds)).collect();
+        let mut areas: Vec<_> = landmarks.map(|landmark| around(&landmark.bounds)).collect();
+        if let FlightSource::Rehearsed(flight) = &self.flight {
+            areas.extend(flight.path.ground());
+        }
         Some((&self.map, Reads::Areas(areas)))
     }
 

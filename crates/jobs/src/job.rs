@@ -20,6 +20,7 @@ use super::open::{OpenOrder, ReadPlacesOrder};
 use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::prepare::PrepareMapOrder;
 use super::provided::{LetGoOrder, ProvideOrder};
+use super::rehearse::RehearseOrder;
 use super::running::once;
 use super::share::ShareOrder;
 use super::smooth::SmoothOrder;
@@ -116,6 +117,7 @@ orders! {
     ExplainMatch(ExplainOrder),
     FramePicture(FramePictureOrder),
     Predict(Box<PredictionOrder>),
+    Rehearse(Box<RehearseOrder>),
     }
     whole {
     Provide(ProvideOrder),

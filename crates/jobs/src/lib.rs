@@ -85,9 +85,10 @@ pub use messages::{
     ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement, LabelledFrames, LogAnswer,
     LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
     MeasuredLandmark, MeasurementBasis, OpenedFiles, Outage, OutageOrder, OutageReport, PackOrder,
-    PhotoReport, PhotosOrder, PredictionOrder, ReadLog, RecordedPlaces, Reply, Request, SeriesName,
-    Share, SimulationOptions, StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft,
-    TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
+    PhotoReport, PhotosOrder, PlannedPath, PredictionOrder, ReadLog, RecordedPlaces,
+    RehearsedFlight, Reply, Request, SeriesName, Share, SimulationOptions, StudyReport,
+    SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced,
+    WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use order::{Order, Reads, Urgency, VariantOrder, WorkerRole};

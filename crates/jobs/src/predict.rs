@@ -5,7 +5,7 @@ use pilotage_core::plan::{PlannedLandmark, PredictionRequest, RoutePrediction};
 use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, world_origin};
 
 use super::order::{Order, Urgency, WorkerRole};
-use super::{Advance, JobEvent, PredictionOrder, RunningJob, WorkerState};
+use super::{Advance, JobEvent, PlannedPath, PredictionOrder, RunningJob, WorkerState};
 
 /// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
 const PATIENCE: f64 = 120.0;
@@ -31,7 +31,7 @@ impl RunningJob for Predict {
     }
 }
 
-impl PredictionOrder {
+impl PlannedPath {
     /// The flight that is planned.
     pub fn plan(&self) -> FlightPlan {
         let mut airframe = Airframe::sig_kadet_senior();
@@ -56,7 +56,9 @@ impl PredictionOrder {
             ground_down: self.ground_down,
         }
     }
+}
 
+impl PredictionOrder {
     /// The landmarks, with what is expected of them.
     pub fn planned_landmarks(&self) -> Vec<PlannedLandmark> {
         let planned = self.landmarks.iter();
@@ -69,7 +71,7 @@ impl PredictionOrder {
 
     /// Predicts.
     pub fn predict(&self) -> Result<RoutePrediction, String> {
-        let (plan, landmarks) = (self.plan(), self.planned_landmarks());
+        let (plan, landmarks) = (self.path.plan(), self.planned_landmarks());
         let request = PredictionRequest {
             plan: &plan,
             settings: &self.navigator,

@@ -3,23 +3,27 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::{Flight, FrameSource};
+use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::landmark::{ChosenDetector, Detector, Landmark};
 use pilotage_core::navigator::Navigator;
 use pilotage_core::plan::{PlanComparison, RoutePrediction, as_stated, compare};
-use pilotage_core::simulate::{FlightDay, SimulatedFrames};
+use pilotage_core::simulate::{FlightDay, FlightPlan, SimulatedFrames};
 use serde::{Deserialize, Serialize};
 
-use super::order::{Order, Urgency, WorkerRole, keys_of};
+use super::flights::{KeptFrames, OpenFlight};
+use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
 use super::passage::Passage;
-use super::{Advance, JobEvent, MapSource, PredictionOrder, RunningJob, WorkerState};
+use super::{
+    Advance, JobEvent, MapSource, PredictionOrder, RehearsedFlight, RunningJob, WorkerState,
+};
 
 /// Seed of the day of the first flight, which was not rehearsed; that of another follows from its own.
 const FIRST_DAY: u64 = 770_001;
 /// Memory for tiles of one day, megabytes.
 const CACHE: usize = 256;
 
-/// Flight of a plan over its map. It has a wind and a day of its own, drawn by `seed` from what
+/// Flight of a plan over its map, beside its prediction. It has a wind and a day of its own, drawn by `seed` from what
 /// was predicted for: a prediction is a statement about all of them. Event `Figures` with a [`Rehearsed`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RehearseOrder {
@@ -33,6 +37,41 @@ pub struct RehearseOrder {
     pub as_stated: bool,
     /// Seed of wind, day and sensors.
     pub seed: u64,
+}
+
+/// The flight of a plan in the wind and with the sensors of a seed.
+fn simulated(plan: &FlightPlan, wind_deviation: f64, seed: u64) -> Result<Flight, String> {
+    let flight = plan.in_wind_of(seed, wind_deviation).simulate(seed);
+    flight.ok_or_else(|| "the route needs two way-points".to_owned())
+}
+
+/// Pictures of the map on the day of a seed, as the camera takes them.
+fn seen(
+    worker: &mut WorkerState,
+    map: &MapSource,
+    flight: &Flight,
+    seed: u64,
+) -> Result<SimulatedFrames, String> {
+    let day = worker.others(map)?.drawn(FIRST_DAY + seed);
+    let day = Arc::new(CachedImagery::new(day, CACHE));
+    Ok(SimulatedFrames::new(flight, FlightDay::Other, seed).over(day))
+}
+
+/// Flies a planned route; pictures are taken when they are asked for.
+pub fn open(worker: &mut WorkerState, rehearsed: &RehearsedFlight) -> Result<OpenFlight, String> {
+    let plan = FlightPlan {
+        name: rehearsed.name.clone(),
+        frame_on_globe: LocalFrame::new(rehearsed.origin),
+        ..rehearsed.path.plan()
+    };
+    let seed = rehearsed.seed;
+    let flight = simulated(&plan, rehearsed.wind_deviation, seed)?;
+    let frames = seen(worker, &rehearsed.map, &flight, seed)?;
+    Ok(OpenFlight {
+        frames: KeptFrames::rendered(&flight, Box::new(frames)),
+        flight: Arc::new(flight),
+        mission: None,
+    })
 }
 
 /// Outcome of a flight of a plan.
@@ -56,9 +95,8 @@ type Flying = (Arc<Flight>, Box<dyn FrameSource>, Passage);
 impl Rehearse {
     fn begin(&self, worker: &mut WorkerState) -> Result<Flying, String> {
         let order = &self.order;
-        let (plan, seed, settings) = (order.plan.plan(), order.seed, &order.plan.navigator);
-        let flight = plan.in_wind_of(seed, settings.start.wind).simulate(seed);
-        let flight = flight.ok_or("the route needs two way-points")?;
+        let (plan, seed, settings) = (order.plan.path.plan(), order.seed, &order.plan.navigator);
+        let flight = simulated(&plan, settings.start.wind, seed)?;
         let landmarks = order.plan.landmarks.iter();
         let landmarks: Vec<Landmark> = landmarks.map(|(landmark, _)| landmark.clone()).collect();
         let (detector, frames): (Box<dyn Detector>, Box<dyn FrameSource>) = if order.as_stated {
@@ -66,9 +104,7 @@ impl Rehearse {
             let (detector, frames) = stated.ok_or("there is no truth")?;
             (Box::new(detector), Box::new(frames))
         } else {
-            let day = worker.others(&order.map)?.drawn(FIRST_DAY + seed);
-            let day = Arc::new(CachedImagery::new(day, CACHE));
-            let frames = SimulatedFrames::new(&flight, FlightDay::Other, seed).over(day);
+            let frames = seen(worker, &order.map, &flight, seed)?;
             let map = worker.map(&order.map)?;
             let detector = ChosenDetector::new(map, settings.detector, &landmarks);
             (Box::new(detector), Box::new(frames))
@@ -109,14 +145,28 @@ impl RunningJob for Rehearse {
 }
 
 impl Order for RehearseOrder {
-    const URGENCY: Urgency = Urgency::Flight;
+    const URGENCY: Urgency = Urgency::Slow;
 
+    /// Flights of one plan are shared by two workers.
     fn role(&self) -> WorkerRole {
-        WorkerRole::Flight
+        WorkerRole::ALL[(self.seed % 2) as usize]
     }
 
     fn files(&self) -> Vec<&str> {
         keys_of(None, Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let landmarks = self.plan.landmarks.iter();
+        let mut areas: Vec<_> = landmarks.map(|(it, _)| around(&it.bounds)).collect();
+        if !self.as_stated {
+            areas.extend(self.plan.path.ground());
+        }
+        Some((&self.map, Reads::Areas(areas)))
+    }
+
+    fn is_small(&self) -> bool {
+        self.map.is_small()
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
@@ -135,19 +185,22 @@ mod tests {
 
     use super::*;
     use crate::running::{figures, finished};
+    use crate::{FlightSource, FlyOrder, PlannedPath};
 
     fn order(seed: u64) -> RehearseOrder {
         let scenario = Scenario::named("distinct-400ft-calm").unwrap();
         let mission = scenario.mission();
         let plan = PredictionOrder {
-            way_points: vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 500.0)],
-            height: scenario.height,
-            targets: Vec::new(),
-            airspeed: None,
-            bank: None,
-            wind: Wind::default(),
-            camera: Scenario::camera(),
-            ground_down: 0.0,
+            path: PlannedPath {
+                way_points: vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 500.0)],
+                height: scenario.height,
+                targets: Vec::new(),
+                airspeed: None,
+                bank: None,
+                wind: Wind::default(),
+                camera: Scenario::camera(),
+                ground_down: 0.0,
+            },
             navigator: mission.navigator,
             // Nothing is expected of them, so that nothing is found.
             landmarks: mission
@@ -183,9 +236,44 @@ mod tests {
     #[test]
     fn a_route_of_one_way_point_is_refused() {
         let mut order = order(1);
-        order.plan.way_points.truncate(1);
+        order.plan.path.way_points.truncate(1);
         let refused = finished(order);
         let last = refused.last();
         assert!(matches!(last, Some(JobEvent::Failed(why)) if why.contains("two way-points")));
+    }
+
+    #[test]
+    fn the_flight_that_is_watched_is_the_one_that_was_rehearsed() {
+        let mut order = order(3);
+        order.as_stated = false;
+        order.plan.path.way_points[1] = GroundPoint::new(0.0, 260.0);
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let watched = FlyOrder {
+            flight: FlightSource::Rehearsed(Box::new(RehearsedFlight {
+                name: "Route".to_owned(),
+                origin: pilotage_core::simulate::world_origin(),
+                path: order.plan.path.clone(),
+                wind_deviation: order.plan.navigator.start.wind,
+                map: order.map.clone(),
+                seed: order.seed,
+            })),
+            map: order.map.clone(),
+            mission: Some(scenario.mission()),
+        };
+        let prediction = order.prediction.clone();
+        let rehearsed: Rehearsed = figures(order);
+        let (mut run, mut flown) = (None, None);
+        for event in finished(watched) {
+            match event {
+                JobEvent::Flight(flight) => flown = Some(flight),
+                JobEvent::RunStarted(head) => run = Some(*head),
+                JobEvent::Steps(mut steps) => run.as_mut().unwrap().steps.append(&mut steps),
+                JobEvent::Failed(why) => panic!("{why}"),
+                _ => {}
+            }
+        }
+        let (run, flown) = (run.unwrap(), flown.unwrap());
+        assert_eq!(compare(&flown, &run, &prediction), rehearsed.frames);
+        assert!(rehearsed.frames.len() > 20);
     }
 }

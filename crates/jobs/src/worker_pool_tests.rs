@@ -9,8 +9,8 @@ use super::{WorkerPool, WorkerPort};
 use crate::FlightSource;
 use crate::{
     AssessmentOrder, COARSE, DescribeMapOrder, EncodedPicture, FlyOrder, FramePictureOrder, Job,
-    JobEvent, JobId, LetGoOrder, MapSource, PictureForm, PredictionOrder, ProposeOrder,
-    ProvideOrder, ReadLogOrder, Reply, Request, SimulationOptions, SuggestOrder,
+    JobEvent, JobId, LetGoOrder, MapSource, PictureForm, PlannedPath, PredictionOrder,
+    ProposeOrder, ProvideOrder, ReadLogOrder, Reply, Request, SimulationOptions, SuggestOrder,
 };
 
 #[derive(Debug, PartialEq)]
@@ -372,14 +372,16 @@ fn a_coarse_prediction_does_not_wait_behind_a_whole_one() {
     let predict = |worlds| {
         let of = order();
         Job::Predict(Box::new(PredictionOrder {
-            way_points: Vec::new(),
-            height: of.height,
-            targets: Vec::new(),
-            airspeed: None,
-            bank: None,
-            wind: pilotage_core::simulate::Wind::default(),
-            camera: of.camera,
-            ground_down: 0.0,
+            path: PlannedPath {
+                way_points: Vec::new(),
+                height: of.height,
+                targets: Vec::new(),
+                airspeed: None,
+                bank: None,
+                wind: pilotage_core::simulate::Wind::default(),
+                camera: of.camera,
+                ground_down: 0.0,
+            },
             navigator: of.navigator,
             landmarks: Vec::new(),
             worlds,

@@ -11,7 +11,8 @@ use pilotage_core::plan::{
 };
 use pilotage_core::simulate::GuidanceSettings;
 use pilotage_jobs::{
-    FieldFrom, FieldOrder, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PredictionOrder,
+    FieldFrom, FieldOrder, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PlannedPath,
+    PredictionOrder,
 };
 use serde::Serialize;
 
@@ -147,7 +148,10 @@ fn order(
         flight: PredictionOrder {
             navigator: settings.clone(),
             landmarks,
-            targets: Vec::new(),
+            path: PlannedPath {
+                targets: Vec::new(),
+                ..plan.path
+            },
             ..plan
         },
     })
@@ -186,8 +190,8 @@ impl ComparedRoute {
 /// Plans the found way-points, and makes them the mission's first route.
 fn take(ground: &mut PlannedFlight, way_points: &[GroundPoint]) {
     if let Some(plan) = &mut ground.plan {
-        plan.way_points = way_points.to_vec();
-        plan.targets.clear();
+        plan.path.way_points = way_points.to_vec();
+        plan.path.targets.clear();
     }
     let altitude = Altitude {
         metres: ground.height,
@@ -209,7 +213,7 @@ fn take(ground: &mut PlannedFlight, way_points: &[GroundPoint]) {
 /// Turns of the aircraft with the wind behind it.
 fn turns(plan: &PredictionOrder) -> Turns {
     let guidance = GuidanceSettings::default();
-    let speed = PlannedFlight::cruise() + plan.wind.speed;
+    let speed = PlannedFlight::cruise() + plan.path.wind.speed;
     Turns {
         radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
         roll_in: speed * guidance.roll_in,

@@ -10,7 +10,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route, WayPoint};
 use pilotage_core::plan::random_route;
 use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
-use pilotage_jobs::{AssessmentOrder, MapSource, PredictionOrder};
+use pilotage_jobs::{AssessmentOrder, MapSource, PlannedPath, PredictionOrder};
 
 use super::arguments::Arguments;
 use super::source::PlanSource;
@@ -40,11 +40,11 @@ impl PlannedFlight {
             .filter(|_| arguments.source.scenario.is_some())
         {
             if let Some(text) = &arguments.route {
-                plan.way_points = way_points(text)?;
+                plan.path.way_points = way_points(text)?;
             }
             if let Some(seed) = arguments.random_route {
-                plan.way_points = random_route(seed);
-                plan.wind = Wind::default();
+                plan.path.way_points = random_route(seed);
+                plan.path.wind = Wind::default();
             }
         }
         Ok(ground)
@@ -123,14 +123,16 @@ impl PlannedFlight {
         wind: Wind,
     ) -> PredictionOrder {
         PredictionOrder {
-            way_points,
-            height: self.height,
-            targets,
-            airspeed: None,
-            bank: None,
-            wind,
-            camera: self.camera.clone(),
-            ground_down: 0.0,
+            path: PlannedPath {
+                way_points,
+                height: self.height,
+                targets,
+                airspeed: None,
+                bank: None,
+                wind,
+                camera: self.camera.clone(),
+                ground_down: 0.0,
+            },
             navigator: self.mission.navigator.clone(),
             landmarks: Vec::new(),
             worlds: 0,
@@ -146,7 +148,7 @@ impl PlannedFlight {
 
     /// Down coordinate of the ground plane, metres.
     pub fn ground_down(&self) -> f64 {
-        self.plan.as_ref().map_or(0.0, |plan| plan.ground_down)
+        self.plan.as_ref().map_or(0.0, |plan| plan.path.ground_down)
     }
 
     /// Order to measure a landmark.

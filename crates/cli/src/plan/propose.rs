@@ -24,7 +24,7 @@ fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> Suggest
             position: arguments.position,
             tilt: settings.sensors.roll.max(settings.sensors.pitch),
         },
-        way_points: plan.map_or_else(Vec::new, |p| p.way_points.clone()),
+        way_points: plan.map_or_else(Vec::new, |p| p.path.way_points.clone()),
         speed: first
             .and_then(|w| w.speed)
             .unwrap_or_else(|| plan.map_or(1.0, |_| PlannedFlight::cruise())),

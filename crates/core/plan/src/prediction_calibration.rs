@@ -18,6 +18,8 @@ pub struct PlanComparison {
     pub inside_ellipse: bool,
     /// Whether it lies inside the predicted strip across the course.
     pub inside_corridor: bool,
+    /// Error across the course, to the right, metres.
+    pub across: f64,
     /// Square of the error, m².
     pub squared: f64,
     /// Mean square of the error that was predicted, m².
@@ -52,6 +54,7 @@ pub fn compare(flight: &Flight, run: &Run, prediction: &RoutePrediction) -> Vec<
             let weighted = covariance.cholesky()?.solve(&error);
             Some(PlanComparison {
                 distance: planned.distance,
+                across,
                 inside_ellipse: distance <= c.scale,
                 inside_corridor: across.abs() <= c.across,
                 squared: error.norm_squared(),
@@ -91,8 +94,8 @@ pub struct Verification {
 
 impl Verification {
     /// Sums flights up.
-    pub fn of(flights: &[Vec<PlanComparison>]) -> Self {
-        let all: Vec<&PlanComparison> = flights.iter().flatten().collect();
+    pub fn of<F: AsRef<[PlanComparison]>>(flights: &[F]) -> Self {
+        let all: Vec<&PlanComparison> = flights.iter().flat_map(AsRef::as_ref).collect();
         let n = all.len().max(1) as f64;
         let mean = |f: &dyn Fn(&PlanComparison) -> f64| all.iter().map(|c| f(c)).sum::<f64>() / n;
         let share = |f: fn(&PlanComparison) -> bool| mean(&|c| f64::from(u8::from(f(c))));
@@ -102,7 +105,8 @@ impl Verification {
         let parts = flights.iter().map(|flight| {
             let outside =
                 |c: &&PlanComparison| f64::from(u8::from(c.inside_corridor)) - inside_corridor;
-            flight.iter().map(|c| outside(&c)).sum::<f64>().powi(2)
+            let flight = flight.as_ref().iter();
+            flight.map(|c| outside(&c)).sum::<f64>().powi(2)
         });
         Self {
             flights: flights.len(),

@@ -1,16 +1,21 @@
 //! A plan whose uncertainty is to be predicted.
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::DetectionStatistics;
 use pilotage_core::simulate::{Target, Wind};
 use serde::{Deserialize, Serialize};
 
-/// Planned flight whose uncertainty is to be predicted.
+/// Room beside a leg that is flown over because of wind and turns, metres.
+const BESIDE: f64 = 150.0;
+/// Width that the camera sees to each side, of the height.
+const SIDEWAYS: f64 = 1.5;
+
+/// Path of a planned flight, and with what it is flown.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PredictionOrder {
+pub struct PlannedPath {
     /// Way-points over the ground.
     pub way_points: Vec<GroundPoint>,
     /// Height above ground, metres.
@@ -27,6 +32,13 @@ pub struct PredictionOrder {
     pub camera: CameraModel,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
+}
+
+/// Planned flight whose uncertainty is to be predicted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PredictionOrder {
+    /// Path of the flight.
+    pub path: PlannedPath,
     /// Settings of the navigator of the planned flight.
     pub navigator: NavigatorSettings,
     /// The landmarks that are switched on, and what is expected of them.
@@ -42,6 +54,18 @@ pub struct PredictionOrder {
 impl PredictionOrder {
     /// Seed of predictions where nobody states one.
     pub const SEED: u64 = 1;
+}
+
+impl PlannedPath {
+    /// Ground that the camera may see, by legs.
+    pub fn ground(&self) -> Vec<GroundRect> {
+        let heights = self.targets.iter().map(|target| target.height);
+        let height = heights.fold(self.height, f64::max);
+        let legs = self.way_points.windows(2);
+        legs.filter_map(|leg| GroundRect::around(leg.iter().copied()))
+            .map(|leg| leg.grown(BESIDE + SIDEWAYS * height))
+            .collect()
+    }
 }
 
 /// Worlds of a coarse prediction.

@@ -7,7 +7,7 @@ use pilotage_core::imagery::Blank;
 
 use super::super::flights::OpenFlight;
 use super::super::worker_state::OpenedMap;
-use super::super::{FlightSource, MapSource, WorkerState, simulated};
+use super::super::{FlightSource, MapSource, WorkerState, rehearse, simulated};
 
 /// Opens one of its maps.
 pub fn open_map(worker: &mut WorkerState, source: &MapSource) -> OpenedMap {
@@ -26,6 +26,7 @@ pub fn open_flight(worker: &mut WorkerState, source: &FlightSource) -> Result<Op
             let shown = worker.shown_ground(options.day());
             simulated::open(options, world.as_ref(), shown)
         }
+        FlightSource::Rehearsed(flight) => rehearse::open(worker, flight),
         FlightSource::Nothing => Err("no flight is open".to_owned()),
         FlightSource::Files(_) => {
             Err("this worker does not open files; load the page again".to_owned())

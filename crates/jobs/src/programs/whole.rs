@@ -68,6 +68,8 @@ pub fn open_flight(worker: &mut WorkerState, source: &FlightSource) -> Result<Op
             let open = opening::flight(&files)?;
             Ok(open.ok_or("there is no flight among the files")?)
         }
-        FlightSource::Simulated(_) | FlightSource::Nothing => flying::open_flight(worker, source),
+        FlightSource::Simulated(_) | FlightSource::Rehearsed(_) | FlightSource::Nothing => {
+            flying::open_flight(worker, source)
+        }
     }
 }

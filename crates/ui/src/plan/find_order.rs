@@ -13,7 +13,7 @@ use super::heat_command::HeatOf;
 use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::documents::Documents;
-use pilotage_jobs::{FindOrder, Foreseen, HighGround, PredictionOrder};
+use pilotage_jobs::{FindOrder, Foreseen, HighGround, PlannedPath, PredictionOrder};
 
 impl Planner {
     /// Order of the search for a route; `None` while an end or the map is missing.
@@ -49,14 +49,16 @@ impl Planner {
             from,
             to,
             flight: PredictionOrder {
-                way_points: vec![from, to],
-                height: field.view.height,
-                targets: Vec::new(),
-                airspeed: None,
-                bank: Some(bank),
-                wind,
-                camera: field.view.camera.clone(),
-                ground_down: ground_down(documents),
+                path: PlannedPath {
+                    way_points: vec![from, to],
+                    height: field.view.height,
+                    targets: Vec::new(),
+                    airspeed: None,
+                    bank: Some(bank),
+                    wind,
+                    camera: field.view.camera.clone(),
+                    ground_down: ground_down(documents),
+                },
                 navigator: mission.navigator.clone(),
                 landmarks: enabled
                     .map(|l| (l.clone(), self.assessments.expected(l)))

@@ -50,9 +50,9 @@ fn route(metres: f64, frame: AltitudeFrame, east: &[f64]) -> Route {
 }
 
 /// The order of a prediction along a route of the mission.
-fn order(documents: &mut Documents, route: Route) -> pilotage_jobs::PredictionOrder {
+fn order(documents: &mut Documents, route: Route) -> pilotage_jobs::PlannedPath {
     documents.route = Some(documents.add_made(route, "Route"));
-    Planner::default().order(documents).unwrap()
+    Planner::default().order(documents).unwrap().path
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn a_level_flight_over_the_ridge_is_predicted_lower_there_and_one_above_ground_i
     );
     assert!(level.way_points.len() > 3, "{:?}", level.way_points);
     assert_eq!(level.way_points.len(), level.targets.len());
-    let over = |order: &pilotage_jobs::PredictionOrder, east: f64| {
+    let over = |order: &pilotage_jobs::PlannedPath, east: f64| {
         let pairs = order.way_points.iter().zip(&order.targets);
         let near = pairs.min_by(|a, b| {
             let away = |p: &GroundPoint| (p.east - east).abs();

@@ -86,12 +86,12 @@ impl Remedies {
             0 => {}
             1 => order.landmarks.push(imagined(worst.begin)),
             2 => {
-                order.height *= HIGHER;
+                order.path.height *= HIGHER;
                 let higher = |t: &Target| Target {
                     height: HIGHER * t.height,
                     ..*t
                 };
-                order.targets = order.targets.iter().map(higher).collect();
+                order.path.targets = order.path.targets.iter().map(higher).collect();
             }
             _ => return,
         }
@@ -149,7 +149,7 @@ impl Remedies {
             ))
         )];
         if let Some(sigma) = self.would_be(2) {
-            let height = format!("{:.0} {unit}", HIGHER * order.height * factor);
+            let height = format!("{:.0} {unit}", HIGHER * order.path.height * factor);
             list.push(if sigma < HELPS * worst.stretch.sigma {
                 format!(
                     "From {height} above ground its σ is {}, if landmarks are found as well from there.",

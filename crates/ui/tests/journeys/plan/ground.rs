@@ -66,11 +66,12 @@ fn predicted_heights(rig: &mut Rig, height: f64) -> Vec<f64> {
         _ => None,
     });
     let mut order = order.filter(|o| {
-        o.targets
+        o.path
+            .targets
             .first()
             .is_some_and(|t| (t.height - height).abs() < 0.5)
     });
-    let targets = order.next().map(|o| &o.targets).expect("a prediction");
+    let targets = order.next().map(|o| &o.path.targets).expect("a prediction");
     targets.iter().map(|t| t.height).collect()
 }
 
