@@ -131,6 +131,8 @@ pub enum Command {
     OpenDemo,
     /// Show a workspace.
     ShowWorkspace(Workspace),
+    /// Fly the selected route in the simulation, with that seed.
+    FlyRoute(u64),
     /// Show or hide the column at the right.
     ToggleSide,
     /// Show or hide the plots.

@@ -74,6 +74,8 @@ pub struct FeatureWishes {
 pub enum FlightWish {
     /// None.
     Nothing,
+    /// A flight, over this map, with the mission that is open.
+    Open(Box<(FlightSource, MapSource)>),
     /// A flight of files, over this map.
     Read(Box<(FlightFiles, MapSource)>),
 }
@@ -247,6 +249,11 @@ impl FeatureContext<'_> {
     /// Flies a flight of files over `map`.
     pub fn fly(&mut self, flight: FlightFiles, map: MapSource) {
         self.wishes.flight = Some(FlightWish::Read(Box::new((flight, map))));
+    }
+
+    /// Flies a flight over `map` with the mission that is open.
+    pub fn fly_over(&mut self, flight: FlightSource, map: MapSource) {
+        self.wishes.flight = Some(FlightWish::Open(Box::new((flight, map))));
     }
 
     /// Gives the workers files, and has the browser keep them for the next visit.

@@ -81,6 +81,11 @@ impl App {
         }
         match wishes.flight {
             Some(FlightWish::Nothing) => self.stop_flying(host),
+            Some(FlightWish::Open(open)) => {
+                let (flight, map) = *open;
+                let mission = Some(self.documents.mission.clone());
+                self.fly_new(egui, host, flight, map, mission);
+            }
             Some(FlightWish::Read(read)) => self.fly_read(*read, egui, host),
             None => {}
         }

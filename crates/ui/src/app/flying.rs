@@ -157,7 +157,7 @@ impl App {
         let is_whole = match &self.documents.flight_source {
             FlightSource::Simulated(options) => options.world().is_shown_whole(),
             FlightSource::Files(_) => true,
-            FlightSource::Nothing => false,
+            FlightSource::Rehearsed(_) | FlightSource::Nothing => false,
         };
         self.jobs.fit_when_known = is_whole && self.documents.map.is_none();
         if is_whole {

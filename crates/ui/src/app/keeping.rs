@@ -145,9 +145,7 @@ impl App {
         let documents = &mut self.documents;
         let is_gone = |key: Option<&str>| key.is_some_and(|key| gone.contains(key));
         let mut parts = Vec::new();
-        if let FlightSource::Files(key) = &documents.flight_source
-            && is_gone(Some(key))
-        {
+        if is_gone(documents.flight_source.key()) {
             parts.push("the flight");
             documents.flight_source = FlightSource::Nothing;
             documents.log = None;
@@ -158,7 +156,7 @@ impl App {
                 FlightSource::Simulated(options) => documents.map_source = options.map(),
                 FlightSource::Files(key) => documents.map_source = MapSource::Files(key.clone()),
                 // The plan keeps the name of its map: nothing else lies there.
-                FlightSource::Nothing => {}
+                FlightSource::Rehearsed(_) | FlightSource::Nothing => {}
             }
         }
         if is_gone(documents.terrain.key()) {

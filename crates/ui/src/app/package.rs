@@ -9,10 +9,7 @@ impl App {
     pub(super) fn save_mission(&mut self, host: &mut dyn Host) {
         let documents = &self.documents;
         let mut beside = Beside {
-            simulation: match &documents.flight_source {
-                FlightSource::Simulated(options) => Some(options.clone()),
-                FlightSource::Files(_) | FlightSource::Nothing => None,
-            },
+            simulation: documents.flight_source.simulation().cloned(),
             bookmarks: documents.bookmarks.clone(),
             ..Beside::default()
         };

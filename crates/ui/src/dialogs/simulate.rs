@@ -4,11 +4,10 @@ use egui::{DragValue, Frame, Id, Modal, RichText, Ui};
 use pilotage_core::simulate::SimulationChoice;
 
 use crate::command::Command;
-use crate::documents::Session;
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
-use pilotage_jobs::{FlightSource, SimulationOptions};
+use pilotage_jobs::SimulationOptions;
 
 /// Dialog that sets up a simulated flight.
 #[derive(Clone, Debug)]
@@ -18,6 +17,8 @@ use pilotage_jobs::{FlightSource, SimulationOptions};
 )]
 pub struct SimulateDialog {
     open: bool,
+    /// Whether the selected route is flown in the place of a scenario.
+    of_route: bool,
     choices: Vec<SimulationChoice>,
     scenario: usize,
     seed: u64,
@@ -32,13 +33,11 @@ pub struct SimulateDialog {
 impl Default for SimulateDialog {
     fn default() -> Self {
         let choices = SimulationChoice::all();
-        let demo = match Session::demo().flight {
-            FlightSource::Simulated(options) => options.scenario,
-            FlightSource::Files(_) | FlightSource::Nothing => String::new(),
-        };
+        let demo = SimulationOptions::demo().scenario;
         let scenario = choices.iter().position(|c| c.name == demo);
         let mut dialog = Self {
             open: false,
+            of_route: false,
             choices,
             scenario: scenario.unwrap_or(0),
             seed: 1,
@@ -96,6 +95,7 @@ impl SimulateDialog {
         context: &egui::Context,
         tokens: &Tokens,
         units: Units,
+        route: Option<&str>,
         commands: &mut Vec<Command>,
     ) {
         if !self.open {
@@ -110,11 +110,15 @@ impl SimulateDialog {
                 egui::ScrollArea::vertical()
                     .max_height(screen.height() - 220.0)
                     .min_scrolled_height(screen.height() - 220.0)
-                    .show(ui, |ui| self.contents(ui, tokens, units));
+                    .show(ui, |ui| self.contents(ui, tokens, units, route));
                 ui.add_space(2.0 * tokens.space);
                 ui.horizontal(|ui| {
                     if text_button(ui, tokens, Some(Icon::Play), "Fly", true).clicked() {
-                        commands.push(Command::Simulate(Box::new(self.options())));
+                        commands.push(if self.of_route && route.is_some() {
+                            Command::FlyRoute(self.seed)
+                        } else {
+                            Command::Simulate(Box::new(self.options()))
+                        });
                         close = true;
                     }
                     if text_button(ui, tokens, None, "Cancel", false).clicked() {
@@ -129,13 +133,27 @@ impl SimulateDialog {
         }
     }
 
-    fn contents(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+    fn contents(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units, route: Option<&str>) {
+        if let Some(route) = route {
+            caption(ui, tokens, "Your route");
+            ui.radio_value(&mut self.of_route, true, route);
+            if self.of_route {
+                let words = "Flown over the map that is open, on another day than the map's, in a wind near the one \
+                             that is planned with.";
+                ui.indent("route", |ui| ui.label(muted(tokens, words)));
+                ui.add_space(tokens.space);
+                self.seed(ui, tokens);
+            }
+            ui.add_space(tokens.space);
+        }
+        let of_route = self.of_route && route.is_some();
         caption(ui, tokens, "Scenario");
         for (index, choice) in self.choices.iter().enumerate() {
-            if ui.radio(self.scenario == index, choice.title).clicked() {
-                self.scenario = index;
+            let is_chosen = !of_route && self.scenario == index;
+            if ui.radio(is_chosen, choice.title).clicked() {
+                (self.scenario, self.of_route) = (index, false);
             }
-            if self.scenario == index {
+            if is_chosen {
                 ui.indent(index, |ui| {
                     ui.label(muted(
                         tokens,
@@ -146,6 +164,9 @@ impl SimulateDialog {
         }
         self.adopt();
         ui.add_space(tokens.space);
+        if of_route {
+            return;
+        }
         if self.choices[self.scenario].world.is_variable() {
             self.variable(ui, tokens, units);
         }

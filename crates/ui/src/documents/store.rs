@@ -159,7 +159,7 @@ impl Documents {
     pub fn usual_navigator(&self) -> NavigatorSettings {
         let choice = match &self.flight_source {
             FlightSource::Simulated(options) => SimulationChoice::named(&options.scenario),
-            FlightSource::Files(_) | FlightSource::Nothing => None,
+            FlightSource::Files(_) | FlightSource::Rehearsed(_) | FlightSource::Nothing => None,
         };
         choice.map_or_else(NavigatorSettings::default, |choice| choice.navigator())
     }
@@ -174,6 +174,9 @@ impl Documents {
                     "same day"
                 };
                 format!("{} · {day} · seed {}", options.scenario, options.seed)
+            }
+            FlightSource::Rehearsed(flight) => {
+                format!("{} · rehearsal, seed {}", flight.name, flight.seed)
             }
             FlightSource::Nothing => self.mission.name.clone(),
             FlightSource::Files(_) => self

@@ -2,7 +2,9 @@
 
 use egui::Key;
 
-use super::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
+use super::{
+    FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, RehearseCommand, TrainCommand,
+};
 use crate::command::Command;
 use crate::shell::catalog::{CommandEntry, CommandGroup, control, entry, plain, shift};
 
@@ -60,6 +62,21 @@ fn plan() -> Vec<CommandEntry> {
             "Delete the way-point",
             vec![],
             PlanCommand::DeleteWayPoint(None),
+        ),
+        of(
+            "Rehearse the route: fly it in the simulation",
+            vec![],
+            PlanCommand::Rehearse(RehearseCommand::Start),
+        ),
+        of(
+            "Watch the worst flight of the rehearsal",
+            vec![],
+            PlanCommand::Rehearse(RehearseCommand::Watch(None)),
+        ),
+        of(
+            "Stop the rehearsal",
+            vec![],
+            PlanCommand::Rehearse(RehearseCommand::Stop),
         ),
         of("Duplicate the route", vec![], PlanCommand::DuplicateRoute),
         of("Delete the route", vec![], PlanCommand::DeleteRoute),

@@ -8,6 +8,7 @@ use pilotage_core::plan::{PredictionSample, RoutePrediction};
 
 use super::corridor_paint::kept_color;
 use super::lanes::{Blip, blips};
+use super::rehearsal::FlownErrors;
 use super::words::{distance_text, long};
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -28,6 +29,8 @@ pub struct ChartScene<'a> {
     pub landmarks: &'a [&'a Landmark],
     /// Stretches on which the corridor reaches into no-fly areas, metres along the path.
     pub no_fly: &'a [(f64, f64)],
+    /// True errors of rehearsed flights.
+    pub flown: FlownErrors<'a>,
     /// The limit, metres.
     pub limit: f64,
     /// Computation under way, or fineness of the prediction, in words.
@@ -83,7 +86,8 @@ impl Chart {
             return None;
         }
         let top = samples.iter().map(|s| s.corridor.across);
-        let top = 1.08 * near * top.fold(1.4 * scene.limit, f64::max);
+        let least = scene.flown.largest().max(1.4 * scene.limit);
+        let top = 1.08 * near * top.fold(least, f64::max);
         let axes = ChartAxes {
             rect,
             x: (0.0, last.distance * far),
@@ -98,6 +102,7 @@ impl Chart {
         let clip = painter.with_clip_rect(rect);
         let at = |distance: f64, metres: f64| axes.at(distance * far, metres * near);
         paint_over(&clip, scene, &at, rect);
+        scene.flown.paint_against(&clip, &at, tokens);
         curve(
             &clip,
             samples,
@@ -191,11 +196,14 @@ fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, uni
     let y = outer.top() + 0.5 * HEADER;
     let mut x = outer.left() + LEFT;
     let limit = format!("limit {:.0} {unit}", scene.limit * near);
-    let entries: [(&str, Color32, f32, bool); 3] = [
+    let mut entries: Vec<(&str, Color32, f32, bool)> = vec![
         ("σ, longer axis", tokens.text, 2.0, false),
         ("95 % corridor, half width", kept_color(tokens), 1.25, false),
         (&limit, tokens.warning, 1.5, true),
     ];
+    if scene.flown.count() > 0 {
+        entries.push(("true errors beside the path", tokens.truth, 1.0, false));
+    }
     let unit_at = pos2(outer.left() + LEFT - 4.0, y);
     painter.text(
         unit_at,

@@ -8,6 +8,7 @@ use super::find_command::FindCommand;
 use super::heat_command::HeatCommand;
 use super::patterns::Pattern;
 use super::purpose::Purpose;
+use super::rehearsal::RehearseCommand;
 use super::suggest_command::SuggestCommand;
 use super::tab::PlanTab;
 use super::train_command::TrainCommand;
@@ -140,6 +141,8 @@ pub enum PlanCommand {
     AssessAll,
     /// Measure from which heights and with which tilts the selected landmark is found.
     SurveyEnvelope,
+    /// Something about the rehearsal of the selected route.
+    Rehearse(RehearseCommand),
     /// Something about landmarks that are proposed.
     Suggest(SuggestCommand),
     /// Stop measuring.

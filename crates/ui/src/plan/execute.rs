@@ -76,6 +76,7 @@ impl Planner {
             | PlanCommand::AssessAll
             | PlanCommand::StopAssessing => self.assess(&command, context),
             PlanCommand::Train(command) => self.train(command, context),
+            PlanCommand::Rehearse(command) => self.rehearse(&command, context),
             PlanCommand::PrintBrief => self.ask_for_brief(context),
             PlanCommand::Heat(command) => {
                 if command == HeatCommand::ToggleBlind || command == HeatCommand::Toggle {

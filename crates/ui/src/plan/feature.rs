@@ -54,6 +54,10 @@ impl Feature for Planner {
                 self.drawing = false;
                 self.marking = None;
             }
+            Command::FlyRoute(seed) => {
+                self.watch(Some(*seed), context);
+                return true;
+            }
             Command::ExportRoute(_) => return self.asks_before_export(context),
             _ if !context.is_shown => {}
             Command::DeleteLandmark(id) => {

@@ -29,6 +29,7 @@ pub fn cruise() -> f64 {
 pub fn flight_wind(documents: &Documents) -> Wind {
     match &documents.flight_source {
         FlightSource::Simulated(options) => scenario_wind(options),
+        FlightSource::Rehearsed(flight) => flight.path.wind,
         FlightSource::Files(_) | FlightSource::Nothing => Wind::default(),
     }
 }
@@ -135,6 +136,7 @@ pub fn usual_altitude(documents: &Documents) -> Altitude {
         FlightSource::Simulated(options) => options
             .height
             .or_else(|| Some(SimulationChoice::named(&options.scenario)?.height)),
+        FlightSource::Rehearsed(flight) => Some(flight.path.height),
         FlightSource::Files(_) | FlightSource::Nothing => None,
     };
     Altitude::new(flown.unwrap_or(USUAL_HEIGHT), AltitudeFrame::AboveGround)

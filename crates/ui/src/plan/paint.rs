@@ -11,6 +11,7 @@ use super::corridor_paint::paint_corridor;
 use super::hit::{Hit, PlanPointer};
 use super::planner::Planner;
 use super::pointer::middles;
+use super::rehearsal::FlownErrors;
 use crate::context::route_of;
 use crate::map::{ScreenFromWorld, ellipse, paint_halo_text};
 use crate::tokens::Tokens;
@@ -33,8 +34,10 @@ impl Planner {
             self.preferences.limit,
             tokens,
         );
+        let samples = &shown.prediction.samples;
+        FlownErrors::of(&self.rehearsal).paint_on_map(painter, view, samples, tokens);
         let hovered = self.hovered;
-        let sample = hovered.and_then(|d| sample_at(&shown.prediction.samples, d));
+        let sample = hovered.and_then(|d| sample_at(samples, d));
         if let Some(sample) = sample {
             paint_hovered(painter, view, sample, tokens);
         }

@@ -8,6 +8,7 @@ use super::ground_tab::ground_tab;
 use super::landmarks_tab::landmarks_tab;
 use super::planner::Planner;
 use super::profile::{self, ProfileScene};
+use super::rehearsal::FlownErrors;
 use super::route_tab::route_tab;
 use super::tab::PlanTab;
 use crate::command::Command;
@@ -91,6 +92,7 @@ impl Planner {
         let scene = ChartScene {
             prediction: &shown.prediction,
             no_fly: &no_fly,
+            flown: FlownErrors::of(&self.rehearsal),
             landmarks: &landmarks,
             limit,
             state: &state,

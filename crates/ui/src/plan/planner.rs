@@ -25,6 +25,7 @@ use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
 use super::patterns::PassCircumstances;
 use super::printing::Printing;
+use super::rehearsal::{RehearsalPreferences, RouteRehearsal};
 use super::remedy::Remedies;
 use super::suggestions::Suggestions;
 use super::tab::PlanTab;
@@ -32,7 +33,7 @@ use super::trainings::Trainings;
 use crate::documents::Documents;
 use crate::map::ScreenFromWorld;
 use crate::views::LandmarkList;
-use pilotage_jobs::PredictionOrder;
+use pilotage_jobs::{PlannedPath, PredictionOrder};
 
 /// Preferences and assumptions of the user; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,6 +59,8 @@ pub struct PlanPreferences {
     pub energy: Option<f64>,
     /// Whether the heights of the route are shown below the map.
     pub profile: bool,
+    /// Preferences of rehearsals.
+    pub rehearsal: RehearsalPreferences,
 }
 
 impl Default for PlanPreferences {
@@ -73,6 +76,7 @@ impl Default for PlanPreferences {
             power: None,
             energy: None,
             profile: false,
+            rehearsal: RehearsalPreferences::default(),
         }
     }
 }
@@ -96,6 +100,8 @@ pub struct Planner {
     pub hovered: Option<f64>,
     /// The prediction.
     pub forecast: Forecast,
+    /// Flights of the route in the simulation.
+    pub rehearsal: RouteRehearsal,
     /// Remedies of the worst stretch of the route.
     pub remedies: Remedies,
     /// Detection statistics of landmarks.
@@ -200,14 +206,16 @@ impl Planner {
         let camera = camera(documents);
         let (way_points, targets) = flown_over(route, documents);
         Some(PredictionOrder {
-            way_points,
-            height: height(route, documents),
-            targets,
-            airspeed: None,
-            bank: Some(self.preferences.bank),
-            wind: self.wind(documents),
-            camera,
-            ground_down: ground_down(documents),
+            path: PlannedPath {
+                way_points,
+                height: height(route, documents),
+                targets,
+                airspeed: None,
+                bank: Some(self.preferences.bank),
+                wind: self.wind(documents),
+                camera,
+                ground_down: ground_down(documents),
+            },
             navigator: mission.navigator.clone(),
             landmarks: mission
                 .landmarks

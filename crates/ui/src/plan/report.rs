@@ -98,6 +98,7 @@ impl Planner {
                 .map(|_| self.no_fly_sentences(crate::units::Units::Metric)),
             "no_fly": mission.no_fly.iter().map(|z| z.corners.len()).collect::<Vec<_>>(),
             "heat": self.heat_json(),
+            "rehearsal": self.rehearsal.json(),
             "remedies": self.remedies.json(),
             "find": self.find_json(),
             "suggested": self.suggestions_json(&mission.landmarks),

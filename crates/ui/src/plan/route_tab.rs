@@ -47,6 +47,11 @@ pub fn route_tab(
         prediction(ui, planner, documents, route, context);
     });
     ui.add_space(tokens.space);
+    let id = egui::Id::unique("plan rehearsal");
+    ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
+        planner.rehearsal_card(ui, context);
+    });
+    ui.add_space(tokens.space);
     let legs = legs(route, cruise(), &planner.wind(documents));
     let (length, time) = totals(&legs);
     ui.horizontal(|ui| {

@@ -21,6 +21,7 @@ impl Planner {
         let now = context.host.now();
         let _ = self.forecast.receive(id, event, now)
             || self.remedies.receive(id, event)
+            || self.rehearsal.receive(id, event)
             || self.heat.receive(id, event)
             || self.finder.receive(id, event)
             || self.suggestions.receive(id, event)
@@ -71,6 +72,8 @@ impl Planner {
         let limit = self.preferences.limit;
         waits |= self.forecast.work(order, limit, context);
         self.remedies.work(&self.forecast, limit, context);
+        let preferences = &self.preferences.rehearsal;
+        waits |= self.rehearsal.work(&self.forecast, preferences, context);
         waits
     }
 }

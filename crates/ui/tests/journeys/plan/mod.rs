@@ -14,6 +14,7 @@ mod insert;
 mod keyboard;
 mod landmarks;
 mod patterns;
+mod rehearse;
 mod remedy;
 mod route_tab;
 mod suggest;

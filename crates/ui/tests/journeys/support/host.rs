@@ -93,6 +93,7 @@ fn is_real(job: &Job) -> bool {
             | Job::Pack(_)
             | Job::Export(_)
             | Job::Smooth(_)
+            | Job::Rehearse(_)
     )
 }
 
