@@ -1,5 +1,6 @@
 //! A job that several workers share: what each has done, and what it comes to together.
 
+use pilotage_core::sorting::sort;
 use std::collections::BTreeMap;
 
 use pilotage_core::plan::{LandmarkCandidate, Rehearsal, ViewResult};
@@ -139,7 +140,7 @@ impl SharedJob {
     fn last_job(&mut self) -> Job {
         match &mut self.whole {
             Whole::Measurement(order, views) => {
-                views.sort_by_key(|(look, _)| *look);
+                sort(views, &|a, b| a.0.cmp(&b.0));
                 let views = views.iter().map(|(_, view)| *view).collect();
                 Job::SumUp(SumUpOrder(order.clone(), views))
             }

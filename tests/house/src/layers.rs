@@ -20,6 +20,7 @@ pub const ORDERS: [&Order; 8] = [
     &Order {
         sources: "crates/core/base/src",
         folders: &[
+            "sorting",
             "statistics",
             "angle_text",
             "bytes",

@@ -4,6 +4,7 @@ use egui::{RichText, Ui};
 use pilotage_core::exchange::Format;
 use pilotage_core::flight::log::{LogFormat, LogOutline};
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
+use pilotage_core::sorting::sort;
 
 use super::words::{date, duration, size};
 use super::{LogCommand, OpenLog};
@@ -70,7 +71,7 @@ pub fn overview_panel(
     facts(ui, context, outline, log.overview.as_ref());
     if let Some(overview) = &log.overview {
         let mut all = [beside, &overview.findings[..]].concat();
-        all.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+        sort(&mut all, &|a, b| b.severity.cmp(&a.severity));
         findings(ui, context, &all, first);
         abilities(ui, context, &overview.abilities);
         sensors(ui, context, &overview.sensors);

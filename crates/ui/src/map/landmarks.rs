@@ -5,6 +5,7 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::{CandidateReport, Outcome, StepReport};
+use pilotage_core::sorting::sort;
 
 use super::symbols::{paint_halo_text, paint_lifted_line};
 use super::transform::{ScreenFromWorld, topmost};
@@ -240,7 +241,7 @@ fn paint_labels(
     covered: &[Rect],
     tokens: &Tokens,
 ) {
-    labels.sort_by_key(|l| l.rank);
+    sort(&mut labels, &|a, b| a.rank.cmp(&b.rank));
     let mut taken: Vec<Rect> = covered.to_vec();
     for label in labels {
         let galley = painter.layout_no_wrap(label.text.clone(), tokens.small(), label.color);

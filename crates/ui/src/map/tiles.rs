@@ -1,6 +1,7 @@
 //! The map's pixels: square tiles at power-of-two ground sample distances, asked for as they come
 //! into view and kept as textures. A coarser tile stands in while a finer one is on its way.
 
+use pilotage_core::sorting::sort;
 use std::collections::{HashMap, HashSet};
 
 use egui::epaint::{Mesh, Vertex};
@@ -224,7 +225,10 @@ impl TileCache {
         {
             paint_textured(painter, view, ground, texture);
         }
-        stand_ins.sort_by_key(|k| (-k.level, k.north, k.east));
+        let coarse_first = |k: &TileKey| (-k.level, k.north, k.east);
+        sort(&mut stand_ins, &|a, b| {
+            coarse_first(a).cmp(&coarse_first(b))
+        });
         stand_ins.dedup();
         for key in stand_ins.iter().chain(&tiles) {
             self.paint_tile(painter, view, *key);
@@ -246,14 +250,14 @@ impl TileCache {
         rough: Option<i32>,
     ) {
         let distance = |k: &TileKey| k.window().rect().center().distance(&view.center);
-        missing.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        sort(&mut missing, &|a, b| distance(a).total_cmp(&distance(b)));
         // A rougher picture first, where there is nothing at all yet.
         let mut wanted: Vec<TileKey> = rough
             .into_iter()
             .flat_map(|level| TileKey::covering(level, ground))
             .filter(|k| self.is_missing(k))
             .collect();
-        wanted.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        sort(&mut wanted, &|a, b| distance(a).total_cmp(&distance(b)));
         if missing.is_empty() {
             wanted.clear();
         }

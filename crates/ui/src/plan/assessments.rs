@@ -1,5 +1,6 @@
 //! Detection statistics of landmarks: measured where that was done, assumed elsewhere.
 
+use pilotage_core::sorting::sort;
 use std::collections::{HashMap, VecDeque};
 
 use nalgebra::{Matrix4, Vector4};
@@ -323,7 +324,7 @@ impl Assessments {
             .map_or_else(Vec::new, |m| m.statistics.by_height);
         by_height.retain(|(height, _)| (height - found.height).abs() > 1.0);
         by_height.push((found.height, found.expected));
-        by_height.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort(&mut by_height, &|a, b| a.0.total_cmp(&b.0));
         let measured = MeasuredLandmark {
             last: found.clone(),
             statistics: DetectionStatistics {

@@ -4,6 +4,7 @@ use egui::{Align2, Color32, CursorIcon, Key, Painter, Pos2, Response, Shape, Str
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::Mission;
 use pilotage_core::plan::RoutePrediction;
+use pilotage_core::sorting::sort;
 
 use super::PlanCommand;
 use super::corridor_paint::corridor_band;
@@ -182,7 +183,7 @@ fn hatch(painter: &Painter, corners: &[Pos2], color: Color32) {
                 ((from < 0.0) != (to < 0.0)).then(|| a + (b - a) * (from / (from - to)))
             })
             .collect();
-        crossings.sort_by(|a, b| a.x.total_cmp(&b.x));
+        sort(&mut crossings, &|a, b| a.x.total_cmp(&b.x));
         for pair in crossings.chunks_exact(2) {
             painter.line_segment([pair[0], pair[1]], Stroke::new(1.0, color));
         }

@@ -1,5 +1,6 @@
 //! The table of landmarks: name, size, how often each is found; sorted as the user likes.
 
+use pilotage_core::sorting::sort;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
@@ -77,7 +78,7 @@ impl LandmarkTable {
         let mission = context.mission;
         let mut rows: Vec<&Landmark> = mission.landmarks.iter().collect();
         rows.retain(|l| fits(l, &self.filter));
-        rows.sort_by(|a, b| self.order(a, b, assessments));
+        sort(&mut rows, &|a, b| self.order(a, b, assessments));
         let ids: Vec<u32> = rows.iter().map(|l| l.id).collect();
         self.filter(ui, &ids, context);
         let categories = mission.landmarks.iter().any(|l| !l.category().is_empty());

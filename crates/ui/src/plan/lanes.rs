@@ -1,6 +1,7 @@
 //! Stretches of the route on which a landmark is likely to be found, packed into few lanes.
 
 use pilotage_core::plan::PredictionSample;
+use pilotage_core::sorting::sort;
 
 /// Below this probability a landmark counts as out of view.
 const SEEN: f64 = 0.02;
@@ -50,7 +51,7 @@ pub fn blips(samples: &[PredictionSample], ends: impl Fn(&Blip) -> f64) -> (Vec<
         }
         all.extend(open);
     }
-    all.sort_by_key(|b| b.samples[0]);
+    sort(&mut all, &|a, b| a.samples[0].cmp(&b.samples[0]));
     let mut free_from: Vec<f64> = Vec::new();
     for blip in &mut all {
         let begin = samples[blip.samples[0]].distance;

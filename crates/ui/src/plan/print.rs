@@ -1,6 +1,7 @@
 //! The mission brief: asked for, and printed once its pictures are there.
 
 use pilotage_core::frames::GroundPoint;
+use pilotage_core::sorting::sort;
 
 use super::aircraft::energy_left;
 use super::brief::{BriefScene, MOST_LANDMARKS, STYLE, brief, brief_area};
@@ -85,7 +86,7 @@ impl Planner {
                 (likely(&best) > 0.02).then_some((best.distance, index))
             })
             .collect();
-        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort(&mut order, &|a, b| a.0.total_cmp(&b.0));
         let landmarks = order.iter().take(MOST_LANDMARKS);
         let landmarks = landmarks.map(|(_, index)| of(&shown.order.landmarks[*index].0));
         let more = order.len().saturating_sub(MOST_LANDMARKS);

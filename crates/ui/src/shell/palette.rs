@@ -3,6 +3,7 @@
 use egui::{
     Align2, Area, Frame, Id, Key, Order, Role, Sense, Stroke, TextEdit, Ui, WidgetInfo, vec2,
 };
+use pilotage_core::sorting::sort;
 
 use super::catalog::CommandEntry;
 use crate::command::Command;
@@ -57,7 +58,7 @@ impl Palette {
             .filter_map(|e| Some((fuzzy_score(&self.query, &e.label)?, e.clone())))
             .collect();
         if !self.query.is_empty() {
-            found.sort_by_key(|(score, _)| -score);
+            sort(&mut found, &|a, b| b.0.cmp(&a.0));
         }
         found.into_iter().map(|(_, e)| e).collect()
     }

@@ -58,7 +58,9 @@ pub fn complete<'a>(
             found.push((rank, name.len(), NameCandidate { text, about }));
         }
     }
-    found.sort_by(|a, b| (a.0, a.1, &a.2.text).cmp(&(b.0, b.1, &b.2.text)));
+    pilotage_base::sorting::sort(&mut found, &|a, b| {
+        (a.0, a.1, &a.2.text).cmp(&(b.0, b.1, &b.2.text))
+    });
     found.truncate(MOST);
     Completion {
         place,

@@ -2,6 +2,7 @@
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::navigator::{CandidateReport, FrameReport, Outcome, Run};
+use pilotage_core::sorting::sort;
 
 use super::super::{ellipse, parts, picking};
 use super::placement::CameraPlacement;
@@ -44,7 +45,8 @@ pub(super) fn draw(
     let strong =
         |c: &CandidateReport| context.selection == Some(c.landmark) || near == Some(c.landmark);
     let mut order: Vec<&CandidateReport> = report.candidates.iter().collect();
-    order.sort_by_key(|c| (!strong(c), c.outcome != Outcome::Accepted));
+    let last = |c: &CandidateReport| (!strong(c), c.outcome != Outcome::Accepted);
+    sort(&mut order, &|a, b| last(a).cmp(&last(b)));
     for candidate in order {
         let reason = strong(candidate) || report.candidates.len() <= FEW;
         label(painter, tokens, run, placement, candidate, reason, taken);

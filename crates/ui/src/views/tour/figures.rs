@@ -4,6 +4,7 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2,
 use nalgebra::{DMatrix, Matrix2, Vector2};
 use pilotage_core::filter::{chi_square_probability, chi_square_quantile};
 use pilotage_core::navigator::{CandidateReport, Outcome, Run, StepReport};
+use pilotage_core::sorting::sort;
 
 use super::super::chart::ChartAxes;
 use super::super::inspector::sentence::sigma;
@@ -587,7 +588,7 @@ fn landmarks(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
             rows[place].2 += 1;
         }
     }
-    rows.sort_by_key(|r| std::cmp::Reverse(r.1));
+    sort(&mut rows, &|a, b| b.1.cmp(&a.1));
     rows.truncate(6);
     let most = rows.iter().map(|r| r.1 + r.2).max().unwrap_or(1).max(1) as f32;
     let height = (rect.height() - 2.0 * tokens.space) / rows.len().max(1) as f32;
