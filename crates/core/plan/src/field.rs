@@ -4,6 +4,7 @@
 //! aircraft is at the place only within the uncertainty of its position, and looks along any heading:
 //! the probability is the mean over both.
 
+use pilotage_base::sorting::sort;
 use std::f64::consts::TAU;
 
 use nalgebra::{Point2, Point3};
@@ -243,7 +244,9 @@ impl FieldBuilder {
     /// ```
     pub fn new(view: FieldView, region: &GroundRect, step: f64, sources: Vec<FixSource>) -> Self {
         let mut sources = sources;
-        sources.sort_by(|a, b| b.bounds.center().north.total_cmp(&a.bounds.center().north));
+        sort(&mut sources, &|a, b| {
+            b.bounds.center().north.total_cmp(&a.bounds.center().north)
+        });
         Self {
             seen: view.seen(),
             view,

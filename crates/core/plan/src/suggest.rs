@@ -1,5 +1,6 @@
 //! Landmarks that a map offers: every place is rehearsed, and the set that serves a route best is chosen.
 
+use pilotage_base::sorting::sort;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -175,7 +176,9 @@ impl Ranking {
 
 /// Places by their probability; those of the same one stay in their order.
 pub fn most_certain_first(mut found: Vec<LandmarkCandidate>) -> Vec<LandmarkCandidate> {
-    found.sort_by(|a, b| b.probability().total_cmp(&a.probability()));
+    sort(&mut found, &|a, b| {
+        b.probability().total_cmp(&a.probability())
+    });
     found
 }
 

@@ -13,6 +13,7 @@ use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long};
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
+use pilotage_base::sorting::sort;
 
 /// Below this a name says nothing.
 const LEAST: f64 = 0.3;
@@ -371,7 +372,9 @@ fn column(
             confidence: best.confidence * (1.0 - unit.confidence) / 2.0,
         }));
     }
-    alternatives.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
+    sort(&mut alternatives, &|a, b| {
+        b.confidence.total_cmp(&a.confidence)
+    });
     MappedColumn {
         role: best.role,
         unit: unit.unit.to_owned(),

@@ -1,5 +1,6 @@
 //! Meanings of the names of columns.
 
+use pilotage_base::sorting::sort;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -330,7 +331,7 @@ pub(super) fn meanings(words: &[String]) -> Vec<NameGuess> {
             confidence: rule.confidence * doubt * (0.5 + 0.5 * share),
         })
         .collect();
-    found.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
+    sort(&mut found, &|a, b| b.confidence.total_cmp(&a.confidence));
     let mut seen = Vec::new();
     found.retain(|guess| {
         let is_new = !seen.contains(&guess.role);

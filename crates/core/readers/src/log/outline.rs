@@ -1,5 +1,6 @@
 //! Contents of a log, without its rows.
 
+use pilotage_base::sorting::sort;
 use serde::{Deserialize, Serialize};
 
 use super::{Log, LogFormat, LogMessage, ModeChange, Parameter, ReadReport, Topic, TopicName};
@@ -104,7 +105,7 @@ impl LogOutline {
         let mut topics: Vec<TopicOutline> = with_rows
             .map(|topic| TopicOutline::of(topic, log.begins))
             .collect();
-        topics.sort_by(|a, b| a.name.cmp(&b.name));
+        sort(&mut topics, &|a, b| a.name.cmp(&b.name));
         Self {
             name: log.name.clone(),
             format: log.format,

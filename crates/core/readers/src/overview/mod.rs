@@ -11,6 +11,7 @@ mod states;
 #[cfg(test)]
 mod tests;
 
+use pilotage_base::sorting::sort;
 use serde::{Deserialize, Serialize};
 
 pub use ability::Ability;
@@ -102,7 +103,7 @@ pub fn overview(log: &Log, measured: &MeasuredSeries<'_>) -> Overview {
     findings.extend(causes::findings(&sensors, &airborne));
     findings.extend(glitch::findings(found, states));
     findings.extend(air_data.iter().flat_map(AirDataFit::findings));
-    findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+    sort(&mut findings, &|a, b| b.severity.cmp(&a.severity));
     Overview {
         span,
         distance,

@@ -1,5 +1,6 @@
 //! Directions against the direction of the track: unit, sense and zero together.
 
+use pilotage_base::sorting::sort;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::board::{FlightColumns, Id, UnitBasis};
@@ -150,7 +151,7 @@ pub(super) fn readings(
             });
         }
     }
-    found.sort_by(|a, b| b.score.total_cmp(&a.score));
+    sort(&mut found, &|a, b| b.score.total_cmp(&a.score));
     found
 }
 

@@ -1,5 +1,6 @@
 //! Attitude: in which unit and sense heading, roll and pitch are.
 
+use pilotage_base::sorting::sort;
 use pilotage_flight::ChannelName;
 
 use super::Known;
@@ -140,7 +141,7 @@ fn by_lean(board: &mut FlightColumns, known: &mut Known, id: Id) -> bool {
             }
         }
     }
-    ways.sort_by(|a, b| b.0.total_cmp(&a.0));
+    sort(&mut ways, &|a, b| b.0.total_cmp(&a.0));
     let Some((best, convention, sign, unit)) = ways.first().copied() else {
         return false;
     };

@@ -1,6 +1,7 @@
 //! Agreement of signed orders of three columns with a reference along three axes, and the factor of each.
 
 use super::grid::quantile;
+use pilotage_base::sorting::sort;
 
 /// An order of columns and their signs: along axis i lies `sign[i]` times column `order[i]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,6 +116,6 @@ pub(super) fn fits(
         })
     };
     let mut fits: Vec<AxesFit> = candidates.iter().filter_map(fit).collect();
-    fits.sort_by(|a, b| b.score.total_cmp(&a.score));
+    sort(&mut fits, &|a, b| b.score.total_cmp(&a.score));
     fits
 }

@@ -8,6 +8,7 @@ use super::ros::{AHEAD, is_of_ros};
 use super::{inertial, lean};
 use crate::columns::attitude::attitude;
 use crate::columns::groups::quaternion_roles;
+use pilotage_base::sorting::sort;
 
 /// Roll, pitch and heading of a quaternion, without jumps.
 pub(super) fn angles(board: &FlightColumns, parts: [Id; 4], is_ros: bool) -> [TimedNumbers; 3] {
@@ -129,7 +130,7 @@ fn ways(
             });
         }
     }
-    ways.sort_by(|a, b| b.score.total_cmp(&a.score));
+    sort(&mut ways, &|a, b| b.score.total_cmp(&a.score));
     (!ways.is_empty()).then_some(ways)
 }
 

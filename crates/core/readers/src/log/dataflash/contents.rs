@@ -6,6 +6,7 @@ use super::format::{FORMAT, HEADER, MessageFormat};
 use super::topics::{MessageKind, Owners};
 use super::units::{Labels, UnitTables};
 use super::words::LogTexts;
+use pilotage_base::sorting::sort;
 
 /// Why a message is skipped whose kind was never announced.
 pub const UNANNOUNCED: &str = "a kind of message that was not announced";
@@ -271,7 +272,9 @@ impl DataflashContents {
             }
         }
         if !standing.is_empty() {
-            standing.sort_by(|a, b| b.0.cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
+            sort(&mut standing, &|a, b| {
+                b.0.cmp(&a.0).then_with(|| a.1.cmp(&b.1))
+            });
             let sum: usize = standing.iter().map(|(count, _)| count).sum();
             let most: Vec<_> = standing
                 .iter()
