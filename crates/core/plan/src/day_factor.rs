@@ -6,9 +6,10 @@
 //! `√ρ q + √(1-ρ) ε < Φ⁻¹(r)`, where q is the day's and ε its own (the one-factor model of Vasicek 1987,
 //! "Probability of loss on loan portfolio"). ρ follows from how the rehearsals of the same days went.
 
-use rand::{Rng, RngExt};
+use rand::RngExt;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::draws::Draws;
 use super::{ExpectedDetection, LookTally};
 use pilotage_base::statistics::normal_probability;
 
@@ -88,34 +89,29 @@ fn quantile(p: f64) -> f64 {
 /// For each world of these weights and each of `landmarks` a number from 0 to 1: it is recognised where
 /// that is more probable. All of them lie evenly for every landmark, whose probability is met as well as
 /// so many worlds can, and they go together as `rho` says.
-pub(super) fn worlds(
-    weights: &[f64],
-    landmarks: usize,
-    rho: f64,
-    random: &mut impl Rng,
-) -> Vec<Vec<f64>> {
-    let mut normal = |_| -> f64 { StandardNormal.sample(random) };
+pub(super) fn worlds(weights: &[f64], landmarks: &[u32], rho: f64, seed: u64) -> Vec<Vec<f64>> {
+    let mut draws = Draws::new(!seed); // not those of the flights
     let worlds = weights.len();
     let whole: f64 = weights.iter().sum();
-    let days: Vec<f64> = (0..worlds).map(&mut normal).collect();
-    let mut all = vec![Vec::with_capacity(landmarks); worlds];
-    for _ in 0..landmarks {
-        let drawn: Vec<f64> = days
-            .iter()
-            .map(|q| rho.sqrt() * q + (1.0 - rho).sqrt() * normal(0))
+    let days: Vec<f64> = (0..worlds)
+        .map(|world| StandardNormal.sample(draws.of_all(world, 0)))
+        .collect();
+    let mut all = vec![Vec::with_capacity(landmarks.len()); worlds];
+    for id in landmarks {
+        let drawn: Vec<(f64, f64)> = (days.iter().enumerate())
+            .map(|(world, q)| {
+                let random = draws.of_landmark(world, *id, 0);
+                let own: f64 = StandardNormal.sample(random);
+                (rho.sqrt() * q + (1.0 - rho).sqrt() * own, random.random())
+            })
             .collect();
         let mut order: Vec<usize> = (0..worlds).collect();
-        order.sort_by(|a, b| drawn[*a].total_cmp(&drawn[*b]));
+        order.sort_by(|a, b| drawn[*a].0.total_cmp(&drawn[*b].0));
         let mut before = 0.0;
         for world in order {
-            all[world].push(before);
+            let within = drawn[world].1;
+            all[world].push((before + weights[world] * within) / whole);
             before += weights[world];
-        }
-    }
-    for (weight, world) in weights.iter().zip(&mut all) {
-        for place in world {
-            let within: f64 = random.random();
-            *place = (*place + weight * within) / whole;
         }
     }
     all
@@ -125,8 +121,6 @@ pub(super) fn worlds(
 mod tests {
     use super::*;
     use nalgebra::Matrix4;
-    use rand::SeedableRng;
-    use rand_chacha::ChaCha8Rng;
 
     fn expected(recognised: f64) -> ExpectedDetection {
         ExpectedDetection {
@@ -138,10 +132,9 @@ mod tests {
 
     #[test]
     fn the_share_of_the_day_is_found_again_from_rehearsals() {
-        let mut random = ChaCha8Rng::seed_from_u64(8);
         for rho in [0.0, 0.3, 0.7] {
             let chances = [0.4, 0.5, 0.6, 0.7, 0.8, 0.6, 0.5, 0.7];
-            let drawn = worlds(&[1.0; 60], chances.len(), rho, &mut random);
+            let drawn = worlds(&[1.0; 60], &[1, 2, 3, 4, 5, 6, 7, 8], rho, 8);
             let tallies: Vec<Vec<LookTally>> = (0..chances.len())
                 .map(|i| {
                     let found = |u: f64| usize::from(u < chances[i]) * 2;
@@ -165,15 +158,14 @@ mod tests {
 
     #[test]
     fn every_landmark_is_recognised_in_its_share_of_the_worlds_however_they_go_together() {
-        let mut random = ChaCha8Rng::seed_from_u64(9);
         for rho in [0.0, 0.8] {
-            let drawn = worlds(&[0.02; 50], 3, rho, &mut random);
+            let drawn = worlds(&[0.02; 50], &[1, 2, 3], rho, 9);
             for landmark in 0..3 {
                 let known = drawn.iter().filter(|w| w[landmark] < 0.7).count();
                 assert_eq!(known, 35, "{rho}");
             }
         }
-        let together = worlds(&[1.0; 2000], 2, 0.8, &mut random);
+        let together = worlds(&[1.0; 2000], &[1, 2], 0.8, 9);
         let neither = together.iter().filter(|w| w[0] > 0.9 && w[1] > 0.9).count();
         assert!(
             (60..160).contains(&neither),

@@ -9,6 +9,7 @@ mod corridor;
 mod cover;
 mod day_factor;
 mod detection;
+mod draws;
 mod envelope;
 mod field;
 mod find;

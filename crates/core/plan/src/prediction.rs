@@ -1,7 +1,5 @@
 //! The position uncertainty that a filter will have along a route, before the flight.
 
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use super::corridor::{Corridor, WorldError, corridor};
@@ -180,19 +178,14 @@ impl PredictionRequest<'_> {
     /// For each world of these weights and each landmark a number from 0 to 1: it is recognised where
     /// that is more probable. How far landmarks go together follows from their rehearsals.
     fn recognised(&self, worlds: &[f64]) -> Vec<Vec<f64>> {
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let height = self.plan.height;
         let rehearsed: Vec<_> = self
             .landmarks
             .iter()
             .filter_map(|l| Some((l.detection.at(height)?, l.detection.by_day.as_slice())))
             .collect();
-        day_factor::worlds(
-            worlds,
-            self.landmarks.len(),
-            day_factor::shared(&rehearsed),
-            &mut random,
-        )
+        let ids: Vec<u32> = self.landmarks.iter().map(|l| l.landmark.id).collect();
+        day_factor::worlds(worlds, &ids, day_factor::shared(&rehearsed), self.seed)
     }
 
     /// States of `flight` at which the camera takes a picture, and where that is.
@@ -424,5 +417,46 @@ mod tests {
         let often = mean(&predict(&landmarks(&scenario, 0.95), 32));
         let seldom = mean(&predict(&landmarks(&scenario, 0.1), 32));
         assert!(seldom > 1.2 * often, "{seldom} against {often}");
+    }
+
+    #[test]
+    fn what_is_predicted_at_a_place_stays_to_the_last_digit_whatever_is_added_ahead_of_it() {
+        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+        let all = landmarks(&scenario, 0.6);
+        let ahead =
+            |l: &PlannedLandmark| l.landmark.bounds.center().distance(&GroundPoint::default());
+        let last = all
+            .iter()
+            .max_by(|a, b| ahead(a).total_cmp(&ahead(b)))
+            .unwrap()
+            .landmark
+            .id;
+        let fewer: Vec<_> = all
+            .iter()
+            .filter(|l| l.landmark.id != last)
+            .cloned()
+            .collect();
+        let (with, without) = (predict(&all, 16), predict(&fewer, 16));
+        let place = all.iter().position(|l| l.landmark.id == last).unwrap();
+        let same = with
+            .samples
+            .iter()
+            .take_while(|s| s.detection[place] == 0.0)
+            .count();
+        assert!(same > 20, "{same} of {}", with.samples.len());
+        for (a, b) in with.samples.iter().zip(&without.samples).take(same) {
+            assert_eq!(a.corridor, b.corridor, "at {} m", a.distance);
+        }
+        let mut turned = all.clone();
+        turned.reverse();
+        let turned = predict(&turned, 16);
+        for (a, b) in with.samples.iter().zip(&turned.samples) {
+            let off = (a.corridor.sigma_major - b.corridor.sigma_major).abs();
+            assert!(
+                off < 1e-9 * a.corridor.sigma_major,
+                "{off} m at {} m",
+                a.distance
+            );
+        }
     }
 }

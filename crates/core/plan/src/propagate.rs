@@ -1,11 +1,11 @@
 //! The filter's covariance along a planned flight, in many worlds at once.
 
 use nalgebra::{Matrix2, Matrix3, Matrix4, SMatrix, SVector, Vector2, Vector3};
-use rand::{Rng, RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::corridor::WorldError;
+use super::draws::Draws;
 use super::request::{PredictionError, PredictionRequest};
 use super::view::{Information, LandmarkInformation, PlannedFrame};
 use pilotage_base::frames::{GroundPoint, Pose};
@@ -71,7 +71,7 @@ impl VehicleVisitor for Propagation<'_> {
             .iter()
             .position(|n| *n == "heading bias");
         let gusty = self.gusts_of(&model);
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let mut draws = Draws::new(self.seed);
         let prior = self.prior(&model, &gusty, first);
         let worlds = self.worlds.iter().map(|recognised| FlightWorld {
             recognised: recognised.clone(),
@@ -103,7 +103,8 @@ impl VehicleVisitor for Propagation<'_> {
                 continue;
             }
             next_frame += period;
-            let (found, any) = self.look(state, &mut worlds, bias, &pose_noise, &mut random)?;
+            let frame = (moments.len(), &mut draws);
+            let (found, any) = self.look(state, &mut worlds, bias, &pose_noise, frame)?;
             moments.push(WorldsMoment {
                 state: index,
                 place: GroundPoint::new(state.position.x, state.position.y),
@@ -166,7 +167,7 @@ impl Propagation<'_> {
         worlds: &mut [FlightWorld<N>],
         bias: Option<usize>,
         pose_noise: &Matrix4<f64>,
-        random: &mut ChaCha8Rng,
+        (number, draws): (usize, &mut Draws),
     ) -> Result<(Vec<f64>, f64), PredictionError> {
         let request = self.request;
         let frame = PlannedFrame {
@@ -186,12 +187,16 @@ impl Propagation<'_> {
         let mut found = vec![0.0; request.landmarks.len()];
         let mut any = 0.0;
         let share = 1.0 / worlds.len() as f64;
-        for world in worlds.iter_mut().filter(|_| !looks.is_empty()) {
-            let shake = self.shake(random);
+        if looks.is_empty() {
+            return Ok((found, any));
+        }
+        for (index, world) in worlds.iter_mut().enumerate() {
+            let shake = self.shake(draws.of_all(index, number));
             let seen: Vec<&LandmarkInformation> = looks
                 .iter()
                 .filter(|look| {
-                    let chance: f64 = random.random();
+                    let id = request.landmarks[look.landmark].landmark.id;
+                    let chance: f64 = draws.of_landmark(index, id, number).random();
                     world.recognised[look.landmark] < look.recognised
                         && chance < look.per_frame
                         && frame.holds(&request.landmarks[look.landmark], &shake)
