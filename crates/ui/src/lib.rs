@@ -7,6 +7,7 @@ pub mod compare;
 pub mod context;
 pub mod dialogs;
 pub mod documents;
+pub mod exports;
 pub mod feature;
 pub mod feature_command;
 pub mod features;

@@ -127,6 +127,7 @@ const UI: Order = Order {
         "command",
         "context",
         "shell",
+        "exports",
         "timeline",
         "photos",
         "views",

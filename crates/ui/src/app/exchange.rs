@@ -1,11 +1,11 @@
 //! Routes and landmarks to the files of other programs.
 
 use super::App;
-use super::pending_jobs::Exporting;
 use crate::command::Command;
+use crate::exports::ExportedFile;
 use crate::host::{Host, stem};
 pub(super) use crate::shell::sentences;
-use pilotage_jobs::{ExportOrder, Job, JobEvent, JobId};
+use pilotage_jobs::ExportOrder;
 
 impl App {
     /// Has the selected route, or the landmarks, made into a file of another program.
@@ -46,39 +46,11 @@ impl App {
             landmarks,
             origin: mission.origin,
         };
-        self.jobs.exporting.push(Exporting {
-            id: host.start(Job::Export(Box::new(order))),
+        let file = ExportedFile {
             what,
             format: format.name(),
             name,
-        });
-    }
-
-    /// Takes what the worker says of a file of another program.
-    pub(super) fn export_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        let exporting = &mut self.jobs.exporting;
-        let Some(place) = exporting.iter().position(|e| e.id == id) else {
-            return;
         };
-        let now = host.now();
-        let Exporting {
-            what, format, name, ..
-        } = &exporting[place];
-        match event {
-            JobEvent::Exported { bytes, notes } => {
-                host.save_file(name, &bytes);
-                let title = format!("{what} exported as {format}: {name}");
-                self.toasts.note(now, title, sentences(&notes));
-            }
-            JobEvent::Failed(why) => {
-                let title = format!("{what} not exported as {format}");
-                self.toasts.trouble(now, title, sentences(&[why]));
-                exporting.remove(place);
-            }
-            JobEvent::Finished | JobEvent::Cancelled => {
-                exporting.remove(place);
-            }
-            _ => {}
-        }
+        self.exports.make(file, order, host);
     }
 }

@@ -4,9 +4,9 @@ use pilotage_core::exchange::{FlownTrack, Format};
 use pilotage_core::frames::LocalFrame;
 
 use super::App;
-use super::pending_jobs::Exporting;
+use crate::exports::ExportedFile;
 use crate::host::Host;
-use pilotage_jobs::{ExportOrder, Job};
+use pilotage_jobs::ExportOrder;
 
 impl App {
     /// Has where the filter thought the aircraft was made into a file, with the field beside it that colours the
@@ -20,12 +20,12 @@ impl App {
         };
         let name = format!("{}-track.{}", self.file_stem(), format.extensions()[0]);
         let order = ExportOrder::Track { format, track };
-        self.jobs.exporting.push(Exporting {
-            id: host.start(Job::Export(Box::new(order))),
+        let file = ExportedFile {
             what: "Flown track",
             format: format.name(),
             name,
-        });
+        };
+        self.exports.make(file, order, host);
     }
 
     fn flown_track(&self) -> Option<FlownTrack> {

@@ -68,6 +68,7 @@ impl App {
             || self
                 .frame_pictures
                 .receive(id, &event, &mut self.views.camera)
+            || self.exports.receive(id, &event, host, &mut self.toasts)
             || self.photos_event(host, id, &event)
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
@@ -96,8 +97,6 @@ impl App {
             self.detector_event(event);
         } else if self.jobs.packing.as_ref().is_some_and(|p| p.0 == id) {
             self.pack_event(host, event);
-        } else if self.jobs.exporting.iter().any(|e| e.id == id) {
-            self.export_event(host, id, event);
         } else if self.jobs.opening.contains_key(&id) {
             self.open_event(context, host, id, event);
         } else if let JobEvent::Remark(text) = event {

@@ -5,12 +5,12 @@ use pilotage_core::mission::LabelBox;
 
 use super::App;
 use super::exchange::sentences;
-use super::pending_jobs::Exporting;
 use crate::command::Workspace;
 use crate::context::shown_frame;
+use crate::exports::ExportedFile;
 use crate::host::Host;
 use crate::labelling::{LabelCommand, Labeller};
-use pilotage_jobs::{ExportOrder, Job};
+use pilotage_jobs::ExportOrder;
 
 /// Name of a picture, its size in pixels, and its number in the flight.
 type LabelledFrame = (String, (u32, u32), usize);
@@ -147,12 +147,12 @@ impl App {
             landmarks: mission.landmarks.clone(),
         };
         let name = format!("{}-{}", self.file_stem(), format.ending());
-        self.jobs.exporting.push(Exporting {
-            id: host.start(Job::Export(Box::new(order))),
+        let file = ExportedFile {
             what: "Labels",
             format: format.name(),
             name,
-        });
+        };
+        self.exports.make(file, order, host);
     }
 
     /// Adds the labels of opened files to the mission, as one step, and says what became of them.

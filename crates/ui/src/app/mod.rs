@@ -34,6 +34,7 @@ use pilotage_jobs::{FlightSource, JobId};
 use crate::command::{Command, Workspace};
 use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
+use crate::exports::Exports;
 use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
@@ -171,6 +172,7 @@ pub struct App {
     toasts: Toasts,
     views: Views,
     jobs: PendingJobs,
+    exports: Exports,
     frame_pictures: FramePictureRequests,
     /// Features by the jobs that they started.
     owners: Vec<(JobId, FeatureId)>,

@@ -63,19 +63,6 @@ pub struct Opening {
     pub files: Vec<OpenedFile>,
 }
 
-/// A file for another program that is being made.
-#[derive(Debug)]
-pub struct Exporting {
-    /// The job.
-    pub id: JobId,
-    /// Content of the file, for people.
-    pub what: &'static str,
-    /// Name of its format.
-    pub format: &'static str,
-    /// Its name.
-    pub name: String,
-}
-
 /// Everything that is being computed.
 #[derive(Debug, Default)]
 #[expect(
@@ -137,8 +124,6 @@ pub struct PendingJobs {
     pub before_link: Option<Session>,
     /// The mission file being made, and its name.
     pub packing: Option<(JobId, String)>,
-    /// Files for other programs that are being made.
-    pub exporting: Vec<Exporting>,
     /// Matches that could not be explained; not asked again.
     pub unexplained: Option<(f64, u32)>,
 }

@@ -62,6 +62,7 @@ impl App {
             },
             frame_pictures: FramePictureRequests::default(),
             jobs: PendingJobs::default(),
+            exports: crate::exports::Exports::default(),
             evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),
             started: false,
