@@ -12,13 +12,16 @@ use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::kept::provide;
 use crate::documents::{Documents, Session, ViewState};
+use crate::exports::Exports;
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
 use crate::host::{Host, OpenedFile};
 use crate::map::{MapLayer, MapTool, MapView};
 use crate::shell::Toasts;
 use crate::shell::catalog::CommandEntry;
+use crate::shell::icons::Icon;
 use crate::timeline::Playback;
 use crate::units::Units;
+use crate::views::CameraView;
 
 /// Place of a feature's panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +34,8 @@ pub enum FeaturePlace {
     Workspace(Workspace),
     /// A tab in front of all others, whose panel scrolls by itself.
     FirstTab,
+    /// A column beside the picture with which it fills the window, while it takes that, in a workspace.
+    Window(Workspace),
 }
 
 /// Description of a feature for whoever lists features.
@@ -44,6 +49,17 @@ pub struct FeatureInfo {
     pub place: FeaturePlace,
     /// Its rows of the table of all commands.
     pub commands: fn() -> Vec<CommandEntry>,
+}
+
+/// Button of a feature on the camera picture.
+#[derive(Clone, Debug)]
+pub struct PictureButton {
+    /// Sign.
+    pub icon: Icon,
+    /// Action in words, with its key.
+    pub label: &'static str,
+    /// Command that it gives.
+    pub command: Command,
 }
 
 /// Wishes of a feature that the app fulfils once the feature is done.
@@ -163,6 +179,8 @@ pub struct FeatureContext<'a> {
     pub host: &'a mut dyn Host,
     /// Toolkit, for textures and repainting.
     pub egui: &'a egui::Context,
+    /// Files for other programs that are being made.
+    pub exports: &'a mut Exports,
     /// Feature that does it.
     pub own: FeatureId,
     /// Owners of jobs.
@@ -391,8 +409,14 @@ pub trait Feature {
         None
     }
 
-    /// Takes its part of what files turned out to hold.
-    fn take_opened(&mut self, _opened: &mut OpenedFiles, _context: &mut FeatureContext<'_>) {}
+    /// Takes its part of what files turned out to hold; `file` is what people call them.
+    fn take_opened(
+        &mut self,
+        _file: &str,
+        _opened: &mut OpenedFiles,
+        _context: &mut FeatureContext<'_>,
+    ) {
+    }
 
     /// Puts what is to be saved with the mission beside it.
     fn put_beside(&self, _beside: &mut Beside, _documents: &Documents) {}
@@ -434,6 +458,26 @@ pub trait Feature {
     /// Values to be saved beside the flown track: what they are, and one for each of `times` (seconds in the flight's
     /// time base), where there is one.
     fn values_along(&self, _times: &[f64]) -> Option<(FlownValues, Vec<Option<f64>>)> {
+        None
+    }
+
+    /// Whether it fills the window in the place of map and columns, wherever it may.
+    fn takes_window(&self) -> bool {
+        false
+    }
+
+    /// Fills the window, but for the column of its panel.
+    fn window(
+        &mut self,
+        _ui: &mut Ui,
+        _context: &mut ViewContext<'_>,
+        _documents: &Documents,
+        _camera: &mut CameraView,
+    ) {
+    }
+
+    /// Its button on the camera picture of a flight.
+    fn picture_button(&self) -> Option<PictureButton> {
         None
     }
 }

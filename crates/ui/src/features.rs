@@ -3,15 +3,17 @@
 use crate::camera_log::CameraLogFeature;
 use crate::compare::Compare;
 use crate::feature::Feature;
+use crate::labelling::Labelling;
 use crate::log::LogFeature;
 use crate::outage::Outages;
 use crate::plan::Planner;
 use crate::shell::catalog::{self, CommandEntry};
-use crate::{labelling, photos, views};
+use crate::{photos, views};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
+        Box::new(Labelling::default()),
         Box::<Planner>::default(),
         Box::new(LogFeature::default()),
         Box::new(Compare::default()),
@@ -22,11 +24,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
 
 /// Table of all commands: the app's own, then those of its parts.
 pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<CommandEntry> {
-    let parts = [
-        labelling::commands,
-        views::detector_commands,
-        photos::commands,
-    ];
+    let parts = [views::detector_commands, photos::commands];
     let of_features = features.iter().map(|it| it.info().commands);
     let all = parts.into_iter().chain(of_features);
     let mut entries = catalog::catalog();

@@ -4,7 +4,6 @@ use super::App;
 use crate::command::Command;
 use crate::exports::ExportedFile;
 use crate::host::{Host, stem};
-pub(super) use crate::shell::sentences;
 use pilotage_jobs::ExportOrder;
 
 impl App {

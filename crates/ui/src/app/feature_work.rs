@@ -11,7 +11,6 @@ use crate::feature::{
 use crate::feature_command::Show;
 use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
-use crate::labelling::LabelCommand;
 use crate::photos::PhotosCommand;
 use crate::views::DetectorCommand;
 use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource, OpenedFiles};
@@ -29,6 +28,7 @@ impl App {
         let (own, place) = (feature.info().id, feature.info().place);
         let is_shown = match place {
             FeaturePlace::Workspace(own) => self.view.workspace == own,
+            FeaturePlace::Window(over) => self.view.workspace == over && feature.takes_window(),
             FeaturePlace::Tab | FeaturePlace::Sheet | FeaturePlace::FirstTab => {
                 self.view.workspace == Workspace::Replay && self.side_tab == SideTab::Feature(own)
             }
@@ -42,6 +42,7 @@ impl App {
             map: &mut self.views.map,
             view: &mut self.view,
             toasts: &mut self.toasts,
+            exports: &mut self.exports,
             host,
             egui,
             own,
@@ -157,7 +158,7 @@ impl App {
     }
 
     fn show_feature(&mut self, id: FeatureId, place: FeaturePlace) {
-        if let FeaturePlace::Workspace(own) = place {
+        if let FeaturePlace::Workspace(own) | FeaturePlace::Window(own) = place {
             self.view.workspace = own;
             return;
         }
@@ -198,9 +199,7 @@ impl App {
 
     /// Carries out a command of those parts that are no features; whether it was one.
     fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
-        if let Some(command) = command.action::<LabelCommand>() {
-            self.label(command.clone(), host);
-        } else if let Some(command) = command.action::<PhotosCommand>() {
+        if let Some(command) = command.action::<PhotosCommand>() {
             self.photos(command.clone(), host);
         } else if let Some(command) = command.action::<WebMapCommand>() {
             self.web_map(command.clone(), host);
@@ -283,12 +282,13 @@ impl App {
     /// Lets every feature take its part of what files turned out to hold.
     pub(super) fn give_opened(
         &mut self,
+        file: &str,
         opened: &mut OpenedFiles,
         egui: &egui::Context,
         host: &mut dyn Host,
     ) {
         self.with_each_feature(egui, host, &mut |feature, context| {
-            feature.take_opened(opened, context);
+            feature.take_opened(file, opened, context);
         });
     }
 

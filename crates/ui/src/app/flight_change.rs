@@ -2,7 +2,6 @@
 
 use super::App;
 use crate::host::Host;
-use crate::labelling::Labeller;
 use crate::photos::PhotosState;
 
 impl App {
@@ -24,9 +23,6 @@ impl App {
         }
         self.frame_pictures.leave(host);
         self.views.camera.clear();
-        if let Some(labeller) = &mut self.views.labeller {
-            *labeller = Labeller::default();
-        }
         let mission = &self.documents.mission;
         self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
     }

@@ -242,12 +242,10 @@ impl App {
         }
         let mut left = OpenedFiles {
             imports,
+            labels,
             ..OpenedFiles::default()
         };
-        self.give_opened(&mut left, context, host);
-        if let Some(labels) = labels {
-            self.add_labels(now, &opening.name, labels);
-        }
+        self.give_opened(&opening.name, &mut left, context, host);
         if are_laid || parts.is_empty() && adds {
             // What was added is told already.
         } else if parts.is_empty() {

@@ -10,11 +10,10 @@ use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureId, FeaturePlace};
-use crate::labelling::LabelCommand;
+use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton};
 use crate::map::{MapExtra, MapTool};
 use crate::photos::PhotosState;
-use crate::shell::{TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
+use crate::shell::{TopBar, help_sheet, icon_button, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 use crate::views::{PhotosScene, photos_sheet};
@@ -121,7 +120,7 @@ impl App {
         };
         let owner = views.owner(scene.view.workspace);
         let is_flight_hidden = owner.is_some_and(Feature::hides_flight);
-        let labelling = scene.view.workspace == Workspace::Replay && views.labeller.is_some();
+        let filling = views.fills_window(scene.view.workspace);
         if views.georeferencer.is_some() {
             georeferencing(ui, &mut scene, views, commands);
             self.overlays(ui, &tokens, now, commands, narrow);
@@ -134,8 +133,8 @@ impl App {
         } else {
             timeline(ui, &scene, views, commands);
         }
-        if labelling {
-            label_pictures(ui, &mut scene, views, commands, narrow);
+        if let Some(index) = filling {
+            window(ui, &scene, views, index, commands, narrow);
             self.overlays(ui, &tokens, now, commands, narrow);
             return;
         }
@@ -186,25 +185,22 @@ impl App {
     }
 }
 
-/// The picture that is labelled, large, and the landmarks beside it or below.
-fn label_pictures(
+/// The window as the feature at `index` fills it, and its panel beside that or below.
+fn window(
     ui: &mut Ui,
-    scene: &mut Scene<'_>,
+    scene: &Scene<'_>,
     views: &mut Views,
+    index: usize,
     commands: &mut Vec<Command>,
     narrow: bool,
 ) {
-    let tokens = scene.tokens;
-    let Views {
-        labeller, camera, ..
-    } = views;
-    let Some(labeller) = labeller else { return };
-    let (past, future) = scene.documents.history.depth();
+    let (tokens, documents) = (scene.tokens, scene.documents);
+    let feature = &mut views.features[index];
     let panel = if narrow {
         let height = ui.ctx().content_rect().height();
-        Panel::bottom("labels below").exact_size(0.4 * height)
+        Panel::bottom("below the window").exact_size(0.4 * height)
     } else {
-        Panel::right("labels").exact_size(344.0)
+        Panel::right("beside the window").exact_size(344.0)
     };
     let frame = plain_frame(tokens, Margin::symmetric(12, 8));
     panel.frame(frame).show(ui, |ui| {
@@ -213,12 +209,12 @@ fn label_pictures(
             .auto_shrink(false)
             .show(ui, |ui| {
                 ui.set_max_width(width);
-                scene.with_context(commands, |context| {
-                    labeller.panel(ui, context, (past > 0, future > 0));
-                });
+                scene.with_context(commands, |context| feature.panel(ui, context, documents));
             });
     });
-    scene.with_context(commands, |context| labeller.show(ui, context, camera));
+    scene.with_context(commands, |context| {
+        feature.window(ui, context, documents, &mut views.camera);
+    });
 }
 
 /// The picture that is put on the ground, the map beside it, and the points.
@@ -442,19 +438,30 @@ fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<
     inside.set_clip_rect(rect.intersect(ui.clip_rect()));
     scene.with_context(commands, |context| views.camera.show(&mut inside, context));
     if scene.view.workspace == Workspace::Replay && scene.documents.flight.is_some() {
-        let side = 4.0 * scene.tokens.space;
-        let corner = egui::Rect::from_min_size(rect.left_top(), vec2(side, side));
+        let buttons = views.features.iter().filter_map(|it| it.picture_button());
+        picture_buttons(ui, scene.tokens, rect, buttons, commands);
+    }
+}
+
+/// Buttons of features in a row, from the corner of the picture on.
+fn picture_buttons(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    picture: egui::Rect,
+    buttons: impl Iterator<Item = PictureButton>,
+    commands: &mut Vec<Command>,
+) {
+    let side = 4.0 * tokens.space;
+    let mut at = picture.left_top();
+    for button in buttons {
+        let corner = egui::Rect::from_min_size(at, vec2(side, side));
         let mut corner = ui.new_child(egui::UiBuilder::new().max_rect(corner));
         let painter = corner.painter();
-        painter.rect_filled(
-            corner.max_rect(),
-            scene.tokens.radius,
-            scene.tokens.over_map(),
-        );
-        let label = "Label landmarks in the pictures (K)";
-        if icon_button(&mut corner, scene.tokens, Icon::Pick, label).clicked() {
-            commands.push(Command::from(LabelCommand::Toggle));
+        painter.rect_filled(corner.max_rect(), tokens.radius, tokens.over_map());
+        if icon_button(&mut corner, tokens, button.icon, button.label).clicked() {
+            commands.push(button.command);
         }
+        at.x += side;
     }
 }
 

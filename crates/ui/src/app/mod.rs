@@ -16,7 +16,6 @@ mod frame_pictures;
 mod georeferencing;
 mod inbox;
 mod keeping;
-mod labelling;
 mod layout;
 mod link;
 mod maps;
@@ -38,7 +37,6 @@ use crate::exports::Exports;
 use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
-use crate::labelling::Labeller;
 use crate::map::MapView;
 use crate::shell::catalog::CommandEntry;
 use crate::shell::keys::ShortcutListener;
@@ -140,7 +138,6 @@ struct Views {
     tour: Tour,
     landmarks: LandmarkList,
     georeferencer: Option<Georeferencer>,
-    labeller: Option<Labeller>,
     /// Features, in the order of their tabs.
     features: Vec<Box<dyn Feature>>,
 }
@@ -151,6 +148,13 @@ impl Views {
         let mut features = self.features.iter();
         let owner = features.find(|it| it.info().place == FeaturePlace::Workspace(workspace));
         owner.map(AsRef::as_ref)
+    }
+
+    /// Place in the list of the feature that fills the window, if one does in a workspace.
+    fn fills_window(&self, workspace: Workspace) -> Option<usize> {
+        let place = FeaturePlace::Window(workspace);
+        let mut features = self.features.iter();
+        features.position(|it| it.info().place == place && it.takes_window())
     }
 
     /// Feature to which a workspace belongs, to be drawn.

@@ -93,10 +93,6 @@ impl App {
                     "epsg": it.system.and_then(|s| s.epsg()),
                 })
             }),
-            "labelling": self.views.labeller.as_ref().map(|it| object!({
-                "picture": rect_json(it.picture_rect()),
-                "proposal": it.proposal().map(|(_, label)| [label.min, label.max]),
-            })),
             "labels": documents.mission.labels.iter().map(|l| object!({
                 "frame": l.frame,
                 "boxes": l.boxes.iter().map(|b| json!([b.name, b.min, b.max])).collect::<Vec<_>>(),

@@ -3,10 +3,12 @@
 mod canvas;
 mod catalog;
 mod drag;
+mod edit;
+mod feature;
 mod panel;
 mod propose;
 
-pub use catalog::commands;
+pub use feature::Labelling;
 
 use egui::{Color32, Rect, Vec2};
 use pilotage_core::exchange::labels::LabelFormat;
@@ -14,7 +16,10 @@ use pilotage_core::mission::LabelBox;
 
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::feature_command::FeatureCommand;
+use crate::feature_command::{FeatureCommand, FeatureId};
+
+/// Identity of the feature.
+const ID: FeatureId = "labelling";
 
 /// Something about labels.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,7 +53,7 @@ pub enum LabelCommand {
 
 impl From<LabelCommand> for Command {
     fn from(command: LabelCommand) -> Self {
-        Self::Feature(FeatureCommand::new("label", command))
+        Self::Feature(FeatureCommand::new(ID, command))
     }
 }
 

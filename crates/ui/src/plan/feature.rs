@@ -154,7 +154,12 @@ impl Feature for Planner {
         };
     }
 
-    fn take_opened(&mut self, opened: &mut OpenedFiles, context: &mut FeatureContext<'_>) {
+    fn take_opened(
+        &mut self,
+        _file: &str,
+        opened: &mut OpenedFiles,
+        context: &mut FeatureContext<'_>,
+    ) {
         self.add_imports(std::mem::take(&mut opened.imports), context);
     }
 
