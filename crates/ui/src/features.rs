@@ -8,7 +8,7 @@ use crate::log::LogFeature;
 use crate::outage::Outages;
 use crate::plan::Planner;
 use crate::shell::catalog::{self, CommandEntry};
-use crate::{photos, views};
+use crate::{detector, photos};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
@@ -24,7 +24,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
 
 /// Table of all commands: the app's own, then those of its parts.
 pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<CommandEntry> {
-    let parts = [views::detector_commands, photos::commands];
+    let parts = [detector::commands, photos::commands];
     let of_features = features.iter().map(|it| it.info().commands);
     let all = parts.into_iter().chain(of_features);
     let mut entries = catalog::catalog();

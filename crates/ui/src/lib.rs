@@ -5,6 +5,7 @@ pub mod camera_log;
 pub mod command;
 pub mod compare;
 pub mod context;
+pub mod detector;
 pub mod dialogs;
 pub mod documents;
 pub mod exports;

@@ -138,6 +138,7 @@ const UI: Order = Order {
         "plan",
         "georeference",
         "labelling",
+        "detector",
         "camera_log",
         "compare",
         "outage",

@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use super::{App, SideTab};
 use crate::command::Workspace;
+use crate::detector::DetectorCommand;
 use crate::host::Host;
-use crate::views::DetectorCommand;
 use pilotage_jobs::{DetectorSearch, ExplainedBy, JobEvent};
 
 impl App {

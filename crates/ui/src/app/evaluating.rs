@@ -5,10 +5,10 @@ use egui::{Frame, Id, Modal};
 use super::App;
 use super::evaluation::Evaluating;
 use crate::command::Command;
+use crate::detector::{DetectorCommand, EvaluationScene};
 use crate::host::Host;
 use crate::plan::flown;
 use crate::shell::{muted, text_button, title};
-use crate::views::{DetectorCommand, EvaluationScene};
 use pilotage_jobs::{AssessmentOrder, EvaluationOrder, FlightSource, Job};
 
 /// Photos on which a detector is judged, and days on which they are taken.
@@ -73,7 +73,7 @@ impl App {
     /// Saves what was asked for in the dialog.
     pub(super) fn save_evaluation(
         &mut self,
-        file: &crate::views::EvaluationFile,
+        file: &crate::detector::EvaluationFile,
         host: &mut dyn Host,
     ) {
         host.save_file(&file.name, file.text.as_bytes());

@@ -1,7 +1,7 @@
 //! The judging of a detector: how far it is, what came of it.
 
+use crate::detector::EvaluationView;
 use crate::host::Host;
-use crate::views::EvaluationView;
 use pilotage_jobs::{EvaluationReport, JobEvent, JobId};
 
 /// The judging of a detector and the dialog that shows it.

@@ -2,6 +2,7 @@
 
 use super::{App, SideTab, is_sheet};
 use crate::command::{Command, Workspace};
+use crate::detector::DetectorCommand;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::documents::Session;
 use crate::feature::{
@@ -12,7 +13,6 @@ use crate::feature_command::Show;
 use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
 use crate::photos::PhotosCommand;
-use crate::views::DetectorCommand;
 use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource, OpenedFiles};
 
 impl App {

@@ -31,6 +31,7 @@ mod work;
 use pilotage_jobs::{FlightSource, JobId};
 
 use crate::command::{Command, Workspace};
+use crate::detector::DetectorView;
 use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
 use crate::exports::Exports;
@@ -43,9 +44,7 @@ use crate::shell::keys::ShortcutListener;
 use crate::shell::{Palette, Toasts, apply_theme, keep_slow_clicks};
 use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
-use crate::views::{
-    CameraView, DetectorView, InspectorView, LandmarkList, MatchView, PlotsView, Tour,
-};
+use crate::views::{CameraView, InspectorView, LandmarkList, MatchView, PlotsView, Tour};
 
 use frame_pictures::FramePictureRequests;
 use pending_jobs::PendingJobs;

@@ -3,32 +3,28 @@
 mod camera;
 #[cfg(test)]
 #[path = "tests/canvas.rs"]
-mod canvas;
+pub(crate) mod canvas;
 pub(crate) mod chart;
 pub(crate) mod color_map;
-mod detector;
 pub(crate) mod ellipse;
-mod evaluation;
 #[cfg(test)]
-mod fixture;
+pub(crate) mod fixture;
 mod heat_image;
 mod inspector;
 mod landmark_list;
 mod matching;
 pub(crate) mod parts;
 mod photos;
-mod picking;
+pub(crate) mod picking;
 #[cfg(test)]
 mod pictures;
 mod plots;
-mod sights;
+pub(crate) mod sights;
 pub(crate) mod table;
 mod time_axis;
 mod tour;
 
 pub use camera::CameraView;
-pub use detector::{DetectorCommand, DetectorView, commands as detector_commands};
-pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 pub use inspector::InspectorView;
 pub(crate) use landmark_list::keyboard as landmark_keyboard;
 pub use landmark_list::{Examined, LandmarkList};

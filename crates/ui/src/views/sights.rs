@@ -7,7 +7,7 @@ const AHEAD: usize = 4_000;
 
 /// Remembers what was found for the last cursor, so that a long run is not searched in every frame.
 #[derive(Debug, Default)]
-pub(super) struct Sights {
+pub(crate) struct Sights {
     /// Steps of the run at the time, the cursor's step, and the last look-out at or before it.
     seen: Option<(usize, usize, Option<usize>)>,
 }

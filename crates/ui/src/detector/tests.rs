@@ -13,11 +13,11 @@ use pilotage_core::landmark::trained::{
 use pilotage_core::navigator::explain_cascade;
 use pilotage_core::raster::{Raster, Rgba, decode_picture};
 
-use super::super::canvas;
-use super::super::fixture::Fixture;
 use super::*;
 use crate::tokens::Tokens;
 use crate::units::Units;
+use crate::views::canvas;
+use crate::views::fixture::Fixture;
 
 /// The map of the fixture's landmarks: bright blocks.
 struct Blocks(Vec<GroundRect>);

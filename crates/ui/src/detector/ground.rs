@@ -3,9 +3,9 @@
 use egui::{Align2, Painter, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 use pilotage_core::landmark::CascadeEvidence;
 
-use super::super::chart::ChartAxes;
-use super::super::parts;
 use crate::tokens::Tokens;
+use crate::views::chart::{self, ChartAxes};
+use crate::views::parts;
 
 /// Room for the numbers at the left of the ground and below it, points.
 const LEFT: f32 = 26.0;
@@ -92,8 +92,7 @@ impl<'a> GroundPlan<'a> {
             painter.text(at, align, text, parts::small(tokens), tokens.muted);
         };
         let most = |room: f32| ((room / 44.0) as usize).clamp(2, 8);
-        let ticks =
-            |(low, high): (f64, f64), room| super::super::chart::ticks(low, high, most(room));
+        let ticks = |(low, high): (f64, f64), room| chart::ticks(low, high, most(room));
         for east in ticks(self.axes.x, rect.width()) {
             let x = self.axes.screen_x(east);
             painter.vline(x, rect.bottom()..=rect.bottom() + 3.0, stroke);

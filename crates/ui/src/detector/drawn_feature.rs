@@ -3,8 +3,8 @@
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::landmark::cascade::{CascadeKind, FeatureAnswer, ShownFeature, edge_angle};
 
-use super::super::parts;
 use crate::tokens::Tokens;
+use crate::views::parts;
 
 /// Blocks of an LBP feature in the order of the bits of its code, the highest first.
 const AROUND: [usize; 8] = [0, 1, 2, 5, 8, 7, 6, 3];

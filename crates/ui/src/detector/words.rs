@@ -3,7 +3,7 @@
 use pilotage_core::landmark::cascade::CascadeKind;
 use pilotage_core::landmark::{CascadeEvidence, PatchLook};
 
-use super::super::parts::figures;
+use crate::views::parts::figures;
 
 /// A whole number with its thousands apart.
 pub(super) fn count(number: usize) -> String {

@@ -6,12 +6,12 @@ use egui::{
 use pilotage_core::landmark::CascadeEvidence;
 use pilotage_core::landmark::cascade::{HogPicture, edge_angle};
 
-use super::super::parts;
 use super::drawn_feature::WindowPlan;
 use super::words;
 use crate::shell::icon_button;
 use crate::shell::icons::Icon;
 use crate::tokens::Tokens;
+use crate::views::parts;
 
 /// Most height of a patch, points.
 const TALLEST: f32 = 240.0;

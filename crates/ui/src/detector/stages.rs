@@ -3,7 +3,6 @@
 use egui::{Align2, Color32, ColorImage, Rect, Sense, Stroke, TextureId, Ui, pos2, vec2};
 use pilotage_core::landmark::CascadeEvidence;
 
-use super::super::{color_map, parts};
 use super::command::DetectorCommand;
 use super::ground::{GroundPlan, legend};
 use super::words;
@@ -12,6 +11,7 @@ use crate::context::ViewContext;
 use crate::shell::icon_button;
 use crate::shell::icons::Icon;
 use crate::tokens::Tokens;
+use crate::views::{color_map, parts};
 
 /// Height of the ground with its numbers, points.
 const HEIGHT: f32 = 248.0;

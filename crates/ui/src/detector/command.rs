@@ -1,8 +1,8 @@
 //! Commands about a trained detector.
 
 use crate::command::Command;
+use crate::detector::evaluation::EvaluationFile;
 use crate::feature_command::FeatureCommand;
-use crate::views::evaluation::EvaluationFile;
 
 /// Something about what a trained detector saw and did.
 #[derive(Clone, Debug, PartialEq)]

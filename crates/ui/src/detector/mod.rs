@@ -4,6 +4,7 @@
 mod catalog;
 mod command;
 mod drawn_feature;
+mod evaluation;
 mod ground;
 mod patch;
 mod stages;
@@ -16,15 +17,16 @@ use egui::{RichText, ScrollArea, TextureHandle, TextureOptions, Ui};
 use pilotage_core::landmark::CascadeEvidence;
 use pilotage_core::navigator::{FrameReport, Run};
 
-use super::sights::Sights;
-use super::{color_map, parts, picking};
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::views::sights::Sights;
+use crate::views::{color_map, parts, picking};
 use patch::PatchState;
 use pilotage_jobs::DetectorSearch;
 
 pub use catalog::commands;
 pub use command::DetectorCommand;
+pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 
 /// Seconds for which each stage is shown while they pass by themselves.
 const STAGE_SECONDS: f64 = 0.9;

@@ -3,10 +3,10 @@
 use egui::{Align2, Painter, Rect, RichText, Sense, Stroke, TextureId, Ui, pos2, vec2};
 use pilotage_core::landmark::{CascadeEvidence, MarkedPlace};
 
-use super::super::parts::{self, figures};
-use super::super::{chart, color_map};
 use super::ground::{GroundPlan, legend};
 use crate::tokens::Tokens;
+use crate::views::parts::{self, figures};
+use crate::views::{chart, color_map};
 
 /// Height of the ground with its numbers, points.
 const HEIGHT: f32 = 220.0;
