@@ -13,7 +13,7 @@ export async function run(page, tools) {
 
   // Without a detector the view says what to do.
   await page.keyboard.press("z");
-  await tools.waitFor((s) => s.side_tab === "Detector", "the tab of the detector");
+  await tools.waitFor((s) => s.side_tab === "detector", "the tab of the detector");
   await tools.find(null, /No detector was trained for/);
 
   await drop(page, [{ name: "trained.geojson", buffer: readFileSync(mission) }]);

@@ -34,6 +34,8 @@ pub enum FeaturePlace {
     Workspace(Workspace),
     /// A tab in front of all others, whose panel scrolls by itself.
     FirstTab,
+    /// A tab behind that of matches, for what is seen in pictures, whose panel scrolls by itself.
+    PictureTab,
     /// A column beside the picture with which it fills the window, while it takes that, in a workspace.
     Window(Workspace),
 }
@@ -480,4 +482,7 @@ pub trait Feature {
     fn picture_button(&self) -> Option<PictureButton> {
         None
     }
+
+    /// Draws what lies over everything while it is open: a dialog.
+    fn overlay(&mut self, _ui: &mut Ui, _context: &mut ViewContext<'_>, _documents: &Documents) {}
 }

@@ -2,18 +2,20 @@
 
 use crate::camera_log::CameraLogFeature;
 use crate::compare::Compare;
+use crate::detector::DetectorFeature;
 use crate::feature::Feature;
 use crate::labelling::Labelling;
 use crate::log::LogFeature;
 use crate::outage::Outages;
+use crate::photos;
 use crate::plan::Planner;
 use crate::shell::catalog::{self, CommandEntry};
-use crate::{detector, photos};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
         Box::new(Labelling::default()),
+        Box::new(DetectorFeature::default()),
         Box::<Planner>::default(),
         Box::new(LogFeature::default()),
         Box::new(Compare::default()),
@@ -24,11 +26,9 @@ pub fn all() -> Vec<Box<dyn Feature>> {
 
 /// Table of all commands: the app's own, then those of its parts.
 pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<CommandEntry> {
-    let parts = [detector::commands, photos::commands];
-    let of_features = features.iter().map(|it| it.info().commands);
-    let all = parts.into_iter().chain(of_features);
     let mut entries = catalog::catalog();
-    entries.extend(all.flat_map(|commands| commands()));
+    entries.extend(photos::commands());
+    entries.extend(features.iter().flat_map(|it| (it.info().commands)()));
     entries
 }
 

@@ -2,7 +2,6 @@
 
 use super::{App, SideTab, is_sheet};
 use crate::command::{Command, Workspace};
-use crate::detector::DetectorCommand;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::documents::Session;
 use crate::feature::{
@@ -29,7 +28,10 @@ impl App {
         let is_shown = match place {
             FeaturePlace::Workspace(own) => self.view.workspace == own,
             FeaturePlace::Window(over) => self.view.workspace == over && feature.takes_window(),
-            FeaturePlace::Tab | FeaturePlace::Sheet | FeaturePlace::FirstTab => {
+            FeaturePlace::Tab
+            | FeaturePlace::Sheet
+            | FeaturePlace::FirstTab
+            | FeaturePlace::PictureTab => {
                 self.view.workspace == Workspace::Replay && self.side_tab == SideTab::Feature(own)
             }
         };
@@ -207,8 +209,6 @@ impl App {
             self.columns(*command, host);
         } else if let Some(command) = command.action::<GeoreferenceCommand>() {
             self.georeference(command, host);
-        } else if let Some(command) = command.action::<DetectorCommand>() {
-            self.detector(command, host);
         } else {
             return false;
         }

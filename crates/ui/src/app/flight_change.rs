@@ -16,7 +16,6 @@ impl App {
         let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
         self.tell_features_of_flight(egui, host);
         self.stop_explaining(host);
-        self.evaluating.leave_flight(host);
         self.leave_strange_photos(host);
         if old != self.documents.flight_source {
             self.playback.selected_span = None;
@@ -30,9 +29,7 @@ impl App {
     /// Stops what explains a step of the run, and forgets that some could not be explained.
     fn stop_explaining(&mut self, host: &mut dyn Host) {
         let jobs = &mut self.jobs;
-        let explain = jobs.explain.take().map(|(id, ..)| id);
-        let detector = jobs.detector.take().map(|(id, ..)| id);
-        for id in [explain, detector].into_iter().flatten() {
+        if let Some((id, ..)) = jobs.explain.take() {
             host.cancel(id);
         }
         jobs.unexplained = None;

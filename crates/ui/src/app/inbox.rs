@@ -64,10 +64,9 @@ impl App {
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
         if let Some(index) = self.owner_of(id) {
             self.feature_event(index, context, host, (id, event));
-        } else if self.evaluating.receive(id, &event)
-            || self
-                .frame_pictures
-                .receive(id, &event, &mut self.views.camera)
+        } else if self
+            .frame_pictures
+            .receive(id, &event, &mut self.views.camera)
             || self.exports.receive(id, &event, host, &mut self.toasts)
             || self.photos_event(host, id, &event)
         {
@@ -93,8 +92,6 @@ impl App {
                 JobEvent::Finished | JobEvent::Cancelled => self.jobs.explain = None,
                 _ => {}
             }
-        } else if self.jobs.detector.is_some_and(|d| d.0 == id) {
-            self.detector_event(event);
         } else if self.jobs.packing.as_ref().is_some_and(|p| p.0 == id) {
             self.pack_event(host, event);
         } else if self.jobs.opening.contains_key(&id) {

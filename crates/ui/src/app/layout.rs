@@ -97,27 +97,7 @@ impl App {
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });
-        let job_words = self.progress().map(|(_, words)| words.to_owned());
-        let Self {
-            documents,
-            playback,
-            view,
-            selection,
-            side_tab,
-            dialogs,
-            views,
-            ..
-        } = self;
-        let mut scene = Scene {
-            documents,
-            tokens: &tokens,
-            view,
-            playback,
-            selection: *selection,
-            side_tab,
-            settings: &mut dialogs.settings,
-            job_words,
-        };
+        let (mut scene, views) = self.scene(&tokens);
         let owner = views.owner(scene.view.workspace);
         let is_flight_hidden = owner.is_some_and(Feature::hides_flight);
         let filling = views.fills_window(scene.view.workspace);
@@ -152,6 +132,22 @@ impl App {
         self.overlays(ui, &tokens, now, commands, narrow);
     }
 
+    /// Everything that the views are drawn from, and the views.
+    fn scene<'a>(&'a mut self, tokens: &'a Tokens) -> (Scene<'a>, &'a mut Views) {
+        let job_words = self.progress().map(|(_, words)| words.to_owned());
+        let scene = Scene {
+            documents: &self.documents,
+            tokens,
+            view: &mut self.view,
+            playback: &self.playback,
+            selection: self.selection,
+            side_tab: &mut self.side_tab,
+            settings: &mut self.dialogs.settings,
+            job_words,
+        };
+        (scene, &mut self.views)
+    }
+
     /// Whether plots are shown in a window of this height: as people said, else where there is room and they matter.
     pub(super) fn are_plots_open(&self, height: f32) -> bool {
         let is_usual = height >= 760.0 && !self.shows_photos();
@@ -179,7 +175,10 @@ impl App {
         }
         self.web_map_dialog(ui, commands);
         self.dialogs.columns.show(ui.ctx(), tokens, units, commands);
-        self.evaluation_dialog(ui, commands);
+        let (scene, views) = self.scene(tokens);
+        for feature in &mut views.features {
+            scene.with_context(commands, |c| feature.overlay(ui, c, scene.documents));
+        }
         let bottom = if narrow { 112.0 } else { 80.0 };
         self.toasts.show(ui, tokens, now, bottom);
     }
@@ -342,13 +341,8 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                         camera(ui, scene, views, commands);
                     }
                     inner.show(ui, |ui| {
-                        let tabs = [
-                            SideTab::Match,
-                            SideTab::Detector,
-                            SideTab::Filter,
-                            SideTab::Landmarks,
-                        ];
-                        let tabs = with_features(&tabs, views);
+                        let rest = [SideTab::Filter, SideTab::Landmarks];
+                        let tabs = with_features([&[SideTab::Match], &rest], views);
                         tabbed(ui, scene, views, commands, &tabs);
                     });
                 }
@@ -395,15 +389,9 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                         sheet(ui, scene, views, commands);
                     }
                     Workspace::Replay => {
-                        let tabs = [
-                            SideTab::Camera,
-                            SideTab::Match,
-                            SideTab::Detector,
-                            SideTab::Filter,
-                            SideTab::Plots,
-                            SideTab::Landmarks,
-                        ];
-                        let tabs = with_features(&tabs, views);
+                        let front = [SideTab::Camera, SideTab::Match];
+                        let rest = [SideTab::Filter, SideTab::Plots, SideTab::Landmarks];
+                        let tabs = with_features([&front, &rest], views);
                         tabbed(ui, scene, views, commands, &tabs);
                     }
                 }
@@ -465,17 +453,18 @@ fn picture_buttons(
     }
 }
 
-/// The app's own tabs, and those of the features before and behind them.
-fn with_features(own: &[SideTab], views: &Views) -> Vec<SideTab> {
+/// The app's own tabs in two parts, and those of the features before, between and behind them.
+fn with_features(own: [&[SideTab]; 2], views: &Views) -> Vec<SideTab> {
     let at = |place| {
         let features = views.features.iter().filter(|it| it.has_tab());
         let features = features.map(|it| it.info());
         let there: Vec<_> = features.filter(|info| info.place == place).collect();
         there.into_iter().map(|info| SideTab::Feature(info.id))
     };
-    let first = at(FeaturePlace::FirstTab);
-    let own = first.chain(own.iter().copied());
-    own.chain(at(FeaturePlace::Tab)).collect()
+    let [front, rest] = own.map(|tabs| tabs.iter().copied());
+    let front = at(FeaturePlace::FirstTab).chain(front);
+    let rest = at(FeaturePlace::PictureTab).chain(rest);
+    front.chain(rest).chain(at(FeaturePlace::Tab)).collect()
 }
 
 fn tabbed(
@@ -503,10 +492,6 @@ fn tabbed(
     ui.painter().hline(line, y, Stroke::new(1.0, tokens.line));
     match *scene.side_tab {
         SideTab::Match => scene.with_context(commands, |c| views.matching.show(ui, c)),
-        SideTab::Detector => {
-            let search = scene.documents.detector_search.as_ref();
-            scene.with_context(commands, |c| views.detector.show(ui, c, search));
-        }
         SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
         SideTab::Feature(id) => feature(ui, scene, &mut views.features, id, commands),
@@ -546,7 +531,8 @@ fn feature(
     let Some(feature) = features.iter_mut().find(|it| it.info().id == id) else {
         return;
     };
-    if feature.info().place == FeaturePlace::FirstTab {
+    let place = feature.info().place;
+    if matches!(place, FeaturePlace::FirstTab | FeaturePlace::PictureTab) {
         scene.with_context(commands, |c| feature.panel(ui, c, scene.documents));
         return;
     }

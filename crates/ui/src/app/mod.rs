@@ -3,9 +3,6 @@
 mod advice;
 mod aside;
 mod columns;
-mod detector;
-mod evaluating;
-mod evaluation;
 mod exchange;
 mod execute;
 mod feature_work;
@@ -31,7 +28,6 @@ mod work;
 use pilotage_jobs::{FlightSource, JobId};
 
 use crate::command::{Command, Workspace};
-use crate::detector::DetectorView;
 use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
 use crate::exports::Exports;
@@ -54,8 +50,6 @@ use pending_jobs::PendingJobs;
 pub enum SideTab {
     /// Match of a landmark.
     Match,
-    /// Search of a trained detector.
-    Detector,
     /// Work of the filter.
     Filter,
     /// The list of landmarks.
@@ -84,7 +78,6 @@ impl SideTab {
     fn label(self, features: &[Box<dyn Feature>]) -> &'static str {
         match self {
             Self::Match => "Match",
-            Self::Detector => "Detector",
             Self::Filter => "Filter",
             Self::Landmarks => "Landmarks",
             Self::Photos => "Photos",
@@ -131,7 +124,6 @@ struct Views {
     timeline: Timeline,
     camera: CameraView,
     matching: MatchView,
-    detector: DetectorView,
     plots: PlotsView,
     inspector: InspectorView,
     tour: Tour,
@@ -181,7 +173,6 @@ pub struct App {
     owners: Vec<(JobId, FeatureId)>,
     /// Table of all commands, the features' among them.
     catalog: Vec<CommandEntry>,
-    evaluating: evaluation::Evaluating,
     commands: Vec<Command>,
     started: bool,
     /// Generation and source of the flight for which everything here is.

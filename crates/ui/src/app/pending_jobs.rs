@@ -106,8 +106,6 @@ pub struct PendingJobs {
     pub describe: Option<JobId>,
     /// The match being explained: job, time, landmark.
     pub explain: Option<(JobId, f64, u32)>,
-    /// The search of a trained detector being looked at again: job, time, landmark.
-    pub detector: Option<(JobId, f64, u32)>,
     /// Files being looked at.
     pub opening: ShortMap<JobId, Opening>,
     /// Batches of files opened so far.

@@ -210,7 +210,6 @@ impl App {
             "tour_stop": self.learning().then(|| self.views.tour.number()),
             "tour_title": self.learning().then(|| self.views.tour.title()),
             "side_tab": self.side_tab.name(),
-            "detector": self.detector_json(),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
             "download": self.jobs.download.map(|d| {

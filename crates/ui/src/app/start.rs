@@ -63,7 +63,6 @@ impl App {
             frame_pictures: FramePictureRequests::default(),
             jobs: PendingJobs::default(),
             exports: crate::exports::Exports::default(),
-            evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),
             started: false,
             owners: Vec::new(),

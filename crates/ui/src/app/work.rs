@@ -8,7 +8,7 @@ use super::pending_jobs::{FlyJob, ShownFlight};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
 use pilotage_jobs::{
-    DescribeMapOrder, ExplainOrder, ExplainedBy, FlightSource, FlyOrder, Job, MapSource, TileOrder,
+    DescribeMapOrder, ExplainedBy, FlightSource, FlyOrder, Job, MapSource, TileOrder,
 };
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
@@ -229,26 +229,15 @@ impl App {
         if known || asked || busy || self.jobs.unexplained == Some((time, landmark)) {
             return;
         }
-        let Some(job) = self.explanation(ExplainedBy::Template, time, landmark) else {
+        let Some(job) = self
+            .documents
+            .explanation(ExplainedBy::Template, time, landmark)
+        else {
             return;
         };
         if let Some((old, ..)) = self.jobs.explain.take() {
             host.cancel(old);
         }
         self.jobs.explain = Some((host.start(job), time, landmark));
-    }
-
-    /// Job that explains a landmark in a past step that has a picture.
-    pub(super) fn explanation(&self, by: ExplainedBy, time: f64, landmark: u32) -> Option<Job> {
-        let step = self.documents.run.as_ref()?.step_at(time)?;
-        step.frame.as_ref()?;
-        Some(Job::ExplainMatch(ExplainOrder {
-            by,
-            flight: self.documents.flight_source.clone(),
-            map: self.documents.map_source.clone(),
-            mission: self.documents.mission.clone(),
-            step: Box::new(step.clone()),
-            landmark,
-        }))
     }
 }

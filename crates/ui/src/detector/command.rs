@@ -1,8 +1,11 @@
 //! Commands about a trained detector.
 
+use super::evaluation::EvaluationFile;
 use crate::command::Command;
-use crate::detector::evaluation::EvaluationFile;
-use crate::feature_command::FeatureCommand;
+use crate::feature_command::{FeatureCommand, FeatureId};
+
+/// Identity of the feature.
+pub(super) const ID: FeatureId = "detector";
 
 /// Something about what a trained detector saw and did.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +35,6 @@ pub enum DetectorCommand {
 
 impl From<DetectorCommand> for Command {
     fn from(command: DetectorCommand) -> Self {
-        Self::Feature(FeatureCommand::new("detector", command))
+        Self::Feature(FeatureCommand::new(ID, command))
     }
 }

@@ -3,10 +3,14 @@
 
 mod catalog;
 mod command;
+mod dialog;
 mod drawn_feature;
 mod evaluation;
+mod feature;
 mod ground;
+mod judgement;
 mod patch;
+mod searches;
 mod stages;
 mod surface;
 #[cfg(test)]
@@ -24,9 +28,8 @@ use crate::views::{color_map, parts, picking};
 use patch::PatchState;
 use pilotage_jobs::DetectorSearch;
 
-pub use catalog::commands;
 pub use command::DetectorCommand;
-pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
+pub use feature::DetectorFeature;
 
 /// Seconds for which each stage is shown while they pass by themselves.
 const STAGE_SECONDS: f64 = 0.9;

@@ -4,6 +4,7 @@ mod add;
 mod brought;
 mod edit;
 mod empty_mission;
+mod explanation;
 mod findings;
 mod frame_pictures;
 mod ground;

@@ -13,9 +13,7 @@ use crate::context::route_of;
 use crate::photos::PhotosState;
 use crate::short_map::ShortMap;
 use crate::views::Examined;
-use pilotage_jobs::{
-    DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures,
-};
+use pilotage_jobs::{Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
 
 /// Documents that a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.
@@ -72,8 +70,6 @@ pub struct Documents {
     pub examined_in_vain: Option<(u32, String)>,
     /// The pictures of the match asked for last.
     pub match_pictures: Option<MatchPictures>,
-    /// Search of the trained detector asked for last.
-    pub detector_search: Option<DetectorSearch>,
     /// The log that the flight was read from.
     pub log: Option<LogFile>,
     /// Adjustment of the camera with which the flight was flown.
@@ -114,7 +110,6 @@ impl Documents {
             distinctness: ShortMap::default(),
             examined_in_vain: None,
             match_pictures: None,
-            detector_search: None,
             log: session.log.as_ref().and_then(|file| match &session.flight {
                 FlightSource::Files(_) => Some(LogFile::named(file.clone())),
                 _ => None,
@@ -202,7 +197,6 @@ impl Documents {
             self.ghost_generation = self.run_generation;
         }
         self.match_pictures = None;
-        self.detector_search = None;
         self.take_staged(staged);
         self.show_run(Some(head));
     }
@@ -257,7 +251,6 @@ impl Documents {
             distinctness,
             examined_in_vain,
             match_pictures,
-            detector_search,
             flown_camera,
             noticed,
             // Counters.
@@ -272,7 +265,7 @@ impl Documents {
         pictures.clear();
         distinctness.clear();
         *examined_in_vain = None;
-        (*match_pictures, *detector_search) = (None, None);
+        *match_pictures = None;
         *flown_camera = CameraAdjustment::default();
         *noticed = Noticed::default();
         *flight_generation += 1;

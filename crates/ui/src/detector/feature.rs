@@ -1,0 +1,112 @@
+//! Trained detectors as a feature: what one saw and did in a picture, and how well it does elsewhere.
+
+use egui::Ui;
+use pilotage_core::landmark::CascadeEvidence;
+use pilotage_jobs::{JobEvent, JobId};
+use serde_json::Value;
+
+use super::catalog::commands;
+use super::command::ID;
+use super::judgement::Judgement;
+use super::searches::SearchRequests;
+use super::{DetectorCommand, DetectorView};
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::state_json::object;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "Detector",
+    place: FeaturePlace::PictureTab,
+    commands,
+};
+
+/// Trained detectors, looked at.
+#[derive(Default)]
+pub struct DetectorFeature {
+    view: DetectorView,
+    searches: SearchRequests,
+    judgement: Judgement,
+}
+
+impl Feature for DetectorFeature {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let Some(command) = command.action::<DetectorCommand>() else {
+            return false;
+        };
+        match command {
+            DetectorCommand::Explain { time, landmark } => {
+                self.searches.ask(*time, *landmark, context);
+            }
+            DetectorCommand::Show => context.show(),
+            DetectorCommand::Evaluate => {
+                let wanted = self.view.wanted().map(|(_, landmark)| landmark);
+                self.judgement.open(wanted, context);
+            }
+            DetectorCommand::StopEvaluating => self.judgement.stop(context),
+            DetectorCommand::SaveEvaluation(file) => {
+                context.host.save_file(&file.name, file.text.as_bytes());
+                context.note("Evaluation saved", file.name.as_str());
+            }
+            DetectorCommand::CloseEvaluation => self.judgement.close(),
+            DetectorCommand::Stages(_) | DetectorCommand::Play => {
+                if !context.is_shown {
+                    context.show();
+                }
+                self.view.act(command);
+            }
+        }
+        true
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        self.view.show(ui, context, self.searches.found(documents));
+    }
+
+    fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
+        if self.searches.is_of(job) {
+            self.searches.take(event);
+        } else {
+            self.judgement.take(event);
+        }
+    }
+
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        self.searches.stop(context);
+        self.judgement.leave_flight(context);
+    }
+
+    fn state(&self, documents: &Documents) -> Value {
+        let (passed, stages) = self.view.passed();
+        let shown = self.searches.found(documents).map(|search| {
+            let found = search.found.as_ref();
+            object!({
+                "time": search.time,
+                "landmark": search.landmark,
+                "trouble": found.err(),
+                "left": found.map_or(Vec::new(), |found| {
+                    (0..=found.stages.len()).map(|stage| found.left_after(stage)).collect()
+                }),
+                "mean_votes": found.map_or(0.0, |found| found.mean_votes),
+                "all_votes": found.map_or(0, CascadeEvidence::all_votes),
+            })
+        });
+        object!({
+            "evaluation": self.judgement.state(),
+            "wanted": self.view.wanted(),
+            "passed": passed,
+            "stages": stages,
+            "shown": shown,
+        })
+    }
+
+    fn overlay(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, _documents: &Documents) {
+        self.judgement.dialog(ui, context);
+    }
+}
