@@ -70,13 +70,6 @@ pub enum Command {
     },
     /// Delete a landmark.
     DeleteLandmark(u32),
-    /// Ask for the pictures that explain a match; may be sent every frame, asked once.
-    ExplainMatch {
-        /// Time of the step, seconds.
-        time: f64,
-        /// Landmark id.
-        landmark: u32,
-    },
     /// Simulate a flight and navigate it.
     Simulate(Box<SimulationOptions>),
     /// Navigate with other settings; the run recomputes.
@@ -139,8 +132,6 @@ pub enum Command {
     TogglePlots,
     /// Keep the aircraft in the middle of the map, or not.
     ToggleFollow,
-    /// Show how a landmark was matched.
-    ShowMatch,
     /// Something that a feature does.
     Feature(FeatureCommand),
 }

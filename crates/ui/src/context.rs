@@ -7,7 +7,6 @@ use pilotage_core::navigator::Run;
 use crate::command::Command;
 use crate::tokens::Tokens;
 use crate::units::Units;
-use pilotage_jobs::MatchPictures;
 
 /// Frames at most so long after the cursor are shown at it, seconds: times are computed in several ways.
 const SAME_TIME: f64 = 1e-9;
@@ -70,9 +69,6 @@ pub struct ViewContext<'a> {
     pub route: Option<u32>,
     /// Frame whose picture the frame of that index shows, if it was taken.
     pub pictures: &'a dyn Fn(usize) -> Option<usize>,
-    /// The pictures that explain a match, last asked for by [`Command::ExplainMatch`]; check its
-    /// time and landmark before showing it.
-    pub match_pictures: Option<&'a MatchPictures>,
     /// The look.
     pub tokens: &'a Tokens,
     /// The user's units.

@@ -9,7 +9,7 @@ use pilotage_jobs::{Beside, FlightSource, Job, JobEvent, JobId, MapSource, Opene
 use serde_json::Value;
 
 use crate::command::{Command, Workspace};
-use crate::context::ViewContext;
+use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::kept::provide;
 use crate::documents::{Documents, Session, ViewState};
 use crate::exports::Exports;
@@ -34,7 +34,7 @@ pub enum FeaturePlace {
     Workspace(Workspace),
     /// A tab in front of all others, whose panel scrolls by itself.
     FirstTab,
-    /// A tab behind that of matches, for what is seen in pictures, whose panel scrolls by itself.
+    /// A tab behind the camera picture, for what is seen in that, whose panel scrolls by itself.
     PictureTab,
     /// A column beside the picture with which it fills the window, while it takes that, in a workspace.
     Window(Workspace),
@@ -485,4 +485,9 @@ pub trait Feature {
 
     /// Draws what lies over everything while it is open: a dialog.
     fn overlay(&mut self, _ui: &mut Ui, _context: &mut ViewContext<'_>, _documents: &Documents) {}
+
+    /// Times of what its panel drew last, if it draws what belongs to the cursor.
+    fn drawn(&self) -> Option<DrawnTimes> {
+        None
+    }
 }

@@ -6,6 +6,7 @@ use crate::detector::DetectorFeature;
 use crate::feature::Feature;
 use crate::labelling::Labelling;
 use crate::log::LogFeature;
+use crate::matches::MatchFeature;
 use crate::outage::Outages;
 use crate::photos;
 use crate::plan::Planner;
@@ -15,6 +16,7 @@ use crate::shell::catalog::{self, CommandEntry};
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
         Box::new(Labelling::default()),
+        Box::new(MatchFeature::default()),
         Box::new(DetectorFeature::default()),
         Box::<Planner>::default(),
         Box::new(LogFeature::default()),

@@ -53,7 +53,6 @@ impl App {
             | Command::DeleteLandmark(_)
             | Command::Undo
             | Command::Redo => self.edit(command, now),
-            Command::ExplainMatch { time, landmark } => self.explain(host, time, landmark),
             Command::SetNavigator(settings) => {
                 let continues = context.input(|i| i.pointer.any_down());
                 if self.documents.set_navigator(&settings, continues) {
@@ -313,12 +312,6 @@ impl App {
                 };
             }
             Command::ShowWorkspace(workspace) => self.show_workspace(*workspace),
-            Command::ShowMatch => {
-                self.view.workspace = Workspace::Replay;
-                self.view.side_open = true;
-                self.dialogs.settings = false;
-                self.side_tab = SideTab::Match;
-            }
             Command::ToggleSide => self.view.side_open = !self.view.side_open,
             Command::TogglePlots => {
                 let height = context.content_rect().height();

@@ -59,7 +59,7 @@ impl App {
             Some(true) => self.show_feature(own, place),
             Some(false) if is_shown => {
                 self.view.workspace = Workspace::Replay;
-                self.side_tab = SideTab::Match;
+                self.side_tab = self.views.usual_tab();
             }
             _ => {}
         }

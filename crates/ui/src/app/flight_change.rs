@@ -15,7 +15,6 @@ impl App {
         let source = self.documents.flight_source.clone();
         let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
         self.tell_features_of_flight(egui, host);
-        self.stop_explaining(host);
         self.leave_strange_photos(host);
         if old != self.documents.flight_source {
             self.playback.selected_span = None;
@@ -24,15 +23,6 @@ impl App {
         self.views.camera.clear();
         let mission = &self.documents.mission;
         self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
-    }
-
-    /// Stops what explains a step of the run, and forgets that some could not be explained.
-    fn stop_explaining(&mut self, host: &mut dyn Host) {
-        let jobs = &mut self.jobs;
-        if let Some((id, ..)) = jobs.explain.take() {
-            host.cancel(id);
-        }
-        jobs.unexplained = None;
     }
 
     /// Leaves photos that were laid in another world: their places mean nothing in this one.

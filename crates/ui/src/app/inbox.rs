@@ -82,16 +82,6 @@ impl App {
             self.map_work_event(host, id, event);
         } else if self.jobs.describe == Some(id) {
             self.map_event(host, event);
-        } else if let Some((_, time, landmark)) = self.jobs.explain.filter(|e| e.0 == id) {
-            match event {
-                JobEvent::Match(pictures) => self.documents.match_pictures = Some(*pictures),
-                JobEvent::Failed(_) => {
-                    self.jobs.explain = None;
-                    self.jobs.unexplained = Some((time, landmark));
-                }
-                JobEvent::Finished | JobEvent::Cancelled => self.jobs.explain = None,
-                _ => {}
-            }
         } else if self.jobs.packing.as_ref().is_some_and(|p| p.0 == id) {
             self.pack_event(host, event);
         } else if self.jobs.opening.contains_key(&id) {

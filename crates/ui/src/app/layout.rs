@@ -69,7 +69,6 @@ impl Scene<'_> {
             selection: self.selection,
             route: self.documents.route,
             pictures: &pictures,
-            match_pictures: self.documents.match_pictures.as_ref(),
             tokens: self.tokens,
             units: self.view.units,
             flying: self.job_words.as_deref(),
@@ -342,7 +341,7 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                     }
                     inner.show(ui, |ui| {
                         let rest = [SideTab::Filter, SideTab::Landmarks];
-                        let tabs = with_features([&[SideTab::Match], &rest], views);
+                        let tabs = with_features([&[], &rest], views);
                         tabbed(ui, scene, views, commands, &tabs);
                     });
                 }
@@ -389,7 +388,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                         sheet(ui, scene, views, commands);
                     }
                     Workspace::Replay => {
-                        let front = [SideTab::Camera, SideTab::Match];
+                        let front = [SideTab::Camera];
                         let rest = [SideTab::Filter, SideTab::Plots, SideTab::Landmarks];
                         let tabs = with_features([&front, &rest], views);
                         tabbed(ui, scene, views, commands, &tabs);
@@ -491,7 +490,6 @@ fn tabbed(
     let y = ui.cursor().top() - 4.0;
     ui.painter().hline(line, y, Stroke::new(1.0, tokens.line));
     match *scene.side_tab {
-        SideTab::Match => scene.with_context(commands, |c| views.matching.show(ui, c)),
         SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
         SideTab::Feature(id) => feature(ui, scene, &mut views.features, id, commands),

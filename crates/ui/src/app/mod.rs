@@ -40,7 +40,7 @@ use crate::shell::keys::ShortcutListener;
 use crate::shell::{Palette, Toasts, apply_theme, keep_slow_clicks};
 use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
-use crate::views::{CameraView, InspectorView, LandmarkList, MatchView, PlotsView, Tour};
+use crate::views::{CameraView, InspectorView, LandmarkList, PlotsView, Tour};
 
 use frame_pictures::FramePictureRequests;
 use pending_jobs::PendingJobs;
@@ -48,8 +48,6 @@ use pending_jobs::PendingJobs;
 /// Content of the column at the right below the camera picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SideTab {
-    /// Match of a landmark.
-    Match,
     /// Work of the filter.
     Filter,
     /// The list of landmarks.
@@ -77,7 +75,6 @@ impl SideTab {
     /// Name on the tab; of a feature, as it says itself.
     fn label(self, features: &[Box<dyn Feature>]) -> &'static str {
         match self {
-            Self::Match => "Match",
             Self::Filter => "Filter",
             Self::Landmarks => "Landmarks",
             Self::Photos => "Photos",
@@ -123,7 +120,6 @@ struct Views {
     map: MapView,
     timeline: Timeline,
     camera: CameraView,
-    matching: MatchView,
     plots: PlotsView,
     inspector: InspectorView,
     tour: Tour,
@@ -139,6 +135,13 @@ impl Views {
         let mut features = self.features.iter();
         let owner = features.find(|it| it.info().place == FeaturePlace::Workspace(workspace));
         owner.map(AsRef::as_ref)
+    }
+
+    /// Tab that is shown where nothing else was chosen.
+    fn usual_tab(&self) -> SideTab {
+        let mut features = self.features.iter().map(|it| it.info());
+        let first = features.find(|info| info.place == FeaturePlace::PictureTab);
+        first.map_or(SideTab::Filter, |info| SideTab::Feature(info.id))
     }
 
     /// Place in the list of the feature that fills the window, if one does in a workspace.

@@ -104,8 +104,6 @@ pub struct PendingJobs {
     pub heights: Option<JobId>,
     /// The question what the map is.
     pub describe: Option<JobId>,
-    /// The match being explained: job, time, landmark.
-    pub explain: Option<(JobId, f64, u32)>,
     /// Files being looked at.
     pub opening: ShortMap<JobId, Opening>,
     /// Batches of files opened so far.
@@ -122,8 +120,6 @@ pub struct PendingJobs {
     pub before_link: Option<Session>,
     /// The mission file being made, and its name.
     pub packing: Option<(JobId, String)>,
-    /// Matches that could not be explained; not asked again.
-    pub unexplained: Option<(f64, u32)>,
 }
 
 impl PendingJobs {

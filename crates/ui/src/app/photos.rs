@@ -31,7 +31,7 @@ impl App {
             PhotosCommand::Close if self.documents.log.is_some() => {
                 self.side_tab = SideTab::Feature(crate::log::ID);
             }
-            PhotosCommand::Close => self.side_tab = SideTab::Match,
+            PhotosCommand::Close => self.side_tab = self.views.usual_tab(),
             PhotosCommand::Lay => {
                 self.seek_on_open_map();
                 self.lay_photos(host);

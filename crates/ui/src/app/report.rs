@@ -1,6 +1,6 @@
 //! The app's state in words and as JSON, for screen readers and for journeys in the browser.
 
-use crate::state_json::object;
+use crate::state_json::{object, object_of};
 use egui::Rect;
 use pilotage_core::flight::photo::RegisteredPhoto;
 use pilotage_core::frames::LocalFrame;
@@ -151,10 +151,6 @@ impl App {
                 "east": s.after.position().east,
                 "frame": s.frame.as_ref().map(|f| f.index),
             })),
-            "match": documents
-                .match_pictures
-                .as_ref()
-                .map(|m| object!({"time": m.time, "landmark": m.landmark})),
         })
     }
 
@@ -245,15 +241,24 @@ impl App {
                 }),
             }),
             "timeline": rect_json(self.views.timeline.track()),
-            "drawn": object!({
-                "map": drawn_json(map.drawn()),
-                "camera": drawn_json(self.views.camera.drawn()),
-                "match": drawn_json(self.views.matching.drawn()),
-                "plots": drawn_json(self.views.plots.drawn()),
-                "inspector": drawn_json(self.views.inspector.drawn()),
-                "timeline": drawn_json(self.views.timeline.drawn()),
-            }),
+            "drawn": self.drawn_json(),
         })
+    }
+
+    /// Times of what views and panels drew last.
+    fn drawn_json(&self) -> Value {
+        let views = &self.views;
+        let own = [
+            ("map", views.map.drawn()),
+            ("camera", views.camera.drawn()),
+            ("plots", views.plots.drawn()),
+            ("inspector", views.inspector.drawn()),
+            ("timeline", views.timeline.drawn()),
+        ];
+        let features = views.features.iter();
+        let of_features = features.filter_map(|it| Some((it.info().id, Some(it.drawn()?))));
+        let all = own.into_iter().chain(of_features);
+        object_of(all.map(|(id, drawn)| (id, drawn_json(drawn))).collect())
     }
 
     /// Summary of the screen, in a sentence or three.

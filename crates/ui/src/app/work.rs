@@ -7,9 +7,7 @@ use super::App;
 use super::pending_jobs::{FlyJob, ShownFlight};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
-use pilotage_jobs::{
-    DescribeMapOrder, ExplainedBy, FlightSource, FlyOrder, Job, MapSource, TileOrder,
-};
+use pilotage_jobs::{DescribeMapOrder, FlightSource, FlyOrder, Job, MapSource, TileOrder};
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
@@ -211,33 +209,5 @@ impl App {
             }));
             self.jobs.tiles.insert(id, key);
         }
-    }
-
-    /// Asks for the pictures of a match, once.
-    pub(super) fn explain(&mut self, host: &mut dyn Host, time: f64, landmark: u32) {
-        let known = self
-            .documents
-            .match_pictures
-            .as_ref()
-            .is_some_and(|m| m.time == time && m.landmark == landmark);
-        let asked = self
-            .jobs
-            .explain
-            .is_some_and(|(_, t, l)| t == time && l == landmark);
-        // One question at a time: while the flight plays, the latest match is asked for next.
-        let busy = self.jobs.explain.is_some() && self.playback.playing;
-        if known || asked || busy || self.jobs.unexplained == Some((time, landmark)) {
-            return;
-        }
-        let Some(job) = self
-            .documents
-            .explanation(ExplainedBy::Template, time, landmark)
-        else {
-            return;
-        };
-        if let Some((old, ..)) = self.jobs.explain.take() {
-            host.cancel(old);
-        }
-        self.jobs.explain = Some((host.start(job), time, landmark));
     }
 }

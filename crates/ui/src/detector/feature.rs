@@ -2,16 +2,16 @@
 
 use egui::Ui;
 use pilotage_core::landmark::CascadeEvidence;
-use pilotage_jobs::{JobEvent, JobId};
+use pilotage_jobs::{DetectorSearch, ExplainedBy, JobEvent, JobId};
 use serde_json::Value;
 
 use super::catalog::commands;
 use super::command::ID;
 use super::judgement::Judgement;
-use super::searches::SearchRequests;
 use super::{DetectorCommand, DetectorView};
 use crate::context::ViewContext;
 use crate::documents::Documents;
+use crate::explanations::{ExplainedStep, Explanations, of_run};
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::state_json::object;
 
@@ -27,7 +27,8 @@ const INFO: FeatureInfo = FeatureInfo {
 #[derive(Default)]
 pub struct DetectorFeature {
     view: DetectorView,
-    searches: SearchRequests,
+    asked: Explanations,
+    found: Option<(ExplainedStep, DetectorSearch)>,
     judgement: Judgement,
 }
 
@@ -42,7 +43,8 @@ impl Feature for DetectorFeature {
         };
         match command {
             DetectorCommand::Explain { time, landmark } => {
-                self.searches.ask(*time, *landmark, context);
+                let of = (*time, *landmark);
+                self.asked.ask(ExplainedBy::Cascade, of, context);
             }
             DetectorCommand::Show => context.show(),
             DetectorCommand::Evaluate => {
@@ -66,25 +68,35 @@ impl Feature for DetectorFeature {
     }
 
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
-        self.view.show(ui, context, self.searches.found(documents));
+        let search = of_run(self.found.as_ref(), documents);
+        self.view.show(ui, context, search);
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, _context: &mut FeatureContext<'_>) {
-        if self.searches.is_of(job) {
-            self.searches.take(event);
-        } else {
-            self.judgement.take(event);
-        }
+        let Some(step) = self.asked.take(job, &event) else {
+            return self.judgement.take(event);
+        };
+        let search = match event {
+            JobEvent::Detector(search) => *search,
+            JobEvent::Failed(why) => DetectorSearch {
+                time: step.time,
+                landmark: step.landmark,
+                found: Err(why),
+            },
+            _ => return,
+        };
+        self.found = Some((step, search));
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
-        self.searches.stop(context);
+        self.asked.stop(context);
+        self.found = None;
         self.judgement.leave_flight(context);
     }
 
     fn state(&self, documents: &Documents) -> Value {
         let (passed, stages) = self.view.passed();
-        let shown = self.searches.found(documents).map(|search| {
+        let shown = of_run(self.found.as_ref(), documents).map(|search| {
             let found = search.found.as_ref();
             object!({
                 "time": search.time,

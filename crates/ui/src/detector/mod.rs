@@ -10,7 +10,6 @@ mod feature;
 mod ground;
 mod judgement;
 mod patch;
-mod searches;
 mod stages;
 mod surface;
 #[cfg(test)]

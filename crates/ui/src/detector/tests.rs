@@ -158,7 +158,6 @@ impl State {
             selection,
             route: None,
             pictures: &|_| None,
-            match_pictures: None,
             tokens,
             units: Units::Metric,
             flying: None,

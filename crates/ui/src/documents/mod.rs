@@ -4,7 +4,6 @@ mod add;
 mod brought;
 mod edit;
 mod empty_mission;
-mod explanation;
 mod findings;
 mod frame_pictures;
 mod ground;

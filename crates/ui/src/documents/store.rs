@@ -13,7 +13,7 @@ use crate::context::route_of;
 use crate::photos::PhotosState;
 use crate::short_map::ShortMap;
 use crate::views::Examined;
-use pilotage_jobs::{Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
+use pilotage_jobs::{Distinctness, FlightSource, MapInfo, MapSource};
 
 /// Documents that a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.
@@ -68,8 +68,6 @@ pub struct Documents {
     pub distinctness: ShortMap<u32, Distinctness>,
     /// The landmark that could not be examined, and why.
     pub examined_in_vain: Option<(u32, String)>,
-    /// The pictures of the match asked for last.
-    pub match_pictures: Option<MatchPictures>,
     /// The log that the flight was read from.
     pub log: Option<LogFile>,
     /// Adjustment of the camera with which the flight was flown.
@@ -109,7 +107,6 @@ impl Documents {
             terrain: OpenedTerrain::default(),
             distinctness: ShortMap::default(),
             examined_in_vain: None,
-            match_pictures: None,
             log: session.log.as_ref().and_then(|file| match &session.flight {
                 FlightSource::Files(_) => Some(LogFile::named(file.clone())),
                 _ => None,
@@ -196,7 +193,6 @@ impl Documents {
             self.ghost = Some(old);
             self.ghost_generation = self.run_generation;
         }
-        self.match_pictures = None;
         self.take_staged(staged);
         self.show_run(Some(head));
     }
@@ -250,7 +246,6 @@ impl Documents {
             ghost,
             distinctness,
             examined_in_vain,
-            match_pictures,
             flown_camera,
             noticed,
             // Counters.
@@ -265,7 +260,6 @@ impl Documents {
         pictures.clear();
         distinctness.clear();
         *examined_in_vain = None;
-        *match_pictures = None;
         *flown_camera = CameraAdjustment::default();
         *noticed = Noticed::default();
         *flight_generation += 1;

@@ -157,11 +157,6 @@ fn view() -> Vec<CommandEntry> {
             vec![shift(Key::P)],
             Command::ShowWorkspace(Workspace::Plan),
         ),
-        of(
-            "Show how a landmark was matched",
-            vec![],
-            Command::ShowMatch,
-        ),
         of("Show Learn: the guided tour", vec![], Command::ToggleTour),
         of("Dark or light", vec![], Command::ToggleTheme),
         of(

@@ -28,7 +28,7 @@ pub use camera::CameraView;
 pub use inspector::InspectorView;
 pub(crate) use landmark_list::keyboard as landmark_keyboard;
 pub use landmark_list::{Examined, LandmarkList};
-pub use matching::MatchView;
+pub use matching::{MATCH, MatchCommand, MatchView};
 pub use photos::{PhotosScene, photos_sheet};
 pub use plots::PlotsView;
 pub(crate) use plots::draw::{TimeCurve, line as curve_line, polylines as curve_points};

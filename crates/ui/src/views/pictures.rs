@@ -137,11 +137,6 @@ impl ViewDocuments {
         let Some(folder) = canvas::folder() else {
             return;
         };
-        let matched = self.run.frame_step_at(time).and_then(|step| {
-            let frame = step.frame.as_ref()?;
-            let candidate = picking::candidate_to_explain(frame, selection)?;
-            (self.matched)(step, candidate.landmark)
-        });
         let picture = canvas::picture(
             vec2(size[0], size[1]),
             |context| crate::shell::apply_theme(context, tokens),
@@ -160,7 +155,6 @@ impl ViewDocuments {
                         selection,
                         route: None,
                         pictures: &|index| Some(index),
-                        match_pictures: matched.as_ref(),
                         tokens,
                         units: Units::Metric,
                         flying: None,
@@ -216,7 +210,17 @@ impl ViewDocuments {
                 self.show_decoded(view, ui, context);
             },
         );
-        self.both(&named("match"), [360.0, 480.0], time, None, MatchView::show);
+        let matched = self.run.frame_step_at(time).and_then(|step| {
+            let candidate = picking::candidate_to_explain(step.frame.as_ref()?, None)?;
+            (self.matched)(step, candidate.landmark)
+        });
+        self.both(
+            &named("match"),
+            [360.0, 480.0],
+            time,
+            None,
+            |view: &mut MatchView, ui, context| view.show(ui, context, matched.as_ref()),
+        );
         self.both(&named("plots"), [480.0, 460.0], time, None, PlotsView::show);
         self.both(
             &named("plots-wide"),

@@ -24,6 +24,7 @@ mod log_presets;
 mod log_statistics;
 mod long_film;
 mod lost_worker;
+mod matches;
 mod names;
 mod open_map;
 mod open_run;

@@ -34,7 +34,6 @@ fn harness(time: f64) -> Harness<'static, State> {
                 selection: None,
                 route: None,
                 pictures: &|index| Some(index),
-                match_pictures: None,
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
                 flying: None,

@@ -36,7 +36,6 @@ fn harness(time: f64) -> Harness<'static, State> {
                     selection: None,
                     route: None,
                     pictures: &|_| None,
-                    match_pictures: None,
                     tokens: &Tokens::dark(),
                     units: Units::Metric,
                     flying: None,

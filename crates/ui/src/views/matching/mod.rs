@@ -1,5 +1,6 @@
 //! Why a landmark was believed or not: patch, rectified picture, score surface, and the numbers.
 
+mod command;
 mod numbers;
 mod pictures;
 
@@ -11,6 +12,7 @@ use super::{parts, picking};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
 use crate::timeline::clock_text;
+pub use command::{MATCH, MatchCommand};
 use pictures::MatchTextures;
 use pilotage_jobs::MatchPictures;
 
@@ -35,8 +37,13 @@ impl MatchView {
         self.drawn
     }
 
-    /// Draws the view: numbers at once, pictures when they have arrived.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+    /// Draws the view: numbers at once, pictures when they have arrived; `pictures` are those that arrived last.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        pictures: Option<&MatchPictures>,
+    ) {
         let tokens = context.tokens;
         self.wanted = None;
         let Some((run, index)) = context
@@ -62,13 +69,12 @@ impl MatchView {
         };
         self.drawn = context.drawn(step.time);
         self.wanted = Some((step.time, candidate.landmark));
-        context.commands.push(Command::ExplainMatch {
+        let ask = MatchCommand {
             time: step.time,
             landmark: candidate.landmark,
-        });
-        let chosen = context
-            .match_pictures
-            .filter(|m| is_of(m, step.time, candidate.landmark));
+        };
+        context.commands.push(ask.into());
+        let chosen = pictures.filter(|m| is_of(m, step.time, candidate.landmark));
         let name = picking::landmark_name(run, candidate.landmark);
         ScrollArea::vertical()
             .id_salt("match")

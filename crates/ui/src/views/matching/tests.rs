@@ -36,13 +36,13 @@ fn harness(time: f64) -> Harness<'static, State> {
                 selection: None,
                 route: None,
                 pictures: &|_| None,
-                match_pictures: state.pictures.as_ref(),
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
                 flying: None,
                 commands: &mut state.commands,
             };
-            state.view.show(ui, &mut context);
+            let pictures = state.pictures.as_ref();
+            state.view.show(ui, &mut context, pictures);
         },
         state,
     )
@@ -59,7 +59,7 @@ fn the_numbers_stand_before_the_pictures_arrive_and_the_pictures_are_asked_for()
         harness
             .state()
             .commands
-            .contains(&Command::ExplainMatch { time, landmark })
+            .contains(&MatchCommand { time, landmark }.into())
     );
 }
 

@@ -32,7 +32,6 @@ fn harness() -> Harness<'static, State> {
                 selection: None,
                 route: None,
                 pictures: &|_| None,
-                match_pictures: None,
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
                 flying: None,

@@ -4,6 +4,8 @@ use pilotage_core::navigator::NavigatorSettings;
 
 use super::moment::TourMoment;
 use crate::command::Command;
+use crate::feature_command::FeatureCommand;
+use crate::views::MATCH;
 
 /// Stop of the tour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,7 +94,7 @@ impl Stop {
                 "Open in match view",
                 vec![
                     Command::SelectLandmark(moment.and_then(|m| m.landmark)),
-                    Command::ShowMatch,
+                    Command::Feature(FeatureCommand::show(MATCH)),
                 ],
             ),
             Self::DeadReckoning => look("Play this stretch", play(moment.map_or(0.0, |m| m.from))),

@@ -38,7 +38,6 @@ fn harness_while(playing: bool) -> Harness<'static, State> {
                 selection: None,
                 route: None,
                 pictures: &|_| None,
-                match_pictures: None,
                 tokens: &Tokens::dark(),
                 units: Units::Metric,
                 flying: None,

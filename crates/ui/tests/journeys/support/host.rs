@@ -21,8 +21,8 @@ use pilotage_jobs::{
     Abilities, Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness,
     DistinctnessOrder, EnvelopeOrder, ExplainOrder, ExplainedBy, FieldOrder, FileContent,
     FlightSource, FlyOrder, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner, MakeFlightOrder,
-    MapInfo, OpenOrder, OpenedFiles, ProvideOrder, ReadLog, ReadLogOrder, Reply, Request,
-    SuggestOrder, TileOrder,
+    MapInfo, MatchPictures, OpenOrder, OpenedFiles, ProvideOrder, ReadLog, ReadLogOrder, Reply,
+    Request, SuggestOrder, TileOrder,
 };
 use pilotage_ui::host::{Host, OpenedFile};
 
@@ -97,24 +97,28 @@ fn is_real(job: &Job) -> bool {
     )
 }
 
-/// Events of a match that is to be explained: the search only of a trained detector.
-fn explained(job: &Job) -> Vec<JobEvent> {
-    let mut events = vec![JobEvent::Finished];
-    if let Job::ExplainMatch(ExplainOrder {
-        by: ExplainedBy::Cascade,
-        step,
-        landmark,
-        ..
-    }) = job
-    {
-        let search = DetectorSearch {
-            time: step.time,
-            landmark: *landmark,
+/// Events of a match that is to be explained: pictures, or that a trained detector's are gone.
+fn explained(order: &ExplainOrder) -> [JobEvent; 2] {
+    let (time, landmark) = (order.step.time, order.landmark);
+    let pixels = |side| Raster::from_fn(side, side, |c, r| (c * r) as f32);
+    let answer = match order.by {
+        ExplainedBy::Template => JobEvent::Match(Box::new(MatchPictures {
+            time,
+            landmark,
+            patch: pixels(4),
+            rectified: pixels(12),
+            surface: pixels(9),
+            peak: Some((8.0, 8.0)),
+            second: None,
+            gsd: 0.5,
+        })),
+        ExplainedBy::Cascade => JobEvent::Detector(Box::new(DetectorSearch {
+            time,
+            landmark,
             found: Err("the picture is gone".to_owned()),
-        };
-        events.insert(0, JobEvent::Detector(Box::new(search)));
-    }
-    events
+        })),
+    };
+    [answer, JobEvent::Finished]
 }
 
 /// Ground of a shape.
@@ -347,7 +351,7 @@ impl ScriptedHost {
                 say(JobEvent::BriefPictures(Box::default()));
                 say(JobEvent::Finished);
             }
-            Job::ExplainMatch(_) => explained(job).into_iter().for_each(&mut say),
+            Job::ExplainMatch(order) => explained(order).into_iter().for_each(&mut say),
             // Nothing is said of the others.
             _ => {}
         }
