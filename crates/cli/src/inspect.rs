@@ -3,10 +3,8 @@
 use std::path::PathBuf;
 
 use pilotage_core::flight::Flight;
-use pilotage_core::flight::foreign::foreign;
-use pilotage_core::flight::log::HEAD;
 
-use crate::opening::{OpenedPath, open};
+use crate::opening::{OpenedPath, foreign_words, open};
 use crate::{CommandResult, inspect_log};
 
 /// Arguments of `pilotage inspect`.
@@ -70,14 +68,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         return Ok(());
     }
     let package = pilotage_core::mission::package::read_package(&bytes).map_err(|e| {
-        let head = &bytes[..bytes.len().min(HEAD)];
-        match foreign(head, bytes.len() as u64) {
-            Some(is) => format!(
-                "{}: it is {}, which is not read; {}",
-                path.display(),
-                is.what,
-                is.advice
-            ),
+        match foreign_words(path) {
+            Some(is) => is,
             None if !told.is_empty() => format!("{}: {told}", path.display()),
             None => format!(
                 "{}: neither a flight log, a flight, a run nor a mission: {e}",

@@ -3,50 +3,32 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels, write_labels};
-use pilotage_core::flight::files::{FileSet, ZipFiles};
+use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, write_labels};
+use pilotage_core::flight::files::MemoryFiles;
+use pilotage_jobs::labels;
 
 use crate::CommandResult;
 use crate::files::DirectoryFiles;
-use crate::opening::has_ending;
+use crate::opening::{has_ending, unpacked};
 
 /// The labels at a path: a file, a zip or a folder of them, with the format of the first. `None` if there are none.
 ///
 /// # Errors
 /// A file of labels that cannot be read.
 pub fn read(path: &Path) -> Result<Option<(LabelFormat, FoundLabels)>, Box<dyn std::error::Error>> {
-    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
-    if path.is_dir() || has_ending(path, &["zip"]) {
-        let set: Box<dyn FileSet> = if path.is_dir() {
-            Box::new(DirectoryFiles::open(path)?)
-        } else {
-            let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-            Box::new(ZipFiles::open(&bytes).map_err(|e| format!("{}: {e}", path.display()))?)
-        };
-        let mut names = set.names();
-        names.retain(|name| has_ending(Path::new(name), &["xml", "json"]));
-        names.sort();
-        files.extend(
-            names
-                .into_iter()
-                .filter_map(|name| Some((name.clone(), set.read(&name)?))),
-        );
-    } else if has_ending(path, &["xml", "json"]) {
-        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        files.push((path.display().to_string(), bytes));
+    if path.is_dir() {
+        return Ok(labels(&DirectoryFiles::open(path)?)?);
     }
-    let mut found: Option<(LabelFormat, FoundLabels)> = None;
-    for (name, bytes) in files {
-        let Some(format) = LabelFormat::of(&bytes) else {
-            continue;
-        };
-        let labels = read_labels(&name, &bytes)?;
-        match &mut found {
-            Some((_, all)) => all.add(labels),
-            None => found = Some((format, labels)),
-        }
+    if has_ending(path, &["zip"]) {
+        let files = unpacked(path)?;
+        return Ok(files.map_or(Ok(None), |files| labels(files.as_ref()))?);
     }
-    Ok(found)
+    if !has_ending(path, &["xml", "json"]) {
+        return Ok(None);
+    }
+    let name = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|e| format!("{name}: {e}"))?;
+    Ok(labels(&MemoryFiles([(name, bytes)].into()))?)
 }
 
 /// Prints what labels there are.

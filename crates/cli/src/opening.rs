@@ -3,26 +3,21 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables, guess_tables};
 use pilotage_core::flight::files::{FileSet, ZipFiles};
-use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::interpret::flight_from_log;
-use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
+use pilotage_core::flight::log::{Log, read_log};
 use pilotage_core::flight::mat::{self, MatFiles};
-use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
-use pilotage_core::flight::photo::{add_photos, photos_lack, read_photos};
-use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
-use pilotage_core::flight::{
-    FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameSource, NoPictures, read_flight,
+use pilotage_core::flight::nmea::{is_nmea, read_nmea};
+use pilotage_core::flight::photo::photos_lack;
+use pilotage_core::flight::srt::read_srt;
+use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
+use pilotage_jobs::{
+    COLUMNS_FILE, OpenFlight, TABLES, flight_among, foreign_kind, head, log_among, table_names,
+    with_pictures,
 };
-use pilotage_core::imagery::ByteSource;
-use pilotage_jobs::COLUMNS_FILE;
 
 use crate::files::{DirectoryFiles, DiskFile};
-
-/// Endings of tables.
-pub const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
 /// Contents of a path.
 pub enum OpenedPath {
@@ -33,9 +28,6 @@ pub enum OpenedPath {
     /// None of these, and why tables among them are none, or empty.
     Nothing(String),
 }
-
-/// Pictures of a flight.
-pub type Frames = Box<dyn FrameSource>;
 
 impl OpenedPath {
     /// The contents with the vehicle of that system as the one that flies; all but telemetry logs know one vehicle.
@@ -53,22 +45,19 @@ impl OpenedPath {
     ///
     /// # Errors
     /// A log that tells of no flight, or a table of pictures beside it that cannot be read.
-    pub fn into_flight(self) -> Result<Option<(Flight, Frames, Vec<String>)>, String> {
+    pub fn into_flight(self) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
         match self {
-            Self::Folder(folder) => {
-                Ok(Some((folder.flight, Box::new(folder.frames), folder.notes)))
+            Self::Folder(mut folder) => {
+                let notes = std::mem::take(&mut folder.notes);
+                Ok(Some((OpenFlight::of_folder(*folder, None), notes)))
             }
             Self::Log(log, beside) => {
                 let flight = flight_from_log(&log).into_flight();
-                let mut flight = flight.map_err(|e| e.to_string())?;
-                let frames = add_pictures(&mut flight, &beside).map_err(|e| e.to_string())?;
-                if let Some(frames) = frames {
-                    return Ok(Some((flight, frames, Vec::new())));
+                let flight = flight.map_err(|e| e.to_string())?;
+                match with_pictures(&log, flight, &beside) {
+                    (_, Some(lost), _) => Err(lost),
+                    (open, None, notes) => Ok(Some((open, notes))),
                 }
-                let placed = add_photos(&log, &mut flight, &beside);
-                let (frames, notes) = placed.map_or((None, Vec::new()), |p| (p.frames, p.notes));
-                let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
-                Ok(Some((flight, frames, notes)))
             }
             Self::Nothing(told) if told.is_empty() => Ok(None),
             Self::Nothing(told) => Err(told),
@@ -96,29 +85,22 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn s
         let beside: Arc<dyn FileSet> = Arc::new(DirectoryFiles::around(path)?);
         return Ok(OpenedPath::Log(Box::new(log), beside));
     }
-    let length = HEAD.min(usize::try_from(file.length()).unwrap_or(HEAD));
-    if file.read(0, length).is_ok_and(|head| is_nmea(&head)) {
+    let is_film = has_ending(path, &["srt"]);
+    if is_film || head(&file).is_some_and(|head| is_nmea(&head)) {
         let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        let name = path.file_name().map(|name| name.to_string_lossy());
-        let folder = read_nmea(&name.unwrap_or_default(), &bytes)?;
-        return Ok(folder.map_or(OpenedPath::Nothing(String::new()), |folder| {
-            OpenedPath::Folder(Box::new(folder))
-        }));
-    }
-    if has_ending(path, &["srt"]) {
-        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        let name = path.file_name().map(|name| name.to_string_lossy());
-        let folder = read_srt(&name.unwrap_or_default(), &bytes)?;
-        return Ok(folder.map_or(OpenedPath::Nothing(String::new()), |folder| {
-            OpenedPath::Folder(Box::new(folder))
-        }));
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let read = if is_film { read_srt } else { read_nmea };
+        return Ok(match read(&name, &bytes)? {
+            Some(folder) => OpenedPath::Folder(Box::new(folder)),
+            None => OpenedPath::Nothing(String::new()),
+        });
     }
     if !has_ending(path, &TABLES) {
         return Ok(OpenedPath::Nothing(String::new()));
     }
     let (files, names) = tables_at(&[path.to_owned()])?;
-    let folder = open_tables(&files, &names, columns)?;
-    Ok(match folder {
+    let maps = said(files.as_ref(), &names, columns)?;
+    Ok(match open_tables(&files, &names, maps)? {
         Some(folder) => OpenedPath::Folder(Box::new(folder)),
         None => OpenedPath::Nothing(nothing(files.as_ref(), &names)),
     })
@@ -131,22 +113,22 @@ pub fn no_flight(path: &Path, told: &str) -> String {
     if !told.is_empty() {
         return format!("{name}: {told}");
     }
-    let file = DiskFile::open(path, &path.to_string_lossy()).ok();
-    let is = file.and_then(|file| {
-        let length = HEAD.min(usize::try_from(file.length()).unwrap_or(HEAD));
-        foreign(&file.read(0, length).ok()?, file.length())
-    });
-    match is {
-        Some(is) => format!(
-            "{name}: it is {}, which is not read; {}",
-            is.what, is.advice
-        ),
-        None => format!("{name}: neither a flight folder, a log, tables nor photos"),
-    }
+    foreign_words(path)
+        .unwrap_or_else(|| format!("{name}: neither a flight folder, a log, tables nor photos"))
+}
+
+/// That a file is one of another program which is not read, and what to do, if it is.
+pub fn foreign_words(path: &Path) -> Option<String> {
+    let name = path.display();
+    let is = foreign_kind(&DiskFile::open(path, &name.to_string()).ok()?)?;
+    Some(format!(
+        "{name}: it is {}, which is not read; {}",
+        is.what, is.advice
+    ))
 }
 
 /// Contents of a zip or of a MATLAB file, as files; `None` of anything else.
-fn unpacked(path: &Path) -> Result<Option<Arc<dyn FileSet>>, String> {
+pub fn unpacked(path: &Path) -> Result<Option<Arc<dyn FileSet>>, String> {
     let blame = |e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
     let is_zip = has_ending(path, &["zip"]);
     if !is_zip && !has_ending(path, &[mat::ENDING]) {
@@ -168,28 +150,18 @@ fn open_folder(
     files: &Arc<dyn FileSet>,
     columns: Option<&Path>,
 ) -> Result<OpenedPath, Box<dyn std::error::Error>> {
-    match read_flight(Arc::clone(files)) {
-        Err(FolderError::NoFlightFile) => {}
-        other => return Ok(OpenedPath::Folder(Box::new(other?))),
+    let names = table_names(files.as_ref());
+    let maps = said(files.as_ref(), &names, columns)?;
+    if let Some(folder) = flight_among(files, maps.as_deref())? {
+        return Ok(OpenedPath::Folder(Box::new(folder)));
     }
-    if columns.is_none()
-        && let Some(source) = log_among(files.as_ref())
+    if let Some(source) = log_among(files.as_ref()).and_then(|name| files.source(&name))
         && let Some(log) = read_log(source.as_ref())?
     {
         return Ok(OpenedPath::Log(Box::new(log), Arc::clone(files)));
     }
-    let names = table_names(files.as_ref());
-    if let Some(folder) = open_tables(files, &names, columns)? {
+    if let Some(folder) = open_tables(files, &names, None)? {
         return Ok(OpenedPath::Folder(Box::new(folder)));
-    }
-    if let Some(filmed) = flight_of_subtitles(files)? {
-        return Ok(OpenedPath::Folder(Box::new(filmed)));
-    }
-    if let Some(recorded) = flight_of_sentences(files)? {
-        return Ok(OpenedPath::Folder(Box::new(recorded)));
-    }
-    if let Some(photos) = read_photos(files) {
-        return Ok(OpenedPath::Folder(Box::new(photos)));
     }
     let why = photos_lack(files.as_ref()).filter(|_| names.is_empty());
     Err(why
@@ -220,12 +192,8 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
     let told = |name: &String| {
         let table = guessed.iter().find(|table| table.map.file == *name);
         let Some(table) = table else {
-            let named = || {
-                let source = files.source(name)?;
-                let length = HEAD.min(usize::try_from(source.length()).unwrap_or(HEAD));
-                foreign(&source.read(0, length).ok()?, source.length())
-            };
-            let is = named().map_or_else(
+            let is = files.source(name).and_then(|it| foreign_kind(it.as_ref()));
+            let is = is.map_or_else(
                 || "no table: fewer than two rows or columns, or no column of numbers".to_owned(),
                 |is| format!("it is {}; {}", is.what, is.advice),
             );
@@ -257,26 +225,6 @@ fn lacking(map: &ColumnMap) -> String {
     format!("{why}; its columns are {}{more}", names.join(", "))
 }
 
-/// The first log among files, by what is in it.
-fn log_among(files: &dyn FileSet) -> Option<Arc<dyn ByteSource>> {
-    let mut names = files.names();
-    names.sort();
-    names.into_iter().find_map(|name| {
-        let source = files.source(&name)?;
-        let length = HEAD.min(usize::try_from(source.length()).unwrap_or(HEAD));
-        let head = source.read(0, length).ok()?;
-        recognise(&head).map(|_| source)
-    })
-}
-
-/// The names among files that may be tables, in order.
-pub fn table_names(files: &dyn FileSet) -> Vec<String> {
-    let mut names = files.names();
-    names.retain(|name| has_ending(Path::new(name), &TABLES));
-    names.sort();
-    names
-}
-
 /// The folder in which tables at these paths lie, and their names in it: all tables of a folder.
 ///
 /// # Errors
@@ -306,16 +254,17 @@ pub fn tables_at(paths: &[PathBuf]) -> Result<(Arc<dyn FileSet>, Vec<String>), S
     Ok((Arc::new(files), paths.iter().filter_map(name).collect()))
 }
 
+/// The flight of tables by the maps that people wrote, else as their columns are guessed; `None` of no flight's.
 fn open_tables(
     files: &Arc<dyn FileSet>,
     names: &[String],
-    columns: Option<&Path>,
+    maps: Option<Vec<ColumnMap>>,
 ) -> Result<Option<FlightFolder>, Box<dyn std::error::Error>> {
     let guessed = || -> Vec<ColumnMap> {
         let tables = guess_tables(files.as_ref(), names).into_iter();
         tables.filter(|t| t.is_proposed).map(|t| t.map).collect()
     };
-    let maps = said(files.as_ref(), names, columns)?.unwrap_or_else(guessed);
+    let maps = maps.unwrap_or_else(guessed);
     if maps.is_empty() {
         return Ok(None);
     }

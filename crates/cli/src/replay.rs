@@ -100,12 +100,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         return Err(no_flight(path, told).into());
     }
     let found = opened.into_flight()?;
-    let (flight, mut frames, notes) = found.ok_or_else(|| no_flight(path, ""))?;
+    let (open, notes) = found.ok_or_else(|| no_flight(path, ""))?;
+    let (flight, mut frames) = (open.flight, open.frames);
     for note in &notes {
         eprintln!("note: {note}");
     }
     let Some(map) = &arguments.map else {
-        return crate::outage::study(&Arc::new(flight), arguments.outage);
+        return crate::outage::study(&flight, arguments.outage);
     };
     if flight.frames.is_empty() {
         return Err(format!(
@@ -115,7 +116,6 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         .into());
     }
     let imagery = open_map(map, flight.frame_on_globe, MAP_CACHE)?;
-    let flight = Arc::new(flight);
     let (flight, landmarks, mut settings) = if let Some(path) = &arguments.mission {
         let mission = OpenMission::read(path)?.package.mission;
         (mission.flown(&flight), mission.landmarks, mission.navigator)
@@ -124,7 +124,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         (flight, Vec::new(), settings)
     };
     crate::filter_options::apply(&mut settings, &arguments.filter)?;
-    let run = navigate(&flight, &landmarks, imagery, &settings, frames.as_mut())?;
+    let run = navigate(&flight, &landmarks, imagery, &settings, &mut frames)?;
     let summary = summarize(&flight, &run, None);
     report(arguments, &flight, &run, &summary)
 }

@@ -43,14 +43,14 @@ impl FilePool {
         }
         Ok(pool)
     }
+}
 
-    /// Names with one of these endings, in order.
-    pub fn ending_in(&self, endings: &[&str]) -> Vec<String> {
-        let mut names = self.names();
-        names.retain(|name| has_ending(name, endings));
-        names.sort();
-        names
-    }
+/// Names among files with one of these endings, in order.
+pub fn names_ending_in(files: &dyn FileSet, endings: &[&str]) -> Vec<String> {
+    let mut names = files.names();
+    names.retain(|name| has_ending(name, endings));
+    names.sort();
+    names
 }
 
 /// All bytes of a file; the error says in words why not.
@@ -108,7 +108,7 @@ mod tests {
         ];
         let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
         assert_eq!(pool.read("flight/flight.json"), Some(b"{}".to_vec()));
-        assert_eq!(pool.ending_in(&["jpg"]), ["ortho.JPG"]);
+        assert_eq!(names_ending_in(&pool, &["jpg"]), ["ortho.JPG"]);
     }
 
     #[test]

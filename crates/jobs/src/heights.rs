@@ -30,7 +30,7 @@ impl TakeHeights {
     fn begin(&self, worker: &WorkerState) -> Result<(Dem, HeightGrid), String> {
         let files = worker.files(&self.order.key)?;
         let frame = LocalFrame::new(self.order.origin);
-        let dem = opening::terrain(&files, Some(frame))?;
+        let dem = opening::terrain(files.as_ref(), Some(frame))?;
         let dem = dem.ok_or("there is no elevation model among the files")?;
         let datum = dem.datum().clone();
         let grid = HeightGrid::over(

@@ -4,11 +4,11 @@ use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
 use pilotage_core::exchange::{Format, Imported, read_any};
 use pilotage_core::flight::beside_log::PICTURE_TABLE;
 use pilotage_core::flight::columns::{ColumnRole, GuessedTable};
-use pilotage_core::flight::files::FileSet as _;
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 
 use super::ImportedFile;
-use super::file_pool::{FilePool, has_ending};
+use super::file_pool::{has_ending, names_ending_in};
 
 /// Farthest from the mission's origin that a file may lie, metres: beyond, the plane on which a
 /// mission is planned is no longer the ground.
@@ -29,7 +29,7 @@ pub fn is_picture_table(name: &str) -> bool {
 /// files are a flight, whose tables and JSON are its own, `is_told` whether they hold a flight or a mission in any other
 /// form, beside which tables may be anything; `tables` are those among them that may be of a flight.
 pub fn imports(
-    pool: &FilePool,
+    pool: &dyn FileSet,
     origin: Geodetic,
     is_flight: bool,
     is_told: bool,
@@ -78,17 +78,20 @@ pub fn imports(
     }
 }
 
-/// Reads every file of labels, in either format.
-pub fn labels(pool: &FilePool) -> Result<Option<FoundLabels>, String> {
-    let mut names = pool.ending_in(&["xml", "json"]);
-    names.sort();
-    let mut all: Option<FoundLabels> = None;
-    for name in names {
-        let bytes = pool.read(&name).unwrap_or_default();
-        if LabelFormat::of(&bytes).is_some() {
-            let found = read_labels(&name, &bytes).map_err(|cause| cause.to_string())?;
-            all.get_or_insert_default().add(found);
-        }
+/// The labels in all files of them, in either format, and the format of the first.
+///
+/// # Errors
+/// A file of labels that cannot be read, in words.
+pub fn labels(files: &dyn FileSet) -> Result<Option<(LabelFormat, FoundLabels)>, String> {
+    let mut all: Option<(LabelFormat, FoundLabels)> = None;
+    for name in names_ending_in(files, &["xml", "json"]) {
+        let bytes = files.read(&name).unwrap_or_default();
+        let Some(format) = LabelFormat::of(&bytes) else {
+            continue;
+        };
+        let found = read_labels(&name, &bytes).map_err(|cause| cause.to_string())?;
+        let (_, all) = all.get_or_insert_with(|| (format, FoundLabels::default()));
+        all.add(found);
     }
     Ok(all)
 }
@@ -142,6 +145,7 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
 #[cfg(test)]
 mod tests {
     use super::super::LentFiles;
+    use super::super::file_pool::FilePool;
     use super::*;
 
     const WAY_POINTS: &str = "QGC WPL 110\n\

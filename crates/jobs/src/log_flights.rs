@@ -5,17 +5,17 @@ use std::sync::Arc;
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::foreign::{Foreign, foreign};
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::photo::add_photos;
 use pilotage_core::imagery::ByteSource;
 
-use super::file_pool::FilePool;
 use super::flights::{KeptFrames, OpenFlight};
 use super::vehicle::choose_vehicle;
 
 /// The first log among files, by what is in it.
-pub fn log_among(pool: &FilePool) -> Option<String> {
+pub fn log_among(pool: &dyn FileSet) -> Option<String> {
     let mut names = pool.names();
     names.sort();
     names.into_iter().find(|name| {
@@ -30,23 +30,27 @@ pub fn head(source: &dyn ByteSource) -> Option<Vec<u8>> {
     source.read(0, length).ok()
 }
 
+/// The kind of a file of another program that is not read, by its first bytes.
+pub fn foreign_kind(source: &dyn ByteSource) -> Option<Foreign> {
+    foreign(&head(source)?, source.length())
+}
+
 /// A flight with the pictures that lie beside its log, why it has none of them, and what was assumed of photos or why
 /// they are none of it.
 pub fn with_pictures(
     log: &Log,
     mut flight: Flight,
-    pool: Arc<FilePool>,
+    files: &Arc<dyn FileSet>,
 ) -> (OpenFlight, Option<String>, Vec<String>) {
-    let files: Arc<dyn FileSet> = pool;
     let open = |flight: Flight, source| OpenFlight {
         frames: KeptFrames::stored(&flight, source),
         flight: Arc::new(flight),
         mission: None,
     };
-    match add_pictures(&mut flight, &files) {
+    match add_pictures(&mut flight, files) {
         Ok(Some(source)) => (open(flight, source), None, Vec::new()),
         Ok(None) => {
-            let placed = add_photos(log, &mut flight, &files);
+            let placed = add_photos(log, &mut flight, files);
             let (source, notes) = placed.map_or((None, Vec::new()), |p| (p.frames, p.notes));
             let open = match source {
                 Some(source) => open(flight, source),
@@ -63,8 +67,8 @@ pub fn with_pictures(
 }
 
 /// The flight that the log among the files tells of; reads all of it at once.
-pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
-    let Some(file) = log_among(pool) else {
+pub fn flight_of_log(pool: &Arc<dyn FileSet>) -> Result<Option<OpenFlight>, String> {
+    let Some(file) = log_among(pool.as_ref()) else {
         return Ok(None);
     };
     let source = pool.source(&file).ok_or("the log is gone")?;
@@ -72,8 +76,8 @@ pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String>
     let Some(mut log) = read_log(source.as_ref()).map_err(blame)? else {
         return Ok(None);
     };
-    choose_vehicle(pool, &mut log)?;
+    choose_vehicle(pool.as_ref(), &mut log)?;
     let flight = flight_from_log(&log).into_flight();
     let flight = flight.map_err(|cause| cause.to_string())?;
-    Ok(Some(with_pictures(&log, flight, pool.clone()).0))
+    Ok(Some(with_pictures(&log, flight, pool).0))
 }

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use pilotage_core::flight::files::FileSet as _;
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::interpret::{
     RecordedTrack, flight_from_log, log_of_flight, recorded_tracks,
 };
@@ -15,11 +15,11 @@ use pilotage_core::imagery::ByteSource;
 
 use serde::{Deserialize, Serialize};
 
-use super::file_pool::FilePool;
 use super::log_flights::{head, with_pictures};
-use super::opening::{flight_folder, open_folder};
+use super::opening::open_folder;
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::slice;
+use super::tables::flight_folder;
 use super::vehicle::choose_vehicle;
 use super::{Advance, JobEvent, ReadLog, RecordedPlaces, RunningJob, WorkerState};
 
@@ -38,7 +38,7 @@ struct LogReading {
 
 impl LogReading {
     /// Nothing read yet; `None` if no file of that name is a log.
-    fn begin(pool: &FilePool, file: &str) -> Option<Self> {
+    fn begin(pool: &dyn FileSet, file: &str) -> Option<Self> {
         let source = pool.source(file)?;
         let head = head(source.as_ref()).unwrap_or_default();
         let info = recognise(&head)?;
@@ -152,7 +152,7 @@ impl RunningJob for ReadingLog {
                 read.flight = Ok(flight.frame_on_globe);
                 read.tracks = on_ground(&tracks, flight.frame_on_globe);
                 let pool = worker.files(&self.key)?;
-                let (open, lost, notes) = with_pictures(&log, flight, pool);
+                let (open, lost, notes) = with_pictures(&log, flight, &pool);
                 read.overview.add_pictures(open.flight.frames.len());
                 read.overview.note_photos(&notes);
                 read.lost_pictures = lost;
@@ -188,7 +188,7 @@ impl ReadingLog {
     fn read_folder(
         &self,
         worker: &mut WorkerState,
-        pool: &Arc<FilePool>,
+        pool: &Arc<dyn FileSet>,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
         let folder = flight_folder(pool)?;

@@ -61,7 +61,7 @@ impl Order for ReadPlacesOrder {
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         once(move |worker, emit| {
             let files = worker.files(&self.key)?;
-            emit(JobEvent::Places(places(&files)?));
+            emit(JobEvent::Places(places(files.as_ref())?));
             Ok(())
         })
     }

@@ -5,12 +5,9 @@ use std::sync::Arc;
 use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::log::all_formats;
-use pilotage_core::flight::nmea::flight_of_sentences;
-use pilotage_core::flight::photo::{read_photo, read_photos};
-use pilotage_core::flight::srt::flight_of_subtitles;
-use pilotage_core::flight::{FLIGHT_FILE, FlightFolder, FolderError, read_flight};
+use pilotage_core::flight::photo::read_photo;
+use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
 use pilotage_core::imagery::terrain::{Dem, Terrain as _, holds_heights};
@@ -22,21 +19,16 @@ use pilotage_core::mission::{
 use pilotage_core::navigator::{Run, decode_run};
 use pilotage_core::text::capitalised;
 
-use super::file_pool::{FilePool, has_ending};
+use super::file_pool::{has_ending, names_ending_in};
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels};
-use super::log_flights::{flight_of_log, head, log_among};
-use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
+use super::log_flights::{flight_of_log, foreign_kind, log_among};
+use super::tables::{COLUMNS_FILE, flight_folder, tables_among};
 use super::worker_state::{MAP_MEMORY, describe};
 use super::{BESIDE, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
-/// Endings of photos.
-const PHOTOS: [&str; 2] = ["jpg", "jpeg"];
-/// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
-/// satellite receiver said.
-const FLOWN: [&str; 4] = ["jpg", "jpeg", "srt", "nmea"];
 /// Endings of maps that say themselves where they lie.
 const MAPS: [&str; 3] = ["tif", "tiff", "pmtiles"];
 /// Files of a drop that are named for what they are, where none can be opened.
@@ -50,11 +42,12 @@ const WORLD_REACH: f64 = 60_000.0;
 /// Files of other programs are placed in the world around `origin`.
 pub fn look_through(
     key: String,
-    pool: &Arc<FilePool>,
+    files: &Arc<dyn FileSet>,
     near: Option<Geodetic>,
     origin: Geodetic,
 ) -> Result<OpenedFiles, String> {
-    let flight = flight_folder(pool)?;
+    let flight = flight_folder(files)?;
+    let pool = files.as_ref();
     let frame = flight.as_ref().and_then(|f| f.flight.frame_on_globe);
     let options = MapOptions {
         frame,
@@ -75,7 +68,7 @@ pub fn look_through(
         tables_among(pool)
     };
     let imports = imports(pool, origin, flight.is_some(), is_told, &tables)?;
-    let labels = labels(pool)?;
+    let labels = labels(pool)?.map(|(_, labels)| labels);
     let nothing = !is_told && map.is_none() && labels.is_none() && imports.is_empty();
     // Tables that may be anything are asked about where there is nothing else.
     if is_told || !nothing && !tables.iter().any(|table| table.is_proposed) {
@@ -131,14 +124,14 @@ pub fn look_through(
 }
 
 /// The pictures among the files, apart from that of the map.
-fn photos_among(pool: &FilePool, map: Option<&str>) -> Vec<String> {
-    let mut names = pool.ending_in(&PICTURES);
+fn photos_among(pool: &dyn FileSet, map: Option<&str>) -> Vec<String> {
+    let mut names = names_ending_in(pool, &PICTURES);
     names.retain(|name| Some(name.as_str()) != map);
     names
 }
 
 /// Whether pictures are photos for a map that is open: several, or one that says where it was taken.
-fn are_to_be_laid(pool: &FilePool, names: &[String]) -> bool {
+fn are_to_be_laid(pool: &dyn FileSet, names: &[String]) -> bool {
     match names {
         [] => false,
         [name] => pool.source(name).is_some_and(|source| {
@@ -150,13 +143,13 @@ fn are_to_be_laid(pool: &FilePool, names: &[String]) -> bool {
 
 /// The one picture among the files, which does not say where it lies, with a file of control points
 /// beside it.
-fn unplaced(pool: &FilePool) -> Option<Unplaced> {
-    let mut pictures = pool.ending_in(&["tif", "tiff"]);
-    pictures.extend(pool.ending_in(&PICTURES));
+fn unplaced(pool: &dyn FileSet) -> Option<Unplaced> {
+    let mut pictures = names_ending_in(pool, &["tif", "tiff"]);
+    pictures.extend(names_ending_in(pool, &PICTURES));
     let [name] = pictures.as_slice() else {
         return None;
     };
-    let points = pool.ending_in(&["points"]).into_iter().next();
+    let points = names_ending_in(pool, &["points"]).into_iter().next();
     let points = points.and_then(|file| {
         let bytes = pool.read(&file)?;
         Some((file, String::from_utf8_lossy(&bytes).into_owned()))
@@ -168,7 +161,7 @@ fn unplaced(pool: &FilePool) -> Option<Unplaced> {
 }
 
 /// The named places in the files of routes and landmarks: reference points of landmarks, way-points.
-pub fn places(pool: &FilePool) -> Result<Vec<(String, Geodetic)>, String> {
+pub fn places(pool: &dyn FileSet) -> Result<Vec<(String, Geodetic)>, String> {
     let mut places = Vec::new();
     for name in pool.names() {
         let bytes = pool.read(&name).unwrap_or_default();
@@ -189,48 +182,20 @@ pub fn places(pool: &FilePool) -> Result<Vec<(String, Geodetic)>, String> {
     Ok(places)
 }
 
-/// The flight folder among the files, or the flight of tables with maps of their columns beside them, or that of photos
-/// which say themselves where they were taken. Photos beside a log are its camera frames.
-pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<FlightFolder>, String> {
-    if let Some(made) = flight_of_maps(pool)? {
-        return Ok(Some(made));
-    }
-    match read_flight(pool.clone()) {
-        Ok(folder) => Ok(Some(folder)),
-        Err(FolderError::NoFlightFile) => {
-            let may_be_flown = !pool.ending_in(&FLOWN).is_empty();
-            if !may_be_flown || log_among(pool).is_some() {
-                return Ok(None);
-            }
-            let files: Arc<dyn FileSet> = pool.clone();
-            let filmed = flight_of_subtitles(&files).map_err(|cause| cause.to_string())?;
-            if filmed.is_some() {
-                return Ok(filmed);
-            }
-            let recorded = flight_of_sentences(&files).map_err(|cause| cause.to_string())?;
-            if recorded.is_some() || pool.ending_in(&PHOTOS).is_empty() {
-                return Ok(recorded);
-            }
-            Ok(read_photos(&files))
-        }
-        Err(cause) => Err(cause.to_string()),
-    }
-}
-
 /// A folder's flight with its pictures and its mission, if one lies in it.
-pub fn open_folder(pool: &Arc<FilePool>, folder: FlightFolder) -> Result<OpenFlight, String> {
+pub fn open_folder(pool: &Arc<dyn FileSet>, folder: FlightFolder) -> Result<OpenFlight, String> {
     // Tables that were asked about may have come with anything.
     let is_of_maps = pool.read(COLUMNS_FILE).is_some();
     let mission = if is_of_maps {
         None
     } else {
-        mission(pool, true)?
+        mission(pool.as_ref(), true)?
     };
     Ok(OpenFlight::of_folder(folder, mission))
 }
 
 /// The flight among the files: a folder of one, else what a log tells of, all of which is read.
-pub fn flight(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
+pub fn flight(pool: &Arc<dyn FileSet>) -> Result<Option<OpenFlight>, String> {
     match flight_folder(pool)? {
         Some(folder) => open_folder(pool, folder).map(Some),
         None => flight_of_log(pool),
@@ -239,11 +204,11 @@ pub fn flight(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
 
 /// The map among the files: one that says where it lies, or a picture with a file beside it that
 /// does; beside its name.
-pub fn map(pool: &FilePool, options: &MapOptions) -> Result<Option<(String, OpenMap)>, String> {
-    let names = pool.ending_in(&MAPS).into_iter();
-    let names = names.chain(pool.ending_in(&PICTURES));
+pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, OpenMap)>, String> {
+    let names = names_ending_in(pool, &MAPS).into_iter();
+    let names = names.chain(names_ending_in(pool, &PICTURES));
     // Most of these hold places and routes only.
-    for name in names.chain(pool.ending_in(&["kmz", "kml"])) {
+    for name in names.chain(names_ending_in(pool, &["kmz", "kml"])) {
         if has_ending(&name, &MAPS) && is_elevation(pool, &name) {
             continue;
         }
@@ -262,8 +227,8 @@ pub fn map(pool: &FilePool, options: &MapOptions) -> Result<Option<(String, Open
 }
 
 /// The elevation model among the files, in the world frame `frame` or else its own.
-pub fn terrain(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Dem>, String> {
-    let candidates = pool.ending_in(&["hgt", "tif", "tiff"]);
+pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<Dem>, String> {
+    let candidates = names_ending_in(pool, &["hgt", "tif", "tiff"]);
     let named = |name: &String| has_ending(name, &["hgt"]) || is_elevation(pool, name);
     let Some(name) = candidates.into_iter().find(named) else {
         return Ok(None);
@@ -276,7 +241,7 @@ pub fn terrain(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Dem>
 }
 
 /// Whether a TIFF holds heights by itself.
-fn is_elevation(pool: &FilePool, name: &str) -> bool {
+fn is_elevation(pool: &dyn FileSet, name: &str) -> bool {
     let Some(source) = pool.source(name) else {
         return false;
     };
@@ -285,8 +250,8 @@ fn is_elevation(pool: &FilePool, name: &str) -> bool {
 }
 
 /// The mission among the files; beside a flight any GeoJSON is its mission.
-fn mission(pool: &FilePool, is_flight: bool) -> Result<Option<Mission>, String> {
-    let names = pool.ending_in(&["json", "geojson"]);
+fn mission(pool: &dyn FileSet, is_flight: bool) -> Result<Option<Mission>, String> {
+    let names = names_ending_in(pool, &["json", "geojson"]);
     let found = names.into_iter().find_map(|name| {
         let bytes = pool.read(&name).unwrap_or_default();
         let is_one = is_mission(&name, &bytes) || is_flight && has_ending(&name, &["geojson"]);
@@ -302,8 +267,8 @@ fn mission(pool: &FilePool, is_flight: bool) -> Result<Option<Mission>, String> 
     Ok(Some(mission))
 }
 
-fn run(pool: &FilePool) -> Result<Option<Run>, String> {
-    let Some(name) = pool.ending_in(&["run"]).into_iter().next() else {
+fn run(pool: &dyn FileSet) -> Result<Option<Run>, String> {
+    let Some(name) = names_ending_in(pool, &["run"]).into_iter().next() else {
         return Ok(None);
     };
     let bytes = pool.read(&name).unwrap_or_default();
@@ -312,14 +277,14 @@ fn run(pool: &FilePool) -> Result<Option<Run>, String> {
 }
 
 /// Why nothing of the drop can be opened, and what would help.
-fn unknown(pool: &FilePool) -> String {
+fn unknown(pool: &dyn FileSet) -> String {
     let mut names = pool.names();
     names.sort();
     let told: Vec<String> = names
         .iter()
         .filter_map(|name| {
             let source = pool.source(name)?;
-            let is = foreign(&head(source.as_ref())?, source.length())?;
+            let is = foreign_kind(source.as_ref())?;
             Some(format!(
                 "{name}: it is {}, which is not read here. {}.",
                 is.what,
@@ -373,6 +338,7 @@ mod tests {
     use pilotage_tests::pmtiles::archive_of_one_tile;
 
     use super::super::LentFiles;
+    use super::super::file_pool::FilePool;
     use super::*;
 
     fn look(files: &[(&str, &[u8])]) -> Result<OpenedFiles, String> {
@@ -381,7 +347,8 @@ mod tests {
             .collect();
         let pool = FilePool::new(&files, &LentFiles::default())?;
         let origin = Geodetic::from_degrees(47.0, 8.0, 0.0);
-        look_through("drop".to_owned(), &Arc::new(pool), None, origin)
+        let pool: Arc<dyn FileSet> = Arc::new(pool);
+        look_through("drop".to_owned(), &pool, None, origin)
     }
 
     fn picture() -> Vec<u8> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use pilotage_core::flight::files::{FileSet as _, folder_of};
+use pilotage_core::flight::files::folder_of;
 use pilotage_core::imagery::Georeference;
 use pilotage_core::mission::package::{MissionPackage, write_package};
 use pilotage_core::mission::{MapOptions, belongs_to, place_files};
@@ -52,7 +52,7 @@ fn map_files(worker: &WorkerState, map: &MapSource) -> Files {
     let (name, place): (String, Option<Georeference>) = if let Some((name, place)) = stated {
         (name, Some(place))
     } else {
-        let open = opening::map(&pool, &MapOptions::default()).map_err(lost)?;
+        let open = opening::map(pool.as_ref(), &MapOptions::default()).map_err(lost)?;
         let open = open.ok_or_else(|| lost("there is none among the files".to_owned()))?;
         (open.0, None)
     };

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pilotage_core::flight::files::FileSet as _;
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::photo::PhotoLook;
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{Blank, Imagery};
@@ -12,7 +12,6 @@ use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::running::once;
 use super::{
     Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, WorkerState,
-    file_pool::FilePool,
 };
 use pilotage_core::flight::photo::PhotoAnswer;
 
@@ -118,7 +117,7 @@ impl RunningJob for LayPhotos {
 }
 
 /// A laid photo on the map in its own colours.
-pub fn draped(files: &FilePool, order: &DrapeOrder) -> Result<Draped, String> {
+pub fn draped(files: &dyn FileSet, order: &DrapeOrder) -> Result<Draped, String> {
     let name = &order.name;
     let source = files.source(name);
     let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
@@ -165,7 +164,10 @@ impl Order for DrapeOrder {
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         once(move |worker, emit| {
             let files = worker.files(&self.key)?;
-            emit(JobEvent::PhotoDraped(Box::new(draped(&files, &self)?)));
+            emit(JobEvent::PhotoDraped(Box::new(draped(
+                files.as_ref(),
+                &self,
+            )?)));
             Ok(())
         })
     }

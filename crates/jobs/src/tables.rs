@@ -8,7 +8,8 @@ use pilotage_core::flight::files::FileSet;
 
 use serde::{Deserialize, Serialize};
 
-use super::file_pool::FilePool;
+use super::file_pool::names_ending_in;
+use super::flight_among::flight_among;
 use super::flights::OpenFlight;
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
@@ -17,8 +18,8 @@ use super::{JobEvent, MadeFlight, RunningJob, WorkerState};
 /// Name of the file, beside the tables, that says what their columns mean.
 pub const COLUMNS_FILE: &str = "columns.json";
 
-/// Endings of tables.
-const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
+/// Endings of the names of tables.
+pub const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
 /// Encodes the meanings that people gave to the columns, as the file [`COLUMNS_FILE`] has them.
 pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {
@@ -26,25 +27,28 @@ pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {
 }
 
 /// Names of the files that may be tables, in order.
-pub(super) fn table_names(pool: &FilePool) -> Vec<String> {
-    pool.ending_in(&TABLES)
+pub fn table_names(pool: &dyn FileSet) -> Vec<String> {
+    names_ending_in(pool, &TABLES)
 }
 
 /// The tables among files, with what their columns are guessed to mean.
-pub(super) fn tables_among(pool: &FilePool) -> Vec<GuessedTable> {
+pub(super) fn tables_among(pool: &dyn FileSet) -> Vec<GuessedTable> {
     guess_tables(pool, &table_names(pool))
 }
 
-/// The flight of the tables whose maps lie beside them; `None` without maps.
-pub(super) fn flight_of_maps(pool: &Arc<FilePool>) -> Result<Option<FlightFolder>, String> {
+/// The maps of columns that lie beside tables; `None` without them.
+fn maps_beside(pool: &dyn FileSet) -> Result<Option<Vec<ColumnMap>>, String> {
     let Some(bytes) = pool.read(COLUMNS_FILE) else {
         return Ok(None);
     };
-    let maps: Vec<ColumnMap> = serde_json::from_slice(&bytes)
-        .map_err(|cause| format!("{COLUMNS_FILE}: {cause}. Leave it out to be asked again."))?;
-    let files: Arc<dyn FileSet> = pool.clone();
-    let folder = flight_of_tables(&files, &maps).map_err(|cause| cause.to_string())?;
-    Ok(Some(folder))
+    let maps = serde_json::from_slice(&bytes);
+    maps.map(Some)
+        .map_err(|cause| format!("{COLUMNS_FILE}: {cause}. Leave it out to be asked again."))
+}
+
+/// The flight among files, tables by the maps beside them; `None` beside a log.
+pub(super) fn flight_folder(pool: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, String> {
+    flight_among(pool, maps_beside(pool.as_ref())?.as_deref())
 }
 
 /// Makes the flight of the tables under a key and keeps it: event `FlightMade`.
@@ -54,8 +58,9 @@ fn make_flight(
     emit: &mut dyn FnMut(JobEvent),
 ) -> Result<(), String> {
     let pool = worker.files(key)?;
-    let made = flight_of_maps(&pool)?;
-    let folder = made.ok_or("nobody said what the columns of the tables mean")?;
+    let maps = maps_beside(pool.as_ref())?;
+    let maps = maps.ok_or("nobody said what the columns of the tables mean")?;
+    let folder = flight_of_tables(&pool, &maps).map_err(|cause| cause.to_string())?;
     let (flight, notes) = (folder.flight.clone(), folder.notes.clone());
     worker.keep_flight(key, OpenFlight::of_folder(folder, None));
     emit(JobEvent::FlightMade(Box::new(MadeFlight { flight, notes })));
@@ -92,11 +97,12 @@ mod tests {
     use pilotage_core::flight::columns::guess_table;
 
     use super::super::LentFiles;
+    use super::super::file_pool::FilePool;
     use super::*;
 
     const AIR: &str = "t,airspeed [kt],roll_deg\n0,40,1\n1,41,2\n2,42,3\n3,40,4\n";
 
-    fn pool(files: &[(&str, Vec<u8>)]) -> Arc<FilePool> {
+    fn pool(files: &[(&str, Vec<u8>)]) -> Arc<dyn FileSet> {
         let files: Vec<_> = (files.iter())
             .map(|(name, bytes)| ((*name).to_owned(), bytes.clone().into()))
             .collect();
@@ -108,7 +114,7 @@ mod tests {
         let map = guess_table("a/air.csv", AIR.as_bytes()).unwrap();
         let maps = write_columns(&[map]);
         let pool = pool(&[("a/air.csv", AIR.into()), (COLUMNS_FILE, maps)]);
-        let folder = flight_of_maps(&pool).unwrap().unwrap();
+        let folder = flight_folder(&pool).unwrap().unwrap();
         let airspeed = folder.flight.value(ChannelName::Airspeed, 1.0).unwrap();
         assert!((airspeed - 41.0 * 1852.0 / 3600.0).abs() < 1e-9);
         assert_eq!(folder.notes.len(), 1, "{:?}", folder.notes);
@@ -117,12 +123,12 @@ mod tests {
     #[test]
     fn damaged_maps_and_lost_tables_are_named() {
         let damaged = pool(&[("air.csv", AIR.into()), (COLUMNS_FILE, b"[{]".to_vec())]);
-        let cause = flight_of_maps(&damaged).err().unwrap();
+        let cause = flight_folder(&damaged).err().unwrap();
         assert!(cause.starts_with("columns.json: "), "{cause}");
         let map = guess_table("air.csv", AIR.as_bytes()).unwrap();
         let lost = pool(&[(COLUMNS_FILE, write_columns(&[map]))]);
-        let cause = flight_of_maps(&lost).err().unwrap();
+        let cause = flight_folder(&lost).err().unwrap();
         assert!(cause.contains("air.csv"), "{cause}");
-        assert!(flight_of_maps(&pool(&[])).unwrap().is_none());
+        assert!(flight_folder(&pool(&[])).unwrap().is_none());
     }
 }

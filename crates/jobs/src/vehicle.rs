@@ -1,10 +1,8 @@
 //! The choice of one of several vehicles in a telemetry log, as a file beside the log, so that it is there
 //! again wherever the log is.
 
-use pilotage_core::flight::files::FileSet as _;
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::log::Log;
-
-use super::file_pool::FilePool;
 
 /// Name of the file, beside the log, that says which vehicle flies.
 pub const VEHICLE_FILE: &str = "vehicle.json";
@@ -15,7 +13,7 @@ pub fn write_vehicle(system: u32) -> Vec<u8> {
 }
 
 /// Has the vehicle fly in a log that was read to its end that the files beside it name, if they do.
-pub(super) fn choose_vehicle(pool: &FilePool, log: &mut Log) -> Result<(), String> {
+pub(super) fn choose_vehicle(pool: &dyn FileSet, log: &mut Log) -> Result<(), String> {
     let Some(bytes) = pool.read(VEHICLE_FILE) else {
         return Ok(());
     };
@@ -29,6 +27,7 @@ mod tests {
     use pilotage_core::flight::log::LogFormat;
 
     use super::super::LentFiles;
+    use super::super::file_pool::FilePool;
     use super::*;
 
     fn chosen(beside: &[u8]) -> Result<Option<u32>, String> {

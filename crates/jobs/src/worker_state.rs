@@ -7,6 +7,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::flight::expression::TimedSamples;
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::log::Log;
 use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
 use pilotage_core::plan::{
@@ -89,7 +90,7 @@ pub struct Opens {
 pub struct WorkerState {
     opens: Opens,
     /// Files by key; a zip that cannot be read is told when the files are used.
-    files: BTreeMap<String, Result<Arc<FilePool>, String>>,
+    files: BTreeMap<String, Result<Arc<dyn FileSet>, String>>,
     lent: LentFiles,
     fetched: FetchedTiles,
     /// Opened maps, the one used last at the end.
@@ -172,7 +173,8 @@ impl WorkerState {
         self.rehearsal = None;
         self.flights
             .remove(&cache_key(&FlightSource::Files(key.clone())));
-        let pool = FilePool::new(files, &self.lent).map(Arc::new);
+        let pool = FilePool::new(files, &self.lent);
+        let pool = pool.map(|pool| Arc::new(pool) as Arc<dyn FileSet>);
         self.files.insert(key, pool);
     }
 
@@ -239,7 +241,7 @@ impl WorkerState {
     }
 
     /// The files under a key.
-    pub fn files(&self, key: &str) -> Result<Arc<FilePool>, String> {
+    pub fn files(&self, key: &str) -> Result<Arc<dyn FileSet>, String> {
         let lost = || Err("the files are not here any more; open them again".to_owned());
         self.files.get(key).cloned().unwrap_or_else(lost)
     }

@@ -68,3 +68,28 @@ fn a_table_is_replayed_without_a_flight_file() {
     let neither = folder.run(&["replay", "a.csv", "--map", "b.tif"]);
     assert!(neither.unwrap_err().contains("no pictures"));
 }
+
+/// Page and terminal look for a flight in one order: what people said of the columns of tables, what says itself that it
+/// is a flight, and tables as they are guessed.
+#[test]
+fn what_people_said_of_tables_comes_before_a_log_and_a_guess_behind_what_says_itself_that_it_flew()
+{
+    let folder = Folder::new("columns-order");
+    folder.write("a.csv", circles());
+    let guessed = folder.run(&["inspect", "."]).unwrap();
+    assert!(guessed.contains(": 299.8 s"), "{guessed}");
+    let sentences = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n\
+                     $GPGGA,123520,4807.044,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n";
+    folder.write("walk.nmea", sentences);
+    let walked = folder.run(&["inspect", "."]).unwrap();
+    assert!(walked.contains(": 1.0 s"), "{walked}");
+    let log = "FMT, 1, 13, ATT, Qcc, TimeUS,Roll,Yaw\n\
+               ATT, 1000000, 1.5, 90.0\n\
+               ATT, 1500000, -2.25, 91.0\n";
+    folder.write("b.log", log);
+    let logged = folder.run(&["inspect", "."]).unwrap();
+    assert!(logged.contains("ArduPilot dataflash, text"), "{logged}");
+    folder.run(&["columns", "a.csv", "--save"]).unwrap();
+    let said = folder.run(&["inspect", "."]).unwrap();
+    assert!(said.contains(": 299.8 s"), "{said}");
+}

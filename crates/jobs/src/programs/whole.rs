@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::mission::{MapOptions, open_map_with};
 
-use super::super::file_pool::FilePool;
 use super::super::flights::OpenFlight;
 use super::super::worker_state::{MAP_MEMORY, OpenedMap};
-use super::super::{FlightSource, MapSource, WorkerState, opening};
+use super::super::{FlightSource, MapSource, WorkerState, opening, tables};
 use super::flying;
 
 /// Opens a map.
@@ -19,15 +19,15 @@ pub fn open_map(worker: &mut WorkerState, source: &MapSource) -> OpenedMap {
         MapSource::Web(map) => Ok(Arc::new(map.open(worker.fetched()))),
         MapSource::Files(key) => {
             let files = worker.files(key)?;
-            let frame = match opening::flight_folder(&files)? {
+            let frame = match tables::flight_folder(&files)? {
                 Some(folder) => folder.flight.frame_on_globe,
                 None => None,
             };
-            map_among(&files, frame)
+            map_among(files.as_ref(), frame)
         }
         MapSource::Placed { key, origin } => {
             let files = worker.files(key)?;
-            map_among(&files, Some(LocalFrame::new(*origin)))
+            map_among(files.as_ref(), Some(LocalFrame::new(*origin)))
         }
         MapSource::Picture {
             key,
@@ -49,7 +49,7 @@ pub fn open_map(worker: &mut WorkerState, source: &MapSource) -> OpenedMap {
 }
 
 /// The map among files, in the world frame `frame` or else its own.
-fn map_among(files: &FilePool, frame: Option<LocalFrame>) -> Result<Arc<dyn Imagery>, String> {
+fn map_among(files: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Arc<dyn Imagery>, String> {
     let options = MapOptions {
         frame,
         memory: MAP_MEMORY,
