@@ -1,6 +1,5 @@
 //! Mission files of the disk, with the map that they hold or name.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -8,13 +7,9 @@ use pilotage_core::flight::files::MemoryFiles;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::package::{MissionPackage, read_package};
-use pilotage_core::mission::{MapFileError, MapReference, open_map};
+use pilotage_core::mission::{MapOptions, MapReference};
 use pilotage_core::simulate::Scenario;
-
-/// Endings of files in a mission file that can be its map, the likeliest first.
-const MAPS: [&str; 6] = [".tif", ".tiff", ".pmtiles", ".jpg", ".jpeg", ".png"];
-/// Member of the head with what was open beside the mission, and the built-in flight in it.
-const BUILT_IN: (&str, &str) = ("open", "simulation");
+use pilotage_jobs::{Beside, map_among};
 
 /// A mission file that was read.
 pub struct OpenMission {
@@ -37,10 +32,8 @@ impl OpenMission {
         if let Some(MapReference::Scenario(_)) = self.package.mission.map {
             return true;
         }
-        let (member, flight) = BUILT_IN;
-        let text = self.package.settings.get(member);
-        let open: Option<serde_json::Value> = text.and_then(|t| serde_json::from_str(t).ok());
-        open.is_some_and(|open| open.get(flight).is_some_and(|f| !f.is_null()))
+        let beside = Beside::of_head(&self.package.settings);
+        beside.is_some_and(|beside| beside.simulation.is_some())
     }
 
     /// The map at `stated`, or else that in the file, or the generated scenery if it was saved there.
@@ -53,22 +46,14 @@ impl OpenMission {
         if let Some(path) = stated {
             return crate::files::open_map(path, Some(frame), megabytes);
         }
-        let files: BTreeMap<String, Vec<u8>> = self.package.files.iter().cloned().collect();
-        let files = MemoryFiles(files);
-        let ending_in = |ending: &&str| {
-            let names = files.0.keys();
-            let found = names.filter(|name| name.to_lowercase().ends_with(*ending));
-            found.cloned().collect::<Vec<_>>()
+        let files = MemoryFiles(self.package.files.iter().cloned().collect());
+        let options = MapOptions {
+            frame: Some(frame),
+            ..MapOptions::default()
         };
-        for name in MAPS.iter().flat_map(ending_in) {
-            match open_map(&files, &name, Some(frame)) {
-                // Another picture may be the map.
-                Err(MapFileError::NoGeoreference { .. }) => {}
-                map => {
-                    let map = map.map_err(|e| format!("{}: {e}", self.name))?;
-                    return Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)));
-                }
-            }
+        let map = map_among(&files, &options).map_err(|e| format!("{}: {e}", self.name))?;
+        if let Some((_, map)) = map {
+            return Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)));
         }
         if self.is_over_scenery() {
             let scenery = Arc::new(Scenario::map());

@@ -95,6 +95,7 @@ pub use messages::{
     WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
+pub use opening::map as map_among;
 pub use order::{Order, Reads, Urgency, VariantOrder, WorkerRole};
 pub use passage::Passage;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};

@@ -25,7 +25,7 @@ use super::imports::{imports, is_mission, is_picture_table, labels};
 use super::log_flights::{flight_of_log, foreign_kind, log_among};
 use super::tables::{COLUMNS_FILE, flight_folder, tables_among};
 use super::worker_state::{MAP_MEMORY, describe};
-use super::{BESIDE, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
+use super::{Beside, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
@@ -91,10 +91,8 @@ pub fn look_through(
     } else {
         None
     };
-    let beside = pool.read(PACKAGE_HEAD).and_then(|head| {
-        let settings = read_head(&head).ok()?;
-        serde_json::from_str(settings.get(BESIDE)?).ok()
-    });
+    let head = pool.read(PACKAGE_HEAD);
+    let beside = head.and_then(|head| Beside::of_head(&read_head(&head).ok()?));
     let flight = flight.map(|folder| {
         remarks.extend(folder.notes);
         folder.flight
@@ -204,6 +202,9 @@ pub fn flight(pool: &Arc<dyn FileSet>) -> Result<Option<OpenFlight>, String> {
 
 /// The map among the files: one that says where it lies, or a picture with a file beside it that
 /// does; beside its name.
+///
+/// # Errors
+/// A map that cannot be read, in words.
 pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, OpenMap)>, String> {
     let names = names_ending_in(pool, &MAPS).into_iter();
     let names = names.chain(names_ending_in(pool, &PICTURES));

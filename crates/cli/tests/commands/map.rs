@@ -249,6 +249,12 @@ fn several_pictures_with_a_table_of_their_corners_are_one_map() {
 /// An elevation model of four by four whole numbers of 16 bits without a sign, a thousandth of a degree
 /// apart from 47° N 8° E; the first is the mark for missing heights.
 fn heights() -> Vec<u8> {
+    heights_from((8.0, 47.0), false, 8)
+}
+
+/// The same from another corner, degrees of longitude and latitude; with a sign it says itself that it holds heights. The
+/// samples are in the file 8 bytes from its beginning, which it says of `offset`.
+pub fn heights_from(corner: (f64, f64), is_signed: bool, offset: u32) -> Vec<u8> {
     let mut samples = [1200_u16; 16];
     samples[0] = 9;
     let pixels: Vec<u8> = samples.iter().flat_map(|v| v.to_le_bytes()).collect();
@@ -259,12 +265,18 @@ fn heights() -> Vec<u8> {
         (258, 3, 1, shorts(&[16, 0])),
         (259, 3, 1, shorts(&[1, 0])),
         (262, 3, 1, shorts(&[1, 0])),
-        (273, 4, 1, vec![8, 0, 0, 0]),
+        (273, 4, 1, offset.to_le_bytes().to_vec()),
         (277, 3, 1, shorts(&[1, 0])),
         (278, 3, 1, shorts(&[4, 0])),
         (279, 4, 1, vec![32, 0, 0, 0]),
+        (339, 3, 1, shorts(&[1 + u16::from(is_signed), 0])),
         (33_550, 12, 3, reals(&[1e-3, 1e-3, 0.0])),
-        (33_922, 12, 6, reals(&[0.0, 0.0, 0.0, 8.0, 47.0, 0.0])),
+        (
+            33_922,
+            12,
+            6,
+            reals(&[0.0, 0.0, 0.0, corner.0, corner.1, 0.0]),
+        ),
         (34_735, 3, 16, shorts(&keys)),
         (42_113, 2, 2, b"9\0\0\0".to_vec()),
     ];

@@ -16,6 +16,7 @@ use pilotage_core::raster::{Picture, encode_png};
 use serde_json::Value;
 
 use super::folder::Folder;
+use super::map::heights_from;
 
 /// Metres per pixel of the map, and its size in pixels.
 const GSD: f64 = 0.5;
@@ -196,6 +197,14 @@ fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_p
     let mut beside = place_files("area.png", &place);
     // A picture that lies nowhere is not the map.
     beside.push(("aaa.png".to_owned(), map()));
+    // Nor are heights.
+    let middle = origin();
+    let corner = (
+        middle.longitude.to_degrees() - 0.002,
+        middle.latitude.to_degrees() + 0.002,
+    );
+    let heights = heights_from(corner, true, 8);
+    beside.push(("heights.tif".to_owned(), heights));
     folder.write("small.pilotage.zip", saved(beside));
     folder.write("found.json", "an older file");
     let ends = ["--find", "0,-120", "0,120", "--out", "found.json"];

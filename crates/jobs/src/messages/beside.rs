@@ -1,5 +1,7 @@
 //! Simulation, bookmarks and measurements open beside a mission, as the mission file states them.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::{KeptMeasurement, SimulationOptions};
@@ -14,6 +16,14 @@ pub struct Beside {
     pub bookmarks: Vec<f64>,
     /// Measurements of the mission's landmarks, for as long as they are true.
     pub measured: Vec<KeptMeasurement>,
+}
+
+impl Beside {
+    /// From the members of a mission file's head, which are JSON text; `None` where nothing is stated or another program
+    /// stated it.
+    pub fn of_head(members: &BTreeMap<String, String>) -> Option<Self> {
+        serde_json::from_str(members.get(BESIDE)?).ok()
+    }
 }
 
 /// Name of the head's member with what is open beside a mission.
