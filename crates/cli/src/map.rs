@@ -8,8 +8,7 @@ use pilotage_core::frames::{
     Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem, wrap_pi,
 };
 use pilotage_core::imagery::systems;
-use pilotage_core::imagery::terrain::{Dem, Terrain, holds_heights};
-use pilotage_core::imagery::tiff::TiffFile;
+use pilotage_core::imagery::terrain::{Dem, Terrain};
 use pilotage_core::imagery::{GeoTiffFile, Georeference, Imagery, Placement, Window};
 use pilotage_core::mission::{MapOptions, OpenMap, open_map_with};
 use pilotage_core::raster::encode_png_with_coverage;
@@ -182,7 +181,8 @@ fn info(arguments: &MapArguments, height_at: Option<&str>) -> CommandResult {
         .into());
     }
     // Who asks for a height says by that what the samples are.
-    let is_elevation = is_height || (is_tiff && (place.is_some() || is_elevation(arguments)));
+    let is_elevation =
+        is_height || place.is_some() || disk_file(arguments).is_ok_and(|file| Dem::is_one(file));
     let info = if is_elevation {
         elevation(arguments, system, place)?
     } else {
@@ -190,12 +190,6 @@ fn info(arguments: &MapArguments, height_at: Option<&str>) -> CommandResult {
     };
     println!("{}", serde_json::to_string_pretty(&info)?);
     Ok(())
-}
-
-/// Whether a TIFF holds heights: samples that no picture has.
-fn is_elevation(arguments: &MapArguments) -> bool {
-    let source = disk_file(arguments).ok();
-    source.is_some_and(|source| TiffFile::open(source).is_ok_and(|file| holds_heights(&file)))
 }
 
 fn geo_tiff(

@@ -1,7 +1,7 @@
 //! The heights of an area, taken from an elevation model in the worker for use on the page.
 
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::terrain::{Dem, HeightGrid, Terrain as _};
+use pilotage_core::imagery::terrain::{Dem, HeightGrid};
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::SLICE;
@@ -32,14 +32,7 @@ impl TakeHeights {
         let frame = LocalFrame::new(self.order.origin);
         let dem = opening::terrain(files.as_ref(), Some(frame))?;
         let dem = dem.ok_or("there is no elevation model among the files")?;
-        let datum = dem.datum().clone();
-        let grid = HeightGrid::over(
-            dem.name(),
-            datum,
-            self.order.area,
-            dem.spacing(),
-            MOST_POSTS,
-        );
+        let grid = dem.grid(self.order.area, MOST_POSTS);
         Ok((dem, grid))
     }
 }

@@ -10,8 +10,7 @@ use pilotage_core::flight::photo::read_photo;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
-use pilotage_core::imagery::terrain::{Dem, Terrain as _, holds_heights};
-use pilotage_core::imagery::tiff::TiffFile;
+use pilotage_core::imagery::terrain::{Dem, Terrain as _};
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{
     MapFileError, MapOptions, Mission, OpenMap, open_map_with, read_mission,
@@ -210,7 +209,7 @@ pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, O
     let names = names.chain(names_ending_in(pool, &PICTURES));
     // Most of these hold places and routes only.
     for name in names.chain(names_ending_in(pool, &["kmz", "kml"])) {
-        if has_ending(&name, &MAPS) && is_elevation(pool, &name) {
+        if has_ending(&name, &MAPS) && pool.source(&name).is_some_and(Dem::is_one) {
             continue;
         }
         match open_map_with(pool, &name, options) {
@@ -229,25 +228,13 @@ pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, O
 
 /// The elevation model among the files, in the world frame `frame` or else its own.
 pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<Dem>, String> {
-    let candidates = names_ending_in(pool, &["hgt", "tif", "tiff"]);
-    let named = |name: &String| has_ending(name, &["hgt"]) || is_elevation(pool, name);
-    let Some(name) = candidates.into_iter().find(named) else {
+    let names = names_ending_in(pool, &["hgt", "tif", "tiff"]).into_iter();
+    let mut sources = names.filter_map(|name| pool.source(&name));
+    let Some(source) = sources.find(|source| Dem::is_one(Arc::clone(source))) else {
         return Ok(None);
     };
-    let source = pool
-        .source(&name)
-        .ok_or_else(|| format!("{name}: it is gone"))?;
     let dem = Dem::open(source, frame, None).map_err(|cause| cause.to_string())?;
     Ok(Some(dem))
-}
-
-/// Whether a TIFF holds heights by itself.
-fn is_elevation(pool: &dyn FileSet, name: &str) -> bool {
-    let Some(source) = pool.source(name) else {
-        return false;
-    };
-    has_ending(name, &["tif", "tiff"])
-        && TiffFile::open(source).is_ok_and(|file| holds_heights(&file))
 }
 
 /// The mission among the files; beside a flight any GeoJSON is its mission.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::frames::units::GRAVITY;
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use pilotage_core::imagery::terrain::{Dem, HeightGrid, Terrain as _};
+use pilotage_core::imagery::terrain::{Dem, Terrain as _};
 use pilotage_core::mission::{Route, WayPoint};
 use pilotage_core::plan::{
     Aim, BudgetOf, FieldView, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns,
@@ -235,9 +235,12 @@ fn high_ground(
         .map_err(|e| format!("{}: {e}", path.display()))?;
     let dem = Dem::open(Arc::new(file), Some(frame), None)?;
     let base = dem.height_at(&GroundPoint::default()).unwrap_or(0.0);
-    let (datum, area) = (dem.datum().clone(), ground.map.bounds());
-    let mut heights = HeightGrid::over(dem.name(), datum, area, dem.spacing(), MOST_POSTS);
+    let mut heights = dem.grid(ground.map.bounds(), MOST_POSTS);
     while !heights.take_rows(&dem, usize::MAX) {}
+    // Ground that cannot be read may be too high.
+    if let Some(problem) = dem.problem() {
+        return Err(problem.into());
+    }
     Ok(Some(HighGround {
         heights,
         highest: base + ground.height - wanted.ground_clearance,

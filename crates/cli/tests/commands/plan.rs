@@ -204,7 +204,7 @@ fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_p
         middle.latitude.to_degrees() + 0.002,
     );
     let heights = heights_from(corner, true, 8);
-    beside.push(("heights.tif".to_owned(), heights));
+    beside.push(("heights.tif".to_owned(), heights.clone()));
     folder.write("small.pilotage.zip", saved(beside));
     folder.write("found.json", "an older file");
     let ends = ["--find", "0,-120", "0,120", "--out", "found.json"];
@@ -228,6 +228,16 @@ fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_p
     assert_eq!(found.routes[0].name, "Found");
     assert!(found.routes[0].way_points.len() >= 2 && found.routes.len() == 2);
     assert!(is_whole(&folder.0));
+    // Ground that is level is not too high to fly over; of ground that cannot be read nobody knows.
+    folder.write("level.tif", heights);
+    folder.write("cut.tif", heights_from(corner, true, 1 << 20));
+    let over = |dem| {
+        let all = ["plan", "--mission", "small.pilotage.zip", "--dem", dem];
+        folder.run(&[&all[..], &["--ground-clearance", "30"], &ends[..]].concat())
+    };
+    over("level.tif").unwrap();
+    let refused = over("cut.tif").unwrap_err();
+    assert!(refused.contains("cut.tif"), "{refused}");
 }
 
 #[test]

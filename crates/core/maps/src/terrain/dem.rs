@@ -5,13 +5,17 @@ use std::sync::Arc;
 use nalgebra::Point2;
 
 use super::hgt::Hgt;
-use super::tiff_posts::TiffPosts;
-use super::{HeightDatum, Terrain, TerrainError, between_posts};
-use crate::tiff::TiffError;
+use super::tiff_posts::{TiffPosts, holds_heights};
+use super::{HeightDatum, HeightGrid, Terrain, TerrainError, between_posts};
+use crate::map_options::is_geo_tiff;
+use crate::tiff::{TiffError, TiffFile};
 use crate::{GeoTiffError, GeoTiffFile};
 use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_base::{bytes::ByteSource, georeference::GeoreferenceError};
 use pilotage_raster::imagery::Placement;
+
+/// Ending of the files of the shuttle's radar.
+const HGT: &str = ".hgt";
 
 /// Heights at a grid of posts; between posts they are interpolated.
 pub struct Dem {
@@ -49,7 +53,7 @@ impl Dem {
         frame: Option<LocalFrame>,
         system: Option<ReferenceSystem>,
     ) -> Result<Self, TerrainError> {
-        if source.name().to_ascii_lowercase().ends_with(".hgt") {
+        if source.name().to_ascii_lowercase().ends_with(HGT) {
             return Self::open_hgt(source.as_ref(), frame);
         }
         let file = GeoTiffFile::open(source, None, system)?;
@@ -86,6 +90,21 @@ impl Dem {
             // The shuttle's heights are above the geoid EGM96.
             datum: HeightDatum::MeanSeaLevel("EGM96".to_owned()),
         })
+    }
+
+    /// A grid over `area` for its heights, its posts as far apart as the model's, or farther so that it has at most
+    /// `most_posts` along a side. [`HeightGrid::take_rows`] fills it.
+    pub fn grid(&self, area: GroundRect, most_posts: usize) -> HeightGrid {
+        let (name, datum) = (Terrain::name(self), Terrain::datum(self).clone());
+        HeightGrid::over(name, datum, area, self.spacing(), most_posts)
+    }
+
+    /// Whether a file is an elevation model without being asked for as one: `.hgt` by its name, or a TIFF with samples
+    /// that no picture has.
+    pub fn is_one(source: Arc<dyn ByteSource>) -> bool {
+        let name = source.name().to_ascii_lowercase();
+        name.ends_with(HGT)
+            || is_geo_tiff(&name) && TiffFile::open(source).is_ok_and(|file| holds_heights(&file))
     }
 
     /// Placement of the posts, which stand in the middle of pixels.

@@ -16,7 +16,6 @@ mod units;
 pub use dem::Dem;
 pub use grid::HeightGrid;
 pub use terrain_error::TerrainError;
-pub use tiff_posts::holds_heights;
 
 use serde::{Deserialize, Serialize};
 
