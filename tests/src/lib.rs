@@ -10,6 +10,7 @@
 //! - [`recorded`] reads the recorded flights that have a column map here;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
 //! - [`studies`] says whether questions over many seeds are asked in full;
+//! - [`threads`] shares work out among the processors;
 //! - [`whole_frames`] navigates recorded flights by laying whole frames on the map.
 
 pub mod damage;
@@ -22,4 +23,5 @@ pub mod pyproj;
 pub mod recorded;
 pub mod routes;
 pub mod studies;
+pub mod threads;
 pub mod whole_frames;

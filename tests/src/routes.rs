@@ -1,7 +1,6 @@
 //! Found routes flown beside straight lines over generated counties: what a detour is worth.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::Vector2;
 use pilotage_core::flight::{Flight, FrameSource};
@@ -23,6 +22,8 @@ use pilotage_core::simulate::{
 };
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+
+use crate::threads::on_all_processors;
 
 /// The scenario whose aircraft, camera and settings are flown; its wind is drawn anew for each flight.
 const SCENARIO: &str = "distinct-400ft-wind";
@@ -224,27 +225,8 @@ impl Case {
         let prediction = predict(&self.mission, &self.landmarks, &plan)?;
         let samples = &prediction.samples;
         let sigmas = || samples.iter().map(|s| s.corridor.sigma_major);
-        let next = AtomicU64::new(0);
-        let worker = || -> Result<Vec<Vec<f64>>, String> {
-            let mut all = Vec::new();
-            loop {
-                let seed = next.fetch_add(1, Ordering::Relaxed);
-                if seed >= flights {
-                    return Ok(all);
-                }
-                all.push(self.errors(&plan, seed, seen)?);
-            }
-        };
-        let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        let mut errors: Vec<Vec<f64>> = Vec::new();
-        std::thread::scope(|scope| -> Result<(), String> {
-            let handles: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
-            for handle in handles {
-                let flown = handle.join().map_err(|_| "a flight panicked".to_owned())?;
-                errors.extend(flown?);
-            }
-            Ok(())
-        })?;
+        let errors = on_all_processors(0..flights, |seed| self.errors(&plan, seed, seen));
+        let errors = errors.into_iter().collect::<Result<Vec<_>, String>>()?;
         let all = || errors.iter().flatten();
         Ok(Flown {
             route: route.clone(),

@@ -16,6 +16,7 @@ use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, StepReport, Ve
 use pilotage_core::raster::Picture;
 use pilotage_core::simulate::IndoorHall;
 use pilotage_tests::studies::either;
+use pilotage_tests::threads::on_all_processors;
 
 /// Flights of a study, and of the everyday run.
 const SEEDS: [u64; 5] = [1, 2, 3, 4, 5];
@@ -139,17 +140,9 @@ fn study(hall: &IndoorHall) -> Vec<Outcome> {
             }
         })
     };
-    std::thread::scope(|scope| {
-        let seeds = &SEEDS[..either(EVERYDAY, SEEDS.len())];
-        let handles: Vec<_> = seeds
-            .iter()
-            .map(|seed| scope.spawn(move || of_seed(*seed)))
-            .collect();
-        let outcomes = handles
-            .into_iter()
-            .flat_map(|handle| handle.join().unwrap());
-        outcomes.collect()
-    })
+    let seeds = &SEEDS[..either(EVERYDAY, SEEDS.len())];
+    let outcomes = on_all_processors(seeds, |seed| of_seed(*seed));
+    outcomes.into_iter().flatten().collect()
 }
 
 /// Distance of the wind of a step from the draught, m/s, and the same in standard deviations.
