@@ -77,11 +77,8 @@ pub fn fly_as_stated(name: &str, seed: u64, damage: impl Fn(&mut Flight)) -> Flo
 
 impl Flown {
     fn by(navigator: Navigator, frames: &mut dyn FrameSource, flight: Flight) -> Self {
-        let mut navigator = navigator.sparing();
-        let mut run = navigator.run_head();
-        while let Some(step) = navigator.advance(frames, &|| 0.0) {
-            run.steps.push(step.expect("the filter goes on"));
-        }
+        let run = navigator.sparing().fly(frames, &|| 0.0);
+        let run = run.expect("the filter goes on");
         Self { run, flight }
     }
 

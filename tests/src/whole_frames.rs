@@ -66,14 +66,11 @@ pub fn navigate(
     settings: &NavigatorSettings,
 ) -> Run {
     let navigator = Navigator::new(Arc::new(flight), &[], map, settings);
-    let mut navigator = navigator.expect("the navigator begins");
-    let mut run = navigator.run_head();
+    let navigator = navigator.expect("the navigator begins");
     let begun = std::time::Instant::now();
     let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
-    while let Some(step) = navigator.advance(frames, &stopwatch) {
-        run.steps.push(step.expect("the navigator goes on"));
-    }
-    run
+    let run = navigator.fly(frames, &stopwatch);
+    run.expect("the navigator goes on")
 }
 
 /// Frames that corrected the estimate: their times, what was seen, and the estimate after it.

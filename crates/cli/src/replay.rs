@@ -10,7 +10,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, Summary, summarize};
 use pilotage_core::simulate::{Overrides, Scenario};
-use pilotage_jobs::{JobEvent, MapSource, Passage, SummaryOrder};
+use pilotage_jobs::{JobEvent, MapSource, SummaryOrder};
 use serde::Serialize;
 
 use crate::CommandResult;
@@ -140,9 +140,7 @@ pub fn navigate(
     let begun = Instant::now();
     let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
     let navigator = Navigator::new(Arc::clone(flight), landmarks, map, settings)?;
-    let mut passage = Passage::new(navigator);
-    while passage.advance(frames, &stopwatch)? {}
-    Ok(passage.into_run())
+    Ok(navigator.fly(frames, &stopwatch)?)
 }
 
 fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> CommandResult {

@@ -61,12 +61,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let flight = Arc::new(in_wind.simulate(seed).ok_or("nothing to fly")?);
         let (detector, mut frames) = as_stated(&flight, landmarks, seed).ok_or("no truth")?;
         let (given, detector) = (flight.clone(), Box::new(detector));
-        let mut navigator =
+        let navigator =
             Navigator::with_detector(given, &mission.landmarks, detector, settings)?.sparing();
-        let mut run = navigator.run_head();
-        while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
-            run.steps.push(step?);
-        }
+        let run = navigator.fly(&mut frames, &|| 0.0)?;
         flights.push(compare(&flight, &run, &prediction));
     }
     let held = Verification::of(&flights);

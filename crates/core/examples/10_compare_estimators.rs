@@ -43,12 +43,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             let settings = contender.settings(&mission.navigator, seed);
             let (detector, mut frames) = as_stated(&flight, &planned, seed).ok_or("no truth")?;
             let (given, detector) = (flight.clone(), Box::new(detector));
-            let mut navigator =
+            let navigator =
                 Navigator::with_detector(given, &mission.landmarks, detector, &settings)?;
-            let mut run = navigator.run_head();
-            while let Some(step) = navigator.advance(&mut frames, &stopwatch) {
-                run.steps.push(step?);
-            }
+            let run = navigator.fly(&mut frames, &stopwatch)?;
             tally.add(&flight, &run, &stopwatch)?;
         }
         tallies.push(tally);

@@ -97,7 +97,6 @@ pub use messages::{
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use opening::map as map_among;
 pub use order::{Order, Reads, Urgency, VariantOrder, WorkerRole};
-pub use passage::Passage;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use prepare::PrepareMapOrder;
 pub use programs::{Abilities, Begin, Program};

@@ -24,12 +24,9 @@ fn flown() -> (Arc<pilotage_core::flight::Flight>, Run) {
     let flight = Arc::new(made.flight);
     let settings = &mission.navigator;
     let navigator = Navigator::new(Arc::clone(&flight), &mission.landmarks, map, settings);
-    let mut navigator = navigator.unwrap().sparing();
-    let mut run = navigator.run_head();
-    while let Some(step) = navigator.advance(&mut made.frames, &|| 0.0) {
-        run.steps.push(step.unwrap());
-    }
-    (flight, run)
+    let navigator = navigator.unwrap().sparing();
+    let run = navigator.fly(&mut made.frames, &|| 0.0);
+    (flight, run.unwrap())
 }
 
 /// Mean of the normalised squared errors; 2 if the covariances are honest.

@@ -67,12 +67,8 @@ fn navigate(
     settings: &NavigatorSettings,
 ) -> Run {
     let flight = Arc::clone(&flown.flight);
-    let mut navigator = Navigator::new(flight, landmarks, Arc::clone(map), settings).unwrap();
-    let mut run = navigator.run_head();
-    while let Some(step) = navigator.advance(&mut flown.frames, &|| 0.0) {
-        run.steps.push(step.unwrap());
-    }
-    run
+    let navigator = Navigator::new(flight, landmarks, Arc::clone(map), settings).unwrap();
+    navigator.fly(&mut flown.frames, &|| 0.0).unwrap()
 }
 
 /// Error of the position after a step, metres north and east.

@@ -6,7 +6,7 @@ use nalgebra::{Matrix4, Vector2, Vector4};
 
 use pilotage_core::frames::Pose;
 use pilotage_core::landmark::{Detector, FrameView, SearchRequest, Sighting};
-use pilotage_core::navigator::{Navigator, Run, StepReport};
+use pilotage_core::navigator::{Navigator, StepReport};
 use pilotage_core::plan::{
     DetectionStatistics, ExpectedDetection, PlannedLandmark, StatedDetector, as_stated,
 };
@@ -69,13 +69,11 @@ fn flown(seed: u64, wrong: Wrong, start: f64) -> (f64, Vec<f64>) {
         .collect();
     let (inner, mut frames) = as_stated(&flight, &planned, seed).expect("a truth");
     let detector = Box::new(Misled { inner, wrong });
-    let mut navigator =
+    let navigator =
         Navigator::with_detector(Arc::clone(&flight), &mission.landmarks, detector, &settings)
             .expect("the flight has what it takes");
-    let mut run: Run = navigator.run_head();
-    while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
-        run.steps.push(step.expect("the filter goes on"));
-    }
+    let run = navigator.fly(&mut frames, &|| 0.0);
+    let run = run.expect("the filter goes on");
     let truth = flight.truth.as_ref().expect("a truth");
     let error = |step: &StepReport| {
         let true_place = truth.position(step.time).expect("a place").xy();

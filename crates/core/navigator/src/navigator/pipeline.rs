@@ -111,11 +111,8 @@ impl Navigator {
     ///
     /// // 20 m/s towards the east for ten seconds, without pictures, in a wind of 4 m/s or so.
     /// let settings = NavigatorSettings::default();
-    /// let mut navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), &settings)?;
-    /// let mut run = navigator.run_head();
-    /// while let Some(step) = navigator.advance(&mut NoPictures, &|| 0.0) {
-    ///     run.steps.push(step?);
-    /// }
+    /// let navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), &settings)?;
+    /// let run = navigator.fly(&mut NoPictures, &|| 0.0)?;
     /// let last = run.step_at(10.0).ok_or("no step")?;
     /// assert!(last.after.position().distance(&GroundPoint::new(0.0, 200.0)) < 1.0);
     /// assert!((40.0..44.0).contains(&last.after.greatest_variance().sqrt()));
@@ -261,6 +258,24 @@ impl Navigator {
             time: tick.time,
             cause,
         }))
+    }
+
+    /// Takes all steps that are left; the run of them.
+    ///
+    /// `stopwatch` gives milliseconds of any clock that never goes back.
+    ///
+    /// # Errors
+    /// A step that the filter cannot take.
+    pub fn fly(
+        mut self,
+        frames: &mut dyn FrameSource,
+        stopwatch: &dyn Fn() -> f64,
+    ) -> Result<Run, NavigatorError> {
+        let mut run = self.run_head();
+        while let Some(step) = self.advance(frames, stopwatch) {
+            run.steps.push(step?);
+        }
+        Ok(run)
     }
 
     fn step(

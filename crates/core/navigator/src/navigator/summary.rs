@@ -196,11 +196,8 @@ fn figures(consistency: &Consistency) -> Option<ConsistencyFigures> {
 /// # };
 /// # let flight = Arc::new(flight);
 /// # let settings = NavigatorSettings::default();
-/// # let mut navigator = Navigator::new(Arc::clone(&flight), &[], Arc::new(Blank), &settings)?;
-/// # let mut run = navigator.run_head();
-/// # while let Some(step) = navigator.advance(&mut NoPictures, &|| 0.0) {
-/// #     run.steps.push(step?);
-/// # }
+/// # let navigator = Navigator::new(Arc::clone(&flight), &[], Arc::new(Blank), &settings)?;
+/// # let run = navigator.fly(&mut NoPictures, &|| 0.0)?;
 ///
 /// // Ten seconds without a picture in a wind of 2 m/s that nobody told.
 /// let summary = summarize(&flight, &run, None);
