@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::{
-    GeoTiff, GeoTiffFile, Georeference, Imagery, MapMemory, MemoryBytes, Window, WorldFile,
+    GeoTiff, GeoTiffError, GeoTiffFile, Georeference, Imagery, MapMemory, MemoryBytes, Window,
+    WorldFile,
 };
 use pilotage_core::raster::{Picture, decode_picture};
 
@@ -12,15 +13,17 @@ use pilotage_core::raster::{Picture, decode_picture};
 ///
 /// # Errors
 /// A file that is none of the three, or damaged.
-pub fn decode_photo(name: &str, bytes: &[u8]) -> Result<Picture, Box<dyn std::error::Error>> {
+pub fn decode_photo(name: &str, bytes: &[u8]) -> Result<Picture, String> {
     if !(bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*")) {
-        return Ok(decode_picture(bytes)?);
+        return decode_picture(bytes).map_err(|e| e.to_string());
     }
+    let told = |e: GeoTiffError| e.to_string();
     let place = Georeference::Metres(WorldFile::of_pixels());
-    let file = GeoTiffFile::put(Arc::new(MemoryBytes::new(name, bytes.to_vec())), place)?;
+    let file = GeoTiffFile::put(Arc::new(MemoryBytes::new(name, bytes.to_vec())), place);
+    let file = file.map_err(told)?;
     let (width, height) = (file.tiff.levels()[0].width, file.tiff.levels()[0].height);
     let frame = LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0));
-    let map = GeoTiff::new(file, &frame, MapMemory::default())?;
+    let map = GeoTiff::new(file, &frame, MapMemory::default()).map_err(told)?;
     let picture = map.window(&Window {
         north_edge: 0.0,
         west_edge: 0.0,
@@ -29,7 +32,7 @@ pub fn decode_photo(name: &str, bytes: &[u8]) -> Result<Picture, Box<dyn std::er
         height,
     });
     match map.problems().first() {
-        Some(problem) => Err(problem.clone().into()),
+        Some(problem) => Err(problem.clone()),
         None => Ok(picture.map(|[r, g, b, _]| [r, g, b])),
     }
 }

@@ -2,22 +2,24 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
 
 use pilotage_core::filter::probability_words;
 use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
-use pilotage_core::imagery::{CachedImagery, Imagery};
-use pilotage_core::mission::OpenMap;
+use pilotage_core::imagery::Imagery;
 use pilotage_core::raster::encode_png;
 use pilotage_core::registration::{RegistrationMethod, overlay};
+use pilotage_jobs::{JobEvent, LayPhotos, PhotoReport, PhotosOrder, VariantOrder};
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, DiskFile, MAP_CACHE};
+use crate::files::{DirectoryFiles, DiskFile, MAP_CACHE, open_map_with_frame, write_whole};
 use crate::numbers::numbers;
 use crate::photo_picture::decode_photo;
+use crate::workers::{self, Lent};
 
+/// Key of the photos among the files of workers.
+const PHOTOS: &str = "photos";
 /// Pixels across the picture of `--overlay`.
 const ACROSS: usize = 1200;
 
@@ -118,15 +120,45 @@ struct PlacedMap {
 /// Lays every photo.
 pub fn run(arguments: &Arguments) -> CommandResult {
     let search = arguments.search()?;
-    let ground = PlacedMap::open(&arguments.map)?;
-    let mut answers = Vec::new();
+    let (map, world) = open_map_with_frame(&arguments.map, MAP_CACHE)?;
+    let ground = PlacedMap { map, world };
+    let mut orders = Vec::new();
     for path in &arguments.photos {
-        let answer = answer(arguments, &search, &ground, path)?;
-        if !arguments.json {
-            print(&answer);
-        }
-        answers.push(answer);
+        // What is not there at all is said before the work begins.
+        photo_file(path)?;
+        let order = PhotosOrder {
+            key: PHOTOS.to_owned(),
+            names: vec![path.to_string_lossy().into_owned()],
+            map: Lent::map_of_file(),
+            origin: ground.world.map(|world| world.origin),
+            ground: ground.map.bounds(),
+            search,
+        };
+        let begin = |order| Box::new(LayPhotos::new(order, decode_photo)) as _;
+        orders.push(VariantOrder::new(order, begin));
     }
+    let lent = Lent::default()
+        .with_map(Lent::map_of_file(), Arc::clone(&ground.map))
+        .with_files(PHOTOS, Arc::new(DirectoryFiles::anywhere()));
+    let mut answers = Vec::new();
+    workers::run(orders, &lent, &mut |number, event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::PhotoRegistered(report) => {
+                let path = &arguments.photos[number];
+                if let (Ok(laid), Some(folder)) = (&report.answer.laid, &arguments.overlay) {
+                    draw(folder, path, &search, &ground, laid).map_err(|e| e.to_string())?;
+                }
+                let answer = answer(path, *report, &ground);
+                if !arguments.json {
+                    print(&answer);
+                }
+                answers.push(answer);
+            }
+            _ => {}
+        }
+        Ok(())
+    })?;
     if arguments.json {
         println!("{}", serde_json::to_string_pretty(&answers)?);
     } else if answers.len() > 1 {
@@ -137,17 +169,6 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 }
 
 impl PlacedMap {
-    fn open(path: &Path) -> Result<Self, Box<dyn std::error::Error>> {
-        let directory = DirectoryFiles::around(path)?;
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let map: OpenMap = pilotage_core::mission::open_map(&directory, &name, None)?;
-        let world = map.frame().copied();
-        Ok(Self {
-            map: Arc::new(CachedImagery::new(Arc::new(map), MAP_CACHE)),
-            world,
-        })
-    }
-
     fn lat_lon(&self, ground: GroundPoint) -> Option<[f64; 2]> {
         let at = self.world.as_ref()?.geodetic_from_ground(&ground);
         Some([at.latitude.to_degrees(), at.longitude.to_degrees()])
@@ -171,38 +192,43 @@ impl Arguments {
     }
 }
 
-fn answer(
-    arguments: &Arguments,
+/// The photo at a path, called by it in messages.
+fn photo_file(path: &Path) -> Result<DiskFile, String> {
+    let file = DiskFile::open(path, &path.to_string_lossy());
+    file.map_err(|e| format!("{}: {e}", path.display()))
+}
+
+/// Writes the picture of a photo that was laid, in a chequerboard with the map.
+fn draw(
+    folder: &Path,
+    path: &Path,
     search: &PhotoSearch,
     ground: &PlacedMap,
-    path: &Path,
-) -> Result<PhotoResult, Box<dyn std::error::Error>> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let told = |cause: &dyn std::fmt::Display| format!("{}: {cause}", path.display());
-    let file = DiskFile::open(path, &name).map_err(|e| told(&e))?;
-    let bytes = std::fs::read(path).map_err(|e| told(&e))?;
-    let picture = decode_photo(&name, &bytes).map_err(|e| told(&e))?;
-    let bounds = ground.map.bounds();
-    let photo = PhotoLook::new(&file, picture, search, ground.world.as_ref(), &bounds);
-    let begun = Instant::now();
-    let (said, found) = photo.lay(ground.map.as_ref());
-    let seconds = begun.elapsed().as_secs_f64();
-    if let (Some(found), Some(folder)) = (&found, &arguments.overlay) {
+    laid: &RegisteredPhoto,
+) -> CommandResult {
+    let (file, bounds) = (photo_file(path)?, ground.map.bounds());
+    let photo = PhotoLook::read(&file, decode_photo, search, ground.world.as_ref(), &bounds)?;
+    let look = photo.over(ground.map.as_ref());
+    if let Some(picture) = overlay(&look, &laid.at, laid.stored_turn, ACROSS) {
         std::fs::create_dir_all(folder)?;
-        if let Some(picture) = overlay(&photo.over(ground.map.as_ref()), found, ACROSS) {
-            let target = folder.join(Path::new(&*name).with_extension("png"));
-            std::fs::write(&target, encode_png(&picture)?)
-                .map_err(|e| format!("{}: {e}", target.display()))?;
-        }
+        let name = path.with_extension("png");
+        let target = folder.join(name.file_name().unwrap_or_default());
+        write_whole(&target, encode_png(&picture)?)?;
     }
-    Ok(PhotoResult {
-        photo: name.into_owned(),
-        seconds,
+    Ok(())
+}
+
+fn answer(path: &Path, report: PhotoReport, ground: &PlacedMap) -> PhotoResult {
+    let name = path.file_name().unwrap_or_default();
+    let said = report.answer;
+    PhotoResult {
+        photo: name.to_string_lossy().into_owned(),
+        seconds: 1e-3 * report.computed,
         assumed: said.assumed,
         probability: said.probability,
         refused: said.laid.as_ref().err().cloned(),
         laid: said.laid.ok().map(|photo| laid(ground, &photo)),
-    })
+    }
 }
 
 fn lat_lon(text: &str) -> Result<Geodetic, String> {

@@ -6,6 +6,7 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::{Flight, FolderFrames};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::simulate::FlightDay;
@@ -23,6 +24,8 @@ const KEY: &str = "files";
 pub struct Lent {
     /// Opened maps, by the source that orders name.
     maps: Vec<(MapSource, Arc<dyn Imagery>)>,
+    /// Files, with the key by which orders name them.
+    files: Option<(&'static str, Arc<dyn FileSet>)>,
     /// A flight, with its pictures if it has any.
     flight: Option<(Arc<Flight>, Option<FolderFrames>)>,
     /// Generated ground as cameras see it.
@@ -47,6 +50,13 @@ impl Lent {
         self
     }
 
+    /// With files that orders name by that key.
+    #[must_use]
+    pub fn with_files(mut self, key: &'static str, files: Arc<dyn FileSet>) -> Self {
+        self.files = Some((key, files));
+        self
+    }
+
     /// With a flight and its pictures, if it has any.
     #[must_use]
     pub fn with_flight(mut self, flight: Arc<Flight>, frames: Option<FolderFrames>) -> Self {
@@ -65,6 +75,9 @@ impl Lent {
         let mut worker = WorkerState::new(Abilities::WHOLE.opens);
         for (source, map) in &self.maps {
             worker.insert_map(source, Arc::clone(map));
+        }
+        if let Some((key, files)) = &self.files {
+            worker.keep_files(key, Arc::clone(files));
         }
         if let Some((day, seen)) = &self.seen {
             worker.show_ground(*day, Arc::clone(seen));

@@ -97,6 +97,7 @@ pub use messages::{
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use opening::map as map_among;
 pub use order::{Order, Reads, Urgency, VariantOrder, WorkerRole};
+pub use photos::LayPhotos;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use prepare::PrepareMapOrder;
 pub use programs::{Abilities, Begin, Program};

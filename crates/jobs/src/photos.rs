@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::photo::PhotoLook;
+use pilotage_core::flight::photo::{DecodePhoto, PhotoAnswer, PhotoLook};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{Blank, Imagery};
+use pilotage_core::raster::{Picture, decode_picture};
 use pilotage_core::registration::{Draped, drape};
 
 use super::order::{Order, Reads, Urgency, WorkerRole};
@@ -13,7 +14,6 @@ use super::running::once;
 use super::{
     Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, WorkerState,
 };
-use pilotage_core::flight::photo::PhotoAnswer;
 
 /// Pixels along the longer side of a photo that is shown on the map.
 const SHOWN: usize = 900;
@@ -21,6 +21,7 @@ const SHOWN: usize = 900;
 /// Photos being laid: events `Progress` and `PhotoRegistered`.
 pub struct LayPhotos {
     order: PhotosOrder,
+    decode: DecodePhoto,
     map: Option<Arc<dyn Imagery>>,
     /// Number of the next photo.
     next: usize,
@@ -29,10 +30,11 @@ pub struct LayPhotos {
 }
 
 impl LayPhotos {
-    /// Nothing done yet.
-    pub fn new(order: PhotosOrder) -> Self {
+    /// Nothing done yet; photos are what `decode` makes of their files.
+    pub fn new(order: PhotosOrder, decode: DecodePhoto) -> Self {
         Self {
             order,
+            decode,
             map: None,
             next: 0,
             read: None,
@@ -79,7 +81,7 @@ impl RunningJob for LayPhotos {
         self.map = Some(Arc::clone(&map));
         if let Some(photo) = self.read.take() {
             let begun = clock();
-            let (answer, _) = photo.lay(map.as_ref());
+            let answer = photo.lay(map.as_ref());
             return Ok(self.tell(answer, clock() - begun, emit));
         }
         let count = order.names.len();
@@ -94,6 +96,7 @@ impl RunningJob for LayPhotos {
             .and_then(|source| {
                 PhotoLook::read(
                     source.as_ref(),
+                    self.decode,
                     &order.search,
                     world.as_ref(),
                     &order.ground,
@@ -116,13 +119,18 @@ impl RunningJob for LayPhotos {
     }
 }
 
+/// The colours of a JPEG or PNG file.
+fn decode(_: &str, bytes: &[u8]) -> Result<Picture, String> {
+    decode_picture(bytes).map_err(|cause| cause.to_string())
+}
+
 /// A laid photo on the map in its own colours.
 pub fn draped(files: &dyn FileSet, order: &DrapeOrder) -> Result<Draped, String> {
     let name = &order.name;
     let source = files.source(name);
     let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
     let nowhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
-    let photo = PhotoLook::read(source.as_ref(), &order.search, None, &nowhere)?;
+    let photo = PhotoLook::read(source.as_ref(), decode, &order.search, None, &nowhere)?;
     let laid = &order.laid;
     let look = photo.over(&Blank);
     let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);
@@ -146,7 +154,7 @@ impl Order for PhotosOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(LayPhotos::new(self))
+        Box::new(LayPhotos::new(self, decode))
     }
 }
 

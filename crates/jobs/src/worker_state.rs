@@ -178,6 +178,11 @@ impl WorkerState {
         self.files.insert(key, pool);
     }
 
+    /// Keeps files that the host has opened itself under a key.
+    pub fn keep_files(&mut self, key: &str, files: Arc<dyn FileSet>) {
+        self.files.insert(key.to_owned(), Ok(files));
+    }
+
     /// Lets go of all files but those under the keys `in_use`, and of what was made of them.
     pub fn let_go(&mut self, in_use: &BTreeSet<String>) {
         let is_used = |source: &MapSource| source.key().is_none_or(|key| in_use.contains(key));

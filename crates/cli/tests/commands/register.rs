@@ -6,8 +6,11 @@
 
 use std::process::{Command, Output};
 
+use pilotage_core::raster::{Picture, encode_png};
 use pilotage_tests::data::shared;
 use serde_json::Value;
+
+use super::folder::Folder;
 
 fn register(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_pilotage"))
@@ -65,4 +68,30 @@ fn a_photo_is_laid_anywhere_on_a_map_of_another_date_or_refused_with_a_reason() 
         !said.status.success() && text.contains("--at: \"somewhere\""),
         "{text}"
     );
+}
+
+/// A photo that cannot be read keeps no other from being laid; one that is not there at all does.
+#[test]
+fn photos_that_cannot_be_read_are_told_in_their_order_and_lost_ones_before_the_work() {
+    let folder = Folder::new("register-broken");
+    let map = Picture::from_fn(200, 100, |x, y| [x as u8, y as u8, 90]);
+    folder.write("map.png", encode_png(&map).unwrap());
+    folder.write("map.pgw", "0.5\n0\n0\n-0.5\n0.25\n-0.25\n");
+    folder.write("broken.jpg", b"no picture");
+    let grey = Picture::filled(40, 30, [90; 3]);
+    folder.write("grey.png", encode_png(&grey).unwrap());
+    let of = |photos: &[&str]| {
+        let known = ["--height", "20", "--heading", "0", "--focal", "40"];
+        folder.run(&[&["register", "map.png"], photos, &known].concat())
+    };
+    let said = of(&["grey.png", "broken.jpg", "grey.png"]).unwrap();
+    let names: Vec<&str> = (said.lines())
+        .filter(|line| !line.starts_with(' '))
+        .filter_map(|line| line.split_once(" (").map(|(name, _)| name))
+        .collect();
+    assert_eq!(names, ["grey.png", "broken.jpg", "grey.png"], "{said}");
+    assert!(said.contains("not laid: broken.jpg: "), "{said}");
+    assert!(said.contains("0 of 3 photos were laid"), "{said}");
+    let lost = of(&["grey.png", "lost.jpg"]).unwrap_err();
+    assert!(lost.contains("lost.jpg: "), "{lost}");
 }

@@ -9,7 +9,7 @@ use pilotage_base::bytes::ByteSource;
 use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, Pose};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
-use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid, decode_picture};
+use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 use pilotage_vision::registration::{
     FrameLook, MapPose, NotRegistered, PosePrior, Registration, RegistrationMethod, outline,
     register,
@@ -64,13 +64,18 @@ pub struct RegisteredPhoto {
     pub outline: Vec<GroundPoint>,
 }
 
+/// Decoder of a photo's file, by its name and its bytes; the error says in words why it cannot.
+pub type DecodePhoto = fn(&str, &[u8]) -> Result<Picture, String>;
+
 impl PhotoLook {
-    /// The same of a JPEG or PNG file, decoded.
+    /// Reads a photo, and gathers of it what its file tells and what is known better. The map lies in `world` on the
+    /// globe; a photo of which no place is known is searched all over `ground`.
     ///
     /// # Errors
     /// The picture cannot be read or decoded, in words that name it.
     pub fn read(
         source: &dyn ByteSource,
+        decode: DecodePhoto,
         search: &PhotoSearch,
         world: Option<&LocalFrame>,
         ground: &GroundRect,
@@ -78,19 +83,7 @@ impl PhotoLook {
         let told = |cause: &dyn std::fmt::Display| format!("{}: {cause}", source.name());
         let bytes = source.read(0, source.length() as usize);
         let bytes = bytes.map_err(|cause| told(&cause))?;
-        let picture = decode_picture(&bytes).map_err(|cause| told(&cause))?;
-        Ok(Self::new(source, picture, search, world, ground))
-    }
-
-    /// Gathers of a photo what its file tells and what is known better; `picture` is what the file holds. The map lies in
-    /// `world` on the globe; a photo of which no place is known is searched all over `ground`.
-    pub fn new(
-        source: &dyn ByteSource,
-        picture: Picture,
-        search: &PhotoSearch,
-        world: Option<&LocalFrame>,
-        ground: &GroundRect,
-    ) -> Self {
+        let picture = decode(source.name(), &bytes).map_err(|cause| told(&cause))?;
         // What is neither JPEG nor TIFF says nothing of itself.
         let photo = Photo {
             width: picture.width(),
@@ -100,13 +93,13 @@ impl PhotoLook {
         let mut assumed = Vec::new();
         let camera = search.camera(&photo, &mut assumed);
         let prior = search.prior(&photo, world, ground, &mut assumed);
-        Self {
+        Ok(Self {
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
             picture,
             camera,
             prior,
             assumed,
-        }
+        })
     }
 
     /// The photo over `map`, whose ground is level at zero.
@@ -119,22 +112,21 @@ impl PhotoLook {
         }
     }
 
-    /// Lays it on `map`; beside the answer, all that is known of where it lies.
-    pub fn lay(&self, map: &dyn Imagery) -> (PhotoAnswer, Option<Registration>) {
+    /// Lays it on `map`.
+    pub fn lay(&self, map: &dyn Imagery) -> PhotoAnswer {
         let look = self.over(map);
         let found = register(&look, &self.prior);
         let probability = found
             .as_ref()
             .map_or_else(NotRegistered::probability, |found| found.probability);
-        let answer = PhotoAnswer {
+        PhotoAnswer {
             assumed: self.assumed.clone(),
             probability,
             laid: match &found {
                 Ok(found) => Ok(RegisteredPhoto::of(&look, found)),
                 Err(cause) => Err(cause.to_string()),
             },
-        };
-        (answer, found.ok())
+        }
     }
 }
 

@@ -27,7 +27,7 @@ mod xmp;
 
 pub use camera::focal_in_pixels;
 pub use flight::{photos_lack, read_photos};
-pub use laying::{PhotoAnswer, PhotoLook, RegisteredPhoto};
+pub use laying::{DecodePhoto, PhotoAnswer, PhotoLook, RegisteredPhoto};
 pub use pose::{PhotoPose, photo_pose};
 pub use read::{Photo, PhotoError, PhotoPlace, read_photo};
 pub use search::PhotoSearch;
