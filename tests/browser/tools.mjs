@@ -97,8 +97,14 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
       await tools.click(called.toSorted((a, b) => b.rect[0] - a.rect[0])[0]);
     },
 
-    /** Waits until what was done is drawn: one frame takes it in, the next shows it. */
-    drawn: () => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); })),
+    /** Waits until what was done is drawn: one frame takes it in, the next shows it; keys that came together take one
+     * frame each. */
+    async drawn() {
+      for (let frames = 0; frames < 100; frames += 1) {
+        await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+        if (!(await page.evaluate(() => window.app && JSON.parse(window.app.state()).input_waits))) return;
+      }
+    },
 
     /** Clicks the middle of a node, once it has come to rest: what stands above it may just have grown. */
     async click(node) {

@@ -177,6 +177,8 @@ pub struct App {
     /// Table of all commands, the features' among them.
     catalog: Vec<CommandEntry>,
     commands: Vec<Command>,
+    /// Whether keys and clicks of a slow frame wait for the next one.
+    input_waits: bool,
     started: bool,
     /// Generation and source of the flight for which everything here is.
     followed: (u64, FlightSource),
@@ -199,6 +201,7 @@ impl App {
         }
         self.receive(ui.ctx(), host);
         self.tick(now);
+        self.input_waits = ShortcutListener::waits(ui.ctx());
         let mut commands = ShortcutListener::take(ui.ctx());
         commands.append(&mut self.commands);
         self.escape_from_span(ui.ctx(), &mut commands);

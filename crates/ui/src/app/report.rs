@@ -212,6 +212,7 @@ impl App {
                 object!({"done": d.done, "all": d.all, "failed": d.failed, "over": d.over})
             }),
             "toasts": toasts,
+            "input_waits": self.input_waits,
             "dialogs": object!({
                 "palette": self.dialogs.palette.is_open(),
                 "help": self.dialogs.help,

@@ -64,6 +64,7 @@ impl App {
             jobs: PendingJobs::default(),
             exports: crate::exports::Exports::default(),
             commands: Vec::new(),
+            input_waits: false,
             started: false,
             owners: Vec::new(),
             catalog,

@@ -37,6 +37,12 @@ impl ShortcutListener {
             .unwrap_or_default()
     }
 
+    /// Whether keys or clicks wait for the next frame.
+    pub fn waits(context: &Context) -> bool {
+        let waits = context.with_plugin(|listener: &mut Self| !listener.waiting.is_empty());
+        waits.unwrap_or_default()
+    }
+
     /// Says whether letters belong to a dialog, even before its field has the keyboard.
     pub fn hold(context: &Context, held: bool) {
         context.with_plugin(|listener: &mut Self| listener.held = held);
