@@ -61,7 +61,7 @@ export async function run(page, tools) {
   const laid = await tools.waitFor((s) => done(s) || s.toasts.some((t) => t.trouble), "the photos to be laid", 200_000);
   const trouble = laid.toasts.find((t) => t.trouble);
   tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
-  tools.check(laid.side_tab === "Photos", laid.side_tab);
+  tools.check(laid.side_tab === "photos", laid.side_tab);
   for (const row of laid.photos.rows) {
     tools.check(row.place !== null, `${row.name}: ${row.refused}`);
     const error = metres(row.place, middle(rows.get(row.name)));

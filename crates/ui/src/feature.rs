@@ -4,6 +4,7 @@
 use egui::{Rect, Ui};
 use pilotage_core::exchange::FlownValues;
 use pilotage_core::flight::overview::Finding;
+use pilotage_core::frames::GroundRect;
 use pilotage_core::mission::Mission;
 use pilotage_jobs::{Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenedFiles};
 use serde_json::Value;
@@ -489,5 +490,34 @@ pub trait Feature {
     /// Times of what its panel drew last, if it draws what belongs to the cursor.
     fn drawn(&self) -> Option<DrawnTimes> {
         None
+    }
+
+    /// Takes note that people asked for its panel, which is shown from now on.
+    fn on_shown(&mut self, _context: &mut FeatureContext<'_>) {}
+
+    /// Looks at what files turned out to hold before anything of it is opened; true if all of it is its own.
+    fn take_first(
+        &mut self,
+        _set: &OpenedSet,
+        _opened: &mut OpenedFiles,
+        _context: &mut FeatureContext<'_>,
+    ) -> bool {
+        false
+    }
+
+    /// Whether its panel is about something else than the flight, which neither plays unasked nor is plotted unasked
+    /// while that is shown.
+    fn leaves_flight_aside(&self) -> bool {
+        false
+    }
+
+    /// Ground to which the map is fitted in the place of the flight's while its panel is shown.
+    fn ground(&self) -> Option<GroundRect> {
+        None
+    }
+
+    /// Whether people see by it what to do with what is open, and need no advice.
+    fn needs_no_advice(&self) -> bool {
+        false
     }
 }

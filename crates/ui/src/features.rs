@@ -8,13 +8,15 @@ use crate::labelling::Labelling;
 use crate::log::LogFeature;
 use crate::matches::MatchFeature;
 use crate::outage::Outages;
-use crate::photos;
+use crate::photos::PhotosFeature;
 use crate::plan::Planner;
 use crate::shell::catalog::{self, CommandEntry};
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
+        // First, for what the others draw lies over photos.
+        Box::new(PhotosFeature::default()),
         Box::new(Labelling::default()),
         Box::new(MatchFeature::default()),
         Box::new(DetectorFeature::default()),
@@ -29,7 +31,6 @@ pub fn all() -> Vec<Box<dyn Feature>> {
 /// Table of all commands: the app's own, then those of its parts.
 pub fn catalog(features: &[Box<dyn Feature>]) -> Vec<CommandEntry> {
     let mut entries = catalog::catalog();
-    entries.extend(photos::commands());
     entries.extend(features.iter().flat_map(|it| (it.info().commands)()));
     entries
 }

@@ -20,7 +20,7 @@ pub(super) fn advice(
     if view.advice_dismissed || view.workspace == Workspace::Learn {
         return None;
     }
-    if documents.log.is_some() || documents.photos.sought.is_some() {
+    if documents.log.is_some() {
         return None;
     }
     let text = if documents.run.is_some() {

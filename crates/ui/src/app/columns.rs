@@ -5,17 +5,17 @@ use pilotage_core::text::capitalised;
 use serde_json::{Value, json};
 
 use super::App;
-use super::pending_jobs::Opening;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
 use crate::documents::kept::{provide, put_beside};
 use crate::documents::with_origin;
 use crate::feature::FlightFiles;
+use crate::feature::OpenedSet;
 use crate::host::Host;
 use pilotage_jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, MakeFlightOrder, write_columns};
 
 impl App {
     /// Asks what the columns of tables mean.
-    pub(super) fn ask_for_columns(&mut self, opening: &Opening, tables: Vec<GuessedTable>) {
+    pub(super) fn ask_for_columns(&mut self, opening: &OpenedSet, tables: Vec<GuessedTable>) {
         let mut files = opening.files.clone();
         files.retain(|file| file.path != COLUMNS_FILE);
         let draft = ColumnsDraft::new(opening.key.clone(), opening.name.clone(), files, tables);

@@ -227,7 +227,6 @@ impl App {
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.jobs.fly.is_none() => {
                 let _ = self.stop_features(egui, host)
-                    || self.stop_laying(host)
                     || self.stop_opening(host)
                     || self.stop_preparing(host);
             }

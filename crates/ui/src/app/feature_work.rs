@@ -6,12 +6,11 @@ use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::documents::Session;
 use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureId, FeaturePlace, FeatureWishes, FlightFiles,
-    FlightWish,
+    FlightWish, OpenedSet,
 };
 use crate::feature_command::Show;
 use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
-use crate::photos::PhotosCommand;
 use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource, OpenedFiles};
 
 impl App {
@@ -185,7 +184,11 @@ impl App {
         if let Some(index) = self.feature(command.to()) {
             if command.action::<Show>().is_some() {
                 let place = self.views.features[index].info().place;
-                return self.show_feature(command.to(), place);
+                self.show_feature(command.to(), place);
+                self.with_feature(index, egui, host, &mut |feature, context| {
+                    feature.on_shown(context);
+                });
+                return;
             }
             self.with_feature(index, egui, host, &mut |feature, context| {
                 is_done = feature.execute(command, context);
@@ -201,9 +204,7 @@ impl App {
 
     /// Carries out a command of those parts that are no features; whether it was one.
     fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
-        if let Some(command) = command.action::<PhotosCommand>() {
-            self.photos(command.clone(), host);
-        } else if let Some(command) = command.action::<WebMapCommand>() {
+        if let Some(command) = command.action::<WebMapCommand>() {
             self.web_map(command.clone(), host);
         } else if let Some(command) = command.action::<ColumnsCommand>() {
             self.columns(*command, host);
@@ -315,5 +316,20 @@ impl App {
     pub(super) fn progress(&self) -> Option<(f32, &str)> {
         let mut features = self.views.features.iter();
         self.jobs.progress(features.find_map(|it| it.progress()))
+    }
+
+    /// Lets every feature look at what files turned out to hold; whether one took all of it.
+    pub(super) fn is_taken_first(
+        &mut self,
+        set: &OpenedSet,
+        opened: &mut OpenedFiles,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) -> bool {
+        let mut is_done = false;
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            is_done = is_done || feature.take_first(set, opened, context);
+        });
+        is_done
     }
 }

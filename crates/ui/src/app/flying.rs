@@ -4,6 +4,7 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 
 use super::App;
 use super::pending_jobs::ShownFlight;
+use crate::feature::Feature;
 use crate::host::Host;
 use crate::map::MapLayer;
 use pilotage_jobs::{FlightSource, JobEvent, MapSource};
@@ -151,7 +152,7 @@ impl App {
         if let Some((first, _)) = self.documents.span() {
             self.playback.time = first;
         }
-        self.playback.playing = !self.is_flight_hidden() && !self.shows_photos();
+        self.playback.playing = !self.is_flight_hidden() && !self.is_flight_aside();
         self.views.map.is_placed = false;
         // All of a recorded flight is shown at once, and all of a small world.
         let is_whole = match &self.documents.flight_source {
@@ -176,7 +177,8 @@ impl App {
 
     /// Shows all of the flight and, unless it is far larger, all of the map.
     pub(super) fn fit_to_flight_and_map(&mut self) {
-        if self.fit_to_photo() {
+        if let Some(ground) = self.shown_feature().and_then(Feature::ground) {
+            self.views.map.fit(ground);
             return;
         }
         let Some(flight) = self.flight_ground() else {

@@ -1,9 +1,9 @@
 //! A picture put on the ground: its jobs, its files, and what becomes of it.
 
 use super::App;
-use super::pending_jobs::Opening;
 use super::work::TILES_AT_A_TIME;
 use crate::documents::kept::provide;
+use crate::feature::OpenedSet;
 use crate::georeference::{GeoreferenceCommand, Georeferencer, NamedPlace};
 use crate::host::{Host, OpenedFile};
 use pilotage_jobs::{
@@ -26,7 +26,7 @@ impl App {
     pub(super) fn begin_georeferencing(
         &mut self,
         host: &mut dyn Host,
-        opening: &Opening,
+        opening: &OpenedSet,
         unplaced: Unplaced,
     ) {
         self.stop_georeferencing(host);

@@ -7,7 +7,7 @@ use super::App;
 use super::columns::sentences;
 use super::pending_jobs::Opening;
 use crate::documents::kept::provide;
-use crate::feature::FlightFiles;
+use crate::feature::{FlightFiles, OpenedSet};
 use crate::host::{Host, OpenedFile};
 use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, OpenedFiles};
 
@@ -54,9 +54,11 @@ impl App {
         }));
         let opening = Opening {
             words: format!("Opening {name}"),
-            key,
-            name,
-            files: batch,
+            set: OpenedSet {
+                key,
+                name,
+                files: batch,
+            },
         };
         self.jobs.opening.insert(id, opening);
     }
@@ -68,7 +70,6 @@ impl App {
             .frame_pictures
             .receive(id, &event, &mut self.views.camera)
             || self.exports.receive(id, &event, host, &mut self.toasts)
-            || self.photos_event(host, id, &event)
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(context, host, event);
@@ -111,11 +112,11 @@ impl App {
         match event {
             JobEvent::Opened(opened) => {
                 if let Some(opening) = self.jobs.opening.remove(&id) {
-                    self.take_opened(context, host, &opening, *opened);
+                    self.take_opened(context, host, &opening.set, *opened);
                 }
             }
             JobEvent::Failed(why) => {
-                let name = self.jobs.opening.remove(&id).map(|o| o.name);
+                let name = self.jobs.opening.remove(&id).map(|o| o.set.name);
                 let title = format!("{} was not opened", name.unwrap_or_default());
                 let text = format!("{why} Everything open stays as it was.");
                 self.toasts.trouble(now, title, text);
@@ -140,15 +141,18 @@ impl App {
         &mut self,
         context: &egui::Context,
         host: &mut dyn Host,
-        opening: &Opening,
-        opened: OpenedFiles,
+        opening: &OpenedSet,
+        mut opened: OpenedFiles,
     ) {
         let now = host.now();
+        if self.is_taken_first(opening, &mut opened, context, host) {
+            return;
+        }
         let OpenedFiles {
-            key: _,
+            key,
             flight,
             log,
-            map,
+            mut map,
             terrain,
             mission,
             run,
@@ -160,15 +164,14 @@ impl App {
             beside,
             remarks,
         } = opened;
-        let is_for_map = self.shows_photos() && self.documents.has_real_map();
-        if let Some(unplaced) = unplaced.filter(|_| !is_for_map) {
+        if let Some(unplaced) = unplaced {
             self.begin_georeferencing(host, opening, unplaced);
             return;
         }
         let mut parts = Vec::new();
-        let mut are_laid = false;
         let is_log = log.is_some();
         let has_flight = flight.is_some() || is_log;
+        let are_laid = !has_flight && !photos.is_empty();
         if has_flight || map.is_some() || terrain.is_some() {
             self.keep_files(host, &opening.key, &opening.name, &opening.files);
         }
@@ -194,24 +197,17 @@ impl App {
             let over = has_map.then_some(map_source);
             let files = FlightFiles::opened(opening.key.clone(), file, over, mission);
             self.read_flight(&files, context, host);
-        } else if let Some(flight) = flight {
+        } else if let Some(flight) = &flight {
             parts.push("a flight");
             if mission.is_some() {
                 parts.push("a mission");
             }
-            let (name, over) = (flight.name.clone(), Some(map_source.clone()));
+            let (name, over) = (flight.name.clone(), Some(map_source));
             let files = FlightFiles::opened(opening.key.clone(), name, over, mission);
             self.read_flight(&files, context, host);
-            if !photos.is_empty() {
-                self.take_photo_flight(host, files.key, photos, &flight, map_source, map.as_ref());
-            }
         } else {
-            if let Some(info) = map {
+            if let Some(info) = map.take() {
                 self.show_opened_map(host, map_source, info);
-            }
-            if !photos.is_empty() {
-                are_laid = true;
-                self.take_photos(host, opening.key.clone(), photos);
             }
             if let Some(mission) = mission {
                 parts.push("a mission");
@@ -228,6 +224,10 @@ impl App {
             self.ask_for_columns(opening, tables);
         }
         let mut left = OpenedFiles {
+            key,
+            flight,
+            map,
+            photos,
             imports,
             labels,
             ..OpenedFiles::default()

@@ -87,7 +87,7 @@ impl App {
             self.jobs
                 .opening
                 .iter()
-                .map(|(_, opening)| opening.key.clone()),
+                .map(|(_, opening)| opening.set.key.clone()),
         );
         used.extend(self.views.georeferencer.as_ref().map(|g| g.key.clone()));
         used.extend(self.dialogs.columns.key().map(str::to_owned));
@@ -99,7 +99,6 @@ impl App {
         let documents = &self.documents;
         let mut used = file_sets(&documents.flight_source, &documents.map_source);
         used.extend(documents.terrain.key());
-        used.extend(documents.photos.sought.as_ref().map(|s| s.key.as_str()));
         if let Some(fly) = &self.jobs.fly {
             used.extend(file_sets(&fly.flight, &fly.map));
         }

@@ -12,11 +12,9 @@ use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton};
 use crate::map::{MapExtra, MapTool};
-use crate::photos::PhotosState;
 use crate::shell::{TopBar, help_sheet, icon_button, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
-use crate::views::{PhotosScene, photos_sheet};
 
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;
@@ -41,14 +39,6 @@ impl Scene<'_> {
     fn has_frames(&self) -> bool {
         let flight = self.documents.flight.as_ref();
         flight.is_some_and(|flight| !flight.frames.is_empty())
-    }
-
-    /// Photos on the map, while they are looked at.
-    fn shown_photos(&self) -> Option<&PhotosState> {
-        let is_shown = *self.side_tab == SideTab::Photos;
-        let is_shown = is_shown && self.view.workspace == Workspace::Replay;
-        let photos = &self.documents.photos;
-        (is_shown && photos.lie_in(self.documents.world_origin())).then_some(photos)
     }
 
     /// Lends the documents to a view.
@@ -149,7 +139,7 @@ impl App {
 
     /// Whether plots are shown in a window of this height: as people said, else where there is room and they matter.
     pub(super) fn are_plots_open(&self, height: f32) -> bool {
-        let is_usual = height >= 760.0 && !self.shows_photos();
+        let is_usual = height >= 760.0 && !self.is_flight_aside();
         self.view.plots_open.unwrap_or(is_usual)
     }
 
@@ -493,7 +483,6 @@ fn tabbed(
         SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
         SideTab::Feature(id) => feature(ui, scene, &mut views.features, id, commands),
-        SideTab::Photos => sheet(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
     }
@@ -507,15 +496,7 @@ fn sheet(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<C
         if let Some(feature) = features.into_iter().find(|it| it.info().id == id) {
             scene.with_context(commands, |c| feature.panel(ui, c, documents));
         }
-        return;
     }
-    let frame = documents.world_origin().map(LocalFrame::new);
-    let shown = PhotosScene {
-        photos: &documents.photos,
-        has_map: documents.has_real_map() && frame.is_some(),
-        frame,
-    };
-    scene.with_context(commands, |c| photos_sheet(ui, c, &shown));
 }
 
 /// Panel of a feature.
@@ -630,11 +611,11 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 ground: &scene.documents.terrain,
                 attribution: scene.documents.attribution(),
                 layers: &layers,
-                photos: scene.shown_photos(),
             };
             scene.with_context(commands, |context| {
-                if is_flight_hidden || georeferencing || extra.photos.is_some() {
-                    // What was flown is Replay's; here lies what is to be flown, or each photo by itself.
+                let is_covered = layers.iter().any(|layer| layer.hides_flight(extra.frame));
+                if is_flight_hidden || georeferencing || is_covered {
+                    // What was flown is Replay's; here lies something else.
                     (context.run, context.ghost, context.flight) = (None, None, None);
                 }
                 map.show(ui, context, &extra, tool);
@@ -649,6 +630,9 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 }
             }
             if is_flight_hidden {
+                return;
+            }
+            if features.iter().any(|it| it.needs_no_advice()) {
                 return;
             }
             let (documents, words) = (scene.documents, scene.job_words.as_deref());

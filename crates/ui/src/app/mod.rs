@@ -18,7 +18,6 @@ mod link;
 mod maps;
 mod package;
 mod pending_jobs;
-mod photos;
 mod report;
 mod start;
 mod storage;
@@ -54,8 +53,6 @@ pub enum SideTab {
     Landmarks,
     /// Panel of a feature.
     Feature(FeatureId),
-    /// Photos laid on the map.
-    Photos,
     /// The camera picture (narrow windows only).
     #[default]
     Camera,
@@ -77,7 +74,6 @@ impl SideTab {
         match self {
             Self::Filter => "Filter",
             Self::Landmarks => "Landmarks",
-            Self::Photos => "Photos",
             Self::Camera => "Camera",
             Self::Plots => "Plots",
             Self::Feature(id) => {
@@ -94,7 +90,6 @@ impl SideTab {
 /// Whether a tab takes the whole column, without a picture and tabs.
 fn is_sheet(tab: SideTab, features: &[Box<dyn Feature>]) -> bool {
     match tab {
-        SideTab::Photos => true,
         SideTab::Feature(id) => {
             let mut infos = features.iter().map(|it| it.info());
             infos.any(|info| info.id == id && info.place == FeaturePlace::Sheet)
@@ -275,6 +270,22 @@ impl App {
     fn is_flight_hidden(&self) -> bool {
         let owner = self.views.owner(self.view.workspace);
         owner.is_some_and(Feature::hides_flight)
+    }
+
+    /// Feature whose panel is shown beside the flight, if one is.
+    fn shown_feature(&self) -> Option<&dyn Feature> {
+        let SideTab::Feature(id) = self.side_tab else {
+            return None;
+        };
+        let is_replay = self.view.workspace == Workspace::Replay;
+        let mut features = self.views.features.iter().filter(|_| is_replay);
+        features.find(|it| it.info().id == id).map(AsRef::as_ref)
+    }
+
+    /// Whether people look at something else than the flight beside it.
+    fn is_flight_aside(&self) -> bool {
+        self.shown_feature()
+            .is_some_and(Feature::leaves_flight_aside)
     }
 
     /// Whether the guided tour is on.

@@ -3,6 +3,7 @@
 use super::storage::Keeping;
 use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
+use crate::feature::OpenedSet;
 use crate::host::Download;
 use crate::host::OpenedFile;
 use crate::map::TileKey;
@@ -53,14 +54,10 @@ impl FlyJob {
 /// Files being looked at.
 #[derive(Debug)]
 pub struct Opening {
-    /// Key under which the workers have them.
-    pub key: String,
-    /// Name of the files for people.
-    pub name: String,
+    /// The files, to be kept if they are of use.
+    pub set: OpenedSet,
     /// Present activity, in words.
     pub words: String,
-    /// The files themselves, to be kept if they are of use.
-    pub files: Vec<OpenedFile>,
 }
 
 /// Everything that is being computed.
@@ -70,10 +67,6 @@ pub struct Opening {
     reason = "each is a wish of its own that waits for something"
 )]
 pub struct PendingJobs {
-    /// The photos being laid on the map.
-    pub laying: Option<JobId>,
-    /// The photo that is to be shown on the map: job, and its number.
-    pub draping: Option<(JobId, usize)>,
     /// The flight being flown.
     pub fly: Option<FlyJob>,
     /// When to fly again after a change, milliseconds of the host's clock.

@@ -2,8 +2,6 @@
 
 use crate::state_json::{object, object_of};
 use egui::Rect;
-use pilotage_core::flight::photo::RegisteredPhoto;
-use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::terrain::Terrain as _;
 use pilotage_core::navigator::{RegistrationReport, Run, StepReport};
 use serde_json::{Value, json};
@@ -70,7 +68,6 @@ impl App {
         let navigator = &documents.mission.navigator;
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
         object!({
-            "photos": self.photos_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
                 [o.latitude.to_degrees(), o.longitude.to_degrees()]
@@ -151,39 +148,6 @@ impl App {
                 "east": s.after.position().east,
                 "frame": s.frame.as_ref().map(|f| f.index),
             })),
-        })
-    }
-
-    /// Places in degrees, deviations in metres, angles in degrees.
-    fn photos_json(&self) -> Value {
-        let photos = &self.documents.photos;
-        let world = photos.sought.as_ref().and_then(|s| s.origin);
-        let row = |number: usize| {
-            let report = photos.reports[number].as_ref();
-            let laid = photos.laid(number);
-            let place = laid.zip(world).map(|(laid, origin)| {
-                let at = LocalFrame::new(origin).geodetic_from_ground(&laid.centre);
-                [at.latitude.to_degrees(), at.longitude.to_degrees()]
-            });
-            object!({
-                "name": photos.name(number),
-                "probability": report.map(|r| r.answer.probability),
-                "refused": report.and_then(|r| r.answer.laid.as_ref().err()),
-                "assumed": report.map(|r| r.answer.assumed.join("; ")),
-                "milliseconds": report.map(|r| r.computed),
-                "place": place,
-                "deviation": laid.map(RegisteredPhoto::centre_deviation),
-                "heading": laid.map(|l| l.camera.attitude.yaw.to_degrees().rem_euclid(360.0)),
-                "height": laid.map(RegisteredPhoto::height),
-            })
-        };
-        object!({
-            "rows": (0..photos.reports.len()).map(row).collect::<Vec<_>>(),
-            "at_work": photos.at_work.is_some(),
-            "trouble": photos.trouble,
-            "chosen": photos.chosen,
-            "draped": photos.draped().is_some(),
-            "within": photos.search.within,
         })
     }
 

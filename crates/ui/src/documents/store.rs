@@ -10,7 +10,6 @@ use pilotage_core::simulate::SimulationChoice;
 use super::empty_mission::empty_mission;
 use super::{Brought, FramePictures, History, LogFile, Noticed, OpenedTerrain, Session};
 use crate::context::route_of;
-use crate::photos::PhotosState;
 use crate::short_map::ShortMap;
 use crate::views::Examined;
 use pilotage_jobs::{Distinctness, FlightSource, MapInfo, MapSource};
@@ -72,8 +71,6 @@ pub struct Documents {
     pub log: Option<LogFile>,
     /// Adjustment of the camera with which the flight was flown.
     pub flown_camera: CameraAdjustment,
-    /// Photos laid on the map.
-    pub photos: PhotosState,
     /// Findings in the run.
     pub noticed: Noticed,
     /// Bookmarks in time order, seconds in the flight's time base.
@@ -112,7 +109,6 @@ impl Documents {
                 _ => None,
             }),
             flown_camera: CameraAdjustment::default(),
-            photos: PhotosState::default(),
             noticed: Noticed::default(),
             bookmarks: session.bookmarks.clone(),
         }
@@ -233,8 +229,6 @@ impl Documents {
             map_source: _,
             map: _,
             terrain: _,
-            // Photos are of a place on the globe: they go when another world is open.
-            photos: _,
             // The flight.
             flight,
             flight_source,

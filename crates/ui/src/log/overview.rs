@@ -11,7 +11,6 @@ use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::feature_command::FeatureCommand;
-use crate::photos::PhotosCommand;
 use crate::units::clock;
 use crate::views::parts::{self, NumberReadout};
 
@@ -63,7 +62,7 @@ pub fn overview_panel(
     if outline.format == LogFormat::Photos {
         let words = "Lay them on the map one by one";
         if crate::shell::text_button(ui, tokens, None, words, false).clicked() {
-            let show = Command::from(PhotosCommand::Show);
+            let show = Command::Feature(FeatureCommand::show("photos"));
             context.commands.push(show);
         }
     }

@@ -29,6 +29,11 @@ pub trait MapLayer {
         false
     }
 
+    /// Whether it is shown without the flight in the world `frame`, if that has a place on the globe.
+    fn hides_flight(&self, _frame: Option<LocalFrame>) -> bool {
+        false
+    }
+
     /// Draws a scale for it with its left top corner at `corner`; what that covers.
     fn paint_scale(&self, _painter: &Painter, _corner: Pos2, _tokens: &Tokens) -> Option<Rect> {
         None

@@ -8,7 +8,6 @@ mod landmarks;
 mod layer;
 mod layers;
 mod other_world;
-mod photos;
 mod picking;
 mod readouts;
 mod symbols;

@@ -10,7 +10,6 @@ use super::furniture::{
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
-use super::photos::PhotoTexture;
 use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
 use super::symbols::{
@@ -23,7 +22,6 @@ use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::OpenedTerrain;
-use crate::photos::PhotosState;
 use pilotage_jobs::{Distinctness, MapInfo};
 
 /// Data that the map needs beside what every view is given.
@@ -44,8 +42,6 @@ pub struct MapExtra<'a> {
     pub attribution: Option<&'a str>,
     /// Layers of the features, over the tracks.
     pub layers: &'a [&'a dyn MapLayer],
-    /// Photos that were laid on the map, while they are looked at.
-    pub photos: Option<&'a PhotosState>,
 }
 
 /// The map's own state: how it is looked at, its textures and thinned tracks.
@@ -81,7 +77,6 @@ pub struct MapView {
     unaided: DrawnTrack,
     truth: DrawnTrack,
     ghost: DrawnTrack,
-    photo: PhotoTexture,
     wants_fit: Option<GroundRect>,
     /// Centre and scale to which the map was fitted last.
     fitted: Option<(GroundPoint, f64)>,
@@ -186,9 +181,6 @@ impl MapView {
             }
         };
         paint_tool(self, MapStage::Ground);
-        if let Some(photos) = extra.photos {
-            self.photo.paint(&painter, &view, photos, context.tokens);
-        }
         self.paint_tracks(&painter, &view, rect, context, extra);
         paint_tool(self, MapStage::BelowMarks);
         self.paint_now(&painter, &view, rect, context, extra, &response);

@@ -1,21 +1,30 @@
 //! Photos laid on the map that is open, each by itself: what was asked, what came of each, which one is looked at.
 
+mod chosen;
+mod draped;
+mod feature;
+mod lay;
+mod list;
+mod on_map;
+mod panel;
+mod scene;
+mod search;
 mod state;
 
-pub use state::{PhotoAppearance, PhotosState, Sought};
+pub use feature::PhotosFeature;
+pub use state::PhotoAppearance;
 
-use egui::Key;
 use pilotage_core::flight::photo::PhotoSearch;
 
 use crate::command::Command;
-use crate::feature_command::FeatureCommand;
-use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
+use crate::feature_command::{FeatureCommand, FeatureId};
+
+/// Identity of the feature.
+pub const ID: FeatureId = "photos";
 
 /// Something to do about photos on the map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PhotosCommand {
-    /// Show them.
-    Show,
     /// Show something else.
     Close,
     /// Lay all of them on the map.
@@ -34,16 +43,6 @@ pub enum PhotosCommand {
 
 impl From<PhotosCommand> for Command {
     fn from(command: PhotosCommand) -> Self {
-        Self::Feature(FeatureCommand::new("photos", command))
+        Self::Feature(FeatureCommand::new(ID, command))
     }
-}
-
-/// Rows of the table of all commands.
-pub fn commands() -> Vec<CommandEntry> {
-    vec![entry(
-        CommandGroup::View,
-        "Lay photos on the map",
-        vec![shift(Key::O)],
-        PhotosCommand::Show.into(),
-    )]
 }

@@ -3,8 +3,9 @@
 use pilotage_core::flight::photo::{PhotoSearch, RegisteredPhoto};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::registration::Draped;
-
 use pilotage_jobs::{DrapeOrder, MapSource, PhotoReport, PhotosOrder};
+
+use super::draped::DrapedPhoto;
 
 /// Appearance of the chosen photo over the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +34,6 @@ pub struct Sought {
 }
 
 /// Photos on the map, until others are opened.
-#[derive(Debug)]
 pub struct PhotosState {
     /// Photos to be laid, and their map.
     pub sought: Option<Sought>,
@@ -51,9 +51,7 @@ pub struct PhotosState {
     pub at_work: Option<(f32, String)>,
     /// Why it came to nothing.
     pub trouble: Option<String>,
-    draped: Option<(usize, Draped)>,
-    /// Counts what was draped, so that a texture knows when another one is shown.
-    drapings: u64,
+    draped: Option<(usize, DrapedPhoto)>,
 }
 
 impl Default for PhotosState {
@@ -68,7 +66,6 @@ impl Default for PhotosState {
             at_work: None,
             trouble: None,
             draped: None,
-            drapings: 0,
         }
     }
 }
@@ -137,32 +134,32 @@ impl PhotosState {
         name.rsplit('/').next().unwrap_or(name)
     }
 
-    /// Order that shows the chosen photo on the map, unless that is known already or it is not shown.
-    pub fn drape_order(&self) -> Option<DrapeOrder> {
+    /// Number of the chosen photo and the order that shows it on the map, unless that is known already or it is not shown.
+    pub fn drape_order(&self) -> Option<(usize, DrapeOrder)> {
         let number = self.chosen?;
         let is_known = self.draped.as_ref().is_some_and(|(of, _)| *of == number);
         if is_known || self.shown == PhotoAppearance::Outline {
             return None;
         }
         let sought = self.sought.as_ref()?;
-        Some(DrapeOrder {
+        let order = DrapeOrder {
             key: sought.key.clone(),
             name: sought.names.get(number)?.clone(),
             search: self.searched?,
             laid: self.laid(number)?.clone(),
-        })
+        };
+        Some((number, order))
     }
 
     /// Takes the chosen photo as it lies on the map.
-    pub fn drape(&mut self, number: usize, draped: Draped) {
-        self.draped = Some((number, draped));
-        self.drapings += 1;
+    pub fn drape(&mut self, number: usize, draped: &Draped, egui: &egui::Context) {
+        self.draped = Some((number, DrapedPhoto::new(draped, egui)));
     }
 
-    /// The chosen photo as it lies on the map, if that is there, and a number that is another one for another picture.
-    pub fn draped(&self) -> Option<(&Draped, u64)> {
+    /// The chosen photo as it lies on the map, if that is there.
+    pub fn draped(&self) -> Option<&DrapedPhoto> {
         let (number, draped) = self.draped.as_ref()?;
-        (Some(*number) == self.chosen).then_some((draped, self.drapings))
+        (Some(*number) == self.chosen).then_some(draped)
     }
 
     /// Whether they lie in the world around `origin`.

@@ -14,7 +14,6 @@ mod inspector;
 mod landmark_list;
 mod matching;
 pub(crate) mod parts;
-mod photos;
 pub(crate) mod picking;
 #[cfg(test)]
 mod pictures;
@@ -29,7 +28,6 @@ pub use inspector::InspectorView;
 pub(crate) use landmark_list::keyboard as landmark_keyboard;
 pub use landmark_list::{Examined, LandmarkList};
 pub use matching::{MATCH, MatchCommand, MatchView};
-pub use photos::{PhotosScene, photos_sheet};
 pub use plots::PlotsView;
 pub(crate) use plots::draw::{TimeCurve, line as curve_line, polylines as curve_points};
 pub(crate) use plots::pyramid::ExtentPyramid;

@@ -134,7 +134,7 @@ fn photos_dropped_with_a_map_are_laid_on_it_or_refused_with_a_reason() {
     rig.settle();
     let rows = rows(&mut rig);
     assert_eq!(rows.len(), 2, "{rows:?}");
-    assert_eq!(rig.state()["side_tab"], "Photos");
+    assert_eq!(rig.state()["side_tab"], "photos");
     let (first, second) = (&rows[0], &rows[1]);
     assert!(error(first, (120, 100)) < 1.5, "{first}");
     assert!(first["probability"].as_f64() > Some(0.9), "{first}");

@@ -1,22 +1,17 @@
 //! The sheet of photos on the map: how they are looked for, what came of each, and the chosen one in full.
 
-mod chosen;
-mod list;
-mod scene;
-mod search;
-
 use egui::{Label, RichText, ScrollArea, Ui};
 
+use super::PhotosCommand as Do;
+use super::scene::{PhotosScene, send};
+use super::state::PhotosState;
+use super::{chosen, list, search};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::photos::{PhotosCommand as Do, PhotosState};
 use crate::shell::{at_work, heading, muted, text_button, title};
-use scene::send;
-
-pub use scene::PhotosScene;
 
 /// Draws the sheet.
-pub fn photos_sheet(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
+pub(super) fn photos_sheet(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
     let tokens = context.tokens;
     let photos = scene.photos;
     if title(ui, tokens, "Photos on the map") {

@@ -1,11 +1,12 @@
 //! The scene of the sheet of photos: its data, and the list that takes its commands.
 
+use super::PhotosCommand;
+use super::state::PhotosState;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::photos::{PhotosCommand, PhotosState};
 
 /// Data that the sheet is drawn from.
-pub struct PhotosScene<'a> {
+pub(super) struct PhotosScene<'a> {
     /// Photos on the map.
     pub photos: &'a PhotosState,
     /// World frame of the map, if it has a place on the globe.

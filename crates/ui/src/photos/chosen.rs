@@ -7,8 +7,8 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::registration::RegistrationMethod;
 
 use super::scene::{PhotosScene, send};
+use super::{PhotoAppearance, PhotosCommand as Do};
 use crate::context::ViewContext;
-use crate::photos::{PhotoAppearance, PhotosCommand as Do};
 use crate::shell::{heading, muted};
 use crate::views::parts::{self, NumberReadout};
 use pilotage_jobs::PhotoReport;

@@ -3,9 +3,9 @@
 use egui::{DragValue, Ui};
 use pilotage_core::flight::photo::PhotoSearch;
 
+use super::PhotosCommand as Do;
 use super::scene::{PhotosScene, send};
 use crate::context::ViewContext;
-use crate::photos::PhotosCommand as Do;
 use crate::shell::{muted, text_button};
 use crate::views::parts;
 

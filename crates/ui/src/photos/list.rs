@@ -4,9 +4,10 @@ use egui::{Align2, Color32, Label, RichText, Role, Sense, Stroke, StrokeKind, Ui
 use egui::{pos2, vec2};
 use pilotage_core::filter::probability_words;
 
+use super::PhotosCommand as Do;
 use super::scene::send;
+use super::state::PhotosState;
 use crate::context::ViewContext;
-use crate::photos::{PhotosCommand as Do, PhotosState};
 use crate::shell::muted;
 use crate::tokens::Tokens;
 use crate::units::Units;

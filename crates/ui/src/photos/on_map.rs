@@ -1,31 +1,33 @@
 //! Photos that were laid on the map: their outlines, and the chosen one over the map.
 
 use egui::epaint::{Mesh, Vertex};
-use egui::{Color32, ColorImage, Painter, Shape, Stroke, TextureHandle, TextureOptions, pos2};
-use pilotage_core::registration::Draped;
+use egui::{Color32, Painter, Shape, Stroke, pos2};
+use pilotage_core::frames::{GroundPoint, LocalFrame};
+use pilotage_core::imagery::Window;
 
-use super::transform::ScreenFromWorld;
-use crate::photos::{PhotoAppearance, PhotosState};
+use super::PhotoAppearance;
+use super::draped::DrapedPhoto;
+use super::feature::PhotosFeature;
+use crate::context::ViewContext;
+use crate::map::{MapLayer, ScreenFromWorld};
 use crate::tokens::Tokens;
 
 /// Squares of the chequerboard along the longer side of a photo.
 const SQUARES: usize = 10;
 
-/// The texture of the chosen photo.
-#[derive(Default)]
-pub struct PhotoTexture {
-    held: Option<(u64, TextureHandle)>,
-}
-
-impl PhotoTexture {
+impl MapLayer for PhotosFeature {
     /// Draws the photos that were laid, the chosen one over the map as it is wished.
-    pub fn paint(
-        &mut self,
+    fn paint(
+        &self,
         painter: &Painter,
         view: &ScreenFromWorld,
-        photos: &PhotosState,
-        tokens: &Tokens,
+        context: &ViewContext<'_>,
+        frame: Option<LocalFrame>,
     ) {
+        if !self.hides_flight(frame) {
+            return;
+        }
+        let (photos, tokens) = (&self.state, context.tokens);
         let laid = (0..photos.reports.len()).filter_map(|n| Some((n, photos.laid(n)?)));
         for (number, photo) in laid {
             if photos.chosen != Some(number) {
@@ -33,14 +35,13 @@ impl PhotoTexture {
                 outline(painter, view, &photo.outline, stroke, tokens);
             }
         }
-        if let Some((draped, number)) = photos.draped() {
-            let texture = self.texture(painter.ctx(), draped, number);
+        if let Some(draped) = photos.draped() {
             match photos.shown {
-                PhotoAppearance::Squares => squares(painter, view, draped, texture),
+                PhotoAppearance::Squares => squares(painter, view, draped),
                 PhotoAppearance::Whole(opacity) => {
                     let tint = Color32::WHITE.gamma_multiply(opacity);
-                    let mut mesh = Mesh::with_texture(texture);
-                    add(&mut mesh, view, draped, [0.0, 0.0, 1.0, 1.0], tint);
+                    let mut mesh = Mesh::with_texture(draped.texture.id());
+                    add(&mut mesh, view, &draped.window, [0.0, 0.0, 1.0, 1.0], tint);
                     painter.add(Shape::mesh(mesh));
                 }
                 PhotoAppearance::Outline => {}
@@ -52,21 +53,9 @@ impl PhotoTexture {
         }
     }
 
-    fn texture(
-        &mut self,
-        context: &egui::Context,
-        draped: &Draped,
-        number: u64,
-    ) -> egui::TextureId {
-        if self.held.as_ref().is_none_or(|(of, _)| *of != number) {
-            let (width, height) = (draped.pixels.width(), draped.pixels.height());
-            let pixels = draped.pixels.pixels().as_flattened();
-            let image = ColorImage::from_rgba_unmultiplied([width, height], pixels);
-            let texture = context.load_texture("photo", image, TextureOptions::LINEAR);
-            self.held = Some((number, texture));
-        }
-        let held = self.held.as_ref();
-        held.map_or_else(egui::TextureId::default, |(_, texture)| texture.id())
+    /// While photos of this world are looked at, each is shown by itself.
+    fn hides_flight(&self, frame: Option<LocalFrame>) -> bool {
+        self.is_shown && self.state.lie_in(frame.map(|frame| frame.origin))
     }
 }
 
@@ -74,7 +63,7 @@ impl PhotoTexture {
 fn outline(
     painter: &Painter,
     view: &ScreenFromWorld,
-    corners: &[pilotage_core::frames::GroundPoint],
+    corners: &[GroundPoint],
     stroke: Stroke,
     tokens: &Tokens,
 ) {
@@ -90,10 +79,10 @@ fn outline(
 }
 
 /// Every other square of a photo.
-fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &Draped, texture: egui::TextureId) {
+fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &DrapedPhoto) {
     let window = &draped.window;
     let side = window.width.max(window.height).div_ceil(SQUARES);
-    let mut mesh = Mesh::with_texture(texture);
+    let mut mesh = Mesh::with_texture(draped.texture.id());
     let part = |from: usize, size: usize| {
         let to = (from + side).min(size);
         [from, to].map(|pixel| pixel as f32 / size as f32)
@@ -104,7 +93,7 @@ fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &Draped, texture: 
                 let [left, right] = part(left, window.width);
                 let [top, bottom] = part(top, window.height);
                 let square = [left, top, right, bottom];
-                add(&mut mesh, view, draped, square, Color32::WHITE);
+                add(&mut mesh, view, window, square, Color32::WHITE);
             }
         }
     }
@@ -115,11 +104,10 @@ fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &Draped, texture: 
 fn add(
     mesh: &mut Mesh,
     view: &ScreenFromWorld,
-    draped: &Draped,
+    window: &Window,
     [left, top, right, bottom]: [f32; 4],
     color: Color32,
 ) {
-    let window = &draped.window;
     let first = mesh.vertices.len() as u32;
     for (u, v) in [(left, top), (right, top), (right, bottom), (left, bottom)] {
         let column = f64::from(u) * window.width as f64;

@@ -1,0 +1,175 @@
+//! Photos brought to the map that is open: which ones, over which ground.
+
+use pilotage_core::flight::Flight;
+use pilotage_core::flight::log::LogFormat;
+use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_jobs::{FlightSource, Job, MapInfo, MapSource};
+
+use super::feature::PhotosFeature;
+use super::state::Sought;
+use crate::documents::{Documents, with_origin};
+use crate::feature::{Feature as _, FeatureContext};
+use crate::map::MapView;
+
+/// Longest side of the ground all over which photos without a place are searched, metres; of larger maps it is what is
+/// shown of them.
+const LARGEST_SEARCHED: f64 = 1_500.0;
+/// Largest distance from the map at which a flight of photos that is laid on it may begin, metres.
+const BESIDE: f64 = 100.0;
+
+impl PhotosFeature {
+    /// The photos of the flight that is open, if nothing else is to be laid and it is one of photos.
+    pub(super) fn seek_photos_of_flight(&mut self, context: &FeatureContext<'_>) {
+        let documents = &*context.documents;
+        let format = documents.log.as_ref().and_then(|log| log.format);
+        let is_of_photos = format == Some(LogFormat::Photos);
+        let (FlightSource::Files(key), Some(flight)) =
+            (&documents.flight_source, &documents.flight)
+        else {
+            return;
+        };
+        if !is_of_photos || self.state.sought.is_some() {
+            return;
+        }
+        let names = flight.frames.iter().map(|frame| frame.name.clone());
+        if let Some(ground) = ground_searched(documents, context.map) {
+            self.state.seek(Sought {
+                key: key.clone(),
+                names: names.collect(),
+                map: documents.map_source.clone(),
+                origin: documents.world_origin(),
+                ground,
+            });
+        }
+    }
+
+    /// Has the photos sought on the map that is open now: another one may have been opened since.
+    pub(super) fn seek_on_open_map(&mut self, context: &FeatureContext<'_>) {
+        let documents = &*context.documents;
+        let ground = ground_searched(documents, context.map);
+        if let (Some(ground), Some(sought)) = (ground, &mut self.state.sought) {
+            sought.map = documents.map_source.clone();
+            sought.origin = documents.world_origin();
+            sought.ground = ground;
+        }
+    }
+
+    /// Photos were opened over the map that is open: they are laid on it.
+    pub(super) fn lay_opened(
+        &mut self,
+        key: String,
+        names: Vec<String>,
+        context: &mut FeatureContext<'_>,
+    ) {
+        let documents = &*context.documents;
+        let ground = ground_searched(documents, context.map);
+        let (Some(ground), Some(origin)) = (ground, documents.world_origin()) else {
+            let name = names.first().map_or("", String::as_str);
+            let title = "There is no map to lay the pictures on";
+            let text = format!(
+                "{name} does not say where it lies. Open a georeferenced map of its ground first, or drop it \
+                 together with its world file (.jgw, .pgw, .wld) or a georeference in JSON."
+            );
+            context.trouble(title, text);
+            return;
+        };
+        let sought = Sought {
+            key,
+            names,
+            map: documents.map_source.clone(),
+            origin: Some(origin),
+            ground,
+        };
+        self.show_and_lay(sought, context);
+    }
+
+    /// A flight of photos was opened: they are laid on the map that came with it, else on the open one, if that shows
+    /// where they begin. What is known of a map that came with it is `info`, in the world of the flight.
+    pub(super) fn lay_flight(
+        &mut self,
+        key: String,
+        names: Vec<String>,
+        flight: &Flight,
+        info: Option<&MapInfo>,
+        context: &mut FeatureContext<'_>,
+    ) {
+        let documents = &*context.documents;
+        let map = match info {
+            Some(_) => MapSource::Files(key.clone()),
+            None => documents.map_under(flight.frame_on_globe),
+        };
+        let Some(world) = flight.frame_on_globe.filter(|_| map != MapSource::Nothing) else {
+            return;
+        };
+        let (bounds, of_map) = match (info, &documents.map) {
+            (Some(info), _) => (info.bounds, Some(world)),
+            (None, Some(open)) => {
+                let origin = documents.map_source.origin().or(open.origin);
+                (open.bounds, origin.map(LocalFrame::new))
+            }
+            (None, None) => return,
+        };
+        let Some(of_map) = of_map else { return };
+        let moved = |place: GroundPoint, from: &LocalFrame, to: &LocalFrame| {
+            to.ground_from_geodetic(&from.geodetic_from_ground(&place))
+        };
+        let start = moved(flight.start.position, &world, &of_map);
+        if !bounds.grown(BESIDE).contains(&start) {
+            return;
+        }
+        let corners = [
+            GroundPoint::new(bounds.south, bounds.west),
+            GroundPoint::new(bounds.north, bounds.east),
+        ];
+        let ground = GroundRect::around(corners.map(|corner| moved(corner, &of_map, &world)));
+        let Some(ground) = ground else { return };
+        let sought = Sought {
+            key,
+            names,
+            map: with_origin(map, Some(world)),
+            origin: Some(world.origin),
+            ground,
+        };
+        self.show_and_lay(sought, context);
+    }
+
+    fn show_and_lay(&mut self, sought: Sought, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        self.state.seek(sought);
+        context.show();
+        context.playback.playing = false;
+        self.lay(context);
+    }
+
+    pub(super) fn lay(&mut self, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        if let Some(order) = self.state.begin() {
+            self.laying = Some(context.start(Job::LayPhotos(Box::new(order))));
+        }
+    }
+}
+
+/// Ground over which photos of which no place is known are searched, if a map of photographed ground is open.
+fn ground_searched(documents: &Documents, map: &MapView) -> Option<GroundRect> {
+    let bounds = documents
+        .map
+        .as_ref()
+        .filter(|_| documents.has_real_map())?
+        .bounds;
+    if bounds.width().max(bounds.height()) <= LARGEST_SEARCHED {
+        return Some(bounds);
+    }
+    let (rect, view) = (map.rect()?, map.screen_from_world()?);
+    let seen = view.visible(rect);
+    let middle = seen.center();
+    let largest = GroundRect::centered(middle, LARGEST_SEARCHED, LARGEST_SEARCHED);
+    let part = [seen, bounds]
+        .into_iter()
+        .fold(largest, |part, other| GroundRect {
+            north: part.north.min(other.north),
+            south: part.south.max(other.south),
+            west: part.west.max(other.west),
+            east: part.east.min(other.east),
+        });
+    (part.north > part.south && part.east > part.west).then_some(part)
+}
