@@ -39,6 +39,9 @@ pub enum FeaturePlace {
     PictureTab,
     /// A column beside the picture with which it fills the window, while it takes that, in a workspace.
     Window(Workspace),
+    /// A column beside the map and what it draws beside that, in the place of everything else, while it takes the
+    /// window.
+    BesideMap,
 }
 
 /// Description of a feature for whoever lists features.
@@ -100,7 +103,7 @@ pub enum FlightWish {
 }
 
 /// Set of files that were opened at once.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct OpenedSet {
     /// Key under which the workers have them.
     pub key: String,
@@ -280,6 +283,11 @@ impl FeatureContext<'_> {
     /// Gives the workers files, and has the browser keep them for the next visit.
     pub fn provide(&mut self, set: OpenedSet) {
         provide(self.host, &set.key, &set.files);
+        self.keep(set);
+    }
+
+    /// Has the browser keep files, which the workers have, for the next visit.
+    pub fn keep(&mut self, set: OpenedSet) {
         self.wishes.kept.push(set);
     }
 }
@@ -469,7 +477,7 @@ pub trait Feature {
         false
     }
 
-    /// Fills the window, but for the column of its panel.
+    /// Fills the window, but for the column of its panel and the map if its place is beside that.
     fn window(
         &mut self,
         _ui: &mut Ui,
@@ -518,6 +526,11 @@ pub trait Feature {
 
     /// Whether people see by it what to do with what is open, and need no advice.
     fn needs_no_advice(&self) -> bool {
+        false
+    }
+
+    /// Takes files that were opened for it alone, before anybody looks at what they hold; whether they are its own.
+    fn take_files(&mut self, _set: &OpenedSet, _context: &mut FeatureContext<'_>) -> bool {
         false
     }
 }

@@ -4,6 +4,7 @@ use crate::camera_log::CameraLogFeature;
 use crate::compare::Compare;
 use crate::detector::DetectorFeature;
 use crate::feature::Feature;
+use crate::georeference::GeoreferencerFeature;
 use crate::labelling::Labelling;
 use crate::log::LogFeature;
 use crate::matches::MatchFeature;
@@ -17,6 +18,8 @@ pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
         // First, for what the others draw lies over photos.
         Box::new(PhotosFeature::default()),
+        // Behind photos, which may want a picture that it would put on the ground.
+        Box::new(GeoreferencerFeature::default()),
         Box::new(Labelling::default()),
         Box::new(MatchFeature::default()),
         Box::new(DetectorFeature::default()),

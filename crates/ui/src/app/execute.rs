@@ -21,15 +21,6 @@ impl App {
         }
         match command {
             Command::Feature(command) => self.execute_feature(&command, context, host),
-            Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {
-                if let Some(georeferencer) = &mut self.views.georeferencer {
-                    if command == Command::Undo {
-                        georeferencer.undo();
-                    } else {
-                        georeferencer.redo();
-                    }
-                }
-            }
             Command::TogglePlay
             | Command::SeekTo(_)
             | Command::StepFrames(_)

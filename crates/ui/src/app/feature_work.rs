@@ -9,7 +9,6 @@ use crate::feature::{
     FlightWish, OpenedSet,
 };
 use crate::feature_command::Show;
-use crate::georeference::GeoreferenceCommand;
 use crate::host::Host;
 use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource, OpenedFiles};
 
@@ -27,6 +26,7 @@ impl App {
         let is_shown = match place {
             FeaturePlace::Workspace(own) => self.view.workspace == own,
             FeaturePlace::Window(over) => self.view.workspace == over && feature.takes_window(),
+            FeaturePlace::BesideMap => feature.takes_window(),
             FeaturePlace::Tab
             | FeaturePlace::Sheet
             | FeaturePlace::FirstTab
@@ -163,6 +163,9 @@ impl App {
             self.view.workspace = own;
             return;
         }
+        if place == FeaturePlace::BesideMap {
+            return;
+        }
         self.view.workspace = Workspace::Replay;
         self.view.side_open = true;
         self.dialogs.settings = false;
@@ -180,7 +183,7 @@ impl App {
         egui: &egui::Context,
         host: &mut dyn Host,
     ) {
-        let mut is_done = self.execute_by_name(command, host);
+        let mut is_done = self.execute_by_name(command, egui, host);
         if let Some(index) = self.feature(command.to()) {
             if command.action::<Show>().is_some() {
                 let place = self.views.features[index].info().place;
@@ -203,13 +206,16 @@ impl App {
     }
 
     /// Carries out a command of those parts that are no features; whether it was one.
-    fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
+    fn execute_by_name(
+        &mut self,
+        command: &FeatureCommand,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) -> bool {
         if let Some(command) = command.action::<WebMapCommand>() {
-            self.web_map(command.clone(), host);
+            self.web_map(command.clone(), egui, host);
         } else if let Some(command) = command.action::<ColumnsCommand>() {
             self.columns(*command, host);
-        } else if let Some(command) = command.action::<GeoreferenceCommand>() {
-            self.georeference(command, host);
         } else {
             return false;
         }
@@ -329,6 +335,20 @@ impl App {
         let mut is_done = false;
         self.with_each_feature(egui, host, &mut |feature, context| {
             is_done = is_done || feature.take_first(set, opened, context);
+        });
+        is_done
+    }
+
+    /// Offers opened files to every feature; whether one takes them as its own.
+    pub(super) fn are_taken(
+        &mut self,
+        set: &OpenedSet,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) -> bool {
+        let mut is_done = false;
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            is_done = is_done || feature.take_files(set, context);
         });
         is_done
     }

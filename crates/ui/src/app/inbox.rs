@@ -25,19 +25,16 @@ impl App {
             self.follow_flight(context, host);
         }
         for batch in host.opened() {
-            self.open_files(host, batch);
+            self.open_files(context, host, batch);
         }
     }
 
-    pub(super) fn open_files(&mut self, host: &mut dyn Host, batch: Vec<OpenedFile>) {
-        if batch.is_empty() {
-            return;
-        }
-        self.jobs.opened_batches += 1;
-        if self.open_for_georeferencer(host, &batch) {
-            return;
-        }
-        let key = format!("opened-{}", self.jobs.opened_batches);
+    pub(super) fn open_files(
+        &mut self,
+        context: &egui::Context,
+        host: &mut dyn Host,
+        batch: Vec<OpenedFile>,
+    ) {
         let name = match batch.as_slice() {
             [one] => one.path.clone(),
             [first, rest @ ..] => {
@@ -46,19 +43,24 @@ impl App {
             }
             [] => return,
         };
-        provide(host, &key, &batch);
+        self.jobs.opened_batches += 1;
+        let set = OpenedSet {
+            key: format!("opened-{}", self.jobs.opened_batches),
+            name,
+            files: batch,
+        };
+        if self.are_taken(&set, context, host) {
+            return;
+        }
+        provide(host, &set.key, &set.files);
         let id = host.start(Job::Open(OpenOrder {
-            key: key.clone(),
+            key: set.key.clone(),
             near: self.documents.world_origin(),
             origin: self.documents.mission.origin,
         }));
         let opening = Opening {
-            words: format!("Opening {name}"),
-            set: OpenedSet {
-                key,
-                name,
-                files: batch,
-            },
+            words: format!("Opening {}", set.name),
+            set,
         };
         self.jobs.opening.insert(id, opening);
     }
@@ -77,8 +79,6 @@ impl App {
             self.columns_event(context, host, event);
         } else if self.jobs.tiles.contains_key(&id) {
             self.tile_event(context, host, id, event);
-        } else if self.is_georeferencing(id) {
-            self.georeferencing_event(context, host, id, event);
         } else if self.is_map_work(id) {
             self.map_work_event(host, id, event);
         } else if self.jobs.describe == Some(id) {
@@ -156,7 +156,7 @@ impl App {
             terrain,
             mission,
             run,
-            unplaced,
+            unplaced: _,
             photos,
             imports,
             tables,
@@ -164,10 +164,6 @@ impl App {
             beside,
             remarks,
         } = opened;
-        if let Some(unplaced) = unplaced {
-            self.begin_georeferencing(host, opening, unplaced);
-            return;
-        }
         let mut parts = Vec::new();
         let is_log = log.is_some();
         let has_flight = flight.is_some() || is_log;

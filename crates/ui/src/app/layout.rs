@@ -90,8 +90,8 @@ impl App {
         let owner = views.owner(scene.view.workspace);
         let is_flight_hidden = owner.is_some_and(Feature::hides_flight);
         let filling = views.fills_window(scene.view.workspace);
-        if views.georeferencer.is_some() {
-            georeferencing(ui, &mut scene, views, commands);
+        if let Some(index) = views.beside_map() {
+            beside_map(ui, &mut scene, views, index, commands);
             self.overlays(ui, &tokens, now, commands, narrow);
             return;
         }
@@ -205,20 +205,18 @@ fn window(
     });
 }
 
-/// The picture that is put on the ground, the map beside it, and the points.
-fn georeferencing(
+/// The picture of the feature at `index`, the map beside it, and its panel.
+fn beside_map(
     ui: &mut Ui,
     scene: &mut Scene<'_>,
     views: &mut Views,
+    index: usize,
     commands: &mut Vec<Command>,
 ) {
-    let tokens = scene.tokens;
-    let units = scene.view.units;
-    let Some(georeferencer) = &mut views.georeferencer else {
-        return;
-    };
+    let (tokens, documents) = (scene.tokens, scene.documents);
+    let feature = &mut views.features[index];
     let width = ui.ctx().content_rect().width();
-    Panel::right("georeferencer")
+    Panel::right("beside the map")
         .exact_size(if width >= 1180.0 { 344.0 } else { 300.0 })
         .frame(plain_frame(tokens, Margin::symmetric(12, 8)))
         .show(ui, |ui| {
@@ -227,7 +225,7 @@ fn georeferencing(
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     ui.set_max_width(width);
-                    georeferencer.panel(ui, tokens, units, commands);
+                    scene.with_context(commands, |context| feature.panel(ui, context, documents));
                 });
         });
     let half = 0.5 * ui.available_width();
@@ -236,7 +234,11 @@ fn georeferencing(
         .default_size(half)
         .size_range(160.0..=1.6 * half)
         .frame(Frame::new().fill(tokens.background))
-        .show(ui, |ui| georeferencer.show_picture(ui, tokens));
+        .show(ui, |ui| {
+            scene.with_context(commands, |context| {
+                feature.window(ui, context, documents, &mut views.camera);
+            });
+        });
     map(ui, scene, views, commands);
 }
 
@@ -574,31 +576,24 @@ fn tour(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Co
 
 fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let tokens = scene.tokens;
-    let georeferencing = views.georeferencer.is_some();
+    let beside = views.beside_map();
     let place = FeaturePlace::Workspace(scene.view.workspace);
     let owner = views.owner(scene.view.workspace);
-    let is_flight_hidden = owner.is_some_and(Feature::hides_flight) && !georeferencing;
+    let is_flight_hidden = owner.is_some_and(Feature::hides_flight) && beside.is_none();
     egui::CentralPanel::default()
         .frame(Frame::new().fill(tokens.background))
         .show(ui, |ui| {
             let rect = ui.available_rect_before_wrap();
-            let Views {
-                map,
-                georeferencer,
-                features,
-                ..
-            } = views;
+            let Views { map, features, .. } = views;
             let mut layers = Vec::new();
             let mut tool: Option<&mut dyn MapTool> = None;
-            for feature in features.iter_mut() {
-                if feature.info().place == place {
+            for (index, feature) in features.iter_mut().enumerate() {
+                let is_owner = feature.info().place == place;
+                if beside.map_or(is_owner, |beside| beside == index) {
                     tool = feature.tool();
-                } else {
+                } else if !is_owner {
                     layers.extend(feature.layers());
                 }
-            }
-            if let Some(georeferencer) = georeferencer {
-                tool = Some(georeferencer);
             }
             let extra = MapExtra {
                 map: scene.documents.map.as_ref(),
@@ -614,13 +609,13 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
             };
             scene.with_context(commands, |context| {
                 let is_covered = layers.iter().any(|layer| layer.hides_flight(extra.frame));
-                if is_flight_hidden || georeferencing || is_covered {
+                if is_flight_hidden || beside.is_some() || is_covered {
                     // What was flown is Replay's; here lies something else.
                     (context.run, context.ghost, context.flight) = (None, None, None);
                 }
                 map.show(ui, context, &extra, tool);
             });
-            if georeferencing {
+            if beside.is_some() {
                 return;
             }
             for owner in features.iter().filter(|it| it.info().place == place) {

@@ -63,7 +63,7 @@ impl App {
                 if self.documents.run.is_none() && self.documents.flight.is_none() {
                     self.views.map.camera.center = info.bounds.center();
                 }
-                if std::mem::take(&mut self.jobs.fit_map_when_known) {
+                if std::mem::take(&mut self.views.map.fits_when_known) {
                     self.views.map.fit(info.bounds);
                 }
                 self.documents.map = Some(info);

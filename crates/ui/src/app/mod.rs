@@ -10,7 +10,6 @@ mod flight_change;
 mod flown_track;
 mod flying;
 mod frame_pictures;
-mod georeferencing;
 mod inbox;
 mod keeping;
 mod layout;
@@ -31,7 +30,6 @@ use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
 use crate::exports::Exports;
 use crate::feature::{Feature, FeatureId, FeaturePlace};
-use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::map::MapView;
 use crate::shell::catalog::CommandEntry;
@@ -119,7 +117,6 @@ struct Views {
     inspector: InspectorView,
     tour: Tour,
     landmarks: LandmarkList,
-    georeferencer: Option<Georeferencer>,
     /// Features, in the order of their tabs.
     features: Vec<Box<dyn Feature>>,
 }
@@ -144,6 +141,12 @@ impl Views {
         let place = FeaturePlace::Window(workspace);
         let mut features = self.features.iter();
         features.position(|it| it.info().place == place && it.takes_window())
+    }
+
+    /// Place in the list of the feature that has the window for itself and the map, if one has.
+    fn beside_map(&self) -> Option<usize> {
+        let mut features = self.features.iter();
+        features.position(|it| it.info().place == FeaturePlace::BesideMap && it.takes_window())
     }
 
     /// Feature to which a workspace belongs, to be drawn.
@@ -231,7 +234,7 @@ impl App {
             || dialogs.columns.is_open()
             || dialogs.help
             || views.map.picking
-            || views.georeferencer.is_some()
+            || views.beside_map().is_some()
             || self.is_flight_hidden();
         let is_pressed = || context.input(|i| i.key_pressed(egui::Key::Escape));
         if self.playback.selected_span.is_some() && !is_taken && is_pressed() {

@@ -5,7 +5,6 @@ use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
 use crate::feature::OpenedSet;
 use crate::host::Download;
-use crate::host::OpenedFile;
 use crate::map::TileKey;
 use crate::short_map::ShortMap;
 use pilotage_jobs::{FlightSource, JobId, MapSource};
@@ -79,16 +78,6 @@ pub struct PendingJobs {
     pub prepare_declined: bool,
     /// When tiles that are not whole were asked for again, milliseconds.
     pub tiles_refreshed: f64,
-    /// Whether the map is to be shown whole once it is known how far it reaches.
-    pub fit_map_when_known: bool,
-    /// Tiles asked for of the picture that is put on the ground.
-    pub picture_tiles: ShortMap<JobId, TileKey>,
-    /// The question what that picture is.
-    pub describe_picture: Option<JobId>,
-    /// The files that the picture is among: what people call them, and they themselves.
-    pub picture_files: Option<(String, Vec<OpenedFile>)>,
-    /// Named places being read.
-    pub places: Option<JobId>,
     /// Progress of a download of tiles.
     pub download: Option<Download>,
     /// Whether it was begun here and is not over.

@@ -72,24 +72,6 @@ impl App {
             "origin": documents.world_origin().map(|o| {
                 [o.latitude.to_degrees(), o.longitude.to_degrees()]
             }),
-            "georeferencer": self.views.georeferencer.as_ref().map(|it| {
-                let fit = it.fitted().as_ref().ok();
-                object!({
-                    "name": it.name,
-                    "size": it.size.map(|(w, h)| [w, h]),
-                    "points": it.points.len(),
-                    "on": it.points.iter().filter(|p| p.enabled).count(),
-                    "pending": [it.pending.pixel.is_some(), it.pending.place.is_some()],
-                    "picture": rect_json(it.canvas.rect()),
-                    "picture_center": [it.canvas.camera.center.east, -it.canvas.camera.center.north],
-                    "pixels_per_point": it.canvas.camera.metres_per_point,
-                    "rms_pixels": fit.map(|f| f.rms_in_pixels),
-                    "rms_metres": fit.map(|f| f.rms_in_plane),
-                    "rms_left_out": fit.and_then(|f| f.rms_left_out),
-                    "places": it.places.len(),
-                    "epsg": it.system.and_then(|s| s.epsg()),
-                })
-            }),
             "labels": documents.mission.labels.iter().map(|l| object!({
                 "frame": l.frame,
                 "boxes": l.boxes.iter().map(|b| json!([b.name, b.min, b.max])).collect::<Vec<_>>(),

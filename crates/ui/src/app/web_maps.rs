@@ -7,7 +7,12 @@ use pilotage_jobs::{FileContent, MapSource, WebMap};
 
 impl App {
     /// Carries a command out.
-    pub(super) fn web_map(&mut self, command: WebMapCommand, host: &mut dyn Host) {
+    pub(super) fn web_map(
+        &mut self,
+        command: WebMapCommand,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
         match command {
             WebMapCommand::OpenTiles(map) => {
                 if self.documents.world_origin().is_none() {
@@ -33,7 +38,7 @@ impl App {
                         .to_owned(),
                     content: FileContent::Address(address),
                 };
-                self.open_files(host, vec![file]);
+                self.open_files(egui, host, vec![file]);
             }
             WebMapCommand::Download(area, zooms) => {
                 if let MapSource::Web(map) = &self.documents.map_source {

@@ -7,12 +7,11 @@ use super::App;
 use super::pending_jobs::{FlyJob, ShownFlight};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
+use crate::map::TILES_AT_A_TIME;
 use pilotage_jobs::{DescribeMapOrder, FlightSource, FlyOrder, Job, MapSource, TileOrder};
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
-/// Most tiles asked for at a time.
-pub(super) const TILES_AT_A_TIME: usize = 4;
 
 impl App {
     /// Flies another flight; what is open stays until it begins.
@@ -166,7 +165,6 @@ impl App {
         self.follow_world(host);
         self.ask_for_heights(host);
         self.ask_for_tiles(host);
-        self.ask_for_picture_tiles(host);
         self.watch_download(context, host);
         let camera = &self.views.camera;
         let (documents, playback) = (&self.documents, &self.playback);

@@ -2,18 +2,24 @@
 
 mod canvas;
 mod coordinates;
+mod feature;
 mod marks;
 mod over_map;
 mod over_picture;
 mod panel;
 mod state;
+mod work;
 
-pub use state::{Georeferencer, NamedPlace};
+use state::{Georeferencer, NamedPlace};
+pub use work::GeoreferencerFeature;
 
 use crate::command::Command;
-use crate::feature_command::FeatureCommand;
+use crate::feature_command::{FeatureCommand, FeatureId};
 
-/// Commands of the georeferencer to the app.
+/// Identity of the feature.
+const ID: FeatureId = "georeferencer";
+
+/// Commands of the georeferencer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GeoreferenceCommand {
     /// Show the picture as the map, where the fit puts it.
@@ -30,6 +36,6 @@ pub enum GeoreferenceCommand {
 
 impl From<GeoreferenceCommand> for Command {
     fn from(command: GeoreferenceCommand) -> Self {
-        Self::Feature(FeatureCommand::new("georeference", command))
+        Self::Feature(FeatureCommand::new(ID, command))
     }
 }

@@ -23,7 +23,7 @@ pub(crate) use layers::track_colour;
 pub use layers::{Layer, Layers};
 pub(crate) use other_world::carry;
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};
-pub use tiles::{TileCache, TileKey};
+pub use tiles::{TILES_AT_A_TIME, TileCache, TileKey};
 pub use tool::{MapCanvas, MapStage, MapTool};
 pub use transform::{MapCamera, ScreenFromWorld};
 pub use view::{MapExtra, MapView};

@@ -15,6 +15,8 @@ use pilotage_jobs::MapInfo;
 
 /// Pixels on a tile's side.
 const SIDE: usize = 256;
+/// Most tiles asked for at a time.
+pub const TILES_AT_A_TIME: usize = 4;
 /// Textures kept.
 const CAPACITY: usize = 320;
 /// Number of levels up in which a stand-in is looked for.

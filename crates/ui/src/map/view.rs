@@ -65,6 +65,8 @@ pub struct MapView {
     pub picking: bool,
     /// Whether a place of the flight that is open was chosen for it, to be fitted to nothing else.
     pub is_placed: bool,
+    /// Whether the map that is open is to be shown whole once it is known how far it reaches.
+    pub fits_when_known: bool,
     /// The landmark that is being named in place.
     pub naming: Option<u32>,
     /// Whether the plan is shown.

@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{OpenedFiles, Unplaced};
+use pilotage_jobs::{Job, OpenedFiles, Unplaced};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, rig};
@@ -122,4 +122,32 @@ fn closing_leaves_everything_as_it_was() {
     for kept in ["landmarks", "flight", "run_steps", "origin"] {
         assert_eq!(before[kept], after[kept], "{kept}");
     }
+}
+
+#[test]
+fn points_and_places_that_are_opened_go_to_the_picture_that_is_put_on_the_ground() {
+    let mut rig = rig_with_a_picture();
+    pick(&mut rig, &PLACES);
+    rig.harness.get_by_label("Save points").click();
+    rig.frames(3);
+    let (_, points) = rig.host().saved[0].clone();
+    pick(&mut rig, &[(0.0, 0.0)]);
+    assert_eq!(rig.state()["georeferencer"]["points"], 5);
+    for (path, content) in [("photo.points", points), ("places.kml", vec![1])] {
+        let path = path.to_owned();
+        let content = content.into();
+        rig.host().opened.push(vec![OpenedFile { path, content }]);
+        rig.frames(3);
+    }
+    assert_eq!(rig.state()["georeferencer"]["points"], 4);
+    let jobs = &rig.host().jobs;
+    let is_of_places =
+        |(_, job): &(_, Job)| matches!(job, Job::ReadPlaces(order) if order.key == "opened-3");
+    assert!(jobs.iter().any(is_of_places));
+    let opens = jobs.iter().filter(|(_, job)| matches!(job, Job::Open(_)));
+    assert_eq!(
+        opens.count(),
+        1,
+        "files for the picture were opened as others"
+    );
 }

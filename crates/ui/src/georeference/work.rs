@@ -1,0 +1,252 @@
+//! The picture that is being put on the ground: its jobs, its files, and what becomes of it.
+
+use pilotage_core::imagery::georeferencer::TransformFit;
+use pilotage_core::raster::Raster;
+use pilotage_jobs::{
+    DescribeMapOrder, FileContent, Job, JobEvent, JobId, ReadPlacesOrder, TileOrder, Unplaced,
+};
+
+use super::{Georeferencer, NamedPlace};
+use crate::documents::kept::provide;
+use crate::feature::{FeatureContext, OpenedSet};
+use crate::map::{TILES_AT_A_TIME, TileKey};
+
+/// Endings of files with named places.
+const PLACES: [&str; 7] = ["kml", "kmz", "gpx", "geojson", "csv", "plan", "waypoints"];
+
+/// Side of the largest map that is shown whole beside a picture, metres.
+const LARGEST_SHOWN: f64 = 20_000.0;
+
+fn has_ending(path: &str, endings: &[&str]) -> bool {
+    let ending = path.rsplit('.').next().unwrap_or_default();
+    endings.iter().any(|e| ending.eq_ignore_ascii_case(e))
+}
+
+/// Georeferencer, with a picture while it is open.
+#[derive(Default)]
+pub struct GeoreferencerFeature {
+    pub(super) picture: Option<Georeferencer>,
+    /// Files that the picture is among.
+    files: Option<OpenedSet>,
+    /// Tiles asked for of the picture.
+    tiles: Vec<(JobId, TileKey)>,
+    /// The question what the picture is.
+    describe: Option<JobId>,
+    /// Named places being read.
+    places: Option<JobId>,
+}
+
+impl GeoreferencerFeature {
+    /// Opens a picture that does not say where it lies.
+    pub(super) fn begin(
+        &mut self,
+        set: &OpenedSet,
+        unplaced: Unplaced,
+        context: &mut FeatureContext<'_>,
+    ) {
+        self.close(context);
+        let origin = context.documents.world_origin();
+        let mut picture = Georeferencer::new(&set.key, &unplaced.name, origin);
+        let order = DescribeMapOrder(picture.bare());
+        self.describe = Some(context.start(Job::DescribeMap(order)));
+        self.files = Some(set.clone());
+        if let Some((file, text)) = unplaced.points {
+            match picture.load(&text) {
+                Ok(count) => context.note(&format!("Read {count} points from {file}"), ""),
+                Err(why) => {
+                    context.trouble(&format!("{file} was not read"), format!("{file}: {why}."));
+                }
+            }
+        } else {
+            let text = "Click places that you know in the picture and on the map. Its world file \
+                beside it would do as well.";
+            let title = format!("{} does not say where it lies", unplaced.name);
+            context.note(&title, text);
+        }
+        self.picture = Some(picture);
+        context.playback.playing = false;
+        let map = context.documents.map.as_ref().map(|m| m.bounds);
+        if let Some(ground) = map.filter(|r| r.width().max(r.height()) < LARGEST_SHOWN) {
+            context.map.fit(ground);
+        }
+        self.show_points(context);
+    }
+
+    /// Shows all points on the map.
+    fn show_points(&self, context: &mut FeatureContext<'_>) {
+        if let Some(ground) = self.picture.as_ref().and_then(Georeferencer::ground) {
+            context.map.fit(ground);
+        }
+        context.map.follow = false;
+    }
+
+    /// Leaves the picture.
+    pub(super) fn close(&mut self, context: &mut FeatureContext<'_>) {
+        let Self {
+            tiles,
+            describe,
+            places,
+            ..
+        } = std::mem::take(self);
+        let tiles = tiles.into_iter().map(|(id, _)| id);
+        for id in tiles.chain(describe).chain(places) {
+            context.cancel(id);
+        }
+    }
+
+    /// Takes points and places out of files; false if they hold something else.
+    pub(super) fn load(&mut self, set: &OpenedSet, context: &mut FeatureContext<'_>) -> bool {
+        let Some(picture) = &mut self.picture else {
+            return false;
+        };
+        if let [file] = set.files.as_slice()
+            && has_ending(&file.path, &["points"])
+            && let FileContent::Bytes(bytes) = &file.content
+        {
+            match picture.load(&String::from_utf8_lossy(bytes)) {
+                Ok(count) => {
+                    let title = format!("Read {count} points from {}", file.path);
+                    context.note(&title, "Undo brings the points before back.");
+                    self.show_points(context);
+                }
+                Err(why) => {
+                    let title = format!("{} was not read", file.path);
+                    let text = format!("{}: {why}. The points stay as they were.", file.path);
+                    context.trouble(&title, text);
+                }
+            }
+            return true;
+        }
+        let mut files = set.files.iter();
+        let has_places = files.all(|file| has_ending(&file.path, &PLACES));
+        if has_places {
+            provide(context.host, &set.key, &set.files);
+            let key = set.key.clone();
+            self.places = Some(context.start(Job::ReadPlaces(ReadPlacesOrder { key })));
+        }
+        has_places
+    }
+
+    /// Takes what a worker says.
+    pub(super) fn take(&mut self, id: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+        let Some(picture) = &mut self.picture else {
+            return;
+        };
+        match event {
+            JobEvent::Tile { window, pixels, .. } => {
+                // A coarse view that is not whole is as good as it gets: what is missing is read
+                // when looked at from near.
+                let tiles = &mut picture.canvas.tiles;
+                tiles.insert(context.egui, &window, &pixels, true);
+                self.tiles.retain(|(job, _)| *job != id);
+            }
+            JobEvent::MapInfo(info) => {
+                picture.describe(&info);
+                context.egui.request_repaint();
+            }
+            JobEvent::Places(places) => {
+                let title = match places.len() {
+                    1 => "1 place to choose from".to_owned(),
+                    count => format!("{count} places to choose from"),
+                };
+                let place = |(name, at)| NamedPlace { name, at };
+                picture.places = places.into_iter().map(place).collect();
+                context.note(&title, "They stand beside the picture.");
+            }
+            JobEvent::Failed(why) if self.describe == Some(id) => {
+                let title = format!("{} cannot be shown", picture.name);
+                context.trouble(&title, format!("{why} Everything open stays as it was."));
+                self.close(context);
+            }
+            JobEvent::Failed(why) if self.places == Some(id) => {
+                self.places = None;
+                context.trouble("No places were read", why);
+            }
+            JobEvent::Failed(_) => {
+                let place = self.tiles.iter().position(|(job, _)| *job == id);
+                if let Some((_, key)) = place.map(|place| self.tiles.swap_remove(place)) {
+                    let empty = Raster::filled(0, 0, [0; 4]);
+                    let tiles = &mut picture.canvas.tiles;
+                    tiles.insert(context.egui, &key.window(), &empty, true);
+                }
+            }
+            JobEvent::Finished | JobEvent::Cancelled => {
+                self.tiles.retain(|(job, _)| *job != id);
+                self.describe = self.describe.filter(|job| *job != id);
+                self.places = self.places.filter(|job| *job != id);
+            }
+            _ => {}
+        }
+    }
+
+    /// Asks for the picture's pixels that are in sight.
+    pub(super) fn ask_for_tiles(&mut self, context: &mut FeatureContext<'_>) {
+        let Some(picture) = &self.picture else {
+            return;
+        };
+        let room = TILES_AT_A_TIME.saturating_sub(self.tiles.len());
+        let is_asked = |key: &TileKey| self.tiles.iter().any(|(_, asked)| asked == key);
+        let wanted = picture.canvas.tiles.wanted().iter();
+        let next = wanted.filter(|key| !is_asked(key)).take(room).copied();
+        for key in next.collect::<Vec<_>>() {
+            let id = context.start(Job::Tile(TileOrder {
+                map: picture.bare(),
+                window: key.window(),
+            }));
+            self.tiles.push((id, key));
+        }
+    }
+
+    /// Saves the points as QGIS writes them.
+    pub(super) fn save_points(&self, context: &mut FeatureContext<'_>) {
+        let Some(picture) = &self.picture else {
+            return;
+        };
+        let name = picture.file_beside("points");
+        let text = picture.points_file();
+        context.host.save_file(&name, text.as_bytes());
+        context.note("Points saved", name);
+    }
+
+    /// Saves the world file and the .prj beside it.
+    pub(super) fn save_world_file(&self, context: &mut FeatureContext<'_>) {
+        let Some(picture) = &self.picture else {
+            return;
+        };
+        let fitted = picture.fitted().as_ref().ok();
+        let world_file = fitted.and_then(TransformFit::world_file);
+        if let (Some(file), Some(system)) = (world_file, picture.system) {
+            let name = picture.world_file_name();
+            context.host.save_file(&name, file.to_string().as_bytes());
+            let system_file = picture.file_beside("prj");
+            let words = system.well_known_text();
+            context.host.save_file(&system_file, words.as_bytes());
+            let text = format!("{name} and {system_file} belong beside the picture.");
+            context.note("World file saved", text);
+        }
+    }
+
+    /// Shows the picture as the map, where the fit puts it.
+    pub(super) fn use_as_map(&mut self, context: &mut FeatureContext<'_>) {
+        let Some(picture) = &self.picture else {
+            return;
+        };
+        let Some(source) = picture.placed() else {
+            return;
+        };
+        let name = picture.file_beside("");
+        if let Some(files) = self.files.take() {
+            context.keep(files);
+        }
+        self.close(context);
+        let documents = &mut *context.documents;
+        if let (None, Some(origin)) = (documents.world_origin(), source.origin()) {
+            documents.begin_world(origin, name.trim_end_matches('.'));
+        }
+        context.map.fits_when_known = true;
+        context.change_map(source);
+        context.document_changed();
+        let text = "Save its world file to have its place elsewhere too.";
+        context.note("The picture is the map now", text);
+    }
+}
