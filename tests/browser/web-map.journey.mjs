@@ -60,7 +60,7 @@ async function command(page, tools, words) {
 /** Opens a file at an address; what is there when all of it is shown. */
 async function openFile(page, tools, address) {
   await command(page, tools, "map from the web");
-  await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+  await tools.waitFor((s) => s.web_map.open, "the dialog");
   await tools.drawn();
   await tools.type("Address", address);
   await tools.find("TextInput", address);
@@ -91,7 +91,7 @@ export async function run(page, tools) {
     await tools.waitFor((s) => s.run_steps > 0 && s.map.tiles > 0, "the demo", 150_000);
     tools.check(server.counts.tiles === 0, "something was requested before anybody asked for it");
     await command(page, tools, "map from the web");
-    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+    await tools.waitFor((s) => s.web_map.open, "the dialog");
     await tools.type("Address", `${server.address}/{z}/{x}/{y}.png`);
     await tools.type("Attribution", "Map by the journey's own server");
     await tools.screenshot("web-map-dialog");
@@ -104,7 +104,7 @@ export async function run(page, tools) {
     await tools.screenshot("web-map");
 
     await command(page, tools, "map from the web");
-    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+    await tools.waitFor((s) => s.web_map.open, "the dialog");
     await tools.screenshot("web-map-download");
     // Stopped on the way, it goes on later where it was: no tile is asked for twice.
     const asked = server.counts.tiles;
@@ -112,12 +112,12 @@ export async function run(page, tools) {
     await tools.click(await tools.find("Button", "Download what is in sight"));
     // Tile by tile until some of them have come; the map itself may want a few, too.
     const letting = setInterval(() => server.pass(1), 150);
-    await tools.waitFor((s) => s.download?.done > 2, "the first tiles", 60_000).finally(() => clearInterval(letting));
+    await tools.waitFor((s) => s.web_map.download?.done > 2, "the first tiles", 60_000).finally(() => clearInterval(letting));
     await tools.click(await tools.find("Button", "Stop the download"));
     await page.waitForTimeout(2000);
     server.release();
-    const stopped = await tools.waitFor((s) => s.download?.over, "the stop", 30_000);
-    tools.check(stopped.download.done < stopped.download.all, `it was not stopped: ${JSON.stringify(stopped.download)}`);
+    const stopped = await tools.waitFor((s) => s.web_map.download?.over, "the stop", 30_000);
+    tools.check(stopped.web_map.download.done < stopped.web_map.download.all, `it was not stopped: ${JSON.stringify(stopped.web_map.download)}`);
     // What was asked for before the stop may still come, and the map itself may want a few for the view.
     let paused = -1;
     for (let i = 0; i < 20 && server.counts.tiles !== paused; i += 1) {
@@ -125,16 +125,16 @@ export async function run(page, tools) {
       await page.waitForTimeout(800);
     }
     tools.check(server.counts.tiles === paused, "tiles are requested after the stop");
-    tools.check(paused - asked < stopped.download.all, `${paused - asked} tiles were requested in spite of the stop`);
+    tools.check(paused - asked < stopped.web_map.download.all, `${paused - asked} tiles were requested in spite of the stop`);
     await page.mouse.move(20, 400); // the dialog is drawn anew, lower than while it showed progress
     await page.waitForTimeout(700);
     await tools.click(await tools.find("Button", "Download what is in sight"));
-    const done = await tools.waitFor((s) => s.download?.over && s.download.done === s.download.all, "the download", 60_000);
-    tools.check(done.download.failed === 0 && done.download.done > 4, JSON.stringify(done.download));
+    const done = await tools.waitFor((s) => s.web_map.download?.over && s.web_map.download.done === s.web_map.download.all, "the download", 60_000);
+    tools.check(done.web_map.download.failed === 0 && done.web_map.download.done > 4, JSON.stringify(done.web_map.download));
     const twice = [...server.counts.asked].filter(([, times]) => times > 1);
     tools.check(twice.length === 0, `asked for more than once: ${twice.join("; ")}`);
-    tools.say(`stopped after ${stopped.download.done} of ${stopped.download.all} tiles`);
-    tools.say(`${done.download.done} tiles downloaded, ${server.counts.tiles} requested in all`);
+    tools.say(`stopped after ${stopped.web_map.download.done} of ${stopped.web_map.download.all} tiles`);
+    tools.say(`${done.web_map.download.done} tiles downloaded, ${server.counts.tiles} requested in all`);
     await page.keyboard.press("Escape");
 
     // The server fails; the page is loaded again.

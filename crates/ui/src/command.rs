@@ -88,8 +88,6 @@ pub enum Command {
     ToggleHelp,
     /// Show or hide the dialog that simulates a flight.
     ToggleSimulate,
-    /// Show or hide the dialog that opens a map of the web.
-    ToggleWebMap,
     /// Show or hide the filter settings.
     ToggleSettings,
     /// Open files.

@@ -42,6 +42,8 @@ pub enum FeaturePlace {
     /// A column beside the map and what it draws beside that, in the place of everything else, while it takes the
     /// window.
     BesideMap,
+    /// A dialog over everything, which it draws itself while that is open.
+    Dialog,
 }
 
 /// Description of a feature for whoever lists features.
@@ -89,6 +91,8 @@ pub struct FeatureWishes {
     pub flight: Option<FlightWish>,
     /// Files to be kept for the next visit.
     pub kept: Vec<OpenedSet>,
+    /// Files to be opened as if people had chosen them, each set by itself.
+    pub opened: Vec<Vec<OpenedFile>>,
 }
 
 /// Flight to be flown in the place of the one that is being flown.
@@ -289,6 +293,11 @@ impl FeatureContext<'_> {
     /// Has the browser keep files, which the workers have, for the next visit.
     pub fn keep(&mut self, set: OpenedSet) {
         self.wishes.kept.push(set);
+    }
+
+    /// Opens files as if people had chosen them.
+    pub fn open(&mut self, files: Vec<OpenedFile>) {
+        self.wishes.opened.push(files);
     }
 }
 
@@ -532,5 +541,15 @@ pub trait Feature {
     /// Takes files that were opened for it alone, before anybody looks at what they hold; whether they are its own.
     fn take_files(&mut self, _set: &OpenedSet, _context: &mut FeatureContext<'_>) -> bool {
         false
+    }
+
+    /// Whether a dialog of it lies over everything, which Escape closes.
+    fn is_open_over(&self) -> bool {
+        false
+    }
+
+    /// Sign and words of its button in the top bar, which shows it.
+    fn bar_button(&self) -> Option<(Icon, &'static str)> {
+        None
     }
 }

@@ -12,6 +12,7 @@ use crate::outage::Outages;
 use crate::photos::PhotosFeature;
 use crate::plan::Planner;
 use crate::shell::catalog::{self, CommandEntry};
+use crate::web_map::WebMapFeature;
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
@@ -28,6 +29,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(Compare::default()),
         Box::new(Outages::default()),
         Box::new(CameraLogFeature::default()),
+        Box::new(WebMapFeature::default()),
     ]
 }
 

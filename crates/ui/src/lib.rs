@@ -31,3 +31,4 @@ pub mod timeline;
 pub mod tokens;
 pub mod units;
 pub mod views;
+pub mod web_map;

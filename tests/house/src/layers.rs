@@ -144,6 +144,7 @@ const UI: Order = Order {
         "camera_log",
         "compare",
         "outage",
+        "web_map",
         "dialogs",
         "features",
         "app",

@@ -269,7 +269,6 @@ impl App {
             Command::TogglePalette => self.dialogs.palette.toggle(),
             Command::ToggleHelp => self.dialogs.help = !self.dialogs.help,
             Command::ToggleSimulate => self.dialogs.simulate.toggle(),
-            Command::ToggleWebMap => self.dialogs.web_map.toggle(),
             Command::ToggleSettings => self.dialogs.settings = !self.dialogs.settings,
             Command::ToggleTrackUp => {
                 let map = &mut self.views.map;

@@ -2,7 +2,7 @@
 
 use super::{App, SideTab, is_sheet};
 use crate::command::{Command, Workspace};
-use crate::dialogs::{ColumnsCommand, WebMapCommand};
+use crate::dialogs::ColumnsCommand;
 use crate::documents::Session;
 use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureId, FeaturePlace, FeatureWishes, FlightFiles,
@@ -27,6 +27,7 @@ impl App {
             FeaturePlace::Workspace(own) => self.view.workspace == own,
             FeaturePlace::Window(over) => self.view.workspace == over && feature.takes_window(),
             FeaturePlace::BesideMap => feature.takes_window(),
+            FeaturePlace::Dialog => feature.is_open_over(),
             FeaturePlace::Tab
             | FeaturePlace::Sheet
             | FeaturePlace::FirstTab
@@ -80,6 +81,9 @@ impl App {
         }
         if let Some(map) = wishes.map {
             self.change_map(host, map);
+        }
+        for files in wishes.opened {
+            self.open_files(egui, host, files);
         }
         match wishes.flight {
             Some(FlightWish::Nothing) => self.stop_flying(host),
@@ -163,7 +167,7 @@ impl App {
             self.view.workspace = own;
             return;
         }
-        if place == FeaturePlace::BesideMap {
+        if matches!(place, FeaturePlace::BesideMap | FeaturePlace::Dialog) {
             return;
         }
         self.view.workspace = Workspace::Replay;
@@ -183,7 +187,7 @@ impl App {
         egui: &egui::Context,
         host: &mut dyn Host,
     ) {
-        let mut is_done = self.execute_by_name(command, egui, host);
+        let mut is_done = self.execute_by_name(command, host);
         if let Some(index) = self.feature(command.to()) {
             if command.action::<Show>().is_some() {
                 let place = self.views.features[index].info().place;
@@ -206,15 +210,8 @@ impl App {
     }
 
     /// Carries out a command of those parts that are no features; whether it was one.
-    fn execute_by_name(
-        &mut self,
-        command: &FeatureCommand,
-        egui: &egui::Context,
-        host: &mut dyn Host,
-    ) -> bool {
-        if let Some(command) = command.action::<WebMapCommand>() {
-            self.web_map(command.clone(), egui, host);
-        } else if let Some(command) = command.action::<ColumnsCommand>() {
+    fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
+        if let Some(command) = command.action::<ColumnsCommand>() {
             self.columns(*command, host);
         } else {
             return false;

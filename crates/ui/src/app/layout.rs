@@ -74,6 +74,12 @@ impl App {
         let narrow = screen.width() < NARROW;
         let plots_open = self.are_plots_open(screen.height());
         let title = self.documents.title();
+        let features = self.views.features.iter();
+        let buttons = features.filter_map(|it| {
+            let (icon, label) = it.bar_button()?;
+            Some((icon, label, it.info().id))
+        });
+        let buttons: Vec<_> = buttons.collect();
         bar(&tokens, BAR_HEIGHT).show(ui, |ui| {
             let bar = TopBar {
                 workspace: self.view.workspace,
@@ -83,6 +89,7 @@ impl App {
                 settings_open: self.dialogs.settings,
                 side_open: self.view.side_open,
                 plots_open,
+                buttons: &buttons,
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });
@@ -162,7 +169,13 @@ impl App {
         if self.dialogs.help && help_sheet(ui.ctx(), tokens, &self.catalog) {
             self.dialogs.help = false;
         }
-        self.web_map_dialog(ui, commands);
+        let (scene, views) = self.scene(tokens);
+        let features = views.features.iter_mut();
+        for dialog in features.filter(|it| it.info().place == FeaturePlace::Dialog) {
+            scene.with_context(commands, |context| {
+                dialog.panel(ui, context, scene.documents);
+            });
+        }
         self.dialogs.columns.show(ui.ctx(), tokens, units, commands);
         let (scene, views) = self.scene(tokens);
         for feature in &mut views.features {

@@ -20,13 +20,12 @@ mod pending_jobs;
 mod report;
 mod start;
 mod storage;
-mod web_maps;
 mod work;
 
 use pilotage_jobs::{FlightSource, JobId};
 
 use crate::command::{Command, Workspace};
-use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
+use crate::dialogs::{ColumnsDialog, SimulateDialog};
 use crate::documents::{Documents, ViewState};
 use crate::exports::Exports;
 use crate::feature::{Feature, FeatureId, FeaturePlace};
@@ -101,7 +100,6 @@ fn is_sheet(tab: SideTab, features: &[Box<dyn Feature>]) -> bool {
 struct Dialogs {
     palette: Palette,
     simulate: SimulateDialog,
-    web_map: WebMapDialog,
     columns: ColumnsDialog,
     help: bool,
     settings: bool,
@@ -230,11 +228,11 @@ impl App {
             || egui::Popup::is_any_open(context)
             || dialogs.palette.is_open()
             || dialogs.simulate.is_open()
-            || dialogs.web_map.is_open()
             || dialogs.columns.is_open()
             || dialogs.help
             || views.map.picking
             || views.beside_map().is_some()
+            || views.features.iter().any(|it| it.is_open_over())
             || self.is_flight_hidden();
         let is_pressed = || context.input(|i| i.key_pressed(egui::Key::Escape));
         if self.playback.selected_span.is_some() && !is_taken && is_pressed() {

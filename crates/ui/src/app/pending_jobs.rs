@@ -4,7 +4,6 @@ use super::storage::Keeping;
 use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
 use crate::feature::OpenedSet;
-use crate::host::Download;
 use crate::map::TileKey;
 use crate::short_map::ShortMap;
 use pilotage_jobs::{FlightSource, JobId, MapSource};
@@ -61,10 +60,6 @@ pub struct Opening {
 
 /// Everything that is being computed.
 #[derive(Debug, Default)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is a wish of its own that waits for something"
-)]
 pub struct PendingJobs {
     /// The flight being flown.
     pub fly: Option<FlyJob>,
@@ -78,10 +73,6 @@ pub struct PendingJobs {
     pub prepare_declined: bool,
     /// When tiles that are not whole were asked for again, milliseconds.
     pub tiles_refreshed: f64,
-    /// Progress of a download of tiles.
-    pub download: Option<Download>,
-    /// Whether it was begun here and is not over.
-    pub downloading: bool,
     /// Heights being taken.
     pub heights: Option<JobId>,
     /// The question what the map is.

@@ -154,9 +154,6 @@ impl App {
             "side_tab": self.side_tab.name(),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
-            "download": self.jobs.download.map(|d| {
-                object!({"done": d.done, "all": d.all, "failed": d.failed, "over": d.over})
-            }),
             "toasts": toasts,
             "input_waits": self.input_waits,
             "dialogs": object!({
@@ -164,7 +161,6 @@ impl App {
                 "help": self.dialogs.help,
                 "simulate": self.dialogs.simulate.is_open(),
                 "settings": self.dialogs.settings,
-                "web_map": self.dialogs.web_map.is_open(),
                 "columns": self.columns_json(),
             }),
             "map": object!({

@@ -165,7 +165,6 @@ impl App {
         self.follow_world(host);
         self.ask_for_heights(host);
         self.ask_for_tiles(host);
-        self.watch_download(context, host);
         let camera = &self.views.camera;
         let (documents, playback) = (&self.documents, &self.playback);
         self.frame_pictures.ask(host, documents, playback, camera);

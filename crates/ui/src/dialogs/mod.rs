@@ -6,9 +6,7 @@ mod landmark_settings;
 mod setting_rows;
 mod settings;
 mod simulate;
-mod web_map;
 
 pub use columns::{ColumnsCommand, ColumnsDialog, ColumnsDraft, DraftTable};
 pub use settings::settings_sheet;
 pub use simulate::SimulateDialog;
-pub use web_map::{WebMapCommand, WebMapDialog, WebMapScene};

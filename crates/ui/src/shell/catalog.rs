@@ -243,11 +243,6 @@ fn document() -> Vec<CommandEntry> {
             Command::Open,
         ),
         of(
-            "Map from the web: tiles, GeoTIFF, PMTiles…",
-            vec![shift(Key::M)],
-            Command::ToggleWebMap,
-        ),
-        of(
             "Save the mission",
             vec![control(Key::S)],
             Command::SaveMission,

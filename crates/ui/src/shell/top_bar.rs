@@ -5,6 +5,7 @@ use egui::{Align, Layout, RichText, Ui};
 use super::icons::Icon;
 use super::widgets::{icon_button, icon_toggle, muted, tab, text_button};
 use crate::command::{Command, Workspace};
+use crate::feature_command::{FeatureCommand, FeatureId};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
@@ -24,6 +25,8 @@ pub struct TopBar<'a> {
     pub side_open: bool,
     /// Whether the plots are open.
     pub plots_open: bool,
+    /// Buttons of features: sign, words, and whose it is.
+    pub buttons: &'a [(Icon, &'static str, FeatureId)],
 }
 
 /// Draws the bar.
@@ -97,8 +100,10 @@ fn actions(
         }
         ui.add_space(4.0);
     }
-    if icon_button(ui, tokens, Icon::Layers, "Map from the web…").clicked() {
-        commands.push(Command::ToggleWebMap);
+    for (icon, label, of) in bar.buttons {
+        if icon_button(ui, tokens, *icon, label).clicked() {
+            commands.push(Command::Feature(FeatureCommand::show(of)));
+        }
     }
     if text_button(ui, tokens, Some(Icon::Aircraft), "Simulate…", true).clicked() {
         commands.push(Command::ToggleSimulate);

@@ -43,3 +43,4 @@ mod simulate;
 mod tables;
 mod typing;
 mod undo;
+mod web_map;

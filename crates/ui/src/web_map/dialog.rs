@@ -4,8 +4,8 @@ use egui::{DragValue, Frame, Id, Modal, TextEdit, Ui};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::web_tiles::TileTemplate;
 
+use super::WebMapCommand;
 use crate::command::Command;
-use crate::feature_command::FeatureCommand;
 use crate::host::Download;
 use crate::shell::{caption, muted, text_button, title};
 use crate::tokens::Tokens;
@@ -16,25 +16,6 @@ const MOST_TILES: u64 = 20_000;
 /// Bytes of a usual tile, for an estimate.
 const USUAL_TILE: f64 = 22_000.0;
 
-/// Commands of the dialog.
-#[derive(Clone, Debug, PartialEq)]
-pub enum WebMapCommand {
-    /// Show a map of tiles.
-    OpenTiles(Box<WebMap>),
-    /// Open the file at an address.
-    OpenFile(String),
-    /// Download tiles of the map that is open over an area, at zooms from the first to the last.
-    Download(GroundRect, (u8, u8)),
-    /// Stop that.
-    StopDownload,
-}
-
-impl From<WebMapCommand> for Command {
-    fn from(command: WebMapCommand) -> Self {
-        Self::Feature(FeatureCommand::new("web map", command))
-    }
-}
-
 /// Scene of the dialog: the open map and the ground in sight.
 pub struct WebMapScene<'a> {
     /// Origin of the world frame.
@@ -43,8 +24,6 @@ pub struct WebMapScene<'a> {
     pub open: Option<&'a WebMap>,
     /// The ground in sight.
     pub visible: Option<GroundRect>,
-    /// Metres per pixel in sight.
-    pub gsd: f64,
     /// The download under way or just over.
     pub download: Option<Download>,
 }

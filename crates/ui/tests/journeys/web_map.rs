@@ -1,0 +1,76 @@
+use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::{DescribeMapOrder, FileContent, Job, MapSource, ProvideOrder};
+
+use super::support::{Rig, rig};
+
+fn is_open(rig: &Rig) -> bool {
+    rig.state()["web_map"]["open"] == true
+}
+
+fn type_into(rig: &mut Rig, field: &str, text: &str) {
+    rig.harness.get_by_label(field).focus();
+    rig.frames(2);
+    rig.harness.event(Event::Text(text.to_owned()));
+    rig.frames(2);
+}
+
+/// Opens the map at an address by the dialog.
+fn open(rig: &mut Rig, address: &str) {
+    rig.frames(8);
+    rig.harness.get_by_label("Map from the web…").click();
+    rig.frames(6);
+    type_into(rig, "Address", address);
+    if rig.harness.query_by_label("Attribution").is_some() {
+        type_into(rig, "Attribution", "© someone");
+    }
+    rig.harness.get_by_label("Open the map").click();
+    rig.frames(6);
+}
+
+#[test]
+fn the_dialog_of_web_maps_opens_by_its_key_and_escape_closes_it_before_anything_else() {
+    let mut rig = rig();
+    let track = rig.rect("/timeline");
+    let at = |share: f32| track.left_center() + egui::vec2(share * track.width(), 0.0);
+    rig.drag_with(Modifiers::SHIFT, at(0.3), at(0.6));
+    rig.key_with(Modifiers::SHIFT, Key::M);
+    assert!(is_open(&rig));
+    let selected = rig.state()["selected"].clone();
+    assert!(selected.is_array(), "a span is selected");
+    rig.key(Key::Escape);
+    assert!(!is_open(&rig));
+    assert_eq!(rig.state()["selected"], selected);
+    rig.key(Key::Escape);
+    assert!(rig.state()["selected"].is_null());
+}
+
+#[test]
+fn tiles_of_the_web_become_the_map() {
+    let mut rig = rig();
+    open(&mut rig, "https://example.org/{z}/{x}/{y}.png");
+    assert!(!is_open(&rig));
+    let is_of_web = |(_, job): &(_, Job)| {
+        matches!(job, Job::DescribeMap(DescribeMapOrder(MapSource::Web(map)))
+            if map.template.attribution == "© someone")
+    };
+    assert!(rig.host().jobs.iter().any(is_of_web));
+}
+
+#[test]
+fn a_file_at_an_address_is_opened_as_if_it_were_chosen() {
+    let mut rig = rig();
+    open(&mut rig, "https://example.org/maps/area.tif?key=1");
+    let is_given = |(_, job): &(_, Job)| {
+        let Job::Provide(ProvideOrder { files, .. }) = job else {
+            return false;
+        };
+        let [(path, FileContent::Address(address))] = files.as_slice() else {
+            return false;
+        };
+        path == "https://example.org/maps/area.tif" && address.ends_with("?key=1")
+    };
+    let jobs = &rig.host().jobs;
+    assert!(jobs.iter().any(is_given));
+    assert!(jobs.iter().any(|(_, job)| matches!(job, Job::Open(_))));
+}
