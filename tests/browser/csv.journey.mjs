@@ -19,10 +19,10 @@ export async function run(page, tools) {
   const before = await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
   const kinds = ["ATT", "GPS", "IMU", "NTUN", "MAG"];
   await page.setInputFiles("#files", kinds.map((kind) => join(folder, `TestLog2_${kind}.csv`)));
-  const asked = await tools.waitFor((s) => s.dialogs.columns || s.toasts.some((t) => t.trouble), "the question", 120_000);
+  const asked = await tools.waitFor((s) => s.columns || s.toasts.some((t) => t.trouble), "the question", 120_000);
   const trouble = asked.toasts.find((t) => t.trouble);
   tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
-  const { tables, lacks } = asked.dialogs.columns;
+  const { tables, lacks } = asked.columns;
   const used = tables.filter((t) => t.used).map((t) => t.file).sort();
   tools.check(used.join() === "TestLog2_ATT.csv,TestLog2_GPS.csv,TestLog2_IMU.csv,TestLog2_NTUN.csv", used.join());
   tools.check(lacks === null, lacks);

@@ -28,7 +28,7 @@ export async function run(page, tools) {
   await tools.screenshot("cut-landmarks");
   const kinds = ["ATT", "GPS", "IMU", "NTUN", "MAG"];
   await page.setInputFiles("#files", kinds.map((kind) => join(folder, `TestLog2_${kind}.csv`)));
-  await tools.waitFor((s) => s.dialogs.columns, "the question what the columns mean", 60_000);
+  await tools.waitFor((s) => s.columns, "the question what the columns mean", 60_000);
   await page.keyboard.press("Enter");
   await tools.waitFor((s) => s.flight !== before.flight && s.run_complete, "the flight", 150_000);
   await page.keyboard.press("Shift+G");

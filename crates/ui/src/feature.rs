@@ -93,6 +93,8 @@ pub struct FeatureWishes {
     pub kept: Vec<OpenedSet>,
     /// Files to be opened as if people had chosen them, each set by itself.
     pub opened: Vec<Vec<OpenedFile>>,
+    /// Flight in opened files to be read, and flown then.
+    pub read: Option<FlightFiles>,
 }
 
 /// Flight to be flown in the place of the one that is being flown.
@@ -298,6 +300,11 @@ impl FeatureContext<'_> {
     /// Opens files as if people had chosen them.
     pub fn open(&mut self, files: Vec<OpenedFile>) {
         self.wishes.opened.push(files);
+    }
+
+    /// Has whoever reads flights read one in opened files, which is flown then.
+    pub fn read(&mut self, flight: FlightFiles) {
+        self.wishes.read = Some(flight);
     }
 }
 
@@ -551,5 +558,10 @@ pub trait Feature {
     /// Sign and words of its button in the top bar, which shows it.
     fn bar_button(&self) -> Option<(Icon, &'static str)> {
         None
+    }
+
+    /// Whether letters are for its dialog, even before a field of that has the keyboard.
+    fn takes_letters(&self) -> bool {
+        false
     }
 }

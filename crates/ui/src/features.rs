@@ -1,6 +1,7 @@
 //! All features of the app, in the order of their tabs: a new one is a folder, and a line here.
 
 use crate::camera_log::CameraLogFeature;
+use crate::columns::ColumnsFeature;
 use crate::compare::Compare;
 use crate::detector::DetectorFeature;
 use crate::feature::Feature;
@@ -30,6 +31,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(Outages::default()),
         Box::new(CameraLogFeature::default()),
         Box::new(WebMapFeature::default()),
+        Box::new(ColumnsFeature::default()),
     ]
 }
 

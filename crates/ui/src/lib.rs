@@ -2,6 +2,7 @@
 
 pub mod app;
 pub mod camera_log;
+pub mod columns;
 pub mod command;
 pub mod compare;
 pub mod context;

@@ -145,6 +145,7 @@ const UI: Order = Order {
         "compare",
         "outage",
         "web_map",
+        "columns",
         "dialogs",
         "features",
         "app",

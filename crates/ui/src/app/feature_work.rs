@@ -2,7 +2,6 @@
 
 use super::{App, SideTab, is_sheet};
 use crate::command::{Command, Workspace};
-use crate::dialogs::ColumnsCommand;
 use crate::documents::Session;
 use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureId, FeaturePlace, FeatureWishes, FlightFiles,
@@ -81,6 +80,9 @@ impl App {
         }
         if let Some(map) = wishes.map {
             self.change_map(host, map);
+        }
+        if let Some(files) = wishes.read {
+            self.read_flight(&files, egui, host);
         }
         for files in wishes.opened {
             self.open_files(egui, host, files);
@@ -187,7 +189,7 @@ impl App {
         egui: &egui::Context,
         host: &mut dyn Host,
     ) {
-        let mut is_done = self.execute_by_name(command, host);
+        let mut is_done = false;
         if let Some(index) = self.feature(command.to()) {
             if command.action::<Show>().is_some() {
                 let place = self.views.features[index].info().place;
@@ -207,16 +209,6 @@ impl App {
                 format!("Nobody carries out this command of {of}. This is a fault of the program.");
             self.toasts.trouble(host.now(), "Nothing was done", text);
         }
-    }
-
-    /// Carries out a command of those parts that are no features; whether it was one.
-    fn execute_by_name(&mut self, command: &FeatureCommand, host: &mut dyn Host) -> bool {
-        if let Some(command) = command.action::<ColumnsCommand>() {
-            self.columns(*command, host);
-        } else {
-            return false;
-        }
-        true
     }
 
     /// Number of the feature that started a job, if one did.

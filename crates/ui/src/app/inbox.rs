@@ -4,11 +4,11 @@ use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
 
 use super::App;
-use super::columns::sentences;
 use super::pending_jobs::Opening;
 use crate::documents::kept::provide;
 use crate::feature::{FlightFiles, OpenedSet};
 use crate::host::{Host, OpenedFile};
+use crate::shell::whole_sentences;
 use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, OpenedFiles};
 
 impl App {
@@ -75,8 +75,6 @@ impl App {
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(context, host, event);
-        } else if self.dialogs.columns.job() == Some(id) {
-            self.columns_event(context, host, event);
         } else if self.jobs.tiles.contains_key(&id) {
             self.tile_event(context, host, id, event);
         } else if self.is_map_work(id) {
@@ -145,6 +143,7 @@ impl App {
         mut opened: OpenedFiles,
     ) {
         let now = host.now();
+        let has_tables = !opened.tables.is_empty();
         if self.is_taken_first(opening, &mut opened, context, host) {
             return;
         }
@@ -159,7 +158,7 @@ impl App {
             unplaced: _,
             photos,
             imports,
-            tables,
+            tables: _,
             labels,
             beside,
             remarks,
@@ -215,10 +214,7 @@ impl App {
                 self.show_opened_run(host, run);
             }
         }
-        let adds = !imports.is_empty() || labels.is_some() || is_log || !tables.is_empty();
-        if !tables.is_empty() {
-            self.ask_for_columns(opening, tables);
-        }
+        let adds = !imports.is_empty() || labels.is_some() || is_log || has_tables;
         let mut left = OpenedFiles {
             key,
             flight,
@@ -232,12 +228,12 @@ impl App {
         if are_laid || parts.is_empty() && adds {
             // What was added is told already.
         } else if parts.is_empty() {
-            let text = sentences(&remarks);
+            let text = whole_sentences(&remarks);
             let title = format!("{} holds nothing that can be shown", opening.name);
             self.toasts.trouble(now, title, text);
         } else {
             let title = format!("Opened {} from {}", parts.join(", "), opening.name);
-            self.toasts.note(now, title, sentences(&remarks));
+            self.toasts.note(now, title, whole_sentences(&remarks));
         }
     }
 }

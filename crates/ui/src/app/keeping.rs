@@ -89,7 +89,6 @@ impl App {
                 .iter()
                 .map(|(_, opening)| opening.set.key.clone()),
         );
-        used.extend(self.dialogs.columns.key().map(str::to_owned));
         host.let_go(&used);
     }
 

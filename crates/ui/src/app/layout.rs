@@ -170,16 +170,13 @@ impl App {
             self.dialogs.help = false;
         }
         let (scene, views) = self.scene(tokens);
-        let features = views.features.iter_mut();
-        for dialog in features.filter(|it| it.info().place == FeaturePlace::Dialog) {
-            scene.with_context(commands, |context| {
-                dialog.panel(ui, context, scene.documents);
-            });
-        }
-        self.dialogs.columns.show(ui.ctx(), tokens, units, commands);
-        let (scene, views) = self.scene(tokens);
         for feature in &mut views.features {
-            scene.with_context(commands, |c| feature.overlay(ui, c, scene.documents));
+            scene.with_context(commands, |context| {
+                if feature.info().place == FeaturePlace::Dialog {
+                    feature.panel(ui, context, scene.documents);
+                }
+                feature.overlay(ui, context, scene.documents);
+            });
         }
         let bottom = if narrow { 112.0 } else { 80.0 };
         self.toasts.show(ui, tokens, now, bottom);

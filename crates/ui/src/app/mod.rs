@@ -2,7 +2,6 @@
 
 mod advice;
 mod aside;
-mod columns;
 mod exchange;
 mod execute;
 mod feature_work;
@@ -25,7 +24,7 @@ mod work;
 use pilotage_jobs::{FlightSource, JobId};
 
 use crate::command::{Command, Workspace};
-use crate::dialogs::{ColumnsDialog, SimulateDialog};
+use crate::dialogs::SimulateDialog;
 use crate::documents::{Documents, ViewState};
 use crate::exports::Exports;
 use crate::feature::{Feature, FeatureId, FeaturePlace};
@@ -100,7 +99,6 @@ fn is_sheet(tab: SideTab, features: &[Box<dyn Feature>]) -> bool {
 struct Dialogs {
     palette: Palette,
     simulate: SimulateDialog,
-    columns: ColumnsDialog,
     help: bool,
     settings: bool,
 }
@@ -206,7 +204,8 @@ impl App {
             self.execute(command, ui.ctx(), host);
             self.follow_flight(ui.ctx(), host);
         }
-        let takes_letters = self.dialogs.palette.is_open() || self.dialogs.columns.is_open();
+        let mut features = self.views.features.iter();
+        let takes_letters = self.dialogs.palette.is_open() || features.any(|it| it.takes_letters());
         ShortcutListener::hold(ui.ctx(), takes_letters);
         if !ui.input(|i| i.pointer.any_down()) {
             let documents = &mut self.documents;
@@ -228,7 +227,6 @@ impl App {
             || egui::Popup::is_any_open(context)
             || dialogs.palette.is_open()
             || dialogs.simulate.is_open()
-            || dialogs.columns.is_open()
             || dialogs.help
             || views.map.picking
             || views.beside_map().is_some()

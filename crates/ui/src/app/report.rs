@@ -161,7 +161,6 @@ impl App {
                 "help": self.dialogs.help,
                 "simulate": self.dialogs.simulate.is_open(),
                 "settings": self.dialogs.settings,
-                "columns": self.columns_json(),
             }),
             "map": object!({
                 "rect": rect_json(map.rect()),

@@ -18,7 +18,7 @@ pub use clicks::keep_slow_clicks;
 pub use fonts::fonts;
 pub use help::help_sheet;
 pub use palette::Palette;
-pub use sentences::sentences;
+pub use sentences::{sentences, whole_sentences};
 pub use theme::apply_theme;
 pub use toasts::{Toast, Toasts};
 pub use top_bar::{TopBar, top_bar};

@@ -24,6 +24,19 @@ pub fn sentences(notes: &[String]) -> String {
     text.trim_end().to_owned()
 }
 
+/// Notes as one text, all of them: each a sentence, whether it was written as one or not.
+pub fn whole_sentences(notes: &[String]) -> String {
+    let sentence = |note: &String| {
+        let end = if note.ends_with(['.', '!', '?']) {
+            ""
+        } else {
+            "."
+        };
+        format!("{}{end}", capitalised(note))
+    };
+    notes.iter().map(sentence).collect::<Vec<_>>().join(" ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,5 +48,11 @@ mod tests {
         assert!(text.starts_with("Note 0. Note 1. "), "{text}");
         assert!(text.ends_with("Note 5. And 2 more."), "{text}");
         assert_eq!(sentences(&[]), "");
+    }
+
+    #[test]
+    fn a_note_that_is_a_sentence_stays_one() {
+        let notes = ["is this it?", "it is", "so it is."].map(String::from);
+        assert_eq!(whole_sentences(&notes), "Is this it? It is. So it is.");
     }
 }

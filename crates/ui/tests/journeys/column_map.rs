@@ -50,7 +50,7 @@ pub fn asked() -> Rig {
 }
 
 fn dialog(rig: &Rig) -> Value {
-    rig.state()["dialogs"]["columns"].clone()
+    rig.state()["columns"].clone()
 }
 
 /// The role and the unit of a column.

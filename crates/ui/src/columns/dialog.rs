@@ -6,9 +6,9 @@ use egui::{
 use pilotage_core::flight::ChannelName;
 use pilotage_core::flight::columns::{ColumnMap, ColumnRole, GuessedTable, tables_lack};
 
-use super::columns_rows::{rows, short};
+use super::ColumnsCommand;
+use super::rows::{rows, short};
 use crate::command::Command;
-use crate::feature_command::FeatureCommand;
 use crate::host::OpenedFile;
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
@@ -21,21 +21,6 @@ const WIDEST: f32 = 1160.0;
 const LIST: f32 = 216.0;
 /// Narrowest window in which that list stands beside the columns, points.
 const BESIDE: f32 = 1000.0;
-
-/// Commands of the dialog.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ColumnsCommand {
-    /// Make a flight of the tables and open it.
-    OpenFlight,
-    /// Leave the tables alone.
-    Cancel,
-}
-
-impl From<ColumnsCommand> for Command {
-    fn from(command: ColumnsCommand) -> Self {
-        Self::Feature(FeatureCommand::new("columns", command))
-    }
-}
 
 /// A table that is asked about.
 #[derive(Clone, Debug)]
@@ -143,11 +128,6 @@ impl ColumnsDialog {
         self.draft.take()
     }
 
-    /// Whether it is open.
-    pub fn is_open(&self) -> bool {
-        self.draft.is_some()
-    }
-
     /// Draft that the dialog is about.
     pub fn draft(&self) -> Option<&ColumnsDraft> {
         self.draft.as_ref()
@@ -156,16 +136,6 @@ impl ColumnsDialog {
     /// Draft that the dialog is about, to be changed.
     pub fn draft_mut(&mut self) -> Option<&mut ColumnsDraft> {
         self.draft.as_mut()
-    }
-
-    /// Key of the files that it is about.
-    pub fn key(&self) -> Option<&str> {
-        self.draft.as_ref().map(|draft| draft.key.as_str())
-    }
-
-    /// The job that makes a flight of them.
-    pub fn job(&self) -> Option<JobId> {
-        self.draft.as_ref().and_then(|draft| draft.job)
     }
 
     /// Draws the dialog.
