@@ -177,6 +177,8 @@ impl MapView {
                     if !name.is_empty() && !escape {
                         context.commands.push(Command::RenameLandmark { id, name });
                     }
+                    // The next key is not for a field that is gone.
+                    field.surrender_focus();
                     self.naming = None;
                 }
             });
