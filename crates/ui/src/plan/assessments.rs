@@ -62,8 +62,8 @@ pub struct Assessments {
     pub wants_stop: bool,
 }
 
-/// The same patch, looked at in the same way by the same detector.
-fn same(a: &Landmark, b: &Landmark) -> bool {
+/// Whether both are the same patch, looked at in the same way by the same detector.
+pub fn same(a: &Landmark, b: &Landmark) -> bool {
     (a.bounds, a.reference, a.height) == (b.bounds, b.reference, b.height)
         && a.detector_in_use() == b.detector_in_use()
 }

@@ -13,7 +13,7 @@ use super::planner::{Planner, made_for};
 use super::routes::{EditStep, like};
 use super::tab::PlanTab;
 use crate::feature::FeatureContext;
-use pilotage_jobs::{AssessmentOrder, FlightSource};
+use pilotage_jobs::FlightSource;
 
 /// Width of a corridor when it is made, metres.
 const CORRIDOR: f64 = 200.0;
@@ -237,21 +237,13 @@ impl Planner {
                 return;
             }
         };
-        let height = flown::flown_height(documents);
         let landmarks = ids.iter().filter_map(|id| documents.mission.landmark(*id));
-        let mut orders = landmarks.map(|landmark| AssessmentOrder {
-            map: documents.map_source.clone(),
-            landmark: landmark.clone(),
-            camera: flown::camera(documents),
-            height,
-            navigator: documents.mission.navigator.clone(),
-            ground_down: flown::ground_down(documents),
-            seed: AssessmentOrder::SEED,
-        });
+        let orders = landmarks.map(|landmark| self.assessment(landmark, documents));
+        let orders: Vec<_> = orders.collect();
         if *command == PlanCommand::SurveyEnvelope {
-            self.assessments.survey(orders.next());
+            self.assessments.survey(orders.into_iter().next());
         } else {
-            self.assessments.ask(orders.collect());
+            self.assessments.ask(orders);
         }
     }
 }

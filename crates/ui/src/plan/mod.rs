@@ -9,6 +9,7 @@ mod chart;
 mod command;
 mod compared;
 mod corridor_paint;
+mod drawn_landmarks;
 mod examination;
 mod examine;
 mod execute;

@@ -1,6 +1,7 @@
 //! State of the Plan workspace beside the documents.
 
 use pilotage_core::frames::{Altitude, GroundPoint, LocalFrame};
+use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
 use pilotage_core::mission::turn::turn_radius;
 use pilotage_core::simulate::{Airframe, Wind};
@@ -9,11 +10,13 @@ use serde::{Deserialize, Serialize};
 
 use super::assessments::Assessments;
 use super::chart::Chart;
+use super::drawn_landmarks::DrawnLandmarks;
 use super::examination::Examination;
 use super::find_command::FindPreferences;
 use super::finder::Finder;
 use super::flown::{
-    camera, cruise, flight_wind, flown_over, ground_down, height, line, usual_altitude,
+    camera, cruise, flight_wind, flown_height, flown_over, ground_down, height, line,
+    usual_altitude,
 };
 use super::forecast::Forecast;
 use super::heat::Heat;
@@ -33,7 +36,7 @@ use super::trainings::Trainings;
 use crate::documents::Documents;
 use crate::map::ScreenFromWorld;
 use crate::views::LandmarkList;
-use pilotage_jobs::{PlannedPath, PredictionOrder};
+use pilotage_jobs::{AssessmentOrder, PlannedPath, PredictionOrder};
 
 /// Preferences and assumptions of the user; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -106,6 +109,8 @@ pub struct Planner {
     pub remedies: Remedies,
     /// Detection statistics of landmarks.
     pub assessments: Assessments,
+    /// Landmarks that people draw and change.
+    pub(super) drawn: DrawnLandmarks,
     /// Detectors that are trained.
     pub trainings: Trainings,
     /// Landmarks that are proposed.
@@ -194,6 +199,19 @@ impl Planner {
         self.preferences
             .wind
             .unwrap_or_else(|| flight_wind(documents))
+    }
+
+    /// Order of the measurement of a landmark.
+    pub fn assessment(&self, landmark: &Landmark, documents: &Documents) -> AssessmentOrder {
+        AssessmentOrder {
+            map: documents.map_source.clone(),
+            landmark: landmark.clone(),
+            camera: camera(documents),
+            height: flown_height(documents),
+            navigator: documents.mission.navigator.clone(),
+            ground_down: ground_down(documents),
+            seed: AssessmentOrder::SEED,
+        }
     }
 
     /// Order of the prediction of the selected route; `None` while it is none that can be flown.

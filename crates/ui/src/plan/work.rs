@@ -42,11 +42,26 @@ impl Planner {
         self.keep_detectors(context);
         self.check_incursions(context.documents);
         if context.is_shown {
+            waits |= self.measure_drawn(context);
             waits |= self.work_on_route(context);
         }
         if waits {
             context.egui.request_repaint_after(LOOK_AGAIN);
         }
+    }
+
+    /// Has a landmark measured that was drawn or changed; true if it must rest first.
+    fn measure_drawn(&mut self, context: &FeatureContext<'_>) -> bool {
+        let documents = &*context.documents;
+        let landmarks = &documents.mission.landmarks;
+        let (drawn, waits) = self.drawn.rested(landmarks, context.host.now());
+        let drawn = drawn.and_then(|id| documents.mission.landmark(id));
+        let drawn = drawn.filter(|it| it.enabled && self.assessments.of(it).is_none());
+        if let Some(landmark) = drawn.filter(|_| documents.map.is_some()) {
+            let order = self.assessment(landmark, documents);
+            self.assessments.ask(vec![order]);
+        }
+        waits
     }
 
     /// Asks for what is shown along the routes; true if time must pass first.

@@ -89,3 +89,27 @@ fn all_landmarks_are_measured_one_after_the_other() {
     let measured = rig.state()["plan"]["measured"].as_array().map(Vec::len);
     assert_eq!(measured, Some(4));
 }
+
+#[test]
+fn a_landmark_that_is_drawn_is_measured_by_itself_once_it_rests() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    let measured = |rig: &super::Rig| rig.state()["plan"]["measured"].as_array().map(Vec::len);
+    assert_eq!(
+        measured(&rig),
+        Some(0),
+        "what was there is measured when people ask"
+    );
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::D);
+    assert_eq!(measured(&rig), Some(0));
+    rig.settle();
+    assert_eq!(measured(&rig), Some(1));
+    let asked = rig
+        .host()
+        .jobs
+        .iter()
+        .filter(|(_, job)| matches!(job, Job::Assess(_)));
+    assert_eq!(asked.count(), 1);
+}

@@ -191,10 +191,10 @@ fn height_direction_and_reference_point_of_a_landmark_are_set_and_each_is_one_st
     type_number(&mut rig, direction, "90");
     let turned = landmarks(&rig)[3]["orientation"].as_f64();
     assert!((turned.expect("a direction") - 90.0).abs() < 1e-9);
-    scroll(&mut rig, 2000.0);
-    rig.harness
-        .get_by_label("Set the reference point on the map")
-        .click();
+    let set = "Set the reference point on the map";
+    rig.harness.get_by_label(set).scroll_to_me();
+    rig.frames(4);
+    rig.harness.get_by_label(set).click();
     rig.frames(3);
     let middle = |i: usize| before["reference"][i].as_f64().expect("metres");
     click(&mut rig, middle(0) + 6.0, middle(1) - 4.0);
