@@ -17,6 +17,8 @@ pub struct IncursionCheck {
     pub legs: Vec<Incursion>,
     /// Stretches of the predicted path.
     pub reached: Vec<ReachedZone>,
+    /// Route and areas about which people were told before an export.
+    told: Option<(Vec<GroundPoint>, Vec<NoFlyZone>)>,
 }
 
 impl IncursionCheck {
@@ -36,6 +38,18 @@ impl IncursionCheck {
         self.legs = incursions(&self.places, &self.zones);
         let samples = forecast.shown().map_or(&[][..], |s| &s.prediction.samples);
         self.reached = reached_zones(samples, &self.zones);
+    }
+
+    /// Whether people were told of this route and these areas. What the corridor reaches changes with every prediction,
+    /// of which nobody is to be asked anew.
+    pub fn was_told(&self) -> bool {
+        let told = self.told.as_ref();
+        told.is_some_and(|(places, zones)| *places == self.places && *zones == self.zones)
+    }
+
+    /// Notes that people were told.
+    pub fn tell(&mut self) {
+        self.told = Some((self.places.clone(), self.zones.clone()));
     }
 
     /// Name of an area that was looked at.
@@ -78,6 +92,11 @@ mod tests {
             (check.legs.len(), check.name(check.legs[0].zone)),
             (1, "Village")
         );
+        assert!(!check.was_told());
+        check.tell();
+        check.prediction += 1; // as if another prediction had come
+        check.keep_to(&mission, Some(&route), &forecast);
+        assert!(check.was_told(), "one is told once of a route");
         route.way_points[1].position.east = -10.0;
         check.keep_to(&mission, Some(&route), &forecast);
         assert!(check.legs.is_empty());

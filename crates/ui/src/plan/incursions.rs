@@ -47,10 +47,10 @@ impl Planner {
     pub(super) fn asks_before_export(&mut self, context: &mut FeatureContext<'_>) -> bool {
         self.check_incursions(context.documents);
         let mut warnings = self.no_fly_sentences(context.view.units);
-        if warnings.is_empty() || self.warned == warnings {
+        if warnings.is_empty() || self.incursions.was_told() {
             return false;
         }
-        self.warned.clone_from(&warnings);
+        self.incursions.tell();
         warnings.push("Export again to save the route as it is.".to_owned());
         context.trouble("The route was not exported yet", warnings.join(" "));
         true

@@ -141,8 +141,6 @@ pub struct Planner {
     pub(super) seen: Seen,
     /// No-fly areas that the selected route leads over or near.
     pub(super) incursions: IncursionCheck,
-    /// Warnings that people were told before an export.
-    pub(super) warned: Vec<String>,
 }
 
 /// Parts of the app on which the plan's report for journeys depends, as they were last.

@@ -3,7 +3,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use serde_json::Value;
 
 use super::super::support::Rig;
-use super::{click, planning, screen, scroll, type_number};
+use super::{click, planning, screen, type_number};
 use pilotage_jobs::DistinctnessOrder;
 
 fn landmarks(rig: &Rig) -> Vec<Value> {
