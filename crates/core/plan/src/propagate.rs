@@ -191,17 +191,19 @@ impl Propagation<'_> {
             return Ok((found, any));
         }
         for (index, world) in worlds.iter_mut().enumerate() {
-            let shake = self.shake(draws.of_all(index, number));
-            let seen: Vec<&LandmarkInformation> = looks
+            let mut seen: Vec<&LandmarkInformation> = looks
                 .iter()
                 .filter(|look| {
                     let id = request.landmarks[look.landmark].landmark.id;
-                    let chance: f64 = draws.of_landmark(index, id, number).random();
                     world.recognised[look.landmark] < look.recognised
-                        && chance < look.per_frame
-                        && frame.holds(&request.landmarks[look.landmark], &shake)
+                        && draws.of_landmark(index, id, number).random::<f64>() < look.per_frame
                 })
                 .collect();
+            if seen.is_empty() {
+                continue;
+            }
+            let shake = self.shake(draws.of_all(index, number));
+            seen.retain(|look| frame.holds(&request.landmarks[look.landmark], &shake));
             for look in &seen {
                 found[look.landmark] += share;
             }
