@@ -13,8 +13,8 @@ use pilotage_core::flight::photo::photos_lack;
 use pilotage_core::flight::srt::read_srt;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_jobs::{
-    COLUMNS_FILE, OpenFlight, TABLES, flight_among, foreign_kind, head, log_among, table_names,
-    with_pictures,
+    OpenFlight, TABLES, columns_file, flight_among, foreign_kind, head, log_among, name_as_tables,
+    table_names, with_pictures,
 };
 
 use crate::files::{DirectoryFiles, DiskFile};
@@ -271,7 +271,7 @@ fn open_tables(
     Ok(Some(flight_of_tables(files, &maps)?))
 }
 
-/// Column maps of tables that people wrote: in the file `columns`, or in one called [`COLUMNS_FILE`] beside them. A
+/// Column maps of tables that people wrote: in the file `columns`, or in one called [`pilotage_jobs::COLUMNS_FILE`] beside them. A
 /// map of one table is taken for the only table, whatever that is called.
 ///
 /// # Errors
@@ -281,32 +281,24 @@ pub fn said(
     names: &[String],
     columns: Option<&Path>,
 ) -> Result<Option<Vec<ColumnMap>>, String> {
-    let bytes = match columns {
-        Some(path) => Some(std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?),
-        None => files.read(COLUMNS_FILE),
+    let found = if let Some(path) = columns {
+        let file = path.display().to_string();
+        let bytes = std::fs::read(path).map_err(|e| format!("{file}: {e}"))?;
+        Some((file, bytes))
+    } else {
+        columns_file(files)
     };
-    let Some(bytes) = bytes else { return Ok(None) };
-    let file = columns.map_or(COLUMNS_FILE.to_owned(), |path| path.display().to_string());
+    let Some((file, bytes)) = found else {
+        return Ok(None);
+    };
     let mut maps: Vec<ColumnMap> =
         serde_json::from_slice(&bytes).map_err(|e| format!("{file}: {e}"))?;
-    if let ([map], [name]) = (maps.as_mut_slice(), names) {
-        map.file.clone_from(name);
-    }
-    let short = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
-    for map in &mut maps {
-        let by_whole = names.iter().find(|name| **name == map.file);
-        let by_short = || names.iter().find(|name| short(name) == short(&map.file));
-        match by_whole.or_else(by_short) {
-            Some(name) => map.file.clone_from(name),
-            // A map beside tables may tell of more than are looked at.
-            None if columns.is_none() => {}
-            None => {
-                return Err(format!(
-                    "{file}: there is no table {} among these",
-                    map.file
-                ));
-            }
-        }
+    name_as_tables(&mut maps, names);
+    // A map beside tables may tell of more than are looked at.
+    let lost = maps.iter().find(|map| !names.contains(&map.file));
+    if let Some(map) = lost.filter(|_| columns.is_some()) {
+        let table = &map.file;
+        return Err(format!("{file}: there is no table {table} among these"));
     }
     maps.retain(|map| names.contains(&map.file));
     Ok(Some(maps).filter(|maps| !maps.is_empty()))

@@ -110,7 +110,9 @@ pub use simulated::scenario_wind;
 pub use smooth::SmoothOrder;
 pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;
-pub use tables::{COLUMNS_FILE, MakeFlightOrder, TABLES, table_names, write_columns};
+pub use tables::{
+    COLUMNS_FILE, MakeFlightOrder, TABLES, columns_file, name_as_tables, table_names, write_columns,
+};
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
 pub use worker_pool::{WorkerPool, WorkerPort};

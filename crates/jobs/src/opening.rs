@@ -22,7 +22,7 @@ use super::file_pool::{has_ending, names_ending_in};
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels};
 use super::log_flights::{flight_of_log, foreign_kind, log_among};
-use super::tables::{COLUMNS_FILE, flight_folder, tables_among};
+use super::tables::{columns_file, flight_folder, tables_among};
 use super::worker_state::{MAP_MEMORY, describe};
 use super::{Beside, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
 
@@ -182,7 +182,7 @@ pub fn places(pool: &dyn FileSet) -> Result<Vec<(String, Geodetic)>, String> {
 /// A folder's flight with its pictures and its mission, if one lies in it.
 pub fn open_folder(pool: &Arc<dyn FileSet>, folder: FlightFolder) -> Result<OpenFlight, String> {
     // Tables that were asked about may have come with anything.
-    let is_of_maps = pool.read(COLUMNS_FILE).is_some();
+    let is_of_maps = columns_file(pool.as_ref()).is_some();
     let mission = if is_of_maps {
         None
     } else {

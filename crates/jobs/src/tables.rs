@@ -36,14 +36,49 @@ pub(super) fn tables_among(pool: &dyn FileSet) -> Vec<GuessedTable> {
     guess_tables(pool, &table_names(pool))
 }
 
+/// Last part of a path.
+fn short(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or(name)
+}
+
+/// File that says what columns of tables mean, its name and its contents: one called [`COLUMNS_FILE`], or else the only
+/// one of that name in a folder among the files.
+pub fn columns_file(pool: &dyn FileSet) -> Option<(String, Vec<u8>)> {
+    if let Some(bytes) = pool.read(COLUMNS_FILE) {
+        return Some((COLUMNS_FILE.to_owned(), bytes));
+    }
+    let mut found = pool.names();
+    found.retain(|name| short(name) == COLUMNS_FILE);
+    let only = found.pop().filter(|_| found.is_empty())?;
+    let bytes = pool.read(&only)?;
+    Some((only, bytes))
+}
+
+/// Gives maps the names that their tables have among the files: those of the same name, whatever folder they lie in. A
+/// map of one table is taken for the only table, whatever that is called. Maps of other tables stay as they are.
+pub fn name_as_tables(maps: &mut [ColumnMap], tables: &[String]) {
+    if let ([map], [table]) = (&mut *maps, tables) {
+        map.file.clone_from(table);
+    }
+    for map in maps {
+        let by_short = |table: &&String| short(table) == short(&map.file);
+        if !tables.contains(&map.file)
+            && let Some(table) = tables.iter().find(by_short)
+        {
+            map.file.clone_from(table);
+        }
+    }
+}
+
 /// The maps of columns that lie beside tables; `None` without them.
 fn maps_beside(pool: &dyn FileSet) -> Result<Option<Vec<ColumnMap>>, String> {
-    let Some(bytes) = pool.read(COLUMNS_FILE) else {
+    let Some((file, bytes)) = columns_file(pool) else {
         return Ok(None);
     };
-    let maps = serde_json::from_slice(&bytes);
-    maps.map(Some)
-        .map_err(|cause| format!("{COLUMNS_FILE}: {cause}. Leave it out to be asked again."))
+    let mut maps: Vec<ColumnMap> = serde_json::from_slice(&bytes)
+        .map_err(|cause| format!("{file}: {cause}. Leave it out to be asked again."))?;
+    name_as_tables(&mut maps, &table_names(pool));
+    Ok(Some(maps))
 }
 
 /// The flight among files, tables by the maps beside them; `None` beside a log.
@@ -118,6 +153,19 @@ mod tests {
         let airspeed = folder.flight.value(ChannelName::Airspeed, 1.0).unwrap();
         assert!((airspeed - 41.0 * 1852.0 / 3600.0).abs() < 1e-9);
         assert_eq!(folder.notes.len(), 1, "{:?}", folder.notes);
+    }
+
+    #[test]
+    fn maps_are_found_in_the_folder_that_was_dropped_and_of_tables_in_it() {
+        let map = guess_table("air.csv", AIR.as_bytes()).unwrap();
+        let maps = write_columns(&[map]);
+        let pool = pool(&[
+            ("flight/air.csv", AIR.into()),
+            ("flight/notes.txt", b"x".to_vec()),
+            ("flight/columns.json", maps),
+        ]);
+        let folder = flight_folder(&pool).unwrap().unwrap();
+        assert!(folder.flight.value(ChannelName::Airspeed, 1.0).is_some());
     }
 
     #[test]
