@@ -53,6 +53,11 @@ impl<K: PartialEq, V> ShortMap<K, V> {
         self.place(key).map(|at| self.0.remove(at).1)
     }
 
+    /// Forgets the entries whose values are not to be kept.
+    pub fn retain(&mut self, mut is_kept: impl FnMut(&mut V) -> bool) {
+        self.0.retain_mut(|(_, value)| is_kept(value));
+    }
+
     /// Entries in the order in which their keys came.
     pub fn iter(&self) -> impl Iterator<Item = (&K, &V)> {
         self.0.iter().map(|(key, value)| (key, value))
@@ -88,6 +93,8 @@ mod tests {
         assert_eq!(map.iter().collect::<Vec<_>>(), [(&3, &"d"), (&1, &"a")]);
         assert_eq!((map.remove(&3), map.remove(&3)), (Some("d"), None));
         assert!(map.contains_key(&1) && !map.contains_key(&3));
+        map.insert(2, "b");
+        map.retain(|value| *value != "b");
         assert_eq!(map.drain().collect::<Vec<_>>(), [(1, "a")]);
         assert!(map.is_empty());
     }

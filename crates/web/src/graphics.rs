@@ -5,13 +5,13 @@
 
 use std::any::Any;
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::sync::{Arc, Weak};
 
 use eframe::egui_glow::CallbackFn;
 use egui::epaint::Mesh;
 use js_sys::{Uint8Array, Uint32Array};
 use pilotage_ui::kept_mesh::{MeshKeeper, PlacedMesh};
+use pilotage_ui::short_map::ShortMap;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{
     HtmlCanvasElement, WebGl2RenderingContext as Gl, WebGlBuffer, WebGlProgram, WebGlShader,
@@ -95,7 +95,7 @@ struct Card {
     screen: Option<WebGlUniformLocation>,
     place: Option<WebGlUniformLocation>,
     strength: Option<WebGlUniformLocation>,
-    kept: HashMap<usize, MeshOnCard>,
+    kept: ShortMap<usize, MeshOnCard>,
 }
 
 /// A mesh on the card, and the one it is the copy of.
@@ -127,7 +127,7 @@ impl Card {
             strength: uniform("strength"),
             program,
             gl,
-            kept: HashMap::new(),
+            kept: ShortMap::default(),
         })
     }
 
@@ -201,7 +201,7 @@ impl Card {
 
     fn forget_the_dropped(&mut self) {
         let gl = &self.gl;
-        self.kept.retain(|_, kept| {
+        self.kept.retain(|kept| {
             let in_use = kept.origin.strong_count() > 0;
             if !in_use {
                 gl.delete_vertex_array(Some(&kept.arrangement));

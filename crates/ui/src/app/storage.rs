@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::documents::kept::{address_key, encode_list, file_key, list_key};
 use crate::host::{Host, OpenedFile};
+use crate::short_map::ShortMap;
 use pilotage_jobs::FileContent;
 
 /// Bytes stored in one frame, after which the rest waits for the next.
@@ -38,7 +39,7 @@ pub struct Keeping {
     waiting: VecDeque<Deed>,
     sets: BTreeMap<String, Set>,
     /// Sets that were refused, and when to store them again, milliseconds.
-    refused: BTreeMap<String, f64>,
+    refused: ShortMap<String, f64>,
 }
 
 impl Keeping {
@@ -100,8 +101,9 @@ impl Keeping {
 
     /// Stores again what was refused a while ago.
     pub fn retry(&mut self, now: f64) {
-        while let Some((set, _)) = self.refused.iter().find(|(_, at)| **at <= now) {
-            let set = set.clone();
+        let due = self.refused.iter().filter(|(_, at)| **at <= now);
+        let due: Vec<String> = due.map(|(set, _)| set.clone()).collect();
+        for set in due {
             self.refused.remove(&set);
             self.store(&set);
         }

@@ -8,6 +8,7 @@ use pilotage_core::flight::overview::Overview;
 use pilotage_core::frames::LocalFrame;
 
 use super::SpanFigures;
+use crate::short_map::ShortMap;
 use crate::views::ExtentPyramid;
 use pilotage_jobs::{LogSeries, RecordedPlaces, SeriesName};
 
@@ -106,7 +107,7 @@ pub struct OpenLog {
     /// Fields that have arrived.
     pub series: BTreeMap<SeriesName, PlottedSeries>,
     /// Amount of the log that was read when a field was looked for last: the count of outlines.
-    looked_for: BTreeMap<SeriesName, u64>,
+    looked_for: ShortMap<SeriesName, u64>,
     /// Counts outlines.
     outlines: u64,
     /// Figures of the plotted fields over a span of time.

@@ -1,7 +1,7 @@
 //! Detection statistics of landmarks: measured where that was done, assumed elsewhere.
 
 use pilotage_core::sorting::sort;
-use std::collections::{HashMap, VecDeque};
+use std::collections::VecDeque;
 
 use nalgebra::{Matrix4, Vector4};
 use pilotage_core::landmark::Landmark;
@@ -35,7 +35,7 @@ pub fn assumed() -> ExpectedDetection {
 /// Landmark ids being measured, and what came of it.
 #[derive(Debug, Default)]
 pub struct Assessments {
-    measured: HashMap<u32, MeasuredLandmark>,
+    measured: ShortMap<u32, MeasuredLandmark>,
     /// The height around which landmarks were looked at, and the envelopes.
     envelopes: ShortMap<u32, (Landmark, f64, Envelope)>,
     wants_envelope: Option<AssessmentOrder>,
