@@ -1,5 +1,6 @@
 //! Planning: what can be known before take-off of how well a route will be navigated.
 
+mod agreement;
 mod assess;
 mod blind_way;
 mod breakdown;
@@ -36,6 +37,7 @@ mod turns;
 mod view;
 mod winds;
 
+pub use agreement::PredictionAgreement;
 pub use assess::{Assessor, Circumstances, Rehearsal};
 pub use breakdown::ViewBreakdown;
 pub use calibration::{Pass, Reliability, ReliabilityBin};

@@ -1,13 +1,14 @@
 //! The rehearsal in the column, and its commands carried out.
 
 use egui::{DragValue, RichText, Ui};
+use pilotage_core::plan::PredictionAgreement;
 use pilotage_jobs::{FlightSource, RehearsedFlight};
 use serde_json::Value;
 
 use super::PlanCommand;
 use super::button::button;
 use super::planner::Planner;
-use super::rehearsal::{MOST_FLIGHTS, PredictionAgreement, RehearseCommand, RouteRehearsal};
+use super::rehearsal::{MOST_FLIGHTS, RehearseCommand, RouteRehearsal};
 use super::tab::PlanTab;
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;

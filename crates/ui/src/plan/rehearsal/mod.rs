@@ -8,4 +8,3 @@ mod words;
 pub use command::RehearseCommand;
 pub use flights::{MOST_FLIGHTS, RehearsalPreferences, RouteRehearsal};
 pub use paint::FlownErrors;
-pub use words::PredictionAgreement;
