@@ -28,6 +28,7 @@ mod own_map;
 mod photo_picture;
 mod plan;
 mod register;
+mod rehearse;
 mod replay;
 mod replay_frames;
 mod scenario;
@@ -64,6 +65,8 @@ enum CommandChoice {
     Align(align::Arguments),
     /// Suggest landmarks, predict the uncertainty along a route.
     Plan(Box<plan::Arguments>),
+    /// Fly a planned route in the simulation, on other days and in drawn winds, beside its prediction.
+    Rehearse(rehearse::Arguments),
     /// Train a detector for each landmark from the map alone.
     Train(train::Arguments),
     /// Judge trained detectors on pictures that they were not trained on.
@@ -99,6 +102,7 @@ fn main() -> ExitCode {
         CommandChoice::Compare(arguments) => compare::run(&arguments),
         CommandChoice::Align(arguments) => align::run(&arguments),
         CommandChoice::Plan(arguments) => plan::run(&arguments),
+        CommandChoice::Rehearse(arguments) => rehearse::run(&arguments),
         CommandChoice::Train(arguments) => train::run(&arguments),
         CommandChoice::Evaluate(arguments) => evaluate::run(&arguments),
         CommandChoice::Detect(arguments) => detect::run(&arguments),

@@ -100,7 +100,7 @@ fn order(
         tilt: settings.sensors.roll.max(settings.sensors.pitch),
     };
     let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
-        expected(arguments, ground)?
+        expected(ground, arguments.seed, |line| println!("{line}"))?
     } else {
         Vec::new()
     };

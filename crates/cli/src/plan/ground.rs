@@ -50,8 +50,16 @@ impl PlannedFlight {
         Ok(ground)
     }
 
-    /// Opens the ground that a source names.
+    /// Opens the ground that a source names, to be flown along the first route of its mission.
     pub fn at(arguments: &PlanSource) -> Result<Self, Box<dyn std::error::Error>> {
+        Self::along(arguments, None)
+    }
+
+    /// Opens the ground that a source names, to be flown along the route of that name, or else the first.
+    pub fn along(
+        arguments: &PlanSource,
+        route: Option<&str>,
+    ) -> Result<Self, Box<dyn std::error::Error>> {
         if let Some(name) = &arguments.scenario {
             let scenario = Scenario::named(name).ok_or_else(|| {
                 format!("there is no scenario \"{name}\"; see pilotage scenarios")
@@ -93,7 +101,11 @@ impl PlannedFlight {
             .or_else(|| flown.map(|f| f.camera))
             .or(of_scenery)
             .ok_or("the mission states no camera; say --flight DIR to take that of a flight")?;
-        let route = mission.routes.first().cloned();
+        let route = match route {
+            Some(name) => Some(route_named(&mission, name)?),
+            None => mission.routes.first(),
+        };
+        let route = route.cloned();
         let targets = route
             .as_ref()
             .map_or_else(Vec::new, |route| targets(route, &mission, arguments));
@@ -168,6 +180,19 @@ impl PlannedFlight {
     pub fn lent(&self) -> Lent {
         Lent::default().with_map(self.source.clone(), Arc::clone(&self.map))
     }
+}
+
+fn route_named<'a>(mission: &'a Mission, name: &str) -> Result<&'a Route, String> {
+    let routes = &mission.routes;
+    let found = routes.iter().find(|route| route.name == name);
+    found.ok_or_else(|| {
+        let names: Vec<String> = routes.iter().map(|r| format!("\"{}\"", r.name)).collect();
+        let names = match &names[..] {
+            [] => "none at all".to_owned(),
+            names => names.join(", "),
+        };
+        format!("the mission has no route \"{name}\"; it has: {names}")
+    })
 }
 
 /// Height above level ground and airspeed at each way-point; heights as the route states, or all at `--height`.

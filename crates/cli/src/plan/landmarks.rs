@@ -8,6 +8,9 @@ use super::arguments::Arguments;
 use super::ground::PlannedFlight;
 use crate::workers;
 
+/// Printer of lines about a plan.
+pub type Say = fn(&str);
+
 fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
     let landmarks = ground.mission.landmarks.iter();
     landmarks.filter(|landmark| landmark.enabled).collect()
@@ -50,13 +53,14 @@ fn print(name: &str, envelope: &Envelope) {
     }
 }
 
-/// Measures each landmark over the map.
+/// Measures each landmark over the map on the days of `seed`.
 pub fn expected(
-    arguments: &Arguments,
     ground: &PlannedFlight,
+    seed: u64,
+    say: Say,
 ) -> Result<Vec<(Landmark, DetectionStatistics)>, String> {
     let landmarks = enabled(ground);
-    let order = |l: &&Landmark| ground.assessment(l, arguments.seed);
+    let order = |l: &&Landmark| ground.assessment(l, seed);
     let orders = landmarks.iter().map(order).collect();
     let mut measured = Vec::new();
     let begun = std::time::Instant::now();
@@ -76,13 +80,14 @@ pub fn expected(
             ),
             _ => return Ok(()),
         };
-        println!(
+        say(&format!(
             "{:24} found {told}, false {false_matches:.3}",
             landmark.name
-        );
+        ));
         measured.push((landmark.clone(), statistics));
         Ok(())
     })?;
-    println!("measured in {:.1} s", begun.elapsed().as_secs_f64());
+    let took = begun.elapsed().as_secs_f64();
+    say(&format!("measured in {took:.1} s"));
     Ok(measured)
 }

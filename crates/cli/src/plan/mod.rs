@@ -18,9 +18,10 @@ use serde::Serialize;
 pub use arguments::Arguments;
 pub use ground::PlannedFlight;
 use landmarks::envelopes;
-use predict::predict;
+pub use predict::predict;
 use propose::suggest;
 pub use source::PlanSource;
+pub use verify::fly;
 
 use crate::CommandResult;
 use crate::files::write_whole;
@@ -84,7 +85,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         summary.envelopes = envelopes(arguments, &ground)?;
     }
     if arguments.predict {
-        let (plan, prediction) = predict(arguments, &ground)?;
+        let (plan, prediction) = predict(&ground, arguments.seed, arguments.limit, |line| {
+            println!("{line}");
+        })?;
         summary.worst_stretch = prediction.worst_stretch();
         summary.samples = prediction.samples.iter().map(sample).collect();
         if let Some(seeds) = &arguments.fly {

@@ -6,14 +6,16 @@ use pilotage_jobs::{JobEvent, PredictionOrder, RehearseOrder, Rehearsed};
 use super::ground::PlannedFlight;
 use crate::workers;
 
-/// Flies seeds `first..end` and compares their errors with `prediction`, with pictures or as `stated`.
-pub fn verify(
+/// Flies seeds `first..end` beside `prediction`, with pictures or as stated; `hear` is told each flight in the order of
+/// the seeds.
+pub fn fly(
     ground: &PlannedFlight,
     plan: &PredictionOrder,
     prediction: &RoutePrediction,
     (first, end): (u64, u64),
     as_stated: bool,
-) -> Result<Verification, String> {
+    hear: &mut dyn FnMut(u64, Rehearsed),
+) -> Result<(), String> {
     let order = |seed| RehearseOrder {
         plan: plan.clone(),
         prediction: prediction.clone(),
@@ -22,20 +24,31 @@ pub fn verify(
         seed,
     };
     let orders = (first..end).map(order).collect();
-    let mut all = Vec::new();
     workers::run(orders, &ground.lent(), &mut |number, event| {
         let seed = first + number as u64;
         match event {
             JobEvent::Failed(why) => return Err(format!("seed {seed}: {why}")),
-            JobEvent::Figures(_) => {
-                let flown: Rehearsed = event.read_figures()?;
-                tell(seed, &flown);
-                all.push(flown.frames);
-            }
+            JobEvent::Figures(_) => hear(seed, event.read_figures()?),
             _ => {}
         }
         Ok(())
-    })?;
+    })
+}
+
+/// Flies seeds and compares their errors with `prediction`.
+pub fn verify(
+    ground: &PlannedFlight,
+    plan: &PredictionOrder,
+    prediction: &RoutePrediction,
+    seeds: (u64, u64),
+    as_stated: bool,
+) -> Result<Verification, String> {
+    let mut all = Vec::new();
+    let mut hear = |seed, flown: Rehearsed| {
+        tell(seed, &flown);
+        all.push(flown.frames);
+    };
+    fly(ground, plan, prediction, seeds, as_stated, &mut hear)?;
     Ok(Verification::of(&all))
 }
 

@@ -10,4 +10,5 @@ mod map;
 mod own_map;
 mod plan;
 mod register;
+mod rehearse;
 mod vehicles;

@@ -59,7 +59,7 @@ fn place() -> WorldFile {
 }
 
 /// A line of 240 m over three landmarks, the second of which is switched off.
-fn mission() -> Mission {
+pub fn mission() -> Mission {
     let altitude = Altitude {
         metres: 60.0,
         frame: AltitudeFrame::AboveGround,
@@ -91,12 +91,21 @@ fn mission() -> Mission {
     }
 }
 
-/// The mission in a file as the page saves it, with what lies beside the map's picture.
-fn saved(beside: Vec<(String, Vec<u8>)>) -> Vec<u8> {
+/// Files beside the map's picture that say where it is.
+pub fn placed() -> Vec<(String, Vec<u8>)> {
+    let place = Georeference::Projected {
+        system: utm(),
+        file: place(),
+    };
+    place_files("area.png", &place)
+}
+
+/// A mission in a file as the page saves it, with what lies beside the map's picture.
+pub fn saved(mission: Mission, beside: Vec<(String, Vec<u8>)>) -> Vec<u8> {
     let mut files = vec![("area.png".to_owned(), map())];
     files.extend(beside);
     let package = MissionPackage {
-        mission: mission(),
+        mission,
         settings: std::collections::BTreeMap::new(),
         files,
     };
@@ -126,11 +135,7 @@ fn is_whole(folder: &Path) -> bool {
 fn a_mission_saved_over_an_opened_map_is_predicted_with_a_probability_for_every_landmark_that_is_on()
  {
     let folder = Folder::new("plan-predict");
-    let place = Georeference::Projected {
-        system: utm(),
-        file: place(),
-    };
-    folder.write("small.pilotage.zip", saved(place_files("area.png", &place)));
+    folder.write("small.pilotage.zip", saved(mission(), placed()));
     let summary = folder.plan(&[
         "--mission",
         "small.pilotage.zip",
@@ -205,7 +210,7 @@ fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_p
     );
     let heights = heights_from(corner, true, 8);
     beside.push(("heights.tif".to_owned(), heights.clone()));
-    folder.write("small.pilotage.zip", saved(beside));
+    folder.write("small.pilotage.zip", saved(mission(), beside));
     folder.write("found.json", "an older file");
     let ends = ["--find", "0,-120", "0,120", "--out", "found.json"];
     let summary = folder.plan(&[&["--mission", "small.pilotage.zip"], &ends[..]].concat());
