@@ -5,6 +5,7 @@ mod calibrate;
 mod find;
 mod ground;
 mod landmarks;
+mod no_fly;
 mod predict;
 mod propose;
 mod source;
@@ -84,10 +85,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if arguments.envelope {
         summary.envelopes = envelopes(arguments, &ground)?;
     }
+    no_fly::tell_legs(&ground);
     if arguments.predict {
         let (plan, prediction) = predict(&ground, arguments.seed, arguments.limit, |line| {
             println!("{line}");
         })?;
+        no_fly::tell_reached(&ground, &prediction);
         summary.worst_stretch = prediction.worst_stretch();
         summary.samples = prediction.samples.iter().map(sample).collect();
         if let Some(seeds) = &arguments.fly {

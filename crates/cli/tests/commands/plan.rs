@@ -10,7 +10,9 @@ use pilotage_core::frames::{
 use pilotage_core::imagery::{Georeference, WorldFile};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::package::{MissionPackage, write_package};
-use pilotage_core::mission::{Mission, Route, WayPoint, place_files, read_mission, write_mission};
+use pilotage_core::mission::{
+    Mission, NoFlyZone, Route, WayPoint, place_files, read_mission, write_mission,
+};
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::raster::{Picture, encode_png};
 use serde_json::Value;
@@ -256,4 +258,53 @@ fn a_file_that_cannot_be_written_leaves_the_old_one_and_nothing_half() {
     let done = folder.call(&["plan", "--mission", "plain.json", "--predict"]);
     assert!(String::from_utf8_lossy(&done.stderr).contains("--map"));
     assert!(is_whole(&folder.0));
+}
+
+/// A no-fly area between two places.
+fn area(name: &str, (south, west): (f64, f64), (north, east): (f64, f64)) -> NoFlyZone {
+    let corners = [(south, west), (south, east), (north, east), (north, west)];
+    NoFlyZone {
+        name: name.to_owned(),
+        corners: corners.map(|(n, e)| GroundPoint::new(n, e)).to_vec(),
+        ..NoFlyZone::default()
+    }
+}
+
+#[test]
+fn no_fly_areas_under_the_route_and_within_its_corridor_are_told() {
+    let folder = Folder::new("plan-no-fly");
+    let mission = Mission {
+        no_fly: vec![
+            area("Village", (-30.0, -20.0), (30.0, 20.0)),
+            area("Garden", (0.5, 70.0), (40.0, 100.0)),
+            area("Far", (110.0, -50.0), (150.0, 50.0)),
+        ],
+        ..mission()
+    };
+    folder.write("small.pilotage.zip", saved(mission, placed()));
+    let plan = ["plan", "--mission", "small.pilotage.zip"];
+    let said = folder.run(&plan).unwrap();
+    assert_eq!(said, "Leg 1 crosses Village for 40 m.\n");
+    let said = folder.run(&[&plan[..], &["--predict"]].concat()).unwrap();
+    let of = |name: &str| {
+        let lines = said.lines().filter(|line| line.contains(name));
+        lines.collect::<Vec<_>>()
+    };
+    assert_eq!(of("Village").len(), 2, "{said}");
+    assert!(of("Far").is_empty(), "{said}");
+    let reached = "The 95 % corridor reaches into Garden from ";
+    let garden = of("Garden");
+    assert!(
+        garden.len() == 1 && garden[0].starts_with(reached),
+        "{said}"
+    );
+    // It lies from 190 m to 220 m along the line, half a metre beside it.
+    let numbers: Vec<f64> = garden[0][reached.len()..]
+        .split(' ')
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    let [from, to] = numbers[..] else {
+        panic!("{said}");
+    };
+    assert!((100.0..195.0).contains(&from) && to > 215.0, "{said}");
 }

@@ -22,6 +22,12 @@ impl Incursion {
     pub fn length(&self) -> f64 {
         self.parts.iter().map(|[a, b]| a.distance(b)).sum()
     }
+
+    /// Warning about it, with the name of the area; `distance` writes metres in the reader's units.
+    pub fn sentence(&self, zone: &str, distance: &dyn Fn(f64) -> String) -> String {
+        let (leg, length) = (self.leg + 1, distance(self.length()));
+        format!("Leg {leg} crosses {zone} for {length}.")
+    }
 }
 
 /// Stretch of a predicted path on which the aircraft may be over a no-fly area.
@@ -31,6 +37,14 @@ pub struct ReachedZone {
     pub zone: usize,
     /// Distances along the flown path between which the corridor reaches into it, metres.
     pub between: (f64, f64),
+}
+
+impl ReachedZone {
+    /// Warning about it, with the name of the area; `distance` writes metres in the reader's units.
+    pub fn sentence(&self, zone: &str, distance: &dyn Fn(f64) -> String) -> String {
+        let [from, to] = [self.between.0, self.between.1].map(distance);
+        format!("The 95 % corridor reaches into {zone} from {from} to {to} of the way.")
+    }
 }
 
 /// Whether a place is in an area and in none of its holes.

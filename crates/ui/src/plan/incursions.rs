@@ -18,22 +18,12 @@ impl Planner {
     /// Warnings about no-fly areas; empty where the route and its corridor keep clear of them.
     pub fn no_fly_sentences(&self, units: Units) -> Vec<String> {
         let found = &self.incursions;
-        let mut list: Vec<String> = found
-            .legs
-            .iter()
-            .map(|it| {
-                let (leg, length) = (it.leg + 1, distance_text(it.length(), units));
-                format!("Leg {leg} crosses {} for {length}.", found.name(it.zone))
-            })
-            .collect();
-        for it in &found.reached {
-            let [from, to] = [it.between.0, it.between.1].map(|d| distance_text(d, units));
-            list.push(format!(
-                "The 95 % corridor reaches into {} from {from} to {to} of the way.",
-                found.name(it.zone)
-            ));
-        }
-        list
+        let far = |metres| distance_text(metres, units);
+        let legs = found.legs.iter();
+        let legs = legs.map(|it| it.sentence(found.name(it.zone), &far));
+        let reached = found.reached.iter();
+        let reached = reached.map(|it| it.sentence(found.name(it.zone), &far));
+        legs.chain(reached).collect()
     }
 
     /// Looks at no-fly areas along the selected route anew, if anything changed.
