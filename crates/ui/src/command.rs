@@ -1,6 +1,5 @@
 //! Commands that people can give: one enum feeds menu, palette, shortcuts and the help sheet.
 
-use pilotage_core::exchange::Format;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
@@ -92,22 +91,10 @@ pub enum Command {
     ToggleSettings,
     /// Open files.
     Open,
-    /// Save the mission as a file, with the pictures of its map.
-    SaveMission,
-    /// Save the mission alone as GeoJSON.
-    SaveMissionAsGeoJson,
     /// Copy a link to the view of the built-in flight.
     CopyLink,
     /// Go back to what was open before a link was followed.
     OpenBeforeLink,
-    /// Save the run as a file.
-    SaveRun,
-    /// Save the selected route as a file of another program.
-    ExportRoute(Format),
-    /// Save the estimated track, with the field that colours the recorded one, as a file of another program.
-    ExportTrack(Format),
-    /// Save all landmarks as a file of another program.
-    ExportLandmarks(Format),
     /// North up or track up.
     ToggleTrackUp,
     /// Show the whole flight on the map.

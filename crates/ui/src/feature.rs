@@ -13,7 +13,6 @@ use crate::command::{Command, Workspace};
 use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::kept::provide;
 use crate::documents::{Documents, Session, ViewState};
-use crate::exports::Exports;
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
 use crate::host::{Host, OpenedFile};
 use crate::map::{MapLayer, MapTool, MapView};
@@ -44,6 +43,8 @@ pub enum FeaturePlace {
     BesideMap,
     /// A dialog over everything, which it draws itself while that is open.
     Dialog,
+    /// No place: it has no panel.
+    Nowhere,
 }
 
 /// Description of a feature for whoever lists features.
@@ -191,8 +192,6 @@ pub struct FeatureContext<'a> {
     pub host: &'a mut dyn Host,
     /// Toolkit, for textures and repainting.
     pub egui: &'a egui::Context,
-    /// Files for other programs that are being made.
-    pub exports: &'a mut Exports,
     /// Feature that does it.
     pub own: FeatureId,
     /// Owners of jobs.
@@ -201,6 +200,8 @@ pub struct FeatureContext<'a> {
     pub is_shown: bool,
     /// Files of the set with a key, if the browser keeps them.
     pub kept: &'a dyn Fn(&str) -> Option<Vec<OpenedFile>>,
+    /// Features before it in the list of all, and those behind it.
+    pub beside: [&'a [Box<dyn Feature>]; 2],
     /// Wishes that the app fulfils once the feature is done.
     pub wishes: FeatureWishes,
 }
@@ -306,6 +307,12 @@ impl FeatureContext<'_> {
     pub fn read(&mut self, flight: FlightFiles) {
         self.wishes.read = Some(flight);
     }
+
+    /// Every other feature, in the order of the list of all.
+    pub fn others(&self) -> impl Iterator<Item = &dyn Feature> {
+        let [before, behind] = self.beside;
+        before.iter().chain(behind).map(AsRef::as_ref)
+    }
 }
 
 /// Job that a feature has under way, as its panel tells of it.
@@ -363,7 +370,7 @@ pub trait Feature {
     fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool;
 
     /// Draws its panel.
-    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents);
+    fn panel(&mut self, _ui: &mut Ui, _context: &mut ViewContext<'_>, _documents: &Documents) {}
 
     /// Its layers on the map.
     fn layers(&self) -> Vec<&dyn MapLayer> {

@@ -4,6 +4,7 @@ use crate::camera_log::CameraLogFeature;
 use crate::columns::ColumnsFeature;
 use crate::compare::Compare;
 use crate::detector::DetectorFeature;
+use crate::exports::ExportsFeature;
 use crate::feature::Feature;
 use crate::georeference::GeoreferencerFeature;
 use crate::labelling::Labelling;
@@ -18,7 +19,9 @@ use crate::web_map::WebMapFeature;
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
-        // First, for what the others draw lies over photos.
+        // Its commands stand behind those of the app that open files.
+        Box::new(ExportsFeature::default()),
+        // Before whatever else draws on the map, for what the others draw lies over photos.
         Box::new(PhotosFeature::default()),
         // Behind photos, which may want a picture that it would put on the ground.
         Box::new(GeoreferencerFeature::default()),

@@ -10,6 +10,7 @@ pub mod detector;
 pub mod dialogs;
 pub mod documents;
 pub mod explanations;
+pub mod export_command;
 pub mod exports;
 pub mod feature;
 pub mod feature_command;

@@ -4,8 +4,8 @@ use super::pending_jobs::FlyJob;
 use super::{App, SideTab};
 use crate::command::{Command, Workspace};
 use crate::context::frame_after;
-use crate::documents::{Session, encode_run};
-use crate::host::{Host, stem};
+use crate::documents::Session;
+use crate::host::Host;
 use crate::units::Units;
 
 impl App {
@@ -54,14 +54,8 @@ impl App {
             | Command::FlyAgain
             | Command::CancelJob
             | Command::Open
-            | Command::SaveMission
-            | Command::SaveRun
-            | Command::SaveMissionAsGeoJson
             | Command::CopyLink
             | Command::OpenBeforeLink
-            | Command::ExportRoute(_)
-            | Command::ExportTrack(_)
-            | Command::ExportLandmarks(_)
             | Command::OpenDemo => self.file(command, context, host),
             other => self.look(&other, context),
         }
@@ -229,39 +223,10 @@ impl App {
                     .note(now, "Stopped", "What had been computed stays on screen.");
             }
             Command::Open => host.ask_for_files(),
-            Command::SaveMission => self.save_mission(host),
-            Command::SaveMissionAsGeoJson => self.save_geojson(host),
             Command::CopyLink => self.copy_link(host),
             Command::OpenBeforeLink => self.open_before_link(egui, host),
-            Command::ExportRoute(_) | Command::ExportLandmarks(_) => self.export(&command, host),
-            Command::ExportTrack(format) => self.export_track(format, host),
-            Command::SaveRun => match self.documents.run.as_ref().map(encode_run) {
-                Some(Ok(bytes)) => {
-                    let name = format!("{}.run", self.file_stem());
-                    host.save_file(&name, &bytes);
-                    self.toasts.note(now, "Run saved", name);
-                }
-                Some(Err(error)) => {
-                    self.toasts
-                        .trouble(now, "The run was not saved", error.to_string());
-                }
-                None => self
-                    .toasts
-                    .note(now, "No run to save", "Simulate or open a flight first."),
-            },
             _ => {}
         }
-    }
-
-    pub(super) fn file_stem(&self) -> String {
-        stem(&self.documents.mission.name)
-    }
-
-    fn save_geojson(&mut self, host: &mut dyn Host) {
-        let name = format!("{}.geojson", self.file_stem());
-        let text = pilotage_core::mission::write_mission(&self.documents.mission);
-        host.save_file(&name, text.as_bytes());
-        self.toasts.note(host.now(), "Mission saved", name);
     }
 
     fn look(&mut self, command: &Command, context: &egui::Context) {

@@ -20,13 +20,17 @@ impl App {
         host: &mut dyn Host,
         work: &mut dyn FnMut(&mut dyn Feature, &mut FeatureContext<'_>),
     ) {
-        let feature = &mut self.views.features[index];
+        let (before, rest) = self.views.features.split_at_mut(index);
+        let Some((feature, behind)) = rest.split_first_mut() else {
+            return;
+        };
         let (own, place) = (feature.info().id, feature.info().place);
         let is_shown = match place {
             FeaturePlace::Workspace(own) => self.view.workspace == own,
             FeaturePlace::Window(over) => self.view.workspace == over && feature.takes_window(),
             FeaturePlace::BesideMap => feature.takes_window(),
             FeaturePlace::Dialog => feature.is_open_over(),
+            FeaturePlace::Nowhere => false,
             FeaturePlace::Tab
             | FeaturePlace::Sheet
             | FeaturePlace::FirstTab
@@ -43,13 +47,13 @@ impl App {
             map: &mut self.views.map,
             view: &mut self.view,
             toasts: &mut self.toasts,
-            exports: &mut self.exports,
             host,
             egui,
             own,
             owners: &mut self.owners,
             is_shown,
             kept: &kept,
+            beside: [before, behind],
             wishes: FeatureWishes::default(),
         };
         work(feature.as_mut(), &mut context);
@@ -169,7 +173,10 @@ impl App {
             self.view.workspace = own;
             return;
         }
-        if matches!(place, FeaturePlace::BesideMap | FeaturePlace::Dialog) {
+        if matches!(
+            place,
+            FeaturePlace::BesideMap | FeaturePlace::Dialog | FeaturePlace::Nowhere
+        ) {
             return;
         }
         self.view.workspace = Workspace::Replay;

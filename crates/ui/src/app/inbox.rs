@@ -9,7 +9,9 @@ use crate::documents::kept::provide;
 use crate::feature::{FlightFiles, OpenedSet};
 use crate::host::{Host, OpenedFile};
 use crate::shell::whole_sentences;
-use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, OpenedFiles};
+use pilotage_jobs::{
+    Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenOrder, OpenedFiles,
+};
 
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
@@ -71,7 +73,6 @@ impl App {
         } else if self
             .frame_pictures
             .receive(id, &event, &mut self.views.camera)
-            || self.exports.receive(id, &event, host, &mut self.toasts)
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(context, host, event);
@@ -81,8 +82,6 @@ impl App {
             self.map_work_event(host, id, event);
         } else if self.jobs.describe == Some(id) {
             self.map_event(host, event);
-        } else if self.jobs.packing.as_ref().is_some_and(|p| p.0 == id) {
-            self.pack_event(host, event);
         } else if self.jobs.opening.contains_key(&id) {
             self.open_event(context, host, id, event);
         } else if let JobEvent::Remark(text) = event {
@@ -133,6 +132,23 @@ impl App {
         self.documents.mission_edited = true;
         self.selection = None;
         self.run_is_stale(host.now());
+    }
+
+    /// Opens what was open beside a mission when it was saved.
+    fn open_beside(&mut self, egui: &egui::Context, host: &mut dyn Host, beside: Option<Beside>) {
+        let Some(mut beside) = beside else { return };
+        for feature in &mut self.views.features {
+            feature.take_beside(&mut beside);
+        }
+        if let Some(simulation) = beside.simulation {
+            let flight = FlightSource::Simulated(simulation);
+            if flight != self.documents.flight_source {
+                let map = self.documents.map_source.clone();
+                let mission = self.documents.mission.clone();
+                self.fly_new(egui, host, flight, map, Some(mission));
+            }
+        }
+        self.documents.bookmarks = beside.bookmarks;
     }
 
     fn take_opened(

@@ -2,11 +2,9 @@
 
 mod advice;
 mod aside;
-mod exchange;
 mod execute;
 mod feature_work;
 mod flight_change;
-mod flown_track;
 mod flying;
 mod frame_pictures;
 mod inbox;
@@ -14,7 +12,6 @@ mod keeping;
 mod layout;
 mod link;
 mod maps;
-mod package;
 mod pending_jobs;
 mod report;
 mod start;
@@ -26,7 +23,6 @@ use pilotage_jobs::{FlightSource, JobId};
 use crate::command::{Command, Workspace};
 use crate::dialogs::SimulateDialog;
 use crate::documents::{Documents, ViewState};
-use crate::exports::Exports;
 use crate::feature::{Feature, FeatureId, FeaturePlace};
 use crate::host::Host;
 use crate::map::MapView;
@@ -164,7 +160,6 @@ pub struct App {
     toasts: Toasts,
     views: Views,
     jobs: PendingJobs,
-    exports: Exports,
     frame_pictures: FramePictureRequests,
     /// Features by the jobs that they started.
     owners: Vec<(JobId, FeatureId)>,

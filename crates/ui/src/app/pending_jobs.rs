@@ -91,8 +91,6 @@ pub struct PendingJobs {
     pub link: Option<Link>,
     /// Session that was open before a link was followed.
     pub before_link: Option<Session>,
-    /// The mission file being made, and its name.
-    pub packing: Option<(JobId, String)>,
 }
 
 impl PendingJobs {

@@ -62,7 +62,6 @@ impl App {
             },
             frame_pictures: FramePictureRequests::default(),
             jobs: PendingJobs::default(),
-            exports: crate::exports::Exports::default(),
             commands: Vec::new(),
             input_waits: false,
             started: false,

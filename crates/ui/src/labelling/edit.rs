@@ -7,7 +7,7 @@ use pilotage_jobs::ExportOrder;
 use super::LabelCommand;
 use crate::context::shown_frame;
 use crate::documents::Documents;
-use crate::exports::ExportedFile;
+use crate::export_command::{ExportCommand, ExportedFile};
 use crate::feature::FeatureContext;
 use crate::host::stem;
 use crate::shell::sentences;
@@ -111,7 +111,7 @@ pub(super) fn export_labels(format: LabelFormat, context: &mut FeatureContext<'_
         format: format.name(),
         name: format!("{}-{}", stem(&mission.name), format.ending()),
     };
-    context.exports.make(file, order, context.host);
+    context.ask(ExportCommand::File(Box::new((file, order))));
 }
 
 /// Adds the labels of opened files to the mission, as one step, and says what became of them.

@@ -10,6 +10,7 @@ use super::words::{date, duration, size};
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::export_command::ExportCommand;
 use crate::feature_command::FeatureCommand;
 use crate::units::clock;
 use crate::views::parts::{self, NumberReadout};
@@ -119,7 +120,7 @@ fn save_track(ui: &mut Ui, context: &mut ViewContext<'_>) {
             for format in [Format::Kml, Format::Gpx, Format::GeoJson, Format::Csv] {
                 let words = format.name();
                 if crate::shell::text_button(ui, tokens, None, words, false).clicked() {
-                    context.commands.push(Command::ExportTrack(format));
+                    context.commands.push(ExportCommand::Track(format).into());
                 }
             }
         });

@@ -13,6 +13,7 @@ use super::tab::PlanTab;
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::{Documents, planned_ground};
+use crate::export_command::ExportCommand;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapTool;
 use crate::units::Units;
@@ -58,7 +59,11 @@ impl Feature for Planner {
                 self.watch(Some(*seed), context);
                 return true;
             }
-            Command::ExportRoute(_) => return self.asks_before_export(context),
+            Command::Feature(command)
+                if matches!(command.action(), Some(ExportCommand::Route(_))) =>
+            {
+                return self.asks_before_export(context);
+            }
             _ if !context.is_shown => {}
             Command::DeleteLandmark(id) => {
                 let marked = self.marked(*context.selection);

@@ -2,7 +2,6 @@
 //! read this one table.
 
 use egui::{Key, KeyboardShortcut, Modifiers};
-use pilotage_core::exchange::Format;
 
 pub use super::entry::{CommandEntry, CommandGroup, control, describe, entry, plain, shift};
 use crate::command::{Command, Workspace};
@@ -27,7 +26,6 @@ pub fn catalog() -> Vec<CommandEntry> {
     entries.extend(view());
     entries.extend(edit());
     entries.extend(document());
-    entries.extend(exports());
     entries
 }
 
@@ -203,27 +201,6 @@ fn edit() -> Vec<CommandEntry> {
     ]
 }
 
-/// Commands that write for other programs: whatever can be written, in every format that holds it.
-fn exports() -> Vec<CommandEntry> {
-    let routes = Format::all().map(|format| {
-        let label = format!("Export the route as {}", format.as_words());
-        (label, Command::ExportRoute(format))
-    });
-    let landmarks = Format::all().filter(|f| f.holds_landmarks());
-    let landmarks = landmarks.map(|format| {
-        let label = format!("Export the landmarks as {}", format.as_words());
-        (label, Command::ExportLandmarks(format))
-    });
-    let tracks = Format::all().filter(|f| f.holds_tracks());
-    let tracks = tracks.map(|format| {
-        let label = format!("Save the flown track as {}", format.as_words());
-        (label, Command::ExportTrack(format))
-    });
-    let all = routes.chain(landmarks).chain(tracks);
-    all.map(|(label, command)| entry(CommandGroup::Document, label, vec![], command))
-        .collect()
-}
-
 fn document() -> Vec<CommandEntry> {
     let of = |label, shortcuts, command| entry(CommandGroup::Document, label, shortcuts, command);
     vec![
@@ -242,17 +219,6 @@ fn document() -> Vec<CommandEntry> {
             vec![control(Key::O)],
             Command::Open,
         ),
-        of(
-            "Save the mission",
-            vec![control(Key::S)],
-            Command::SaveMission,
-        ),
-        of(
-            "Save the mission alone as GeoJSON",
-            vec![],
-            Command::SaveMissionAsGeoJson,
-        ),
-        of("Save the run", vec![], Command::SaveRun),
         of("Copy a link to this view", vec![], Command::CopyLink),
         of(
             "Open what was open before the link",

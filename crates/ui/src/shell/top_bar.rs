@@ -5,6 +5,7 @@ use egui::{Align, Layout, RichText, Ui};
 use super::icons::Icon;
 use super::widgets::{icon_button, icon_toggle, muted, tab, text_button};
 use crate::command::{Command, Workspace};
+use crate::export_command::ExportCommand;
 use crate::feature_command::{FeatureCommand, FeatureId};
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -139,7 +140,7 @@ fn toggles(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Vec<Co
         commands.push(Command::ToggleSide);
     }
     if icon_button(ui, tokens, Icon::Save, "Save the mission").clicked() {
-        commands.push(Command::SaveMission);
+        commands.push(ExportCommand::Mission.into());
     }
 }
 
@@ -149,8 +150,8 @@ fn menu(ui: &mut Ui, tokens: &Tokens, commands: &mut Vec<Command>) {
     egui::Popup::menu(&button).show(|ui| {
         ui.set_min_width(220.0);
         for (label, command) in [
-            ("Save the mission", Command::SaveMission),
-            ("Save the run", Command::SaveRun),
+            ("Save the mission", ExportCommand::Mission.into()),
+            ("Save the run", ExportCommand::Run.into()),
             ("Show or hide the plots", Command::TogglePlots),
             ("Show or hide the side column", Command::ToggleSide),
             ("Metric or aviation units", Command::ToggleUnits),

@@ -1,0 +1,152 @@
+//! Files that are saved as a feature: made by workers where they take long, and saved once they are there.
+
+use pilotage_core::exchange::Format;
+use pilotage_jobs::{ExportOrder, Job, JobEvent, JobId};
+
+use super::mission_file::MissionFile;
+use super::places::{landmarks_file, route_file};
+use super::track::track_file;
+use crate::documents::encode_run;
+use crate::export_command::{EXPORTS, ExportCommand, ExportedFile};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::host::stem;
+use crate::shell::catalog::{CommandEntry, CommandGroup, control, entry};
+use crate::shell::sentences;
+
+use egui::Key;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: EXPORTS,
+    tab: "Exports",
+    place: FeaturePlace::Nowhere,
+    commands,
+};
+
+/// The mission and the run, then whatever other programs can read, in every format that holds it.
+fn commands() -> Vec<CommandEntry> {
+    let save_mission = "Save the mission".to_owned();
+    let save_geojson = "Save the mission alone as GeoJSON".to_owned();
+    let own = [
+        (save_mission, ExportCommand::Mission),
+        (save_geojson, ExportCommand::MissionAsGeoJson),
+        ("Save the run".to_owned(), ExportCommand::Run),
+    ];
+    let routes = Format::all().map(|format| {
+        let label = format!("Export the route as {}", format.as_words());
+        (label, ExportCommand::Route(format))
+    });
+    let landmarks = Format::all().filter(|f| f.holds_landmarks());
+    let landmarks = landmarks.map(|format| {
+        let label = format!("Export the landmarks as {}", format.as_words());
+        (label, ExportCommand::Landmarks(format))
+    });
+    let tracks = Format::all().filter(|f| f.holds_tracks());
+    let tracks = tracks.map(|format| {
+        let label = format!("Save the flown track as {}", format.as_words());
+        (label, ExportCommand::Track(format))
+    });
+    let all = own.into_iter().chain(routes).chain(landmarks).chain(tracks);
+    all.map(|(label, command)| {
+        let keys = match command {
+            ExportCommand::Mission => vec![control(Key::S)],
+            _ => Vec::new(),
+        };
+        entry(CommandGroup::Document, label, keys, command.into())
+    })
+    .collect()
+}
+
+/// Files that are being made.
+#[derive(Debug, Default)]
+pub struct ExportsFeature {
+    making: Vec<(JobId, ExportedFile)>,
+    mission: MissionFile,
+}
+
+impl ExportsFeature {
+    /// Has a file for another program made.
+    fn make(&mut self, file: ExportedFile, order: ExportOrder, context: &mut FeatureContext<'_>) {
+        let job = context.start(Job::Export(Box::new(order)));
+        self.making.push((job, file));
+    }
+}
+
+impl Feature for ExportsFeature {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let Some(command) = command.action() else {
+            return false;
+        };
+        let made = match command {
+            ExportCommand::Mission => {
+                self.mission.make(context);
+                None
+            }
+            ExportCommand::MissionAsGeoJson => {
+                save_geojson(context);
+                None
+            }
+            ExportCommand::Run => {
+                save_run(context);
+                None
+            }
+            ExportCommand::Route(format) => route_file(*format, context),
+            ExportCommand::Landmarks(format) => landmarks_file(*format, context),
+            ExportCommand::Track(format) => track_file(*format, context),
+            ExportCommand::File(made) => Some(made.as_ref().clone()),
+        };
+        if let Some((file, order)) = made {
+            self.make(file, order, context);
+        }
+        true
+    }
+
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+        let Some(place) = self.making.iter().position(|(id, _)| *id == job) else {
+            self.mission.take(job, event, context);
+            return;
+        };
+        let is_last = event.is_last();
+        let ExportedFile { what, format, name } = &self.making[place].1;
+        match event {
+            JobEvent::Exported { bytes, notes } => {
+                context.host.save_file(name, &bytes);
+                let title = format!("{what} exported as {format}: {name}");
+                context.note(&title, sentences(&notes));
+            }
+            JobEvent::Failed(why) => {
+                let title = format!("{what} not exported as {format}");
+                context.trouble(&title, sentences(&[why]));
+            }
+            _ => {}
+        }
+        if is_last {
+            self.making.remove(place);
+        }
+    }
+}
+
+fn save_run(context: &mut FeatureContext<'_>) {
+    let title = "The run was not saved";
+    match context.documents.run.as_ref().map(encode_run) {
+        Some(Ok(bytes)) => {
+            let name = format!("{}.run", stem(&context.documents.mission.name));
+            context.host.save_file(&name, &bytes);
+            context.note("Run saved", name);
+        }
+        Some(Err(error)) => context.trouble(title, error.to_string()),
+        None => context.note("No run to save", "Simulate or open a flight first."),
+    }
+}
+
+fn save_geojson(context: &mut FeatureContext<'_>) {
+    let mission = &context.documents.mission;
+    let name = format!("{}.geojson", stem(&mission.name));
+    let text = pilotage_core::mission::write_mission(mission);
+    context.host.save_file(&name, text.as_bytes());
+    context.note("Mission saved", name);
+}

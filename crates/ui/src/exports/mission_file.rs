@@ -1,0 +1,58 @@
+//! The mission file: saved with what goes with it.
+
+use pilotage_jobs::{Beside, Job, JobEvent, JobId, PackOrder};
+
+use crate::feature::FeatureContext;
+use crate::host::stem;
+
+/// The mission file being made, and its name.
+#[derive(Debug, Default)]
+pub(super) struct MissionFile(Option<(JobId, String)>);
+
+impl MissionFile {
+    /// Has the mission made into a file, with the pictures of its map and what other features save beside it.
+    pub(super) fn make(&mut self, context: &mut FeatureContext<'_>) {
+        let documents = &*context.documents;
+        let mut beside = Beside {
+            simulation: documents.flight_source.simulation().cloned(),
+            bookmarks: documents.bookmarks.clone(),
+            ..Beside::default()
+        };
+        for feature in context.others() {
+            feature.put_beside(&mut beside, documents);
+        }
+        let order = PackOrder {
+            mission: documents.mission.clone(),
+            beside,
+            map: documents.map_source.clone(),
+        };
+        let name = format!("{}.pilotage.zip", stem(&documents.mission.name));
+        let id = context.start(Job::Pack(Box::new(order)));
+        self.0 = Some((id, name));
+    }
+
+    /// Takes what the worker says of the file.
+    pub(super) fn take(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+        let Some((_, name)) = self.0.as_ref().filter(|(id, _)| *id == job) else {
+            return;
+        };
+        let is_last = event.is_last();
+        match event {
+            JobEvent::Packed { bytes, lacks } => {
+                context.host.save_file(name, &bytes);
+                match lacks {
+                    Some(lacks) => {
+                        let text = format!("{name} is saved. {lacks}");
+                        context.trouble("The mission file has no map in it", text);
+                    }
+                    None => context.note("Mission saved", name.clone()),
+                }
+            }
+            JobEvent::Failed(why) => context.trouble("The mission was not saved", why),
+            _ => {}
+        }
+        if is_last {
+            self.0 = None;
+        }
+    }
+}

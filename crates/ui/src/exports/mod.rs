@@ -1,0 +1,8 @@
+//! Files that are saved: the mission, the run, and what other programs read.
+
+mod feature;
+mod mission_file;
+mod places;
+mod track;
+
+pub use feature::ExportsFeature;

@@ -1,0 +1,61 @@
+//! Routes and landmarks as files of other programs.
+
+use pilotage_core::exchange::Format;
+use pilotage_jobs::ExportOrder;
+
+use crate::export_command::ExportedFile;
+use crate::feature::FeatureContext;
+use crate::host::stem;
+
+/// File of the selected route, and how it is made; none without a route, which people are told.
+pub(super) fn route_file(
+    format: Format,
+    context: &mut FeatureContext<'_>,
+) -> Option<(ExportedFile, ExportOrder)> {
+    let Some(route) = context.documents.selected_route() else {
+        let text = "Draw one in the Plan workspace, or open a file with one.";
+        context.note("No route to export", text);
+        return None;
+    };
+    let mission = &context.documents.mission;
+    let file = ExportedFile {
+        what: "Route",
+        format: format.name(),
+        name: format!("{}.{}", stem(&route.name), format.extensions()[0]),
+    };
+    let order = ExportOrder::Places {
+        format,
+        no_fly: mission.no_fly.clone(),
+        routes: vec![route.clone()],
+        landmarks: Vec::new(),
+        origin: mission.origin,
+    };
+    Some((file, order))
+}
+
+/// File of all landmarks, and how it is made; none without a landmark, which people are told.
+pub(super) fn landmarks_file(
+    format: Format,
+    context: &mut FeatureContext<'_>,
+) -> Option<(ExportedFile, ExportOrder)> {
+    let mission = &context.documents.mission;
+    if mission.landmarks.is_empty() {
+        let text = "Draw one on the map, or open a file with some.";
+        context.note("No landmarks to export", text);
+        return None;
+    }
+    let (name, extension) = (stem(&mission.name), format.extensions()[0]);
+    let file = ExportedFile {
+        what: "Landmarks",
+        format: format.name(),
+        name: format!("{name}-landmarks.{extension}"),
+    };
+    let order = ExportOrder::Places {
+        format,
+        no_fly: Vec::new(),
+        routes: Vec::new(),
+        landmarks: mission.landmarks.clone(),
+        origin: mission.origin,
+    };
+    Some((file, order))
+}

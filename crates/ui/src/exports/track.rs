@@ -1,0 +1,48 @@
+//! The estimated track as a file of another program.
+
+use pilotage_core::exchange::{FlownTrack, Format};
+use pilotage_core::frames::LocalFrame;
+use pilotage_jobs::ExportOrder;
+
+use crate::export_command::ExportedFile;
+use crate::feature::FeatureContext;
+use crate::host::stem;
+
+/// File of where the filter thought the aircraft was, with the field beside it that colours the recorded track, and how
+/// it is made; none without a run, which people are told.
+pub(super) fn track_file(
+    format: Format,
+    context: &mut FeatureContext<'_>,
+) -> Option<(ExportedFile, ExportOrder)> {
+    let Some(track) = flown_track(context) else {
+        let text = "Open a flight or simulate one, and let it be navigated.";
+        context.note("No flown track to save", text);
+        return None;
+    };
+    let name = stem(&context.documents.mission.name);
+    let file = ExportedFile {
+        what: "Flown track",
+        format: format.name(),
+        name: format!("{name}-track.{}", format.extensions()[0]),
+    };
+    Some((file, ExportOrder::Track { format, track }))
+}
+
+fn flown_track(context: &FeatureContext<'_>) -> Option<FlownTrack> {
+    let documents = &*context.documents;
+    let run = documents.run.as_ref().filter(|run| !run.steps.is_empty())?;
+    let flight = documents.flight.as_ref()?;
+    let frame = flight.frame_on_globe;
+    let frame = frame.unwrap_or_else(|| LocalFrame::new(documents.mission.origin));
+    let mut track = run.estimated_track(&flight.name, &frame);
+    track.utc_at_zero = documents.log.as_ref().and_then(|log| log.utc_at_zero);
+    let times: Vec<f64> = track.points.iter().map(|point| point.time).collect();
+    let mut others = context.others();
+    if let Some((what, values)) = others.find_map(|it| it.values_along(&times)) {
+        track.values = Some(what);
+        for (point, value) in track.points.iter_mut().zip(values) {
+            point.value = value;
+        }
+    }
+    Some(track)
+}
