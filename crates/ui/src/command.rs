@@ -91,10 +91,6 @@ pub enum Command {
     ToggleSettings,
     /// Open files.
     Open,
-    /// Copy a link to the view of the built-in flight.
-    CopyLink,
-    /// Go back to what was open before a link was followed.
-    OpenBeforeLink,
     /// North up or track up.
     ToggleTrackUp,
     /// Show the whole flight on the map.

@@ -96,6 +96,8 @@ pub struct FeatureWishes {
     pub opened: Vec<Vec<OpenedFile>>,
     /// Flight in opened files to be read, and flown then.
     pub read: Option<FlightFiles>,
+    /// Session that takes the place of what is open.
+    pub session: Option<Session>,
 }
 
 /// Flight to be flown in the place of the one that is being flown.
@@ -306,6 +308,11 @@ impl FeatureContext<'_> {
     /// Has whoever reads flights read one in opened files, which is flown then.
     pub fn read(&mut self, flight: FlightFiles) {
         self.wishes.read = Some(flight);
+    }
+
+    /// Opens a session in the place of what is open.
+    pub fn open_session(&mut self, session: Session) {
+        self.wishes.session = Some(session);
     }
 
     /// Every other feature, in the order of the list of all.

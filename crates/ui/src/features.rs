@@ -8,6 +8,7 @@ use crate::exports::ExportsFeature;
 use crate::feature::Feature;
 use crate::georeference::GeoreferencerFeature;
 use crate::labelling::Labelling;
+use crate::link::LinkFeature;
 use crate::log::LogFeature;
 use crate::matches::MatchFeature;
 use crate::outage::Outages;
@@ -35,6 +36,8 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(CameraLogFeature::default()),
         Box::new(WebMapFeature::default()),
         Box::new(ColumnsFeature::default()),
+        // Last, for it has the flight and the map looked at as it says, whatever the others do.
+        Box::new(LinkFeature::default()),
     ]
 }
 

@@ -147,6 +147,7 @@ const UI: Order = Order {
         "web_map",
         "columns",
         "exports",
+        "link",
         "dialogs",
         "features",
         "app",

@@ -54,8 +54,6 @@ impl App {
             | Command::FlyAgain
             | Command::CancelJob
             | Command::Open
-            | Command::CopyLink
-            | Command::OpenBeforeLink
             | Command::OpenDemo => self.file(command, context, host),
             other => self.look(&other, context),
         }
@@ -223,8 +221,6 @@ impl App {
                     .note(now, "Stopped", "What had been computed stays on screen.");
             }
             Command::Open => host.ask_for_files(),
-            Command::CopyLink => self.copy_link(host),
-            Command::OpenBeforeLink => self.open_before_link(egui, host),
             _ => {}
         }
     }

@@ -91,6 +91,9 @@ impl App {
         for files in wishes.opened {
             self.open_files(egui, host, files);
         }
+        if let Some(session) = wishes.session {
+            self.open_session(&session, egui, host);
+        }
         match wishes.flight {
             Some(FlightWish::Nothing) => self.stop_flying(host),
             Some(FlightWish::Open(open)) => {

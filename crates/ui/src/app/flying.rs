@@ -53,7 +53,6 @@ impl App {
                     self.take_place(host, map);
                     if first {
                         self.show_new_flight();
-                        self.look_by_link();
                     }
                 }
             }

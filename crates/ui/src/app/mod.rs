@@ -10,7 +10,6 @@ mod frame_pictures;
 mod inbox;
 mod keeping;
 mod layout;
-mod link;
 mod maps;
 mod pending_jobs;
 mod report;

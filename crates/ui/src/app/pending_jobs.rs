@@ -1,8 +1,7 @@
 //! The jobs under way and what they are for.
 
 use super::storage::Keeping;
-use crate::documents::link::Link;
-use crate::documents::{Session, Staged};
+use crate::documents::Staged;
 use crate::feature::OpenedSet;
 use crate::map::TileKey;
 use crate::short_map::ShortMap;
@@ -87,10 +86,6 @@ pub struct PendingJobs {
     pub keeping: Keeping,
     /// Whether the map is to be fitted once it is known how far it reaches.
     pub fit_when_known: bool,
-    /// View of a link, to be shown once its flight is there.
-    pub link: Option<Link>,
-    /// Session that was open before a link was followed.
-    pub before_link: Option<Session>,
 }
 
 impl PendingJobs {

@@ -108,7 +108,11 @@ impl App {
             self.toasts.trouble(host.now(), title, text);
         }
         self.start_features(context, host);
-        self.follow_link(host);
+        // Files opened from now on must not take the place of those that a feature keeps.
+        let features = self.views.features.iter();
+        for set in features.flat_map(|it| it.used_files()) {
+            self.jobs.count_batches(set);
+        }
         if host
             .interrupted_saves()
             .iter()
@@ -154,6 +158,20 @@ impl App {
             Some(files) => self.read_flight(&files, egui, host),
             None => self.fly_open(host, self.documents.session()),
         }
+    }
+
+    /// Opens a session in the place of what is open.
+    pub(super) fn open_session(
+        &mut self,
+        session: &Session,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
+        self.stop_flying(host);
+        self.documents = Documents::new(session);
+        self.restore_files(host);
+        self.describe_map(host);
+        self.fly_session(egui, host);
     }
 
     /// Stores the document and the view a moment after they changed.

@@ -11,7 +11,6 @@ mod history;
 pub mod kept;
 pub mod landmarks;
 mod laps;
-pub mod link;
 mod log_file;
 mod map_under;
 mod noticed;

@@ -219,12 +219,6 @@ fn document() -> Vec<CommandEntry> {
             vec![control(Key::O)],
             Command::Open,
         ),
-        of("Copy a link to this view", vec![], Command::CopyLink),
-        of(
-            "Open what was open before the link",
-            vec![],
-            Command::OpenBeforeLink,
-        ),
         of("Stop computing", vec![], Command::CancelJob),
         of("Open the built-in demo", vec![], Command::OpenDemo),
     ]

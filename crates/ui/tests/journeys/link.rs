@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers, Vec2};
-use pilotage_ui::documents::link::{LINK_KEY, Link};
 use pilotage_ui::documents::{SESSION_KEY, Session};
+use pilotage_ui::link::{LINK_KEY, Link};
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 

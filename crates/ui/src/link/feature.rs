@@ -1,0 +1,165 @@
+//! Links as a feature: copied, and followed where the page was opened with one.
+
+use pilotage_jobs::FlightSource;
+
+use super::{BEFORE_LINK_KEY, LINK_KEY, Link};
+use crate::command::Command;
+use crate::documents::{Documents, SESSION_KEY, Session};
+use crate::feature::{
+    Feature, FeatureCommand, FeatureContext, FeatureId, FeatureInfo, FeaturePlace,
+};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry};
+
+/// Identity of the feature.
+const ID: FeatureId = "link";
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "Link",
+    place: FeaturePlace::Nowhere,
+    commands,
+};
+
+/// Something about links.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum LinkCommand {
+    /// Copy a link to the view of the built-in flight.
+    Copy,
+    /// Go back to what was open before a link was followed.
+    OpenBefore,
+}
+
+fn commands() -> Vec<CommandEntry> {
+    let all = [
+        ("Copy a link to this view", LinkCommand::Copy),
+        (
+            "Open what was open before the link",
+            LinkCommand::OpenBefore,
+        ),
+    ];
+    let row = |(label, command)| {
+        let command = Command::Feature(FeatureCommand::new(ID, command));
+        entry(CommandGroup::Document, label, vec![], command)
+    };
+    all.into_iter().map(row).collect()
+}
+
+/// Link that the page was opened with.
+#[derive(Debug, Default)]
+pub struct LinkFeature {
+    /// View that is shown once its flight is there.
+    followed: Option<Link>,
+    /// Session that was open before it.
+    before: Option<Session>,
+}
+
+impl LinkFeature {
+    /// Opens the flight of a link; what was open before is kept aside if there is work in it.
+    fn follow(&mut self, link: Link, context: &mut FeatureContext<'_>) {
+        let own = context.documents.session();
+        let is_work = own.mission.is_some() || matches!(own.flight, FlightSource::Files(_));
+        if is_work {
+            context.host.store(BEFORE_LINK_KEY, &own.encode());
+            self.before = Some(own);
+            let text = "It is kept aside: “Open what was open before the link”, among all commands \
+                        (Ctrl+K), brings it back.";
+            context.note("A link was opened instead of your own work", text);
+        }
+        *context.documents = Documents::new(&Session {
+            flight: FlightSource::Simulated(link.simulation.clone()),
+            ..Session::demo()
+        });
+        context.view.workspace = link.workspace;
+        self.followed = Some(link);
+    }
+
+    /// Goes back to what was open before a link was followed.
+    fn open_before(&mut self, context: &mut FeatureContext<'_>) {
+        let kept = self.before.take();
+        let kept = kept.or_else(|| Session::decode(&context.host.recall(BEFORE_LINK_KEY)?));
+        let Some(session) = kept else {
+            let text = "No link was opened over work of yours.";
+            context.note("Nothing was kept aside", text);
+            return;
+        };
+        context.host.store(SESSION_KEY, &session.encode());
+        context.host.forget(BEFORE_LINK_KEY);
+        context.open_session(session);
+    }
+}
+
+/// Copies a link to what is shown.
+fn copy(context: &mut FeatureContext<'_>) {
+    let FlightSource::Simulated(simulation) = &context.documents.flight_source else {
+        let text = "A link carries the view and the built-in flights only. Save the mission as a \
+                    file to pass on what you have opened.";
+        context.note("Opened files do not fit into a link", text);
+        return;
+    };
+    let camera = &context.map.camera;
+    let link = Link {
+        simulation: simulation.clone(),
+        workspace: context.view.workspace,
+        center: camera.center,
+        scale: camera.metres_per_point,
+        up: camera.up,
+        time: context.playback.time,
+    };
+    context.host.copy_link(&link.encode());
+    let text = if context.documents.mission_edited {
+        "It carries the view and the built-in flight, not your edits: save the mission as a file \
+         to pass them on."
+    } else {
+        "Whoever opens it sees this view of the built-in flight."
+    };
+    context.note("Link copied", text);
+}
+
+impl Feature for LinkFeature {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        match command.action() {
+            Some(LinkCommand::Copy) => copy(context),
+            Some(LinkCommand::OpenBefore) => self.open_before(context),
+            None => return false,
+        }
+        true
+    }
+
+    /// Follows the link that the page was opened with.
+    fn start(&mut self, context: &mut FeatureContext<'_>) {
+        let fragment = context.host.recall(LINK_KEY);
+        let fragment = fragment.and_then(|bytes| String::from_utf8(bytes).ok());
+        if let Some(link) = fragment.and_then(|text| Link::decode(&text)) {
+            self.follow(link, context);
+        }
+    }
+
+    /// Looks at the flight as the link says, once the flight is there.
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        if context.documents.run.is_none() {
+            return;
+        }
+        let Some(link) = self.followed.take() else {
+            return;
+        };
+        let map = &mut *context.map;
+        map.stay();
+        map.camera.center = link.center;
+        map.camera.metres_per_point = link.scale;
+        map.camera.up = link.up;
+        context.playback.playing = false;
+        let span = context.documents.span();
+        context.playback.seek(link.time, span);
+    }
+
+    fn used_files(&self) -> Vec<&str> {
+        let before = self.before.iter();
+        let keys = before.flat_map(|it| [it.flight.key(), it.map.key()]);
+        keys.flatten().collect()
+    }
+}
