@@ -211,7 +211,7 @@ impl App {
             Command::CancelJob if self.jobs.fly.is_none() => {
                 let _ = self.stop_features(egui, host)
                     || self.stop_opening(host)
-                    || self.stop_preparing(host);
+                    || self.map_work.stop(&mut self.toasts, host);
             }
             Command::CancelJob => {
                 self.documents.run_complete |= self.jobs.fly.as_ref().is_some_and(FlyJob::began);

@@ -320,7 +320,8 @@ impl App {
     /// Progress of the computation under way, 0 to 1, and its words.
     pub(super) fn progress(&self) -> Option<(f32, &str)> {
         let mut features = self.views.features.iter();
-        self.jobs.progress(features.find_map(|it| it.progress()))
+        let of_jobs = self.jobs.progress(features.find_map(|it| it.progress()));
+        of_jobs.or_else(|| self.map_work.progress())
     }
 
     /// Lets every feature look at what files turned out to hold; whether one took all of it.

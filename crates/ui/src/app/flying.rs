@@ -159,7 +159,7 @@ impl App {
             FlightSource::Files(_) => true,
             FlightSource::Rehearsed(_) | FlightSource::Nothing => false,
         };
-        self.jobs.fit_when_known = is_whole && self.documents.map.is_none();
+        self.map_work.fits_flight = is_whole && self.documents.map.is_none();
         if is_whole {
             self.fit_to_flight_and_map();
             return;

@@ -4,13 +4,15 @@ use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
 
 use super::App;
+use super::map_work::tell_of_map;
 use super::pending_jobs::Opening;
+use crate::command::Workspace;
 use crate::documents::kept::provide;
 use crate::feature::{FlightFiles, OpenedSet};
 use crate::host::{Host, OpenedFile};
 use crate::shell::whole_sentences;
 use pilotage_jobs::{
-    Beside, FlightSource, Job, JobEvent, JobId, MapSource, OpenOrder, OpenedFiles,
+    Beside, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, OpenOrder, OpenedFiles,
 };
 
 impl App {
@@ -76,17 +78,19 @@ impl App {
         {
         } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(context, host, event);
-        } else if self.jobs.tiles.contains_key(&id) {
-            self.tile_event(context, host, id, event);
-        } else if self.is_map_work(id) {
-            self.map_work_event(host, id, event);
-        } else if self.jobs.describe == Some(id) {
-            self.map_event(host, event);
+        } else if self.map_work.owns(id) {
+            let (work, mut parts) = self.map_parts(host);
+            if work.take(id, event, context, &mut parts) {
+                self.fit_to_flight_and_map();
+            }
+        } else if self.height_work.owns(id) {
+            let (documents, toasts) = (&mut self.documents, &mut self.toasts);
+            self.height_work.take(event, documents, toasts, host);
         } else if self.jobs.opening.contains_key(&id) {
             self.open_event(context, host, id, event);
         } else if let JobEvent::Remark(text) = event {
             // Of a tile that nobody waits for any more: a worker says each thing once.
-            self.tell_of_map(host, &text);
+            tell_of_map(&text, &mut self.toasts, host);
         }
     }
 
@@ -132,6 +136,38 @@ impl App {
         self.documents.mission_edited = true;
         self.selection = None;
         self.run_is_stale(host.now());
+    }
+
+    /// Shows a map that was opened without a flight, in a world of its own if it lies elsewhere.
+    fn show_opened_map(&mut self, host: &mut dyn Host, source: MapSource, info: MapInfo) {
+        let world = self.documents.world_origin();
+        if let Some(origin) = info.origin.filter(|origin| world != Some(*origin)) {
+            if self.documents.flight.is_some() || !self.documents.mission.landmarks.is_empty() {
+                let text = "It begins a plan of its own. Undo brings the mission back; the flight \
+                    opens again from its files, or with \u{201c}Open the built-in demo\u{201d}.";
+                self.toasts
+                    .note(host.now(), "The map lies far from what was open", text);
+            }
+            self.stop_flying(host);
+            let name = info.name.rsplit('/').next().unwrap_or_default();
+            let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+            self.documents.begin_world(origin, stem);
+            self.selection = None;
+            self.show_workspace(Workspace::Plan);
+        }
+        self.change_map(host, source);
+        self.views.map.fit(info.bounds);
+        self.documents.map = Some(info);
+        self.jobs.document_changed = true;
+    }
+
+    /// Stops looking at opened files; true if that was under way.
+    pub(super) fn stop_opening(&mut self, host: &mut dyn Host) -> bool {
+        let ids: Vec<JobId> = self.jobs.opening.iter().map(|(id, _)| *id).collect();
+        for id in &ids {
+            host.cancel(*id);
+        }
+        !ids.is_empty()
     }
 
     /// Opens what was open beside a mission when it was saved.
@@ -201,7 +237,10 @@ impl App {
         };
         if let Some(terrain) = terrain {
             parts.push("an elevation model");
-            self.take_terrain(host, &opening.key, &terrain);
+            let (documents, toasts) = (&mut self.documents, &mut self.toasts);
+            self.height_work
+                .use_model(&opening.key, &terrain, documents, toasts, host);
+            self.jobs.document_changed = true;
         }
         if let Some(file) = log {
             // What it is, is told at the right; a notice would cover it.

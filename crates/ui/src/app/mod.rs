@@ -7,10 +7,11 @@ mod feature_work;
 mod flight_change;
 mod flying;
 mod frame_pictures;
+mod height_work;
 mod inbox;
 mod keeping;
 mod layout;
-mod maps;
+mod map_work;
 mod pending_jobs;
 mod report;
 mod start;
@@ -33,6 +34,8 @@ use crate::tokens::Tokens;
 use crate::views::{CameraView, InspectorView, LandmarkList, PlotsView, Tour};
 
 use frame_pictures::FramePictureRequests;
+use height_work::HeightWork;
+use map_work::{MapParts, MapWork};
 use pending_jobs::PendingJobs;
 
 /// Content of the column at the right below the camera picture.
@@ -159,6 +162,8 @@ pub struct App {
     toasts: Toasts,
     views: Views,
     jobs: PendingJobs,
+    map_work: MapWork,
+    height_work: HeightWork,
     frame_pictures: FramePictureRequests,
     /// Features by the jobs that they started.
     owners: Vec<(JobId, FeatureId)>,

@@ -3,7 +3,6 @@
 use super::storage::Keeping;
 use crate::documents::Staged;
 use crate::feature::OpenedSet;
-use crate::map::TileKey;
 use crate::short_map::ShortMap;
 use pilotage_jobs::{FlightSource, JobId, MapSource};
 
@@ -64,18 +63,6 @@ pub struct PendingJobs {
     pub fly: Option<FlyJob>,
     /// When to fly again after a change, milliseconds of the host's clock.
     pub fly_again_at: Option<f64>,
-    /// Tiles asked for.
-    pub tiles: ShortMap<JobId, TileKey>,
-    /// The map being made ready for wide views: job, how far, in words.
-    pub preparing: Option<(JobId, f32, String)>,
-    /// Whether the user stopped that.
-    pub prepare_declined: bool,
-    /// When tiles that are not whole were asked for again, milliseconds.
-    pub tiles_refreshed: f64,
-    /// Heights being taken.
-    pub heights: Option<JobId>,
-    /// The question what the map is.
-    pub describe: Option<JobId>,
     /// Files being looked at.
     pub opening: ShortMap<JobId, Opening>,
     /// Batches of files opened so far.
@@ -84,8 +71,6 @@ pub struct PendingJobs {
     pub document_changed: bool,
     /// Opened files on their way into the storage.
     pub keeping: Keeping,
-    /// Whether the map is to be fitted once it is known how far it reaches.
-    pub fit_when_known: bool,
 }
 
 impl PendingJobs {
@@ -102,10 +87,6 @@ impl PendingJobs {
             let (_, opening) = self.opening.iter().next()?;
             Some((0.0, opening.words.as_str()))
         };
-        let preparing = || {
-            let (_, part, words) = self.preparing.as_ref()?;
-            Some((*part, words.as_str()))
-        };
-        fly.or(of_features).or_else(opening).or_else(preparing)
+        fly.or(of_features).or_else(opening)
     }
 }

@@ -3,6 +3,8 @@
 use super::App;
 use super::aside::Aside;
 use super::frame_pictures::FramePictureRequests;
+use super::height_work::HeightWork;
+use super::map_work::MapWork;
 use super::pending_jobs::PendingJobs;
 use crate::documents::{
     Documents, OpenedTerrain, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
@@ -62,6 +64,8 @@ impl App {
             },
             frame_pictures: FramePictureRequests::default(),
             jobs: PendingJobs::default(),
+            map_work: MapWork::default(),
+            height_work: HeightWork::default(),
             commands: Vec::new(),
             input_waits: false,
             started: false,
@@ -127,7 +131,7 @@ impl App {
         let gone = self.restore_files(host);
         let map = self.documents.map_source.key();
         if !map.is_some_and(|key| gone.contains(key)) {
-            self.describe_map(host);
+            self.map_work.describe(&self.documents, host);
         }
         self.fly_session(context, host);
     }
@@ -170,7 +174,7 @@ impl App {
         self.stop_flying(host);
         self.documents = Documents::new(session);
         self.restore_files(host);
-        self.describe_map(host);
+        self.map_work.describe(&self.documents, host);
         self.fly_session(egui, host);
     }
 

@@ -3,12 +3,11 @@
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
-use super::App;
 use super::pending_jobs::{FlyJob, ShownFlight};
+use super::{App, MapParts, MapWork};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
-use crate::map::TILES_AT_A_TIME;
-use pilotage_jobs::{DescribeMapOrder, FlightSource, FlyOrder, Job, MapSource, TileOrder};
+use pilotage_jobs::{FlightSource, FlyOrder, Job, MapSource};
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
@@ -121,29 +120,41 @@ impl App {
         }
     }
 
-    pub(super) fn describe_map(&mut self, host: &mut dyn Host) {
-        let source = self.documents.map_source.clone();
-        self.jobs.describe = Some(host.start(Job::DescribeMap(DescribeMapOrder(source))));
+    /// Work on the map, and what is lent to it.
+    pub(super) fn map_parts<'a>(
+        &'a mut self,
+        host: &'a mut dyn Host,
+    ) -> (&'a mut MapWork, MapParts<'a>) {
+        let parts = MapParts {
+            documents: &mut self.documents,
+            view: &mut self.views.map,
+            toasts: &mut self.toasts,
+            host,
+        };
+        (&mut self.map_work, parts)
     }
 
-    /// Another map is shown: nothing of the old one is of use.
+    /// Shows another map.
     pub(super) fn change_map(&mut self, host: &mut dyn Host, map: MapSource) {
-        if self.documents.map_source == map && self.documents.map.is_some() {
+        let (work, mut parts) = self.map_parts(host);
+        if work.leave_for(map, &mut parts) {
+            self.let_go_of_files(host);
+            self.map_work.describe(&self.documents, host);
+        }
+    }
+
+    /// Keeps the map to the mission's world where nothing is flown: after an undo, or a mission that was
+    /// opened, that may be another one.
+    fn follow_world(&mut self, host: &mut dyn Host) {
+        let documents = &self.documents;
+        let Some(origin) = documents.map_source.origin() else {
             return;
+        };
+        let world = documents.mission.origin;
+        if documents.flight_source == FlightSource::Nothing && world != origin {
+            let moved = documents.map_source.moved(world);
+            self.change_map(host, moved);
         }
-        for id in self.jobs.tiles.drain().map(|(id, _)| id) {
-            host.cancel(id);
-        }
-        if let Some((job, ..)) = self.jobs.preparing.take() {
-            host.cancel(job);
-        }
-        self.jobs.prepare_declined = false;
-        self.documents.map_source = map;
-        self.documents.map = None;
-        self.documents.distinctness.clear();
-        self.views.map.tiles.clear();
-        self.let_go_of_files(host);
-        self.describe_map(host);
     }
 
     /// The mission changed in a way that changes the run.
@@ -163,48 +174,18 @@ impl App {
         self.documents.tend_noticed();
         self.tend_features(context, host);
         self.follow_world(host);
-        self.ask_for_heights(host);
-        self.ask_for_tiles(host);
+        self.height_work.ask(&mut self.documents, host);
+        if self.documents.run.is_some() || self.jobs.fly.is_none() {
+            // Else where the flight begins is about to be known; anything else would be asked in vain.
+            let (documents, map) = (&self.documents, &self.views.map);
+            self.map_work.ask_for_tiles(documents, map, host);
+        }
         let camera = &self.views.camera;
         let (documents, playback) = (&self.documents, &self.playback);
         self.frame_pictures.ask(host, documents, playback, camera);
         let waiting = self.jobs.fly_again_at.is_some() && flies_now || self.dirty_since.is_some();
         if waiting {
             context.request_repaint_after(std::time::Duration::from_millis(60));
-        }
-    }
-
-    fn ask_for_tiles(&mut self, host: &mut dyn Host) {
-        if self.documents.run.is_none() && self.jobs.fly.is_some() {
-            // Where the flight begins is about to be known; anything else would be asked in vain.
-            return;
-        }
-        let wanted = self.views.map.tiles.wanted();
-        let stale: Vec<_> = self
-            .jobs
-            .tiles
-            .iter()
-            .filter(|(_, key)| !wanted.contains(key))
-            .map(|(id, _)| *id)
-            .collect();
-        for id in stale {
-            self.jobs.tiles.remove(&id);
-            host.cancel(id);
-        }
-        let under_way: Vec<_> = self.jobs.tiles.iter().map(|(_, key)| *key).collect();
-        let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
-        let next: Vec<_> = wanted
-            .iter()
-            .filter(|key| !under_way.contains(key))
-            .take(room)
-            .copied()
-            .collect();
-        for key in next {
-            let id = host.start(Job::Tile(TileOrder {
-                map: self.documents.map_source.clone(),
-                window: key.window(),
-            }));
-            self.jobs.tiles.insert(id, key);
         }
     }
 }

@@ -1,0 +1,102 @@
+//! Heights of the ground, taken from an elevation model where they are of interest.
+
+use pilotage_core::frames::GroundRect;
+use pilotage_jobs::{HeightsOrder, Job, JobEvent, JobId, TerrainInfo};
+
+use super::map_work::tell_of_map;
+use crate::documents::{Documents, OpenedTerrain, TERRAIN_KEY, planned_ground};
+use crate::host::Host;
+use crate::shell::Toasts;
+
+/// Margin around the ground of interest in which heights are taken, metres.
+const HEIGHTS_AROUND: f64 = 2_000.0;
+/// Farthest from each other that ground of interest may lie, metres; of a larger map only the plan
+/// gets heights.
+const HEIGHTS_REACH: f64 = 60_000.0;
+
+/// Heights being taken.
+#[derive(Debug, Default)]
+pub struct HeightWork(Option<JobId>);
+
+impl HeightWork {
+    /// Whether a job takes heights.
+    pub fn owns(&self, id: JobId) -> bool {
+        self.0 == Some(id)
+    }
+
+    /// Takes an event of its job.
+    pub fn take(
+        &mut self,
+        event: JobEvent,
+        documents: &mut Documents,
+        toasts: &mut Toasts,
+        host: &dyn Host,
+    ) {
+        let now = host.now();
+        match event {
+            JobEvent::Remark(text) => tell_of_map(&text, toasts, host),
+            JobEvent::Heights(grid) => {
+                if grid.extremes().is_none() {
+                    let title = "The elevation model covers nothing of what is open";
+                    let text = "Its area lies elsewhere. The heights are used as soon as a map or a \
+                        plan there is open.";
+                    toasts.note(now, title, text);
+                }
+                documents.terrain.take(*grid);
+            }
+            JobEvent::Failed(why) => {
+                self.0 = None;
+                toasts.trouble(now, "The heights cannot be read", why);
+            }
+            JobEvent::Finished | JobEvent::Cancelled => self.0 = None,
+            _ => {}
+        }
+    }
+
+    /// Uses another elevation model.
+    pub fn use_model(
+        &mut self,
+        key: &str,
+        info: &TerrainInfo,
+        documents: &mut Documents,
+        toasts: &mut Toasts,
+        host: &mut dyn Host,
+    ) {
+        if let Some(job) = self.0.take() {
+            host.cancel(job);
+        }
+        documents.terrain = OpenedTerrain::of_files(key);
+        host.store(TERRAIN_KEY, key.as_bytes());
+        let text = format!(
+            "Posts {:.0} m apart, heights above {}.",
+            info.spacing,
+            info.datum.name()
+        );
+        toasts.note(host.now(), format!("Heights come from {}", info.name), text);
+    }
+
+    /// Asks for the heights of the ground that is of interest, where they are not at hand.
+    pub fn ask(&mut self, documents: &mut Documents, host: &mut dyn Host) {
+        let key = documents.terrain.key().map(str::to_owned);
+        let (None, Some(key)) = (self.0, key) else {
+            return;
+        };
+        let Some(origin) = documents.world_origin() else {
+            return;
+        };
+        let near = |r: &GroundRect| r.width().max(r.height()) <= HEIGHTS_REACH;
+        let map = documents.map.as_ref().map(|m| m.bounds).filter(near);
+        let plan = planned_ground(&documents.mission).filter(near);
+        let area = match (map, plan) {
+            (Some(a), Some(b)) => Some(a.union(&b)).filter(near).or(Some(b)),
+            (a, b) => a.or(b),
+        };
+        let Some(area) = area.map(|a| a.grown(HEIGHTS_AROUND)) else {
+            return;
+        };
+        if documents.terrain.wants(origin, &area) {
+            let order = HeightsOrder { key, origin, area };
+            self.0 = Some(host.start(Job::TakeHeights(Box::new(order))));
+        }
+    }
+}

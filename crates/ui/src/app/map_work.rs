@@ -1,0 +1,236 @@
+//! Work on the map that is shown: its description, its tiles, its overview for wide views.
+
+use pilotage_jobs::{
+    DescribeMapOrder, Job, JobEvent, JobId, MapSource, PrepareMapOrder, TileOrder,
+};
+
+use crate::documents::Documents;
+use crate::host::Host;
+use crate::map::{MapView, TILES_AT_A_TIME, TileKey};
+use crate::shell::Toasts;
+use crate::short_map::ShortMap;
+
+/// Interval at which tiles that are not whole are asked for again while the map is made ready, milliseconds.
+const REFRESH: f64 = 900.0;
+
+/// Jobs about the map that is shown.
+#[derive(Debug, Default)]
+pub struct MapWork {
+    /// Tiles asked for.
+    tiles: ShortMap<JobId, TileKey>,
+    /// The map being made ready for wide views: job, how far, in words.
+    preparing: Option<(JobId, f32, String)>,
+    /// Whether the user stopped that.
+    is_declined: bool,
+    /// When tiles that are not whole were asked for again, milliseconds.
+    refreshed: f64,
+    /// The question what the map is.
+    describing: Option<JobId>,
+    /// Whether the map is to be fitted to the flight once it is known how far it reaches.
+    pub fits_flight: bool,
+}
+
+/// Part of the app that work on the map uses.
+pub struct MapParts<'a> {
+    /// Documents that are open.
+    pub documents: &'a mut Documents,
+    /// Map view.
+    pub view: &'a mut MapView,
+    /// Notices.
+    pub toasts: &'a mut Toasts,
+    /// Services of the shell.
+    pub host: &'a mut dyn Host,
+}
+
+impl MapWork {
+    /// Whether it started a job that is under way.
+    pub fn owns(&self, id: JobId) -> bool {
+        let preparing = self.preparing.as_ref().map(|it| it.0);
+        preparing == Some(id) || self.describing == Some(id) || self.tiles.contains_key(&id)
+    }
+
+    /// Takes an event of a job of its own; whether the map is to be fitted to the flight by it.
+    pub fn take(
+        &mut self,
+        id: JobId,
+        event: JobEvent,
+        egui: &egui::Context,
+        parts: &mut MapParts<'_>,
+    ) -> bool {
+        if self.tiles.contains_key(&id) {
+            self.take_tile(id, event, egui, parts);
+            false
+        } else if self.describing == Some(id) {
+            self.take_description(event, parts)
+        } else {
+            self.take_overview(id, event, parts);
+            false
+        }
+    }
+
+    /// Progress of the overview that is made, 0 to 1, and its words.
+    pub fn progress(&self) -> Option<(f32, &str)> {
+        let (_, part, words) = self.preparing.as_ref()?;
+        Some((*part, words.as_str()))
+    }
+
+    /// Asks what the map is.
+    pub fn describe(&mut self, documents: &Documents, host: &mut dyn Host) {
+        let order = DescribeMapOrder(documents.map_source.clone());
+        self.describing = Some(host.start(Job::DescribeMap(order)));
+    }
+
+    /// Leaves the map that is shown for another one: nothing of the old one is of use. False if it is that already.
+    pub fn leave_for(&mut self, map: MapSource, parts: &mut MapParts<'_>) -> bool {
+        let documents = &mut *parts.documents;
+        if documents.map_source == map && documents.map.is_some() {
+            return false;
+        }
+        let tiles = self.tiles.drain().map(|(id, _)| id);
+        let preparing = self.preparing.take().map(|it| it.0);
+        for id in tiles.chain(preparing) {
+            parts.host.cancel(id);
+        }
+        self.is_declined = false;
+        documents.map_source = map;
+        documents.map = None;
+        documents.distinctness.clear();
+        parts.view.tiles.clear();
+        true
+    }
+
+    /// Stops making the map ready; true if that was under way.
+    pub fn stop(&mut self, toasts: &mut Toasts, host: &mut dyn Host) -> bool {
+        let Some((id, ..)) = self.preparing.take() else {
+            return false;
+        };
+        host.cancel(id);
+        self.is_declined = true;
+        let text = "Wide views show what was made of it; closer views are whole.";
+        toasts.note(host.now(), "The overview was stopped", text);
+        true
+    }
+
+    /// Asks for tiles that are looked at, and no longer for those that are not.
+    pub fn ask_for_tiles(&mut self, documents: &Documents, view: &MapView, host: &mut dyn Host) {
+        let wanted = view.tiles.wanted();
+        let asked = self.tiles.iter();
+        let stale = asked.filter(|(_, key)| !wanted.contains(key));
+        let stale: Vec<_> = stale.map(|(id, _)| *id).collect();
+        for id in stale {
+            self.tiles.remove(&id);
+            host.cancel(id);
+        }
+        let under_way: Vec<_> = self.tiles.iter().map(|(_, key)| *key).collect();
+        let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
+        let next = wanted.iter().filter(|key| !under_way.contains(key));
+        for key in next.take(room).copied() {
+            let id = host.start(Job::Tile(TileOrder {
+                map: documents.map_source.clone(),
+                window: key.window(),
+            }));
+            self.tiles.insert(id, key);
+        }
+    }
+
+    fn take_tile(
+        &mut self,
+        id: JobId,
+        event: JobEvent,
+        egui: &egui::Context,
+        parts: &mut MapParts<'_>,
+    ) {
+        let tiles = &mut parts.view.tiles;
+        match event {
+            JobEvent::Tile {
+                window,
+                pixels,
+                whole,
+            } => {
+                tiles.insert(egui, &window, &pixels, whole);
+                if !whole {
+                    self.prepare(parts);
+                }
+            }
+            JobEvent::Remark(text) => tell_of_map(&text, parts.toasts, parts.host),
+            JobEvent::Finished | JobEvent::Cancelled => {
+                self.tiles.remove(&id);
+            }
+            JobEvent::Failed(_) => {
+                // An empty tile is not asked for again; the map stays usable without it.
+                if let Some(key) = self.tiles.remove(&id) {
+                    let empty = pilotage_core::raster::Raster::filled(0, 0, [0; 4]);
+                    tiles.insert(egui, &key.window(), &empty, true);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn take_description(&mut self, event: JobEvent, parts: &mut MapParts<'_>) -> bool {
+        let (documents, view) = (&mut *parts.documents, &mut *parts.view);
+        match event {
+            JobEvent::MapInfo(info) => {
+                if documents.run.is_none() && documents.flight.is_none() {
+                    view.camera.center = info.bounds.center();
+                }
+                if std::mem::take(&mut view.fits_when_known) {
+                    view.fit(info.bounds);
+                }
+                documents.map = Some(info);
+                return std::mem::take(&mut self.fits_flight);
+            }
+            JobEvent::Failed(why) => {
+                self.describing = None;
+                let now = parts.host.now();
+                parts.toasts.trouble(now, "The map cannot be shown", why);
+            }
+            JobEvent::Finished | JobEvent::Cancelled => self.describing = None,
+            _ => {}
+        }
+        false
+    }
+
+    fn take_overview(&mut self, id: JobId, event: JobEvent, parts: &mut MapParts<'_>) {
+        let now = parts.host.now();
+        let tiles = &mut parts.view.tiles;
+        match event {
+            JobEvent::Remark(text) => tell_of_map(&text, parts.toasts, parts.host),
+            JobEvent::Progress(part, words) => {
+                self.preparing = Some((id, part, words));
+                if now - self.refreshed > REFRESH {
+                    self.refreshed = now;
+                    tiles.refresh();
+                }
+            }
+            JobEvent::Finished => {
+                self.preparing = None;
+                tiles.refresh();
+            }
+            JobEvent::Failed(why) => {
+                self.preparing = None;
+                self.is_declined = true;
+                let title = "Wide views of the map stay incomplete";
+                parts.toasts.trouble(now, title, why);
+            }
+            JobEvent::Cancelled => self.preparing = None,
+            _ => {}
+        }
+    }
+
+    /// Has the map made ready for wide views, unless that is under way or was stopped.
+    fn prepare(&mut self, parts: &mut MapParts<'_>) {
+        if self.preparing.is_some() || self.is_declined {
+            return;
+        }
+        let order = PrepareMapOrder(parts.documents.map_source.clone());
+        let job = parts.host.start(Job::PrepareMap(order));
+        self.preparing = Some((job, 0.0, "Making an overview of the map".to_owned()));
+    }
+}
+
+/// Part of the map cannot be read: said once.
+pub fn tell_of_map(text: &str, toasts: &mut Toasts, host: &dyn Host) {
+    let sentence = format!("{}.", text.trim_end_matches('.'));
+    toasts.trouble(host.now(), "A part of the map stays empty", sentence);
+}
