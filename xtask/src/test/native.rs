@@ -6,12 +6,14 @@
 //! already, in this program's profile.
 
 use super::{Reach, documented, linted, linted::native_cargo, programs};
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use crate::{
     compiler::ensure_component,
     failure::Failure,
     page::{PROGRAMS, Profile, TARGET, without_flags},
+    places::root,
     process::{CARGO_ADVICE, capture, cargo, is_automatic, run, succeed},
 };
 
@@ -76,10 +78,18 @@ impl Packages {
     }
 }
 
+/// Files of lessons, whose modules a macro declares, so that `cargo fmt` does not find them.
+fn lessons() -> Result<Vec<PathBuf>, Failure> {
+    let folder = root().join("crates/ui/src/views/tour/lessons");
+    let files = fs::read_dir(&folder).map_err(Failure::file(&folder))?;
+    Ok(files.flatten().map(|file| file.path()).collect())
+}
+
 /// `cargo fmt` would change nothing.
 pub fn format() -> Result<(), Failure> {
     ensure_component("rustfmt", "fmt")?;
-    run(&mut cargo(&["fmt", "--all", "--check"]), CARGO_ADVICE)
+    let mut check = cargo(&["fmt", "--all", "--check", "--"]);
+    run(check.args(lessons()?), CARGO_ADVICE)
 }
 
 /// No lint has anything to say about anything built natively. Where nobody sits at the terminal, what the tests are

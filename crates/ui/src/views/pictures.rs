@@ -236,7 +236,7 @@ impl ViewDocuments {
             None,
             InspectorView::show,
         );
-        for stop in 0..Tour::STOPS {
+        for stop in 0..Tour::default().stops() {
             let mut tour = Tour::default();
             tour.go_to(stop);
             let name = format!("{name}-tour-{:02}", stop + 1);

@@ -1,30 +1,37 @@
 //! Learn: a guided tour over the run on screen, with a telling moment at every stop.
 
-mod figures;
-mod find;
+mod candidates;
+mod ellipse_outline;
+mod figure;
+mod found;
+mod gap;
+mod lesson;
+mod lessons;
 mod moment;
-mod stop;
+mod sigma_points;
+mod trial;
 mod unscented;
 
 use std::cmp::Ordering;
 
 use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 
-use super::parts;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::tokens::Tokens;
+use crate::views::parts;
+use lesson::Lesson;
 use moment::TourMoment;
-use stop::Stop;
 
 /// The tour's own state: at which stop it is.
 pub struct Tour {
+    /// The stops.
+    lessons: Vec<Box<dyn Lesson>>,
     number: usize,
     /// Whether the cursor has been brought to the moment of this stop.
     arrived: bool,
     /// The moment of this stop, and for how many steps of the run it was looked up.
     found: Option<(usize, Option<TourMoment>)>,
-    /// The slider of the stop on α.
-    alpha: f64,
     /// Number of changes of the settings made here that can be taken back.
     edited: usize,
     /// Number of the screen's frame in which the tour was drawn last.
@@ -34,10 +41,10 @@ pub struct Tour {
 impl Default for Tour {
     fn default() -> Self {
         Self {
+            lessons: lessons::all(),
             number: 0,
             arrived: false,
             found: None,
-            alpha: 0.3,
             edited: 0,
             drawn: 0,
         }
@@ -46,11 +53,8 @@ impl Default for Tour {
 
 impl Tour {
     /// Number of stops.
-    pub const STOPS: usize = Stop::ALL.len();
-
-    /// Begins anew at the first stop.
-    pub fn start(&mut self) {
-        *self = Self::default();
+    pub fn stops(&self) -> usize {
+        self.lessons.len()
     }
 
     /// Number of the stop, from 0.
@@ -63,25 +67,15 @@ impl Tour {
         self.current().title()
     }
 
-    /// Goes to the next stop; stays at the last.
-    pub fn next(&mut self) {
-        self.go_to(self.number + 1);
-    }
-
-    /// Goes to the previous stop.
-    pub fn previous(&mut self) {
-        self.go_to(self.number.saturating_sub(1));
-    }
-
-    /// Goes to a stop by its number, from 0.
+    /// Goes to a stop by its number, from 0; at most to the last.
     pub fn go_to(&mut self, number: usize) {
-        self.number = number.min(Self::STOPS - 1);
+        self.number = number.min(self.stops() - 1);
         self.arrived = false;
         self.found = None;
     }
 
-    fn current(&self) -> Stop {
-        Stop::ALL[self.number]
+    fn current(&self) -> &dyn Lesson {
+        self.lessons[self.number].as_ref()
     }
 
     /// Draws the stop into the space that `ui` has left, and brings the cursor to its moment when
@@ -114,7 +108,7 @@ impl Tour {
         }
         let moment = context
             .run
-            .and_then(|run| find::find(self.current(), run, context.flight, context.units));
+            .and_then(|run| self.current().find(run, context.flight, context.units));
         self.found = Some((steps, moment));
     }
 
@@ -141,27 +135,25 @@ impl Tour {
     fn content(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, room: f32) {
         let tokens = context.tokens;
         let top = ui.cursor().top();
-        let stop = self.current();
+        let stops = self.stops();
+        let lesson = &mut self.lessons[self.number];
         ui.label(
-            RichText::new(format!("LEARN  {} / {}", self.number + 1, Self::STOPS))
+            RichText::new(format!("LEARN  {} / {stops}", self.number + 1))
                 .size(tokens.text_sizes[0])
                 .color(tokens.muted),
         );
         ui.label(
-            RichText::new(stop.title())
+            RichText::new(lesson.title())
                 .size(tokens.text_sizes[2])
                 .color(tokens.text),
         );
         let moment = self.found.as_ref().and_then(|(_, moment)| moment.clone());
         let Some(moment) = moment else {
-            let text = match (stop, context.run) {
-                (_, None) => "There is no run yet. Open the demo to take the tour over it.",
-                (Stop::Wind, Some(run)) if run.state_index("wind north").is_none() => {
-                    "This vehicle model does not estimate the wind. Choose “Airplane + wind” in the filter settings to see it learned."
-                }
-                _ => {
-                    "The run on screen has no such moment, or has not come to it yet. Let it go on, or see the next stop."
-                }
+            let text = match context.run {
+                None => "There is no run yet. Open the demo to take the tour over it.",
+                Some(run) => lesson.missing(run).unwrap_or(
+                    "The run on screen has no such moment, or has not come to it yet. Let it go on, or see the next stop.",
+                ),
             };
             ui.label(
                 RichText::new(text)
@@ -176,18 +168,13 @@ impl Tour {
                 .size(tokens.text_sizes[1])
                 .color(tokens.text),
         );
-        let controls = if stop == Stop::Alpha { 11.0 } else { 6.5 };
+        let controls = 6.5 + lesson.control_height();
         let left = room - (ui.cursor().top() - top) - controls * tokens.space;
-        figures::draw(ui, context, stop, &moment, self.alpha, left);
-        if stop == Stop::Alpha {
-            let slider = egui::Slider::new(&mut self.alpha, 0.05..=1.0)
-                .logarithmic(true)
-                .fixed_decimals(2)
-                .text("α");
-            ui.add(slider);
-        }
-        let settings = &context.mission.navigator;
-        let trial = stop.trial(Some(&moment), settings, context.playing, self.alpha);
+        figure::place(ui, context, lesson.title(), &moment, left, &|figure| {
+            lesson.draw(figure);
+        });
+        lesson.control(ui);
+        let trial = lesson.trial(&moment, &context.mission.navigator);
         ui.horizontal_wrapped(|ui| {
             let text = RichText::new(format!("Try: {}", trial.text))
                 .size(tokens.text_sizes[1])
@@ -199,6 +186,9 @@ impl Tour {
                 .wrap();
             if ui.add(button).clicked() {
                 context.commands.extend(trial.commands);
+                if trial.plays && !context.playing {
+                    context.commands.push(Command::TogglePlay);
+                }
                 self.edited += usize::from(trial.edits);
             }
             self.take_back(ui, context);
@@ -230,15 +220,17 @@ impl Tour {
         }
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
-            for (i, stop) in Stop::ALL.into_iter().enumerate() {
-                if dot(ui, context, i, stop, self.number).clicked() {
+            for (i, lesson) in self.lessons.iter().enumerate() {
+                let name = format!("Stop {} of {}: {}", i + 1, self.stops(), lesson.title());
+                let title = lesson.title();
+                if dot(ui, context.tokens, &name, title, i.cmp(&self.number)).clicked() {
                     go_to = Some(i);
                 }
             }
         });
         ui.horizontal(|ui| {
             let back = ui.add_enabled(self.number > 0, egui::Button::new("Back"));
-            let last = self.number + 1 == Self::STOPS;
+            let last = self.number + 1 == self.stops();
             let text = RichText::new(if last { "Finish" } else { "Next" }).color(tokens.background);
             let forward = ui.add(egui::Button::new(text).fill(tokens.accent));
             if back.clicked() {
@@ -279,41 +271,26 @@ impl Tour {
             self.go_to(number);
         }
         if next {
-            if self.number + 1 == Self::STOPS {
+            if self.number + 1 == self.stops() {
                 self.go_to(0);
                 context.commands.push(Command::ToggleTour);
             } else {
-                self.next();
+                self.go_to(self.number + 1);
             }
         }
     }
 }
 
-/// A progress dot that leads to its stop.
-fn dot(
-    ui: &mut Ui,
-    context: &ViewContext<'_>,
-    index: usize,
-    stop: Stop,
-    current: usize,
-) -> egui::Response {
-    let tokens = context.tokens;
+/// Progress dot that leads to a stop, called `name` for those who cannot see it; `order` is where that stop lies beside
+/// the one that is shown.
+fn dot(ui: &mut Ui, tokens: &Tokens, name: &str, title: &str, order: Ordering) -> egui::Response {
     let size = vec2(2.0 * tokens.space, 2.0 * tokens.space);
     let (rect, response): (Rect, _) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| {
-        egui::WidgetInfo::selected(
-            egui::Role::RadioButton,
-            true,
-            index == current,
-            format!(
-                "Stop {} of {}: {}",
-                index + 1,
-                Stop::ALL.len(),
-                stop.title()
-            ),
-        )
+        let is_current = order == Ordering::Equal;
+        egui::WidgetInfo::selected(egui::Role::RadioButton, true, is_current, name)
     });
-    let color = match index.cmp(&current) {
+    let color = match order {
         Ordering::Less => tokens.text,
         Ordering::Equal => tokens.accent,
         Ordering::Greater => tokens.line,
@@ -324,7 +301,7 @@ fn dot(
         4.0
     };
     ui.painter().circle_filled(rect.center(), radius, color);
-    response.on_hover_text(stop.title())
+    response.on_hover_text(title)
 }
 
 #[cfg(test)]

@@ -1,10 +1,9 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
-use super::super::fixture::Fixture;
 use super::*;
-use crate::tokens::Tokens;
 use crate::units::Units;
+use crate::views::fixture::Fixture;
 
 struct State {
     fixture: Fixture,
@@ -52,7 +51,8 @@ fn harness_while(playing: bool) -> Harness<'static, State> {
 #[test]
 fn next_leads_through_all_stops_each_seeking_to_its_own_moment() {
     let mut harness = harness();
-    for number in 0..Tour::STOPS {
+    let stops = harness.state().tour.stops();
+    for number in 0..stops {
         harness.run();
         let title = harness.state().tour.title();
         harness.get_by_label(title);
@@ -64,7 +64,7 @@ fn next_leads_through_all_stops_each_seeking_to_its_own_moment() {
             .count();
         assert_eq!(seeks, number + 1, "at {title}");
         harness.get_by_label_contains("Try: ");
-        let button = if number + 1 == Tour::STOPS {
+        let button = if number + 1 == stops {
             "Finish"
         } else {
             "Next"

@@ -1,0 +1,21 @@
+//! Candidates of a run that lessons tell of.
+
+use pilotage_core::navigator::{CandidateReport, Run, StepReport};
+
+/// The accepted landmark of a step with the best score.
+pub(super) fn best_accepted(step: &StepReport) -> Option<&CandidateReport> {
+    step.frame
+        .as_ref()?
+        .accepted()
+        .max_by(|a, b| a.score.total_cmp(&b.score))
+}
+
+/// Every candidate with a NIS, with the index of its step.
+pub(super) fn judged(run: &Run) -> impl Iterator<Item = (usize, &CandidateReport, f64)> {
+    run.steps.iter().enumerate().flat_map(|(i, step)| {
+        step.frame
+            .iter()
+            .flat_map(|f| &f.candidates)
+            .filter_map(move |c| Some((i, c, c.nis?)))
+    })
+}

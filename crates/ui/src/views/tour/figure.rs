@@ -1,0 +1,115 @@
+//! The small picture of a stop, into which its lesson draws.
+
+use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Ui, pos2, vec2};
+use pilotage_core::flight::Flight;
+use pilotage_core::navigator::{Run, StepReport};
+
+use super::moment::TourMoment;
+use crate::context::ViewContext;
+use crate::tokens::Tokens;
+use crate::units::Units;
+use crate::views::chart::ChartAxes;
+use crate::views::parts;
+
+/// Least and most height of a figure, points.
+const HEIGHTS: [f32; 2] = [128.0, 248.0];
+
+/// At most this many points of a curve in a figure.
+const MOST_POINTS: usize = 400;
+
+/// Place for a picture drawn from the run on screen, and what is drawn there.
+pub(super) struct Figure<'a> {
+    /// Painter that keeps to the place.
+    pub painter: &'a Painter,
+    /// Place on the screen.
+    pub rect: Rect,
+    /// The look.
+    pub tokens: &'a Tokens,
+    /// The user's units.
+    pub units: Units,
+    /// Flight of the run.
+    pub flight: Option<&'a Flight>,
+    /// Run on screen.
+    pub run: &'a Run,
+    /// Step of the moment.
+    pub step: &'a StepReport,
+    /// Moment that the stop tells of.
+    pub moment: &'a TourMoment,
+    /// The time cursor, seconds in the flight's time base.
+    pub time: f64,
+}
+
+/// Has `draw` draw the figure of the stop called `title` into `room` points of height, more or less.
+pub(super) fn place(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    title: &str,
+    moment: &TourMoment,
+    room: f32,
+    draw: &dyn Fn(&Figure<'_>),
+) {
+    let Some(run) = context.run else { return };
+    let Some(step) = run.steps.get(moment.index) else {
+        return;
+    };
+    let tokens = context.tokens;
+    let height = room.clamp(HEIGHTS[0], HEIGHTS[1]);
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    parts::name(&response, format!("Figure: {title}"));
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, tokens.radius, tokens.background);
+    draw(&Figure {
+        painter: &painter,
+        rect,
+        tokens,
+        units: context.units,
+        flight: context.flight,
+        run,
+        step,
+        moment,
+        time: context.time,
+    });
+}
+
+impl Figure<'_> {
+    /// Writes small words.
+    pub fn caption(&self, at: Pos2, align: Align2, text: &str, color: Color32) {
+        let font = parts::small(self.tokens);
+        self.painter.text(at, align, text, font, color);
+    }
+
+    /// Writes rows at the left that explain the marks.
+    pub fn key(&self, rows: &[(&str, Color32)]) {
+        let tokens = self.tokens;
+        for (i, (text, color)) in rows.iter().enumerate() {
+            let y = self.rect.top() + tokens.space + i as f32 * 1.5 * tokens.text_sizes[0];
+            let at = pos2(self.rect.left() + tokens.space, y);
+            let dot = at + vec2(3.0, 0.5 * tokens.text_sizes[0]);
+            self.painter.circle_filled(dot, 3.0, *color);
+            let at = at + vec2(11.0, 0.0);
+            self.caption(at, Align2::LEFT_TOP, text, tokens.muted);
+        }
+    }
+
+    /// Axes over values from left to right and from the bottom up, in the middle of the figure.
+    pub fn axes(&self, x: (f64, f64), y: (f64, f64)) -> ChartAxes {
+        let tokens = self.tokens;
+        let text = tokens.text_sizes[0];
+        ChartAxes {
+            rect: Rect::from_min_max(
+                self.rect.min + vec2(3.2 * text, 1.8 * text),
+                self.rect.max - vec2(tokens.space, 1.9 * text),
+            ),
+            x: (x.0, x.1.max(x.0 + 0.1)),
+            y: (y.0, if y.1 > y.0 { y.1 } else { y.0 + 1.0 }),
+            log: false,
+        }
+    }
+
+    /// Every n-th step of the run, so that a figure stays small.
+    pub fn thinned(&self) -> impl Iterator<Item = &StepReport> {
+        let steps = &self.run.steps;
+        steps.iter().step_by((steps.len() / MOST_POINTS).max(1))
+    }
+}

@@ -1,0 +1,85 @@
+//! A stretch without a landmark.
+
+use egui::{Align2, Pos2, Rect, Stroke, vec2};
+use pilotage_core::flight::Flight;
+use pilotage_core::navigator::{NavigatorSettings, Run};
+
+use super::super::figure::Figure;
+use super::super::gap::longest_gap;
+use super::super::lesson::Lesson;
+use super::super::moment::TourMoment;
+use super::super::trial::TourTrial;
+use crate::units::Units;
+use crate::views::inspector::sentence::sigma;
+use crate::views::parts::figures;
+
+/// The longest stretch without a landmark.
+#[derive(Default)]
+pub(super) struct DeadReckoning;
+
+impl Lesson for DeadReckoning {
+    fn title(&self) -> &'static str {
+        "Nothing in view: dead reckoning"
+    }
+
+    fn find(&self, run: &Run, _flight: Option<&Flight>, units: Units) -> Option<TourMoment> {
+        let (from, to) = longest_gap(run)?;
+        let middle = usize::midpoint(from, to);
+        let (start, end) = (&run.steps[from], &run.steps[to]);
+        let elapsed = end.time - start.time;
+        let (factor, unit) = units.length();
+        let before_end = if end.corrected() {
+            &end.predicted
+        } else {
+            &end.after
+        };
+        let rate = factor * (sigma(before_end) - sigma(&start.after)) / elapsed.max(1e-9);
+        let text = format!(
+            "For {elapsed:.1} seconds no landmark corrects the estimate: the filter adds up airspeed, heading and the wind it believes in, and nothing else. \
+             The track turns blue and the uncertainty grows by about {} {unit} each second.",
+            figures(rate)
+        );
+        Some(TourMoment::new(run, middle, text).from(start.time))
+    }
+
+    // The position's σ over time: a sawtooth, with the gap shaded.
+    fn draw(&self, figure: &Figure<'_>) {
+        let Figure {
+            painter,
+            rect,
+            tokens,
+            units,
+            run,
+            time,
+            ..
+        } = *figure;
+        let (factor, unit) = units.length();
+        let Some(span) = run.span() else { return };
+        let highest = figure
+            .thinned()
+            .map(|s| sigma(&s.after))
+            .fold(0.0, f64::max);
+        let axes = figure.axes(span, (0.0, 1.1 * factor * highest));
+        if let Some((from, to)) = longest_gap(run) {
+            let x = axes.screen_x(run.steps[from].time)..=axes.screen_x(run.steps[to].time);
+            let shade = Rect::from_x_y_ranges(x, axes.rect.y_range());
+            painter.rect_filled(shade, 0.0, tokens.dead_reckoning.gamma_multiply(0.18));
+        }
+        axes.draw_y(painter, tokens);
+        axes.draw_x(painter, tokens, "s");
+        let curve: Vec<Pos2> = figure
+            .thinned()
+            .map(|s| axes.at(s.time, factor * sigma(&s.after)))
+            .collect();
+        painter.line(curve, Stroke::new(1.5, tokens.text));
+        let stroke = Stroke::new(1.0, tokens.accent);
+        painter.vline(axes.screen_x(time), axes.rect.y_range(), stroke);
+        let at = rect.left_top() + vec2(tokens.space, 0.5 * tokens.space);
+        let text = format!("1σ of the position, {unit}; blue: no landmark");
+        figure.caption(at, Align2::LEFT_TOP, &text, tokens.muted);
+    }
+
+    fn trial(&self, moment: &TourMoment, _settings: &NavigatorSettings) -> TourTrial {
+        TourTrial::play("Play this stretch", moment.from)
+    }
+}

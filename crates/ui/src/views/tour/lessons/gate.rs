@@ -1,0 +1,99 @@
+//! The gate: how far off its expected place a landmark may be found.
+
+use egui::{Align2, Stroke, vec2};
+use nalgebra::Vector2;
+use pilotage_core::flight::Flight;
+use pilotage_core::navigator::{CandidateReport, NavigatorSettings, Outcome, Run};
+
+use super::super::candidates::judged;
+use super::super::figure::Figure;
+use super::super::lesson::Lesson;
+use super::super::moment::TourMoment;
+use super::super::trial::TourTrial;
+use crate::units::Units;
+use crate::views::parts::{self, figures};
+use crate::views::picking;
+
+/// The gate, by the accepted match that came closest to it.
+#[derive(Default)]
+pub(super) struct Gate;
+
+impl Lesson for Gate {
+    fn title(&self) -> &'static str {
+        "The gate: how far off is too far"
+    }
+
+    // The accepted match that came closest to the gate.
+    fn find(&self, run: &Run, _flight: Option<&Flight>, _units: Units) -> Option<TourMoment> {
+        let (index, candidate, nis) = judged(run)
+            .filter(|(_, c, _)| c.outcome == Outcome::Accepted)
+            .max_by(|a, b| a.2.total_cmp(&b.2))?;
+        let name = picking::landmark_name(run, candidate.landmark);
+        let text = format!(
+            "The filter knows how far a landmark may lie from its expected place; the squared distance in those units is the NIS, and above {} the gate shuts. \
+             “{name}” here came closest to it of all that were let in, with a NIS of {}.",
+            figures(candidate.threshold),
+            figures(nis)
+        );
+        Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
+    }
+
+    // Every innovation of the run in units of its own σ, inside and outside the gate's circle.
+    fn draw(&self, figure: &Figure<'_>) {
+        let Figure {
+            painter,
+            rect,
+            tokens,
+            run,
+            ..
+        } = *figure;
+        let all: Vec<(&CandidateReport, Vector2<f64>)> = run
+            .steps
+            .iter()
+            .flat_map(|s| s.frame.iter().flat_map(|f| &f.candidates))
+            .filter_map(|c| {
+                // As far out as the NIS says, in the direction of the pixels' part of it.
+                let root = c.innovation_covariance.cholesky()?.l();
+                let direction = root.solve_lower_triangular(&c.innovation?)?;
+                Some((c, direction * (c.nis?.sqrt() / direction.norm().max(1e-9))))
+            })
+            .collect();
+        let radius = all.first().map_or(3.0, |(c, _)| c.threshold.sqrt());
+        let scale = 0.40 * rect.height() / radius as f32;
+        let center = rect.center() + vec2(0.18 * rect.width(), 0.0);
+        painter.circle(
+            center,
+            radius as f32 * scale,
+            parts::ink(tokens).gamma_multiply(0.06),
+            Stroke::new(1.5, parts::ink(tokens)),
+        );
+        for (candidate, v) in &all {
+            let most = f64::from(0.49 * rect.height() / scale);
+            let v = if v.norm() > most {
+                v * (most / v.norm())
+            } else {
+                *v
+            };
+            let at = center + vec2(v.x as f32, v.y as f32) * scale;
+            let color = if candidate.outcome == Outcome::Accepted {
+                tokens.observed
+            } else {
+                tokens.refused
+            };
+            painter.circle_filled(at, 1.75, color.gamma_multiply(0.8));
+        }
+        figure.key(&[("used", tokens.observed), ("refused", tokens.refused)]);
+        figure.caption(
+            rect.left_bottom() + vec2(tokens.space, -0.75 * tokens.space),
+            Align2::LEFT_BOTTOM,
+            &format!("circle: the gate, {} σ", figures(radius)),
+            tokens.muted,
+        );
+    }
+
+    fn trial(&self, _moment: &TourMoment, settings: &NavigatorSettings) -> TourTrial {
+        TourTrial::change(settings, "Fly again with a gate of 80 %", &|s| {
+            s.gate_confidence = 0.80;
+        })
+    }
+}
