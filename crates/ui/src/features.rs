@@ -29,6 +29,8 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(Labelling::default()),
         Box::new(MatchFeature::default()),
         Box::new(DetectorFeature::default()),
+        // Before the plan, which fits the map to itself unless the map lies somewhere.
+        Box::new(LinkFeature::default()),
         Box::<Planner>::default(),
         Box::new(LogFeature::default()),
         Box::new(Compare::default()),
@@ -36,8 +38,6 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(CameraLogFeature::default()),
         Box::new(WebMapFeature::default()),
         Box::new(ColumnsFeature::default()),
-        // Last, for it has the flight and the map looked at as it says, whatever the others do.
-        Box::new(LinkFeature::default()),
     ]
 }
 

@@ -1,6 +1,7 @@
 //! The column at the right while planning, and the strip below the map.
 
 use egui::{Stroke, Ui};
+use pilotage_core::exchange::Format;
 
 use super::PlanCommand;
 use super::chart::ChartScene;
@@ -14,7 +15,7 @@ use super::tab::PlanTab;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::catalog::catalog;
+use crate::export_command::ExportCommand;
 use crate::shell::{caption, icon_button, icons::Icon, muted, tab};
 
 impl Planner {
@@ -164,30 +165,24 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
     egui::Popup::menu(&button).show(|ui| {
         ui.set_min_width(250.0);
         let tokens = context.tokens;
-        let entries: Vec<_> = catalog()
-            .into_iter()
-            .filter_map(|e| {
-                let label = e.label.strip_prefix("Export the ")?.to_owned();
-                Some((label, e.command))
-            })
-            .collect();
         if ui.button("Print the mission brief…").clicked() {
             context
                 .commands
                 .push(Command::from(PlanCommand::PrintBrief));
             ui.close();
         }
-        for (title, part) in [("Route", "route as "), ("Landmarks", "landmarks as ")] {
+        for (title, part) in [("Route", "route"), ("Landmarks", "landmarks")] {
             caption(ui, tokens, title);
-            for (label, command) in &entries {
-                let Some(format) = label.strip_prefix(part) else {
-                    continue;
+            for format in Format::all() {
+                let command = match part {
+                    "route" => ExportCommand::Route(format),
+                    _ if format.holds_landmarks() => ExportCommand::Landmarks(format),
+                    _ => continue,
                 };
-                let name = ui
-                    .button(format)
-                    .accessible_name(format!("Export the {label}"));
-                if name.clicked() {
-                    context.commands.push(command.clone());
+                let words = format.as_words();
+                let name = format!("Export the {part} as {words}");
+                if ui.button(words).accessible_name(name).clicked() {
+                    context.commands.push(command.into());
                     ui.close();
                 }
             }
