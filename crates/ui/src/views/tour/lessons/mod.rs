@@ -25,6 +25,7 @@ lessons! {
     reacquired::Reacquired,
     alpha::Alpha,
     consistency::Consistency,
+    last_step::LastStep,
     your_turn::YourTurn,
 }
 
