@@ -25,7 +25,6 @@ lessons! {
     reacquired::Reacquired,
     alpha::Alpha,
     consistency::Consistency,
-    last_step::LastStep,
     your_turn::YourTurn,
 }
 
