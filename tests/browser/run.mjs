@@ -3,6 +3,7 @@
 // that judge something, which leaves out the figures. A journey exports the `tags` of the parts of the program
 // that it walks through; PILOTAGE_TAGS names those that changed. Two walk at a time; one that exports `alone` has the
 // machine for itself and paints as often as it can, and only those that export `flies` have the demo flown to its end.
+// If a single journey of several fails, it is walked once more by itself, and both walks are told.
 import { mkdirSync, readdirSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
 import { join } from "node:path";
@@ -28,7 +29,7 @@ if (files.length === 0) {
 mkdirSync(pictures, { recursive: true });
 
 const server = await startServer();
-const results = []; // { file, name, seconds, error }
+const results = []; // { file, journey, name, seconds, error }
 let leftOut = 0;
 const together = []; // journeys that bear company; those that judge time or memory walk by themselves afterwards
 const alone = [];
@@ -41,6 +42,12 @@ const begun = Date.now();
 const atBegin = coreTimes();
 await Promise.all(Array.from({ length: abreast }, () => walkAll(together)));
 await walkAll(alone);
+const [failure, ...others] = results.filter(({ error }) => error);
+if (failure && others.length === 0 && results.length > 1) {
+  console.log(`one of ${results.length} failed: it is walked once more by itself`);
+  results.splice(results.indexOf(failure), 1);
+  await walkAll([{ file: failure.file, journey: failure.journey }]);
+}
 server.stop();
 
 const longestFirst = results.toSorted((a, b) => b.seconds - a.seconds).slice(0, 10);
@@ -51,7 +58,8 @@ if (results.length > 1) {
 }
 if (leftOut > 0) console.log(`${leftOut} left out: they walk through nothing of what changed (${tags.join(", ")})`);
 const failed = results.filter(({ error }) => error).length;
-console.log(`${results.length - failed} passed, ${failed} failed`);
+const again = failure && failed === 0 ? `, ${short(failure.file)} at its second walk` : "";
+console.log(`${results.length - failed} passed${again}, ${failed} failed`);
 process.exit(failed === 0 ? 0 : 1);
 
 /** `demo` of `demo.journey.mjs`. */
@@ -68,7 +76,7 @@ async function walkAll(queue) {
     const said = [];
     const error = await walk(journey, short(file), said).then(() => null, (complaint) => complaint);
     const seconds = (Date.now() - start) / 1000;
-    results.push({ file, name, seconds, error });
+    results.push({ file, journey, name, seconds, error });
     const told = `${error ? "FAILED" : "passed"}  ${name} (${seconds.toFixed(1)} s)`;
     const lines = error ? String(error.stack ?? error).split("\n") : [];
     console.log([told, ...[...said, ...lines].map((line) => `        ${line}`)].join("\n"));

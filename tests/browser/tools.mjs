@@ -51,8 +51,14 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
     /** What the program holds. */
     state: async () => JSON.parse(await page.evaluate(() => window.app.state())),
 
-    /** What the program shows. */
-    a11y: async () => JSON.parse(await page.evaluate(() => window.app.a11y()) || "[]"),
+    /** What the program showed last, which may be a frame behind what it holds. */
+    shown: async () => JSON.parse(await page.evaluate(() => window.app.a11y()) || "[]"),
+
+    /** What the program shows, once all that it holds is drawn. */
+    async a11y() {
+      await tools.drawn();
+      return tools.shown();
+    },
 
     /** Waits until `condition(state)` holds and returns that state. */
     async waitFor(condition, what = String(condition), timeout = patience) {
@@ -69,7 +75,7 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
 
     /** Every node with this role and this label or value (texts or patterns; null is any). */
     async findAll(role, label = null) {
-      const nodes = await tools.a11y();
+      const nodes = await tools.shown();
       return nodes.filter((node) => (role == null || node.role === role)
         && (label == null || matches(label, node.label) || matches(label, node.value)));
     },
@@ -83,7 +89,7 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
         if (found.length === 1) return found[0];
         await pause(50);
       } while (Date.now() < end);
-      const shown = (await tools.a11y()).filter((node) => role == null || node.role === role)
+      const shown = (await tools.shown()).filter((node) => role == null || node.role === role)
         .map((node) => node.label ?? node.value);
       throw new Error(`${found.length} nodes are ${role} ${label}; shown: ${shortened(shown)}`);
     },
@@ -102,7 +108,7 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
     async drawn() {
       for (let frames = 0; frames < 100; frames += 1) {
         await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
-        if (!(await page.evaluate(() => window.app && JSON.parse(window.app.state()).input_waits))) return;
+        if (!(await page.evaluate(() => window.app && JSON.parse(window.app.state() || "{}").input_waits))) return;
       }
     },
 
@@ -111,7 +117,7 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
       const key = ({ role, label, value }) => JSON.stringify([role, label, value]);
       for (let tries = 0; tries < 6; tries += 1) {
         await tools.drawn();
-        const same = (await tools.a11y()).filter((other) => key(other) === key(node));
+        const same = (await tools.shown()).filter((other) => key(other) === key(node));
         const moved = same.length === 1 && String(same[0].rect) !== String(node.rect);
         if (!moved) break;
         [node] = same;
@@ -153,6 +159,7 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
       await page.mouse.move(to.x, to.y, { steps });
       await tools.drawn();
       await page.mouse.up();
+      await tools.drawn();
     },
 
     /** Keeps a picture of the window as `name`.png. */
