@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::assess::SumUpOrder;
+use super::assess_ahead::AssessAheadOrder;
 use super::distinct::DistinctnessOrder;
 use super::envelope::EnvelopeOrder;
 use super::explain::ExplainOrder;
@@ -26,6 +27,7 @@ use super::share::ShareOrder;
 use super::smooth::SmoothOrder;
 use super::suggest::ProposeOrder;
 use super::tables::MakeFlightOrder;
+use super::untested::UntestedOrder;
 use super::{MapSource, RunningJob, WorkerState};
 
 /// Makes the enum of orders, and passes every question about a job on to its order.
@@ -139,6 +141,8 @@ orders! {
     Assess(Box<AssessmentOrder>),
     AssessShare(ShareOrder<AssessmentOrder>),
     SumUp(SumUpOrder),
+    AssessAhead(AssessAheadOrder),
+    Untested(UntestedOrder),
     Envelope(EnvelopeOrder),
     Train(Box<TrainOrder>),
     Suggest(Box<SuggestOrder>),

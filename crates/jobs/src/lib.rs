@@ -5,6 +5,7 @@
 //! and replaces one that died; [`InlineWorkers`] does all of it on the calling thread, for tests.
 
 mod assess;
+mod assess_ahead;
 mod brief;
 mod calibrate;
 mod contest;
@@ -58,12 +59,14 @@ mod suggest;
 mod summary;
 mod tables;
 mod train;
+mod untested;
 mod vehicle;
 mod wanted_tiles;
 mod worker_pool;
 mod worker_state;
 
 pub use assess::SumUpOrder;
+pub use assess_ahead::AssessAheadOrder;
 pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
 pub use explain::ExplainOrder;
@@ -113,6 +116,7 @@ pub use summary::SummaryOrder;
 pub use tables::{
     COLUMNS_FILE, MakeFlightOrder, TABLES, columns_file, name_as_tables, table_names, write_columns,
 };
+pub use untested::UntestedOrder;
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
 pub use worker_pool::{WorkerPool, WorkerPort};

@@ -7,6 +7,17 @@ use pilotage_core::plan::Proposal;
 
 use super::source::PlanSource;
 
+/// Measurements beside those that a prediction needs.
+#[derive(Args)]
+pub struct MeasureArguments {
+    /// Measure from which heights and with which tilts each landmark is found.
+    #[arg(long)]
+    pub envelope: bool,
+    /// Tell how often boxes at random are found on the map, which is what a landmark is worth that nobody tested.
+    #[arg(long)]
+    pub untested: bool,
+}
+
 /// Arguments of `pilotage plan`.
 #[derive(Args)]
 pub struct Arguments {
@@ -49,9 +60,8 @@ pub struct Arguments {
     /// File for the reliability diagram, SVG.
     #[arg(long, requires = "calibrate")]
     pub diagram: Option<PathBuf>,
-    /// Measure from which heights and with which tilts each landmark is found.
-    #[arg(long)]
-    pub envelope: bool,
+    #[command(flatten)]
+    pub measure: MeasureArguments,
     /// Standard deviation of the position (longer axis) that is accepted, metres.
     #[arg(long, default_value_t = 10.0)]
     pub limit: f64,

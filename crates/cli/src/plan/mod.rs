@@ -9,11 +9,12 @@ mod no_fly;
 mod predict;
 mod propose;
 mod source;
+mod untested;
 mod verify;
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::write_mission;
-use pilotage_core::plan::{Envelope, Reliability, Suggestion, Verification};
+use pilotage_core::plan::{Envelope, Reliability, Suggestion, UntestedDetection, Verification};
 use serde::Serialize;
 
 pub use arguments::Arguments;
@@ -50,6 +51,7 @@ struct PlanSummary {
     verification: Option<Verification>,
     reliability: Option<Reliability>,
     envelopes: Vec<Envelope>,
+    untested: Option<UntestedDetection>,
 }
 
 /// Plans what the arguments say.
@@ -64,6 +66,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         verification: None,
         reliability: None,
         envelopes: Vec::new(),
+        untested: None,
     };
     if let Some(ends) = &arguments.find.find {
         summary.found = Some(find::find(arguments, &mut ground, ends)?);
@@ -82,8 +85,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         }
         summary.reliability = Some(reliability);
     }
-    if arguments.envelope {
+    if arguments.measure.envelope {
         summary.envelopes = envelopes(arguments, &ground)?;
+    }
+    if arguments.measure.untested {
+        summary.untested = Some(untested::untested(arguments, &ground)?);
     }
     no_fly::tell_legs(&ground);
     if arguments.predict {

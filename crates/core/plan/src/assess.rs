@@ -409,29 +409,37 @@ const PRIOR: [f64; 2] = [0.2, 0.2];
 /// recognised, shrunk by half a success and half a failure (Jeffreys). Where real maps of another date tell how
 /// likely a landmark is accepted, that is the probability.
 fn expected(views: &[ViewResult], days: usize) -> Option<ExpectedDetection> {
-    if views.is_empty() {
-        return None;
-    }
-    let flown: Vec<(f64, f64)> = LookTally::by_day(views, days)
+    let lasting = views.first()?.lasting;
+    let trials: Vec<(f64, f64)> = LookTally::by_day(views, days)
         .iter()
         .filter(|day| day.looks > 0)
         .map(|day| (day.found as f64, day.looks as f64))
         .collect();
-    let share: f64 = flown.iter().map(|(found, all)| found / all).sum();
+    Some(expectation(&trials, lasting, views))
+}
+
+/// Expected detection by trials, such as the days of a landmark: in how many looks of each it was found, and the
+/// looks. `lasting` is what real maps of another date tell of the share that is found.
+pub(super) fn expectation<'a>(
+    trials: &[(f64, f64)],
+    lasting: Option<f64>,
+    views: impl IntoIterator<Item = &'a ViewResult>,
+) -> ExpectedDetection {
+    let share: f64 = trials.iter().map(|(found, all)| found / all).sum();
     let [hits, misses] = PRIOR;
-    let rehearsed = (share + hits) / (flown.len() as f64 + hits + misses);
-    let overall = views[0].lasting.unwrap_or(rehearsed);
-    let pairs = |f: fn(f64, f64) -> f64| flown.iter().map(|(h, n)| f(*h, *n)).sum::<f64>();
+    let rehearsed = (share + hits) / (trials.len() as f64 + hits + misses);
+    let overall = lasting.unwrap_or(rehearsed);
+    let pairs = |f: fn(f64, f64) -> f64| trials.iter().map(|(h, n)| f(*h, *n)).sum::<f64>();
     let (both, one) = (pairs(|h, _| h * (h - 1.0)), pairs(|h, n| h * (n - 1.0)));
     let per_frame = ((both + 0.5) / (one + 1.0)).clamp(overall, 1.0);
-    let found: Vec<&ViewResult> = views.iter().filter(|v| v.found()).collect();
+    let found: Vec<&ViewResult> = views.into_iter().filter(|v| v.found()).collect();
     let covariances = found.iter().filter_map(|v| v.sighting.best());
     let sum: Matrix4<f64> = covariances.map(|d| d.covariance).sum();
-    Some(ExpectedDetection {
+    ExpectedDetection {
         recognised: overall / per_frame,
         per_frame,
         covariance: sum / found.len().max(1) as f64,
-    })
+    }
 }
 
 #[cfg(test)]

@@ -71,7 +71,7 @@ pub fn poses_all_over(
         for column in 0..count(region.width()) {
             let north = region.south + step * row as f64;
             let east = region.west + step * column as f64;
-            if !shows(map, GroundPoint::new(north, east)) {
+            if !shows_ground(map, GroundPoint::new(north, east)) {
                 continue;
             }
             for turn in 0..HEADINGS {
@@ -87,7 +87,7 @@ pub fn poses_all_over(
 }
 
 /// Whether a map shows ground at a place: it may be transparent, or pure black or white, around it.
-fn shows(map: &dyn Imagery, place: GroundPoint) -> bool {
+pub fn shows_ground(map: &dyn Imagery, place: GroundPoint) -> bool {
     let gsd = map.native_gsd().max(1.0);
     let window = Window {
         north_edge: place.north + 0.5 * gsd,

@@ -9,7 +9,8 @@ use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::plan::{
-    Envelope, LandmarkCandidate, Localizability, RoutePrediction, Suggestion, ViewResult,
+    Envelope, LandmarkCandidate, Localizability, RoutePrediction, Suggestion, UntestedDetection,
+    ViewResult,
 };
 use pilotage_core::raster::{Raster, Rgba};
 use pilotage_core::registration::Draped;
@@ -122,6 +123,8 @@ pub enum JobEvent {
     Views(Vec<(usize, ViewResult)>),
     /// Assessment of a landmark.
     Assessment(Box<Assessment>),
+    /// Worth of a landmark of the map that nobody tested.
+    Untested(Box<UntestedDetection>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.
     Envelope(Box<Envelope>),
     /// Progress of the training of a detector.

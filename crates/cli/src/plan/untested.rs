@@ -1,0 +1,50 @@
+//! `pilotage plan --untested`: what a landmark is worth on the map that nobody tested.
+
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::plan::UntestedDetection;
+use pilotage_jobs::{JobEvent, UntestedOrder};
+
+use super::arguments::Arguments;
+use super::ground::PlannedFlight;
+use crate::workers;
+
+/// Part of the shorter side of a picture's ground that a box is wide, where nothing states its size.
+const SHARE: f64 = 3.0;
+
+/// Looks at boxes anywhere around the route, or all over the map, and says how often they are found.
+pub fn untested(
+    arguments: &Arguments,
+    ground: &PlannedFlight,
+) -> Result<UntestedDetection, String> {
+    let shorter = ground.camera.width.min(ground.camera.height) as f64;
+    let usual = shorter / ground.camera.focal * ground.height / SHARE;
+    let side = arguments.side.unwrap_or(usual);
+    let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), side, side);
+    let like = ground.assessment(&Landmark::new(0, "a box", bounds), arguments.seed);
+    let plan = ground.plan.as_ref();
+    let places = plan.map_or_else(Vec::new, |plan| plan.path.way_points.clone());
+    let order = UntestedOrder::around(like, &ground.map.bounds(), places);
+    let begun = std::time::Instant::now();
+    let mut found = None;
+    workers::run(vec![order], &ground.lent(), &mut |_, event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::Untested(told) => found = Some(*told),
+            _ => {}
+        }
+        Ok(())
+    })?;
+    let found = found.ok_or("nothing came of it")?;
+    println!(
+        "{} boxes at random, {side:.0} m wide, seen from {:.0} m: recognised on {:.0} % of days, and then found in \
+         {:.0} % of frames: {:.0} % in all; {:.1} s",
+        found.boxes,
+        ground.height,
+        100.0 * found.expected.recognised,
+        100.0 * found.expected.per_frame,
+        100.0 * found.expected.probability(),
+        begun.elapsed().as_secs_f64()
+    );
+    Ok(found)
+}
