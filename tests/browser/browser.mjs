@@ -33,8 +33,9 @@ const calm = 8;
 const enough = 400;
 
 /** Launches the browser; `close` ends it and throws its profile away. `smooth` pages paint as often and as finely as
- * they do for people, and the demo is flown to its end unless it may `rest`. */
-export async function launch({ smooth = false, rest = true } = {}) {
+ * they do for people, the demo is flown to its end unless it may `rest`, and what nobody asks for is left undone unless
+ * it is to be done `ahead`. */
+export async function launch({ smooth = false, rest = true, ahead = false } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "pilotage-"));
   const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   try {
@@ -45,6 +46,7 @@ export async function launch({ smooth = false, rest = true } = {}) {
     if (!smooth) await context.addInitScript(paintSeldom, calm);
     if (deviceScaleFactor !== 1) await context.addInitScript(measureByRatio);
     if (rest) await context.addInitScript(restFlight, enough);
+    if (!ahead) await context.addInitScript(leaveAhead);
     const close = async () => { await context.close(); remove(); };
     return { context, page: context.pages()[0] ?? await context.newPage(), close };
   } catch (error) {
@@ -100,4 +102,13 @@ function restFlight(steps) {
     window.app.rest_flight();
     clearInterval(timer);
   }, 250);
+}
+
+/** Runs in the page, too: has it leave undone what nobody asked for. */
+function leaveAhead() {
+  const timer = setInterval(() => {
+    if (typeof window.app?.leave_ahead !== "function") return;
+    window.app.leave_ahead();
+    clearInterval(timer);
+  }, 20);
 }

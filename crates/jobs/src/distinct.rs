@@ -37,7 +37,7 @@ fn verdict(found: &PatchDistinctness, bounds: &GroundRect, radius: f64) -> Strin
         );
     }
     let Some((place, score)) = found.look_alike else {
-        return format!("Distinct: nothing within {radius:.0} m looks like it.");
+        return format!("Nothing within {radius:.0} m of it on this map looks like it.");
     };
     let center = bounds.center();
     let (north, east) = (place.north - center.north, place.east - center.east);
@@ -46,9 +46,11 @@ fn verdict(found: &PatchDistinctness, bounds: &GroundRect, radius: f64) -> Strin
     if score >= limit {
         format!("Ambiguous: a place {at} of it looks nearly the same (score {score:.2}).")
     } else if score > CLEARLY_DISTINCT {
-        format!("Usable: the strongest look-alike, {at} of it, scores {score:.2} against its 1.")
+        format!(
+            "Its strongest look-alike on this map, {at} of it, scores {score:.2} against its 1."
+        )
     } else {
-        format!("Distinct: the strongest look-alike, {at} of it, scores only {score:.2}.")
+        format!("Its strongest look-alike on this map, {at} of it, scores only {score:.2}.")
     }
 }
 

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::frame_picture::{PictureForm, digest};
 use super::{
     DescribeMapOrder, EncodedPicture, FlightSource, FlyOrder, FramePictureOrder, Job, JobEvent,
-    JobId, MapInfo, MapSource,
+    JobId, KeptMeasurement, MapInfo, MapSource,
 };
 
 /// The map of the first seconds.
@@ -54,6 +54,8 @@ pub struct FirstSeconds {
     pub steps: Vec<StepReport>,
     /// Some of the first pictures, by their index.
     pub pictures: BTreeMap<usize, EncodedPicture>,
+    /// Landmarks of the mission as they were measured, which the workers do not compute again.
+    pub measured: Vec<KeptMeasurement>,
 }
 
 impl FirstSeconds {
@@ -61,6 +63,9 @@ impl FirstSeconds {
     pub const KEY: &str = "first seconds";
     /// Key of the pixels of the ground: red, green, blue and opacity, row by row, of a square picture.
     pub const GROUND_KEY: &str = "first ground";
+
+    /// Key of the landmarks as they were measured.
+    pub const MEASURED_KEY: &str = "first measured landmarks";
 
     /// From a file of the page; `None` if another version of the program made it.
     pub fn decode(bytes: &[u8]) -> Option<Self> {

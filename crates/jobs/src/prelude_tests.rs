@@ -10,12 +10,13 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::Window;
 use pilotage_core::navigator::FrameReport;
 use pilotage_core::raster::{Picture, decode_picture, encode_jpeg};
+use pilotage_core::simulate::Scenario;
 use serde_json::Value;
 
 use super::*;
 use crate::{
-    Abilities, Advance, DescribeMapOrder, FlightSource, FlyOrder, Reply, Request,
-    SimulationOptions, WorkerState,
+    Abilities, Advance, AssessmentOrder, DescribeMapOrder, FlightSource, FlyOrder,
+    MeasuredLandmark, MeasurementBasis, Reply, Request, SimulationOptions, WorkerState,
 };
 
 /// Seconds of the flight that are stored beyond its first match.
@@ -98,7 +99,49 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
         run: run.expect("a run"),
         steps,
         pictures,
+        measured: Vec::new(),
     }
+}
+
+/// Landmarks of the first seconds as this program measures them: those of which the index is among `which`.
+fn measured(first: &FirstSeconds, which: &[usize]) -> Vec<KeptMeasurement> {
+    let navigator = &first.mission.navigator;
+    let camera = first
+        .mission
+        .camera
+        .as_ref()
+        .unwrap_or(&first.flight.camera);
+    let (sensors, detector) = (navigator.sensors, navigator.detector);
+    let (map, source) = (&first.map.info, &first.map.source);
+    let scenario = Scenario::named(&SimulationOptions::demo().scenario).expect("the demo");
+    let measure = |index: &usize| {
+        let landmark = &first.mission.landmarks[*index];
+        let order = AssessmentOrder {
+            map: source.clone(),
+            landmark: landmark.clone(),
+            camera: camera.clone(),
+            height: scenario.height,
+            navigator: navigator.clone(),
+            ground_down: first.flight.ground_down,
+            seed: AssessmentOrder::SEED,
+        };
+        let events = crate::running::finished(order).into_iter();
+        let mut told = events.filter_map(|event| match event {
+            JobEvent::Assessment(found) => Some(*found),
+            _ => None,
+        });
+        let last = told.next().expect("it is measured");
+        KeptMeasurement {
+            basis: MeasurementBasis::new(map, source, camera, sensors, detector),
+            landmark: landmark.clone(),
+            measured: Some(MeasuredLandmark {
+                statistics: last.statistics(),
+                last,
+            }),
+            envelope: None,
+        }
+    };
+    which.iter().map(measure).collect()
 }
 
 /// Index of the last frame in steps.
@@ -238,11 +281,10 @@ fn the_stored_first_seconds_are_what_the_program_computes() {
     let (seconds, picture) = (shipped("seconds.bin"), shipped("ground.jpg"));
     if let Some(page) = std::env::var_os("PILOTAGE_FIRST_SECONDS_OF") {
         std::fs::create_dir_all(shipped("")).unwrap();
-        std::fs::write(
-            &seconds,
-            computed_by_page(&page, computed.pictures.keys().copied()).encode(),
-        )
-        .unwrap();
+        let mut first = computed_by_page(&page, computed.pictures.keys().copied());
+        let all: Vec<usize> = (0..first.mission.landmarks.len()).collect();
+        first.measured = measured(&first, &all);
+        std::fs::write(&seconds, first.encode()).unwrap();
         std::fs::write(&picture, encode_jpeg(&ground, GROUND_QUALITY).unwrap()).unwrap();
     }
     let anew =
@@ -262,6 +304,7 @@ fn the_stored_first_seconds_are_what_the_program_computes() {
     let [one, other] = [&stored, &computed].map(|it| {
         let without_pictures = FirstSeconds {
             pictures: BTreeMap::new(),
+            measured: Vec::new(),
             ..it.clone()
         };
         serde_json::to_value(without_pictures).unwrap()
@@ -269,6 +312,21 @@ fn the_stored_first_seconds_are_what_the_program_computes() {
     assert_eq!(difference(&one, &other, ""), None, "{anew}");
     let mut frames = stored.steps.iter().filter_map(|step| step.frame.as_ref());
     assert!(frames.any(|frame| frame.accepted().next().is_some()));
+    // Of the landmarks two are measured again: one of them takes seconds.
+    let again = measured(&computed, &[0, stored.measured.len() - 1]);
+    assert_eq!(stored.measured.len(), stored.mission.landmarks.len());
+    for anew in again {
+        let of = |it: &&KeptMeasurement| it.landmark.id == anew.landmark.id;
+        let before = stored.measured.iter().find(of).expect("all were measured");
+        assert!(before.basis.is_like(&anew.basis));
+        let found = |it: &KeptMeasurement| {
+            let views = it.measured.iter().flat_map(|m| &m.last.views);
+            views.filter(|view| view.found).count()
+        };
+        // The last digits of a machine may turn one look.
+        let (a, b) = (found(before), found(&anew));
+        assert!(a.abs_diff(b) <= 1, "{}: {a} and {b}", anew.landmark.name);
+    }
     // The picture loses what JPEG loses.
     let kept = decode_picture(&std::fs::read(&picture).expect(anew)).unwrap();
     let off = rms(&kept, &ground);

@@ -104,6 +104,11 @@ pub trait Host {
     /// Puts a link to this page with that fragment into the clipboard and the address bar.
     fn copy_link(&mut self, _fragment: &str) {}
 
+    /// Whether the workers have time for what nobody asked for.
+    fn works_ahead(&self) -> bool {
+        true
+    }
+
     /// Times a worker died and was started anew since the last call.
     fn lost_workers(&mut self) -> usize {
         0

@@ -7,7 +7,8 @@ use std::rc::Rc;
 use js_sys::Uint8Array;
 use pilotage_core::navigator::{StepReport, StepTiming};
 use pilotage_jobs::{
-    FileContent, FirstSeconds, Job, JobEvent, JobId, Prelude, Reply, WorkerPool, wanted_addresses,
+    FileContent, FirstSeconds, Job, JobEvent, JobId, KeptMeasurement, Prelude, Reply, WorkerPool,
+    wanted_addresses,
 };
 use pilotage_ui::host::{Download, Host, OpenedFile};
 use pilotage_ui::short_map::ShortMap;
@@ -52,6 +53,8 @@ struct Inner {
     fetching: Vec<JobId>,
     /// Problem last told of tiles that cannot be had, in words.
     told: Option<String>,
+    /// Whether what nobody asked for is left undone.
+    leaves_ahead: bool,
 }
 
 impl Inner {
@@ -89,9 +92,14 @@ impl PageHost {
     }
 
     /// Services for a page with these remembered documents.
-    pub fn new(shell: Shell, context: egui::Context, remembered: Remembered) -> Self {
+    pub fn new(shell: Shell, context: egui::Context, mut remembered: Remembered) -> Self {
         let stored = remembered.bytes.get(FirstSeconds::KEY);
         let stored = stored.and_then(|bytes| FirstSeconds::decode(bytes));
+        if let Some(stored) = &stored {
+            let measured = KeptMeasurement::encode_all(&stored.measured);
+            let key = FirstSeconds::MEASURED_KEY.to_owned();
+            remembered.bytes.insert(key, measured);
+        }
         let inbox = Inbox {
             notices: Rc::default(),
             context,
@@ -112,6 +120,7 @@ impl PageHost {
             timings: Vec::new(),
             fetching: Vec::new(),
             told: None,
+            leaves_ahead: false,
         };
         Self {
             inner: Rc::new(RefCell::new(inner)),
@@ -162,6 +171,11 @@ impl PageHost {
     /// Lets what is being flown keep its place without working; for tests.
     pub fn rest_flight(&self) {
         self.inner.borrow_mut().pool.hold_flights();
+    }
+
+    /// Leaves undone what nobody asked for; for tests.
+    pub fn leave_ahead(&self) {
+        self.inner.borrow_mut().leaves_ahead = true;
     }
 
     /// Ends a worker without a word; for tests.
@@ -355,6 +369,10 @@ impl Host for PageHost {
 
     fn copy_link(&mut self, fragment: &str) {
         self.inner.borrow().shell.copy_link(fragment);
+    }
+
+    fn works_ahead(&self) -> bool {
+        !self.inner.borrow().leaves_ahead
     }
 
     fn lost_workers(&mut self) -> usize {

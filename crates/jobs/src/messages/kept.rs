@@ -12,6 +12,8 @@ use super::{Assessment, MapInfo, MapSource};
 /// Version of the method of measurement: raised whenever detector, camera simulator or rehearsal change so that
 /// what was measured before is no longer true.
 const METHOD: u32 = 2;
+/// First byte of what is stored: the form of the bytes.
+const FORM: u8 = 1;
 /// Lengths that differ by less are equal, metres: a mission file keeps places as angles.
 const SAME_PLACE: f64 = 2e-3;
 /// The same for the corners of a map, whose frame may be laid through another origin.
@@ -109,6 +111,18 @@ pub struct KeptMeasurement {
 }
 
 impl KeptMeasurement {
+    /// Measurements as bytes for a storage.
+    pub fn encode_all(kept: &[Self]) -> Vec<u8> {
+        postcard::to_extend(kept, vec![FORM]).unwrap_or_default()
+    }
+
+    /// Measurements out of a storage; none if it is damaged or of another version.
+    pub fn decode_all(bytes: &[u8]) -> Vec<Self> {
+        let body = bytes.strip_prefix(&[FORM]);
+        body.and_then(|body| postcard::from_bytes(body).ok())
+            .unwrap_or_default()
+    }
+
     /// Whether it is of `landmark`, as that is now.
     pub fn is_of(&self, landmark: &Landmark) -> bool {
         let numbers = |l: &Landmark| {

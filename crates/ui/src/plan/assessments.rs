@@ -1,36 +1,20 @@
-//! Detection statistics of landmarks: measured where that was done, assumed elsewhere.
+//! Detection statistics of landmarks that were measured.
 
 use pilotage_core::sorting::sort;
 use std::collections::VecDeque;
 
-use nalgebra::{Matrix4, Vector4};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
+use pilotage_core::plan::{DetectionStatistics, Envelope};
 
-use super::kept::{MEASURED_KEY, basis_of, decode, encode, use_what_is_true};
+use super::kept::{MEASURED_KEY, basis_of, use_what_is_true};
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::host::Host;
 use crate::short_map::ShortMap;
 use pilotage_jobs::{
-    Assessment, AssessmentOrder, EnvelopeOrder, Job, JobEvent, JobId, KeptMeasurement, MapSource,
-    MeasuredLandmark, MeasurementBasis,
+    AssessAheadOrder, Assessment, AssessmentOrder, EnvelopeOrder, FirstSeconds, Job, JobEvent,
+    JobId, KeptMeasurement, MapSource, MeasuredLandmark, MeasurementBasis,
 };
-
-/// Probability that is assumed of a landmark to be recognised on the day of the flight.
-pub const ASSUMED_RECOGNISED: f64 = 0.9;
-/// Probability that is assumed of it to be accepted in a frame, if it can be recognised.
-pub const ASSUMED_PER_FRAME: f64 = 0.8;
-
-/// Expected detection that is assumed of a landmark that was not measured.
-pub fn assumed() -> ExpectedDetection {
-    let spread = Vector4::new(0.15, 0.15, 0.005, 0.005);
-    ExpectedDetection {
-        recognised: ASSUMED_RECOGNISED,
-        per_frame: ASSUMED_PER_FRAME,
-        covariance: Matrix4::from_diagonal(&spread.map(|sd: f64| sd * sd)),
-    }
-}
 
 /// Landmark ids being measured, and what came of it.
 #[derive(Debug, Default)]
@@ -44,6 +28,8 @@ pub struct Assessments {
     failed: ShortMap<u32, (Landmark, String)>,
     waiting: VecDeque<AssessmentOrder>,
     asked: Option<(JobId, u32)>,
+    /// Whether nobody asked for the measurement under way.
+    is_ahead: bool,
     /// Progress of the measurement under way, 0 to 1, and its words.
     progress: (f32, String),
     /// Progress of the looks from other heights, 0 to 1.
@@ -101,14 +87,6 @@ impl Assessments {
         self.wants_envelope = order;
     }
 
-    /// Expected detections of a landmark: measured, or assumed.
-    pub fn expected(&self, landmark: &Landmark) -> DetectionStatistics {
-        self.of(landmark).map_or_else(
-            || DetectionStatistics::everywhere(assumed()),
-            |m| m.statistics.clone(),
-        )
-    }
-
     /// The landmark being measured, and how far that is.
     pub fn under_way(&self) -> Option<(u32, f32, &str)> {
         let (_, landmark) = self.asked?;
@@ -117,7 +95,7 @@ impl Assessments {
 
     /// Numbers of landmarks that are done and of all, while several are measured.
     pub fn batch(&self) -> Option<(usize, usize)> {
-        let left = self.waiting.len() + usize::from(self.asked.is_some());
+        let left = self.waiting.len() + usize::from(self.asked.is_some() && !self.is_ahead);
         (left > 0).then(|| (self.batch.saturating_sub(left), self.batch))
     }
 
@@ -134,12 +112,36 @@ impl Assessments {
         for order in orders {
             let id = order.landmark.id;
             self.failed.remove(&id);
-            let asked = self.asked.is_some_and(|(_, of)| of == id);
+            let asked = !self.is_ahead && self.asked.is_some_and(|(_, of)| of == id);
             if !asked && self.waiting.iter().all(|o| o.landmark.id != id) {
                 self.waiting.push_back(order);
                 self.batch += 1;
             }
         }
+    }
+
+    /// Whether nothing is being measured.
+    pub fn is_idle(&self) -> bool {
+        self.asked.is_none() && self.waiting.is_empty()
+    }
+
+    /// Measures a landmark for which nobody asked; whatever people ask for takes its place.
+    pub fn measure_ahead(&mut self, order: AssessmentOrder, context: &mut FeatureContext<'_>) {
+        self.is_ahead = true;
+        self.begin(order, context);
+    }
+
+    fn begin(&mut self, order: AssessmentOrder, context: &mut FeatureContext<'_>) {
+        let landmark = order.landmark.id;
+        self.progress = (0.0, "Waiting for a worker".to_owned());
+        self.note_basis(context.documents, &order);
+        let order = Box::new(order);
+        let id = context.start(if self.is_ahead {
+            Job::AssessAhead(AssessAheadOrder(order))
+        } else {
+            Job::Assess(order)
+        });
+        self.asked = Some((id, landmark));
     }
 
     /// Stops measuring; what is known stays.
@@ -162,11 +164,13 @@ impl Assessments {
         self.failed.clear();
     }
 
-    /// Takes what was stored at an earlier visit, for use where it is still true.
+    /// Takes what was stored at an earlier visit or is shipped with the page, for use where it is true.
     pub fn recall(&mut self, host: &dyn Host) {
-        self.recalled = host
-            .recall(MEASURED_KEY)
-            .map_or_else(Vec::new, |bytes| decode(&bytes));
+        let keys = [MEASURED_KEY, FirstSeconds::MEASURED_KEY];
+        let stored = keys.into_iter().filter_map(|key| host.recall(key));
+        self.recalled = stored
+            .flat_map(|bytes| KeptMeasurement::decode_all(&bytes))
+            .collect();
     }
 
     /// Takes what came in a mission file, for use where it is true.
@@ -202,7 +206,7 @@ impl Assessments {
         if std::mem::take(&mut self.changed) {
             context.host.store(
                 MEASURED_KEY,
-                &encode(&self.to_keep(&documents.mission.landmarks)),
+                &KeptMeasurement::encode_all(&self.to_keep(&documents.mission.landmarks)),
             );
         }
     }
@@ -260,14 +264,15 @@ impl Assessments {
             let id = context.start(Job::Envelope(EnvelopeOrder(Box::new(order.clone()))));
             self.surveyed = Some((id, order));
         }
+        let gives_way = self.is_ahead && !self.waiting.is_empty();
+        if let Some((id, _)) = self.asked.take_if(|_| gives_way) {
+            context.cancel(id);
+        }
         if self.asked.is_none()
             && let Some(order) = self.waiting.pop_front()
         {
-            let landmark = order.landmark.id;
-            self.progress = (0.0, "Waiting for a worker".to_owned());
-            self.note_basis(context.documents, &order);
-            let id = context.start(Job::Assess(Box::new(order)));
-            self.asked = Some((id, landmark));
+            self.is_ahead = false;
+            self.begin(order, context);
         }
     }
 

@@ -86,16 +86,16 @@ fn plan() -> Vec<CommandEntry> {
             PlanCommand::TakeFlightRoute,
         ),
         of(
-            "Measure how well the landmark is found",
+            "Test how well the landmark is found",
             vec![plain(Key::D)],
             PlanCommand::AssessSelected,
         ),
         of(
-            "Measure all landmarks",
+            "Test all landmarks",
             vec![shift(Key::D)],
             PlanCommand::AssessAll,
         ),
-        of("Stop measuring", vec![], PlanCommand::StopAssessing),
+        of("Stop testing", vec![], PlanCommand::StopAssessing),
         of(
             "Draw the outline of a landmark",
             vec![shift(Key::N)],

@@ -147,6 +147,8 @@ pub enum PlanCommand {
     Suggest(SuggestCommand),
     /// Stop measuring.
     StopAssessing,
+    /// Measure landmarks before anybody asks, or not.
+    TestAhead(bool),
     /// Something about detectors that are trained.
     Train(TrainCommand),
     /// A second landmark like the selected one, or like each of the marked ones, beside it.

@@ -75,6 +75,7 @@ impl Planner {
             | PlanCommand::SurveyEnvelope
             | PlanCommand::AssessAll
             | PlanCommand::StopAssessing => self.assess(&command, context),
+            PlanCommand::TestAhead(on) => self.preferences.tests_ahead = on,
             PlanCommand::Train(command) => self.train(command, context),
             PlanCommand::Rehearse(command) => self.rehearse(&command, context),
             PlanCommand::PrintBrief => self.ask_for_brief(context),
@@ -234,6 +235,7 @@ impl Planner {
             }
             _ => {
                 self.assessments.wants_stop = true;
+                self.preferences.tests_ahead = false;
                 return;
             }
         };

@@ -60,9 +60,7 @@ impl Planner {
                     ground_down: ground_down(documents),
                 },
                 navigator: mission.navigator.clone(),
-                landmarks: enabled
-                    .map(|l| (l.clone(), self.assessments.expected(l)))
-                    .collect(),
+                landmarks: enabled.map(|l| (l.clone(), self.expected(l))).collect(),
                 worlds: 0,
                 seed: PredictionOrder::SEED,
                 limit: f64::INFINITY,

@@ -28,7 +28,7 @@ impl Planner {
                 let sources = enabled.filter_map(|l| {
                     let planned = PlannedLandmark {
                         landmark: l.clone(),
-                        detection: self.assessments.expected(l),
+                        detection: self.expected(l),
                     };
                     FixSource::of(&planned, view.height)
                 });

@@ -14,8 +14,6 @@ use pilotage_jobs::{AssessmentOrder, KeptMeasurement, MeasurementBasis};
 
 /// Key in the browser's storage.
 pub const MEASURED_KEY: &str = "measured landmarks";
-/// First byte of what is stored: the form of the bytes.
-const FORM: u8 = 1;
 /// Basis of measurements on `order` over the open map; `None` while the map is not known.
 pub fn basis_of(documents: &Documents, order: &AssessmentOrder) -> Option<MeasurementBasis> {
     basis(documents, &order.camera, &order.navigator)
@@ -37,18 +35,6 @@ fn basis(
     Some(MeasurementBasis::new(
         map, source, camera, sensors, detector,
     ))
-}
-
-/// As bytes for the storage.
-pub fn encode(kept: &[KeptMeasurement]) -> Vec<u8> {
-    postcard::to_extend(kept, vec![FORM]).unwrap_or_default()
-}
-
-/// From the storage; nothing if it is damaged or of another version.
-pub fn decode(bytes: &[u8]) -> Vec<KeptMeasurement> {
-    let body = bytes.strip_prefix(&[FORM]);
-    body.and_then(|body| postcard::from_bytes(body).ok())
-        .unwrap_or_default()
 }
 
 /// Of `kept`, what is true now goes to `use_it` with the landmark it is of; the rest stays.
@@ -74,9 +60,10 @@ pub fn use_what_is_true(
 mod tests {
     use pilotage_core::frames::{GroundPoint, GroundRect};
     use pilotage_core::landmark::DetectorChoice;
-    use pilotage_core::plan::{DetectionStatistics, Envelope, LookTally, ViewBreakdown};
+    use pilotage_core::plan::{
+        DetectionStatistics, Envelope, LookTally, UntestedDetection, ViewBreakdown,
+    };
 
-    use super::super::assessments::assumed;
     use super::*;
     use crate::documents::Session;
     use pilotage_jobs::{Assessment, Beside, MapInfo, MeasuredLandmark};
@@ -104,12 +91,14 @@ mod tests {
                 last: Assessment {
                     landmark: landmark.clone(),
                     height: 120.0,
-                    expected: assumed(),
+                    expected: UntestedDetection::of_any_map().expected,
                     false_matches: 0.0,
                     views: Vec::new(),
                     breakdown: ViewBreakdown::default(),
                 },
-                statistics: DetectionStatistics::everywhere(assumed()),
+                statistics: DetectionStatistics::everywhere(
+                    UntestedDetection::of_any_map().expected,
+                ),
             }),
             envelope: Some((
                 120.0,
@@ -183,10 +172,16 @@ mod tests {
     fn stored_bytes_and_mission_files_give_back_what_went_in() {
         let documents = documents();
         let all = vec![kept(&documents)];
-        assert_eq!(decode(&encode(&all)), all);
-        assert_eq!(decode(&[]), []);
-        assert_eq!(decode(&[FORM + 1, 0]), []);
-        assert_eq!(decode(&encode(&all)[..40]), []);
+        assert_eq!(
+            KeptMeasurement::decode_all(&KeptMeasurement::encode_all(&all)),
+            all
+        );
+        assert_eq!(KeptMeasurement::decode_all(&[]), []);
+        assert_eq!(KeptMeasurement::decode_all(&[255, 0]), []);
+        assert_eq!(
+            KeptMeasurement::decode_all(&KeptMeasurement::encode_all(&all)[..40]),
+            []
+        );
         let beside = Beside {
             measured: all,
             ..Beside::default()

@@ -8,7 +8,7 @@ use egui::{Align2, Modifiers, Response, Role, Sense, TextEdit, Ui, WidgetInfo, p
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
 
-use super::assessments::{Assessments, assumed};
+use super::assessments::Assessments;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, paint_row, text_button};
@@ -189,7 +189,8 @@ impl LandmarkTable {
                 .cmp(&b.category().to_lowercase()),
             LandmarkColumn::Size => area(a).total_cmp(&area(b)),
             LandmarkColumn::Found => {
-                let of = |l| found(l).unwrap_or_else(|| assumed().probability());
+                // Those that nobody tested come before the worst.
+                let of = |l| found(l).unwrap_or(-1.0);
                 of(a).total_cmp(&of(b))
             }
         };
@@ -390,7 +391,7 @@ fn row(
         let response = if assessments.of(landmark).is_some() {
             response
         } else {
-            response.on_hover_text("Assumed; press D or Measure all to rehearse it on other days")
+            response.on_hover_text("Not tested; press D or Test all to look for it on other days")
         };
         response.clicked()
     })
@@ -414,6 +415,5 @@ fn found_words(
         let p = measured.last.expected.probability();
         return (percent(p), tokens.normal(), color);
     }
-    let p = assumed().probability();
-    (format!("≈ {}", percent(p)), tokens.small(), tokens.muted)
+    ("not tested".to_owned(), tokens.small(), tokens.muted)
 }

@@ -4,12 +4,12 @@ use egui::{Align2, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use pilotage_core::landmark::Landmark;
 
 use super::PlanCommand;
-use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED};
 use super::button::button;
 use super::planner::Planner;
 use super::purpose::Purpose;
 use super::tallies;
 use super::train_command::TrainCommand;
+use super::verdict::LandmarkVerdict;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
@@ -32,7 +32,7 @@ pub fn landmarks_tab(
     ui.horizontal(|ui| {
         draw_menu(ui, planner, context);
         if let Some((done, of)) = planner.assessments.batch() {
-            if icon_button(ui, tokens, Icon::Close, "Stop measuring").clicked() {
+            if icon_button(ui, tokens, Icon::Close, "Stop testing").clicked() {
                 let stop = PlanCommand::StopAssessing;
                 context.commands.push(Command::from(stop));
             }
@@ -44,18 +44,19 @@ pub fn landmarks_tab(
             };
             ui.add(egui::Label::new(muted(tokens, text)).truncate());
         } else if mission.landmarks.iter().any(|l| l.enabled) {
-            button(
-                ui,
-                context,
-                None,
-                "Measure all",
-                false,
-                PlanCommand::AssessAll,
-            );
+            button(ui, context, None, "Test all", false, PlanCommand::AssessAll);
             let all = PlanCommand::Train(TrainCommand::All);
             button(ui, context, None, "Train all", false, all);
         }
     });
+    let mut ahead = planner.preferences.tests_ahead;
+    let hint = "Looks for each landmark on other days while nothing else is to be computed: what is selected first, \
+                then what is in view";
+    let tests = ui.checkbox(&mut ahead, "Test landmarks by themselves");
+    if tests.on_hover_text(hint).changed() {
+        let command = PlanCommand::TestAhead(ahead);
+        context.commands.push(Command::from(command));
+    }
     planner.trainings_card(ui, documents, context);
     planner.suggestions_card(ui, context);
     if mission.landmarks.is_empty() {
@@ -129,9 +130,9 @@ fn draw_menu(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
 fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         let label = if planner.assessments.of(landmark).is_some() {
-            "Measure again"
+            "Test again"
         } else {
-            "Measure how well it is found"
+            "Test how well it is found"
         };
         button(ui, context, None, label, true, PlanCommand::AssessSelected);
         let survey = PlanCommand::SurveyEnvelope;
@@ -159,12 +160,7 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
     } else {
         ui.label(muted(
             tokens,
-            format!(
-                "Not measured: assumed to be recognised on {:.0} % of days, and then found in {:.0} % of \
-                 frames.",
-                100.0 * ASSUMED_RECOGNISED,
-                100.0 * ASSUMED_PER_FRAME
-            ),
+            format!("Not tested: counted like {}.", planner.untested.words()),
         ));
     }
     let known = planner.assessments.of(landmark).is_some()
@@ -201,11 +197,13 @@ fn result(ui: &mut Ui, measured: &MeasuredLandmark, context: &ViewContext<'_>) {
     let probability = expected.probability();
     let (factor, unit) = context.units.length();
     ui.horizontal_wrapped(|ui| {
-        let tone = match probability {
-            p if p >= 0.6 => tokens.truth,
-            p if p >= 0.3 => tokens.accent,
-            _ => tokens.warning,
+        let verdict = LandmarkVerdict::of(found);
+        let tone = match verdict {
+            LandmarkVerdict::Good => tokens.truth,
+            LandmarkVerdict::Usable => tokens.accent,
+            LandmarkVerdict::Weak => tokens.warning,
         };
+        chip(ui, tokens, verdict.word(), tone);
         let text = format!("found {:.0} % of the time", 100.0 * probability);
         chip(ui, tokens, &text, tone);
         let tone = if found.false_matches > 0.0 {

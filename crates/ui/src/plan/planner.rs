@@ -4,6 +4,7 @@ use pilotage_core::frames::{Altitude, GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
 use pilotage_core::mission::turn::turn_radius;
+use pilotage_core::plan::DetectionStatistics;
 use pilotage_core::simulate::{Airframe, Wind};
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,7 @@ use super::remedy::Remedies;
 use super::suggestions::Suggestions;
 use super::tab::PlanTab;
 use super::trainings::Trainings;
+use super::untested::Untested;
 use crate::documents::Documents;
 use crate::map::ScreenFromWorld;
 use crate::views::LandmarkList;
@@ -64,6 +66,8 @@ pub struct PlanPreferences {
     pub profile: bool,
     /// Preferences of rehearsals.
     pub rehearsal: RehearsalPreferences,
+    /// Whether landmarks are tested before anybody asks.
+    pub tests_ahead: bool,
 }
 
 impl Default for PlanPreferences {
@@ -80,6 +84,7 @@ impl Default for PlanPreferences {
             energy: None,
             profile: false,
             rehearsal: RehearsalPreferences::default(),
+            tests_ahead: true,
         }
     }
 }
@@ -109,6 +114,8 @@ pub struct Planner {
     pub remedies: Remedies,
     /// Detection statistics of landmarks.
     pub assessments: Assessments,
+    /// Worth of landmarks that nobody tested.
+    pub untested: Untested,
     /// Landmarks that people draw and change.
     pub(super) drawn: DrawnLandmarks,
     /// Detectors that are trained.
@@ -212,6 +219,14 @@ impl Planner {
         }
     }
 
+    /// Expected detections of a landmark: as it was tested, or as of one that nobody tested.
+    pub fn expected(&self, landmark: &Landmark) -> DetectionStatistics {
+        self.assessments.of(landmark).map_or_else(
+            || DetectionStatistics::everywhere(self.untested.expected()),
+            |tested| tested.statistics.clone(),
+        )
+    }
+
     /// Order of the prediction of the selected route; `None` while it is none that can be flown.
     pub fn order(&self, documents: &Documents) -> Option<PredictionOrder> {
         let mission = &documents.mission;
@@ -237,7 +252,7 @@ impl Planner {
                 .landmarks
                 .iter()
                 .filter(|l| l.enabled)
-                .map(|l| (l.clone(), self.assessments.expected(l)))
+                .map(|l| (l.clone(), self.expected(l)))
                 .collect(),
             worlds: 0,
             seed: PredictionOrder::SEED,

@@ -2,10 +2,9 @@
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{DetectionStatistics, RoutePrediction, Stretch};
+use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, RoutePrediction, Stretch};
 use pilotage_core::simulate::Target;
 
-use super::assessments::assumed;
 use super::chart::sample_at;
 use super::forecast::Forecast;
 use super::words::distance_text;
@@ -28,6 +27,8 @@ pub struct Remedies {
     of: Option<(PredictionOrder, f64)>,
     pub(super) worst: Option<Worst>,
     asked: Option<JobId>,
+    /// Landmarks like which another one is expected to be found, in words.
+    like: &'static str,
     /// Largest standard deviation on the stretch as planned, with a landmark, and higher, metres.
     sigmas: Vec<f64>,
 }
@@ -64,7 +65,15 @@ impl Worst {
 
 impl Remedies {
     /// Asks for what is not known yet of the prediction on screen.
-    pub fn work(&mut self, forecast: &Forecast, limit: f64, context: &mut FeatureContext<'_>) {
+    ///
+    /// `hoped` is what is expected of another landmark, and of whom that is known.
+    pub fn work(
+        &mut self,
+        forecast: &Forecast,
+        limit: f64,
+        hoped: (ExpectedDetection, &'static str),
+        context: &mut FeatureContext<'_>,
+    ) {
         let Some(shown) = forecast.shown().filter(|_| forecast.is_fine()) else {
             self.forget(context);
             return;
@@ -84,7 +93,10 @@ impl Remedies {
         };
         match self.sigmas.len() {
             0 => {}
-            1 => order.landmarks.push(imagined(worst.begin)),
+            1 => {
+                order.landmarks.push(imagined(worst.begin, hoped.0));
+                self.like = hoped.1;
+            }
             2 => {
                 order.path.height *= HIGHER;
                 let higher = |t: &Target| Target {
@@ -140,14 +152,21 @@ impl Remedies {
         let (factor, unit) = units.length();
         let short = |metres: f64| format!("{:.1} {unit}", metres * factor);
         let begin = distance_text(worst.stretch.begin, units);
-        let mut list = vec![format!(
-            "To fix the worst stretch, add a landmark at {begin} of the way, or before.{}",
-            self.would_be(1).map_or_else(String::new, |sigma| format!(
-                " Found as assumed, it makes the largest error {} instead of {} (1σ).",
-                short(sigma),
-                short(worst.stretch.sigma)
-            ))
-        )];
+        let mut list = vec![match self.would_be(1) {
+            Some(sigma) if sigma >= HELPS * worst.stretch.sigma => format!(
+                "A landmark at {begin} of the way that is found like {} would not mend the worst stretch.",
+                self.like
+            ),
+            with => format!(
+                "To fix the worst stretch, add a landmark at {begin} of the way, or before.{}",
+                with.map_or_else(String::new, |sigma| format!(
+                    " Found like {}, it makes the largest error {} instead of {} (1σ).",
+                    self.like,
+                    short(sigma),
+                    short(worst.stretch.sigma)
+                ))
+            ),
+        }];
         if let Some(sigma) = self.would_be(2) {
             let height = format!("{:.0} {unit}", HIGHER * order.path.height * factor);
             list.push(if sigma < HELPS * worst.stretch.sigma {
@@ -173,8 +192,8 @@ impl Remedies {
 }
 
 /// A landmark that is not there, and what would be expected of it.
-fn imagined(at: GroundPoint) -> (Landmark, DetectionStatistics) {
+fn imagined(at: GroundPoint, expected: ExpectedDetection) -> (Landmark, DetectionStatistics) {
     let bounds = GroundRect::centered(at, POINT_SIDE, POINT_SIDE);
     let landmark = Landmark::new(u32::MAX, "a landmark here", bounds);
-    (landmark, DetectionStatistics::everywhere(assumed()))
+    (landmark, DetectionStatistics::everywhere(expected))
 }

@@ -6,6 +6,7 @@ use crate::state_json::object;
 
 use super::patterns::Pattern;
 use super::planner::Planner;
+use super::verdict::LandmarkVerdict;
 use super::words::PredictionFigures;
 use crate::documents::Documents;
 use crate::units::Units;
@@ -46,19 +47,6 @@ impl Planner {
             let across: f64 = samples.iter().map(|s| s.corridor.across).sum();
             across / samples.len().max(1) as f64
         });
-        let measured: Vec<Value> = mission
-            .landmarks
-            .iter()
-            .filter_map(|l| Some((l, self.assessments.of(l)?)))
-            .map(|(l, m)| {
-                object!({
-                    "id": l.id,
-                    "probability": m.last.expected.probability(),
-                    "false_matches": m.last.false_matches,
-                    "views": m.last.views.len(),
-                })
-            })
-            .collect();
         object!({
             "routes": routes,
             "route": documents.route,
@@ -88,7 +76,8 @@ impl Planner {
                 "length": o.length,
             })),
             "trouble": self.forecast.trouble(),
-            "measured": measured,
+            "measured": self.measured_json(documents),
+            "untested": self.untested.json(),
             "areas": mission.no_fly.iter().map(|z| object!({
                 "name": z.name,
                 "corners": z.corners.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
@@ -113,6 +102,21 @@ impl Planner {
                 object!({"id": id, "progress": fraction, "words": words})
             }),
         })
+    }
+
+    fn measured_json(&self, documents: &Documents) -> Value {
+        let landmarks = documents.mission.landmarks.iter();
+        let measured = landmarks.filter_map(|l| {
+            let measured = &self.assessments.of(l)?.last;
+            Some(object!({
+                "id": l.id,
+                "probability": measured.expected.probability(),
+                "false_matches": measured.false_matches,
+                "views": measured.views.len(),
+                "verdict": LandmarkVerdict::of(measured).word(),
+            }))
+        });
+        Value::Array(measured.collect())
     }
 
     /// The plan in a sentence or two.

@@ -5,7 +5,6 @@ use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
 use super::PlanCommand;
 use super::aircraft::{aircraft, energy_left, tight_legs};
-use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED};
 use super::button::button;
 use super::flown::cruise;
 use super::legs::{legs, time_text, totals};
@@ -286,16 +285,17 @@ pub fn assumptions(
         list.push("No landmark is switched on.".to_owned());
     } else if measured < used.len() {
         list.push(format!(
-            "Of {} landmarks {measured} are measured. The others are assumed to be recognised on {:.0} % \
-             of days, and then found in {:.0} % of frames.",
+            "{} of {} landmarks {} tested. Each of the others counts like {}.",
+            match measured {
+                0 => "None".to_owned(),
+                some => some.to_string(),
+            },
             used.len(),
-            100.0 * ASSUMED_RECOGNISED,
-            100.0 * ASSUMED_PER_FRAME
+            if measured == 1 { "is" } else { "are" },
+            planner.untested.words()
         ));
     } else {
-        list.push(format!(
-            "All {measured} landmarks that are on are measured."
-        ));
+        list.push(format!("All {measured} landmarks that are on are tested."));
     }
     let climbs = route
         .way_points

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use pilotage_core::landmark::Landmark;
+
 use super::planner::Planner;
 use crate::documents::planned_ground;
 use crate::feature::FeatureContext;
@@ -25,6 +27,7 @@ impl Planner {
             || self.heat.receive(id, event)
             || self.finder.receive(id, event)
             || self.suggestions.receive(id, event)
+            || self.untested.receive(id, event)
             || self.trainings.receive(id, event)
             || self.examined(id, event, context.documents)
             || self.brief_event(id, event, context)
@@ -43,6 +46,7 @@ impl Planner {
         self.check_incursions(context.documents);
         if context.is_shown {
             waits |= self.measure_drawn(context);
+            self.measure_ahead(context);
             waits |= self.work_on_route(context);
         }
         if waits {
@@ -62,6 +66,32 @@ impl Planner {
             self.assessments.ask(vec![order]);
         }
         waits
+    }
+
+    /// Has landmarks measured for which nobody asked, while the workers have time: what is selected before what is in
+    /// view before the others; and boxes at random, for what is not measured yet.
+    fn measure_ahead(&mut self, context: &mut FeatureContext<'_>) {
+        let documents = &*context.documents;
+        let may = self.preferences.tests_ahead && context.host.works_ahead();
+        let order = self.untested_order(documents).filter(|_| may);
+        let next = order.as_ref().filter(|_| self.assessments.is_idle());
+        let next = next.and_then(|_| {
+            let view = context.map.rect().zip(context.map.screen_from_world());
+            let seen = view.map(|(rect, transform)| transform.visible(rect));
+            let rank = |it: &&Landmark| {
+                let is_selected = *context.selection == Some(it.id);
+                let is_seen = seen.is_some_and(|seen| seen.overlaps(&it.bounds));
+                (!is_selected, !is_seen)
+            };
+            let untested = self.untested_landmarks(documents);
+            let fit = untested.filter(|it| self.assessments.trouble(it).is_none());
+            fit.min_by_key(rank)
+        });
+        let next = next.map(|landmark| self.assessment(landmark, documents));
+        self.untested.work(order, context);
+        if let Some(next) = next {
+            self.assessments.measure_ahead(next, context);
+        }
     }
 
     /// Asks for what is shown along the routes; true if time must pass first.
@@ -86,7 +116,8 @@ impl Planner {
         let order = self.order(context.documents);
         let limit = self.preferences.limit;
         waits |= self.forecast.work(order, limit, context);
-        self.remedies.work(&self.forecast, limit, context);
+        let hoped = self.hoped(context.documents);
+        self.remedies.work(&self.forecast, limit, hoped, context);
         let preferences = &self.preferences.rehearsal;
         waits |= self.rehearsal.work(&self.forecast, preferences, context);
         waits

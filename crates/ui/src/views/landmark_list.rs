@@ -256,7 +256,7 @@ fn distinctness_card(
     heat: &mut Option<(GroundRect, TextureHandle)>,
 ) {
     let tokens = context.tokens;
-    caption(ui, tokens, "How distinct it is");
+    caption(ui, tokens, "Look-alikes on this map");
     let Some(found) = examined.found else {
         let text = examined.trouble.map_or_else(
             || "Comparing it with the map around it …".to_owned(),
@@ -276,7 +276,7 @@ fn distinctness_card(
                 let tone = match margin {
                     m if m < 0.0 => tokens.warning,
                     m if m < 0.15 => tokens.accent,
-                    _ => tokens.truth,
+                    _ => tokens.muted,
                 };
                 chip(ui, tokens, &format!("margin {margin:.2}"), tone);
                 chip(
@@ -287,7 +287,7 @@ fn distinctness_card(
                 );
             }
             None => {
-                chip(ui, tokens, "no look-alike", tokens.truth);
+                chip(ui, tokens, "no look-alike", tokens.muted);
             }
         }
         chip(

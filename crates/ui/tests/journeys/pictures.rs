@@ -157,7 +157,7 @@ fn the_app_is_drawn_for_people_to_look_at() {
         let row = scene.harness.get_by_label_contains("church: ");
         row.click();
         scene.work(40, 20.0);
-        scene.click("Measure how well it is found");
+        scene.click("Test how well it is found");
         scene.until("/plan/measured/0");
         scene.click("Best altitude");
         scene.until("/plan/envelopes/0");

@@ -2,21 +2,27 @@ use egui::Vec2;
 use egui_kittest::kittest::Queryable as _;
 use pilotage_jobs::Job;
 
-use super::super::support::{ScriptedHost, rig_on};
+use super::super::support::{Ahead, ScriptedHost, rig_on};
 use super::{draw, number, planning};
 
 #[test]
 fn a_measured_landmark_is_believed_instead_of_the_assumption() {
     let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    rig.settle();
+    rig.harness.get_by_label_contains(
+        "landmarks are tested. Each of the others counts like a box at random on fields, found in 18 % of pictures",
+    );
     rig.open_tab("Landmarks");
     rig.harness.get_by_label_contains("Chapel: ").click();
     rig.settle();
     rig.harness
-        .get_by_label("Measure how well it is found")
+        .get_by_label("Test how well it is found")
         .click();
     rig.settle();
     assert_eq!(number(&rig, "/measured/0/id"), 2.0);
     assert!((number(&rig, "/measured/0/probability") - 0.45).abs() < 1e-9);
+    rig.harness.get_by_label("weak");
     rig.harness.get_by_label("found 45 % of the time");
     rig.harness.get_by_label("wrong 3 %");
     rig.harness
@@ -58,7 +64,7 @@ fn what_was_measured_is_there_after_a_reload() {
     rig.open_tab("Landmarks");
     rig.harness.get_by_label_contains("Chapel: ").click();
     rig.settle();
-    let measure = "Measure how well it is found";
+    let measure = "Test how well it is found";
     rig.harness.get_by_label(measure).click();
     rig.settle();
     rig.harness.get_by_label("Best altitude").click();
@@ -82,7 +88,7 @@ fn all_landmarks_are_measured_one_after_the_other() {
     let mut rig = planning();
     draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
     rig.open_tab("Landmarks");
-    rig.harness.get_by_label("Measure all").click();
+    rig.harness.get_by_label("Test all").click();
     for _ in 0..4 {
         rig.settle();
     }
@@ -112,4 +118,79 @@ fn a_landmark_that_is_drawn_is_measured_by_itself_once_it_rests() {
         .iter()
         .filter(|(_, job)| matches!(job, Job::Assess(_)));
     assert_eq!(asked.count(), 1);
+}
+
+/// The Plan workspace over a host whose workers have time.
+fn with_time() -> super::Rig {
+    let host = ScriptedHost {
+        ahead: Ahead::Done,
+        ..ScriptedHost::default()
+    };
+    let mut rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    rig.open_tab("Plan");
+    rig
+}
+
+/// Ids of the landmarks that were measured though nobody asked, in their order.
+fn measured_ahead(rig: &mut super::Rig) -> Vec<u32> {
+    let ahead = rig.host().jobs.iter().filter_map(|(_, job)| match job {
+        Job::AssessAhead(order) => Some(order.0.landmark.id),
+        _ => None,
+    });
+    ahead.collect()
+}
+
+#[test]
+fn while_workers_have_time_the_selected_landmark_is_tested_first_and_then_all_others() {
+    let mut rig = rig_on(ScriptedHost::default(), Vec2::new(1440.0, 900.0));
+    rig.open_tab("Plan");
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["untested"][1], 0);
+    assert_eq!(measured_ahead(&mut rig), [0; 0]);
+    let selected = rig.state()["selection"].as_u64().expect("one is selected") as u32;
+    rig.harness.state_mut().host.ahead = Ahead::Done;
+    for _ in 0..8 {
+        rig.settle();
+    }
+    let ahead = measured_ahead(&mut rig);
+    assert_eq!(ahead.first(), Some(&selected));
+    assert!(ahead.len() >= 3, "{ahead:?}");
+    let mut once = ahead.clone();
+    once.sort_unstable();
+    once.dedup();
+    assert_eq!(once.len(), ahead.len(), "one was tested twice");
+    assert!(rig.harness.query_by_label_contains("Not tested").is_none());
+}
+
+#[test]
+fn a_box_at_random_stands_for_what_is_not_tested() {
+    let mut rig = with_time();
+    for _ in 0..8 {
+        rig.settle();
+    }
+    let asked = rig.host().jobs.iter();
+    let asked = asked.filter(|(_, job)| matches!(job, Job::Untested(_)));
+    assert_eq!(asked.count(), 1, "the map is asked once");
+    assert!((number(&rig, "/untested/0") - 0.25).abs() < 1e-9);
+}
+
+#[test]
+fn testing_ahead_ends_where_people_switch_it_off() {
+    let mut rig = rig_on(ScriptedHost::default(), Vec2::new(1440.0, 900.0));
+    rig.open_tab("Plan");
+    rig.open_tab("Landmarks");
+    rig.harness
+        .get_by_label("Test landmarks by themselves")
+        .click();
+    rig.settle();
+    rig.harness.state_mut().host.ahead = Ahead::Done;
+    rig.settle();
+    assert_eq!(measured_ahead(&mut rig), [0; 0]);
+    rig.harness
+        .get_by_label("Test landmarks by themselves")
+        .click();
+    rig.settle();
+    assert!(!measured_ahead(&mut rig).is_empty());
 }

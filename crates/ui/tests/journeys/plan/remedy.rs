@@ -15,11 +15,25 @@ fn the_worst_stretch_is_told_with_what_a_landmark_or_more_height_would_do_and_an
     rig.settle();
     rig.settle();
     assert!(number(&rig, "/prediction/stretches") > 0.0);
+    // Nothing is tested: another landmark would be no better than a box at random, and is not advised.
+    rig.harness.get_by_label_contains(
+        "that is found like a box at random would not mend the worst stretch.",
+    );
+    rig.open_tab("Landmarks");
+    rig.harness.state_mut().host.per_frame = Some(0.9);
+    rig.harness.get_by_label("Test all").click();
+    for _ in 0..6 {
+        rig.settle();
+    }
+    rig.open_tab("Route");
+    rig.settle();
     let [planned, aided, higher] =
         ["0", "1", "2"].map(|i| number(&rig, &format!("/remedies/sigmas/{i}")));
     assert!(aided < 0.95 * planned, "{planned} {aided} {higher}");
     rig.harness
         .get_by_label_contains("To fix the worst stretch, add a landmark at ");
+    rig.harness
+        .get_by_label_contains("Found like the tested ones, it makes the largest error");
     rig.harness.get_by_label_contains("above ground its σ is");
     let (north, east) = (
         number(&rig, "/remedies/place/0"),

@@ -146,7 +146,7 @@ fn the_stage_table_grows_while_a_detector_is_trained_and_the_flight_flies_with_i
 #[test]
 fn a_measurement_is_of_no_use_once_another_detector_looks() {
     let (mut rig, id, order) = training();
-    let measure = "Measure how well it is found";
+    let measure = "Test how well it is found";
     rig.harness.get_by_label(measure).click();
     rig.settle();
     let measured = |rig: &Rig| rig.state()["plan"]["measured"].as_array().map(Vec::len);

@@ -13,21 +13,31 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::EstimatorChoice;
 use pilotage_core::plan::{
     Envelope, ExpectedDetection, LandmarkCandidate, Localizability, LookTally, Suggestion,
-    ViewBreakdown,
+    UntestedDetection, ViewBreakdown,
 };
 use pilotage_core::raster::Raster;
 use pilotage_core::study::{Contender, ContenderTally as FlightTally, EstimatorComparison};
 use pilotage_jobs::{
-    Abilities, Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness,
-    DistinctnessOrder, EnvelopeOrder, ExplainOrder, ExplainedBy, FieldOrder, FileContent,
-    FlightSource, FlyOrder, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner, MakeFlightOrder,
-    MapInfo, MatchPictures, OpenOrder, OpenedFiles, ProvideOrder, ReadLog, ReadLogOrder, Reply,
-    Request, SuggestOrder, TileOrder,
+    Abilities, AssessAheadOrder, Assessment, AssessmentOrder, ContestOrder, DetectorSearch,
+    Distinctness, DistinctnessOrder, EnvelopeOrder, ExplainOrder, ExplainedBy, FieldOrder,
+    FileContent, FlightSource, FlyOrder, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner,
+    MakeFlightOrder, MapInfo, MatchPictures, OpenOrder, OpenedFiles, ProvideOrder, ReadLog,
+    ReadLogOrder, Reply, Request, SuggestOrder, TileOrder,
 };
 use pilotage_ui::host::{Host, OpenedFile};
 
 use super::flight::{flight, mission, run, run_head};
 use super::laid::{Laying, early_flight, lay_frames};
+
+/// Fate of work that nobody asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ahead {
+    /// It is left undone.
+    #[default]
+    Left,
+    /// It is done.
+    Done,
+}
 
 /// Answers jobs at once, unless told not to, and remembers what it was asked.
 #[derive(Default)]
@@ -60,6 +70,10 @@ pub struct ScriptedHost {
     pub refused: Vec<String>,
     /// Saves to report as broken off.
     pub interrupted: Vec<String>,
+    /// Share of frames in which tested landmarks are found on a day on which they are recognised, unless one half.
+    pub per_frame: Option<f64>,
+    /// Work that nobody asked for.
+    pub ahead: Ahead,
     /// Workers to report as lost.
     pub lost: usize,
     /// Laying of pictures on the map.
@@ -319,21 +333,6 @@ impl ScriptedHost {
                 }
                 Err(why) => say(JobEvent::Failed(why)),
             },
-            Job::Assess(order) => {
-                say(JobEvent::Progress(0.5, "View 16 of 32".into()));
-                say(JobEvent::Assessment(Box::new(assessment(order))));
-                say(JobEvent::Finished);
-            }
-            Job::Envelope(EnvelopeOrder(order)) => {
-                say(JobEvent::Progress(0.5, "Look 6 of 12".into()));
-                say(JobEvent::Envelope(Box::new(envelope(order.height))));
-                say(JobEvent::Finished);
-            }
-            Job::Suggest(order) => {
-                say(JobEvent::Progress(0.5, "Place 1 of 2".into()));
-                say(JobEvent::Suggestions(suggestions(order)));
-                say(JobEvent::Finished);
-            }
             Job::Field(order) => {
                 let [half, whole] = fields(order).map(Box::new);
                 say(JobEvent::Progress(0.5, "Row 1 of 2".into()));
@@ -352,7 +351,39 @@ impl ScriptedHost {
                 say(JobEvent::Finished);
             }
             Job::ExplainMatch(order) => explained(order).into_iter().for_each(&mut say),
-            // Nothing is said of the others.
+            _ => self.rehearse(id, job),
+        }
+    }
+
+    /// Answers what is asked about landmarks on other days; nothing is said of other jobs.
+    fn rehearse(&mut self, id: JobId, job: &Job) {
+        let mut say = |event| self.events.push((id, event));
+        match job {
+            Job::Assess(order) | Job::AssessAhead(AssessAheadOrder(order)) => {
+                say(JobEvent::Progress(0.5, "View 16 of 32".into()));
+                say(JobEvent::Assessment(Box::new(assessment(
+                    order,
+                    self.per_frame.unwrap_or(0.5),
+                ))));
+                say(JobEvent::Finished);
+            }
+            Job::Untested(_) => {
+                let mut stated = UntestedDetection::of_any_map();
+                stated.boxes = 24;
+                stated.expected.recognised = 0.25 / stated.expected.per_frame;
+                say(JobEvent::Untested(Box::new(stated)));
+                say(JobEvent::Finished);
+            }
+            Job::Envelope(EnvelopeOrder(order)) => {
+                say(JobEvent::Progress(0.5, "Look 6 of 12".into()));
+                say(JobEvent::Envelope(Box::new(envelope(order.height))));
+                say(JobEvent::Finished);
+            }
+            Job::Suggest(order) => {
+                say(JobEvent::Progress(0.5, "Place 1 of 2".into()));
+                say(JobEvent::Suggestions(suggestions(order)));
+                say(JobEvent::Finished);
+            }
             _ => {}
         }
     }
@@ -429,7 +460,7 @@ fn distinctness(bounds: GroundRect, radius: f64) -> Distinctness {
         look_alike: Some((GroundPoint::new(center.north + 50.0, center.east), 0.41)),
         contrast: 38.0,
         flat: false,
-        verdict: "Distinct: nothing within 120 m looks like it.".into(),
+        verdict: "Nothing within 120 m of it on this map looks like it.".into(),
     }
 }
 
@@ -477,7 +508,7 @@ fn suggestions(order: &SuggestOrder) -> Vec<Suggestion> {
 }
 
 /// A landmark that is found in every other view.
-fn assessment(order: &AssessmentOrder) -> Assessment {
+fn assessment(order: &AssessmentOrder, per_frame: f64) -> Assessment {
     let glance = |i: u32| Glance {
         heading: f64::from(i),
         off_centre: 10.0 * f64::from(i),
@@ -490,7 +521,7 @@ fn assessment(order: &AssessmentOrder) -> Assessment {
         height: order.height,
         expected: ExpectedDetection {
             recognised: 0.9,
-            per_frame: 0.5,
+            per_frame,
             covariance: nalgebra::Matrix4::identity() * 0.04,
         },
         false_matches: 1.0 / 32.0,
@@ -505,6 +536,10 @@ fn assessment(order: &AssessmentOrder) -> Assessment {
 }
 
 impl Host for ScriptedHost {
+    fn works_ahead(&self) -> bool {
+        self.ahead == Ahead::Done
+    }
+
     fn now(&self) -> f64 {
         self.now
     }
