@@ -70,6 +70,24 @@ impl ShortcutListener {
         }
     }
 
+    /// Leaves in `events`, while letters are for a field, all up to a key that may end that: what comes behind it may be
+    /// for something else, and waits.
+    fn wait_for_end_of_typing(&mut self, events: &mut Vec<Event>) {
+        let ends = |event: &Event| {
+            matches!(
+                event,
+                Event::Key {
+                    key: Key::Escape | Key::Enter | Key::Tab,
+                    pressed: true,
+                    ..
+                }
+            )
+        };
+        if let Some(end) = events.iter().position(ends) {
+            self.waiting = events.split_off(end + 1);
+        }
+    }
+
     fn command_for(&self, key: Key, modifiers: Modifiers) -> Option<&Command> {
         let control = modifiers.command || modifiers.ctrl;
         self.table
@@ -109,7 +127,9 @@ impl Plugin for ShortcutListener {
         if !self.waiting.is_empty() {
             input.events.splice(0..0, self.waiting.drain(..));
         }
-        if !typing {
+        if typing {
+            self.wait_for_end_of_typing(&mut input.events);
+        } else {
             self.wait_in_turn(&mut input.events);
         }
         if !self.waiting.is_empty() {
@@ -162,12 +182,13 @@ mod tests {
     }
 
     /// For each of four frames, of which the first holds all the events: presses of "down" and of the mouse that
-    /// widgets see, and commands.
-    fn seen(events: Vec<Event>) -> Vec<(usize, usize, usize)> {
+    /// widgets see, and commands. A field has the keyboard, if `typing`, until it sees Escape.
+    fn seen(events: Vec<Event>, typing: bool) -> Vec<(usize, usize, usize)> {
         let context = Context::default();
         let shortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Q);
         let mut listener = ShortcutListener::new(&[]);
         listener.table = vec![(shortcut, Command::TogglePlay)];
+        listener.held = typing;
         context.add_plugin(listener);
         let mut events = Some(events);
         let frames = (0..4).map(|_| {
@@ -180,6 +201,9 @@ mod tests {
                 seen.0 = ui.input(|i| i.num_presses(Key::ArrowDown));
                 seen.1 = usize::from(ui.input(|i| i.pointer.any_pressed()));
                 seen.2 = ShortcutListener::take(ui.ctx()).len();
+                if ui.input(|i| i.key_pressed(Key::Escape)) {
+                    ShortcutListener::hold(ui.ctx(), false);
+                }
             });
             output.textures_delta.clear();
             seen
@@ -205,6 +229,17 @@ mod tests {
             click,
             shortcut,
         ];
-        assert_eq!(seen(events), [(2, 0, 0), (0, 0, 1), (0, 1, 0), (0, 0, 1)]);
+        assert_eq!(
+            seen(events, false),
+            [(2, 0, 0), (0, 0, 1), (0, 1, 0), (0, 0, 1)]
+        );
+    }
+
+    #[test]
+    fn a_shortcut_behind_the_escape_from_a_field_is_obeyed() {
+        let [shortcut, escape] = [press(Key::Q), press(Key::Escape)];
+        let letters = vec![shortcut.clone(), escape, shortcut];
+        let commands: Vec<usize> = seen(letters, true).iter().map(|it| it.2).collect();
+        assert_eq!(commands, [0, 1, 0, 0]);
     }
 }
