@@ -2,6 +2,7 @@
 // over with a readable message if it cannot run.
 import init, { WebHandle } from "./pkg/pilotage_web.js";
 import { openStorage } from "./storage.js";
+import { openTab, keepOnlyIn, tellOf } from "./tabs.js";
 import { shellServices, watchDrops } from "./shell.js";
 import { showTrouble, showStage, uncover } from "./cover.js";
 import { registerOffline } from "./offline.js";
@@ -85,6 +86,22 @@ function hasGraphics() {
   return Boolean(context);
 }
 
+/** What is stored, once no other tab is about to change it. */
+async function openDocuments() {
+  const tab = await openTab();
+  const storage = await openStorage();
+  keepOnlyIn(tab, storage);
+  return { tab, storage };
+}
+
+/** Stores at once what was edited last, before the tab is left; resolves once that is done. */
+async function saveNow(app, storage) {
+  app.store_now();
+  for (let tries = 0; storage.pending > 0 && tries < 60; tries += 1) {
+    await new Promise((resolve) => { setTimeout(resolve, 50); });
+  }
+}
+
 /** Looks after the workers, and notices a panic of the program. */
 function keepWatch(app) {
   const timer = setInterval(() => {
@@ -100,7 +117,7 @@ async function start() {
   const begun = performance.now();
   // Begun before anything else: it takes longest.
   const first = firstSeconds().catch((error) => { console.warn("the first seconds are computed:", error); return new Map(); });
-  const loading = Promise.all([openStorage(), first, init({ module_or_path: program() })]);
+  const loading = Promise.all([openDocuments(), first, init({ module_or_path: program() })]);
   loading.catch(() => {});
   prepareWorkers();
   if (!hasGraphics()) {
@@ -108,7 +125,7 @@ async function start() {
     showTrouble("This browser cannot draw the map", "Pilotage draws with WebGL 2, which is missing or switched off here. Switch on hardware acceleration in the browser's settings, or use a current version of Chrome, Edge, Firefox or Safari.");
     return;
   }
-  const [storage, told] = await loading;
+  const [{ tab, storage }, told] = await loading;
   const loaded = performance.now();
   const app = new WebHandle();
   for (const [key, bytes] of told) app.remember(key, bytes);
@@ -129,6 +146,9 @@ async function start() {
   window.app = app;
   window.page = { storage, boot: { load_ms: loaded - begun, start_ms: performance.now() - loaded, ready_ms: performance.now() } };
   watchDrops((paths, contents) => app.open_files(paths, contents));
+  tab.save = () => saveNow(app, storage);
+  addEventListener("visibilitychange", () => { if (document.hidden) app.store_now(); });
+  tellOf(tab);
   keepWatch(app);
   canvas.focus();
   uncover();

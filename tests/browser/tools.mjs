@@ -163,7 +163,10 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
     },
 
     /** Keeps a picture of the window as `name`.png. */
-    screenshot: (name) => page.screenshot({ path: join(pictures, `${name}.png`), timeout: patienceForStart }),
+    screenshot: (name) => page.screenshot({ path: tools.pictureAt(name), timeout: patienceForStart }),
+
+    /** Where a picture of that name is kept. */
+    pictureAt: (name) => join(pictures, `${name}.png`),
 
     /** Fails unless `condition` holds. */
     check(condition, complaint) {

@@ -17,6 +17,7 @@ pub struct PageApp {
     /// Time per frame.
     pub times: FrameTimes,
     host: PageHost,
+    context: egui::Context,
     announced_at: f64,
 }
 
@@ -27,8 +28,14 @@ impl PageApp {
             app: App::new(context, &host),
             times: FrameTimes::default(),
             host,
+            context: context.clone(),
             announced_at: 0.0,
         }
+    }
+
+    /// Stores what was edited last.
+    pub fn store_now(&mut self) {
+        self.app.store_now(&self.context, &mut self.host);
     }
 }
 

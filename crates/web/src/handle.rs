@@ -109,6 +109,13 @@ impl WebHandle {
             .unwrap_or_default()
     }
 
+    /// Stores what was edited last at once: a page that is about to be left draws no frame any more.
+    pub fn store_now(&self) {
+        if let Some(mut page) = self.runner.app_mut::<PageApp>() {
+            page.store_now();
+        }
+    }
+
     /// The accessibility tree of the last frame as JSON; see [`WebHandle::enable_a11y`].
     pub fn a11y(&self) -> String {
         match &*self.running.borrow() {

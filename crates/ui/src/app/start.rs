@@ -178,6 +178,12 @@ impl App {
         self.fly_session(egui, host);
     }
 
+    /// Stores what was edited last without waiting for more edits: nothing is drawn any more.
+    pub fn store_now(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        self.dirty_since = Some(f64::NEG_INFINITY);
+        self.remember(context, host);
+    }
+
     /// Stores the document and the view a moment after they changed.
     pub(super) fn remember(&mut self, context: &egui::Context, host: &mut dyn Host) {
         self.view.speed = self.playback.speed;
