@@ -1,6 +1,6 @@
 //! Commands carried out, once a frame, after everything is drawn.
 
-use super::pending_jobs::FlyJob;
+use super::fly_work::FlyJob;
 use super::{App, SideTab};
 use crate::command::{Command, Workspace};
 use crate::context::frame_after;
@@ -94,7 +94,7 @@ impl App {
                     marks.push(time);
                     marks.sort_by(f64::total_cmp);
                 }
-                self.jobs.document_changed = true;
+                self.document_changed = true;
             }
             Command::PreviousBookmark => {
                 let marks = self.documents.bookmarks.iter().rev();
@@ -125,7 +125,7 @@ impl App {
     }
 
     fn edit(&mut self, command: Command, now: f64) {
-        self.jobs.document_changed |= !matches!(
+        self.document_changed |= !matches!(
             command,
             Command::SelectLandmark(_) | Command::TogglePickTool
         );
@@ -208,14 +208,15 @@ impl App {
                 self.fly_new(egui, host, demo.flight, demo.map, None);
             }
             Command::FlyAgain => self.fly_again(host),
-            Command::CancelJob if self.jobs.fly.is_none() => {
+            Command::CancelJob if self.fly_work.job.is_none() => {
                 let _ = self.stop_features(egui, host)
-                    || self.stop_opening(host)
+                    || self.openings.stop(host)
                     || self.map_work.stop(&mut self.toasts, host);
             }
             Command::CancelJob => {
-                self.documents.run_complete |= self.jobs.fly.as_ref().is_some_and(FlyJob::began);
-                self.stop_flying(host);
+                self.documents.run_complete |=
+                    self.fly_work.job.as_ref().is_some_and(FlyJob::began);
+                self.fly_work.stop(host);
                 self.tell_of_run_over(false, egui, host);
                 self.toasts
                     .note(now, "Stopped", "What had been computed stays on screen.");

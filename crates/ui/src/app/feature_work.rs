@@ -38,7 +38,7 @@ impl App {
                 self.view.workspace == Workspace::Replay && self.side_tab == SideTab::Feature(own)
             }
         };
-        let keeping = &self.jobs.keeping;
+        let keeping = &self.keeping;
         let kept = |key: &str| keeping.files(key);
         let mut context = FeatureContext {
             documents: &mut self.documents,
@@ -69,7 +69,7 @@ impl App {
         if wishes.is_run_stale {
             self.run_is_stale(host.now());
         }
-        self.jobs.document_changed |= wishes.is_document_changed;
+        self.document_changed |= wishes.is_document_changed;
         if let Some(id) = wishes.presented {
             self.present_landmark(id);
         }
@@ -95,7 +95,7 @@ impl App {
             self.open_session(&session, egui, host);
         }
         match wishes.flight {
-            Some(FlightWish::Nothing) => self.stop_flying(host),
+            Some(FlightWish::Nothing) => self.fly_work.stop(host),
             Some(FlightWish::Open(open)) => {
                 let (flight, map) = *open;
                 let mission = Some(self.documents.mission.clone());
@@ -320,8 +320,10 @@ impl App {
     /// Progress of the computation under way, 0 to 1, and its words.
     pub(super) fn progress(&self) -> Option<(f32, &str)> {
         let mut features = self.views.features.iter();
-        let of_jobs = self.jobs.progress(features.find_map(|it| it.progress()));
-        of_jobs.or_else(|| self.map_work.progress())
+        let of_features = features.find_map(|it| it.progress());
+        let flying = self.fly_work.progress().or(of_features);
+        let opening = flying.or_else(|| self.openings.progress());
+        opening.or_else(|| self.map_work.progress())
     }
 
     /// Lets every feature look at what files turned out to hold; whether one took all of it.

@@ -1,14 +1,19 @@
-//! The flight that is flown in a worker, as it comes.
+//! The flight that is flown in a worker: asked for, taken as it comes, left for another one.
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::Run;
 
 use super::App;
-use super::pending_jobs::ShownFlight;
+use super::fly_work::{FlyJob, ShownFlight};
+use crate::documents::{Session, Staged};
 use crate::feature::Feature;
 use crate::host::Host;
 use crate::map::MapLayer;
 use pilotage_jobs::{FlightSource, JobEvent, MapSource};
 
+/// Delay after the last of several changes before the run is computed again, milliseconds.
+const FLY_AGAIN_AFTER: f64 = 350.0;
 /// Scales of the map at which an aircraft can be followed, metres per point.
 const USUAL_SCALES: std::ops::RangeInclusive<f64> = 0.25..=2.5;
 /// Square around the origin in which other tracks of a log are fitted into the map, metres across.
@@ -17,9 +22,101 @@ const NEARBY: f64 = 20_000.0;
 const CANNOT_FLY: &str = "The flight cannot be flown";
 
 impl App {
+    /// Flies another flight; what is open stays until it begins.
+    pub(super) fn fly_new(
+        &mut self,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+        flight: FlightSource,
+        map: MapSource,
+        mission: Option<Mission>,
+    ) {
+        self.tell_of_other_flight(egui, host);
+        let staged = Staged {
+            flight: None,
+            mission: mission.clone(),
+            ..Staged::default()
+        };
+        self.fly_work
+            .begin((flight, map), mission, staged, false, host);
+    }
+
+    /// Flies what a session names with the mission that is open, which stays: it may be edited before
+    /// the run begins.
+    pub(super) fn fly_open(&mut self, host: &mut dyn Host, session: Session) {
+        let Session {
+            flight,
+            map,
+            mission,
+            ..
+        } = session;
+        let staged = Staged {
+            keeps_edits: true,
+            ..Staged::default()
+        };
+        self.fly_work
+            .begin((flight, map), mission, staged, false, host);
+    }
+
+    /// Flies the same flight again with the mission as it is now.
+    pub(super) fn fly_again(&mut self, host: &mut dyn Host) {
+        // What is edited meanwhile is added to the flight's own mission, which is yet to come.
+        let awaited = |fly: &FlyJob| !fly.given && !fly.began();
+        if self.fly_work.job.as_ref().is_some_and(awaited) {
+            self.fly_work.again_at = Some(host.now() + FLY_AGAIN_AFTER);
+            return;
+        }
+        self.fly_work.again_at = None;
+        let again = self.documents.run.is_some();
+        let mission = Some(self.documents.mission.clone());
+        let flight = self.documents.flight_source.clone();
+        let map = self.documents.map_source.clone();
+        let staged = Staged::default();
+        self.fly_work
+            .begin((flight, map), mission, staged, again, host);
+    }
+
+    /// Shows a run out of a file. The flight that is under way beneath it goes on for its pictures.
+    pub(super) fn show_opened_run(&mut self, host: &mut dyn Host, run: Run) {
+        match self.fly_work.job.as_mut().filter(|fly| fly.began()) {
+            Some(fly) => {
+                fly.shown = ShownFlight::Pictures;
+                self.fly_work.again_at = None;
+            }
+            None => self.fly_work.stop(host),
+        }
+        self.documents.begin_run_again(run, Staged::default());
+        self.documents.run_complete = true;
+    }
+
+    /// The mission changed in a way that changes the run.
+    pub(super) fn run_is_stale(&mut self, now: f64) {
+        self.fly_work.again_at = Some(now + FLY_AGAIN_AFTER);
+        self.document_changed = true;
+    }
+
+    /// Leaves what is being done about the flight that was open, once another one is. To be called after whatever can
+    /// change the flight, before anything else is done: an answer about the old one would be taken for the new one's.
+    pub(super) fn follow_flight(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        let generation = self.documents.flight_generation;
+        if self.followed.0 == generation {
+            return;
+        }
+        let source = self.documents.flight_source.clone();
+        let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
+        self.tell_features_of_flight(egui, host);
+        if old != self.documents.flight_source {
+            self.playback.selected_span = None;
+        }
+        self.frame_pictures.leave(host);
+        self.views.camera.clear();
+        let mission = &self.documents.mission;
+        self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
+    }
+
     /// Takes what the worker that flies says.
     pub(super) fn fly_event(&mut self, egui: &egui::Context, host: &mut dyn Host, event: JobEvent) {
-        let Some(fly) = &mut self.jobs.fly else {
+        let Some(fly) = &mut self.fly_work.job else {
             return;
         };
         match event {
@@ -71,24 +168,24 @@ impl App {
             }
             // It could not be navigated, and all of its pictures are there.
             JobEvent::Finished if !fly.began() => {
-                self.jobs.fly = None;
+                self.fly_work.job = None;
                 self.tell_of_run_over(false, egui, host);
             }
             JobEvent::Finished => {
                 let again = fly.again;
                 self.documents.run_complete = true;
-                self.jobs.fly = None;
+                self.fly_work.job = None;
                 // Where a recorded flight went may be known only now.
                 if !again && self.views.map.is_fitted() && !self.is_flight_hidden() {
                     self.fit_to_flight_and_map();
                 }
                 self.tell_of_run_over(true, egui, host);
             }
-            JobEvent::Cancelled => self.jobs.fly = None,
+            JobEvent::Cancelled => self.fly_work.job = None,
             JobEvent::Failed(why) => {
                 let began = fly.began();
                 let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
-                self.jobs.fly = None;
+                self.fly_work.job = None;
                 self.tell_of_run_over(false, egui, host);
                 self.documents.run_complete |= began;
                 let log = self.documents.log.as_mut().filter(|_| is_of_log);
@@ -112,11 +209,11 @@ impl App {
 
     /// A flight that cannot be navigated is shown all the same; one that was flown before stays as it is.
     fn look_at_flight(&mut self, host: &mut dyn Host, why: &str) {
-        let Some(fly) = &mut self.jobs.fly else {
+        let Some(fly) = &mut self.fly_work.job else {
             return;
         };
         if fly.again {
-            self.stop_flying(host);
+            self.fly_work.stop(host);
             let text = format!("{why} Everything open stays as it was.");
             self.toasts.trouble(host.now(), CANNOT_FLY, text);
             return;
@@ -140,7 +237,7 @@ impl App {
 
     /// Shows the flight that was staged over its own map.
     fn take_place(&mut self, host: &mut dyn Host, map: MapSource) {
-        self.jobs.document_changed = true;
+        self.document_changed = true;
         self.change_map(host, map);
     }
 

@@ -5,15 +5,12 @@ use pilotage_core::mission::Mission;
 
 use super::App;
 use super::map_work::tell_of_map;
-use super::pending_jobs::Opening;
 use crate::command::Workspace;
 use crate::documents::kept::provide;
 use crate::feature::{FlightFiles, OpenedSet};
 use crate::host::{Host, OpenedFile};
 use crate::shell::whole_sentences;
-use pilotage_jobs::{
-    Beside, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, OpenOrder, OpenedFiles,
-};
+use pilotage_jobs::{Beside, FlightSource, JobEvent, JobId, MapInfo, MapSource, OpenedFiles};
 
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
@@ -39,34 +36,14 @@ impl App {
         host: &mut dyn Host,
         batch: Vec<OpenedFile>,
     ) {
-        let name = match batch.as_slice() {
-            [one] => one.path.clone(),
-            [first, rest @ ..] => {
-                let folder = first.path.split('/').next().unwrap_or_default();
-                format!("{folder} and {} more files", rest.len())
-            }
-            [] => return,
-        };
-        self.jobs.opened_batches += 1;
-        let set = OpenedSet {
-            key: format!("opened-{}", self.jobs.opened_batches),
-            name,
-            files: batch,
+        let Some(set) = self.openings.set_of(batch) else {
+            return;
         };
         if self.are_taken(&set, context, host) {
             return;
         }
         provide(host, &set.key, &set.files);
-        let id = host.start(Job::Open(OpenOrder {
-            key: set.key.clone(),
-            near: self.documents.world_origin(),
-            origin: self.documents.mission.origin,
-        }));
-        let opening = Opening {
-            words: format!("Opening {}", set.name),
-            set,
-        };
-        self.jobs.opening.insert(id, opening);
+        self.openings.begin(set, &self.documents, host);
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
@@ -76,7 +53,7 @@ impl App {
             .frame_pictures
             .receive(id, &event, &mut self.views.camera)
         {
-        } else if self.jobs.fly.as_ref().is_some_and(|f| f.id == id) {
+        } else if self.fly_work.job.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(context, host, event);
         } else if self.map_work.owns(id) {
             let (work, mut parts) = self.map_parts(host);
@@ -86,7 +63,7 @@ impl App {
         } else if self.height_work.owns(id) {
             let (documents, toasts) = (&mut self.documents, &mut self.toasts);
             self.height_work.take(event, documents, toasts, host);
-        } else if self.jobs.opening.contains_key(&id) {
+        } else if self.openings.owns(id) {
             self.open_event(context, host, id, event);
         } else if let JobEvent::Remark(text) = event {
             // Of a tile that nobody waits for any more: a worker says each thing once.
@@ -112,18 +89,18 @@ impl App {
         let now = host.now();
         match event {
             JobEvent::Opened(opened) => {
-                if let Some(opening) = self.jobs.opening.remove(&id) {
-                    self.take_opened(context, host, &opening.set, *opened);
+                if let Some(set) = self.openings.end(id) {
+                    self.take_opened(context, host, &set, *opened);
                 }
             }
             JobEvent::Failed(why) => {
-                let name = self.jobs.opening.remove(&id).map(|o| o.set.name);
+                let name = self.openings.end(id).map(|set| set.name);
                 let title = format!("{} was not opened", name.unwrap_or_default());
                 let text = format!("{why} Everything open stays as it was.");
                 self.toasts.trouble(now, title, text);
             }
             JobEvent::Finished | JobEvent::Cancelled => {
-                self.jobs.opening.remove(&id);
+                self.openings.end(id);
             }
             _ => {}
         }
@@ -148,7 +125,7 @@ impl App {
                 self.toasts
                     .note(host.now(), "The map lies far from what was open", text);
             }
-            self.stop_flying(host);
+            self.fly_work.stop(host);
             let name = info.name.rsplit('/').next().unwrap_or_default();
             let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
             self.documents.begin_world(origin, stem);
@@ -158,16 +135,7 @@ impl App {
         self.change_map(host, source);
         self.views.map.fit(info.bounds);
         self.documents.map = Some(info);
-        self.jobs.document_changed = true;
-    }
-
-    /// Stops looking at opened files; true if that was under way.
-    pub(super) fn stop_opening(&mut self, host: &mut dyn Host) -> bool {
-        let ids: Vec<JobId> = self.jobs.opening.iter().map(|(id, _)| *id).collect();
-        for id in &ids {
-            host.cancel(*id);
-        }
-        !ids.is_empty()
+        self.document_changed = true;
     }
 
     /// Opens what was open beside a mission when it was saved.
@@ -240,7 +208,7 @@ impl App {
             let (documents, toasts) = (&mut self.documents, &mut self.toasts);
             self.height_work
                 .use_model(&opening.key, &terrain, documents, toasts, host);
-            self.jobs.document_changed = true;
+            self.document_changed = true;
         }
         if let Some(file) = log {
             // What it is, is told at the right; a notice would cover it.

@@ -30,7 +30,7 @@ impl App {
         let total: u64 = files.iter().map(length).sum();
         let lent: u64 = files.iter().filter(is_lent).map(length).sum();
         if total - lent <= MOST_KEPT && lent <= MOST_LENT_KEPT {
-            self.jobs.keeping.keep(set, files.to_vec());
+            self.keeping.keep(set, files.to_vec());
             return;
         }
         let text = format!(
@@ -49,7 +49,7 @@ impl App {
         let now = host.now();
         let refused = host.failed_stores();
         if !refused.is_empty() {
-            let files = self.jobs.keeping.refuse(&refused, now).join(", ");
+            let files = self.keeping.refuse(&refused, now).join(", ");
             let lost = if files.is_empty() {
                 "Your last edit may be missing at the next visit: save the mission as a file to be \
                  sure of it."
@@ -62,33 +62,28 @@ impl App {
             self.toasts.trouble(now, title, text);
             // What was stored before is still there; what is open now is tried again.
             self.stored_session.clear();
-            self.jobs.document_changed = true;
+            self.document_changed = true;
             self.dirty_since = Some(now + TRY_AGAIN_AFTER);
         }
-        self.jobs.keeping.retry(now);
-        if !self.jobs.keeping.is_done() {
-            self.jobs.keeping.work(host);
+        self.keeping.retry(now);
+        if !self.keeping.is_done() {
+            self.keeping.work(host);
             context.request_repaint();
         }
     }
 
     /// Forgets files that neither the document nor a flight about to begin needs.
     pub(super) fn forget_unused_files(&mut self) {
-        if self.jobs.opening.is_empty() {
+        if self.openings.keys().next().is_none() {
             let used = self.used_files();
-            self.jobs.keeping.forget_others(&used);
+            self.keeping.forget_others(&used);
         }
     }
 
     /// Has the workers let go of what was open before.
     pub(super) fn let_go_of_files(&self, host: &mut dyn Host) {
         let mut used = self.used_files();
-        used.extend(
-            self.jobs
-                .opening
-                .iter()
-                .map(|(_, opening)| opening.set.key.clone()),
-        );
+        used.extend(self.openings.keys().map(str::to_owned));
         host.let_go(&used);
     }
 
@@ -97,7 +92,7 @@ impl App {
         let documents = &self.documents;
         let mut used = file_sets(&documents.flight_source, &documents.map_source);
         used.extend(documents.terrain.key());
-        if let Some(fly) = &self.jobs.fly {
+        if let Some(fly) = &self.fly_work.job {
             used.extend(file_sets(&fly.flight, &fly.map));
         }
         let features = self.views.features.iter();
@@ -113,7 +108,7 @@ impl App {
         let sets: Vec<String> = sets.into_iter().map(str::to_owned).collect();
         let mut gone = BTreeSet::new();
         for key in sets {
-            self.jobs.count_batches(&key);
+            self.openings.count_on(&key);
             match recall_files(host, &key) {
                 Ok(files) => {
                     let of = |(path, content): &(String, FileContent)| OpenedFile {
@@ -121,11 +116,11 @@ impl App {
                         content: content.clone(),
                     };
                     let known = files.iter().map(of).collect();
-                    self.jobs.keeping.knows(&key, files.len(), known);
+                    self.keeping.knows(&key, files.len(), known);
                     host.start(Job::Provide(ProvideOrder { key, files }));
                 }
                 Err(count) => {
-                    self.jobs.keeping.knows(&key, count, Vec::new());
+                    self.keeping.knows(&key, count, Vec::new());
                     gone.insert(key);
                 }
             }

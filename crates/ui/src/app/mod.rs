@@ -4,7 +4,7 @@ mod advice;
 mod aside;
 mod execute;
 mod feature_work;
-mod flight_change;
+mod fly_work;
 mod flying;
 mod frame_pictures;
 mod height_work;
@@ -12,7 +12,7 @@ mod inbox;
 mod keeping;
 mod layout;
 mod map_work;
-mod pending_jobs;
+mod openings;
 mod report;
 mod start;
 mod storage;
@@ -33,10 +33,12 @@ use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
 use crate::views::{CameraView, InspectorView, LandmarkList, PlotsView, Tour};
 
+use fly_work::FlyWork;
 use frame_pictures::FramePictureRequests;
 use height_work::HeightWork;
 use map_work::{MapParts, MapWork};
-use pending_jobs::PendingJobs;
+use openings::Openings;
+use storage::Keeping;
 
 /// Content of the column at the right below the camera picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -161,7 +163,8 @@ pub struct App {
     dialogs: Dialogs,
     toasts: Toasts,
     views: Views,
-    jobs: PendingJobs,
+    fly_work: FlyWork,
+    openings: Openings,
     map_work: MapWork,
     height_work: HeightWork,
     frame_pictures: FramePictureRequests,
@@ -177,7 +180,11 @@ pub struct App {
     followed: (u64, FlightSource),
     /// Document that was stored at an earlier visit and could not be read.
     aside: Option<aside::Aside>,
+    /// Opened files on their way into the storage.
+    keeping: Keeping,
     last_now: Option<f64>,
+    /// Whether the document changed since it was stored last.
+    document_changed: bool,
     stored_session: Vec<u8>,
     stored_view: Vec<u8>,
     dirty_since: Option<f64>,

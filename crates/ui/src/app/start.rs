@@ -2,10 +2,12 @@
 
 use super::App;
 use super::aside::Aside;
+use super::fly_work::FlyWork;
 use super::frame_pictures::FramePictureRequests;
 use super::height_work::HeightWork;
 use super::map_work::MapWork;
-use super::pending_jobs::PendingJobs;
+use super::openings::Openings;
+use super::storage::Keeping;
 use crate::documents::{
     Documents, OpenedTerrain, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
@@ -63,7 +65,8 @@ impl App {
                 ..super::Views::default()
             },
             frame_pictures: FramePictureRequests::default(),
-            jobs: PendingJobs::default(),
+            fly_work: FlyWork::default(),
+            openings: Openings::default(),
             map_work: MapWork::default(),
             height_work: HeightWork::default(),
             commands: Vec::new(),
@@ -73,7 +76,9 @@ impl App {
             catalog,
             followed: (0, session.flight.clone()),
             aside,
+            keeping: Keeping::default(),
             last_now: None,
+            document_changed: false,
             stored_session: session.encode(),
             stored_view: view.encode(),
             dirty_since: None,
@@ -101,7 +106,7 @@ impl App {
         let aside = self.aside.take();
         if let Some(Aside::Taken) = aside {
             host.forget(UNREAD_KEY);
-            self.jobs.document_changed = true;
+            self.document_changed = true;
             self.stored_session.clear();
         }
         if let Some(Aside::Keep(bytes)) = aside {
@@ -115,7 +120,7 @@ impl App {
         // Files opened from now on must not take the place of those that a feature keeps.
         let features = self.views.features.iter();
         for set in features.flat_map(|it| it.used_files()) {
-            self.jobs.count_batches(set);
+            self.openings.count_on(set);
         }
         if host
             .interrupted_saves()
@@ -171,7 +176,7 @@ impl App {
         egui: &egui::Context,
         host: &mut dyn Host,
     ) {
-        self.stop_flying(host);
+        self.fly_work.stop(host);
         self.documents = Documents::new(session);
         self.restore_files(host);
         self.map_work.describe(&self.documents, host);
@@ -199,8 +204,8 @@ impl App {
         self.view.hidden_layers = self.views.map.layers.hidden_names();
         let view = self.view.encode();
         let view_changed = view != self.stored_view;
-        let session_changed = self.jobs.document_changed;
-        if !view_changed && !session_changed || !self.jobs.keeping.is_done() {
+        let session_changed = self.document_changed;
+        if !view_changed && !session_changed || !self.keeping.is_done() {
             return;
         }
         let now = host.now();
@@ -211,7 +216,7 @@ impl App {
             return;
         }
         self.dirty_since = None;
-        self.jobs.document_changed = false;
+        self.document_changed = false;
         if view_changed {
             host.store(VIEW_KEY, &view);
             self.stored_view = view;
