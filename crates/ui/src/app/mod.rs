@@ -14,85 +14,32 @@ mod layout;
 mod map_work;
 mod openings;
 mod report;
+mod side_tab;
 mod start;
 mod storage;
-mod work;
+mod views;
 
-use pilotage_jobs::{FlightSource, JobId};
+use pilotage_jobs::{FlightSource, JobId, MapSource};
 
 use crate::command::{Command, Workspace};
 use crate::dialogs::SimulateDialog;
 use crate::documents::{Documents, ViewState};
-use crate::feature::{Feature, FeatureId, FeaturePlace};
+use crate::feature::{Feature, FeatureId};
 use crate::host::Host;
-use crate::map::MapView;
 use crate::shell::catalog::CommandEntry;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Palette, Toasts, apply_theme, keep_slow_clicks};
-use crate::timeline::{Playback, Timeline};
+use crate::timeline::Playback;
 use crate::tokens::Tokens;
-use crate::views::{CameraView, InspectorView, LandmarkList, PlotsView, Tour};
 
 use fly_work::FlyWork;
 use frame_pictures::FramePictureRequests;
 use height_work::HeightWork;
 use map_work::{MapParts, MapWork};
 use openings::Openings;
+use side_tab::{SideTab, is_sheet};
 use storage::Keeping;
-
-/// Content of the column at the right below the camera picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SideTab {
-    /// Work of the filter.
-    Filter,
-    /// The list of landmarks.
-    Landmarks,
-    /// Panel of a feature.
-    Feature(FeatureId),
-    /// The camera picture (narrow windows only).
-    #[default]
-    Camera,
-    /// The plots (narrow windows only).
-    Plots,
-}
-
-impl SideTab {
-    /// Name for journeys: of a feature, its identity.
-    fn name(self) -> String {
-        match self {
-            Self::Feature(id) => id.to_owned(),
-            other => format!("{other:?}"),
-        }
-    }
-
-    /// Name on the tab; of a feature, as it says itself.
-    fn label(self, features: &[Box<dyn Feature>]) -> &'static str {
-        match self {
-            Self::Filter => "Filter",
-            Self::Landmarks => "Landmarks",
-            Self::Camera => "Camera",
-            Self::Plots => "Plots",
-            Self::Feature(id) => {
-                let info = features
-                    .iter()
-                    .map(|it| it.info())
-                    .find(|info| info.id == id);
-                info.map_or("", |info| info.tab)
-            }
-        }
-    }
-}
-
-/// Whether a tab takes the whole column, without a picture and tabs.
-fn is_sheet(tab: SideTab, features: &[Box<dyn Feature>]) -> bool {
-    match tab {
-        SideTab::Feature(id) => {
-            let mut infos = features.iter().map(|it| it.info());
-            infos.any(|info| info.id == id && info.place == FeaturePlace::Sheet)
-        }
-        _ => false,
-    }
-}
+use views::Views;
 
 /// Open state of the dialogs.
 #[derive(Debug, Default)]
@@ -101,55 +48,6 @@ struct Dialogs {
     simulate: SimulateDialog,
     help: bool,
     settings: bool,
-}
-
-/// The views that show the run at the time cursor.
-#[derive(Default)]
-struct Views {
-    map: MapView,
-    timeline: Timeline,
-    camera: CameraView,
-    plots: PlotsView,
-    inspector: InspectorView,
-    tour: Tour,
-    landmarks: LandmarkList,
-    /// Features, in the order of their tabs.
-    features: Vec<Box<dyn Feature>>,
-}
-
-impl Views {
-    /// Feature to which a workspace belongs.
-    fn owner(&self, workspace: Workspace) -> Option<&dyn Feature> {
-        let mut features = self.features.iter();
-        let owner = features.find(|it| it.info().place == FeaturePlace::Workspace(workspace));
-        owner.map(AsRef::as_ref)
-    }
-
-    /// Tab that is shown where nothing else was chosen.
-    fn usual_tab(&self) -> SideTab {
-        let mut features = self.features.iter().map(|it| it.info());
-        let first = features.find(|info| info.place == FeaturePlace::PictureTab);
-        first.map_or(SideTab::Filter, |info| SideTab::Feature(info.id))
-    }
-
-    /// Place in the list of the feature that fills the window, if one does in a workspace.
-    fn fills_window(&self, workspace: Workspace) -> Option<usize> {
-        let place = FeaturePlace::Window(workspace);
-        let mut features = self.features.iter();
-        features.position(|it| it.info().place == place && it.takes_window())
-    }
-
-    /// Place in the list of the feature that has the window for itself and the map, if one has.
-    fn beside_map(&self) -> Option<usize> {
-        let mut features = self.features.iter();
-        features.position(|it| it.info().place == FeaturePlace::BesideMap && it.takes_window())
-    }
-
-    /// Feature to which a workspace belongs, to be drawn.
-    fn owner_mut(&mut self, workspace: Workspace) -> Option<&mut Box<dyn Feature>> {
-        let mut features = self.features.iter_mut();
-        features.find(|it| it.info().place == FeaturePlace::Workspace(workspace))
-    }
 }
 
 /// The app.
@@ -257,6 +155,66 @@ impl App {
         if let Some(streamed) = streamed {
             let complete = self.documents.run_complete;
             self.playback.advance(elapsed, span, streamed, complete);
+        }
+    }
+
+    /// Work on the map, and what is lent to it.
+    fn map_parts<'a>(&'a mut self, host: &'a mut dyn Host) -> (&'a mut MapWork, MapParts<'a>) {
+        let parts = MapParts {
+            documents: &mut self.documents,
+            view: &mut self.views.map,
+            toasts: &mut self.toasts,
+            host,
+        };
+        (&mut self.map_work, parts)
+    }
+
+    /// Shows another map.
+    fn change_map(&mut self, host: &mut dyn Host, map: MapSource) {
+        let (work, mut parts) = self.map_parts(host);
+        if work.leave_for(map, &mut parts) {
+            self.let_go_of_files(host);
+            self.map_work.describe(&self.documents, host);
+        }
+    }
+
+    /// Keeps the map to the mission's world where nothing is flown: after an undo, or a mission that was
+    /// opened, that may be another one.
+    fn follow_world(&mut self, host: &mut dyn Host) {
+        let documents = &self.documents;
+        let Some(origin) = documents.map_source.origin() else {
+            return;
+        };
+        let world = documents.mission.origin;
+        if documents.flight_source == FlightSource::Nothing && world != origin {
+            let moved = documents.map_source.moved(world);
+            self.change_map(host, moved);
+        }
+    }
+
+    /// Starts what is due.
+    fn work(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        let now = host.now();
+        // While people plan, the flight waits: its time is better spent on the prediction.
+        let flies_now = !self.is_flight_hidden();
+        if flies_now && self.fly_work.again_at.is_some_and(|at| at <= now) {
+            self.fly_again(host);
+        }
+        self.documents.tend_noticed();
+        self.tend_features(context, host);
+        self.follow_world(host);
+        self.height_work.ask(&mut self.documents, host);
+        if self.documents.run.is_some() || self.fly_work.job.is_none() {
+            // Else where the flight begins is about to be known; anything else would be asked in vain.
+            let (documents, map) = (&self.documents, &self.views.map);
+            self.map_work.ask_for_tiles(documents, map, host);
+        }
+        let camera = &self.views.camera;
+        let (documents, playback) = (&self.documents, &self.playback);
+        self.frame_pictures.ask(host, documents, playback, camera);
+        let waiting = self.fly_work.again_at.is_some() && flies_now || self.dirty_since.is_some();
+        if waiting {
+            context.request_repaint_after(std::time::Duration::from_millis(60));
         }
     }
 
