@@ -94,7 +94,7 @@ impl App {
                     marks.push(time);
                     marks.sort_by(f64::total_cmp);
                 }
-                self.document_changed = true;
+                self.stored.document_changed = true;
             }
             Command::PreviousBookmark => {
                 let marks = self.documents.bookmarks.iter().rev();
@@ -125,7 +125,7 @@ impl App {
     }
 
     fn edit(&mut self, command: Command, now: f64) {
-        self.document_changed |= !matches!(
+        self.stored.document_changed |= !matches!(
             command,
             Command::SelectLandmark(_) | Command::TogglePickTool
         );

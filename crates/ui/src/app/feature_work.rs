@@ -69,7 +69,7 @@ impl App {
         if wishes.is_run_stale {
             self.run_is_stale(host.now());
         }
-        self.document_changed |= wishes.is_document_changed;
+        self.stored.document_changed |= wishes.is_document_changed;
         if let Some(id) = wishes.presented {
             self.present_landmark(id);
         }
@@ -80,7 +80,7 @@ impl App {
             self.offer_feature(own);
         }
         for set in wishes.kept {
-            self.keep_files(host, &set.key, &set.name, &set.files);
+            self.keeping.keep_few(&set, &mut self.toasts, host);
         }
         if let Some(map) = wishes.map {
             self.change_map(host, map);

@@ -92,7 +92,7 @@ impl App {
     /// The mission changed in a way that changes the run.
     pub(super) fn run_is_stale(&mut self, now: f64) {
         self.fly_work.again_at = Some(now + FLY_AGAIN_AFTER);
-        self.document_changed = true;
+        self.stored.document_changed = true;
     }
 
     /// Leaves what is being done about the flight that was open, once another one is. To be called after whatever can
@@ -237,7 +237,7 @@ impl App {
 
     /// Shows the flight that was staged over its own map.
     fn take_place(&mut self, host: &mut dyn Host, map: MapSource) {
-        self.document_changed = true;
+        self.stored.document_changed = true;
         self.change_map(host, map);
     }
 

@@ -135,7 +135,7 @@ impl App {
         self.change_map(host, source);
         self.views.map.fit(info.bounds);
         self.documents.map = Some(info);
-        self.document_changed = true;
+        self.stored.document_changed = true;
     }
 
     /// Opens what was open beside a mission when it was saved.
@@ -188,7 +188,7 @@ impl App {
         let has_flight = flight.is_some() || is_log;
         let are_laid = !has_flight && !photos.is_empty();
         if has_flight || map.is_some() || terrain.is_some() {
-            self.keep_files(host, &opening.key, &opening.name, &opening.files);
+            self.keeping.keep_few(opening, &mut self.toasts, host);
         }
         let has_map = map.is_some();
         let map_source = if let Some(info) = &map {
@@ -208,7 +208,7 @@ impl App {
             let (documents, toasts) = (&mut self.documents, &mut self.toasts);
             self.height_work
                 .use_model(&opening.key, &terrain, documents, toasts, host);
-            self.document_changed = true;
+            self.stored.document_changed = true;
         }
         if let Some(file) = log {
             // What it is, is told at the right; a notice would cover it.

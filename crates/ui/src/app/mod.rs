@@ -17,6 +17,7 @@ mod report;
 mod side_tab;
 mod start;
 mod storage;
+mod stored;
 mod views;
 
 use pilotage_jobs::{FlightSource, JobId, MapSource};
@@ -35,10 +36,12 @@ use crate::tokens::Tokens;
 use fly_work::FlyWork;
 use frame_pictures::FramePictureRequests;
 use height_work::HeightWork;
+use keeping::used_files;
 use map_work::{MapParts, MapWork};
 use openings::Openings;
 use side_tab::{SideTab, is_sheet};
-use storage::Keeping;
+use storage::{Keeping, TRY_AGAIN_AFTER};
+use stored::Stored;
 use views::Views;
 
 /// Open state of the dialogs.
@@ -81,11 +84,7 @@ pub struct App {
     /// Opened files on their way into the storage.
     keeping: Keeping,
     last_now: Option<f64>,
-    /// Whether the document changed since it was stored last.
-    document_changed: bool,
-    stored_session: Vec<u8>,
-    stored_view: Vec<u8>,
-    dirty_since: Option<f64>,
+    stored: Stored,
 }
 
 impl App {
@@ -116,7 +115,10 @@ impl App {
             documents.history.finish_drag(&documents.mission);
         }
         self.work(ui.ctx(), host);
-        self.tend_files(ui.ctx(), host);
+        if self.keeping.tend(ui.ctx(), &mut self.toasts, host) {
+            // What was stored before is still there; what is open now is tried again.
+            self.stored.store_anew(Some(now + TRY_AGAIN_AFTER));
+        }
         self.remember(ui.ctx(), host);
         if self.playback.playing && self.documents.run.is_some() {
             ui.ctx().request_repaint();
@@ -173,7 +175,10 @@ impl App {
     fn change_map(&mut self, host: &mut dyn Host, map: MapSource) {
         let (work, mut parts) = self.map_parts(host);
         if work.leave_for(map, &mut parts) {
-            self.let_go_of_files(host);
+            let features = &self.views.features;
+            let mut used = used_files(&self.documents, &self.fly_work, features);
+            used.extend(self.openings.keys().map(str::to_owned));
+            host.let_go(&used);
             self.map_work.describe(&self.documents, host);
         }
     }
@@ -212,7 +217,7 @@ impl App {
         let camera = &self.views.camera;
         let (documents, playback) = (&self.documents, &self.playback);
         self.frame_pictures.ask(host, documents, playback, camera);
-        let waiting = self.fly_work.again_at.is_some() && flies_now || self.dirty_since.is_some();
+        let waiting = self.fly_work.again_at.is_some() && flies_now || self.stored.is_waiting();
         if waiting {
             context.request_repaint_after(std::time::Duration::from_millis(60));
         }

@@ -1,13 +1,18 @@
 //! The first moments, and what is remembered of an earlier visit.
 
+use std::collections::BTreeSet;
+
 use super::App;
 use super::aside::Aside;
 use super::fly_work::FlyWork;
 use super::frame_pictures::FramePictureRequests;
 use super::height_work::HeightWork;
+use super::keeping::{do_without, used_files};
 use super::map_work::MapWork;
 use super::openings::Openings;
 use super::storage::Keeping;
+use super::stored::Stored;
+use crate::command::Workspace;
 use crate::documents::{
     Documents, OpenedTerrain, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
@@ -18,9 +23,6 @@ use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
 use crate::tokens::Tokens;
 use pilotage_jobs::{FirstMap, FirstSeconds};
-
-/// Delay between a change and its storing, milliseconds.
-const STORE_AFTER: f64 = 600.0;
 
 impl App {
     /// The app as it was left, or with the built-in demo.
@@ -78,10 +80,7 @@ impl App {
             aside,
             keeping: Keeping::default(),
             last_now: None,
-            document_changed: false,
-            stored_session: session.encode(),
-            stored_view: view.encode(),
-            dirty_since: None,
+            stored: Stored::new(&session, &view),
             view,
         };
         app.views.map.follow = true;
@@ -106,8 +105,7 @@ impl App {
         let aside = self.aside.take();
         if let Some(Aside::Taken) = aside {
             host.forget(UNREAD_KEY);
-            self.document_changed = true;
-            self.stored_session.clear();
+            self.stored.store_anew(None);
         }
         if let Some(Aside::Keep(bytes)) = aside {
             host.store(UNREAD_KEY, &bytes);
@@ -183,9 +181,24 @@ impl App {
         self.fly_session(egui, host);
     }
 
+    /// Gives the workers the files of the earlier visit, and goes on without those that are gone; the keys of these.
+    fn restore_files(&mut self, host: &mut dyn Host) -> BTreeSet<String> {
+        let documents = &mut self.documents;
+        let gone = self.keeping.restore(documents, &mut self.openings, host);
+        if gone.is_empty() {
+            return gone;
+        }
+        let planned = do_without(&gone, documents, &mut self.toasts, host);
+        if let Some(ground) = planned {
+            self.show_workspace(Workspace::Plan);
+            self.views.map.fit(ground);
+        }
+        gone
+    }
+
     /// Stores what was edited last without waiting for more edits: nothing is drawn any more.
     pub fn store_now(&mut self, context: &egui::Context, host: &mut dyn Host) {
-        self.dirty_since = Some(f64::NEG_INFINITY);
+        self.stored.hurry();
         self.remember(context, host);
     }
 
@@ -202,30 +215,18 @@ impl App {
             }
         }
         self.view.hidden_layers = self.views.map.layers.hidden_names();
-        let view = self.view.encode();
-        let view_changed = view != self.stored_view;
-        let session_changed = self.document_changed;
-        if !view_changed && !session_changed || !self.keeping.is_done() {
-            return;
-        }
-        let now = host.now();
-        let since = *self.dirty_since.get_or_insert(now);
-        let left = since + STORE_AFTER - now;
-        if left > 0.0 {
-            context.request_repaint_after(std::time::Duration::from_secs_f64(1e-3 * left));
-            return;
-        }
-        self.dirty_since = None;
-        self.document_changed = false;
-        if view_changed {
-            host.store(VIEW_KEY, &view);
-            self.stored_view = view;
-        }
-        let session = self.documents.session().encode();
-        if session != self.stored_session {
-            host.store(SESSION_KEY, &session);
-            self.stored_session = session;
+        let (documents, view) = (&self.documents, &self.view);
+        if self.keeping.is_done() && self.stored.tend(documents, view, context, host) {
             self.forget_unused_files();
+        }
+    }
+
+    /// Forgets files that neither the document nor a flight about to begin needs.
+    fn forget_unused_files(&mut self) {
+        if self.openings.keys().next().is_none() {
+            let features = &self.views.features;
+            let used = used_files(&self.documents, &self.fly_work, features);
+            self.keeping.forget_others(&used);
         }
     }
 }
