@@ -94,8 +94,7 @@ impl App {
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });
         let (mut scene, views) = self.scene(&tokens);
-        let owner = views.owner(scene.view.workspace);
-        let is_flight_hidden = owner.is_some_and(Feature::hides_flight);
+        let is_flight_hidden = views.hide_flight(scene.view.workspace);
         let filling = views.fills_window(scene.view.workspace);
         if let Some(index) = views.beside_map() {
             beside_map(ui, &mut scene, views, index, commands);
@@ -588,8 +587,7 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
     let tokens = scene.tokens;
     let beside = views.beside_map();
     let place = FeaturePlace::Workspace(scene.view.workspace);
-    let owner = views.owner(scene.view.workspace);
-    let is_flight_hidden = owner.is_some_and(Feature::hides_flight) && beside.is_none();
+    let is_flight_hidden = views.hide_flight(scene.view.workspace) && beside.is_none();
     egui::CentralPanel::default()
         .frame(Frame::new().fill(tokens.background))
         .show(ui, |ui| {

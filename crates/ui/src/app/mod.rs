@@ -2,6 +2,7 @@
 
 mod advice;
 mod aside;
+mod dialogs;
 mod execute;
 mod feature_work;
 mod fly_work;
@@ -23,35 +24,27 @@ mod views;
 use pilotage_jobs::{FlightSource, JobId, MapSource};
 
 use crate::command::{Command, Workspace};
-use crate::dialogs::SimulateDialog;
 use crate::documents::{Documents, ViewState};
 use crate::feature::{Feature, FeatureId};
 use crate::host::Host;
 use crate::shell::catalog::CommandEntry;
 use crate::shell::keys::ShortcutListener;
-use crate::shell::{Palette, Toasts, apply_theme, keep_slow_clicks};
+use crate::shell::{Toasts, apply_theme, keep_slow_clicks};
 use crate::timeline::Playback;
 use crate::tokens::Tokens;
 
+use dialogs::Dialogs;
 use fly_work::FlyWork;
 use frame_pictures::FramePictureRequests;
 use height_work::HeightWork;
 use keeping::used_files;
 use map_work::{MapParts, MapWork};
 use openings::Openings;
+use report::Report;
 use side_tab::{SideTab, is_sheet};
 use storage::{Keeping, TRY_AGAIN_AFTER};
 use stored::Stored;
 use views::Views;
-
-/// Open state of the dialogs.
-#[derive(Debug, Default)]
-struct Dialogs {
-    palette: Palette,
-    simulate: SimulateDialog,
-    help: bool,
-    settings: bool,
-}
 
 /// The app.
 pub struct App {
@@ -229,6 +222,31 @@ impl App {
         self.documents.repeat_laps(least_steps)
     }
 
+    fn report(&self) -> Report<'_> {
+        Report {
+            documents: &self.documents,
+            playback: &self.playback,
+            view: &self.view,
+            selection: self.selection,
+            side_tab: self.side_tab,
+            dialogs: &self.dialogs,
+            toasts: &self.toasts,
+            views: &self.views,
+            job: self.progress(),
+            input_waits: self.input_waits,
+        }
+    }
+
+    /// State of the screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
+    pub fn state_json(&self) -> String {
+        self.report().state_json()
+    }
+
+    /// Summary of the screen, in a sentence or three.
+    pub fn summary_text(&self) -> String {
+        self.report().summary_text()
+    }
+
     /// Opens a workspace.
     fn show_workspace(&mut self, workspace: Workspace) {
         self.view.workspace = workspace;
@@ -236,8 +254,7 @@ impl App {
 
     /// Whether the open workspace is about something else than the flight.
     fn is_flight_hidden(&self) -> bool {
-        let owner = self.views.owner(self.view.workspace);
-        owner.is_some_and(Feature::hides_flight)
+        self.views.hide_flight(self.view.workspace)
     }
 
     /// Feature whose panel is shown beside the flight, if one is.

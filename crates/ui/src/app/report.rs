@@ -6,9 +6,14 @@ use pilotage_core::imagery::terrain::Terrain as _;
 use pilotage_core::navigator::{RegistrationReport, Run, StepReport};
 use serde_json::{Value, json};
 
-use super::App;
+use super::dialogs::Dialogs;
+use super::side_tab::SideTab;
+use super::views::Views;
+use crate::command::Workspace;
 use crate::context::DrawnTimes;
-use crate::timeline::clock_text;
+use crate::documents::{Documents, ViewState};
+use crate::shell::Toasts;
+use crate::timeline::{Playback, clock_text};
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {
@@ -23,12 +28,36 @@ fn drawn_json(drawn: Option<DrawnTimes>) -> Value {
     )
 }
 
-impl App {
+/// Parts of the app of which its state tells.
+pub struct Report<'a> {
+    /// Documents that are open.
+    pub documents: &'a Documents,
+    /// Time cursor.
+    pub playback: &'a Playback,
+    /// View state that is remembered between visits.
+    pub view: &'a ViewState,
+    /// Selected landmark.
+    pub selection: Option<u32>,
+    /// Tab that is open.
+    pub side_tab: SideTab,
+    /// Open state of the dialogs.
+    pub dialogs: &'a Dialogs,
+    /// Notices.
+    pub toasts: &'a Toasts,
+    /// Views and features.
+    pub views: &'a Views,
+    /// Progress of the computation under way, 0 to 1, and its words.
+    pub job: Option<(f32, &'a str)>,
+    /// Whether keys and clicks wait for the next frame.
+    pub input_waits: bool,
+}
+
+impl Report<'_> {
     /// State of the screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
     pub fn state_json(&self) -> String {
         let mut all = self.documents_json();
         let features = self.views.features.iter();
-        let features = features.map(|it| (it.info().id.to_owned(), it.state(&self.documents)));
+        let features = features.map(|it| (it.info().id.to_owned(), it.state(self.documents)));
         let features = Value::Object(features.collect());
         for part in [self.run_json(), self.view_json(), features] {
             if let (Value::Object(all), Value::Object(part)) = (&mut all, part) {
@@ -39,7 +68,7 @@ impl App {
     }
 
     fn documents_json(&self) -> Value {
-        let documents = &self.documents;
+        let documents = self.documents;
         let landmarks: Vec<Value> = documents
             .mission
             .landmarks
@@ -105,7 +134,7 @@ impl App {
     }
 
     fn run_json(&self) -> Value {
-        let documents = &self.documents;
+        let documents = self.documents;
         let run = documents.run.as_ref();
         let step = run.and_then(|r| r.step_at(self.playback.time));
         let frames = || {
@@ -113,9 +142,8 @@ impl App {
                 .flat_map(|r| &r.steps)
                 .filter_map(|s| s.frame.as_ref())
         };
-        let job = self.progress();
         object!({
-            "job": job.map(|(f, w)| object!({"progress": f, "words": w})),
+            "job": self.job.map(|(f, w)| object!({"progress": f, "words": w})),
             "run_steps": run.map_or(0, |r| r.steps.len()),
             "run_complete": documents.run_complete,
             "run_generation": documents.run_generation,
@@ -141,6 +169,7 @@ impl App {
             .map(|t| object!({"title": t.title, "text": t.text, "trouble": t.trouble}))
             .collect();
         let map = &self.views.map;
+        let is_learning = self.view.workspace == Workspace::Learn;
         object!({
             "time": self.playback.time,
             "span": self.documents.span().map(|(a, b)| [a, b]),
@@ -149,8 +178,8 @@ impl App {
             "speed": self.playback.speed,
             "loop": self.playback.looping,
             "workspace": self.view.workspace.label(),
-            "tour_stop": self.learning().then(|| self.views.tour.number()),
-            "tour_title": self.learning().then(|| self.views.tour.title()),
+            "tour_stop": is_learning.then(|| self.views.tour.number()),
+            "tour_title": is_learning.then(|| self.views.tour.title()),
             "side_tab": self.side_tab.name(),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
@@ -189,7 +218,7 @@ impl App {
 
     /// Times of what views and panels drew last.
     fn drawn_json(&self) -> Value {
-        let views = &self.views;
+        let views = self.views;
         let own = [
             ("map", views.map.drawn()),
             ("camera", views.camera.drawn()),
@@ -205,17 +234,17 @@ impl App {
 
     /// Summary of the screen, in a sentence or three.
     pub fn summary_text(&self) -> String {
-        let documents = &self.documents;
+        let documents = self.documents;
         let workspace = self.view.workspace.label();
         let mut parts = vec![format!("{workspace} workspace. {}.", documents.title())];
-        if let Some((fraction, words)) = self.progress() {
+        if let Some((fraction, words)) = self.job {
             let percent = 100.0 * fraction;
             parts.push(format!("Computing, {percent:.0} percent: {words}."));
         }
         let owner = self.views.owner(self.view.workspace);
         parts.extend(owner.and_then(|it| it.summary(documents, self.view.units)));
         match (&documents.run, documents.span()) {
-            _ if self.is_flight_hidden() => {}
+            _ if self.views.hide_flight(self.view.workspace) => {}
             (Some(run), Some(span)) => parts.push(self.run_text(run, span)),
             _ => parts.push("No run yet.".to_owned()),
         }

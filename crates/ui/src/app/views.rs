@@ -1,6 +1,6 @@
 //! Views and features, and which of them has what part of the window.
 
-use super::SideTab;
+use super::side_tab::SideTab;
 use crate::command::Workspace;
 use crate::feature::{Feature, FeaturePlace};
 use crate::map::MapView;
@@ -27,6 +27,11 @@ impl Views {
         let mut features = self.features.iter();
         let owner = features.find(|it| it.info().place == FeaturePlace::Workspace(workspace));
         owner.map(AsRef::as_ref)
+    }
+
+    /// Whether a workspace is about something else than the flight.
+    pub(super) fn hide_flight(&self, workspace: Workspace) -> bool {
+        self.owner(workspace).is_some_and(Feature::hides_flight)
     }
 
     /// Tab that is shown where nothing else was chosen.
