@@ -16,7 +16,7 @@ mod matching;
 pub(crate) mod parts;
 pub(crate) mod picking;
 #[cfg(test)]
-mod pictures;
+pub(crate) mod pictures;
 mod plots;
 pub(crate) mod sights;
 pub(crate) mod table;

@@ -16,7 +16,7 @@ use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::{Overrides, Scenario};
 
 use super::fixture::{Fixture, match_pictures};
-use super::{CameraView, InspectorView, MatchView, PlotsView, Tour, canvas, picking};
+use super::{CameraView, InspectorView, MatchView, PlotsView, canvas, picking};
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -28,7 +28,7 @@ type FramePicture = dyn Fn(usize) -> Option<Arc<[u8]>>;
 type ExplainMatch = dyn Fn(&StepReport, u32) -> Option<MatchPictures>;
 
 /// Documents that the views are drawn over.
-struct ViewDocuments {
+pub(crate) struct ViewDocuments {
     mission: Mission,
     flight: Flight,
     run: Run,
@@ -39,7 +39,7 @@ struct ViewDocuments {
 
 impl ViewDocuments {
     /// The synthetic flight.
-    fn synthetic() -> Self {
+    pub(crate) fn synthetic() -> Self {
         let fixture = Fixture::new();
         let mut ghost = fixture.run.clone();
         for step in &mut ghost.steps {
@@ -57,7 +57,7 @@ impl ViewDocuments {
     }
 
     /// A built-in scenario through the navigator itself.
-    fn flown(name: &str) -> Self {
+    pub(crate) fn flown(name: &str) -> Self {
         let scenario = Scenario::named(name).expect("the scenario is built in");
         let simulated = scenario.simulate(1, &Overrides::default());
         let mission = scenario.mission();
@@ -125,7 +125,7 @@ impl ViewDocuments {
     }
 
     /// Draws one view at `time` and writes it as PNG.
-    fn write(
+    pub(crate) fn write(
         &self,
         name: &str,
         size: [f32; 2],
@@ -236,15 +236,6 @@ impl ViewDocuments {
             None,
             InspectorView::show,
         );
-        for stop in 0..Tour::default().stops() {
-            let mut tour = Tour::default();
-            tour.go_to(stop);
-            let name = format!("{name}-tour-{:02}", stop + 1);
-            let size = [352.0, 440.0];
-            self.write(&name, size, &Tokens::dark(), time, None, |ui, context| {
-                tour.show(ui, context);
-            });
-        }
     }
 }
 

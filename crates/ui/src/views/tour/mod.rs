@@ -8,6 +8,8 @@ mod gap;
 mod lesson;
 mod lessons;
 mod moment;
+#[cfg(test)]
+mod pictures;
 mod sigma_points;
 mod trial;
 mod unscented;
