@@ -19,6 +19,7 @@ pub mod georeference;
 pub mod host;
 pub mod kept_mesh;
 pub mod labelling;
+pub mod learn;
 pub mod link;
 pub mod log;
 pub mod map;

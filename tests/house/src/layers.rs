@@ -139,6 +139,7 @@ const UI: Order = Order {
         "georeference",
         "labelling",
         "matches",
+        "learn",
         "detector",
         "photos",
         "camera_log",

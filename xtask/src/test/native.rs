@@ -80,7 +80,7 @@ impl Packages {
 
 /// Files of lessons, whose modules a macro declares, so that `cargo fmt` does not find them.
 fn lessons() -> Result<Vec<PathBuf>, Failure> {
-    let folder = root().join("crates/ui/src/views/tour/lessons");
+    let folder = root().join("crates/ui/src/learn/lessons");
     let files = fs::read_dir(&folder).map_err(Failure::file(&folder))?;
     Ok(files.flatten().map(|file| file.path()).collect())
 }

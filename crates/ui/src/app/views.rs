@@ -3,9 +3,10 @@
 use super::side_tab::SideTab;
 use crate::command::Workspace;
 use crate::feature::{Feature, FeaturePlace};
+use crate::learn::Tour;
 use crate::map::MapView;
 use crate::timeline::Timeline;
-use crate::views::{CameraView, InspectorView, LandmarkList, PlotsView, Tour};
+use crate::views::{CameraView, InspectorView, LandmarkList, PlotsView};
 
 /// The views that show the run at the time cursor.
 #[derive(Default)]

@@ -10,7 +10,7 @@ pub(crate) mod ellipse;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod heat_image;
-mod inspector;
+pub(crate) mod inspector;
 mod landmark_list;
 mod matching;
 pub(crate) mod parts;
@@ -21,7 +21,6 @@ mod plots;
 pub(crate) mod sights;
 pub(crate) mod table;
 mod time_axis;
-mod tour;
 
 pub use camera::CameraView;
 pub use inspector::InspectorView;
@@ -32,4 +31,3 @@ pub use plots::PlotsView;
 pub(crate) use plots::draw::{TimeCurve, line as curve_line, polylines as curve_points};
 pub(crate) use plots::pyramid::ExtentPyramid;
 pub(crate) use time_axis::TimeAxis;
-pub use tour::Tour;

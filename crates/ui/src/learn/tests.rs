@@ -1,7 +1,10 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
-use super::*;
+use super::tour::Tour;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::tokens::Tokens;
 use crate::units::Units;
 use crate::views::fixture::Fixture;
 

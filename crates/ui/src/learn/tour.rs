@@ -1,29 +1,16 @@
-//! Learn: a guided tour over the run on screen, with a telling moment at every stop.
-
-mod candidates;
-mod ellipse_outline;
-mod figure;
-mod found;
-mod gap;
-mod lesson;
-mod lessons;
-mod moment;
-#[cfg(test)]
-mod pictures;
-mod sigma_points;
-mod trial;
-mod unscented;
+//! The guided tour over the run on screen, with a telling moment at every stop.
 
 use std::cmp::Ordering;
 
 use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 
+use super::lesson::Lesson;
+use super::moment::TourMoment;
+use super::{figure, lessons};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
 use crate::views::parts;
-use lesson::Lesson;
-use moment::TourMoment;
 
 /// The tour's own state: at which stop it is.
 pub struct Tour {
@@ -305,6 +292,3 @@ fn dot(ui: &mut Ui, tokens: &Tokens, name: &str, title: &str, order: Ordering) -
     ui.painter().circle_filled(rect.center(), radius, color);
     response.on_hover_text(title)
 }
-
-#[cfg(test)]
-mod tests;

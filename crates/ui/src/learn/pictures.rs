@@ -1,8 +1,8 @@
 //! Pictures of the stops over two flights, for people to look at.
 //!
-//! `PILOTAGE_PICTURES=folder cargo test -p pilotage-ui tour::pictures` writes them.
+//! `PILOTAGE_PICTURES=folder cargo test -p pilotage-ui learn::pictures` writes them.
 
-use super::Tour;
+use super::tour::Tour;
 use crate::tokens::Tokens;
 use crate::views::canvas;
 use crate::views::pictures::ViewDocuments;
