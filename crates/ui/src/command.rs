@@ -99,8 +99,6 @@ pub enum Command {
     ToggleTheme,
     /// Metric or aviation units.
     ToggleUnits,
-    /// Start the guided tour, or leave it.
-    ToggleTour,
     /// Go back to the built-in demo.
     OpenDemo,
     /// Show a workspace.

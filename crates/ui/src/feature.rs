@@ -578,4 +578,21 @@ pub trait Feature {
     fn takes_letters(&self) -> bool {
         false
     }
+
+    /// Whether the camera picture stays in the column of its workspace, below its panel, where the window is wide.
+    fn keeps_picture(&self) -> bool {
+        false
+    }
+
+    /// Draws a line of advice over the map of the flight, which takes `rect` of the screen, unless the workspace is a
+    /// feature's own; the part that it covers.
+    fn advice(
+        &self,
+        _ui: &mut Ui,
+        _rect: Rect,
+        _context: &mut ViewContext<'_>,
+        _documents: &Documents,
+    ) -> Option<Rect> {
+        None
+    }
 }

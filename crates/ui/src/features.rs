@@ -8,6 +8,7 @@ use crate::exports::ExportsFeature;
 use crate::feature::Feature;
 use crate::georeference::GeoreferencerFeature;
 use crate::labelling::Labelling;
+use crate::learn::LearnFeature;
 use crate::link::LinkFeature;
 use crate::log::LogFeature;
 use crate::matches::MatchFeature;
@@ -32,6 +33,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         // Before the plan, which fits the map to itself unless the map lies somewhere.
         Box::new(LinkFeature::default()),
         Box::<Planner>::default(),
+        Box::new(LearnFeature::default()),
         Box::new(LogFeature::default()),
         Box::new(Compare::default()),
         Box::new(Outages::default()),

@@ -2,7 +2,7 @@
 
 use super::fly_work::FlyJob;
 use super::{App, SideTab};
-use crate::command::{Command, Workspace};
+use crate::command::Command;
 use crate::context::frame_after;
 use crate::documents::Session;
 use crate::host::Host;
@@ -253,13 +253,6 @@ impl App {
                 self.view.units = match self.view.units {
                     Units::Metric => Units::Aviation,
                     Units::Aviation => Units::Metric,
-                };
-            }
-            Command::ToggleTour => {
-                self.view.workspace = if self.learning() {
-                    Workspace::Replay
-                } else {
-                    Workspace::Learn
                 };
             }
             Command::ShowWorkspace(workspace) => self.show_workspace(*workspace),

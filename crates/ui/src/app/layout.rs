@@ -4,9 +4,8 @@ use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
 use pilotage_core::frames::LocalFrame;
 
-use super::advice::advice;
 use super::{App, SideTab, Views, is_sheet};
-use crate::command::{Command, Workspace};
+use crate::command::Command;
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
@@ -123,7 +122,7 @@ impl App {
         if plots_open && !narrow && !is_flight_hidden {
             plots(ui, &mut scene, views, commands);
         }
-        map(ui, &mut scene, views, commands);
+        map(ui, &scene, views, commands);
         self.overlays(ui, &tokens, now, commands, narrow);
     }
 
@@ -331,36 +330,32 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                 inner.show(ui, |ui| settings(ui, scene, commands));
                 return;
             }
-            match scene.view.workspace {
-                Workspace::Replay if is_sheet(*scene.side_tab, &views.features) => {
-                    inner.show(ui, |ui| sheet(ui, scene, views, commands));
-                }
-                Workspace::Replay => {
-                    let has_log = scene.documents.log.is_some();
-                    if !has_log || scene.has_frames() {
-                        camera(ui, scene, views, commands);
-                    }
+            let owner = views.owner(scene.view.workspace);
+            if owner.is_some_and(Feature::keeps_picture) {
+                let picture = picture_size(ui.available_size(), scene).y;
+                let height = (ui.available_height() - picture).max(320.0);
+                let size = vec2(ui.available_width(), height);
+                ui.allocate_ui(size, |ui| {
                     inner.show(ui, |ui| {
-                        let rest = [SideTab::Filter, SideTab::Landmarks];
-                        let tabs = with_features([&[], &rest], views);
-                        tabbed(ui, scene, views, commands, &tabs);
+                        ui.set_min_height(height - 16.0);
+                        workspace(ui, scene, views, commands);
                     });
-                }
-                Workspace::Plan => {
-                    inner.show(ui, |ui| workspace(ui, scene, views, commands));
-                }
-                Workspace::Learn => {
-                    let picture = picture_size(ui.available_size(), scene).y;
-                    let height = (ui.available_height() - picture).max(320.0);
-                    let size = vec2(ui.available_width(), height);
-                    ui.allocate_ui(size, |ui| {
-                        inner.show(ui, |ui| {
-                            ui.set_min_height(height - 16.0);
-                            tour(ui, scene, views, commands);
-                        });
-                    });
+                });
+                camera(ui, scene, views, commands);
+            } else if owner.is_some() {
+                inner.show(ui, |ui| workspace(ui, scene, views, commands));
+            } else if is_sheet(*scene.side_tab, &views.features) {
+                inner.show(ui, |ui| sheet(ui, scene, views, commands));
+            } else {
+                let has_log = scene.documents.log.is_some();
+                if !has_log || scene.has_frames() {
                     camera(ui, scene, views, commands);
                 }
+                inner.show(ui, |ui| {
+                    let rest = [SideTab::Filter, SideTab::Landmarks];
+                    let tabs = with_features([&[], &rest], views);
+                    tabbed(ui, scene, views, commands, &tabs);
+                });
             }
             ui.take_available_space();
         });
@@ -381,20 +376,15 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
         .show(ui, |ui| {
             if *scene.settings {
                 settings(ui, scene, commands);
+            } else if views.owner(scene.view.workspace).is_some() {
+                workspace(ui, scene, views, commands);
+            } else if is_sheet(*scene.side_tab, &views.features) {
+                sheet(ui, scene, views, commands);
             } else {
-                match scene.view.workspace {
-                    Workspace::Learn => tour(ui, scene, views, commands),
-                    Workspace::Plan => workspace(ui, scene, views, commands),
-                    Workspace::Replay if is_sheet(*scene.side_tab, &views.features) => {
-                        sheet(ui, scene, views, commands);
-                    }
-                    Workspace::Replay => {
-                        let front = [SideTab::Camera];
-                        let rest = [SideTab::Filter, SideTab::Plots, SideTab::Landmarks];
-                        let tabs = with_features([&front, &rest], views);
-                        tabbed(ui, scene, views, commands, &tabs);
-                    }
-                }
+                let front = [SideTab::Camera];
+                let rest = [SideTab::Filter, SideTab::Plots, SideTab::Landmarks];
+                let tabs = with_features([&front, &rest], views);
+                tabbed(ui, scene, views, commands, &tabs);
             }
             ui.take_available_space();
         });
@@ -416,16 +406,18 @@ fn picture_size(room: egui::Vec2, scene: &Scene<'_>) -> egui::Vec2 {
     vec2(room.x, (room.x * aspect).min(0.5 * room.y.max(120.0)))
 }
 
+/// The camera picture of the flight; in a workspace of a feature, it takes what is left of the column.
 fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let is_owned = views.owner(scene.view.workspace).is_some();
     let mut size = picture_size(ui.available_size(), scene);
-    if scene.view.workspace == Workspace::Learn {
+    if is_owned {
         size.y = ui.available_height();
     }
     let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect).id_salt("camera"));
     inside.set_clip_rect(rect.intersect(ui.clip_rect()));
     scene.with_context(commands, |context| views.camera.show(&mut inside, context));
-    if scene.view.workspace == Workspace::Replay && scene.documents.flight.is_some() {
+    if !is_owned && scene.documents.flight.is_some() {
         let buttons = views.features.iter().filter_map(|it| it.picture_button());
         picture_buttons(ui, scene.tokens, rect, buttons, commands);
     }
@@ -579,11 +571,7 @@ fn landmarks(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut V
         });
 }
 
-fn tour(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
-    scene.with_context(commands, |context| views.tour.show(ui, context));
-}
-
-fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let tokens = scene.tokens;
     let beside = views.beside_map();
     let place = FeaturePlace::Workspace(scene.view.workspace);
@@ -632,16 +620,17 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                     map.cover(part);
                 }
             }
-            if is_flight_hidden {
+            let is_owned = features.iter().any(|it| it.info().place == place);
+            if is_owned || features.iter().any(|it| it.needs_no_advice()) {
                 return;
             }
-            if features.iter().any(|it| it.needs_no_advice()) {
-                return;
-            }
-            let (documents, words) = (scene.documents, scene.job_words.as_deref());
-            let covered = advice(ui, rect, tokens, documents, words, scene.view, commands);
-            if let Some(covered) = covered {
-                map.cover(covered);
+            for feature in features.iter() {
+                let covered = scene.with_context(commands, |context| {
+                    feature.advice(ui, rect, context, scene.documents)
+                });
+                if let Some(covered) = covered {
+                    map.cover(covered);
+                }
             }
         });
 }

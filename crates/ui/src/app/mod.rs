@@ -1,6 +1,5 @@
 //! The app: one object that the shell draws every frame.
 
-mod advice;
 mod aside;
 mod dialogs;
 mod execute;
@@ -271,11 +270,6 @@ impl App {
     fn is_flight_aside(&self) -> bool {
         self.shown_feature()
             .is_some_and(Feature::leaves_flight_aside)
-    }
-
-    /// Whether the guided tour is on.
-    fn learning(&self) -> bool {
-        self.view.workspace == Workspace::Learn
     }
 
     fn restyle(&mut self, context: &egui::Context) {

@@ -9,7 +9,6 @@ use serde_json::{Value, json};
 use super::dialogs::Dialogs;
 use super::side_tab::SideTab;
 use super::views::Views;
-use crate::command::Workspace;
 use crate::context::DrawnTimes;
 use crate::documents::{Documents, ViewState};
 use crate::shell::Toasts;
@@ -169,7 +168,6 @@ impl Report<'_> {
             .map(|t| object!({"title": t.title, "text": t.text, "trouble": t.trouble}))
             .collect();
         let map = &self.views.map;
-        let is_learning = self.view.workspace == Workspace::Learn;
         object!({
             "time": self.playback.time,
             "span": self.documents.span().map(|(a, b)| [a, b]),
@@ -178,8 +176,6 @@ impl Report<'_> {
             "speed": self.playback.speed,
             "loop": self.playback.looping,
             "workspace": self.view.workspace.label(),
-            "tour_stop": is_learning.then(|| self.views.tour.number()),
-            "tour_title": is_learning.then(|| self.views.tour.title()),
             "side_tab": self.side_tab.name(),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),

@@ -3,7 +3,6 @@
 use super::side_tab::SideTab;
 use crate::command::Workspace;
 use crate::feature::{Feature, FeaturePlace};
-use crate::learn::Tour;
 use crate::map::MapView;
 use crate::timeline::Timeline;
 use crate::views::{CameraView, InspectorView, LandmarkList, PlotsView};
@@ -16,7 +15,6 @@ pub(super) struct Views {
     pub(super) camera: CameraView,
     pub(super) plots: PlotsView,
     pub(super) inspector: InspectorView,
-    pub(super) tour: Tour,
     pub(super) landmarks: LandmarkList,
     /// Features, in the order of their tabs.
     pub(super) features: Vec<Box<dyn Feature>>,

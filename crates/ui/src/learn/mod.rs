@@ -1,7 +1,10 @@
 //! Learn: a guided tour over the run on screen, with a telling moment at every stop.
 
+mod advice;
 mod candidates;
+mod command;
 mod ellipse_outline;
+mod feature;
 mod figure;
 mod found;
 mod gap;
@@ -17,4 +20,4 @@ mod tour;
 mod trial;
 mod unscented;
 
-pub use tour::Tour;
+pub use feature::LearnFeature;

@@ -1,6 +1,7 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
+use super::command::LearnCommand;
 use super::tour::Tour;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -75,7 +76,8 @@ fn next_leads_through_all_stops_each_seeking_to_its_own_moment() {
         harness.get_by_label(button).click();
     }
     harness.run();
-    assert!(harness.state().commands.contains(&Command::ToggleTour));
+    let leave = Command::from(LearnCommand::Toggle);
+    assert!(harness.state().commands.contains(&leave));
 }
 
 #[test]

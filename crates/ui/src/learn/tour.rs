@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 
+use super::command::LearnCommand;
 use super::lesson::Lesson;
 use super::moment::TourMoment;
 use super::{figure, lessons};
@@ -13,7 +14,7 @@ use crate::tokens::Tokens;
 use crate::views::parts;
 
 /// The tour's own state: at which stop it is.
-pub struct Tour {
+pub(super) struct Tour {
     /// The stops.
     lessons: Vec<Box<dyn Lesson>>,
     number: usize,
@@ -252,7 +253,7 @@ impl Tour {
                     .size(tokens.text_sizes[0])
                     .color(tokens.muted);
                 if ui.add(egui::Button::new(text).frame(false)).clicked() {
-                    context.commands.push(Command::ToggleTour);
+                    context.commands.push(LearnCommand::Toggle.into());
                 }
             });
         });
@@ -262,7 +263,7 @@ impl Tour {
         if next {
             if self.number + 1 == self.stops() {
                 self.go_to(0);
-                context.commands.push(Command::ToggleTour);
+                context.commands.push(LearnCommand::Toggle.into());
             } else {
                 self.go_to(self.number + 1);
             }

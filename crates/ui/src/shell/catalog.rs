@@ -155,7 +155,6 @@ fn view() -> Vec<CommandEntry> {
             vec![shift(Key::P)],
             Command::ShowWorkspace(Workspace::Plan),
         ),
-        of("Show Learn: the guided tour", vec![], Command::ToggleTour),
         of("Dark or light", vec![], Command::ToggleTheme),
         of(
             "Metric or aviation units",

@@ -41,6 +41,7 @@ mod select_span;
 mod settings;
 mod simulate;
 mod tables;
+mod tour;
 mod typing;
 mod undo;
 mod web_map;

@@ -1,25 +1,21 @@
 //! Line of advice over the map.
 
-use egui::{Frame, Margin, Stroke, Ui, vec2};
+use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, vec2};
 
-use crate::command::{Command, Workspace};
-use crate::documents::{Documents, ViewState};
-use crate::shell::{icon_button, icons::Icon};
-use crate::tokens::Tokens;
+use super::command::{ID, LearnCommand};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature_command::FeatureCommand;
+use crate::shell::{icon_button, icons::Icon, text_button};
 
 /// Draws a line on what is seen and what to try first; returns the part of the screen that it covers.
 pub(super) fn advice(
     ui: &mut Ui,
-    rect: egui::Rect,
-    tokens: &Tokens,
+    rect: Rect,
+    context: &mut ViewContext<'_>,
     documents: &Documents,
-    job_words: Option<&str>,
-    view: &mut ViewState,
-    commands: &mut Vec<Command>,
-) -> Option<egui::Rect> {
-    if view.advice_dismissed || view.workspace == Workspace::Learn {
-        return None;
-    }
+) -> Option<Rect> {
     if documents.log.is_some() {
         return None;
     }
@@ -27,15 +23,16 @@ pub(super) fn advice(
         "This aircraft finds its way without GPS. The dots show where it might be: they spread until the camera \
          recognises a landmark, then draw together. Drag the time below, or press N and draw a landmark of your own."
             .to_owned()
-    } else if let Some(words) = job_words {
+    } else if let Some(words) = context.flying {
         format!("Preparing the demo flight: {words}")
     } else {
         "Nothing is flown yet. Simulate a flight, or drop a flight folder and a map here."
             .to_owned()
     };
+    let tokens = context.tokens;
     let width = (rect.width() - 96.0).min(720.0);
-    let at = egui::Rect::from_min_size(rect.left_top() + vec2(16.0, 68.0), vec2(width, 64.0));
-    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(at).id_salt("advice"));
+    let at = Rect::from_min_size(rect.left_top() + vec2(16.0, 68.0), vec2(width, 64.0));
+    let mut inside = ui.new_child(UiBuilder::new().max_rect(at).id_salt("advice"));
     let card = Frame::new()
         .fill(tokens.over_map())
         .stroke(Stroke::new(1.0, tokens.line))
@@ -48,11 +45,12 @@ pub(super) fn advice(
                     ui.set_max_width(room);
                     ui.add(egui::Label::new(egui::RichText::new(text).color(tokens.text)).wrap());
                 });
-                if crate::shell::text_button(ui, tokens, None, "Take the tour", false).clicked() {
-                    commands.push(Command::ShowWorkspace(Workspace::Learn));
+                if text_button(ui, tokens, None, "Take the tour", false).clicked() {
+                    let tour = FeatureCommand::show(ID);
+                    context.commands.push(Command::Feature(tour));
                 }
                 if icon_button(ui, tokens, Icon::Close, "Dismiss the advice").clicked() {
-                    view.advice_dismissed = true;
+                    context.commands.push(LearnCommand::DismissAdvice.into());
                 }
             });
         });

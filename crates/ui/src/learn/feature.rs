@@ -1,0 +1,104 @@
+//! The tour as a feature, with the line of advice that leads to it.
+
+use egui::{Rect, Ui};
+use serde_json::Value;
+
+use super::advice::advice;
+use super::command::{ID, LearnCommand};
+use super::tour::Tour;
+use crate::command::Workspace;
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::shell::catalog::{CommandEntry, CommandGroup, entry};
+use crate::state_json::object;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "Learn",
+    place: FeaturePlace::Workspace(Workspace::Learn),
+    commands,
+};
+
+fn commands() -> Vec<CommandEntry> {
+    vec![entry(
+        CommandGroup::View,
+        "Show Learn: the guided tour",
+        vec![],
+        LearnCommand::Toggle.into(),
+    )]
+}
+
+/// The tour, and the line of advice that leads to it.
+#[derive(Default)]
+pub struct LearnFeature {
+    tour: Tour,
+    /// Whether the tour is on.
+    is_on: bool,
+    /// Whether people want no advice.
+    is_advice_dismissed: bool,
+}
+
+impl LearnFeature {
+    /// Takes note of what the view remembers.
+    fn look(&mut self, context: &FeatureContext<'_>) {
+        self.is_on = context.is_shown;
+        self.is_advice_dismissed = context.view.advice_dismissed;
+    }
+}
+
+impl Feature for LearnFeature {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        match command.action::<LearnCommand>() {
+            Some(LearnCommand::Toggle) if context.is_shown => {
+                context.view.workspace = Workspace::Replay;
+            }
+            Some(LearnCommand::Toggle) => context.show(),
+            Some(LearnCommand::DismissAdvice) => context.view.advice_dismissed = true,
+            None => return false,
+        }
+        true
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, _documents: &Documents) {
+        self.tour.show(ui, context);
+    }
+
+    fn keeps_picture(&self) -> bool {
+        true
+    }
+
+    fn advice(
+        &self,
+        ui: &mut Ui,
+        rect: Rect,
+        context: &mut ViewContext<'_>,
+        documents: &Documents,
+    ) -> Option<Rect> {
+        if self.is_advice_dismissed {
+            return None;
+        }
+        advice(ui, rect, context, documents)
+    }
+
+    fn start(&mut self, context: &mut FeatureContext<'_>) {
+        self.look(context);
+    }
+
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        self.look(context);
+    }
+
+    /// The stop's number, from 0, and its title, while the tour is on.
+    fn state(&self, _documents: &Documents) -> Value {
+        if !self.is_on {
+            return Value::Null;
+        }
+        object!({"stop": self.tour.number(), "title": self.tour.title()})
+    }
+}
