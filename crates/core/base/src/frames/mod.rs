@@ -11,6 +11,7 @@ mod ground;
 mod local;
 mod other_system;
 mod reference_system;
+mod survey;
 mod transverse_mercator;
 pub mod units;
 
