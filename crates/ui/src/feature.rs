@@ -15,7 +15,7 @@ use crate::documents::kept::provide;
 use crate::documents::{Documents, Session, ViewState};
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
 use crate::host::{Host, OpenedFile};
-use crate::map::{MapLayer, MapTool, MapView};
+use crate::map::{MapButton, MapLayer, MapTool, MapView};
 use crate::shell::Toasts;
 use crate::shell::catalog::CommandEntry;
 use crate::shell::icons::Icon;
@@ -43,7 +43,7 @@ pub enum FeaturePlace {
     BesideMap,
     /// A dialog over everything, which it draws itself while that is open.
     Dialog,
-    /// No place: it has no panel.
+    /// No place: it has no panel, nor layers; its tool has the map of any workspace before that of the workspace.
     Nowhere,
 }
 
@@ -427,7 +427,7 @@ pub trait Feature {
         false
     }
 
-    /// Tool that has the map now; of the owner of a workspace, while that is open.
+    /// Tool that has the map now; of the owner of a workspace, while that is open, or of a feature without a place.
     fn tool(&mut self) -> Option<&mut dyn MapTool> {
         None
     }
@@ -440,8 +440,9 @@ pub trait Feature {
     /// Draws its panel below the map: in a workspace that hides the flight, or where it has plots of that.
     fn plots(&mut self, _ui: &mut Ui, _context: &mut ViewContext<'_>, _documents: &Documents) {}
 
-    /// Draws over the map of its workspace, which takes `rect` of the screen; the parts that it covers.
-    fn over_map(&self, _ui: &Ui, _rect: Rect, _context: &ViewContext<'_>) -> Vec<Rect> {
+    /// Draws over the map of its workspace, or of any if it has no place, which takes `rect` of the screen; the parts
+    /// that it covers.
+    fn over_map(&self, _ui: &mut Ui, _rect: Rect, _context: &mut ViewContext<'_>) -> Vec<Rect> {
         Vec::new()
     }
 
@@ -564,7 +565,7 @@ pub trait Feature {
         false
     }
 
-    /// Whether a dialog of it lies over everything, which Escape closes.
+    /// Whether a dialog of it lies over everything, or a tool of it has the map, which Escape closes.
     fn is_open_over(&self) -> bool {
         false
     }
@@ -593,6 +594,11 @@ pub trait Feature {
         _context: &mut ViewContext<'_>,
         _documents: &Documents,
     ) -> Option<Rect> {
+        None
+    }
+
+    /// Its button among the controls of the map.
+    fn map_button(&self) -> Option<MapButton> {
         None
     }
 }

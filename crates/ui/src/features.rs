@@ -12,6 +12,7 @@ use crate::learn::LearnFeature;
 use crate::link::LinkFeature;
 use crate::log::LogFeature;
 use crate::matches::MatchFeature;
+use crate::measure::Measure;
 use crate::outage::Outages;
 use crate::photos::PhotosFeature;
 use crate::plan::Planner;
@@ -40,6 +41,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(CameraLogFeature::default()),
         Box::new(WebMapFeature::default()),
         Box::new(ColumnsFeature::default()),
+        Box::<Measure>::default(),
     ]
 }
 

@@ -24,6 +24,7 @@ pub mod link;
 pub mod log;
 pub mod map;
 pub mod matches;
+pub mod measure;
 pub mod outage;
 pub mod photos;
 pub mod plan;

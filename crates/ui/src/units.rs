@@ -37,6 +37,35 @@ impl Units {
         }
         (format!("{:.1}", metres * factor), unit)
     }
+
+    /// A distance of metres over the ground with its unit: metres or kilometres, feet or nautical miles.
+    pub fn way(self, metres: f64) -> String {
+        match self {
+            Self::Metric if metres < 999.95 => format!("{metres:.1} m"),
+            Self::Metric => format!("{:.3} km", 1e-3 * metres),
+            Self::Aviation if metres < 1851.9 => format!("{:.0} ft", metres / 0.3048),
+            Self::Aviation => format!("{:.3} NM", metres / 1852.0),
+        }
+    }
+
+    /// An area of square metres with its unit: square metres, hectares or square kilometres, square feet, acres or
+    /// square nautical miles.
+    pub fn area(self, square_metres: f64) -> String {
+        /// An international acre, square metres.
+        const ACRE: f64 = 4_046.856_422_4;
+        match self {
+            Self::Metric if square_metres < 9_999.5 => format!("{square_metres:.0} m²"),
+            Self::Metric if square_metres < 999_995.0 => format!("{:.3} ha", 1e-4 * square_metres),
+            Self::Metric => format!("{:.3} km²", 1e-6 * square_metres),
+            Self::Aviation if square_metres < 0.9999 * ACRE => {
+                format!("{:.0} ft²", square_metres / (0.3048 * 0.3048))
+            }
+            Self::Aviation if square_metres < 1852.0 * 1852.0 => {
+                format!("{:.2} acres", square_metres / ACRE)
+            }
+            Self::Aviation => format!("{:.3} NM²", square_metres / (1852.0 * 1852.0)),
+        }
+    }
 }
 
 /// Minutes and seconds since `first`: `4:07.3`.
@@ -60,6 +89,20 @@ mod tests {
             Units::Aviation.short_distance(0.043),
             ("0.1".to_owned(), "ft")
         );
+    }
+
+    #[test]
+    fn ways_and_areas_have_the_unit_that_suits_their_size() {
+        let [metric, aviation] = [Units::Metric, Units::Aviation];
+        let ways = [999.94, 999.96, 12_345.6].map(|metres| metric.way(metres));
+        assert_eq!(ways, ["999.9 m", "1.000 km", "12.346 km"]);
+        let ways = [30.48, 1851.0, 18_520.0].map(|metres| aviation.way(metres));
+        assert_eq!(ways, ["100 ft", "6073 ft", "10.000 NM"]);
+        let areas = [250.0, 9_999.6, 999_996.0].map(|area| metric.area(area));
+        assert_eq!(areas, ["250 m²", "1.000 ha", "1.000 km²"]);
+        // A square of 100 ft; ten acres are a furlong (201.168 m) each way; a square of two nautical miles.
+        let areas = [929.0304, 40_468.564_224, 13_719_616.0].map(|area| aviation.area(area));
+        assert_eq!(areas, ["10000 ft²", "10.00 acres", "4.000 NM²"]);
     }
 
     #[test]

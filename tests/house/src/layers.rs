@@ -145,6 +145,7 @@ const UI: Order = Order {
         "camera_log",
         "compare",
         "outage",
+        "measure",
         "web_map",
         "columns",
         "exports",

@@ -582,11 +582,16 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
             let rect = ui.available_rect_before_wrap();
             let Views { map, features, .. } = views;
             let mut layers = Vec::new();
-            let mut tool: Option<&mut dyn MapTool> = None;
+            let buttons: Vec<_> = features.iter().filter_map(|it| it.map_button()).collect();
+            let mut tools: Vec<&mut dyn MapTool> = Vec::new();
             for (index, feature) in features.iter_mut().enumerate() {
-                let is_owner = feature.info().place == place;
-                if beside.map_or(is_owner, |beside| beside == index) {
-                    tool = feature.tool();
+                let own = feature.info().place;
+                let is_owner = own == place;
+                if own == FeaturePlace::Nowhere {
+                    tools.extend(feature.tool());
+                } else if beside.map_or(is_owner, |beside| beside == index) {
+                    let tool = feature.tool();
+                    tools.splice(0..0, tool);
                 } else if !is_owner {
                     layers.extend(feature.layers());
                 }
@@ -602,6 +607,7 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
                 ground: &scene.documents.terrain,
                 attribution: scene.documents.attribution(),
                 layers: &layers,
+                buttons: &buttons,
             };
             scene.with_context(commands, |context| {
                 let is_covered = layers.iter().any(|layer| layer.hides_flight(extra.frame));
@@ -609,19 +615,20 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
                     // What was flown is Replay's; here lies something else.
                     (context.run, context.ghost, context.flight) = (None, None, None);
                 }
-                map.show(ui, context, &extra, tool);
+                map.show(ui, context, &extra, tools);
             });
-            if beside.is_some() {
-                return;
-            }
-            for owner in features.iter().filter(|it| it.info().place == place) {
-                let covered = scene.with_context(commands, |c| owner.over_map(ui, rect, c));
-                for part in covered {
-                    map.cover(part);
+            for feature in features.iter() {
+                let own = feature.info().place;
+                if own == FeaturePlace::Nowhere || (own == place && beside.is_none()) {
+                    let covered = scene.with_context(commands, |c| feature.over_map(ui, rect, c));
+                    for part in covered {
+                        map.cover(part);
+                    }
                 }
             }
             let is_owned = features.iter().any(|it| it.info().place == place);
-            if is_owned || features.iter().any(|it| it.needs_no_advice()) {
+            let needs_none = features.iter().any(|it| it.needs_no_advice());
+            if is_owned || beside.is_some() || needs_none {
                 return;
             }
             for feature in features.iter() {

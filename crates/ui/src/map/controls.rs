@@ -4,6 +4,7 @@ use egui::{
     Align2, Frame, Key, Rect, Role, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
+use super::button::MapButton;
 use super::layers::Layer;
 use super::transform::ScreenFromWorld;
 use super::view::MapView;
@@ -14,7 +15,13 @@ use crate::shell::{icon_button, icon_toggle};
 
 impl MapView {
     /// The buttons at the right edge.
-    pub(super) fn controls(&mut self, ui: &mut Ui, rect: Rect, context: &mut ViewContext<'_>) {
+    pub(super) fn controls(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        buttons: &[MapButton],
+        context: &mut ViewContext<'_>,
+    ) {
         let tokens = context.tokens;
         let at = Rect::from_min_size(
             pos2(rect.right() - 56.0, rect.top() + 16.0),
@@ -57,6 +64,17 @@ impl MapView {
                     .clicked()
                 {
                     context.commands.push(Command::ToggleFollow);
+                }
+                for MapButton {
+                    icon,
+                    label,
+                    command,
+                    is_on,
+                } in buttons
+                {
+                    if icon_toggle(ui, tokens, *icon, label, *is_on).clicked() {
+                        context.commands.push(command.clone());
+                    }
                 }
                 self.compass(ui, context);
             });

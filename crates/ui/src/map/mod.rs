@@ -1,6 +1,7 @@
 //! The map: any imagery drawn as textured meshes under a typed screen-from-world transform, with
 //! the flight and the landmarks on it.
 
+mod button;
 mod controls;
 mod furniture;
 mod interact;
@@ -18,6 +19,7 @@ mod tracks;
 mod transform;
 mod view;
 
+pub use button::MapButton;
 pub use layer::MapLayer;
 pub(crate) use layers::track_colour;
 pub use layers::{Layer, Layers};

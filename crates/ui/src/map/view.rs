@@ -4,6 +4,7 @@ use egui::{Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::navigator::{Run, StepReport};
 
+use super::button::MapButton;
 use super::furniture::{
     coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
@@ -42,6 +43,8 @@ pub struct MapExtra<'a> {
     pub attribution: Option<&'a str>,
     /// Layers of the features, over the tracks.
     pub layers: &'a [&'a dyn MapLayer],
+    /// Buttons of the features among the controls.
+    pub buttons: &'a [MapButton],
 }
 
 /// The map's own state: how it is looked at, its textures and thinned tracks.
@@ -130,13 +133,13 @@ impl MapView {
     }
 
     /// Draws the map over all of the space that is left, and takes the pointer.
-    /// A `tool` comes first.
+    /// The last of `tools` has it first, and is drawn over the others.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
         extra: &MapExtra<'_>,
-        mut tool: Option<&mut dyn MapTool>,
+        mut tools: Vec<&mut dyn MapTool>,
     ) {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Map"));
@@ -151,11 +154,11 @@ impl MapView {
             self.fitted = Some((self.camera.center, self.camera.metres_per_point));
         }
         self.steer(step);
-        self.planning = tool.as_ref().is_some_and(|tool| tool.hides_flight());
+        self.planning = tools.iter().any(|tool| tool.hides_flight());
         let rows = extra.layers.iter().filter_map(|layer| layer.row());
         self.has_recorded = rows.into_iter().any(|row| row == Layer::Recorded);
         let view = self.camera.screen_from_world(rect);
-        let tool_now = tool.as_mut();
+        let tool_now = tools.last_mut();
         let is_busy = tool_now.is_some_and(|tool| tool.interact(ui, &view, &response, context));
         self.interact(ui, rect, &response, context, is_busy);
         let view = self.camera.screen_from_world(rect);
@@ -164,11 +167,10 @@ impl MapView {
         if let Some(map) = extra.map {
             self.tiles.paint(&painter, &view, rect, map);
         }
-        let tool = tool.as_deref();
         let pointer = response.hover_pos();
         let (mission, route) = (context.mission, context.route);
         let paint_tool = |map: &Self, stage| {
-            if let Some(tool) = tool {
+            for tool in &tools {
                 let canvas = MapCanvas {
                     painter: &painter,
                     view: &view,
@@ -206,7 +208,7 @@ impl MapView {
         if let Some(attribution) = extra.attribution {
             paint_attribution(ui, rect, attribution, context.tokens);
         }
-        self.controls(ui, rect, context);
+        self.controls(ui, rect, extra.buttons, context);
         self.legend(ui, rect, context);
         self.naming_field(ui, &view, rect, context);
     }

@@ -97,7 +97,7 @@ impl Feature for Planner {
         self.strip(ui, documents, context);
     }
 
-    fn over_map(&self, ui: &Ui, rect: Rect, context: &ViewContext<'_>) -> Vec<Rect> {
+    fn over_map(&self, ui: &mut Ui, rect: Rect, context: &mut ViewContext<'_>) -> Vec<Rect> {
         let corner = rect.left_top() + vec2(16.0, 16.0);
         let readouts = plan_readouts(
             ui,

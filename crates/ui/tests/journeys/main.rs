@@ -25,6 +25,7 @@ mod log_statistics;
 mod long_film;
 mod lost_worker;
 mod matches;
+mod measure;
 mod names;
 mod open_map;
 mod open_run;
