@@ -23,15 +23,20 @@ function save(name, blob) {
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
 
+/** What `paint` puts onto a canvas of so many pixels, as a PNG picture. */
+function painted(width, height, paint) {
+  const canvas = Object.assign(document.createElement("canvas"), { width, height });
+  paint(canvas.getContext("2d"));
+  return new Promise((done) => canvas.toBlob(done, "image/png"));
+}
+
 /** An SVG drawing as a PNG picture of so many pixels. */
 async function drawn(svg, width, height) {
   const address = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
   try {
     const picture = Object.assign(new Image(), { src: address });
     await picture.decode();
-    const canvas = Object.assign(document.createElement("canvas"), { width, height });
-    canvas.getContext("2d").drawImage(picture, 0, 0, width, height);
-    return await new Promise((done) => canvas.toBlob(done, "image/png"));
+    return await painted(width, height, (to) => to.drawImage(picture, 0, 0, width, height));
   } finally {
     URL.revokeObjectURL(address);
   }
@@ -54,6 +59,10 @@ export function shellServices(storage, openFiles) {
       save(name, new Blob([bytes], { type: "application/octet-stream" }));
     },
     async savePicture(name, svg, width, height) { save(name, await drawn(svg, width, height)); },
+    async savePixels(name, pixels, width, height) {
+      const picture = new ImageData(pixels, width, height);
+      save(name, await painted(width, height, (to) => to.putImageData(picture, 0, 0)));
+    },
     store(key, bytes) { storage.put(key, bytes); },
     fetchTiles,
     downloadTiles,

@@ -16,6 +16,7 @@ use crate::measure::Measure;
 use crate::outage::Outages;
 use crate::photos::PhotosFeature;
 use crate::plan::Planner;
+use crate::screenshot::Screenshot;
 use crate::shell::catalog::{self, CommandEntry};
 use crate::web_map::WebMapFeature;
 
@@ -42,6 +43,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(WebMapFeature::default()),
         Box::new(ColumnsFeature::default()),
         Box::<Measure>::default(),
+        Box::<Screenshot>::default(),
     ]
 }
 

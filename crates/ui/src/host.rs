@@ -59,6 +59,10 @@ pub trait Host {
     /// Offers an SVG drawing to the user as a PNG picture of so many pixels across and down.
     fn save_picture(&mut self, _name: &str, _svg: &str, _size: [u32; 2]) {}
 
+    /// Offers a picture of so many pixels across and down to the user as a PNG file; four bytes for each pixel, row by
+    /// row from the top: red, green, blue, opacity.
+    fn save_pixels(&mut self, _name: &str, _size: [u32; 2], _pixels: &[u8]) {}
+
     /// Remembers bytes under a key in the browser's own storage.
     fn store(&mut self, key: &str, bytes: &[u8]);
 

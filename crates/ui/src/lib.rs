@@ -28,6 +28,7 @@ pub mod measure;
 pub mod outage;
 pub mod photos;
 pub mod plan;
+pub mod screenshot;
 pub mod shell;
 pub mod short_map;
 mod state_json;

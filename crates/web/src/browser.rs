@@ -1,6 +1,6 @@
 //! Functions of the browser that this crate uses beside `web-sys`.
 
-use js_sys::Uint8Array;
+use js_sys::{Uint8Array, Uint8ClampedArray};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -34,6 +34,16 @@ extern "C" {
     /// Offers an SVG drawing as a PNG picture of so many pixels as a download.
     #[wasm_bindgen(method, js_name = savePicture)]
     pub fn save_picture(this: &Shell, name: &str, svg: &str, width: u32, height: u32);
+
+    /// Offers pixels (red, green, blue, opacity) as a PNG picture as a download.
+    #[wasm_bindgen(method, js_name = savePixels)]
+    pub fn save_pixels(
+        this: &Shell,
+        name: &str,
+        pixels: Uint8ClampedArray,
+        width: u32,
+        height: u32,
+    );
 
     /// Remembers bytes in the browser's storage, soon.
     #[wasm_bindgen(method)]

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use js_sys::Uint8Array;
+use js_sys::{Uint8Array, Uint8ClampedArray};
 use pilotage_core::navigator::{StepReport, StepTiming};
 use pilotage_jobs::{
     FileContent, FirstSeconds, Job, JobEvent, JobId, KeptMeasurement, Prelude, Reply, WorkerPool,
@@ -331,6 +331,12 @@ impl Host for PageHost {
     fn save_picture(&mut self, name: &str, svg: &str, [width, height]: [u32; 2]) {
         let inner = self.inner.borrow();
         inner.shell.save_picture(name, svg, width, height);
+    }
+
+    fn save_pixels(&mut self, name: &str, [width, height]: [u32; 2], pixels: &[u8]) {
+        let inner = self.inner.borrow();
+        let pixels = Uint8ClampedArray::from(pixels);
+        inner.shell.save_pixels(name, pixels, width, height);
     }
 
     fn store(&mut self, key: &str, bytes: &[u8]) {

@@ -146,6 +146,7 @@ const UI: Order = Order {
         "compare",
         "outage",
         "measure",
+        "screenshot",
         "web_map",
         "columns",
         "exports",

@@ -27,12 +27,8 @@ const LABEL: &str = "Measure distance and area";
 
 fn commands() -> Vec<CommandEntry> {
     let toggle = MeasureCommand::Toggle.into();
-    vec![entry(
-        CommandGroup::View,
-        LABEL,
-        vec![shift(Key::U)],
-        toggle,
-    )]
+    let keys = vec![shift(Key::U)];
+    vec![entry(CommandGroup::View, LABEL, keys, toggle).also("ruler length course bearing")]
 }
 
 impl Feature for Measure {

@@ -54,9 +54,17 @@ pub struct CommandEntry {
     pub shortcuts: Vec<KeyboardShortcut>,
     /// Command that is sent.
     pub command: Command,
+    /// Other words for it by which people look for it.
+    pub also: &'static str,
 }
 
 impl CommandEntry {
+    /// The same command, found by other words as well.
+    #[must_use]
+    pub fn also(self, also: &'static str) -> Self {
+        Self { also, ..self }
+    }
+
     /// Its first shortcut as people read it, or an empty text.
     pub fn keys(&self) -> String {
         self.shortcuts.first().map(describe).unwrap_or_default()
@@ -115,5 +123,6 @@ pub fn entry(
         group,
         shortcuts,
         command,
+        also: "",
     }
 }

@@ -55,7 +55,10 @@ impl Palette {
     fn matching(&self, catalog: &[CommandEntry]) -> Vec<CommandEntry> {
         let mut found: Vec<(i32, CommandEntry)> = catalog
             .iter()
-            .filter_map(|e| Some((fuzzy_score(&self.query, &e.label)?, e.clone())))
+            .filter_map(|e| {
+                let words = [&*e.label, e.also].map(|text| fuzzy_score(&self.query, text));
+                Some((words.into_iter().max()??, e.clone()))
+            })
             .collect();
         if !self.query.is_empty() {
             sort(&mut found, &|a, b| b.0.cmp(&a.0));

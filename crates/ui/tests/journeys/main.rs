@@ -37,6 +37,7 @@ mod reload;
 mod reopen;
 mod save;
 mod saved_files;
+mod screenshot;
 mod scrub;
 mod select_span;
 mod settings;

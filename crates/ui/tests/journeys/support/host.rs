@@ -576,6 +576,16 @@ impl Host for ScriptedHost {
         self.saved.push((name.into(), bytes.into()));
     }
 
+    fn save_pixels(&mut self, name: &str, [width, height]: [u32; 2], pixels: &[u8]) {
+        let picture = image::RgbaImage::from_raw(width, height, pixels.to_vec());
+        let mut png = std::io::Cursor::new(Vec::new());
+        picture
+            .expect("four bytes for each pixel")
+            .write_to(&mut png, image::ImageFormat::Png)
+            .expect("memory can be written to");
+        self.saved.push((name.into(), png.into_inner()));
+    }
+
     fn save_picture(&mut self, name: &str, svg: &str, size: [u32; 2]) {
         self.pictures.push((name.into(), svg.into(), size));
     }
