@@ -138,7 +138,9 @@ async function start() {
     // Once followed, a reload is to bring back one's own work.
     history.replaceState(null, "", location.pathname + location.search);
   }
-  addEventListener("hashchange", () => location.reload());
+  // Entries of this visit have a place in the app as their state; any other is a link that people opened here.
+  addEventListener("hashchange", () => { if (history.state === null) location.reload(); });
+  addEventListener("popstate", ({ state }) => { if (state !== null) app.go_to(state); });
   storage.loaded.clear();
   const canvas = document.getElementById("app");
   const shell = shellServices(storage, (paths, contents) => app.open_files(paths, contents));

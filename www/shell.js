@@ -75,9 +75,15 @@ export function shellServices(storage, openFiles) {
     print(style, body) { printPage(style, body); },
     copyLink(fragment) {
       const link = `${location.href.split("#")[0]}#${fragment}`;
-      const show = () => history.replaceState(null, "", link); // at least in the address bar
+      const show = () => history.replaceState(history.state, "", link); // at least in the address bar
       if (navigator.clipboard) navigator.clipboard.writeText(link).catch(show);
       else show();
+    },
+    showPlace(place, replaces) {
+      try {
+        if (replaces) history.replaceState(place, "");
+        else history.pushState(place, "");
+      } catch { /* a browser takes so many within a time */ }
     },
     announce(text) { summary.textContent = text; },
   };

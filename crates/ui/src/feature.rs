@@ -601,4 +601,12 @@ pub trait Feature {
     fn map_button(&self) -> Option<MapButton> {
         None
     }
+
+    /// Page of its workspace that is shown, from 0, if there are several: Back and Forward move between them.
+    fn page(&self) -> Option<usize> {
+        None
+    }
+
+    /// Shows a page of its workspace; the last one where there are not so many.
+    fn turn_to(&mut self, _page: usize) {}
 }

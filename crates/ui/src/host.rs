@@ -113,6 +113,12 @@ pub trait Host {
         true
     }
 
+    /// Hears where in the app people are, once a frame; the place to which the browser's Back or Forward asks to go since
+    /// the last call, if it does.
+    fn follow(&mut self, _place: &str) -> Option<String> {
+        None
+    }
+
     /// Times a worker died and was started anew since the last call.
     fn lost_workers(&mut self) -> usize {
         0

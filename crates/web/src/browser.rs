@@ -90,6 +90,10 @@ extern "C" {
     #[wasm_bindgen(method, js_name = copyLink)]
     pub fn copy_link(this: &Shell, fragment: &str);
 
+    /// Puts a place in the app into the browser's history, or in the place of the entry that is shown.
+    #[wasm_bindgen(method, js_name = showPlace)]
+    pub fn show_place(this: &Shell, place: &str, replaces: bool);
+
     /// Puts a text where screen readers read it out.
     #[wasm_bindgen(method)]
     pub fn announce(this: &Shell, text: &str);

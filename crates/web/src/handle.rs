@@ -94,6 +94,13 @@ impl WebHandle {
         }
     }
 
+    /// Goes to a place in the app: a state of the browser's history.
+    pub fn go_to(&self, place: String) {
+        if let Some((_, host)) = &*self.running.borrow() {
+            host.go_to(place);
+        }
+    }
+
     /// To be called twice a second: looks whether the workers are alive.
     pub fn tick(&self) {
         if let Some((_, host)) = &*self.running.borrow() {

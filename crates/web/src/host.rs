@@ -51,6 +51,10 @@ struct Inner {
     timings: Vec<StepTiming>,
     /// Jobs that wait for tiles of the web.
     fetching: Vec<JobId>,
+    /// Place in the app that the entry of the browser's history has; none before the app's first word about it.
+    place: Option<String>,
+    /// Place to which people went by the browser's Back or Forward.
+    wanted: Option<String>,
     /// Problem last told of tiles that cannot be had, in words.
     told: Option<String>,
     /// Whether what nobody asked for is left undone.
@@ -119,6 +123,8 @@ impl PageHost {
             announced: String::new(),
             timings: Vec::new(),
             fetching: Vec::new(),
+            place: None,
+            wanted: None,
             told: None,
             leaves_ahead: false,
         };
@@ -131,6 +137,13 @@ impl PageHost {
     pub fn open_files(&self, files: Vec<OpenedFile>) {
         let mut inner = self.inner.borrow_mut();
         inner.opened.push(files);
+        inner.inbox.context.request_repaint();
+    }
+
+    /// Goes to a place in the app, to which the browser's Back or Forward led.
+    pub fn go_to(&self, place: String) {
+        let mut inner = self.inner.borrow_mut();
+        inner.wanted = Some(place);
         inner.inbox.context.request_repaint();
     }
 
@@ -331,6 +344,19 @@ impl Host for PageHost {
     fn save_picture(&mut self, name: &str, svg: &str, [width, height]: [u32; 2]) {
         let inner = self.inner.borrow();
         inner.shell.save_picture(name, svg, width, height);
+    }
+
+    fn follow(&mut self, place: &str) -> Option<String> {
+        let mut inner = self.inner.borrow_mut();
+        let wanted = inner.wanted.take();
+        if wanted.is_some() {
+            // Wherever that leads is what the entry shows.
+            inner.place = None;
+        } else if inner.place.as_deref() != Some(place) {
+            inner.shell.show_place(place, inner.place.is_none());
+            inner.place = Some(place.to_owned());
+        }
+        wanted
     }
 
     fn save_pixels(&mut self, name: &str, [width, height]: [u32; 2], pixels: &[u8]) {

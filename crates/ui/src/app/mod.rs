@@ -106,6 +106,7 @@ impl App {
             let documents = &mut self.documents;
             documents.history.finish_drag(&documents.mission);
         }
+        self.follow_back(ui.ctx(), host);
         self.work(ui.ctx(), host);
         if self.keeping.tend(ui.ctx(), &mut self.toasts, host) {
             // What was stored before is still there; what is open now is tried again.
@@ -249,6 +250,34 @@ impl App {
     /// Opens a workspace.
     fn show_workspace(&mut self, workspace: Workspace) {
         self.view.workspace = workspace;
+    }
+
+    /// Place in the app, as the browser's Back and Forward know it: the workspace, and the page of its feature.
+    fn place(&self) -> String {
+        let workspace = self.view.workspace.label();
+        let owner = self.views.owner(self.view.workspace);
+        match owner.and_then(Feature::page) {
+            Some(page) => format!("{workspace} {page}"),
+            None => workspace.to_owned(),
+        }
+    }
+
+    /// Goes where the browser's Back or Forward leads.
+    fn follow_back(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        let Some(place) = host.follow(&self.place()) else {
+            return;
+        };
+        let mut words = place.split(' ');
+        let label = words.next();
+        let mut all = Workspace::ALL.into_iter();
+        if let Some(workspace) = all.find(|it| Some(it.label()) == label) {
+            self.execute(Command::ShowWorkspace(workspace), egui, host);
+        }
+        let page = words.next().and_then(|page| page.parse().ok());
+        if let Some((page, owner)) = page.zip(self.views.owner_mut(self.view.workspace)) {
+            owner.turn_to(page);
+        }
+        egui.request_repaint();
     }
 
     /// Whether the open workspace is about something else than the flight.

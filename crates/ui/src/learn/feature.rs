@@ -69,6 +69,14 @@ impl Feature for LearnFeature {
         self.tour.show(ui, context);
     }
 
+    fn page(&self) -> Option<usize> {
+        Some(self.tour.number())
+    }
+
+    fn turn_to(&mut self, page: usize) {
+        self.tour.go_to(page);
+    }
+
     fn keeps_picture(&self) -> bool {
         true
     }

@@ -4,6 +4,7 @@ mod support;
 
 mod add_landmark;
 mod autosave;
+mod back;
 mod bookmarks;
 mod broken_file;
 mod camera_log;

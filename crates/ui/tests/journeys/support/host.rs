@@ -68,6 +68,10 @@ pub struct ScriptedHost {
     pub printed: Option<(String, String)>,
     /// Keys to report as refused.
     pub refused: Vec<String>,
+    /// Places in the app that it told of, one after the other.
+    pub places: Vec<String>,
+    /// Place to which the browser's Back leads.
+    pub gone_back: Option<String>,
     /// Saves to report as broken off.
     pub interrupted: Vec<String>,
     /// Share of frames in which tested landmarks are found on a day on which they are recognised, unless one half.
@@ -574,6 +578,13 @@ impl Host for ScriptedHost {
 
     fn save_file(&mut self, name: &str, bytes: &[u8]) {
         self.saved.push((name.into(), bytes.into()));
+    }
+
+    fn follow(&mut self, place: &str) -> Option<String> {
+        if self.places.last().is_none_or(|last| last != place) {
+            self.places.push(place.to_owned());
+        }
+        self.gone_back.take()
     }
 
     fn save_pixels(&mut self, name: &str, [width, height]: [u32; 2], pixels: &[u8]) {
