@@ -1,6 +1,11 @@
 //! Colours, sizes and spacing in one place, for dark and light.
 
+use std::sync::LazyLock;
+
 use egui::{Color32, FontId};
+
+/// See [`Tokens::over_imagery`].
+static OVER_IMAGERY: LazyLock<Tokens> = LazyLock::new(Tokens::dark);
 
 /// The look: every colour and measure that views use.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +28,8 @@ pub struct Tokens {
     pub accent: Color32,
     /// Something is wrong.
     pub warning: Color32,
+    /// Advice of the program: violet.
+    pub advice: Color32,
     /// Areas that must not be flown over, and what leads over them: red.
     pub no_fly: Color32,
     /// Truth: green.
@@ -67,6 +74,7 @@ impl Tokens {
             muted: Color32::from_rgb(140, 152, 164),
             accent: Color32::from_rgb(240, 180, 41),
             warning: Color32::from_rgb(240, 120, 70),
+            advice: Color32::from_rgb(190, 164, 255),
             no_fly: Color32::from_rgb(255, 76, 70),
             truth: Color32::from_rgb(60, 190, 130),
             corrected: Color32::from_rgb(232, 72, 85),
@@ -94,6 +102,7 @@ impl Tokens {
             muted: Color32::from_rgb(98, 108, 118),
             accent: Color32::from_rgb(176, 112, 0),
             warning: Color32::from_rgb(190, 70, 20),
+            advice: Color32::from_rgb(104, 56, 190),
             no_fly: Color32::from_rgb(196, 24, 24),
             truth: Color32::from_rgb(0, 128, 80),
             corrected: Color32::from_rgb(200, 30, 50),
@@ -101,6 +110,11 @@ impl Tokens {
             unaided: Color32::from_rgb(110, 60, 170),
             ..Self::dark()
         }
+    }
+
+    /// The set for drawings on maps and pictures, which are as dark in light surroundings.
+    pub fn over_imagery() -> &'static Self {
+        &OVER_IMAGERY
     }
 
     /// Behind a widget under the pointer.

@@ -118,7 +118,7 @@ impl Layer {
                 painter.rect_stroke(
                     inner,
                     0.0,
-                    Stroke::new(1.25, tokens.accent),
+                    Stroke::new(1.25, tokens.sigma),
                     egui::StrokeKind::Middle,
                 );
             }

@@ -152,14 +152,14 @@ pub fn paint_footprint(
     let points: Vec<Pos2> = outline.iter().map(|p| view.apply(p)).collect();
     painter.add(Shape::convex_polygon(
         points.clone(),
-        tokens.accent.gamma_multiply(0.07),
+        tokens.sigma.gamma_multiply(0.06),
         Stroke::NONE,
     ));
     painter.add(Shape::closed_line(
         points.clone(),
         Stroke::new(3.0, tokens.outline().gamma_multiply(0.4)),
     ));
-    painter.add(Shape::closed_line(points, Stroke::new(1.25, tokens.accent)));
+    painter.add(Shape::closed_line(points, Stroke::new(1.25, tokens.sigma)));
 }
 
 /// Draws the outline that the picture would have on the ground with a camera that is tried, dashed, its top edge

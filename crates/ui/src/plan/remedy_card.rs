@@ -42,12 +42,12 @@ impl Planner {
         let at = view.apply(&worst.begin);
         for stroke in [
             Stroke::new(5.0, tokens.outline()),
-            Stroke::new(2.0, tokens.warning),
+            Stroke::new(2.0, tokens.advice),
         ] {
             painter.circle_stroke(at, 9.0, stroke);
         }
         let (below, align) = (at + egui::vec2(0.0, 14.0), Align2::CENTER_TOP);
         let text = "a landmark here would help";
-        paint_halo_text(painter, below, align, text, tokens.small(), tokens.warning);
+        paint_halo_text(painter, below, align, text, tokens.small(), tokens.advice);
     }
 }

@@ -202,10 +202,10 @@ impl Planner {
                 paint_lifted_line(painter, ends, 1.0, tokens.warning, tokens);
                 dashed(&rival, tokens.warning);
             }
-            let around = dashed(&candidate.bounds, tokens.accent);
+            let around = dashed(&candidate.bounds, tokens.advice);
             let (at, align) = (around.center(), Align2::CENTER_CENTER);
             let text = format!("{}", index + 1);
-            paint_halo_text(painter, at, align, &text, tokens.normal(), tokens.accent);
+            paint_halo_text(painter, at, align, &text, tokens.normal(), tokens.advice);
         }
     }
 

@@ -11,6 +11,7 @@ use pilotage_core::navigator::{FrameReport, Run};
 use super::{parts, picking};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
+use crate::tokens::Tokens;
 use picture::PictureCache;
 use placement::CameraPlacement;
 
@@ -169,7 +170,9 @@ impl CameraView {
         if let Some((run, report)) = report {
             let pointer = response.hover_pos();
             let near = nearest(report, &placement, pointer);
+            let theme = std::mem::replace(&mut context.tokens, Tokens::over_imagery());
             overlay::draw(&painter, context, run, report, &placement, near, &mut taken);
+            context.tokens = theme;
             if response.clicked() {
                 context.commands.push(Command::SelectLandmark(near));
             }
@@ -177,7 +180,13 @@ impl CameraView {
                 let text = overlay::explain(run, candidate);
                 response.on_hover_text_at_pointer(text);
             }
-            attitude::draw(&painter, tokens, outer, &flight.camera, report);
+            attitude::draw(
+                &painter,
+                Tokens::over_imagery(),
+                outer,
+                &flight.camera,
+                report,
+            );
         }
     }
 
