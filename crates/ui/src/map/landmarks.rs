@@ -1,13 +1,13 @@
-//! Landmarks on the map: possible ones white, observed ones coloured, refused ones crossed; their
-//! names keep out of each other's way; accepted matches are joined to the aircraft by a line.
+//! Landmarks on the map: possible ones white, observed ones coloured, refused ones crossed; accepted matches are joined
+//! to the aircraft by a line.
 
-use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::{CandidateReport, Outcome, StepReport};
-use pilotage_core::sorting::sort;
 
-use super::symbols::{paint_halo_text, paint_lifted_line};
+use super::labels::{LandmarkLabel, POSSIBLE, paint_labels};
+use super::symbols::paint_lifted_line;
 use super::transform::{ScreenFromWorld, topmost};
 use crate::tokens::Tokens;
 
@@ -53,6 +53,8 @@ pub struct LandmarkScene<'a> {
     pub names: bool,
     /// Parts of the screen that names must not cover, and in which they would not be seen.
     pub covered: &'a [Rect],
+    /// Lines on the screen that names must not cross, by their ends.
+    pub lines: &'a [[Pos2; 2]],
     /// Start of the lines on the screen; `None` if no lines are drawn.
     pub lines_from: Option<Pos2>,
 }
@@ -95,7 +97,7 @@ pub fn paint_landmarks(
                 _ if selected => 0,
                 LandmarkState::Accepted => 1,
                 LandmarkState::Refused => 2,
-                _ => 3,
+                _ => POSSIBLE,
             };
             labels.push(LandmarkLabel {
                 rank,
@@ -106,19 +108,13 @@ pub fn paint_landmarks(
             });
         }
     }
-    paint_labels(painter, screen, labels, scene.covered, tokens);
-}
-
-/// A name to be written beside a landmark.
-struct LandmarkLabel {
-    /// The smaller the sooner it gets a place; 0 always gets one.
-    rank: u8,
-    /// Part of the screen on which the landmark is drawn.
-    around: Rect,
-    /// Its topmost corner.
-    top: Pos2,
-    text: String,
-    color: Color32,
+    paint_labels(
+        painter,
+        screen,
+        labels,
+        (scene.covered, scene.lines),
+        tokens,
+    );
 }
 
 fn color_of(state: LandmarkState, tokens: &Tokens) -> Color32 {
@@ -229,48 +225,5 @@ pub fn handles(corners: &[Pos2; 4]) -> [Pos2; 8] {
         middle(2, 3),
         corners[3],
         middle(3, 0),
-    ]
-}
-
-/// Writes each name beside its landmark where neither a panel nor an earlier name is; names without
-/// a place are left out.
-fn paint_labels(
-    painter: &Painter,
-    screen: Rect,
-    mut labels: Vec<LandmarkLabel>,
-    covered: &[Rect],
-    tokens: &Tokens,
-) {
-    sort(&mut labels, &|a, b| a.rank.cmp(&b.rank));
-    let mut taken: Vec<Rect> = covered.to_vec();
-    for label in labels {
-        let galley = painter.layout_no_wrap(label.text.clone(), tokens.small(), label.color);
-        let places = places(&label);
-        let free = places.into_iter().find(|(place, align)| {
-            let rect = align.anchor_size(*place, galley.size()).expand(4.0);
-            screen.contains_rect(rect) && taken.iter().all(|t| !t.intersects(rect))
-        });
-        let place = free.or((label.rank == 0).then_some(places[0]));
-        if let Some((place, align)) = place {
-            taken.push(paint_halo_text(
-                painter,
-                place,
-                align,
-                &label.text,
-                tokens.small(),
-                label.color,
-            ));
-        }
-    }
-}
-
-/// Places for a name, the best first: above, below, at either side.
-fn places(label: &LandmarkLabel) -> [(Pos2, Align2); 4] {
-    let around = label.around;
-    [
-        (label.top + vec2(0.0, -5.0), Align2::CENTER_BOTTOM),
-        (around.center_bottom() + vec2(0.0, 5.0), Align2::CENTER_TOP),
-        (around.right_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER),
-        (around.left_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER),
     ]
 }

@@ -5,6 +5,7 @@ mod button;
 mod controls;
 mod furniture;
 mod interact;
+mod labels;
 mod landmarks;
 mod layer;
 mod layers;

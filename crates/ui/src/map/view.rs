@@ -23,7 +23,11 @@ use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::OpenedTerrain;
+use crate::tokens::Tokens;
 use pilotage_jobs::{Distinctness, MapInfo};
+
+/// Points of a track by which names keep off it.
+const TRACK_POINTS: usize = 200;
 
 /// Data that the map needs beside what every view is given.
 pub struct MapExtra<'a> {
@@ -163,6 +167,7 @@ impl MapView {
         self.interact(ui, rect, &response, context, is_busy);
         let view = self.camera.screen_from_world(rect);
         let painter = ui.painter_at(rect);
+        let theme = std::mem::replace(&mut context.tokens, Tokens::over_imagery());
         painter.rect_filled(rect, 0.0, context.tokens.background);
         if let Some(map) = extra.map {
             self.tiles.paint(&painter, &view, rect, map);
@@ -192,6 +197,8 @@ impl MapView {
         paint_tool(self, MapStage::Last);
         self.paint_drawing(&painter, &view, &response, context);
         self.paint_furniture(&painter, &view, rect, context, extra, &response);
+        self.legend(ui, rect, context);
+        context.tokens = theme;
         let step = context.run.and_then(|r| r.step_at(context.time));
         if let Some(step) = step {
             let corner = rect.left_top() + vec2(16.0, 16.0);
@@ -209,7 +216,6 @@ impl MapView {
             paint_attribution(ui, rect, attribution, context.tokens);
         }
         self.controls(ui, rect, extra.buttons, context);
-        self.legend(ui, rect, context);
         self.naming_field(ui, &view, rect, context);
     }
 
@@ -287,6 +293,28 @@ impl MapView {
         }
     }
 
+    /// Lines on the screen that names must not cross, and marks that they must not cover: the selected route while
+    /// routes are shown, or else the estimated track.
+    fn busy(
+        &self,
+        view: &ScreenFromWorld,
+        context: &ViewContext<'_>,
+    ) -> (Vec<[Pos2; 2]>, Vec<Rect>) {
+        let route = context.selected_route().filter(|_| self.planning);
+        let way_points = route.map_or(&[][..], |route| &route.way_points);
+        let on_route = way_points.iter().map(|w| view.apply(&w.position));
+        let steps = context.run.map_or(&[][..], |run| &run.steps);
+        let is_shown = !self.planning && self.layers.shows(Layer::Estimate);
+        let every = (steps.len() / TRACK_POINTS).max(1);
+        let flown = steps.iter().filter(|_| is_shown).step_by(every);
+        let on_track = flown.map(|step| view.apply(&step.after.position()));
+        let marks = on_route.clone();
+        let marks = marks.map(|at| Rect::from_center_size(at, vec2(26.0, 26.0)));
+        let line: Vec<Pos2> = on_route.chain(on_track).collect();
+        let legs = line.windows(2).map(|leg| [leg[0], leg[1]]);
+        (legs.collect(), marks.collect())
+    }
+
     /// Draws what belongs to the time cursor.
     fn paint_now(
         &mut self,
@@ -308,7 +336,9 @@ impl MapView {
         }
         let aircraft = step.map(|s| view.apply(&s.after.position()));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
-        let covered: Vec<Rect> = self.covered.iter().copied().chain(own).collect();
+        let (lines, marks) = self.busy(view, context);
+        let covered = self.covered.iter().copied().chain(own).chain(marks);
+        let covered: Vec<Rect> = covered.collect();
         if shows(Layer::Landmarks) {
             let hovered = response
                 .hover_pos()
@@ -320,6 +350,7 @@ impl MapView {
                 hovered,
                 names: view.metres_per_point < 4.0,
                 covered: &covered,
+                lines: &lines,
                 lines_from: aircraft.filter(|_| shows(Layer::Matches)),
             };
             paint_landmarks(painter, view, rect, &scene, tokens);
@@ -451,7 +482,7 @@ fn truth_at(context: &ViewContext<'_>, time: f64) -> Option<GroundPoint> {
 }
 
 /// Red when the latest frame corrected the estimate, blue while dead reckoning.
-fn status_color(frame_step: Option<&StepReport>, tokens: &crate::tokens::Tokens) -> egui::Color32 {
+fn status_color(frame_step: Option<&StepReport>, tokens: &Tokens) -> egui::Color32 {
     if frame_step.is_some_and(StepReport::corrected) {
         tokens.corrected
     } else {
@@ -466,7 +497,7 @@ fn paint_look_alike(
     view: &ScreenFromWorld,
     distinctness: &Distinctness,
     most: f64,
-    tokens: &crate::tokens::Tokens,
+    tokens: &Tokens,
 ) {
     let Some((place, score)) = distinctness.look_alike else {
         return;
