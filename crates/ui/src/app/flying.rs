@@ -110,6 +110,7 @@ impl App {
         }
         self.frame_pictures.leave(host);
         self.views.camera.clear();
+        self.views.map.forget_elsewhere();
         let mission = &self.documents.mission;
         self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
     }

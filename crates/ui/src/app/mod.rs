@@ -89,6 +89,7 @@ impl App {
             self.start(ui.ctx(), host);
         }
         self.receive(ui.ctx(), host);
+        self.views.map.turn(self.is_flight_hidden());
         self.tick(now);
         self.input_waits = ShortcutListener::waits(ui.ctx());
         let mut commands = ShortcutListener::take(ui.ctx());
@@ -98,6 +99,7 @@ impl App {
         for command in commands {
             self.execute(command, ui.ctx(), host);
             self.follow_flight(ui.ctx(), host);
+            self.views.map.turn(self.is_flight_hidden());
         }
         let mut features = self.views.features.iter();
         let takes_letters = self.dialogs.palette.is_open() || features.any(|it| it.takes_letters());
@@ -168,6 +170,7 @@ impl App {
     fn change_map(&mut self, host: &mut dyn Host, map: MapSource) {
         let (work, mut parts) = self.map_parts(host);
         if work.leave_for(map, &mut parts) {
+            self.views.map.forget_elsewhere();
             let features = &self.views.features;
             let mut used = used_files(&self.documents, &self.fly_work, features);
             used.extend(self.openings.keys().map(str::to_owned));

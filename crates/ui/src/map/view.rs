@@ -87,6 +87,10 @@ pub struct MapView {
     truth: DrawnTrack,
     ghost: DrawnTrack,
     wants_fit: Option<GroundRect>,
+    /// Whether something else than the flight is looked at.
+    is_aside: bool,
+    /// Place in the other surroundings: at the flight, or at something else.
+    elsewhere: Option<MapPlace>,
     /// Centre and scale to which the map was fitted last.
     fitted: Option<(GroundPoint, f64)>,
     rect: Option<Rect>,
@@ -96,7 +100,44 @@ pub struct MapView {
     covering: Vec<Rect>,
 }
 
+/// Place at which the map is looked at.
+#[derive(Clone, Debug)]
+struct MapPlace {
+    camera: MapCamera,
+    track_up: bool,
+    follow: bool,
+    wants_fit: Option<GroundRect>,
+    fitted: Option<(GroundPoint, f64)>,
+}
+
 impl MapView {
+    /// Turns to where the flight was looked at last, or else (`is_aside`) something else; stays where that was not yet.
+    pub fn turn(&mut self, is_aside: bool) {
+        if self.is_aside == is_aside {
+            return;
+        }
+        self.is_aside = is_aside;
+        let place = MapPlace {
+            camera: self.camera,
+            track_up: self.track_up,
+            follow: self.follow,
+            wants_fit: self.wants_fit,
+            fitted: self.fitted,
+        };
+        if let Some(place) = self.elsewhere.replace(place) {
+            self.camera = place.camera;
+            self.track_up = place.track_up;
+            self.follow = place.follow;
+            self.wants_fit = place.wants_fit;
+            self.fitted = place.fitted;
+        }
+    }
+
+    /// Forgets where something else was looked at: another flight or map is open.
+    pub fn forget_elsewhere(&mut self) {
+        self.elsewhere = None;
+    }
+
     /// Shows all of `ground` in the next frame.
     pub fn fit(&mut self, ground: GroundRect) {
         self.wants_fit = Some(ground);

@@ -26,3 +26,27 @@ fn the_flight_is_flown_again_only_after_planning() {
     rig.settle();
     assert_eq!(rig.host().flights(), flights + 1);
 }
+
+#[test]
+fn the_map_of_the_flight_is_as_it_was_left_after_a_look_at_the_plan() {
+    let mut rig = super::super::support::rig();
+    rig.settle();
+    let flight = rig.state()["map"].clone();
+    assert_eq!(flight["follow"], true);
+    rig.open_tab("Plan");
+    rig.settle();
+    let plan = rig.state()["map"].clone();
+    assert_ne!(plan["metres_per_point"], flight["metres_per_point"]);
+    rig.open_tab("Replay");
+    rig.settle();
+    let back = rig.state()["map"].clone();
+    for key in ["metres_per_point", "follow"] {
+        assert_eq!(back[key], flight[key], "{key}");
+    }
+    rig.open_tab("Plan");
+    rig.settle();
+    let again = rig.state()["map"].clone();
+    for key in ["metres_per_point", "center", "follow"] {
+        assert_eq!(again[key], plan[key], "{key}");
+    }
+}
