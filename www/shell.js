@@ -85,6 +85,7 @@ export function shellServices(storage, openFiles) {
         else history.pushState(place, "");
       } catch { /* a browser takes so many within a time */ }
     },
+    prefersLight() { return matchMedia("(prefers-color-scheme: light)").matches; },
     announce(text) { summary.textContent = text; },
   };
 }

@@ -41,7 +41,7 @@ export async function launch({ smooth = false, rest = true, ahead = false } = {}
   try {
     const deviceScaleFactor = smooth || process.env.PILOTAGE_SHARP ? 1 : coarse;
     const context = await chromium.launchPersistentContext(profile, {
-      executablePath: program(), headless: true, viewport, deviceScaleFactor, args: switches,
+      executablePath: program(), headless: true, viewport, deviceScaleFactor, args: switches, colorScheme: "dark",
     });
     if (!smooth) await context.addInitScript(paintSeldom, calm);
     if (deviceScaleFactor !== 1) await context.addInitScript(measureByRatio);

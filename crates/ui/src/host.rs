@@ -108,6 +108,11 @@ pub trait Host {
     /// Puts a link to this page with that fragment into the clipboard and the address bar.
     fn copy_link(&mut self, _fragment: &str) {}
 
+    /// Whether people have the rest of their screen light.
+    fn prefers_light(&self) -> bool {
+        false
+    }
+
     /// Whether the workers have time for what nobody asked for.
     fn works_ahead(&self) -> bool {
         true

@@ -74,6 +74,10 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub fn forget(this: &Shell, key: &str);
 
+    /// Whether people have the rest of their screen light.
+    #[wasm_bindgen(method, js_name = prefersLight)]
+    pub fn prefers_light(this: &Shell) -> bool;
+
     /// Keys of what the browser refused to store since the last call.
     #[wasm_bindgen(method, js_name = failedStores)]
     pub fn failed_stores(this: &Shell) -> Vec<String>;

@@ -403,6 +403,10 @@ impl Host for PageHost {
         self.inner.borrow().shell.copy_link(fragment);
     }
 
+    fn prefers_light(&self) -> bool {
+        self.inner.borrow().shell.prefers_light()
+    }
+
     fn works_ahead(&self) -> bool {
         !self.inner.borrow().leaves_ahead
     }

@@ -40,10 +40,13 @@ impl App {
             session = before;
             aside = Some(Aside::Taken);
         }
-        let view = host
-            .recall(VIEW_KEY)
-            .map(|bytes| ViewState::decode(&bytes))
-            .unwrap_or_default();
+        let view = host.recall(VIEW_KEY).map_or_else(
+            || ViewState {
+                dark: !host.prefers_light(),
+                ..ViewState::default()
+            },
+            |bytes| ViewState::decode(&bytes),
+        );
         let tokens = Tokens::of(view.dark);
         context.set_fonts(fonts());
         apply_theme(context, &tokens);

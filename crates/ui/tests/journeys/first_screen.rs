@@ -1,7 +1,8 @@
 use egui::Vec2;
+use egui_kittest::kittest::Queryable as _;
 use pilotage_jobs::{FlightSource, FlyOrder, Job};
 
-use super::support::{ScriptedHost, rig, rig_on};
+use super::support::{Scheme, ScriptedHost, rig, rig_on};
 
 #[test]
 fn the_demo_is_flying_when_the_app_opens() {
@@ -60,4 +61,23 @@ fn map_and_timeline_fit_into_every_window() {
             "{size:?} {map:?}"
         );
     }
+}
+
+#[test]
+fn the_first_visit_has_the_colours_of_the_rest_of_the_screen_and_later_ones_those_that_were_chosen()
+{
+    let light = || ScriptedHost {
+        scheme: Scheme::Light,
+        ..ScriptedHost::default()
+    };
+    let size = Vec2::new(1440.0, 900.0);
+    assert_eq!(rig().state()["dark"], true);
+    let mut rig = rig_on(light(), size);
+    assert_eq!(rig.state()["dark"], false);
+    rig.harness.get_by_label("Dark colours").click();
+    rig.settle();
+    assert_eq!(rig.state()["dark"], true);
+    let stored = rig.host().stored.clone();
+    let host = ScriptedHost { stored, ..light() };
+    assert_eq!(rig_on(host, size).state()["dark"], true);
 }

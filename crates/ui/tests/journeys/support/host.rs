@@ -39,6 +39,16 @@ pub enum Ahead {
     Done,
 }
 
+/// Colours of the rest of the screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scheme {
+    /// Dark ones.
+    #[default]
+    Dark,
+    /// Light ones.
+    Light,
+}
+
 /// Answers jobs at once, unless told not to, and remembers what it was asked.
 #[derive(Default)]
 pub struct ScriptedHost {
@@ -78,6 +88,8 @@ pub struct ScriptedHost {
     pub per_frame: Option<f64>,
     /// Work that nobody asked for.
     pub ahead: Ahead,
+    /// Colours of the rest of the screen.
+    pub scheme: Scheme,
     /// Workers to report as lost.
     pub lost: usize,
     /// Laying of pictures on the map.
@@ -540,6 +552,10 @@ fn assessment(order: &AssessmentOrder, per_frame: f64) -> Assessment {
 }
 
 impl Host for ScriptedHost {
+    fn prefers_light(&self) -> bool {
+        self.scheme == Scheme::Light
+    }
+
     fn works_ahead(&self) -> bool {
         self.ahead == Ahead::Done
     }
