@@ -288,7 +288,9 @@ impl PlotsView {
             inside.vline(axes.screen_x(time), axes.rect.y_range(), stroke);
         }
         let time = self.time_axis.hover.unwrap_or(context.time);
-        legend(ui, tokens, &layers, &axes, header_rect, time);
+        if !legend(ui, tokens, &layers, &axes, header_rect, time) {
+            names_inside(&inside, tokens, &layers, &axes);
+        }
         let whole = whole_span(context)?;
         self.time_axis
             .interact(ui, context, &response, &axes, whole)
@@ -412,7 +414,33 @@ fn nothing(kind: PanelKind, context: &ViewContext<'_>) -> &'static str {
     }
 }
 
-/// Samples, names and values at `time`, from the right; names go first where room is short.
+/// Samples and names in the upper right corner of the curves.
+fn names_inside(
+    painter: &egui::Painter,
+    tokens: &Tokens,
+    layers: &[PlotLayer<'_>],
+    axes: &ChartAxes,
+) {
+    let (sample, gap) = (10.0, tokens.space);
+    let middle = axes.rect.top() + 0.5 * tokens.text_sizes[0] + 2.0;
+    let mut right = axes.rect.right() - 0.5 * gap;
+    for layer in layers.iter().rev().filter(|l| l.is_visible(axes)) {
+        let name = layer.name.to_owned();
+        let galley = painter.layout_no_wrap(name, parts::small(tokens), tokens.muted);
+        let rect = egui::Align2::RIGHT_CENTER.anchor_size(pos2(right, middle), galley.size());
+        if rect.left() - sample < axes.rect.left() {
+            break;
+        }
+        let behind = Rect::from_min_max(rect.min - vec2(sample + gap, 0.0), rect.max);
+        painter.rect_filled(behind, 2.0, tokens.background.gamma_multiply(0.8));
+        painter.galley(rect.min, galley, tokens.muted);
+        let at = pos2(rect.left() - 0.5 * (sample + gap), middle);
+        layer.draw_sample(painter, at, sample);
+        right = behind.left() - 0.5 * gap;
+    }
+}
+
+/// Samples, names and values at `time`, from the right; names go first where room is short. Whether they are there.
 fn legend(
     ui: &Ui,
     tokens: &Tokens,
@@ -420,7 +448,7 @@ fn legend(
     axes: &ChartAxes,
     rect: Rect,
     time: f64,
-) {
+) -> bool {
     let painter = ui.painter_at(rect);
     let entries: Vec<(&PlotLayer<'_>, String)> = layers
         .iter()
@@ -476,6 +504,7 @@ fn legend(
         layer.draw_sample(&painter, pos2(right - 0.5 * sample, middle), sample);
         right -= sample + gap;
     }
+    with_names
 }
 
 #[cfg(test)]
