@@ -6,6 +6,7 @@ import { fetchTiles, downloadTiles, downloadState, stopDownload } from "./tiles.
 async function printPage(style, body) {
   const page = document.getElementById("brief");
   page.innerHTML = body;
+  for (const time of page.querySelectorAll("time")) time.textContent = `${new Date().toISOString().slice(0, 16).replace("T", " ")} UTC`;
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(`@media print { ${style} }`);
   document.adoptedStyleSheets = [sheet];

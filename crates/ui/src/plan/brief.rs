@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use pilotage_core::frames::{GroundPoint, GroundRect};
+use nalgebra::Point3;
+use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, Route};
 use pilotage_core::plan::RoutePrediction;
@@ -36,6 +37,8 @@ pub struct BriefScene<'a> {
     pub route: &'a Route,
     /// Its legs.
     pub legs: &'a [Leg],
+    /// The world frame, if it has a place on the globe.
+    pub frame: Option<LocalFrame>,
     /// Energy left at each way-point, watt hours.
     pub left: Option<Vec<f64>>,
     /// Prediction along the route.
@@ -80,9 +83,9 @@ pub fn brief(scene: &BriefScene<'_>) -> String {
     // Writing into a string cannot fail.
     let _ = write!(
         text,
-        "<h1>{} <small>{}</small></h1>",
-        escape(scene.mission),
-        escape(&scene.route.name)
+        "<h1>{} <small>{} · <time></time></small></h1>",
+        escape(&scene.route.name),
+        escape(scene.mission)
     );
     for warning in &scene.warnings {
         let _ = write!(text, "<p class=\"warning\">{}</p>", escape(warning));
@@ -325,9 +328,10 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
         };
         let _ = write!(
             text,
-            "<tr><td>{}</td><td>{}</td>",
+            "<tr><td>{}</td><td>{}{}</td>",
             index + 1,
-            escape(&altitude)
+            escape(&altitude),
+            place_words(&way_point.position, scene.frame.as_ref())
         );
         for cell in cells {
             let _ = write!(text, "<td>{}</td>", escape(&cell));
@@ -338,6 +342,21 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
         text.push_str("</tr>");
     }
     text.push_str("</table>");
+}
+
+/// Latitude and longitude of a place in a line of their own; nothing in a world without a place on the globe.
+fn place_words(place: &GroundPoint, frame: Option<&LocalFrame>) -> String {
+    let Some(frame) = frame else {
+        return String::new();
+    };
+    let place = frame.geodetic_from_world(&Point3::new(place.north, place.east, 0.0));
+    let side = |degrees: f64, letters: [char; 2]| {
+        let letter = letters[usize::from(degrees < 0.0)];
+        format!("{letter} {:.5}°", degrees.abs())
+    };
+    let latitude = side(place.latitude.to_degrees(), ['N', 'S']);
+    let longitude = side(place.longitude.to_degrees(), ['E', 'W']);
+    format!("<br><small>{latitude} {longitude}</small>")
 }
 
 /// Minutes and seconds, with their unit.
@@ -397,7 +416,7 @@ fn letter(index: usize) -> char {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pilotage_core::frames::Altitude;
+    use pilotage_core::frames::{Altitude, Geodetic};
     use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
 
     fn page(units: Units) -> String {
@@ -430,6 +449,11 @@ mod tests {
             mission: "Trip",
             route: &route,
             legs: &legs,
+            frame: Some(LocalFrame::new(Geodetic {
+                latitude: 47.5_f64.to_radians(),
+                longitude: -8.25_f64.to_radians(),
+                height: 0.0,
+            })),
             left: None,
             prediction: None,
             limit: 10.0,
@@ -471,6 +495,7 @@ mod tests {
             "0:30 min",
             "090°",
             "100 m above take-off",
+            "N 47.50000° W 8.25000°",
             "20 × 20 m",
         ] {
             assert!(text.contains(words), "{words} in {text}");

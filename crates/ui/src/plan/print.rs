@@ -1,6 +1,6 @@
 //! The mission brief: asked for, and printed once its pictures are there.
 
-use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::sorting::sort;
 
 use super::aircraft::energy_left;
@@ -62,7 +62,7 @@ impl Planner {
                     let percent = 100.0 * measured.last.expected.probability();
                     format!("found {percent:.0} % of the time")
                 }
-                None => "not measured".to_owned(),
+                None => "not tested".to_owned(),
             };
             BriefLandmark {
                 landmark: landmark.clone(),
@@ -130,7 +130,13 @@ impl Planner {
         let (speed, speed_unit) = units.speed();
         let camera = camera(documents);
         let across = 2.0 * (0.5 * camera.width as f64 / camera.focal).atan();
+        let cruise_words = format!(
+            "Aircraft: cruise at {:.1} {speed_unit}, bank up to {:.0}°.",
+            cruise() * speed,
+            self.preferences.bank.to_degrees()
+        );
         let mut assumed = vec![
+            cruise_words,
             format!(
                 "Wind from {:03.0}° with {:.1} {speed_unit}.",
                 wind.from.to_degrees().rem_euclid(360.0),
@@ -150,6 +156,7 @@ impl Planner {
             route,
             left: energy_left(&legs, &self.preferences),
             legs: &legs,
+            frame: documents.world_origin().map(LocalFrame::new),
             prediction: self.forecast.shown().map(|s| &s.prediction),
             limit: self.preferences.limit,
             assumptions: assumed,
