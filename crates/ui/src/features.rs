@@ -92,4 +92,33 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_words_of_people_find_what_they_mean() {
+        let entries = catalog(&all());
+        for (query, wanted) in [
+            ("help", "Show all shortcuts"),
+            ("tutorial", "Show Learn: the guided tour"),
+            ("zoom", "Show the whole flight"),
+            ("measure distance", "Measure distance and area"),
+            ("screenshot", "Save a picture of the view (PNG)"),
+            (
+                "simulate my route",
+                "Rehearse the route: fly it in the simulation",
+            ),
+            ("undo", "Undo"),
+            ("waypoint", "Way-point in the middle of the map"),
+            ("kalman", "Filter settings"),
+            ("rehersal", "Stop the rehearsal"),
+        ] {
+            let scores = entries.iter().filter_map(|it| {
+                let score = crate::shell::search::by_words(query, &it.label, it.also)?;
+                Some((score, it.label.as_ref()))
+            });
+            let mut scores: Vec<(i32, &str)> = scores.collect();
+            scores.sort_by_key(|it| std::cmp::Reverse(it.0));
+            let first: Vec<&str> = scores.iter().take(3).map(|it| it.1).collect();
+            assert!(first.contains(&wanted), "{query}: {first:?}");
+        }
+    }
 }

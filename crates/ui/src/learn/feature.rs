@@ -22,12 +22,13 @@ const INFO: FeatureInfo = FeatureInfo {
 };
 
 fn commands() -> Vec<CommandEntry> {
-    vec![entry(
+    let learn = entry(
         CommandGroup::View,
         "Show Learn: the guided tour",
         vec![],
         LearnCommand::Toggle.into(),
-    )]
+    );
+    vec![learn.also("help tutorial lesson teach course explain how")]
 }
 
 /// The tour, and the line of advice that leads to it.

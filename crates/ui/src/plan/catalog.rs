@@ -10,7 +10,8 @@ use crate::shell::catalog::{CommandEntry, CommandGroup, control, entry, plain, s
 
 /// Rows of the table of all commands.
 pub fn commands() -> Vec<CommandEntry> {
-    let mut entries = plan();
+    let mut entries = routes();
+    entries.extend(landmarks());
     entries.extend(trainings());
     entries.extend(ground());
     entries.push(entry(
@@ -22,7 +23,7 @@ pub fn commands() -> Vec<CommandEntry> {
     entries
 }
 
-fn plan() -> Vec<CommandEntry> {
+fn routes() -> Vec<CommandEntry> {
     let of = |label, shortcuts, command| {
         entry(CommandGroup::Plan, label, shortcuts, Command::from(command))
     };
@@ -31,23 +32,28 @@ fn plan() -> Vec<CommandEntry> {
             "Draw a route, or finish it",
             vec![plain(Key::W)],
             PlanCommand::ToggleDraw,
-        ),
+        )
+        .also("new path mission waypoints track"),
         of(
             "Way-point in the middle of the map",
             vec![plain(Key::I)],
             PlanCommand::AddWayPoint(None),
-        ),
+        )
+        .also("waypoint add"),
         of(
             "Fly the route the other way",
             vec![plain(Key::X)],
             PlanCommand::Reverse,
-        ),
+        )
+        .also("reverse turn round"),
         of(
             "Split the route at the way-point",
             vec![plain(Key::C)],
             PlanCommand::Split,
-        ),
-        of("Survey an area", vec![], PlanCommand::Mark(Purpose::Survey)),
+        )
+        .also("waypoint cut"),
+        of("Survey an area", vec![], PlanCommand::Mark(Purpose::Survey))
+            .also("lawnmower grid pattern scan"),
         of(
             "Fly a corridor along the route",
             vec![],
@@ -57,7 +63,8 @@ fn plan() -> Vec<CommandEntry> {
             "Show the heights of the route, or its uncertainty",
             vec![plain(Key::E)],
             PlanCommand::ToggleProfile,
-        ),
+        )
+        .also("elevation terrain profile altitude"),
         of(
             "Delete the way-point",
             vec![],
@@ -67,7 +74,8 @@ fn plan() -> Vec<CommandEntry> {
             "Rehearse the route: fly it in the simulation",
             vec![],
             PlanCommand::Rehearse(RehearseCommand::Start),
-        ),
+        )
+        .also("simulate my sitl test trial"),
         of(
             "Watch the worst flight of the rehearsal",
             vec![],
@@ -85,16 +93,26 @@ fn plan() -> Vec<CommandEntry> {
             vec![],
             PlanCommand::TakeFlightRoute,
         ),
+    ]
+}
+
+fn landmarks() -> Vec<CommandEntry> {
+    let of = |label, shortcuts, command| {
+        entry(CommandGroup::Plan, label, shortcuts, Command::from(command))
+    };
+    vec![
         of(
             "Test how well the landmark is found",
             vec![plain(Key::D)],
             PlanCommand::AssessSelected,
-        ),
+        )
+        .also("measure check recognise"),
         of(
             "Test all landmarks",
             vec![shift(Key::D)],
             PlanCommand::AssessAll,
-        ),
+        )
+        .also("measure check recognise"),
         of("Stop testing", vec![], PlanCommand::StopAssessing),
         of(
             "Draw the outline of a landmark",

@@ -124,27 +124,32 @@ fn view() -> Vec<CommandEntry> {
             "Show the whole flight",
             vec![plain(Key::F)],
             Command::FitMap,
-        ),
+        )
+        .also("zoom fit reset view overview"),
         of(
             "Follow the aircraft",
             vec![plain(Key::A)],
             Command::ToggleFollow,
-        ),
+        )
+        .also("centre center track"),
         of(
             "Turn the map with the track",
             vec![plain(Key::T)],
             Command::ToggleTrackUp,
-        ),
+        )
+        .also("rotate heading north up"),
         of(
             "Show or hide the side column",
             vec![plain(Key::V)],
             Command::ToggleSide,
-        ),
+        )
+        .also("panel hide sidebar"),
         of(
             "Show or hide the plots",
             vec![plain(Key::G)],
             Command::TogglePlots,
-        ),
+        )
+        .also("charts graphs curves hide"),
         of(
             "Show Replay",
             vec![shift(Key::R)],
@@ -155,22 +160,25 @@ fn view() -> Vec<CommandEntry> {
             vec![shift(Key::P)],
             Command::ShowWorkspace(Workspace::Plan),
         ),
-        of("Dark or light", vec![], Command::ToggleTheme),
+        of("Dark or light", vec![], Command::ToggleTheme).also("theme colours colors night day"),
         of(
             "Metric or aviation units",
             vec![plain(Key::U)],
             Command::ToggleUnits,
-        ),
+        )
+        .also("feet knots metres miles imperial"),
         of(
             "Find a command",
             vec![control(Key::K), plain(Key::P)],
             Command::TogglePalette,
-        ),
+        )
+        .also("search palette"),
         of(
             "Show all shortcuts",
             vec![plain(Key::Questionmark), shift(Key::Questionmark)],
             Command::ToggleHelp,
-        ),
+        )
+        .also("help keyboard keys manual"),
     ]
 }
 
@@ -181,8 +189,9 @@ fn edit() -> Vec<CommandEntry> {
             "Draw a landmark",
             vec![plain(Key::N)],
             Command::TogglePickTool,
-        ),
-        of("Undo", vec![control(Key::Z)], Command::Undo),
+        )
+        .also("add mark box new"),
+        of("Undo", vec![control(Key::Z)], Command::Undo).also("back revert"),
         of(
             "Redo",
             vec![
@@ -190,7 +199,8 @@ fn edit() -> Vec<CommandEntry> {
                 control(Key::Y),
             ],
             Command::Redo,
-        ),
+        )
+        .also("again repeat"),
         of("Select nothing", vec![], Command::SelectLandmark(None)),
         of(
             "Fly again over these landmarks",
@@ -207,18 +217,21 @@ fn document() -> Vec<CommandEntry> {
             "Simulate a flight…",
             vec![plain(Key::M)],
             Command::ToggleSimulate,
-        ),
+        )
+        .also("scenario demo seed wind new"),
         of(
             "Filter settings",
             vec![plain(Key::S)],
             Command::ToggleSettings,
-        ),
+        )
+        .also("kalman estimator noise gate ukf ekf particles options preferences"),
         of(
             "Open a flight, map, mission, route or run…",
             vec![control(Key::O)],
             Command::Open,
-        ),
-        of("Stop computing", vec![], Command::CancelJob),
-        of("Open the built-in demo", vec![], Command::OpenDemo),
+        )
+        .also("load file import log bin ulog geotiff kml"),
+        of("Stop computing", vec![], Command::CancelJob).also("cancel abort"),
+        of("Open the built-in demo", vec![], Command::OpenDemo).also("example sample home"),
     ]
 }

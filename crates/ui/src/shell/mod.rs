@@ -8,6 +8,7 @@ mod help;
 pub mod icons;
 pub mod keys;
 mod palette;
+pub mod search;
 mod sentences;
 mod theme;
 mod toasts;

@@ -6,6 +6,7 @@ use egui::{
 use pilotage_core::sorting::sort;
 
 use super::catalog::CommandEntry;
+use super::search::{by_words, in_order};
 use crate::command::Command;
 use crate::tokens::Tokens;
 
@@ -15,27 +16,6 @@ pub struct Palette {
     open: bool,
     query: String,
     chosen: usize,
-}
-
-/// Score of the match between `query` and `text`: its letters in order, better when together and at word
-/// starts; `None` if they do not occur.
-pub fn fuzzy_score(query: &str, text: &str) -> Option<i32> {
-    let text: Vec<char> = text.to_lowercase().chars().collect();
-    let mut score = 0;
-    let mut at = 0;
-    let mut previous: Option<usize> = None;
-    for letter in query.to_lowercase().chars().filter(|c| !c.is_whitespace()) {
-        let found = at + text.get(at..)?.iter().position(|c| *c == letter)?;
-        score += match previous {
-            Some(p) if p + 1 == found => 6,
-            _ if found == 0 || !text[found - 1].is_alphanumeric() => 4,
-            _ => 0,
-        };
-        score -= (found - at).min(8) as i32;
-        previous = Some(found);
-        at = found + 1;
-    }
-    Some(score)
 }
 
 impl Palette {
@@ -56,10 +36,17 @@ impl Palette {
         let mut found: Vec<(i32, CommandEntry)> = catalog
             .iter()
             .filter_map(|e| {
-                let words = [&*e.label, e.also].map(|text| fuzzy_score(&self.query, text));
-                Some((words.into_iter().max()??, e.clone()))
+                let score = by_words(&self.query, &e.label, e.also)?;
+                Some((score, e.clone()))
             })
             .collect();
+        if found.is_empty() {
+            // People who know a command type the first letters of its words.
+            let by_letters = catalog.iter();
+            let by_letters =
+                by_letters.filter_map(|e| Some((in_order(&self.query, &e.label)?, e.clone())));
+            found.extend(by_letters);
+        }
         if !self.query.is_empty() {
             sort(&mut found, &|a, b| b.0.cmp(&a.0));
         }
@@ -214,21 +201,4 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui
         );
     }
     response
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn letters_in_order_are_found_and_others_are_not() {
-        assert!(fuzzy_score("plpa", "Play or pause").is_some());
-        assert!(fuzzy_score("zq", "Play or pause").is_none());
-        assert!(fuzzy_score("", "anything").is_some());
-    }
-
-    #[test]
-    fn letters_together_score_higher_than_letters_apart() {
-        assert!(fuzzy_score("undo", "Undo") > fuzzy_score("undo", "Turn the map with no order"));
-    }
 }
