@@ -242,6 +242,7 @@ impl Report<'_> {
         match (&documents.run, documents.span()) {
             _ if self.views.hide_flight(self.view.workspace) => {}
             (Some(run), Some(span)) => parts.push(self.run_text(run, span)),
+            _ if self.job.is_some() => {}
             _ => parts.push("No run yet.".to_owned()),
         }
         if let Some((from, to)) = self.playback.selected_span {

@@ -103,7 +103,7 @@ impl DetectorView {
             .and_then(|run| Some((run, run.index_at(context.time)?)))
         else {
             let hint = "Fly to see how trained detectors find landmarks.";
-            parts::empty(ui, tokens, "No run yet", hint);
+            parts::no_run(ui, context, hint);
             return;
         };
         let step = self.sights.last(run, index).map(|i| &run.steps[i]);

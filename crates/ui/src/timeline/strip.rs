@@ -105,7 +105,10 @@ impl Timeline {
             painter.text(
                 track.center(),
                 Align2::CENTER_CENTER,
-                "No flight yet. Simulate one, or drop a flight folder here",
+                match context.flying {
+                    Some(_) => "Computing the flight …",
+                    None => "No flight yet. Simulate one, or drop a flight folder here",
+                },
                 tokens.small(),
                 tokens.muted,
             );

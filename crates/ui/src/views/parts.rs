@@ -2,6 +2,7 @@
 
 use egui::{Align2, Color32, FontId, Rect, Response, RichText, Sense, Ui, Vec2, vec2};
 
+use crate::context::ViewContext;
 use crate::tokens::Tokens;
 
 /// Number for people: its name, value and unit.
@@ -125,6 +126,14 @@ pub(crate) fn empty(ui: &mut Ui, tokens: &Tokens, title: &str, hint: &str) {
                 .color(tokens.muted),
         );
     });
+}
+
+/// Words in the place of a run that is not there: that it is on its way, or else what it would show.
+pub(crate) fn no_run(ui: &mut Ui, context: &ViewContext<'_>, hint: &str) {
+    match context.flying {
+        Some(words) => empty(ui, context.tokens, "Computing the flight …", words),
+        None => empty(ui, context.tokens, "No run yet", hint),
+    }
 }
 
 /// A heading with a line below, which folds what follows.

@@ -81,3 +81,19 @@ fn the_first_visit_has_the_colours_of_the_rest_of_the_screen_and_later_ones_thos
     let host = ScriptedHost { stored, ..light() };
     assert_eq!(rig_on(host, size).state()["dark"], true);
 }
+
+#[test]
+fn while_the_first_flight_is_computed_nothing_says_that_there_is_none() {
+    let host = ScriptedHost {
+        silent_flights: true,
+        ..ScriptedHost::default()
+    };
+    let rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    let shown = rig
+        .harness
+        .query_all_by_label_contains("Computing the flight");
+    assert!(shown.count() >= 2, "plots and matches say so");
+    for words in ["No run yet", "No flight yet"] {
+        assert!(rig.harness.query_by_label_contains(words).is_none());
+    }
+}

@@ -98,13 +98,11 @@ impl CameraView {
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
         let Some(flight) = context.flight else {
-            parts::empty(
-                ui,
-                tokens,
-                "No flight yet",
-                "Open a flight or simulate one.",
-            );
-            return;
+            let (title, hint) = match context.flying {
+                Some(words) => ("Computing the flight …", words),
+                None => ("No flight yet", "Open a flight or simulate one."),
+            };
+            return parts::empty(ui, tokens, title, hint);
         };
         if flight.frames.is_empty() {
             let hint = "This flight was recorded without a camera.";

@@ -51,7 +51,7 @@ impl MatchView {
             .and_then(|run| Some((run, run.index_at(context.time)?)))
         else {
             let hint = "Fly to see how landmarks are matched.";
-            parts::empty(ui, tokens, "No run yet", hint);
+            parts::no_run(ui, context, hint);
             return;
         };
         self.drawn = context.drawn(run.steps[index].time);

@@ -95,12 +95,7 @@ impl PlotsView {
             ui.ctx().request_repaint();
         }
         let Some(whole) = whole_span(context) else {
-            parts::empty(
-                ui,
-                context.tokens,
-                "No run yet",
-                "Fly to see errors and wind over time.",
-            );
+            parts::no_run(ui, context, "Fly to see errors and wind over time.");
             return;
         };
         let span = self.time_axis.span(whole);
