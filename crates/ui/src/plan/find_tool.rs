@@ -10,6 +10,7 @@ use super::PlanCommand;
 use super::corridor_paint::corridor_band;
 use super::find_command::{FindCommand, FindPick};
 use super::planner::Planner;
+use super::purpose::AGAIN;
 use super::tab::PlanTab;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -58,9 +59,13 @@ impl Planner {
         let first = finder.corners.first().map(|p| view.apply(p));
         let closes = finder.corners.len() >= 3
             && (response.double_clicked() || first.is_some_and(|f| f.distance(at) < CLOSING));
-        if finder.pick == FindPick::Area && closes {
+        let is_area = finder.pick == FindPick::Area;
+        let last = finder.corners.last().filter(|_| is_area);
+        let last = last.map(|corner| view.apply(corner));
+        if is_area && closes {
             say(FindCommand::FinishArea);
-        } else {
+        } else if last.is_none_or(|last| last.distance(at) > AGAIN) {
+            // Not so the first click of a double one on the last corner.
             say(FindCommand::Click(view.inverse(at)));
         }
         true

@@ -4,7 +4,7 @@ use egui::{Align2, Color32, CursorIcon, Key, Painter, Response, Shape, Stroke, U
 use pilotage_core::frames::GroundPoint;
 
 use super::command::PlanCommand;
-use super::purpose::Purpose;
+use super::purpose::{AGAIN, Purpose};
 use crate::map::{ScreenFromWorld, paint_halo_text};
 use crate::tokens::Tokens;
 
@@ -61,7 +61,10 @@ impl Marking {
         } else if response.clicked()
             && let Some(at) = response.interact_pointer_pos()
         {
-            say(PlanCommand::AddCorner(view.inverse(at)));
+            let last = self.corners.last().map(|corner| view.apply(corner));
+            if last.is_none_or(|last| last.distance(at) > AGAIN) {
+                say(PlanCommand::AddCorner(view.inverse(at)));
+            }
             if self.purpose.is_point() {
                 say(PlanCommand::FinishMarking);
             }

@@ -1,5 +1,8 @@
 //! Purpose of places that are marked on the map.
 
+/// Distance within which a click is on the last corner again, points.
+pub const AGAIN: f32 = 4.0;
+
 /// Purpose of the marked places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {

@@ -108,3 +108,18 @@ fn the_mean_may_be_kept_small_and_the_budget_may_be_of_length() {
     assert!(of("surest/length") <= 1.1 * of("shortest/length") + 1.0);
     assert!(of("surest/mean") <= of("shortest/mean") + 1e-6);
 }
+
+#[test]
+fn a_click_on_the_last_corner_again_as_the_first_of_a_double_one_adds_no_corner() {
+    let mut rig = planning();
+    rig.key_with(Modifiers::SHIFT, Key::A);
+    rig.settle();
+    let corners = [(-40.0, -40.0), (40.0, -40.0), (40.0, 40.0), (-40.0, 40.0)];
+    for (north, east) in corners {
+        click(&mut rig, north, east);
+    }
+    click(&mut rig, -40.0, 40.0);
+    rig.key(Key::Enter);
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["no_fly"][0], 4);
+}
