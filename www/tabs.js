@@ -2,23 +2,33 @@
 // nothing, and takes over when it is asked to.
 const DOCUMENTS = "pilotage documents";
 const TAKE = "pilotage takes over";
-/** Milliseconds for a tab that is just being left, and for one that is asked to save and give way. */
-const leaving = 1000;
-const giving = 4000;
+/** How often a tab asks, a tenth of a second apart, that another one may just be leaving, or has to save first. */
+const leaving = 10;
+const giving = 40;
 
-/** Asks for the documents, which this tab then holds until it ends, gives way or is robbed of them (`lost` is called);
- * resolves to whether it has them, after `wait` milliseconds at the latest. */
-function hold(options, wait, lost) {
+/** Asks once for the documents, which this tab then holds until it ends, gives way or is robbed of them (`lost` is
+ * called); resolves to what gives them back, or to null where another tab has them. */
+function ask(options, lost) {
   return new Promise((resolve) => {
-    const late = new AbortController();
-    const timer = wait && setTimeout(() => late.abort(), wait);
-    const held = () => {
-      clearTimeout(timer);
+    const held = (lock) => {
+      if (lock === null) {
+        resolve(null);
+        return undefined;
+      }
       return new Promise((release) => { resolve(release); });
     };
-    navigator.locks.request(DOCUMENTS, wait ? { ...options, signal: late.signal } : options, held)
-      .then(lost, () => { resolve(null); lost(); });
+    navigator.locks.request(DOCUMENTS, options, held).then(lost, () => { resolve(null); lost(); });
   });
+}
+
+/** Asks that often; by number and not by the clock, which runs on while a busy machine keeps the answer. */
+async function hold(times, lost) {
+  for (let time = 0; time < times; time += 1) {
+    const release = await ask({ ifAvailable: true }, lost);
+    if (release) return release;
+    await new Promise((resolve) => { setTimeout(resolve, 100); });
+  }
+  return null;
 }
 
 /** Lets a tab have the documents or not. `tab.keeps` says which, `tab.changed` is called when that changes, and
@@ -36,8 +46,8 @@ export async function openTab() {
   sessionStorage.removeItem(TAKE);
   tab.keeps = false;
   if (takes) channel.postMessage("give way");
-  let release = await hold({}, takes ? giving : leaving, lost);
-  if (!release && takes) release = await hold({ steal: true }, 0, lost);
+  let release = await hold(takes ? giving : leaving, lost);
+  if (!release && takes) release = await ask({ steal: true }, lost);
   tab.keeps = release !== null;
   channel.addEventListener("message", async () => {
     if (!tab.keeps) return;

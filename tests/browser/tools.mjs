@@ -38,6 +38,8 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
         const text = await page.evaluate(() => document.body.innerText);
         throw new Error(`the page did not become ready (${ready}): ${text}`);
       }
+      const isAlone = await page.evaluate(() => document.getElementById("other-tab").hidden);
+      if (!isAlone) throw new Error("a single tab says that another is open");
       await page.evaluate(() => window.app.enable_a11y?.());
     },
 
