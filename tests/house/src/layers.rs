@@ -27,6 +27,7 @@ pub const ORDERS: [&Order; 8] = [
             "files",
             "frames",
             "georeference",
+            "place_text",
             "text",
             "tiff_entry",
             "viridis",

@@ -52,7 +52,7 @@ pub fn sexagesimal(text: &str) -> Option<f64> {
 }
 
 /// A text without the letter or word of a hemisphere before or behind it, and that letter.
-fn hemisphere(text: &str) -> (&str, Option<char>) {
+pub(crate) fn hemisphere(text: &str) -> (&str, Option<char>) {
     const WORDS: [(&str, char); 8] = [
         ("north", 'N'),
         ("south", 'S'),

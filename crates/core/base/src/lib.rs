@@ -8,6 +8,7 @@ pub mod bytes;
 pub mod files;
 pub mod frames;
 pub mod georeference;
+pub mod place_text;
 pub mod sorting;
 pub mod statistics;
 pub mod text;

@@ -1,0 +1,72 @@
+//! Latitude and longitude in degrees.
+
+use super::PlaceTextError;
+use crate::angle_text::{degrees_of_text, hemisphere, sexagesimal};
+use crate::frames::Geodetic;
+
+/// Greatest number that may be meant as an angle, degrees.
+const GREATEST_ANGLE: f64 = 360.0;
+
+/// The place that two angles name: latitude first, unless letters say otherwise.
+pub(super) fn read(text: &str) -> Result<Geodetic, PlaceTextError> {
+    let [a, b] = two_numbers(text).ok_or(PlaceTextError::Unread)?;
+    let letters = halves(text).map(|halves| halves.map(|half| hemisphere(half.trim()).1));
+    let is_north = |letter| matches!(letter, Some('N' | 'S'));
+    let is_east = |letter| matches!(letter, Some('E' | 'W'));
+    let [first, second] = letters.unwrap_or_default();
+    let (latitude, longitude) = match (is_east(first), is_north(second)) {
+        (true, false) if is_east(second) => return Err(PlaceTextError::Hemispheres),
+        (false, true) if is_north(first) => return Err(PlaceTextError::Hemispheres),
+        (false, false) => (a, b),
+        _ => (b, a),
+    };
+    if latitude.abs() <= 90.0 && longitude.abs() <= 180.0 {
+        return Ok(Geodetic::from_degrees(latitude, longitude, 0.0));
+    }
+    if a.abs().max(b.abs()) > GREATEST_ANGLE {
+        return Err(PlaceTextError::Metres);
+    }
+    Err(PlaceTextError::Degrees {
+        latitude,
+        longitude,
+    })
+}
+
+/// The two numbers of a text; degrees, minutes and seconds count as one, and S and W are negative.
+pub fn two_numbers(text: &str) -> Option<[f64; 2]> {
+    let [first, second] = halves(text.trim())?;
+    Some([number(first)?, number(second)?])
+}
+
+/// The parts of a text at its comma or semicolon, or beside the letters N, S, E, W, or at its only blank.
+fn halves(text: &str) -> Option<[&str; 2]> {
+    let is_part = |part: &&str| !part.trim().is_empty();
+    if text.contains([',', ';']) {
+        let parts: Vec<_> = text.split([',', ';']).filter(is_part).collect();
+        return parts.try_into().ok();
+    }
+    let letters: Vec<_> = text
+        .char_indices()
+        .filter(|(_, c)| "NSEWnsew".contains(*c))
+        .map(|(place, _)| place)
+        .collect();
+    match letters[..] {
+        // A letter stands before its number, or behind it.
+        [0, second] => Some(text.split_at(second).into()),
+        [first, _] => Some(text.split_at(first + 1).into()),
+        [] => {
+            let parts: Vec<_> = text.split_whitespace().collect();
+            parts.try_into().ok()
+        }
+        _ => None,
+    }
+}
+
+/// An angle in degrees, or a bare number with its sign.
+fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    degrees_of_text(text).or_else(|| match text.strip_prefix('-') {
+        Some(size) => sexagesimal(size).map(|size| -size),
+        None => sexagesimal(text.strip_prefix('+').unwrap_or(text)),
+    })
+}

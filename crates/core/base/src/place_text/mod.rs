@@ -1,0 +1,38 @@
+//! Places on the globe as people write them: in degrees, in UTM, as MGRS references, as plus codes.
+
+mod degrees;
+mod mgrs;
+mod place_text_error;
+mod plus_code;
+#[cfg(test)]
+mod tests;
+mod utm;
+
+pub use degrees::two_numbers;
+pub use place_text_error::PlaceTextError;
+
+use crate::frames::Geodetic;
+
+/// The place that a text names, at height zero: the middle of the square that an MGRS reference or a plus code means.
+///
+/// ```
+/// use pilotage_base::place_text::place_of_text;
+///
+/// let place = place_of_text("46°51.6' N, 92°4.5' W")?;
+/// assert!((place.latitude.to_degrees() - 46.86).abs() < 1e-12);
+/// for text in ["32T 448251 5211932", "32TMT4825111932"] {
+///     let longitude = place_of_text(text)?.longitude.to_degrees();
+///     assert!((longitude - 8.318_57).abs() < 1e-5);
+/// }
+/// // The town that a short code needs is not known here.
+/// assert!(place_of_text("9G8F+6X").is_err());
+/// # Ok::<(), pilotage_base::place_text::PlaceTextError>(())
+/// ```
+pub fn place_of_text(text: &str) -> Result<Geodetic, PlaceTextError> {
+    let text = text.trim().to_uppercase();
+    // "31NEM12" is a reference, though N, E and M could be the marks of an angle.
+    plus_code::read(&text)
+        .or_else(|| mgrs::read(&text))
+        .or_else(|| utm::read(&text))
+        .unwrap_or_else(|| degrees::read(&text))
+}

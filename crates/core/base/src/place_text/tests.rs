@@ -1,0 +1,221 @@
+//! Places of every form, beside those that other programs read.
+
+use super::*;
+use crate::frames::LocalFrame;
+
+fn degrees(text: &str) -> Result<[f64; 2], PlaceTextError> {
+    let place = place_of_text(text)?;
+    Ok([place.latitude, place.longitude].map(f64::to_degrees))
+}
+
+fn refusal(text: &str) -> String {
+    match degrees(text) {
+        Ok(place) => panic!("{text} is {place:?}"),
+        Err(why) => why.to_string(),
+    }
+}
+
+/// Distance of the place that a text names from a latitude and longitude, metres.
+fn off(text: &str, [latitude, longitude]: [f64; 2]) -> f64 {
+    let place = place_of_text(text).unwrap_or_else(|why| panic!("{text}: {why}"));
+    let frame = LocalFrame::new(Geodetic::from_degrees(latitude, longitude, 0.0));
+    frame.world_from_geodetic(&place).coords.norm()
+}
+
+#[test]
+fn latitude_and_longitude_are_read_as_people_write_them() {
+    for text in [
+        "46.5, -92.25",
+        " 46.5 -92.25 ",
+        "46.5;-92.25",
+        "46.5° N, 92.25° W",
+        "92.25° W, 46.5° N",
+        "92.25W 46.5N",
+        "-92.25, 46.5 north",
+        "46°30'N 92°15'W",
+        "46° 30' 0\" N, 92° 15' 0\" W",
+        "46 30 N 92 15 W",
+        "n46.5 w92.25",
+        "N 46° 30', W 92° 15'",
+        "46°30', -92°15'",
+    ] {
+        let [latitude, longitude] = degrees(text).unwrap_or_default();
+        assert!(
+            (latitude - 46.5).abs() < 1e-12 && (longitude + 92.25).abs() < 1e-12,
+            "{text}: {latitude} {longitude}"
+        );
+    }
+}
+
+#[test]
+fn degrees_that_are_no_place_are_refused_with_the_reason() {
+    for text in ["", "here", "46.5", "46.5, x", "1, 2, 3", "46 30 92 15"] {
+        assert!(refusal(text).contains("46.8571"), "{text}");
+    }
+    assert!(refusal("95, 10").contains("95 and 10"));
+    assert!(refusal("10, 200").contains("up to 180"));
+    assert!(refusal("46 N, 92 S").contains("one with E or W"));
+    assert!(refusal("46 E, 92 W").contains("one number with N or S"));
+    assert!(refusal("448251 5211932").contains("zone before them"));
+}
+
+/// Values of the Python package mgrs 1.6.0 (`MGRS().UTMToMGRS` and `toLatLon`), which is NGA's GEOTRANS.
+#[test]
+fn utm_coordinates_are_read_with_the_band_or_the_half_of_their_zone() {
+    let north = [47.058_879_634_172_89, 8.318_577_666_255_399];
+    for text in [
+        "32T 448251.5 5211932.5",
+        "32 T 448251.5mE 5211932.5mN",
+        "UTM zone 32T 448251.5E, 5211932.5N",
+        "32n 448251.5 5211932.5",
+        "32 north 448251.5 5211932.5",
+    ] {
+        assert!(off(text, north) < 1e-3, "{text}: {}", off(text, north));
+    }
+    let south = [-33.866_040_088_120_89, 151.209_356_196_854_12];
+    for text in [
+        "56H 334368.5 6251254.5",
+        "56S 334368.5 6251254.5",
+        "56 South 334368.5 6251254.5",
+    ] {
+        assert!(off(text, south) < 1e-3, "{text}");
+    }
+}
+
+#[test]
+fn wrong_utm_coordinates_are_refused_with_the_reason() {
+    assert!(refusal("61T 448251 5211932").contains("1 to 60"));
+    assert!(refusal("32I 448251 5211932").contains("I is no latitude band"));
+    assert!(refusal("32T 448251 5411932").contains("48.86°, outside of band T, 40° to 48°"));
+    assert!(refusal("32T 48251 5211932").contains("eastings go from"));
+    assert!(refusal("32 north 448251 9911932").contains("84° north"));
+    assert!(refusal("32Z 448251 5211932").contains("UPS"));
+    // 38° north, or by the Falkland Islands.
+    assert!(refusal("21S 430000 4270000").contains("21 north or 21 south"));
+    let south = degrees("21 south 430000 4270000").unwrap_or_default();
+    assert!((south[0] + 51.7).abs() < 0.1, "{south:?}");
+}
+
+/// Values of the Python package mgrs 1.6.0 (`MGRS().toLatLon`), which is NGA's GEOTRANS: middles of the squares.
+#[test]
+fn mgrs_references_are_the_middles_of_their_squares() {
+    for (text, latitude, longitude) in [
+        (
+            "32TMT4825111932",
+            47.058_879_634_172_89,
+            8.318_577_666_255_399,
+        ),
+        (
+            "32t mt 48251 11932",
+            47.058_879_634_172_89,
+            8.318_577_666_255_399,
+        ),
+        ("32TMT4811", 47.055_007_402_360_076, 8.321_899_009_163_58),
+        ("32TMT", 47.401_538_120_175_196, 8.337_344_507_395_958),
+        (
+            "15TWN7699693690",
+            47.791_968_483_714_68,
+            -91.971_934_115_943_37,
+        ),
+        (
+            "18SUJ2337106519",
+            38.889_805_116_317_19,
+            -77.036_537_282_091_56,
+        ),
+        (
+            "56HLH3436851254",
+            -33.866_040_088_120_89,
+            151.209_356_196_854_12,
+        ),
+        (
+            "33XVG7459043593",
+            77.865_494_198_868_8,
+            13.917_119_919_809_357,
+        ),
+        (
+            "31NEA0000000000",
+            4.523_656_831_636_744_5e-6,
+            3.000_004_493_373_770_4,
+        ),
+        (
+            "21FUC5000099999",
+            -51.431_324_490_042_8,
+            -59.157_851_141_046_22,
+        ),
+        (
+            "04QFJ1234056789",
+            21.309_519_022_809_976,
+            -157.916_861_988_853_2,
+        ),
+        (
+            "4QFJ1234056789",
+            21.309_519_022_809_976,
+            -157.916_861_988_853_2,
+        ),
+        (
+            "01NAA6602150000",
+            0.451_745_963_256_251_8,
+            179.999_907_799_253_35,
+        ),
+    ] {
+        let off = off(text, [latitude, longitude]);
+        assert!(off < 1e-3, "{text}: {off} m");
+    }
+}
+
+#[test]
+fn wrong_mgrs_references_are_refused_with_the_reason() {
+    assert!(refusal("61TMT4811").contains("1 to 60"));
+    assert!(refusal("32OMT4811").contains("O is no latitude band"));
+    assert!(
+        refusal("32TAT4811")
+            .contains("A is no column of zone 32, whose squares have the letters JKLMNPQR")
+    );
+    assert!(refusal("32TMX4811").contains("X is no row"));
+    assert!(refusal("32TMT481").contains("this has 3 in all"));
+    assert!(refusal("32TMT482511193211").contains("this has 12 in all"));
+    assert!(refusal("32UMT4825111932").contains("47.06°, outside of band U, 48° to 56°"));
+    assert!(refusal("ZAH1234").contains("UPS"));
+}
+
+/// Values of the Python package openlocationcode 1.0.1 (`decode(code).latitudeCenter`, `.longitudeCenter`).
+#[test]
+fn plus_codes_are_the_middles_of_their_squares() {
+    for (text, latitude, longitude) in [
+        ("8FVC9G8F+6X", 47.365_562_5, 8.524_937_5),
+        ("8fvc9g8f+6x Zürich", 47.365_562_5, 8.524_937_5),
+        ("8FVC9G8F+6XQ", 47.365_587_5, 8.524_984_375),
+        ("8FVC9G8F+6XQ2345", 47.365_575_02, 8.524_972_106_933_596),
+        ("86P8VW4F+R9", 44.857_062_5, -93.076_562_5),
+        ("4RRH46J8+9QHXV", -33.869_050_5, 151.216_995_117_187_48),
+        ("8FVC9G00+", 47.375, 8.525),
+        ("62G20000+", 0.5, -179.5),
+        ("CFX3X2X2+X2", 89.999_937_5, 1.000_062_5),
+        ("22222222+22", -89.999_937_5, -179.999_937_5),
+    ] {
+        let found = degrees(text).unwrap_or_default();
+        let error = (found[0] - latitude)
+            .abs()
+            .max((found[1] - longitude).abs());
+        assert!(error < 1e-9, "{text}: {found:?}");
+    }
+}
+
+/// The same package (`isValid`, `isFull`) takes none of these for whole codes.
+#[test]
+fn wrong_plus_codes_are_refused_with_the_reason() {
+    assert!(refusal("9G8F+6X").contains("short"));
+    assert!(refusal("8FVC9A8F+6X").contains("A stands in no plus code"));
+    for text in [
+        "8FVC9G8F+6",
+        "8FVC0000+6X",
+        "8FV00000+",
+        "FFVC9G8F+6X",
+        "8XVC9G8F+6X",
+        "8FVC9G8F6+X2",
+    ] {
+        assert!(refusal(text).contains("eight letters"), "{text}");
+    }
+    // A sign is no code.
+    assert!(degrees("+46.5, +92").is_ok());
+}
