@@ -1,10 +1,13 @@
 //! The dialog that opens a map of the web: by a template of tiles, or a file read by pieces.
 
-use egui::{DragValue, Frame, Id, Modal, TextEdit, Ui};
+use egui::{DragValue, Frame, Id, Modal, ScrollArea, TextEdit, Ui};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::web_tiles::TileTemplate;
+use pilotage_core::place_text::place_of_text;
 
 use super::WebMapCommand;
+use super::address::{host_of, is_file};
+use super::services::{SERVICES, WebService, service_at};
 use crate::command::Command;
 use crate::host::Download;
 use crate::shell::{caption, muted, text_button, title};
@@ -15,6 +18,8 @@ use pilotage_jobs::WebMap;
 const MOST_TILES: u64 = 20_000;
 /// Bytes of a usual tile, for an estimate.
 const USUAL_TILE: f64 = 22_000.0;
+/// Latitude up to which there are tiles, degrees.
+const NORTHERNMOST: f64 = 85.0;
 
 /// Scene of the dialog: the open map and the ground in sight.
 pub struct WebMapScene<'a> {
@@ -36,6 +41,8 @@ pub struct WebMapDialog {
     attribution: String,
     zooms: (u8, u8),
     place: String,
+    /// Whether the map begins at that place even though a world is open.
+    is_elsewhere: bool,
     deepest: Option<u8>,
     wrong: Option<String>,
 }
@@ -48,6 +55,7 @@ impl Default for WebMapDialog {
             attribution: String::new(),
             zooms: (0, 18),
             place: String::new(),
+            is_elsewhere: false,
             deepest: None,
             wrong: None,
         }
@@ -58,7 +66,15 @@ impl WebMapDialog {
     /// Opens or closes the dialog.
     pub fn toggle(&mut self) {
         self.open = !self.open;
+        self.is_elsewhere = false;
         self.wrong = None;
+    }
+
+    /// Opens the dialog for a map that begins at a place, whatever world is open.
+    pub fn begin_at(&mut self, place: &Geodetic) {
+        let [latitude, longitude] = [place.latitude, place.longitude].map(f64::to_degrees);
+        self.place = format!("{latitude:.6}, {longitude:.6}");
+        (self.open, self.is_elsewhere, self.wrong) = (true, true, None);
     }
 
     /// Whether it is open.
@@ -83,17 +99,50 @@ impl WebMapDialog {
             .show(context, |ui| {
                 ui.set_width(560.0_f32.min(screen.width() - 96.0));
                 let mut close = title(ui, tokens, "Map from the web");
-                close |= self.source(ui, tokens, scene, commands);
-                if let Some(map) = scene.open {
-                    ui.add_space(2.0 * tokens.space);
-                    ui.separator();
-                    self.offline(ui, tokens, scene, map, commands);
-                }
+                let height = (screen.height() - 160.0).max(120.0);
+                ScrollArea::vertical()
+                    .min_scrolled_height(height)
+                    .max_height(height)
+                    .show(ui, |ui| {
+                        self.services(ui, tokens);
+                        close |= self.source(ui, tokens, scene, commands);
+                        if let Some(map) = scene.open {
+                            ui.add_space(2.0 * tokens.space);
+                            ui.separator();
+                            self.offline(ui, tokens, scene, map, commands);
+                        }
+                    });
                 close
             });
         if response.inner || response.should_close() {
             self.open = false;
         }
+    }
+
+    /// Lists the public services; one that is chosen fills the fields below.
+    fn services(&mut self, ui: &mut Ui, tokens: &Tokens) {
+        caption(ui, tokens, "Public services");
+        for service in &SERVICES {
+            let is_chosen = self.address == service.address;
+            let words = format!("{}: {}, {}", service.name, service.area, service.shows);
+            if ui.selectable_label(is_chosen, words).clicked() {
+                self.choose(service);
+            }
+            if is_chosen {
+                let not = if service.is_downloadable { "" } else { "not " };
+                let (finest, terms) = (service.finest, service.terms);
+                let words = format!("Down to zoom {finest}. {terms} Areas may {not}be downloaded.");
+                ui.label(muted(tokens, words));
+            }
+        }
+        ui.add_space(tokens.space);
+    }
+
+    fn choose(&mut self, service: &WebService) {
+        service.address.clone_into(&mut self.address);
+        service.attribution.clone_into(&mut self.attribution);
+        self.zooms = (0, service.finest);
+        self.wrong = None;
     }
 
     fn source(
@@ -124,9 +173,15 @@ impl WebMapDialog {
                 ui.add(DragValue::new(most).range(0..=22))
                     .accessible_name("Deepest zoom");
             });
-            if scene.origin.is_none() {
+            if scene.origin.is_none() || self.is_elsewhere {
                 caption(ui, tokens, "Where to begin");
-                text(ui, &mut self.place, "Where to begin", "latitude, longitude");
+                let hint = "latitude, longitude; UTM, MGRS or a plus code";
+                text(ui, &mut self.place, "Where to begin", hint);
+            }
+            if scene.origin.is_some() && self.is_elsewhere {
+                let words =
+                    "A mission of its own begins there. Undo brings back the one that is open.";
+                ui.label(muted(tokens, words));
             }
         }
         let host = host_of(&self.address).unwrap_or("its server");
@@ -173,10 +228,9 @@ impl WebMapDialog {
         if template.attribution.is_empty() {
             return Err("say whose map it is: makers of maps ask for it".to_owned());
         }
-        let origin = match origin {
+        let origin = match origin.filter(|_| !self.is_elsewhere) {
             Some(origin) => origin,
-            None => place(&self.place)
-                .ok_or("say where to begin: a latitude and a longitude, like 46.86, -92.08")?,
+            None => place(&self.place)?,
         };
         Ok(WebMapCommand::OpenTiles(Box::new(WebMap {
             template,
@@ -202,6 +256,13 @@ impl WebMapDialog {
             if text_button(ui, tokens, None, "Stop the download", false).clicked() {
                 commands.push(Command::from(WebMapCommand::StopDownload));
             }
+            return;
+        }
+        let service = service_at(&map.template.address);
+        if let Some(service) = service.filter(|service| !service.is_downloadable) {
+            let (name, terms) = (service.name, service.terms);
+            let words = format!("{name} may not be downloaded by the area. {terms}");
+            ui.label(muted(tokens, words));
             return;
         }
         let Some(visible) = scene.visible else { return };
@@ -248,54 +309,23 @@ fn text(ui: &mut Ui, value: &mut String, label: &str, hint: &str) {
     ui.add(field).accessible_name(label);
 }
 
-/// Whether an address is that of one file, not of tiles.
-fn is_file(address: &str) -> bool {
-    let path = address
-        .split(['?', '#'])
-        .next()
-        .unwrap_or_default()
-        .to_ascii_lowercase();
-    [".tif", ".tiff", ".pmtiles"]
-        .iter()
-        .any(|ending| path.trim().ends_with(ending))
-}
-
-/// The server that an address names.
-fn host_of(address: &str) -> Option<&str> {
-    let rest = address.trim().split_once("://")?.1;
-    rest.split(['/', '?'])
-        .next()
-        .filter(|host| !host.is_empty())
-}
-
-fn place(text: &str) -> Option<Geodetic> {
-    let numbers: Option<Vec<f64>> = text
-        .split([',', ' '])
-        .filter(|w| !w.is_empty())
-        .map(|w| w.parse().ok())
-        .collect();
-    match numbers?.as_slice() {
-        [latitude, longitude] if latitude.abs() <= 85.0 && longitude.abs() <= 180.0 => {
-            Some(Geodetic::from_degrees(*latitude, *longitude, 0.0))
-        }
-        _ => None,
+/// The place where a map begins, by what was typed.
+fn place(text: &str) -> Result<Geodetic, String> {
+    if text.trim().is_empty() {
+        return Err(
+            "say where to begin: a latitude and a longitude, like 46.86, -92.08".to_owned(),
+        );
     }
+    let place = place_of_text(text).map_err(|why| why.to_string())?;
+    if place.latitude.abs() > NORTHERNMOST.to_radians() {
+        return Err("Maps of the web end at 85° of latitude.".to_owned());
+    }
+    Ok(place)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn an_address_is_one_of_tiles_or_of_a_file() {
-        assert!(is_file("https://example.org/a/map.TIF?key=1"));
-        assert!(is_file("http://example.org/map.pmtiles"));
-        assert!(!is_file("https://example.org/{z}/{x}/{y}.png"));
-        assert_eq!(
-            host_of("https://a.example.org:8080/x"),
-            Some("a.example.org:8080")
-        );
-    }
 
     #[test]
     fn a_template_without_its_numbers_or_its_makers_is_refused_with_what_is_missing() {
@@ -315,5 +345,22 @@ mod tests {
         dialog.attribution = "© someone".to_owned();
         assert!(dialog.order(origin, false).is_ok());
         assert!(dialog.order(None, false).unwrap_err().contains("latitude"));
+    }
+    #[test]
+    fn a_map_begins_elsewhere_only_where_there_are_tiles() {
+        let mut dialog = WebMapDialog::default();
+        dialog.choose(&SERVICES[0]);
+        let origin = Some(Geodetic::from_degrees(46.0, -92.0, 0.0));
+        dialog.begin_at(&Geodetic::from_degrees(47.5, 8.25, 0.0));
+        let Ok(WebMapCommand::OpenTiles(map)) = dialog.order(origin, false) else {
+            panic!("no map");
+        };
+        assert!((map.origin.latitude.to_degrees() - 47.5).abs() < 1e-9);
+        dialog.place = "32TMT48".to_owned();
+        assert!(dialog.order(origin, false).is_ok());
+        dialog.place = "86, 10".to_owned();
+        assert!(dialog.order(origin, false).unwrap_err().contains("85°"));
+        dialog.place = "32TAT48".to_owned();
+        assert!(dialog.order(origin, false).unwrap_err().contains("column"));
     }
 }

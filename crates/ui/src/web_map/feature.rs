@@ -59,10 +59,12 @@ pub struct WebMapFeature {
 }
 
 impl WebMapFeature {
-    /// Shows a map of tiles, in a world of its own if none is open.
+    /// Shows a map of tiles, in a world of its own unless its own is open.
     fn open_tiles(map: &WebMap, context: &mut FeatureContext<'_>) {
         let name = &map.template.name;
-        if context.documents.world_origin().is_none() {
+        if context.documents.world_origin() != Some(map.origin) {
+            context.stop_flying();
+            *context.selection = None;
             context.documents.begin_world(map.origin, name);
             context.map.camera.center = GroundPoint::default();
             context.view.workspace = Workspace::Plan;
@@ -108,6 +110,7 @@ impl Feature for WebMapFeature {
             return false;
         };
         match command {
+            WebMapCommand::BeginAt(place) => self.dialog.begin_at(place),
             WebMapCommand::OpenTiles(map) => Self::open_tiles(map, context),
             WebMapCommand::OpenFile(address) => {
                 let path = address.split(['?', '#']).next().unwrap_or_default();

@@ -1,11 +1,13 @@
 //! Maps of the web: opened by an address, and downloaded for use without a network.
 
+mod address;
 mod dialog;
 mod feature;
+mod services;
 
 pub use feature::WebMapFeature;
 
-use pilotage_core::frames::GroundRect;
+use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_jobs::WebMap;
 
 use crate::command::Command;
@@ -17,7 +19,9 @@ const ID: FeatureId = "web_map";
 /// Commands of the dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WebMapCommand {
-    /// Show a map of tiles.
+    /// Open the dialog for a map that begins at a place, whatever world is open.
+    BeginAt(Geodetic),
+    /// Show a map of tiles, in a world of its own unless its origin is that of the world that is open.
     OpenTiles(Box<WebMap>),
     /// Open the file at an address.
     OpenFile(String),

@@ -74,3 +74,61 @@ fn a_file_at_an_address_is_opened_as_if_it_were_chosen() {
     assert!(jobs.iter().any(is_given));
     assert!(jobs.iter().any(|(_, job)| matches!(job, Job::Open(_))));
 }
+
+/// Opens the dialog, and chooses a public service by the beginning of its row.
+fn choose(rig: &mut Rig, row: &str) {
+    if !is_open(rig) {
+        rig.key_with(Modifiers::SHIFT, Key::M);
+        rig.frames(4);
+    }
+    rig.harness.get_by_label_contains(row).click();
+    rig.frames(4);
+}
+
+#[test]
+fn no_service_is_asked_for_anything_before_its_map_is_opened() {
+    let mut rig = rig();
+    rig.settle();
+    let jobs = rig.host().jobs.len();
+    for row in [
+        "USGS imagery: ",
+        "USGS topo: ",
+        "SWISSIMAGE: ",
+        "basemap.at Orthofoto: ",
+        "Sentinel-2 cloudless 2016: ",
+        "OpenStreetMap: ",
+    ] {
+        choose(&mut rig, row);
+    }
+    rig.settle();
+    assert_eq!(rig.host().jobs.len(), jobs);
+    assert!(rig.host().downloaded.is_empty());
+    rig.harness.get_by_label("Open the map").click();
+    rig.frames(6);
+    let is_of_service = |(_, job): &(_, Job)| {
+        matches!(job, Job::DescribeMap(DescribeMapOrder(MapSource::Web(map)))
+            if map.template.address.starts_with("https://tile.openstreetmap.org/")
+                && map.template.attribution == "© OpenStreetMap contributors"
+                && map.template.most_zoom == 19)
+    };
+    let jobs = &rig.host().jobs[jobs..];
+    assert!(jobs.iter().any(is_of_service));
+}
+
+#[test]
+fn areas_are_downloaded_where_the_terms_allow_it_alone() {
+    let mut rig = rig();
+    for (row, is_offered) in [("USGS imagery: ", true), ("OpenStreetMap: ", false)] {
+        choose(&mut rig, row);
+        rig.harness.get_by_label("Open the map").click();
+        rig.settle();
+        rig.key_with(Modifiers::SHIFT, Key::M);
+        rig.frames(4);
+        let button = rig.harness.query_by_label("Download what is in sight");
+        assert_eq!(button.is_some(), is_offered, "{row}");
+        let why = rig
+            .harness
+            .query_by_label_contains("may not be downloaded by the area");
+        assert_eq!(why.is_some(), !is_offered, "{row}");
+    }
+}

@@ -68,6 +68,8 @@ pub struct ScriptedHost {
     pub stored: HashMap<String, Vec<u8>>,
     /// Files offered to the user.
     pub saved: Vec<(String, Vec<u8>)>,
+    /// Addresses of tiles that were to be downloaded.
+    pub downloaded: Vec<String>,
     /// Pictures offered to the user: name, drawing, and size in pixels.
     pub pictures: Vec<(String, String, [u32; 2])>,
     /// Number of times that the file dialog was asked for.
@@ -554,6 +556,10 @@ fn assessment(order: &AssessmentOrder, per_frame: f64) -> Assessment {
 impl Host for ScriptedHost {
     fn prefers_light(&self) -> bool {
         self.scheme == Scheme::Light
+    }
+
+    fn download(&mut self, addresses: Vec<String>) {
+        self.downloaded.extend(addresses);
     }
 
     fn works_ahead(&self) -> bool {
