@@ -7,6 +7,7 @@ use crate::detector::DetectorFeature;
 use crate::exports::ExportsFeature;
 use crate::feature::Feature;
 use crate::georeference::GeoreferencerFeature;
+use crate::go_to::GoTo;
 use crate::labelling::Labelling;
 use crate::learn::LearnFeature;
 use crate::link::LinkFeature;
@@ -41,6 +42,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(Outages::default()),
         Box::new(CameraLogFeature::default()),
         Box::new(WebMapFeature::default()),
+        Box::<GoTo>::default(),
         Box::new(ColumnsFeature::default()),
         Box::<Measure>::default(),
         Box::<Screenshot>::default(),

@@ -16,6 +16,7 @@ pub mod feature;
 pub mod feature_command;
 pub mod features;
 pub mod georeference;
+pub mod go_to;
 pub mod host;
 pub mod kept_mesh;
 pub mod labelling;

@@ -149,6 +149,7 @@ const UI: Order = Order {
         "measure",
         "screenshot",
         "web_map",
+        "go_to",
         "columns",
         "exports",
         "link",

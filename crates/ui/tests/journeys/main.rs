@@ -16,6 +16,7 @@ mod first_screen;
 mod fly_again;
 mod forget;
 mod georeference;
+mod go_to;
 mod keyboard_landmark;
 mod labels;
 mod link;
