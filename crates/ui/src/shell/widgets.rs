@@ -10,15 +10,24 @@ use crate::tokens::Tokens;
 
 /// A square button with an icon; `label` is its accessible name and its hint.
 pub fn icon_button(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str) -> Response {
-    icon_toggle(ui, tokens, icon, label, false)
+    icon_face(ui, tokens, icon, label, None)
 }
 
 /// A square button with an icon that shows whether something is on.
 pub fn icon_toggle(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str, on: bool) -> Response {
+    icon_face(ui, tokens, icon, label, Some(on))
+}
+
+/// A square button; `on` is `None` for one that is pressed but never stays so.
+fn icon_face(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str, on: Option<bool>) -> Response {
     let side = 4.0 * tokens.space;
     let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click());
     let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, on, label));
+    response.widget_info(|| WidgetInfo {
+        selected: on,
+        ..WidgetInfo::labeled(Role::Button, enabled, label)
+    });
+    let on = on.unwrap_or_default();
     if ui.is_rect_visible(rect) {
         let fill = if on {
             tokens.accent.gamma_multiply(0.22)

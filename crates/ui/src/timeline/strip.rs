@@ -132,6 +132,7 @@ impl Timeline {
         }
         paint_cursor(&painter, track, scale.x(context.time), tokens.accent);
         self.drawn = context.drawn(context.time);
+        seek_by_value(ui, response.id, span, context);
         if response.has_focus() {
             crate::shell::paint_focus_ring(&painter, track, tokens);
             keyboard(ui, response.id, context.commands);
@@ -321,6 +322,32 @@ fn paint_label(painter: &Painter, scale: &TimeScale, x: f32, text: String, token
     let rect = Rect::from_center_size(at, galley.size() + vec2(12.0, 4.0));
     painter.rect_filled(rect, tokens.radius, tokens.over_map());
     painter.galley(rect.center() - 0.5 * galley.size(), galley, tokens.text);
+}
+
+/// Tells screen readers how far the time cursor goes, and goes where they set it.
+fn seek_by_value(ui: &Ui, id: egui::Id, span: (f64, f64), context: &mut ViewContext<'_>) {
+    use egui::accesskit::{Action, ActionData};
+    let since = |time: f64| clock_text(time - span.0);
+    ui.ctx().accesskit_node_builder(id, |node| {
+        node.set_min_numeric_value(span.0);
+        node.set_max_numeric_value(span.1);
+        node.set_value(format!("{} of {}", since(context.time), since(span.1)));
+        for action in [Action::SetValue, Action::Increment, Action::Decrement] {
+            node.add_action(action);
+        }
+    });
+    ui.input(|input| {
+        let count = |action| input.num_accesskit_action_requests(id, action) as i32;
+        let steps = count(Action::Increment) - count(Action::Decrement);
+        if steps != 0 {
+            context.commands.push(Command::StepFrames(steps));
+        }
+        for request in input.accesskit_action_requests(id, Action::SetValue) {
+            if let Some(ActionData::NumericValue(time)) = request.data {
+                context.commands.push(Command::SeekTo(time));
+            }
+        }
+    });
 }
 
 fn transport(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'_>, narrow: bool) {

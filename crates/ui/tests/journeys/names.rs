@@ -1,4 +1,4 @@
-use egui::accesskit::Role;
+use egui::accesskit::{Role, Toggled};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{By, NodeT as _, Queryable as _};
 
@@ -66,4 +66,15 @@ fn every_widget_of_a_plan_has_a_name() {
     rig.harness.get_by_label_contains("Barn: ").click();
     rig.settle();
     everything_is_named(&rig, "a landmark of a plan");
+}
+
+#[test]
+fn only_buttons_that_stay_pressed_are_told_as_such() {
+    let rig = rig();
+    let pressed = |name: &str| {
+        let button = rig.harness.get_by_role_and_label(Role::Button, name);
+        button.accesskit_node().toggled()
+    };
+    assert_eq!(pressed("Zoom in"), None);
+    assert_eq!(pressed("Follow the aircraft"), Some(Toggled::True));
 }

@@ -1,4 +1,6 @@
-use egui::{Key, Pos2};
+use egui::accesskit::{Action, ActionData, ActionRequest, Role, TreeId};
+use egui::{Event, Key, Pos2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use super::support::rig;
 
@@ -27,6 +29,31 @@ fn arrows_step_by_camera_frames() {
     assert_eq!(rig.state()["time"].as_f64(), Some(0.5));
     rig.key(Key::End);
     assert_eq!(rig.state()["time"], rig.state()["span"][1]);
+}
+
+#[test]
+fn a_screen_reader_sets_the_time_and_steps_from_there() {
+    let mut rig = rig();
+    let most = (rig.harness.get_by_role_and_label(Role::Slider, "Time"))
+        .accesskit_node()
+        .max_numeric_value();
+    assert_eq!(most, rig.state()["span"][1].as_f64());
+    for (action, data, time) in [
+        (Action::SetValue, Some(ActionData::NumericValue(2.0)), 2.0),
+        (Action::Increment, None, 2.5),
+        (Action::Decrement, None, 2.0),
+    ] {
+        let slider = rig.harness.get_by_role_and_label(Role::Slider, "Time");
+        let request = ActionRequest {
+            action,
+            target_tree: TreeId::ROOT,
+            target_node: slider.accesskit_node().locate().0,
+            data,
+        };
+        rig.harness.event(Event::AccessKitActionRequest(request));
+        rig.frames(2);
+        assert_eq!(rig.state()["time"].as_f64(), Some(time), "{action:?}");
+    }
 }
 
 #[test]
