@@ -6,6 +6,7 @@ import { openTab, keepOnlyIn, tellOf } from "./tabs.js";
 import { shellServices, watchDrops } from "./shell.js";
 import { showTrouble, showStage, uncover } from "./cover.js";
 import { registerOffline } from "./offline.js";
+import { offerMirror } from "./mirror.js";
 
 const root = document.documentElement;
 
@@ -153,6 +154,7 @@ async function start() {
   tellOf(tab);
   keepWatch(app);
   canvas.focus();
+  offerMirror(app, canvas);
   uncover();
   root.dataset.ready = "1";
   registerOffline();

@@ -1,13 +1,22 @@
-//! Keeps the accessibility tree of the last frame, which eframe drops on the web, so that browser
-//! tests find widgets by role and name.
+//! Keeps the accessibility tree of the last frame, which eframe drops on the web, and hands the app what is asked of
+//! its nodes: `www/mirror.js` shows the tree to screen readers, browser tests find widgets by role and name.
 
-use egui::accesskit::Node;
+use core::mem;
+
+use egui::accesskit::{Action, ActionData, ActionRequest, Node, NodeId, Role, TreeId, TreeUpdate};
+use egui::{Event, Key, Modifiers};
 use serde_json::{Value, json};
 
 /// Plugin that keeps the tree.
 #[derive(Default)]
 pub struct KeptTree {
-    nodes: Vec<(u64, Node)>,
+    update: Option<TreeUpdate>,
+    /// Whether a frame was drawn since the tree was told last.
+    is_fresh: bool,
+    /// The lines that were told last.
+    told: String,
+    /// Events for the next frame.
+    asked: Vec<Event>,
 }
 
 impl egui::Plugin for KeptTree {
@@ -15,30 +24,162 @@ impl egui::Plugin for KeptTree {
         "kept accessibility tree"
     }
 
+    fn input_hook(&mut self, _context: &egui::Context, input: &mut egui::RawInput) {
+        input.events.append(&mut self.asked);
+    }
+
     fn output_hook(&mut self, _context: &egui::Context, output: &mut egui::FullOutput) {
-        if let Some(update) = &output.platform_output.accesskit_update {
-            self.nodes = update
-                .nodes
-                .iter()
-                .map(|(id, node)| (id.0, node.clone()))
-                .collect();
+        if let Some(update) = output.platform_output.accesskit_update.take() {
+            self.update = Some(update);
+            self.is_fresh = true;
         }
     }
+}
+
+impl KeptTree {
+    /// Tells the whole tree at the next call of [`KeptTree::changed_lines`].
+    pub fn tell_again(&mut self) {
+        self.told.clear();
+        self.is_fresh = self.update.is_some();
+    }
+
+    /// The tree for `www/mirror.js`: on the first line the node that has the keyboard, then a JSON list for each node
+    /// that can be named or used, in the tree's order. Empty if nothing changed since the last call. `zoom` is CSS
+    /// pixels per point.
+    pub fn changed_lines(&mut self, zoom: f64) -> String {
+        let fresh = mem::take(&mut self.is_fresh);
+        let Some(TreeUpdate { nodes, focus, .. }) = self.update.as_ref().filter(|_| fresh) else {
+            return String::new();
+        };
+        let mut lines = focus.0.to_string();
+        let mut waiting = vec![(egui::accesskit_root_id().accesskit_id(), 0)];
+        while let Some((id, depth)) = waiting.pop() {
+            let Some(node) = node_of(nodes, id) else {
+                continue;
+            };
+            if let Some(line) = line(nodes, id, node, depth, zoom) {
+                lines.push('\n');
+                lines.push_str(&line);
+            }
+            waiting.extend(node.children().iter().rev().map(|id| (*id, depth + 1)));
+        }
+        if lines == self.told {
+            return String::new();
+        }
+        self.told.clone_from(&lines);
+        lines
+    }
+
+    /// Asks an action of a node: one by its name in AccessKit, or its value as a text or a number.
+    pub fn ask(&mut self, node: u64, action: &str, text: Option<String>, number: Option<f64>) {
+        let action = match action {
+            "Click" => Action::Click,
+            "Focus" => Action::Focus,
+            "Increment" => Action::Increment,
+            "Decrement" => Action::Decrement,
+            _ => Action::SetValue,
+        };
+        let text = text.map(|text| ActionData::Value(text.into()));
+        let mut request = ActionRequest {
+            action,
+            target_tree: TreeId::ROOT,
+            target_node: node.into(),
+            data: text.or(number.map(ActionData::NumericValue)),
+        };
+        if action == Action::Focus {
+            let shown = request.clone();
+            self.asked.push(Event::AccessKitActionRequest(shown));
+            request.action = Action::ScrollIntoView;
+        }
+        self.asked.push(Event::AccessKitActionRequest(request));
+    }
+
+    /// Presses a key and lets it go.
+    pub fn press(&mut self, key: &str, shift: bool, command: bool) {
+        let Some(key) = Key::from_name(key) else {
+            return;
+        };
+        let modifiers = Modifiers {
+            shift,
+            ctrl: command,
+            command,
+            ..Modifiers::NONE
+        };
+        self.asked.extend([true, false].map(|pressed| Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers,
+        }));
+    }
+}
+
+fn node_of(nodes: &[(NodeId, Node)], id: NodeId) -> Option<&Node> {
+    Some(&nodes.iter().find(|(other, _)| *other == id)?.1)
+}
+
+/// The line of a node: id, depth, role, name, value, number, least, greatest, toggled, expanded, then whether it is
+/// disabled, focusable, clickable, settable, to be incremented, to be decremented, read-only, and its left, top, width
+/// and height in CSS pixels. `None` for what has neither name nor use.
+fn line(
+    nodes: &[(NodeId, Node)],
+    id: NodeId,
+    node: &Node,
+    depth: usize,
+    zoom: f64,
+) -> Option<String> {
+    let role = node.role();
+    let label = node
+        .labelled_by()
+        .first()
+        .and_then(|by| node_of(nodes, *by));
+    let name = (node.label()).or_else(|| label.and_then(|label| label.label().or(label.value())));
+    let is_used = node.supports_action(Action::Click) || node.supports_action(Action::Focus);
+    let holds = matches!(role, Role::Dialog | Role::ListBox);
+    if matches!(role, Role::TextRun | Role::ScrollBar)
+        || !(name.is_some() || node.value().is_some() || is_used || holds)
+    {
+        return None;
+    }
+    let is = [
+        node.is_disabled(),
+        node.supports_action(Action::Focus),
+        node.supports_action(Action::Click),
+        node.supports_action(Action::SetValue),
+        node.supports_action(Action::Increment),
+        node.supports_action(Action::Decrement),
+        node.is_read_only(),
+    ];
+    let place = node.bounds();
+    let place = place.map(|b| [b.x0, b.y0, b.x1 - b.x0, b.y1 - b.y0].map(|l| (zoom * l).round()));
+    let line = json!([
+        id.0.to_string(),
+        depth,
+        format!("{role:?}"),
+        name,
+        node.value(),
+        node.numeric_value(),
+        node.min_numeric_value(),
+        node.max_numeric_value(),
+        node.toggled().map(|t| format!("{t:?}")),
+        node.is_expanded(),
+        is,
+        place,
+    ]);
+    Some(line.to_string())
 }
 
 /// The named nodes of the last frame as a JSON list; `rect` is left, top, right, bottom in pixels
 /// of the canvas.
 pub fn tree_json(context: &egui::Context) -> String {
-    let nodes = context
-        .with_plugin(|plugin: &mut KeptTree| plugin.nodes.clone())
-        .unwrap_or_default();
     let pixels_per_point = f64::from(context.pixels_per_point());
-    let list: Vec<Value> = nodes
-        .iter()
-        .filter(|(_, node)| node.label().is_some() || node.value().is_some())
-        .map(|(id, node)| {
+    let list = context.with_plugin(|plugin: &mut KeptTree| {
+        let nodes = plugin.update.iter().flat_map(|update| &update.nodes);
+        let named = nodes.filter(|(_, node)| node.label().is_some() || node.value().is_some());
+        let list = named.map(|(id, node)| {
             json!({
-                "id": id.to_string(),
+                "id": id.0.to_string(),
                 "role": format!("{:?}", node.role()),
                 "label": node.label(),
                 "value": node.value(),
@@ -48,7 +189,8 @@ pub fn tree_json(context: &egui::Context) -> String {
                 "rect": node.bounds().map(|b| [b.x0, b.y0, b.x1, b.y1]),
                 "pixels_per_point": pixels_per_point,
             })
-        })
-        .collect();
-    Value::from(list).to_string()
+        });
+        list.collect()
+    });
+    Value::Array(list.unwrap_or_default()).to_string()
 }

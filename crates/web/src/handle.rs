@@ -135,6 +135,41 @@ impl WebHandle {
     pub fn enable_a11y(&self) {
         if let Some((context, _)) = &*self.running.borrow() {
             context.enable_accesskit();
+            context.with_plugin(KeptTree::tell_again);
+            context.request_repaint();
+        }
+    }
+
+    /// Makes the accessibility tree no more.
+    pub fn disable_a11y(&self) {
+        if let Some((context, _)) = &*self.running.borrow() {
+            context.disable_accesskit();
+        }
+    }
+
+    /// The accessibility tree of the last frame for `www/mirror.js`, if it changed since the last call.
+    pub fn changed_a11y(&self) -> String {
+        let running = self.running.borrow();
+        let lines = running.as_ref().and_then(|(context, _)| {
+            let zoom = f64::from(context.zoom_factor());
+            context.with_plugin(|tree: &mut KeptTree| tree.changed_lines(zoom))
+        });
+        lines.unwrap_or_default()
+    }
+
+    /// Asks an action of a node of the accessibility tree: `Click`, `Focus`, `Increment`, `Decrement`, or `SetValue`
+    /// with a text or a number.
+    pub fn act(&self, node: u64, action: &str, text: Option<String>, number: Option<f64>) {
+        if let Some((context, _)) = &*self.running.borrow() {
+            context.with_plugin(|tree: &mut KeptTree| tree.ask(node, action, text, number));
+            context.request_repaint();
+        }
+    }
+
+    /// Presses a key by its name in the browser, for a page whose canvas does not have the keyboard.
+    pub fn press(&self, key: &str, shift: bool, command: bool) {
+        if let Some((context, _)) = &*self.running.borrow() {
+            context.with_plugin(|tree: &mut KeptTree| tree.press(key, shift, command));
             context.request_repaint();
         }
     }
