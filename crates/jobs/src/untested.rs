@@ -184,7 +184,7 @@ mod tests {
     }
 
     /// Looks at each box that is measured fully, each on a day of its own.
-    const LOOKS: usize = 6;
+    const LOOKS: usize = 4;
 
     #[test]
     fn boxes_at_random_are_found_as_often_as_others_that_are_measured_fully() {
@@ -196,7 +196,7 @@ mod tests {
         assert_eq!(stated.boxes, UntestedDetection::BOXES);
         let mut worker = WorkerState::new(crate::Abilities::WHOLE.opens);
         let days = worker.rehearsal_days(&like.map, 77).unwrap();
-        let others = random_boxes(&within, 30.0, 16, 5).into_iter();
+        let others = random_boxes(&within, 30.0, 12, 5).into_iter();
         let measured = others.map(|bounds| {
             let of_box = AssessmentOrder {
                 landmark: Landmark::new(1, "another", bounds),
@@ -212,7 +212,7 @@ mod tests {
         let mean = all.iter().sum::<f64>() / all.len() as f64;
         let square = |p: &f64| (p - mean) * (p - mean);
         let variance = all.iter().map(square).sum::<f64>() / (all.len() - 1) as f64;
-        // Both are means over boxes: of 24 with two looks, of 16 with six, one a day.
+        // Both are means over boxes: of 24 with two looks, of 12 with four, one a day.
         let n = stated.boxes as f64;
         let deviation = (variance * (1.0 / n + 1.0 / all.len() as f64)
             + mean * (1.0 - mean) / (2.0 * n))
