@@ -7,7 +7,7 @@ use pilotage_core::landmark::Landmark;
 use super::planner::Planner;
 use crate::documents::planned_ground;
 use crate::feature::FeatureContext;
-use pilotage_jobs::{JobEvent, JobId};
+use pilotage_jobs::{JobEvent, JobId, MapSource};
 
 /// Time after which to look again whether what rests is to be computed.
 const LOOK_AGAIN: Duration = Duration::from_millis(60);
@@ -69,13 +69,15 @@ impl Planner {
     }
 
     /// Has landmarks measured for which nobody asked, while the workers have time: what is selected before what is in
-    /// view before the others; and boxes at random, for what is not measured yet.
+    /// view before the others; and boxes at random, for what is not measured yet. Of a map of the web only what people look
+    /// at is asked of its server.
     fn measure_ahead(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
         let may = self.preferences.tests_ahead && context.host.works_ahead();
+        let of_web = matches!(documents.map_source, MapSource::Web(_));
         let order = self.untested_order(documents).filter(|_| may);
-        let next = order.as_ref().filter(|_| self.assessments.is_idle());
-        let next = next.and_then(|_| {
+        let is_idle = order.is_some() && self.assessments.is_idle();
+        let next = is_idle.then(|| {
             let view = context.map.rect().zip(context.map.screen_from_world());
             let seen = view.map(|(rect, transform)| transform.visible(rect));
             let rank = |it: &&Landmark| {
@@ -85,10 +87,12 @@ impl Planner {
             };
             let untested = self.untested_landmarks(documents);
             let fit = untested.filter(|it| self.assessments.trouble(it).is_none());
-            fit.min_by_key(rank)
+            let next = fit.min_by_key(rank)?;
+            (!of_web || rank(&next) != (true, true)).then_some(next)
         });
+        let next = next.flatten();
         let next = next.map(|landmark| self.assessment(landmark, documents));
-        self.untested.work(order, context);
+        self.untested.work(order.filter(|_| !of_web), context);
         if let Some(next) = next {
             self.assessments.measure_ahead(next, context);
         }

@@ -2,7 +2,7 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_jobs::{DescribeMapOrder, FileContent, Job, MapSource, ProvideOrder};
 
-use super::support::{Rig, rig};
+use super::support::{Ahead, Rig, rig};
 
 fn is_open(rig: &Rig) -> bool {
     rig.state()["web_map"]["open"] == true
@@ -131,4 +131,24 @@ fn areas_are_downloaded_where_the_terms_allow_it_alone() {
             .query_by_label_contains("may not be downloaded by the area");
         assert_eq!(why.is_some(), !is_offered, "{row}");
     }
+}
+
+#[test]
+fn of_a_map_of_the_web_no_boxes_at_random_are_asked_that_nobody_looks_at() {
+    let is_of_boxes = |(_, job): &(_, Job)| matches!(job, Job::Untested(_));
+    let mut rig = rig();
+    rig.host().ahead = Ahead::Done;
+    open(&mut rig, "https://example.org/{z}/{x}/{y}.png");
+    rig.open_tab("Plan");
+    for _ in 0..4 {
+        rig.settle();
+    }
+    assert_eq!(rig.state()["workspace"], "Plan");
+    assert!(!rig.host().jobs.iter().any(is_of_boxes));
+    // Of the map that comes with the program they are.
+    let mut rig = super::support::rig();
+    rig.host().ahead = Ahead::Done;
+    rig.open_tab("Plan");
+    rig.settle();
+    assert!(rig.host().jobs.iter().any(is_of_boxes));
 }
