@@ -66,6 +66,7 @@ export async function run(page, tools) {
   tools.check(/and \d+ more, up to way-point 69/.test(long), "the brief does not say that legs are left out");
   tools.check(await pages("brief-survey") === 1, "the brief of the survey has more pages");
   const cut = await page.evaluate(() => { const page = document.getElementById("brief"); return page.scrollHeight - page.clientHeight; });
+  tools.say(`${cut} px of the survey's brief are cut off`);
   tools.check(cut < 2, `${cut} px of the brief are cut off`);
   await tools.screenshot("brief-survey");
 }

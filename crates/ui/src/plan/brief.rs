@@ -22,7 +22,7 @@ use pilotage_jobs::{BriefPictures, EncodedPicture};
 const ASPECT: f64 = 1.75;
 /// Most landmarks with a thumbnail, and most rows of legs: what one page has room for.
 pub const MOST_LANDMARKS: usize = 12;
-const MOST_ROWS: usize = 12;
+const MOST_ROWS: usize = 7;
 /// Width of the drawing over the map, in its own units.
 const WIDTH: f64 = 1000.0;
 
@@ -480,10 +480,10 @@ mod tests {
     #[test]
     fn of_many_legs_the_first_and_the_last_are_on_the_page_and_the_rest_is_counted() {
         let text = page_of(Units::Metric, 90);
-        assert!(text.contains("<tr><td>10</td>") && text.contains("<tr><td>90</td>"));
-        assert!(!text.contains("<tr><td>11</td>"));
-        assert!(text.contains("and 79 more, up to way-point 89"), "{text}");
-        assert!(!page_of(Units::Metric, 12).contains("way-point 11"));
+        assert!(text.contains("<tr><td>5</td>") && text.contains("<tr><td>90</td>"));
+        assert!(!text.contains("<tr><td>6</td>"));
+        assert!(text.contains("and 84 more, up to way-point 89"), "{text}");
+        assert!(!page_of(Units::Metric, 7).contains("way-point 6"));
     }
 
     #[test]
