@@ -19,12 +19,8 @@ struct LookAtBoxes {
 
 /// Whether a map shows ground in the middle and at the corners of a box.
 fn is_whole(map: &dyn Imagery, bounds: &GroundRect) -> bool {
-    let corners = [bounds.north, bounds.south]
-        .into_iter()
-        .flat_map(|north| [bounds.west, bounds.east].map(|east| GroundPoint::new(north, east)));
-    corners
-        .chain([bounds.center()])
-        .all(|place| shows_ground(map, place))
+    let mut places = bounds.corners().into_iter().chain([bounds.center()]);
+    places.all(|place| shows_ground(map, place))
 }
 
 impl LookAtBoxes {

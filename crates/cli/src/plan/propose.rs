@@ -11,6 +11,17 @@ use crate::workers;
 /// Shares in which places are rehearsed: as many as most machines have processors.
 const SHARES: usize = 8;
 
+/// View of the ground from the height of the plan.
+pub fn view(arguments: &Arguments, ground: &PlannedFlight) -> FieldView {
+    let sensors = &ground.mission.navigator.sensors;
+    FieldView {
+        camera: ground.camera.clone(),
+        height: ground.height,
+        position: arguments.position,
+        tilt: sensors.roll.max(sensors.pitch),
+    }
+}
+
 fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> SuggestOrder {
     let settings = &ground.mission.navigator;
     let route = ground.mission.routes.first();
@@ -18,12 +29,7 @@ fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> Suggest
     let plan = ground.plan.as_ref();
     SuggestOrder {
         map: ground.source.clone(),
-        view: FieldView {
-            camera: ground.camera.clone(),
-            height: ground.height,
-            position: arguments.position,
-            tilt: settings.sensors.roll.max(settings.sensors.pitch),
-        },
+        view: view(arguments, ground),
         way_points: plan.map_or_else(Vec::new, |p| p.path.way_points.clone()),
         speed: first
             .and_then(|w| w.speed)

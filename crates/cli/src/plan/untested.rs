@@ -2,24 +2,22 @@
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::UntestedDetection;
+use pilotage_core::plan::{Proposal, UntestedDetection};
 use pilotage_jobs::{JobEvent, UntestedOrder};
 
 use super::arguments::Arguments;
 use super::ground::PlannedFlight;
+use super::propose::view;
 use crate::workers;
-
-/// Part of the shorter side of a picture's ground that a box is wide, where nothing states its size.
-const SHARE: f64 = 3.0;
 
 /// Looks at boxes anywhere around the route, or all over the map, and says how often they are found.
 pub fn untested(
     arguments: &Arguments,
     ground: &PlannedFlight,
 ) -> Result<UntestedDetection, String> {
-    let shorter = ground.camera.width.min(ground.camera.height) as f64;
-    let usual = shorter / ground.camera.focal * ground.height / SHARE;
-    let side = arguments.side.unwrap_or(usual);
+    let usual = || Proposal::usual_side(&view(arguments, ground));
+    let side = arguments.side.or_else(usual);
+    let side = side.ok_or("the camera does not look down at the ground")?;
     let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), side, side);
     let like = ground.assessment(&Landmark::new(0, "a box", bounds), arguments.seed);
     let plan = ground.plan.as_ref();

@@ -51,6 +51,12 @@ impl Proposal {
     /// Standard deviation of the position that is assumed, per axis, metres.
     pub const POSITION: f64 = 10.0;
 
+    /// Usual side of a box, metres: a third of the picture's shorter side on the ground; `None` if the camera does not
+    /// see the ground.
+    pub fn usual_side(view: &FieldView) -> Option<f64> {
+        Some(view.across()? / 3.0)
+    }
+
     /// Those days, drawn by `seed`.
     pub fn days(others: &dyn OtherDays, seed: u64) -> Vec<Arc<dyn Imagery>> {
         let kept = |day| {
@@ -63,7 +69,7 @@ impl Proposal {
     /// Prepares to rehearse; `None` if the camera does not see the ground.
     pub fn new(question: ProposalQuestion) -> Option<Self> {
         let q = &question;
-        let side = q.side.or_else(|| Some(q.view.across()? / 3.0))?;
+        let side = q.side.or_else(|| Self::usual_side(&q.view))?;
         let radius = q.view.searched(q.navigator.detector.search_sigmas, side);
         let region = q.map.bounds();
         let ranking = Ranking::new(Arc::clone(&q.map), &q.days, &region, side, radius)

@@ -75,8 +75,7 @@ pub fn coordinates_text(p: &GroundPoint, frame: Option<&LocalFrame>, units: Unit
     let local = format!("{}   {}", side(p.north, 'N', 'S'), side(p.east, 'E', 'W'));
     match frame {
         Some(frame) => {
-            let world = nalgebra::Point3::new(p.north, p.east, 0.0);
-            let place = frame.geodetic_from_world(&world);
+            let place = frame.geodetic_from_ground(p);
             format!(
                 "{local}   {:.6}°, {:.6}°",
                 place.latitude.to_degrees(),

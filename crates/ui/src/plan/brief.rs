@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use nalgebra::Point3;
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, Route};
@@ -349,7 +348,7 @@ fn place_words(place: &GroundPoint, frame: Option<&LocalFrame>) -> String {
     let Some(frame) = frame else {
         return String::new();
     };
-    let place = frame.geodetic_from_world(&Point3::new(place.north, place.east, 0.0));
+    let place = frame.geodetic_from_ground(place);
     let side = |degrees: f64, letters: [char; 2]| {
         let letter = letters[usize::from(degrees < 0.0)];
         format!("{letter} {:.5}°", degrees.abs())
