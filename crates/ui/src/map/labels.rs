@@ -39,13 +39,13 @@ pub fn paint_labels(
     let mut taken: Vec<Rect> = covered.to_vec();
     for label in labels {
         let galley = painter.layout_no_wrap(label.text.clone(), tokens.small(), label.color);
-        let others = boxes.iter().filter(|it| **it != label.around).copied();
-        let others: Vec<Rect> = others.collect();
         let free =
             |rect: Rect| screen.contains_rect(rect) && taken.iter().all(|t| !t.intersects(rect));
         let clear = |rect: Rect| {
             !lines.iter().any(|line| is_crossed(rect, *line))
-                && !others.iter().any(|it| it.intersects(rect))
+                && !boxes
+                    .iter()
+                    .any(|it| *it != label.around && it.intersects(rect))
         };
         if let Some((place, align)) = place(&label, galley.size(), &free, &clear) {
             taken.push(paint_halo_text(

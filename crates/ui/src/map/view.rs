@@ -377,10 +377,10 @@ impl MapView {
         }
         let aircraft = step.map(|s| view.apply(&s.after.position()));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
-        let (lines, marks) = self.busy(view, context);
-        let covered = self.covered.iter().copied().chain(own).chain(marks);
-        let covered: Vec<Rect> = covered.collect();
         if shows(Layer::Landmarks) {
+            let (lines, marks) = self.busy(view, context);
+            let covered = self.covered.iter().copied().chain(own).chain(marks);
+            let covered: Vec<Rect> = covered.collect();
             let hovered = response
                 .hover_pos()
                 .and_then(|p| super::picking::landmark_at(&context.mission.landmarks, view, p));
