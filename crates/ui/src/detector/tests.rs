@@ -15,7 +15,6 @@ use pilotage_core::raster::{Raster, Rgba, decode_picture};
 
 use super::*;
 use crate::tokens::Tokens;
-use crate::units::Units;
 use crate::views::canvas;
 use crate::views::fixture::Fixture;
 
@@ -148,20 +147,9 @@ impl State {
     fn draw(&mut self, ui: &mut Ui, tokens: &Tokens, selection: Option<u32>) {
         let mut commands = Vec::new();
         let mut context = ViewContext {
-            mission: &self.fixture.mission,
-            flight: Some(&self.fixture.flight),
-            run: Some(&self.fixture.run),
-            ghost: None,
-            time: self.time,
-            selected_span: None,
-            playing: false,
             selection,
-            route: None,
-            pictures: &|_| None,
             tokens,
-            units: Units::Metric,
-            flying: None,
-            commands: &mut commands,
+            ..self.fixture.context(self.time, &mut commands)
         };
         self.view.show(ui, &mut context, self.search.as_ref());
         for command in &commands {

@@ -5,8 +5,6 @@ use super::command::LearnCommand;
 use super::tour::Tour;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::tokens::Tokens;
-use crate::units::Units;
 use crate::views::fixture::Fixture;
 
 struct State {
@@ -31,20 +29,8 @@ fn harness_while(playing: bool) -> Harness<'static, State> {
         |ui, state| {
             let fixture = &state.fixture;
             let mut context = ViewContext {
-                mission: &fixture.mission,
-                flight: Some(&fixture.flight),
-                run: Some(&fixture.run),
-                ghost: None,
-                time: 5.0,
-                selected_span: None,
                 playing: state.playing,
-                selection: None,
-                route: None,
-                pictures: &|_| None,
-                tokens: &Tokens::dark(),
-                units: Units::Metric,
-                flying: None,
-                commands: &mut state.commands,
+                ..fixture.context(5.0, &mut state.commands)
             };
             state.tour.show(ui, &mut context);
         },

@@ -19,6 +19,11 @@ use pilotage_core::raster::Gray;
 
 use pilotage_jobs::MatchPictures;
 
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::tokens::Tokens;
+use crate::units::Units;
+
 /// Seconds between steps, and steps between frames.
 const STEP: f64 = 0.05;
 const STEPS_PER_FRAME: usize = 10;
@@ -98,6 +103,26 @@ fn estimate(mean: &Vector4<f64>, covariance: &Matrix4<f64>) -> Estimate {
 }
 
 impl Fixture {
+    /// Context of a view at a time of the flight, seconds, without pictures.
+    pub fn context<'a>(&'a self, time: f64, commands: &'a mut Vec<Command>) -> ViewContext<'a> {
+        ViewContext {
+            mission: &self.mission,
+            flight: Some(&self.flight),
+            run: Some(&self.run),
+            ghost: None,
+            time,
+            selected_span: None,
+            playing: false,
+            selection: None,
+            route: None,
+            pictures: &|_| None,
+            tokens: Tokens::over_imagery(),
+            units: Units::Metric,
+            flying: None,
+            commands,
+        }
+    }
+
     /// Ninety seconds with a correction twice a second at the start, a gap, and a pool at the end.
     pub fn new() -> Self {
         Self::lasting(90.0)

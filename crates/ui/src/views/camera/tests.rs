@@ -3,8 +3,6 @@ use egui_kittest::kittest::Queryable as _;
 
 use super::super::fixture::Fixture;
 use super::*;
-use crate::tokens::Tokens;
-use crate::units::Units;
 
 struct State {
     fixture: Fixture,
@@ -24,20 +22,8 @@ fn harness(time: f64) -> Harness<'static, State> {
         |ui, state| {
             let fixture = &state.fixture;
             let mut context = ViewContext {
-                mission: &fixture.mission,
-                flight: Some(&fixture.flight),
-                run: Some(&fixture.run),
-                ghost: None,
-                time: state.time,
-                selected_span: None,
-                playing: false,
-                selection: None,
-                route: None,
                 pictures: &|index| Some(index),
-                tokens: &Tokens::dark(),
-                units: Units::Metric,
-                flying: None,
-                commands: &mut state.commands,
+                ..fixture.context(state.time, &mut state.commands)
             };
             state.view.show(ui, &mut context);
         },

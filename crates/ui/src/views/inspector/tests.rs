@@ -4,7 +4,6 @@ use egui_kittest::kittest::Queryable as _;
 use super::super::fixture::Fixture;
 use super::*;
 use crate::command::Command;
-use crate::tokens::Tokens;
 
 struct State {
     fixture: Fixture,
@@ -25,22 +24,7 @@ fn harness(time: f64) -> Harness<'static, State> {
         .build_ui_state(
             |ui, state| {
                 let fixture = &state.fixture;
-                let mut context = ViewContext {
-                    mission: &fixture.mission,
-                    flight: Some(&fixture.flight),
-                    run: Some(&fixture.run),
-                    ghost: None,
-                    time: state.time,
-                    selected_span: None,
-                    playing: false,
-                    selection: None,
-                    route: None,
-                    pictures: &|_| None,
-                    tokens: &Tokens::dark(),
-                    units: Units::Metric,
-                    flying: None,
-                    commands: &mut state.commands,
-                };
+                let mut context = fixture.context(state.time, &mut state.commands);
                 state.view.show(ui, &mut context);
             },
             state,

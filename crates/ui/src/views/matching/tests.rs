@@ -3,8 +3,6 @@ use egui_kittest::kittest::Queryable as _;
 
 use super::super::fixture::{Fixture, match_pictures};
 use super::*;
-use crate::tokens::Tokens;
-use crate::units::Units;
 
 struct State {
     fixture: Fixture,
@@ -25,22 +23,7 @@ fn harness(time: f64) -> Harness<'static, State> {
     Harness::builder().with_size([420.0, 560.0]).build_ui_state(
         |ui, state| {
             let fixture = &state.fixture;
-            let mut context = ViewContext {
-                mission: &fixture.mission,
-                flight: Some(&fixture.flight),
-                run: Some(&fixture.run),
-                ghost: None,
-                time: state.time,
-                selected_span: None,
-                playing: false,
-                selection: None,
-                route: None,
-                pictures: &|_| None,
-                tokens: &Tokens::dark(),
-                units: Units::Metric,
-                flying: None,
-                commands: &mut state.commands,
-            };
+            let mut context = fixture.context(state.time, &mut state.commands);
             let pictures = state.pictures.as_ref();
             state.view.show(ui, &mut context, pictures);
         },

@@ -4,7 +4,6 @@ use egui_kittest::kittest::Queryable as _;
 use super::super::fixture::Fixture;
 use super::*;
 use crate::command::Command;
-use crate::units::Units;
 
 struct State {
     fixture: Fixture,
@@ -21,22 +20,7 @@ fn harness() -> Harness<'static, State> {
     Harness::builder().with_size([480.0, 420.0]).build_ui_state(
         |ui, state| {
             let fixture = &state.fixture;
-            let mut context = ViewContext {
-                mission: &fixture.mission,
-                flight: Some(&fixture.flight),
-                run: Some(&fixture.run),
-                ghost: None,
-                time: 5.0,
-                selected_span: None,
-                playing: false,
-                selection: None,
-                route: None,
-                pictures: &|_| None,
-                tokens: &Tokens::dark(),
-                units: Units::Metric,
-                flying: None,
-                commands: &mut state.commands,
-            };
+            let mut context = fixture.context(5.0, &mut state.commands);
             state.view.show(ui, &mut context);
         },
         state,
