@@ -63,7 +63,6 @@ impl FirstSeconds {
     pub const KEY: &str = "first seconds";
     /// Key of the pixels of the ground: red, green, blue and opacity, row by row, of a square picture.
     pub const GROUND_KEY: &str = "first ground";
-
     /// Key of the landmarks as they were measured.
     pub const MEASURED_KEY: &str = "first measured landmarks";
 

@@ -75,7 +75,7 @@ impl Planner {
         let documents = &*context.documents;
         let may = self.preferences.tests_ahead && context.host.works_ahead();
         let of_web = matches!(documents.map_source, MapSource::Web(_));
-        let order = self.untested_order(documents).filter(|_| may);
+        let order = may.then(|| self.untested_order(documents)).flatten();
         let is_idle = order.is_some() && self.assessments.is_idle();
         let next = is_idle.then(|| {
             let view = context.map.rect().zip(context.map.screen_from_world());
