@@ -9,6 +9,7 @@ mod over_picture;
 mod panel;
 mod state;
 mod work;
+mod world;
 
 use state::{Georeferencer, NamedPlace};
 pub use work::GeoreferencerFeature;

@@ -51,10 +51,7 @@ impl MapTool for Georeferencer {
             if hit.is_some() {
                 self.chosen = hit;
             } else if let Some(at) = response.interact_pointer_pos() {
-                let ground = view.inverse(at);
-                if let Some(place) = self.place_of(&ground) {
-                    self.pick_place(place);
-                }
+                self.pick_ground(&view.inverse(at));
             }
             return true;
         }
@@ -103,12 +100,18 @@ impl MapTool for Georeferencer {
             paint_pending(painter, at, tokens);
         }
         let corner = painter.clip_rect().left_top() + vec2(16.0, 12.0);
-        let text = "Map: click the same places here, or type their coordinates";
+        let text = match self.far_from_map() {
+            Some(distance) => format!(
+                "This map lies {:.0} km from the picture: type coordinates",
+                1e-3 * distance
+            ),
+            None => "Map: click the same places here, or type their coordinates".to_owned(),
+        };
         paint_halo_text(
             painter,
             corner,
             Align2::LEFT_TOP,
-            text,
+            &text,
             tokens.normal(),
             tokens.sigma,
         );

@@ -1,6 +1,6 @@
 //! The picture beside the map: looked at, picked in, with the residual of every point as an arrow.
 
-use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Ui, WidgetInfo, vec2};
 use nalgebra::Point2;
 use pilotage_core::frames::GroundPoint;
 
@@ -51,6 +51,9 @@ impl Georeferencer {
         self.take_pointer(rect, &response);
         let view = self.canvas.camera.screen_from_world(rect);
         self.canvas.tiles.paint(&painter, &view, rect, &info);
+        // Where it is transparent, its edge would not be seen.
+        let corners = info.bounds.corners().map(|corner| view.apply(&corner));
+        painter.add(Shape::closed_line(corners.to_vec(), (1.0, tokens.line)));
         self.paint_points(&painter, &view, tokens);
         if let Some(at) = response.hover_pos() {
             let pixel = pixel_of_ground(&view.inverse(at));
@@ -124,6 +127,13 @@ impl Georeferencer {
         let arrows = residuals.iter().map(|r| r.in_pixels.unwrap_or_default());
         let arrows: Vec<_> = arrows.map(|r| vec2(r.x as f32, r.y as f32)).collect();
         let stretch = stretch(&arrows, view.points(1.0));
+        let times = stretch / view.points(1.0);
+        if times > 1.0 {
+            let text = format!("arrows: errors × {times:.0}");
+            let corner = painter.clip_rect().left_bottom() + vec2(16.0, -12.0);
+            let (align, font) = (Align2::LEFT_BOTTOM, tokens.small());
+            paint_halo_text(painter, corner, align, &text, font, tokens.sigma);
+        }
         for (index, point) in self.points.iter().enumerate() {
             let at = view.apply(&ground_of_pixel(&point.pixel));
             let arrow = arrows.get(index).map(|r| *r * stretch);

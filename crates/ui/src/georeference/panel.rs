@@ -10,6 +10,7 @@ use crate::shell::icons::Icon;
 use crate::shell::{caption, heading, icon_button, muted, tab, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
+use crate::web_map::WebMapCommand;
 
 /// Widths of the table's columns: number and switch, pixels, length, left out, button.
 const COLUMNS: [f32; 5] = [44.0, 64.0, 72.0, 72.0, 32.0];
@@ -36,6 +37,7 @@ impl Georeferencer {
         ui.label(muted(tokens, self.next_step()));
         ui.add_space(tokens.space);
         self.coordinates(ui, tokens);
+        self.offer_map(ui, tokens, commands);
         self.list_of_places(ui, tokens);
         ui.add_space(tokens.space);
         caption(ui, tokens, "Transform");
@@ -98,6 +100,16 @@ impl Georeferencer {
         }
     }
 
+    /// Offers a map of where the picture lies, while the open one is of another country.
+    fn offer_map(&self, ui: &mut Ui, tokens: &Tokens, commands: &mut Vec<Command>) {
+        let place = self.far_from_map().and_then(|_| self.somewhere());
+        if let Some(place) = place
+            && text_button(ui, tokens, None, "Map from the web here…", false).clicked()
+        {
+            commands.push(WebMapCommand::BeginAt(place).into());
+        }
+    }
+
     fn list_of_places(&mut self, ui: &mut Ui, tokens: &Tokens) {
         if self.places.is_empty() {
             return;
@@ -125,7 +137,14 @@ impl Georeferencer {
         let fit = match self.fitted() {
             Ok(fit) => fit,
             Err(why) => {
-                ui.label(muted(tokens, format!("No fit yet: {why}.")));
+                let on = self.points.iter().filter(|point| point.enabled).count();
+                let needed = self.kind.least_points();
+                let words = if on < needed {
+                    format!("{on} of {needed} points set.")
+                } else {
+                    format!("No fit: {why}.")
+                };
+                ui.label(muted(tokens, words));
                 return;
             }
         };

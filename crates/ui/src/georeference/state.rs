@@ -1,7 +1,7 @@
 //! The points of a picture, how they are fitted, and what can be taken back.
 
 use nalgebra::Point2;
-use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_core::frames::{Geodetic, LocalFrame, ReferenceSystem};
 use pilotage_core::imagery::georeferencer::{
     ControlPoint, FitError, TransformFit, TransformKind, fit, in_metres, read_points, write_points,
 };
@@ -110,51 +110,6 @@ impl Georeferencer {
     /// The fit, or why there is none.
     pub fn fitted(&self) -> &Result<TransformFit, FitError> {
         &self.fitted
-    }
-
-    /// The picture as a map where the fit puts it.
-    pub fn placed(&self) -> Option<MapSource> {
-        let fitted = self.fitted.as_ref().ok()?;
-        let place = fitted.georeference(self.system?);
-        let middle = place.origin(self.size?.0 as usize, self.size?.1 as usize);
-        let origin = self.frame.map(|frame| frame.origin).or(middle);
-        Some(MapSource::Picture {
-            key: self.key.clone(),
-            name: self.name.clone(),
-            origin,
-            place,
-        })
-    }
-
-    /// The place in the plane of a point of the map.
-    pub fn place_of(&self, ground: &GroundPoint) -> Option<Point2<f64>> {
-        let (x, y) = self
-            .system?
-            .coordinates(&self.frame?.geodetic_from_ground(ground))?;
-        Some(Point2::new(x, y))
-    }
-
-    /// The point of the map at a place in the plane.
-    pub fn ground_of(&self, place: &Point2<f64>) -> Option<GroundPoint> {
-        let place = self.system?.geodetic(place.x, place.y)?;
-        Some(self.frame?.ground_from_geodetic(&place))
-    }
-
-    /// Ground of all points, to show it.
-    pub fn ground(&self) -> Option<GroundRect> {
-        GroundRect::around(self.points.iter().filter_map(|p| self.ground_of(&p.place)))
-    }
-
-    /// Takes a place on the globe for the point being picked. The first one decides on the plane
-    /// where nothing else did.
-    pub fn pick_globe(&mut self, at: &Geodetic) {
-        let system = *self
-            .system
-            .get_or_insert_with(|| ReferenceSystem::utm_around(at));
-        self.frame.get_or_insert_with(|| LocalFrame::new(*at));
-        if let Some((x, y)) = system.coordinates(at) {
-            self.pick_place(Point2::new(x, y));
-        }
     }
 
     /// Takes a place for the point being picked.
@@ -311,6 +266,7 @@ impl Georeferencer {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pilotage_core::frames::GroundPoint;
 
     fn picked() -> Georeferencer {
         let origin = Geodetic::from_degrees(46.857, -92.076, 0.0);

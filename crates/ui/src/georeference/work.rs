@@ -7,6 +7,7 @@ use pilotage_jobs::{
 };
 
 use super::{Georeferencer, NamedPlace};
+use crate::command::Workspace;
 use crate::documents::kept::provide;
 use crate::feature::{FeatureContext, OpenedSet};
 use crate::map::{TILES_AT_A_TIME, TileKey};
@@ -181,9 +182,10 @@ impl GeoreferencerFeature {
 
     /// Asks for the picture's pixels that are in sight.
     pub(super) fn ask_for_tiles(&mut self, context: &mut FeatureContext<'_>) {
-        let Some(picture) = &self.picture else {
+        let Some(picture) = &mut self.picture else {
             return;
         };
+        picture.know_world(context.documents.world_origin());
         let room = TILES_AT_A_TIME.saturating_sub(self.tiles.len());
         let is_asked = |key: &TileKey| self.tiles.iter().any(|(_, asked)| asked == key);
         let wanted = picture.canvas.tiles.wanted().iter();
@@ -239,9 +241,12 @@ impl GeoreferencerFeature {
             context.keep(files);
         }
         self.close(context);
-        let documents = &mut *context.documents;
-        if let (None, Some(origin)) = (documents.world_origin(), source.origin()) {
-            documents.begin_world(origin, name.trim_end_matches('.'));
+        let world = context.documents.world_origin();
+        if let Some(origin) = source.origin().filter(|at| world != Some(*at)) {
+            context.stop_flying();
+            *context.selection = None;
+            (context.documents).begin_world(origin, name.trim_end_matches('.'));
+            context.view.workspace = Workspace::Plan;
         }
         context.map.fits_when_known = true;
         context.change_map(source);
