@@ -100,11 +100,12 @@ impl Planner {
 
     /// Asks for what is shown along the routes; true if time must pass first.
     fn work_on_route(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        if !self.fitted
-            && let Some(ground) = planned_ground(&context.documents.mission)
-        {
-            self.fitted = true;
-            context.map.fit(ground);
+        let ground = planned_ground(&context.documents.mission);
+        if !self.fitted && (ground.is_some() || context.documents.map.is_some()) {
+            self.fitted = true; // over an empty map, too: what is drawn there first must not move it
+            if let Some(ground) = ground {
+                context.map.fit(ground);
+            }
         }
         let heat = self.heat_order(context.documents);
         let blind = self.preferences.heat.blind;
