@@ -224,7 +224,10 @@ fn result(ui: &mut Ui, measured: &MeasuredLandmark, context: &ViewContext<'_>) {
             angle.to_degrees().rem_euclid(180.0),
             shorter * factor
         );
-        chip(ui, tokens, &text, tokens.muted);
+        // A place that was never found has no error.
+        if longer > 0.0 {
+            chip(ui, tokens, &text, tokens.muted);
+        }
     });
     ui.label(egui::RichText::new(sentence(measured)).color(tokens.text));
     rose(ui, measured, context);
