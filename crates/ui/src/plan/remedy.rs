@@ -144,6 +144,14 @@ impl Remedies {
         sigma.is_finite().then_some(sigma)
     }
 
+    /// Whether a landmark where the worst stretch begins was tried and mends it.
+    pub(super) fn landmark_helps(&self) -> bool {
+        let worst = self.worst.map(|worst| worst.stretch.sigma);
+        let with = self.would_be(1);
+        with.zip(worst)
+            .is_some_and(|(with, worst)| with < HELPS * worst)
+    }
+
     /// Remedies in sentences; none where nothing is to be mended.
     pub fn sentences(&self, units: Units) -> Vec<String> {
         let Some((worst, (order, _))) = self.worst.zip(self.of.as_ref()) else {
@@ -152,21 +160,22 @@ impl Remedies {
         let (factor, unit) = units.length();
         let short = |metres: f64| format!("{:.1} {unit}", metres * factor);
         let begin = distance_text(worst.stretch.begin, units);
-        let mut list = vec![match self.would_be(1) {
-            Some(sigma) if sigma >= HELPS * worst.stretch.sigma => format!(
-                "A landmark at {begin} of the way that is found like {} would not mend the worst stretch.",
-                self.like
-            ),
-            with => format!(
-                "To fix the worst stretch, add a landmark at {begin} of the way, or before.{}",
-                with.map_or_else(String::new, |sigma| format!(
-                    " Found like {}, it makes the largest error {} instead of {} (1σ).",
-                    self.like,
+        let mut list = Vec::new();
+        if let Some(sigma) = self.would_be(1) {
+            let like = self.like;
+            list.push(if self.landmark_helps() {
+                format!(
+                    "To fix the worst stretch, add a landmark at {begin} of the way, or before. Found like {like}, it \
+                     makes the largest error {} instead of {} (1σ).",
                     short(sigma),
                     short(worst.stretch.sigma)
-                ))
-            ),
-        }];
+                )
+            } else {
+                format!(
+                    "A landmark at {begin} of the way that is found like {like} would not mend the worst stretch."
+                )
+            });
+        }
         if let Some(sigma) = self.would_be(2) {
             let height = format!("{:.0} {unit}", HIGHER * order.path.height * factor);
             list.push(if sigma < HELPS * worst.stretch.sigma {

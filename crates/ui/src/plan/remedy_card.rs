@@ -36,7 +36,8 @@ impl Planner {
 
     /// Marks on the map where a landmark would mend the worst stretch.
     pub(crate) fn paint_remedy(&self, painter: &Painter, view: &ScreenFromWorld, tokens: &Tokens) {
-        let Some(worst) = self.remedies.worst else {
+        let helps = self.remedies.landmark_helps();
+        let Some(worst) = self.remedies.worst.filter(|_| helps) else {
             return;
         };
         let at = view.apply(&worst.begin);
