@@ -9,8 +9,8 @@ use pilotage_core::flight::log::all_formats;
 use pilotage_core::flight::photo::read_photo;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_core::frames::{Geodetic, LocalFrame};
-use pilotage_core::imagery::GeoTiffError;
 use pilotage_core::imagery::terrain::{Dem, Terrain as _};
+use pilotage_core::imagery::{ByteSource, GeoTiffError};
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{
     MapFileError, MapOptions, Mission, OpenMap, open_map_with, read_mission,
@@ -21,7 +21,7 @@ use pilotage_core::text::capitalised;
 use super::file_pool::{has_ending, names_ending_in};
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels};
-use super::log_flights::{flight_of_log, foreign_kind, log_among};
+use super::log_flights::{flight_of_log, foreign_kind, head, log_among};
 use super::tables::{columns_file, flight_folder, tables_among};
 use super::worker_state::{MAP_MEMORY, describe};
 use super::{Beside, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
@@ -143,6 +143,12 @@ fn are_to_be_laid(pool: &dyn FileSet, names: &[String]) -> bool {
 fn unplaced(pool: &dyn FileSet) -> Option<Unplaced> {
     let mut pictures = names_ending_in(pool, &["tif", "tiff"]);
     pictures.extend(names_ending_in(pool, &PICTURES));
+    if pictures.is_empty() {
+        // A picture by any other name.
+        let is_picture =
+            |name: &String| pool.source(name).is_some_and(|it| is_picture(it.as_ref()));
+        pictures.extend(pool.names().into_iter().filter(is_picture));
+    }
     let [name] = pictures.as_slice() else {
         return None;
     };
@@ -155,6 +161,13 @@ fn unplaced(pool: &dyn FileSet) -> Option<Unplaced> {
         name: name.clone(),
         points,
     })
+}
+
+/// Whether a file is a JPEG or a PNG by its first bytes.
+fn is_picture(source: &dyn ByteSource) -> bool {
+    let begins =
+        |bytes: &[u8]| bytes.starts_with(&[0xff, 0xd8, 0xff]) || bytes.starts_with(b"\x89PNG");
+    head(source).is_some_and(|bytes| begins(&bytes))
 }
 
 /// The named places in the files of routes and landmarks: reference points of landmarks, way-points.
@@ -290,11 +303,11 @@ fn unknown(pool: &dyn FileSet) -> String {
         n => format!(" and {} more", n - 1),
     };
     format!(
-        "{first}{more}: no {FLIGHT_FILE}, no flight log, no map with its georeference, no mission, no \
-         route and no run among them. Drop a log ({}), sentences of a receiver (.nmea) or MATLAB's variables (.mat), \
-         a flight folder, a zip of any of these, a film beside its log or its subtitles (.srt), a map picture with its \
-         world file, a GeoTIFF, PMTiles or an elevation model (.hgt), photos that say where they were taken, a mission or \
-         a run saved here, or routes and landmarks as {}, or tables of a flight as CSV.",
+        "{first}{more}: of no kind that opens here. These do: flight logs ({}), sentences of a receiver (.nmea), \
+         MATLAB's variables (.mat), tables of a flight as CSV, a flight folder with its {FLIGHT_FILE}, a zip of any of \
+         these, a film beside its log or its subtitles (.srt), a map picture with its world file, a GeoTIFF, PMTiles, \
+         an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, and routes \
+         and landmarks as {}.",
         log_endings().join(", "),
         exchange_names().join(", ")
     )
@@ -455,6 +468,12 @@ mod tests {
         assert!(bag.contains("Make an MCAP of it"), "{bag}");
         let empty = refused("flight.ulg", b"");
         assert!(empty.contains("an empty file"), "{empty}");
+    }
+
+    #[test]
+    fn a_picture_by_any_name_may_be_put_on_the_ground() {
+        let opened = look(&[("fake.bin", &picture())]).unwrap();
+        assert_eq!(opened.unplaced.unwrap().name, "fake.bin");
     }
 
     #[test]

@@ -85,6 +85,8 @@ pub enum Command {
     TogglePalette,
     /// Show or hide the sheet of shortcuts.
     ToggleHelp,
+    /// Show or hide the sheet of notices.
+    ToggleNotices,
     /// Show or hide the dialog that simulates a flight.
     ToggleSimulate,
     /// Show or hide the filter settings.

@@ -9,5 +9,6 @@ pub(super) struct Dialogs {
     pub(super) palette: Palette,
     pub(super) simulate: SimulateDialog,
     pub(super) help: bool,
+    pub(super) notices: bool,
     pub(super) settings: bool,
 }

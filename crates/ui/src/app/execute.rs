@@ -230,6 +230,7 @@ impl App {
         match command {
             Command::TogglePalette => self.dialogs.palette.toggle(),
             Command::ToggleHelp => self.dialogs.help = !self.dialogs.help,
+            Command::ToggleNotices => self.dialogs.notices = !self.dialogs.notices,
             Command::ToggleSimulate => self.dialogs.simulate.toggle(),
             Command::ToggleSettings => self.dialogs.settings = !self.dialogs.settings,
             Command::ToggleTrackUp => {

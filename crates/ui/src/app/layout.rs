@@ -11,7 +11,7 @@ use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton};
 use crate::map::{MapExtra, MapTool};
-use crate::shell::{TopBar, help_sheet, icon_button, tab, top_bar};
+use crate::shell::{TopBar, help_sheet, icon_button, notices_sheet, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 
@@ -168,6 +168,9 @@ impl App {
             self.dialogs.help = false;
         }
         let (scene, views) = self.scene(tokens);
+        if self.dialogs.notices && notices_sheet(ui.ctx(), tokens, &self.toasts, now) {
+            self.dialogs.notices = false;
+        }
         for feature in &mut views.features {
             scene.with_context(commands, |context| {
                 if feature.info().place == FeaturePlace::Dialog {

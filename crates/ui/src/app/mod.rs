@@ -129,6 +129,7 @@ impl App {
             || dialogs.palette.is_open()
             || dialogs.simulate.is_open()
             || dialogs.help
+            || dialogs.notices
             || views.map.picking
             || views.beside_map().is_some()
             || views.features.iter().any(|it| it.is_open_over())

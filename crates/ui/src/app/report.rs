@@ -185,6 +185,7 @@ impl Report<'_> {
                 "palette": self.dialogs.palette.is_open(),
                 "help": self.dialogs.help,
                 "simulate": self.dialogs.simulate.is_open(),
+                "notices": self.dialogs.notices,
                 "settings": self.dialogs.settings,
             }),
             "map": object!({

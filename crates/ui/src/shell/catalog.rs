@@ -179,6 +179,8 @@ fn view() -> Vec<CommandEntry> {
             Command::ToggleHelp,
         )
         .also("help keyboard keys manual"),
+        of("Show the notices again", vec![], Command::ToggleNotices)
+            .also("messages errors warnings history log"),
     ]
 }
 

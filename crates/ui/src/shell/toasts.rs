@@ -13,19 +13,44 @@ pub struct Toast {
     pub title: String,
     /// Place and cause of the event, and what to do.
     pub text: String,
-    /// Whether something went wrong (it then stays until dismissed).
+    /// Whether something went wrong (its title then stays until dismissed).
     pub trouble: bool,
-    born: f64,
+    /// When it was said, milliseconds of the host's clock.
+    pub born: f64,
+    /// Whether all of its text was asked for.
+    is_open: bool,
+}
+
+impl Toast {
+    /// The part of its text that is shown at `now`: of a long one the first sentence, of trouble that has been read
+    /// for a while nothing.
+    fn shown_text(&self, now: f64) -> &str {
+        if self.is_open {
+            return &self.text;
+        }
+        if self.trouble && now - self.born > LIFETIME {
+            return "";
+        }
+        match self.text.find(". ") {
+            Some(end) if self.text.len() > LONGEST => &self.text[..=end],
+            _ => &self.text,
+        }
+    }
 }
 
 /// The notices on screen, the oldest first.
 #[derive(Clone, Debug, Default)]
 pub struct Toasts {
     list: Vec<Toast>,
+    said: Vec<Toast>,
 }
 
 const LIFETIME: f64 = 9_000.0;
 const MOST: usize = 4;
+/// Length of a text that is shown whole at once, bytes.
+const LONGEST: usize = 220;
+/// Notices that can be read again.
+const MOST_SAID: usize = 60;
 
 impl Toasts {
     /// Says that something went wrong. The same notice twice stands once.
@@ -43,12 +68,23 @@ impl Toasts {
         if self.list.len() >= MOST {
             self.list.remove(0);
         }
-        self.list.push(Toast {
+        let toast = Toast {
             title,
             text,
             trouble,
             born,
-        });
+            is_open: false,
+        };
+        if self.said.len() >= MOST_SAID {
+            self.said.remove(0);
+        }
+        self.said.push(toast.clone());
+        self.list.push(toast);
+    }
+
+    /// Notices that were said since the page was opened, the last first.
+    pub fn said(&self) -> impl ExactSizeIterator<Item = &Toast> {
+        self.said.iter().rev()
     }
 
     /// Notices on screen.
@@ -68,8 +104,8 @@ impl Toasts {
             .anchor(Align2::RIGHT_BOTTOM, vec2(-16.0, -bottom))
             .show(ui.ctx(), |ui| {
                 ui.spacing_mut().item_spacing.y = tokens.space;
-                for (index, toast) in self.list.iter().enumerate() {
-                    if toast_ui(ui, tokens, toast) {
+                for (index, toast) in self.list.iter_mut().enumerate() {
+                    if toast_ui(ui, tokens, toast, now) {
                         dismissed = Some(index);
                     }
                 }
@@ -77,14 +113,14 @@ impl Toasts {
         if let Some(index) = dismissed {
             self.list.remove(index);
         }
-        if self.list.iter().any(|t| !t.trouble) {
+        if self.list.iter().any(|t| now - t.born < LIFETIME) {
             ui.ctx()
                 .request_repaint_after(std::time::Duration::from_millis(500));
         }
     }
 }
 
-fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &Toast) -> bool {
+fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
     let tone = if toast.trouble {
         tokens.warning
     } else {
@@ -109,11 +145,46 @@ fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &Toast) -> bool {
                     ui.set_width(320.0_f32.min(ui.ctx().content_rect().width() - 120.0));
                     ui.spacing_mut().item_spacing.y = 4.0;
                     ui.label(RichText::new(&toast.title).strong().color(tokens.text));
-                    ui.label(RichText::new(&toast.text).color(tokens.muted));
+                    let shown = toast.shown_text(now);
+                    if !shown.is_empty() {
+                        ui.label(RichText::new(shown).color(tokens.muted));
+                    }
+                    if shown.len() < toast.text.len() && ui.link("All of it").clicked() {
+                        toast.is_open = true;
+                    }
                 });
                 icon_button(ui, tokens, Icon::Close, "Dismiss notice").clicked()
             })
             .inner
         })
         .inner
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_texts_are_shown_by_their_first_sentence_and_old_trouble_by_its_title() {
+        let mut toasts = Toasts::default();
+        let text = format!("It is no log. Read are: {}", "logs, ".repeat(60));
+        toasts.trouble(0.0, "a.xyz was not opened", text.clone());
+        let toast = &mut toasts.list[0];
+        assert_eq!(toast.shown_text(100.0), "It is no log.");
+        assert_eq!(toast.shown_text(LIFETIME + 1.0), "");
+        toast.is_open = true;
+        assert_eq!(toast.shown_text(LIFETIME + 1.0), text);
+    }
+
+    #[test]
+    fn what_was_said_can_be_read_again_up_to_a_bound() {
+        let mut toasts = Toasts::default();
+        for i in 0..MOST_SAID + 5 {
+            toasts.note(i as f64, format!("Note {i}"), "");
+        }
+        assert_eq!(toasts.list().len(), MOST);
+        let said: Vec<_> = toasts.said().collect();
+        assert_eq!(said.len(), MOST_SAID);
+        assert_eq!(said[0].title, format!("Note {}", MOST_SAID + 4));
+    }
 }

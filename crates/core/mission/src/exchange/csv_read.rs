@@ -34,6 +34,9 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     };
     let names = reader.headers().map_err(|e| error(1, e.to_string()))?;
     let names: Vec<String> = names.iter().map(str::to_owned).collect();
+    if names.iter().all(|name| name.trim().is_empty()) {
+        return Err(error(1, String::from("the file is empty")));
+    }
     let table = ReadCsvTable {
         file,
         columns: columns(&names).map_err(|cause| error(1, cause))?,
