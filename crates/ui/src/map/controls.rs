@@ -39,10 +39,10 @@ impl MapView {
                     context.commands.push(Command::TogglePickTool);
                 }
                 if icon_button(ui, tokens, Icon::Plus, "Zoom in").clicked() {
-                    self.camera.zoom(rect, 1.5, rect.center());
+                    self.zoom(rect, 1.5, rect.center());
                 }
                 if icon_button(ui, tokens, Icon::Minus, "Zoom out").clicked() {
-                    self.camera.zoom(rect, 1.0 / 1.5, rect.center());
+                    self.zoom(rect, 1.0 / 1.5, rect.center());
                 }
                 if icon_button(
                     ui,

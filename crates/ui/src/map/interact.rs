@@ -78,7 +78,7 @@ impl MapView {
         let factor = f64::from(pinch) * (f64::from(scroll) * 0.004).exp();
         if (factor - 1.0).abs() > 1e-6 {
             let about = if self.follow { rect.center() } else { pointer };
-            self.camera.zoom(rect, factor, about);
+            self.zoom(rect, factor, about);
         }
         if turn != 0.0 && !self.track_up {
             self.camera.turn(rect, f64::from(turn), pointer);
@@ -109,10 +109,10 @@ impl MapView {
         }
         let middle = rect.center();
         for _ in 0..closer {
-            self.camera.zoom(rect, 1.5, middle);
+            self.zoom(rect, 1.5, middle);
         }
         for _ in 0..farther {
-            self.camera.zoom(rect, 1.0 / 1.5, middle);
+            self.zoom(rect, 1.0 / 1.5, middle);
         }
         if (left || right) && !self.track_up {
             let angle = if left { 0.02 } else { -0.02 };

@@ -26,6 +26,9 @@ use crate::documents::OpenedTerrain;
 use crate::tokens::Tokens;
 use pilotage_jobs::{Distinctness, MapInfo};
 
+/// Most points of the screen that a pixel of the map is drawn across.
+const POINTS_PER_PIXEL: f64 = 6.0;
+
 /// Points of a track by which names keep off it.
 const TRACK_POINTS: usize = 200;
 
@@ -74,6 +77,8 @@ pub struct MapView {
     pub is_placed: bool,
     /// Whether the map that is open is to be shown whole once it is known how far it reaches.
     pub fits_when_known: bool,
+    /// Least metres per point that people may zoom to: nearer, the map's pixels are nothing but blots.
+    pub(super) finest: f64,
     /// The landmark that is being named in place.
     pub naming: Option<u32>,
     /// Whether the plan is shown.
@@ -131,6 +136,12 @@ impl MapView {
             self.wants_fit = place.wants_fit;
             self.fitted = place.fitted;
         }
+    }
+
+    /// Zooms by `factor` about a point of the screen, as near as the map's pixels allow.
+    pub(super) fn zoom(&mut self, rect: Rect, factor: f64, about: Pos2) {
+        let nearest = (self.camera.metres_per_point / self.finest).max(1.0);
+        self.camera.zoom(rect, factor.min(nearest), about);
     }
 
     /// Forgets where something else was looked at: another flight or map is open.
@@ -192,6 +203,7 @@ impl MapView {
             return;
         }
         self.rect = Some(rect);
+        self.finest = (extra.map).map_or(0.0, |map| map.native_gsd / POINTS_PER_PIXEL);
         self.covered = std::mem::take(&mut self.covering);
         let step = context.run.and_then(|r| r.step_at(context.time));
         if let Some(ground) = self.wants_fit.take() {
