@@ -11,6 +11,10 @@ pub struct History {
     past: Vec<Mission>,
     future: Vec<Mission>,
     dragging: Option<Mission>,
+    /// Edits since the document was opened, of either direction.
+    edits: u64,
+    /// Edits when it was saved last.
+    saved: Option<u64>,
 }
 
 impl History {
@@ -40,6 +44,17 @@ impl History {
         }
         self.past.push(mission);
         self.future.clear();
+        self.edits += 1;
+    }
+
+    /// Notes that the mission was saved as it is.
+    pub fn mark_saved(&mut self) {
+        self.saved = Some(self.edits);
+    }
+
+    /// Whether nothing was edited since the mission was saved.
+    pub fn is_saved(&self) -> bool {
+        self.saved == Some(self.edits)
     }
 
     /// The mission before the last edit; `mission` is kept for redo.
@@ -47,6 +62,7 @@ impl History {
         self.finish_drag(mission);
         let before = self.past.pop()?;
         self.future.push(mission.clone());
+        self.edits += 1;
         Some(before)
     }
 
@@ -54,6 +70,7 @@ impl History {
     pub fn redo(&mut self, mission: &Mission) -> Option<Mission> {
         let after = self.future.pop()?;
         self.past.push(mission.clone());
+        self.edits += 1;
         Some(after)
     }
 
@@ -115,5 +132,19 @@ mod tests {
             history.remember(&named(&index.to_string()));
         }
         assert_eq!(history.depth(), (100, 0));
+    }
+
+    #[test]
+    fn what_was_saved_counts_as_saved_until_the_next_edit_in_either_direction() {
+        let mut history = History::default();
+        history.remember(&named("a"));
+        assert!(!history.is_saved());
+        history.mark_saved();
+        assert!(history.is_saved());
+        history.undo(&named("b"));
+        assert!(!history.is_saved());
+        history.mark_saved();
+        history.redo(&named("a"));
+        assert!(!history.is_saved());
     }
 }

@@ -174,7 +174,7 @@ impl Documents {
                 .or_else(|| Some(self.log.as_ref()?.file.clone()))
                 .unwrap_or_else(|| "Opened files".to_owned()),
         };
-        if self.mission_edited {
+        if self.mission_edited && !self.history.is_saved() {
             format!("{flight} · edited")
         } else {
             flight

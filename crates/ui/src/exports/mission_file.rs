@@ -40,12 +40,12 @@ impl MissionFile {
         match event {
             JobEvent::Packed { bytes, lacks } => {
                 context.host.save_file(name, &bytes);
-                match lacks {
-                    Some(lacks) => {
-                        let text = format!("{name} is saved. {lacks}");
-                        context.trouble("The mission file has no map in it", text);
-                    }
-                    None => context.note("Mission saved", name.clone()),
+                context.documents.history.mark_saved();
+                if let Some(lacks) = lacks {
+                    let text = format!("{name} is saved. {lacks}");
+                    context.trouble("The mission file has no map in it", text);
+                } else {
+                    context.note("Mission saved", name.clone());
                 }
             }
             JobEvent::Failed(why) => context.trouble("The mission was not saved", why),
