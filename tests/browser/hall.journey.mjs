@@ -8,7 +8,7 @@ export async function run(page, tools) {
   await tools.waitReady();
   const demo = await tools.waitFor((s) => s.run_steps > 0, "the demo", 120_000);
   await tools.click(await tools.find(null, "Simulate…"));
-  await tools.click(await tools.find(null, "Quadcopter in a hall, 10 ft, draught"));
+  await tools.click(await tools.find(null, "Quadcopter in a hall"));
   await page.waitForTimeout(400);
   await tools.screenshot("hall-chosen");
   await tools.click(await tools.find(null, "Fly"));

@@ -30,6 +30,19 @@ pub struct SimulateDialog {
     height: f64,
 }
 
+/// Height and wind of a scenario in the user's units.
+fn facts(choice: &SimulationChoice, units: Units) -> String {
+    let (factor, unit) = units.length();
+    let height = format!("{:.0} {unit} above ground", choice.height * factor);
+    let (factor, unit) = units.speed();
+    if choice.wind.speed < 0.05 {
+        return format!("{height}, calm");
+    }
+    let from = choice.wind.from.to_degrees().round().rem_euclid(360.0);
+    let speed = choice.wind.speed * factor;
+    format!("{height}, wind from {from:03.0}° at {speed:.1} {unit}")
+}
+
 impl Default for SimulateDialog {
     fn default() -> Self {
         let choices = SimulationChoice::all();
@@ -155,6 +168,7 @@ impl SimulateDialog {
             }
             if is_chosen {
                 ui.indent(index, |ui| {
+                    ui.label(muted(tokens, facts(choice, units)));
                     ui.label(muted(
                         tokens,
                         format!("{} ({})", choice.description, choice.name),
@@ -260,5 +274,21 @@ impl SimulateDialog {
                     .color(tokens.muted),
             );
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn height_and_wind_of_a_scenario_are_in_the_units_of_whoever_reads_them() {
+        let wind = SimulationChoice::named("distinct-400ft-wind").unwrap();
+        let metric = "122 m above ground, wind from 307° at 5.1 m/s";
+        assert_eq!(facts(&wind, Units::Metric), metric);
+        let aviation = "400 ft above ground, wind from 307° at 10.0 kt";
+        assert_eq!(facts(&wind, Units::Aviation), aviation);
+        let calm = SimulationChoice::named("distinct-1000ft-extended").unwrap();
+        assert_eq!(facts(&calm, Units::Metric), "305 m above ground, calm");
     }
 }

@@ -161,7 +161,9 @@ impl Documents {
                 } else {
                     "same day"
                 };
-                format!("{} · {day} · seed {}", options.scenario, options.seed)
+                let choice = SimulationChoice::named(&options.scenario);
+                let title = choice.map_or(options.scenario.as_str(), |choice| choice.title);
+                format!("{title} · {day} · seed {}", options.seed)
             }
             FlightSource::Rehearsed(flight) => {
                 format!("{} · rehearsal, seed {}", flight.name, flight.seed)

@@ -129,7 +129,7 @@ impl Scenario {
         vec![
             Self {
                 name: "distinct-400ft-calm",
-                title: "Nine buildings and a pool, 400 ft, calm",
+                title: "Village, calm",
                 description: "A leg north-west over nine buildings, a right turn, and a leg \
                               north-east along a road without any landmark until a pool near its \
                               end. Calm air.",
@@ -139,10 +139,9 @@ impl Scenario {
             },
             Self {
                 name: "distinct-400ft-wind",
-                title: "The same in wind, 400 ft, 307° at 10 kt",
-                description: "The same route against a wind from 307° at 10 kt of which the \
-                              filter knows nothing at the start: it has to learn it from the \
-                              landmarks.",
+                title: "Village in wind",
+                description: "The same route against a wind of which the filter knows nothing at \
+                              the start: it has to learn it from the landmarks.",
                 route: route::two_legs(),
                 height: feet(400.0),
                 wind: Wind {
@@ -152,8 +151,8 @@ impl Scenario {
             },
             Self {
                 name: "distinct-1000ft-extended",
-                title: "S-turns over the same places, 1000 ft, calm",
-                description: "Over three minutes at 1000 ft with S-turns in several directions over the \
+                title: "Village from higher up",
+                description: "Over three minutes of S-turns in several directions over the \
                               same ten landmarks, with gaps in which none is in view. Calm air.",
                 route: route::extended(),
                 height: feet(1000.0),

@@ -93,9 +93,9 @@ impl IndoorHall {
     /// Name on the command line and in files.
     pub const NAME: &'static str = "indoor-hall";
     /// Title for people.
-    pub const TITLE: &'static str = "Quadcopter in a hall, 10 ft, draught";
+    pub const TITLE: &'static str = "Quadcopter in a hall";
     /// Description of what happens in the flight.
-    pub const DESCRIPTION: &'static str = "Twice round a hall of 625 square feet, counter-clockwise from its south-west \
+    pub const DESCRIPTION: &'static str = "Twice round a hall of 7.6 m a side, counter-clockwise from its south-west \
          corner, over posters and taped roads, in a draught that the filter has to find.";
 
     /// The camera: 640×480, 60° across, fixed to the airframe, looking down.
