@@ -181,7 +181,7 @@ fn facts(
 /// Label and value for heights above the start: both ends where the flight goes well below it, as one does that was
 /// recorded from the air.
 fn height_words(least: f64, greatest: f64) -> (&'static str, String) {
-    let number = |height: f64| format!("{:.0}", height + 0.0).replace('-', "−");
+    let number = |height: f64| format!("{:.0}", height.round() + 0.0).replace('-', "−");
     if -least > 0.1 * (greatest - least) {
         let both = format!("{} to {}", number(least), number(greatest));
         ("Heights above start", both)
@@ -352,5 +352,6 @@ mod tests {
         let of_descent = ("Heights above start", "−35 to 0".to_owned());
         assert_eq!(height_words(-35.2, -0.0), of_descent);
         assert_eq!(height_words(0.0, 0.0).1, "0");
+        assert_eq!(height_words(-0.14, 0.05).1, "0 to 0");
     }
 }

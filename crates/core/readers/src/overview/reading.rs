@@ -23,8 +23,12 @@ pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
             },
             title: "Part of the file is unreadable".to_owned(),
             text: format!(
-                "{} bytes in {} places were skipped, {share:.2} % of the file.{place}",
-                report.skipped_bytes, report.skipped_places
+                "{} bytes in {} were skipped, {share:.2} % of the file.{place}",
+                report.skipped_bytes,
+                match report.skipped_places {
+                    1 => "1 place".to_owned(),
+                    places => format!("{places} places"),
+                }
             ),
             span: None,
         });
