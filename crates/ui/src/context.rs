@@ -59,6 +59,8 @@ pub struct ViewContext<'a> {
     pub ghost: Option<&'a Run>,
     /// The time cursor, seconds in the flight's time base.
     pub time: f64,
+    /// Time at which every clock on the page stands at zero: the timeline's start, seconds in the flight's time base.
+    pub clock_zero: f64,
     /// The span of time that is selected, seconds in the flight's time base: in order, not empty.
     pub selected_span: Option<(f64, f64)>,
     /// Whether the cursor is moving by itself.

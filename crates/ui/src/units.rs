@@ -68,11 +68,17 @@ impl Units {
     }
 }
 
-/// Minutes and seconds since `first`: `4:07.3`.
+/// Minutes and seconds since `first`: `4:07.3`, and `\u{2212}0:05.0` before it.
 pub fn clock(time: f64, first: f64) -> String {
-    let since = (time - first).max(0.0);
-    let minutes = (since / 60.0).floor();
-    format!("{minutes:.0}:{:04.1}", since - 60.0 * minutes)
+    let tenths = ((time - first) * 10.0).round();
+    let sign = if tenths < 0.0 { "\u{2212}" } else { "" };
+    let tenths = tenths.abs() as u64;
+    format!(
+        "{sign}{}:{:02}.{}",
+        tenths / 600,
+        tenths / 10 % 60,
+        tenths % 10
+    )
 }
 
 #[cfg(test)]
@@ -107,6 +113,10 @@ mod tests {
 
     #[test]
     fn times_read_as_minutes_and_seconds() {
-        assert_eq!(clock(130.25, 3.0), "2:07.2");
+        assert_eq!(clock(130.25, 3.0), "2:07.3");
+        assert_eq!(clock(61.26, 0.0), "1:01.3");
+        assert_eq!(clock(119.96, 0.0), "2:00.0");
+        assert_eq!(clock(2.0, 7.0), "\u{2212}0:05.0");
+        assert_eq!(clock(2.0, 2.04), "0:00.0");
     }
 }

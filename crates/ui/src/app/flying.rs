@@ -193,10 +193,10 @@ impl App {
                 let kept = if began {
                     "What had been computed stays."
                 } else if let Some(log) = log {
-                    if let Some((first, _)) = log.span {
-                        self.playback.time = first;
-                    }
                     log.unnavigable = Some(why.clone());
+                    if let Some(time) = self.documents.first_look() {
+                        self.playback.time = time;
+                    }
                     "What was measured can be plotted all the same."
                 } else {
                     "Everything open stays as it was."
@@ -246,8 +246,8 @@ impl App {
     fn show_new_flight(&mut self) {
         self.selection = None;
         self.playback.selected_span = None;
-        if let Some((first, _)) = self.documents.span() {
-            self.playback.time = first;
+        if let Some(time) = self.documents.first_look() {
+            self.playback.time = time;
         }
         self.playback.playing = !self.is_flight_hidden() && !self.is_flight_aside();
         self.views.map.is_placed = false;

@@ -53,6 +53,7 @@ impl Scene<'_> {
             run: self.documents.run.as_ref(),
             ghost: self.documents.ghost.as_ref(),
             time: self.playback.time,
+            clock_zero: self.documents.span().map_or(0.0, |span| span.0),
             selected_span: self.playback.selected_span,
             playing: self.playback.playing,
             selection: self.selection,
@@ -167,10 +168,10 @@ impl App {
         if self.dialogs.help && help_sheet(ui.ctx(), tokens, &self.catalog) {
             self.dialogs.help = false;
         }
-        let (scene, views) = self.scene(tokens);
         if self.dialogs.notices && notices_sheet(ui.ctx(), tokens, &self.toasts, now) {
             self.dialogs.notices = false;
         }
+        let (scene, views) = self.scene(tokens);
         for feature in &mut views.features {
             scene.with_context(commands, |context| {
                 if feature.info().place == FeaturePlace::Dialog {

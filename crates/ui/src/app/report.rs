@@ -12,7 +12,8 @@ use super::views::Views;
 use crate::context::DrawnTimes;
 use crate::documents::{Documents, ViewState};
 use crate::shell::Toasts;
-use crate::timeline::{Playback, clock_text};
+use crate::timeline::Playback;
+use crate::units::clock;
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {
@@ -184,8 +185,8 @@ impl Report<'_> {
             "dialogs": object!({
                 "palette": self.dialogs.palette.is_open(),
                 "help": self.dialogs.help,
-                "simulate": self.dialogs.simulate.is_open(),
                 "notices": self.dialogs.notices,
+                "simulate": self.dialogs.simulate.is_open(),
                 "settings": self.dialogs.settings,
             }),
             "map": object!({
@@ -247,9 +248,9 @@ impl Report<'_> {
             _ => parts.push("No run yet.".to_owned()),
         }
         if let Some((from, to)) = self.playback.selected_span {
-            let length = clock_text(to - from);
+            let length = clock(to, from);
             let first = documents.span().map_or(0.0, |s| s.0);
-            let begin = clock_text(from - first);
+            let begin = clock(from, first);
             parts.push(format!("Selected: {length} from {begin} on."));
         }
         if let Some(landmark) = self.selection.and_then(|id| documents.mission.landmark(id)) {
@@ -270,8 +271,8 @@ impl Report<'_> {
         };
         let time = format!(
             "Time {} of {}, {moving}.",
-            clock_text(now - first),
-            clock_text(last - first)
+            clock(now, first),
+            clock(last, first)
         );
         let Some(step) = run.step_at(now) else {
             return time;

@@ -146,7 +146,7 @@ pub(super) fn residual_chart(
         log: false,
     };
     axes.draw_y(&painter, tokens);
-    axes.draw_x(&painter, tokens, "time, s");
+    axes.draw_time(&painter, tokens, context.clock_zero);
     let inside = painter.with_clip_rect(rect);
     for (curve, colour) in colours(tokens).into_iter().enumerate() {
         let at = |r: &FrameResidual| {

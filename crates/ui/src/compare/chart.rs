@@ -34,13 +34,13 @@ pub(super) fn curves<'a>(
     rows.iter().filter_map(curve).collect()
 }
 
-/// Draws the chart; the time under a click.
+/// Draws the chart, with the time cursor and the zero of `clock` if they are of its time; the time under a click.
 pub(super) fn error_chart(
     ui: &mut Ui,
     tokens: &Tokens,
     curves: &[ErrorCurve<'_>],
     (factor, unit): (f64, &str),
-    cursor: Option<f64>,
+    clock: Option<(f64, f64)>,
 ) -> Option<f64> {
     let size = vec2(
         ui.available_width(),
@@ -83,7 +83,7 @@ pub(super) fn error_chart(
         log: false,
     };
     axes.draw_y(&painter, tokens);
-    axes.draw_x(&painter, tokens, "time, s");
+    axes.draw_time(&painter, tokens, clock.map_or(first, |(_, zero)| zero));
     let inside = painter.with_clip_rect(rect);
     for curve in curves {
         let points = thinned(curve.errors, &axes, factor);
@@ -95,7 +95,7 @@ pub(super) fn error_chart(
             }
         }
     }
-    if let Some(cursor) = cursor {
+    if let Some((cursor, _)) = clock {
         let x = axes.screen_x(cursor);
         inside.vline(x, rect.y_range(), Stroke::new(1.0, tokens.accent));
     }

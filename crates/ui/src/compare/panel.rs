@@ -127,10 +127,10 @@ impl CompareView {
         // Where the reference is part of what is open, its times are those of the cursor.
         let is_open = |row: &ResultRow| !matches!(row.id, TrackId::Kept(_));
         let is_open = self.results.reference().is_some_and(is_open);
-        let cursor = is_open.then_some(context.time);
+        let clock = is_open.then_some((context.time, context.clock_zero));
         let title = RichText::new("Distance from the reference, over its time");
         ui.label(title.size(tokens.text_sizes[0]).color(tokens.muted));
-        let clicked = error_chart(ui, tokens, &curves, context.units.length(), cursor);
+        let clicked = error_chart(ui, tokens, &curves, context.units.length(), clock);
         if let Some(time) = clicked.filter(|_| is_open) {
             context.commands.push(Command::SeekTo(time));
         }

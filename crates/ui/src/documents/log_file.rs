@@ -13,6 +13,8 @@ pub struct LogFile {
     pub span: Option<(f64, f64)>,
     /// Seconds since 1970 at time zero of the flight, where the log says so.
     pub utc_at_zero: Option<f64>,
+    /// Time at which it first leaves the ground, seconds, once all of it was read.
+    pub take_off: Option<f64>,
     /// Why it cannot be navigated, if it cannot.
     pub unnavigable: Option<String>,
 }

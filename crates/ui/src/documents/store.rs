@@ -14,6 +14,9 @@ use crate::short_map::ShortMap;
 use crate::views::Examined;
 use pilotage_jobs::{Distinctness, FlightSource, MapInfo, MapSource};
 
+/// Seconds on the ground that are seen before a take-off.
+const LEAD: f64 = 2.0;
+
 /// Documents that a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.
 #[derive(Debug, Default)]
@@ -326,6 +329,13 @@ impl Documents {
             (Some((a, b)), None) if a.is_finite() => Some((a, b)),
             (_, run) => run.or_else(|| self.log.as_ref()?.span),
         }
+    }
+
+    /// Time at which looking at a flight begins: just before the take-off of a log, or else its start.
+    pub fn first_look(&self) -> Option<f64> {
+        let (first, last) = self.span()?;
+        let take_off = self.log.as_ref().and_then(|log| log.take_off);
+        Some(take_off.map_or(first, |time| (time - LEAD).clamp(first, last)))
     }
 
     /// First and last time of the flight and of what its log holds around it.

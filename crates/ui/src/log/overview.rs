@@ -37,7 +37,7 @@ pub fn overview_panel(
         );
         return;
     };
-    let first = outline.span.map_or(0.0, |span| span.0);
+    let first = context.clock_zero;
     ui.label(
         RichText::new(&outline.name)
             .size(tokens.text_sizes[2])

@@ -24,6 +24,8 @@ pub(super) struct PlotScene<'a> {
     pub panels: Vec<&'a PanelContent>,
     /// The time that is shown.
     pub span: (f64, f64),
+    /// Time at which the clock stands at zero, seconds.
+    pub clock_zero: f64,
     pub selected: Option<(f64, f64)>,
     /// Width of the plots and height of the curves of each, as they are shown, points.
     pub size: (f32, f32),
@@ -53,8 +55,7 @@ impl PlotScene<'_> {
         let mut svg = Svg::new((width, height), tokens.text_sizes[0]);
         let whole = Rect::from_min_size(Pos2::ZERO, vec2(width, height));
         svg.fill(whole, tokens.surface);
-        let first = self.log.span().map_or(0.0, |span| span.0);
-        let [from, to] = [self.span.0, self.span.1].map(|time| clock(time, first));
+        let [from, to] = [self.span.0, self.span.1].map(|time| clock(time, self.clock_zero));
         let title = format!("{}, {from} to {to}", self.log.file);
         let margin = tokens.space;
         let mut top = margin;
@@ -79,7 +80,8 @@ impl PlotScene<'_> {
         }
         let below = Rect::from_min_size(pos2(margin, top), vec2(self.size.0, 0.0));
         if self.panels.iter().any(|panel| panel.against.is_none()) {
-            let axes = self.time_axes(below);
+            let mut axes = self.time_axes(below);
+            axes.x = (axes.x.0 - self.clock_zero, axes.x.1 - self.clock_zero);
             draw_x(&mut svg, tokens, &axes, "time, s");
         }
         svg.finish(&title)

@@ -152,6 +152,7 @@ impl LogPlots {
         log: &OpenLog,
         tokens: &Tokens,
         selected: Option<(f64, f64)>,
+        clock_zero: f64,
     ) -> Option<(String, (f32, f32))> {
         let span = self.axis.span(log.span()?);
         let picture = PlotScene {
@@ -159,6 +160,7 @@ impl LogPlots {
             tokens,
             panels: self.panels.iter().map(|panel| &panel.content).collect(),
             span,
+            clock_zero,
             selected,
             size: self.drawn_size,
         };
@@ -242,7 +244,7 @@ impl LogPlots {
                 }
             });
         self.axis.hover = hover;
-        TimeAxis::draw(ui, tokens, self.axis.span(whole));
+        TimeAxis::draw(ui, context, self.axis.span(whole));
         context
             .commands
             .extend(asked.into_iter().map(Command::from));

@@ -140,6 +140,9 @@ impl LogFeature {
         let Some(log) = &mut self.log else {
             return;
         };
+        if let Some(file) = &mut context.documents.log {
+            file.take_off = read.overview.airborne.first().map(|(from, _)| *from);
+        }
         log.overview = Some(read.overview);
         let frame = read.flight.as_ref().ok().copied().flatten();
         log.tracks = (read.tracks, frame);
@@ -194,9 +197,9 @@ fn look_at_fields(flight: &FlightFiles, why: &str, context: &mut FeatureContext<
     let documents = &mut *context.documents;
     if let Some(file) = &mut documents.log {
         file.unnavigable = Some(why.to_owned());
-        if let Some((first, _)) = file.span {
-            context.playback.time = first;
-        }
+    }
+    if let Some(time) = documents.first_look() {
+        context.playback.time = time;
     }
     if !documents.mission_edited {
         let staged = Staged {

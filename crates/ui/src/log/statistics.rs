@@ -79,7 +79,7 @@ pub fn statistics_panel(
     let Some(span) = plots.span_of_interest(log, context.selected_span) else {
         return;
     };
-    heading(ui, context, log, span);
+    heading(ui, context, span);
     if plots.is_empty() {
         let hint = "Tick fields in the list to plot them.";
         parts::empty(ui, tokens, "No field is plotted", hint);
@@ -105,9 +105,9 @@ pub fn statistics_panel(
 }
 
 /// Draws which span it is, and what can be done with it.
-fn heading(ui: &mut Ui, context: &mut ViewContext<'_>, log: &OpenLog, span: (f64, f64)) {
+fn heading(ui: &mut Ui, context: &mut ViewContext<'_>, span: (f64, f64)) {
     let tokens = context.tokens;
-    let first = log.span().map_or(0.0, |span| span.0);
+    let first = context.clock_zero;
     let what = if context.selected_span.is_some() {
         "Selected"
     } else {

@@ -105,7 +105,7 @@ fn course(ui: &mut Ui, context: &ViewContext<'_>, report: &WindReport) {
         log: false,
     };
     axes.draw_y(&painter, tokens);
-    axes.draw_x(&painter, tokens, "time, s");
+    axes.draw_time(&painter, tokens, context.clock_zero);
     let inside = painter.with_clip_rect(rect);
     for (curve, colour) in curves.into_iter().zip(colours(tokens)) {
         let line = |axis: usize| -> Vec<_> {

@@ -10,7 +10,7 @@ use crate::feature::{
 };
 use crate::host::stem;
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry};
-use crate::timeline::clock_text;
+use crate::units::clock;
 
 /// Identity of the feature.
 const ID: FeatureId = "screenshot";
@@ -46,7 +46,7 @@ fn file_name(context: &FeatureContext<'_>) -> String {
     let documents = &*context.documents;
     let (flight, span) = (documents.flight.as_ref(), documents.span());
     let name = flight.map_or(&documents.mission.name, |flight| &flight.name);
-    let time = span.map(|(first, _)| clock_text(context.playback.time - first));
+    let time = span.map(|(first, _)| clock(context.playback.time, first));
     let time = time.map_or_else(String::new, |time| format!("-{time}"));
     format!("{}.png", stem(&format!("{name}{time}")))
 }

@@ -8,4 +8,4 @@ mod strip;
 pub use playback::Playback;
 pub use selected::Span;
 pub(crate) use selected::{SpanPointer, TimeOnScreen, paint_span};
-pub use strip::{Timeline, TimelineExtra, clock_text};
+pub use strip::{Timeline, TimelineExtra};

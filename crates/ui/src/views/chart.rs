@@ -90,6 +90,15 @@ impl ChartAxes {
         }
     }
 
+    /// Tick labels of an x axis that is time, in seconds since `zero`.
+    pub fn draw_time(&self, painter: &Painter, tokens: &Tokens, zero: f64) {
+        let since = Self {
+            x: (self.x.0 - zero, self.x.1 - zero),
+            ..*self
+        };
+        since.draw_x(painter, tokens, "time, s");
+    }
+
     /// Tick labels of the x axis below the area, with the axis' name at the right end.
     pub fn draw_x(&self, painter: &Painter, tokens: &Tokens, name: &str) {
         let top = self.rect.bottom() + 0.25 * tokens.space;

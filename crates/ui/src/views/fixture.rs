@@ -111,6 +111,7 @@ impl Fixture {
             run: Some(&self.run),
             ghost: None,
             time,
+            clock_zero: 0.0,
             selected_span: None,
             playing: false,
             selection: None,

@@ -150,6 +150,7 @@ impl ViewDocuments {
                         run: Some(&self.run),
                         ghost: self.ghost.as_ref(),
                         time,
+                        clock_zero: 0.0,
                         selected_span: None,
                         playing: false,
                         selection,

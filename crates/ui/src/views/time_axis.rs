@@ -95,8 +95,9 @@ impl TimeAxis {
         1.8 * tokens.text_sizes[0]
     }
 
-    /// Labels of the axis.
-    pub fn draw(ui: &mut Ui, tokens: &Tokens, span: (f64, f64)) {
+    /// Labels of the axis, in seconds since the zero of every clock.
+    pub fn draw(ui: &mut Ui, context: &ViewContext<'_>, span: (f64, f64)) {
+        let tokens = context.tokens;
         let size = vec2(ui.available_width(), Self::height(tokens));
         let (outer, _) = ui.allocate_exact_size(size, Sense::hover());
         let rect = Self::curves_rect(outer, tokens);
@@ -106,7 +107,7 @@ impl TimeAxis {
             y: (0.0, 1.0),
             log: false,
         };
-        axes.draw_x(&ui.painter_at(outer), tokens, "time, s");
+        axes.draw_time(&ui.painter_at(outer), tokens, context.clock_zero);
     }
 
     /// Part of a plot for the curves: right of the y axis' labels.

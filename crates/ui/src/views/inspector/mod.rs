@@ -86,7 +86,7 @@ impl InspectorView {
             ui.label(
                 RichText::new(format!(
                     "t = {:.2} s, step {} of {}",
-                    step.time,
+                    step.time - context.clock_zero,
                     shown + 1,
                     run.steps.len()
                 ))

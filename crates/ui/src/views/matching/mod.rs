@@ -11,7 +11,7 @@ use super::sights::Sights;
 use super::{parts, picking};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
-use crate::timeline::clock_text;
+use crate::units::clock;
 pub use command::{MATCH, MatchCommand};
 use pictures::MatchTextures;
 use pilotage_jobs::MatchPictures;
@@ -82,7 +82,7 @@ impl MatchView {
             .show(ui, |ui| {
                 let newest = run.frame_step_at(context.time);
                 if newest.is_some_and(|newest| newest.time > step.time) {
-                    past(ui, context, run, step, next);
+                    past(ui, context, step, next);
                 }
                 selector(ui, context, run, frame.candidates.as_slice(), candidate);
                 if context.selection.is_some_and(|s| s != candidate.landmark) {
@@ -105,15 +105,8 @@ impl MatchView {
 }
 
 /// Says that the match shown lies in the past, how far, and when the next one comes.
-fn past(
-    ui: &mut Ui,
-    context: &mut ViewContext<'_>,
-    run: &Run,
-    step: &StepReport,
-    next: Option<&StepReport>,
-) {
+fn past(ui: &mut Ui, context: &mut ViewContext<'_>, step: &StepReport, next: Option<&StepReport>) {
     let tokens = context.tokens;
-    let first = run.steps.first().map_or(0.0, |s| s.time);
     egui::Frame::new()
         .fill(tokens.raised)
         .corner_radius(tokens.radius)
@@ -123,7 +116,7 @@ fn past(
             let text = format!(
                 "No landmark in sight now. Below: the last one looked for, {:.1} s ago at {}.",
                 context.time - step.time,
-                clock_text(step.time - first)
+                clock(step.time, context.clock_zero)
             );
             ui.label(
                 RichText::new(text)

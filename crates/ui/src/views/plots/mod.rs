@@ -140,7 +140,7 @@ impl PlotsView {
                     ui.add_space(gap);
                 }
             });
-        TimeAxis::draw(ui, tokens, span);
+        TimeAxis::draw(ui, context, span);
         hover
     }
 
@@ -185,7 +185,7 @@ impl PlotsView {
                         let found = self.panel(ui, context, *index, (header, height), span, false);
                         hover = hover.or(found);
                         if below {
-                            TimeAxis::draw(ui, tokens, span);
+                            TimeAxis::draw(ui, context, span);
                         }
                     });
                 }
