@@ -1,5 +1,6 @@
 // What the app asks of the browser: files in and out, storage, words for screen readers.
 import { readDropped, readChosen } from "./files.js";
+import { startFilm, stopFilm } from "./film.js";
 import { fetchTiles, downloadTiles, downloadState, stopDownload } from "./tiles.js";
 
 /** Shows a page to the browser's print alone; a sheet made by script, as the page allows no other. */
@@ -64,6 +65,8 @@ export function shellServices(storage, openFiles) {
       const picture = new ImageData(pixels, width, height);
       save(name, await painted(width, height, (to) => to.putImageData(picture, 0, 0)));
     },
+    startFilm: () => startFilm(canvas),
+    stopFilm(name) { stopFilm((film) => save(name, film)); },
     store(key, bytes) { storage.put(key, bytes); },
     fetchTiles,
     downloadTiles,

@@ -14,6 +14,9 @@ import { startServer } from "./server.mjs";
 import { makeTools } from "./tools.mjs";
 import { watch } from "./watch.mjs";
 
+// A journey that fails leaves promises behind, such as for downloads: what failed is told, not that nobody waits for them.
+process.on("unhandledRejection", () => {});
+
 const here = fileURLToPath(new URL(".", import.meta.url));
 const pictures = process.env.PILOTAGE_SCREENSHOTS ?? join(here, "../../target/screenshots");
 const longest = 400_000; // milliseconds for one journey, after which it counts as lost

@@ -6,6 +6,7 @@ use crate::compare::Compare;
 use crate::detector::DetectorFeature;
 use crate::exports::ExportsFeature;
 use crate::feature::Feature;
+use crate::film::Films;
 use crate::georeference::GeoreferencerFeature;
 use crate::go_to::GoTo;
 use crate::labelling::Labelling;
@@ -46,6 +47,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(ColumnsFeature::default()),
         Box::<Measure>::default(),
         Box::<Screenshot>::default(),
+        Box::<Films>::default(),
     ]
 }
 

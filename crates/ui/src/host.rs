@@ -63,6 +63,14 @@ pub trait Host {
     /// row from the top: red, green, blue, opacity.
     fn save_pixels(&mut self, _name: &str, _size: [u32; 2], _pixels: &[u8]) {}
 
+    /// Begins a film of what is drawn; the ending of its file's name, empty where films cannot be made.
+    fn start_film(&mut self) -> String {
+        String::new()
+    }
+
+    /// Ends the film that is being made and offers it to the user as a file.
+    fn stop_film(&mut self, _name: &str) {}
+
     /// Remembers bytes under a key in the browser's own storage.
     fn store(&mut self, key: &str, bytes: &[u8]);
 

@@ -15,6 +15,7 @@ pub mod exports;
 pub mod feature;
 pub mod feature_command;
 pub mod features;
+mod film;
 pub mod georeference;
 pub mod go_to;
 pub mod host;

@@ -45,6 +45,14 @@ extern "C" {
         height: u32,
     );
 
+    /// Begins a film of the canvas; the ending of its file's name, or nothing.
+    #[wasm_bindgen(method, js_name = startFilm)]
+    pub fn start_film(this: &Shell) -> String;
+
+    /// Ends the film and offers it as a download.
+    #[wasm_bindgen(method, js_name = stopFilm)]
+    pub fn stop_film(this: &Shell, name: &str);
+
     /// Remembers bytes in the browser's storage, soon.
     #[wasm_bindgen(method)]
     pub fn store(this: &Shell, key: &str, bytes: Uint8Array);

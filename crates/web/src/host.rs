@@ -365,6 +365,14 @@ impl Host for PageHost {
         inner.shell.save_pixels(name, pixels, width, height);
     }
 
+    fn start_film(&mut self) -> String {
+        self.inner.borrow().shell.start_film()
+    }
+
+    fn stop_film(&mut self, name: &str) {
+        self.inner.borrow().shell.stop_film(name);
+    }
+
     fn store(&mut self, key: &str, bytes: &[u8]) {
         let bytes = Uint8Array::from(bytes);
         self.inner.borrow().shell.store(key, bytes);

@@ -147,6 +147,7 @@ const UI: Order = Order {
         "outage",
         "measure",
         "screenshot",
+        "film",
         "web_map",
         "go_to",
         "georeference",

@@ -37,6 +37,7 @@ mod pictures;
 mod plan;
 mod reload;
 mod reopen;
+mod replay_film;
 mod save;
 mod saved_files;
 mod screenshot;

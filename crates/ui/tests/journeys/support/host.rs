@@ -60,6 +60,8 @@ pub struct ScriptedHost {
     pub cancelled: Vec<JobId>,
     /// Jobs told to keep their place, or to go on.
     pub held: Vec<(JobId, bool)>,
+    /// Films: `begun`, and the names of those that ended.
+    pub films: Vec<String>,
     /// Events to hand over.
     pub events: Vec<(JobId, JobEvent)>,
     /// Files to hand over.
@@ -617,6 +619,15 @@ impl Host for ScriptedHost {
             .write_to(&mut png, image::ImageFormat::Png)
             .expect("memory can be written to");
         self.saved.push((name.into(), png.into_inner()));
+    }
+
+    fn start_film(&mut self) -> String {
+        self.films.push("begun".into());
+        "webm".into()
+    }
+
+    fn stop_film(&mut self, name: &str) {
+        self.films.push(name.into());
     }
 
     fn save_picture(&mut self, name: &str, svg: &str, size: [u32; 2]) {

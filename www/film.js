@@ -1,0 +1,30 @@
+// A film of the canvas, made by the browser's own encoder.
+const kinds = [["video/webm;codecs=vp9", "webm"], ["video/webm;codecs=vp8", "webm"], ["video/webm", "webm"], ["video/mp4", "mp4"]];
+const perSecond = 30; // pictures
+const bits = 8e6; // per second
+
+let recorder = null;
+
+/** Begins a film of the canvas; the ending of its file's name, empty if this browser makes none. */
+export function startFilm(canvas) {
+  const kind = globalThis.MediaRecorder && kinds.find(([type]) => MediaRecorder.isTypeSupported(type));
+  if (!kind || !canvas.captureStream) return "";
+  const [mimeType, ending] = kind;
+  recorder = new MediaRecorder(canvas.captureStream(perSecond), { mimeType, videoBitsPerSecond: bits });
+  recorder.parts = [];
+  recorder.addEventListener("dataavailable", ({ data, target }) => target.parts.push(data));
+  recorder.start(1000);
+  return ending;
+}
+
+/** Ends the film that is being made and hands it to `save` as a blob, once its last part is there. */
+export function stopFilm(save) {
+  if (!recorder) return;
+  const ended = recorder;
+  recorder = null;
+  ended.addEventListener("stop", () => {
+    for (const track of ended.stream.getTracks()) track.stop();
+    save(new Blob(ended.parts, { type: ended.mimeType }));
+  });
+  ended.stop();
+}
