@@ -120,7 +120,15 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     let Some((size, _)) = enough.max_by_key(|(_, (_, all))| *all) else {
         return Vec::new();
     };
+    let is_unplaced = |it: &&Photo| (it.width, it.height) != size && it.place.is_none();
+    let unplaced = photos.iter().filter(is_unplaced).count();
     of_one_size(&mut photos, size, "photos", notes);
+    if unplaced > 0 {
+        notes.push(format!(
+            "{unplaced} of the photos left out do not say where they were taken; a table of names, places, heights and \
+             headings beside them (CSV) would make them a flight"
+        ));
+    }
     of_one_camera(&mut photos, notes);
     timed(photos, notes)
 }

@@ -230,6 +230,35 @@ fn photos_without_a_place_are_no_flight() {
 }
 
 #[test]
+fn frames_among_photos_that_have_no_place_are_told_with_what_would_give_them_one() {
+    let bare = [
+        b"\xff\xd8".to_vec(),
+        segment(0xc0, &[8, 0, 30, 0, 40, 3, 0, 0, 0]),
+        segment(0xda, &[0]),
+    ];
+    let folder = read_photos(&files(&[
+        ("a.jpg", photo("30", "0", 10, "")),
+        ("b.jpg", photo("31", "0", 11, "")),
+        ("frame1.jpg", bare.concat()),
+        ("frame2.jpg", bare.concat()),
+        ("frame3.jpg", bare.concat()),
+    ]));
+    let folder = folder.unwrap();
+    assert_eq!(folder.flight.frames.len(), 2);
+    let told = |words: &str| folder.notes.iter().any(|note| note.starts_with(words));
+    assert!(
+        told("3 of 5 photos are of another size"),
+        "{:?}",
+        folder.notes
+    );
+    assert!(
+        told("3 of the photos left out do not say where"),
+        "{:?}",
+        folder.notes
+    );
+}
+
+#[test]
 fn photos_of_one_second_are_spread_over_it() {
     let files = files(&[
         ("a.jpg", photo("30", "", 10, "")),
