@@ -89,6 +89,7 @@ export function shellServices(storage, openFiles) {
         else history.pushState(place, "");
       } catch { /* a browser takes so many within a time */ }
     },
+    prefersStillness() { return matchMedia("(prefers-reduced-motion: reduce)").matches; },
     prefersLight() { return matchMedia("(prefers-color-scheme: light)").matches; },
     announce(text) { summary.textContent = text; },
   };

@@ -65,6 +65,9 @@ pub struct ViewContext<'a> {
     pub selected_span: Option<(f64, f64)>,
     /// Whether the cursor is moving by itself.
     pub playing: bool,
+    /// Seconds of the flight that pass in a second, for what moves by itself; 0 while the cursor stands still, and where
+    /// people want no motion.
+    pub motion: f64,
     /// The selected landmark's id.
     pub selection: Option<u32>,
     /// The selected route's id.

@@ -121,6 +121,11 @@ pub trait Host {
         false
     }
 
+    /// Whether people want nothing on the screen to move by itself but what they play.
+    fn prefers_stillness(&self) -> bool {
+        false
+    }
+
     /// Whether the workers have time for what nobody asked for.
     fn works_ahead(&self) -> bool {
         true

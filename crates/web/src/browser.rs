@@ -86,6 +86,10 @@ extern "C" {
     #[wasm_bindgen(method, js_name = prefersLight)]
     pub fn prefers_light(this: &Shell) -> bool;
 
+    /// Whether people want nothing to move by itself.
+    #[wasm_bindgen(method, js_name = prefersStillness)]
+    pub fn prefers_stillness(this: &Shell) -> bool;
+
     /// Keys of what the browser refused to store since the last call.
     #[wasm_bindgen(method, js_name = failedStores)]
     pub fn failed_stores(this: &Shell) -> Vec<String>;

@@ -411,6 +411,10 @@ impl Host for PageHost {
         self.inner.borrow().shell.copy_link(fragment);
     }
 
+    fn prefers_stillness(&self) -> bool {
+        self.inner.borrow().shell.prefers_stillness()
+    }
+
     fn prefers_light(&self) -> bool {
         self.inner.borrow().shell.prefers_light()
     }

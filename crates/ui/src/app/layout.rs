@@ -56,6 +56,7 @@ impl Scene<'_> {
             clock_zero: self.documents.span().map_or(0.0, |span| span.0),
             selected_span: self.playback.selected_span,
             playing: self.playback.playing,
+            motion: self.playback.motion(),
             selection: self.selection,
             route: self.documents.route,
             pictures: &pictures,

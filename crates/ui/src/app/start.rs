@@ -56,6 +56,7 @@ impl App {
         let mut app = Self {
             documents: Documents::new(&session),
             playback: Playback {
+                is_still: host.prefers_stillness(),
                 speed: view.speed,
                 looping: view.looping,
                 ..Playback::default()

@@ -7,7 +7,8 @@ use pilotage_core::navigator::StepReport;
 use crate::documents::OpenedTerrain;
 use pilotage_core::imagery::terrain::Terrain as _;
 
-use super::symbols::{paint_ellipses, paint_sigma, sigma_points};
+use super::correction::ShownBelief;
+use super::symbols::{paint_ellipses, paint_sigma};
 use super::transform::ScreenFromWorld;
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -112,28 +113,43 @@ pub fn height_text(p: &GroundPoint, ground: &OpenedTerrain, units: Units) -> Opt
     Some(format!("ground {height:.0} {unit} {above}"))
 }
 
+/// Content of the lens.
+#[derive(Clone, Copy, Debug)]
+pub struct LensScene<'a> {
+    /// The step that is shown.
+    pub step: &'a StepReport,
+    /// Its belief as it is drawn.
+    pub belief: &'a ShownBelief,
+    /// True position, where it is to be shown.
+    pub truth: Option<GroundPoint>,
+}
+
 /// Draws a lens at `rect` that magnifies the surroundings of the estimate, so that the sigma points
 /// are seen to breathe whatever the map's scale.
 pub fn paint_lens(
     painter: &Painter,
     map: &ScreenFromWorld,
     rect: Rect,
-    step: &StepReport,
-    truth: Option<GroundPoint>,
+    scene: &LensScene<'_>,
     units: Units,
     tokens: &Tokens,
 ) {
+    let LensScene {
+        step,
+        belief,
+        truth,
+    } = *scene;
     let color = if step.corrected() {
         tokens.corrected
     } else {
         tokens.dead_reckoning
     };
-    let covariance = step.after.position_covariance();
+    let covariance = belief.covariance;
     let largest = covariance.diagonal().max().max(1e-6).sqrt();
     // Steps of a factor two, so that growth is seen as growth.
     let reach = 2.0_f64.powf((3.6 * largest).log2().ceil());
     let view = ScreenFromWorld {
-        center: step.after.position(),
+        center: belief.position,
         metres_per_point: 2.0 * reach / f64::from(rect.width()),
         up: map.up,
         middle: rect.center(),
@@ -143,14 +159,7 @@ pub fn paint_lens(
     let line = Stroke::new(1.0, tokens.line);
     inside.hline(rect.x_range(), rect.center().y, line);
     inside.vline(rect.center().x, rect.y_range(), line);
-    paint_ellipses(
-        &inside,
-        &view,
-        &step.after.position(),
-        &covariance,
-        color,
-        tokens,
-    );
+    paint_ellipses(&inside, &view, &belief.position, &covariance, color, tokens);
     if let Some(truth) = truth {
         let at = view.apply(&truth);
         let arm = 5.0;
@@ -158,13 +167,14 @@ pub fn paint_lens(
         inside.line_segment([at - vec2(arm, arm), at + vec2(arm, arm)], stroke);
         inside.line_segment([at - vec2(arm, -arm), at + vec2(arm, -arm)], stroke);
     }
-    paint_sigma(&inside, &view, sigma_points(step), tokens, 3.0);
-    painter.rect_stroke(
-        rect,
-        tokens.radius,
-        Stroke::new(1.0, tokens.line),
-        egui::StrokeKind::Inside,
-    );
+    paint_sigma(&inside, &view, &belief.sigma, tokens, 3.0);
+    // Its frame lights up as a correction arrives.
+    let edge = if belief.share < 1.0 {
+        Stroke::new(1.0 + 2.0 * (1.0 - belief.share), tokens.corrected)
+    } else {
+        Stroke::new(1.0, tokens.line)
+    };
+    painter.rect_stroke(rect, tokens.radius, edge, egui::StrokeKind::Inside);
     let (factor, _) = units.length();
     let bar = round_length(0.45 * reach * factor) / factor;
     let width = view.points(bar);

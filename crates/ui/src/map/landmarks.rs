@@ -57,6 +57,8 @@ pub struct LandmarkScene<'a> {
     pub lines: &'a [[Pos2; 2]],
     /// Start of the lines on the screen; `None` if no lines are drawn.
     pub lines_from: Option<Pos2>,
+    /// Part of the lines that is drawn, 0 to 1.
+    pub lines_drawn: f32,
 }
 
 /// Draws all landmarks.
@@ -79,7 +81,7 @@ pub fn paint_landmarks(
         let selected = scene.selection == Some(landmark.id);
         let color = color_of(state, tokens);
         if let (LandmarkState::Accepted, Some(from)) = (state, scene.lines_from) {
-            let to = view.apply(&landmark.reference);
+            let to = from.lerp(view.apply(&landmark.reference), scene.lines_drawn);
             paint_lifted_line(painter, [from, to], 1.5, color, tokens);
         }
         let outline = landmark.outline();

@@ -3,6 +3,7 @@
 
 mod button;
 mod controls;
+mod correction;
 mod furniture;
 mod interact;
 mod labels;

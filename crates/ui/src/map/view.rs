@@ -5,8 +5,9 @@ use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::navigator::{Run, StepReport};
 
 use super::button::MapButton;
+use super::correction::{ShownBelief, shown_belief};
 use super::furniture::{
-    coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
+    LensScene, coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layer::MapLayer;
@@ -15,7 +16,7 @@ use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
 use super::symbols::{
     paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
-    paint_sigma, sigma_points,
+    paint_sigma,
 };
 use super::tiles::TileCache;
 use super::tool::{MapCanvas, MapStage, MapTool};
@@ -205,12 +206,12 @@ impl MapView {
         self.rect = Some(rect);
         self.finest = (extra.map).map_or(0.0, |map| map.native_gsd / POINTS_PER_PIXEL);
         self.covered = std::mem::take(&mut self.covering);
-        let step = context.run.and_then(|r| r.step_at(context.time));
+        let belief = believed(context);
         if let Some(ground) = self.wants_fit.take() {
             self.camera.fit(rect, &ground);
             self.fitted = Some((self.camera.center, self.camera.metres_per_point));
         }
-        self.steer(step);
+        self.steer(belief.as_ref());
         self.planning = tools.iter().any(|tool| tool.hides_flight());
         let rows = extra.layers.iter().filter_map(|layer| layer.row());
         self.has_recorded = rows.into_iter().any(|row| row == Layer::Recorded);
@@ -273,11 +274,13 @@ impl MapView {
     }
 
     /// Keeps the aircraft in the middle and its direction at the top, if so wished.
-    fn steer(&mut self, step: Option<&StepReport>) {
-        let Some(step) = step else { return };
+    fn steer(&mut self, belief: Option<&(ShownBelief, &StepReport)>) {
+        let Some((belief, step)) = belief else {
+            return;
+        };
         // The ground keeps still under whoever is drawing on it.
         if self.follow && self.drag == Drag::None && !self.picking {
-            self.camera.center = step.after.position();
+            self.camera.center = belief.position;
         }
         if self.track_up {
             self.camera.up = step.control.heading;
@@ -387,7 +390,8 @@ impl MapView {
         {
             paint_footprint(painter, view, &frame.footprint, tokens);
         }
-        let aircraft = step.map(|s| view.apply(&s.after.position()));
+        let belief = believed(context).map(|(belief, _)| belief);
+        let aircraft = belief.as_ref().map(|it| view.apply(&it.position));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
         if shows(Layer::Landmarks) {
             let (lines, marks) = self.busy(view, context);
@@ -405,6 +409,7 @@ impl MapView {
                 covered: &covered,
                 lines: &lines,
                 lines_from: aircraft.filter(|_| shows(Layer::Matches)),
+                lines_drawn: belief.as_ref().map_or(1.0, |it| it.share),
             };
             paint_landmarks(painter, view, rect, &scene, tokens);
         }
@@ -412,7 +417,9 @@ impl MapView {
             let most = context.mission.navigator.detector.greatest_ambiguity;
             paint_look_alike(painter, view, distinctness, most, tokens);
         }
-        let Some(step) = step else { return };
+        let (Some(step), Some(belief)) = (step, belief) else {
+            return;
+        };
         let heading = step.control.heading;
         if shows(Layer::Truth)
             && let Some(truth) = truth_at(context, step.time)
@@ -428,25 +435,18 @@ impl MapView {
             );
         }
         let color = status_color(frame_step, tokens);
-        let covariance = step.after.position_covariance();
+        let covariance = belief.covariance;
         if shows(Layer::Ellipses) {
-            paint_ellipses(
-                painter,
-                view,
-                &step.after.position(),
-                &covariance,
-                color,
-                tokens,
-            );
+            paint_ellipses(painter, view, &belief.position, &covariance, color, tokens);
         }
-        let at = view.apply(&step.after.position());
+        let at = view.apply(&belief.position);
         let edge = Stroke::new(1.25, tokens.outline());
         paint_aircraft(painter, view, at, heading, 15.0, color, edge);
         self.drawn = context.drawn(step.time);
         if shows(Layer::Sigma) {
             let spread = view.points(covariance.diagonal().max().max(0.0).sqrt());
             if spread > 2.0 {
-                paint_sigma(painter, view, sigma_points(step), tokens, 2.75);
+                paint_sigma(painter, view, &belief.sigma, tokens, 2.75);
             }
         }
     }
@@ -506,8 +506,7 @@ impl MapView {
                 tokens.sigma,
             );
         }
-        let step = context.run.and_then(|r| r.step_at(context.time));
-        if let Some(step) = step
+        if let Some((belief, step)) = believed(context)
             && self.layers.shows(Layer::Sigma)
             && rect.width() > 620.0
             && rect.height() > 420.0
@@ -519,9 +518,21 @@ impl MapView {
             );
             let truth = truth_at(context, step.time).filter(|_| self.layers.shows(Layer::Truth));
             self.cover(lens);
-            paint_lens(painter, view, lens, step, truth, context.units, tokens);
+            let scene = LensScene {
+                step,
+                belief: &belief,
+                truth,
+            };
+            paint_lens(painter, view, lens, &scene, context.units, tokens);
         }
     }
+}
+
+/// The belief to be drawn at the time cursor, and its step.
+fn believed<'a>(context: &ViewContext<'a>) -> Option<(ShownBelief, &'a StepReport)> {
+    let run = context.run?;
+    let step = run.step_at(context.time)?;
+    Some((shown_belief(run, step, context.time, context.motion), step))
 }
 
 /// The latest step with a camera frame, unless it is long past.

@@ -16,6 +16,8 @@ pub struct Playback {
     pub speed: f64,
     /// Whether it starts over at the end.
     pub looping: bool,
+    /// Whether nothing but the cursor moves by itself.
+    pub is_still: bool,
     /// The span of time that is selected, if any: in order, not empty, within the flight.
     pub selected_span: Option<Span>,
 }
@@ -27,6 +29,7 @@ impl Default for Playback {
             playing: true,
             speed: 1.0,
             looping: true,
+            is_still: false,
             selected_span: None,
         }
     }
@@ -36,6 +39,16 @@ impl Playback {
     /// Sets the speed within its limits.
     pub fn set_speed(&mut self, speed: f64) {
         self.speed = speed.clamp(SPEEDS[0], SPEEDS[1]);
+    }
+
+    /// Seconds of the flight in a second, for what moves along with the cursor; 0 while it stands still, and where nothing
+    /// else is to move.
+    pub fn motion(&self) -> f64 {
+        if self.playing && !self.is_still {
+            self.speed
+        } else {
+            0.0
+        }
     }
 
     /// Moves the cursor to a time within the span.

@@ -112,6 +112,7 @@ impl Fixture {
             ghost: None,
             time,
             clock_zero: 0.0,
+            motion: 0.0,
             selected_span: None,
             playing: false,
             selection: None,

@@ -151,6 +151,7 @@ impl ViewDocuments {
                         ghost: self.ghost.as_ref(),
                         time,
                         clock_zero: 0.0,
+                        motion: 0.0,
                         selected_span: None,
                         playing: false,
                         selection,
