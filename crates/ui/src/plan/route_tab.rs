@@ -1,6 +1,7 @@
 //! Routes: which, its legs and totals, the wind, the limit, and what is predicted.
 
 use egui::{Align, DragValue, Layout, TextEdit, Ui, UiBuilder};
+use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
 use super::PlanCommand;
@@ -13,6 +14,7 @@ use super::patterns::Pattern;
 use super::planner::{Planner, made_for};
 use super::purpose::Purpose;
 use super::relief::ground;
+use super::verdict::LandmarkVerdict;
 use super::way_points::{Sums, way_points};
 use super::words::{PredictionFigures, distance_text};
 use crate::command::Command;
@@ -297,6 +299,7 @@ pub fn assumptions(
     } else {
         list.push(format!("All {measured} landmarks that are on are tested."));
     }
+    list.extend(misled(planner, &used));
     let climbs = route
         .way_points
         .windows(2)
@@ -312,6 +315,22 @@ pub fn assumptions(
     }
     list.extend(documents.relief().assumptions(route, units));
     list
+}
+
+/// Landmarks for which something else is often taken, which no prediction counts.
+fn misled(planner: &Planner, used: &[Landmark]) -> Option<String> {
+    let misleads = |landmark: &&Landmark| {
+        let measured = planner.assessments.of(landmark);
+        measured.is_some_and(|it| LandmarkVerdict::misleads(&it.last))
+    };
+    let names = used.iter().filter(misleads).map(|it| it.name.as_str());
+    let names: Vec<&str> = names.collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "Something else is often taken for {}. Only right matches are predicted: switch it off, or draw it elsewhere.",
+            names.join(", ")
+        )
+    })
 }
 
 fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {

@@ -25,6 +25,11 @@ impl LandmarkVerdict {
         Self::by(tested.expected.probability(), tested.false_matches)
     }
 
+    /// Whether something else is often taken for a landmark that was tested.
+    pub fn misleads(tested: &Assessment) -> bool {
+        tested.false_matches > MOST_WRONG
+    }
+
     fn by(probability: f64, wrong: f64) -> Self {
         let (good, usable) = ENOUGH;
         if probability < usable || wrong > MOST_WRONG {

@@ -97,6 +97,26 @@ fn all_landmarks_are_measured_one_after_the_other() {
 }
 
 #[test]
+fn landmarks_for_which_something_else_is_often_taken_are_named_beside_the_prediction() {
+    for (wrong, is_told) in [(1.0 / 32.0, false), (0.4, true)] {
+        let mut rig = planning();
+        rig.host().wrong = Some(wrong);
+        draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+        rig.open_tab("Landmarks");
+        rig.harness.get_by_label("Test all").click();
+        for _ in 0..4 {
+            rig.settle();
+        }
+        rig.open_tab("Route");
+        rig.settle();
+        let told = rig
+            .harness
+            .query_by_label_contains("Something else is often taken for");
+        assert_eq!(told.is_some(), is_told, "{wrong}");
+    }
+}
+
+#[test]
 fn a_landmark_that_is_drawn_is_measured_by_itself_once_it_rests() {
     let mut rig = planning();
     rig.open_tab("Landmarks");

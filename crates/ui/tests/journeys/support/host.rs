@@ -90,6 +90,8 @@ pub struct ScriptedHost {
     pub interrupted: Vec<String>,
     /// Share of frames in which tested landmarks are found on a day on which they are recognised, unless one half.
     pub per_frame: Option<f64>,
+    /// Share of views in which something else is taken for a landmark, 1/32 unless set.
+    pub wrong: Option<f64>,
     /// Work that nobody asked for.
     pub ahead: Ahead,
     /// Colours of the rest of the screen.
@@ -384,6 +386,7 @@ impl ScriptedHost {
                 say(JobEvent::Assessment(Box::new(assessment(
                     order,
                     self.per_frame.unwrap_or(0.5),
+                    self.wrong.unwrap_or(1.0 / 32.0),
                 ))));
                 say(JobEvent::Finished);
             }
@@ -528,7 +531,7 @@ fn suggestions(order: &SuggestOrder) -> Vec<Suggestion> {
 }
 
 /// A landmark that is found in every other view.
-fn assessment(order: &AssessmentOrder, per_frame: f64) -> Assessment {
+fn assessment(order: &AssessmentOrder, per_frame: f64, wrong: f64) -> Assessment {
     let glance = |i: u32| Glance {
         heading: f64::from(i),
         off_centre: 10.0 * f64::from(i),
@@ -544,7 +547,7 @@ fn assessment(order: &AssessmentOrder, per_frame: f64) -> Assessment {
             per_frame,
             covariance: nalgebra::Matrix4::identity() * 0.04,
         },
-        false_matches: 1.0 / 32.0,
+        false_matches: wrong,
         views: (0..32).map(glance).collect(),
         breakdown: ViewBreakdown {
             heading: vec![tally(8, 4, 0); 4],
