@@ -33,7 +33,7 @@ export async function run(page, tools) {
   const opened = rows(await tools.openRun()).find((r) => r.name === "This run");
   tools.check(Math.abs(flown.rms - opened.rms) < 1e-6 && Math.abs(flown.greatest - opened.greatest) < 1e-6, `the run of the native program differs: ${JSON.stringify([flown, opened])}`);
 
-  await tools.click(await tools.find(null, "Simulate…"));
+  await tools.choose("Open", "Simulate a flight…");
   await tools.click(await tools.find(null, "Fly"));
   await tools.waitFor((s) => s.run_generation > kept.run_generation && s.run_complete, "another flight", 150_000);
   await tools.click(await tools.find(null, "Times: From take-off"));

@@ -7,7 +7,7 @@ const TWO_FEET = 0.6096;
 export async function run(page, tools) {
   await tools.waitReady();
   const demo = await tools.waitFor((s) => s.run_steps > 0, "the demo", 120_000);
-  await tools.click(await tools.find(null, "Simulate…"));
+  await tools.choose("Open", "Simulate a flight…");
   await tools.click(await tools.find(null, "Quadcopter in a hall"));
   await page.waitForTimeout(400);
   await tools.screenshot("hall-chosen");

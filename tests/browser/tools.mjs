@@ -105,6 +105,12 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
       await tools.click(called.toSorted((a, b) => b.rect[0] - a.rect[0])[0]);
     },
 
+    /** Chooses from a menu of the top bar. */
+    async choose(menu, item) {
+      await tools.click(await tools.find("Button", menu));
+      await tools.click(await tools.find("Button", item));
+    },
+
     /** Waits until what was done is drawn: one frame takes it in, the next shows it; keys that came together take one
      * frame each. */
     async drawn() {

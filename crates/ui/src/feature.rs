@@ -16,9 +16,9 @@ use crate::documents::{Documents, Session, ViewState};
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
 use crate::host::{Host, OpenedFile};
 use crate::map::{MapButton, MapLayer, MapTool, MapView};
-use crate::shell::Toasts;
 use crate::shell::catalog::CommandEntry;
 use crate::shell::icons::Icon;
+use crate::shell::{NextStep, Toasts};
 use crate::timeline::Playback;
 use crate::units::Units;
 use crate::views::CameraView;
@@ -570,11 +570,6 @@ pub trait Feature {
         false
     }
 
-    /// Sign and words of its button in the top bar, which shows it.
-    fn bar_button(&self) -> Option<(Icon, &'static str)> {
-        None
-    }
-
     /// Whether letters are for its dialog, even before a field of that has the keyboard.
     fn takes_letters(&self) -> bool {
         false
@@ -609,4 +604,10 @@ pub trait Feature {
 
     /// Shows a page of its workspace; the last one where there are not so many.
     fn turn_to(&mut self, _page: usize) {}
+
+    /// Step that comes next in a workspace, as the one button that stands out in the top bar; that of the first feature
+    /// that knows one is taken.
+    fn next_step(&self, _workspace: Workspace, _documents: &Documents) -> Option<NextStep> {
+        None
+    }
 }

@@ -75,22 +75,17 @@ impl App {
         let narrow = screen.width() < NARROW;
         let plots_open = self.are_plots_open(screen.height());
         let title = self.documents.title();
-        let features = self.views.features.iter();
-        let buttons = features.filter_map(|it| {
-            let (icon, label) = it.bar_button()?;
-            Some((icon, label, it.info().id))
-        });
-        let buttons: Vec<_> = buttons.collect();
+        let workspace = self.view.workspace;
+        let mut features = self.views.features.iter();
+        let next = features.find_map(|it| it.next_step(workspace, &self.documents));
         bar(&tokens, BAR_HEIGHT).show(ui, |ui| {
             let bar = TopBar {
-                workspace: self.view.workspace,
+                workspace,
                 title: &title,
                 progress: self.progress(),
-                units: self.view.units,
                 settings_open: self.dialogs.settings,
-                side_open: self.view.side_open,
-                plots_open,
-                buttons: &buttons,
+                next,
+                catalog: &self.catalog,
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });

@@ -10,7 +10,7 @@ use crate::documents::encode_run;
 use crate::export_command::{EXPORTS, ExportCommand, ExportedFile};
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::host::stem;
-use crate::shell::catalog::{CommandEntry, CommandGroup, control, entry};
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, control, entry};
 use crate::shell::sentences;
 
 use egui::Key;
@@ -52,7 +52,11 @@ fn commands() -> Vec<CommandEntry> {
             ExportCommand::Mission => vec![control(Key::S)],
             _ => Vec::new(),
         };
-        entry(CommandGroup::Document, label, keys, command.into())
+        let menu = match command {
+            ExportCommand::Mission | ExportCommand::Run => BarMenu::Save,
+            _ => BarMenu::Export,
+        };
+        entry(CommandGroup::Document, label, keys, command.into()).under(menu)
     })
     .collect()
 }

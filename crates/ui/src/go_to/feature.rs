@@ -11,7 +11,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
-use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry, shift};
 use crate::state_json::object;
 
 /// Description of the feature.
@@ -26,7 +26,8 @@ fn commands() -> Vec<CommandEntry> {
     let show = Command::Feature(FeatureCommand::show(ID));
     let keys = vec![shift(Key::W)];
     let also = "coordinates latitude longitude utm mgrs plus code find where";
-    vec![entry(CommandGroup::View, "Go to a place…", keys, show).also(also)]
+    let entry = entry(CommandGroup::View, "Go to a place…", keys, show);
+    vec![entry.also(also).under(BarMenu::View)]
 }
 
 impl GoTo {

@@ -142,7 +142,7 @@ impl Feature for Labelling {
 
     fn picture_button(&self) -> Option<PictureButton> {
         Some(PictureButton {
-            icon: Icon::Pick,
+            icon: Icon::Tag,
             label: "Label landmarks in the pictures (K)",
             command: Command::from(LabelCommand::Toggle),
         })

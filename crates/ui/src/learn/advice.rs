@@ -2,12 +2,10 @@
 
 use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, vec2};
 
-use super::command::{ID, LearnCommand};
-use crate::command::Command;
+use super::command::LearnCommand;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::feature_command::FeatureCommand;
-use crate::shell::{icon_button, icons::Icon, text_button};
+use crate::shell::{icon_button, icons::Icon};
 
 /// Draws a line on what is seen and what to try first; returns the part of the screen that it covers.
 pub(super) fn advice(
@@ -40,15 +38,11 @@ pub(super) fn advice(
         .inner_margin(Margin::symmetric(12, 4))
         .show(&mut inside, |ui| {
             ui.horizontal(|ui| {
-                let room = ui.available_width() - 150.0;
+                let room = ui.available_width() - 40.0;
                 ui.scope(|ui| {
                     ui.set_max_width(room);
                     ui.add(egui::Label::new(egui::RichText::new(text).color(tokens.text)).wrap());
                 });
-                if text_button(ui, tokens, None, "Take the tour", false).clicked() {
-                    let tour = FeatureCommand::show(ID);
-                    context.commands.push(Command::Feature(tour));
-                }
                 if icon_button(ui, tokens, Icon::Close, "Dismiss the advice").clicked() {
                     context.commands.push(LearnCommand::DismissAdvice.into());
                 }

@@ -1,16 +1,19 @@
 //! The tour as a feature, with the line of advice that leads to it.
 
 use egui::{Rect, Ui};
+use pilotage_jobs::FlightSource;
 use serde_json::Value;
 
 use super::advice::advice;
 use super::command::{ID, LearnCommand};
 use super::tour::Tour;
-use crate::command::Workspace;
+use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
-use crate::shell::catalog::{CommandEntry, CommandGroup, entry};
+use crate::shell::NextStep;
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
+use crate::shell::icons::Icon;
 use crate::state_json::object;
 
 /// Description of the feature.
@@ -28,7 +31,8 @@ fn commands() -> Vec<CommandEntry> {
         vec![],
         LearnCommand::Toggle.into(),
     );
-    vec![learn.also("help tutorial lesson teach course explain how")]
+    let learn = learn.also("help tutorial lesson teach course explain how");
+    vec![learn.under(BarMenu::Help)]
 }
 
 /// The tour, and the line of advice that leads to it.
@@ -93,6 +97,15 @@ impl Feature for LearnFeature {
             return None;
         }
         advice(ui, rect, context, documents)
+    }
+
+    fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
+        let is_demo = matches!(documents.flight_source, FlightSource::Simulated(_));
+        (is_demo && workspace == Workspace::Replay).then(|| NextStep {
+            icon: Icon::Learn,
+            label: "Take the tour",
+            command: Command::Feature(FeatureCommand::show(ID)),
+        })
     }
 
     fn start(&mut self, context: &mut FeatureContext<'_>) {

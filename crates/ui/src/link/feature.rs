@@ -8,7 +8,7 @@ use crate::documents::{Documents, SESSION_KEY, Session};
 use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureId, FeatureInfo, FeaturePlace,
 };
-use crate::shell::catalog::{CommandEntry, CommandGroup, entry};
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
 
 /// Identity of the feature.
 const ID: FeatureId = "link";
@@ -32,15 +32,16 @@ enum LinkCommand {
 
 fn commands() -> Vec<CommandEntry> {
     let all = [
-        ("Copy a link to this view", LinkCommand::Copy),
+        ("Copy a link to this view", LinkCommand::Copy, BarMenu::Save),
         (
             "Open what was open before the link",
             LinkCommand::OpenBefore,
+            BarMenu::Open,
         ),
     ];
-    let row = |(label, command)| {
+    let row = |(label, command, menu)| {
         let command = Command::Feature(FeatureCommand::new(ID, command));
-        entry(CommandGroup::Document, label, vec![], command)
+        entry(CommandGroup::Document, label, vec![], command).under(menu)
     };
     all.into_iter().map(row).collect()
 }

@@ -11,7 +11,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::{MapButton, MapTool};
-use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry, shift};
 use crate::shell::icons::Icon;
 use crate::state_json::object;
 
@@ -28,7 +28,12 @@ const LABEL: &str = "Measure distance and area";
 fn commands() -> Vec<CommandEntry> {
     let toggle = MeasureCommand::Toggle.into();
     let keys = vec![shift(Key::U)];
-    vec![entry(CommandGroup::View, LABEL, keys, toggle).also("ruler length course bearing")]
+    let entry = entry(CommandGroup::View, LABEL, keys, toggle);
+    vec![
+        entry
+            .also("ruler length course bearing")
+            .under(BarMenu::View),
+    ]
 }
 
 impl Feature for Measure {

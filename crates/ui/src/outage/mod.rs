@@ -12,11 +12,14 @@ use pilotage_core::navigator::position_fixes;
 use pilotage_jobs::{Job, JobEvent, JobId, Outage, OutageOrder};
 use serde_json::{Value, json};
 
+use crate::command::Workspace;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapLayer;
+use crate::shell::NextStep;
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
+use crate::shell::icons::Icon;
 
 use panel::{OutageScene, outage_panel};
 use state::{ID, OutageCommand};
@@ -123,6 +126,15 @@ impl Feature for Outages {
             JobEvent::OutagesStudied(report) => self.study = Some(*report),
             _ => {}
         }
+    }
+
+    fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
+        let is_log = documents.log.is_some() && documents.flight.is_some();
+        (is_log && workspace == Workspace::Replay).then(|| NextStep {
+            icon: Icon::NoSignal,
+            label: "Cut GPS",
+            command: OutageCommand::Show.into(),
+        })
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {

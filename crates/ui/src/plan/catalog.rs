@@ -6,7 +6,7 @@ use super::{
     FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, RehearseCommand, TrainCommand,
 };
 use crate::command::Command;
-use crate::shell::catalog::{CommandEntry, CommandGroup, control, entry, plain, shift};
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, control, entry, plain, shift};
 
 /// Rows of the table of all commands.
 pub fn commands() -> Vec<CommandEntry> {
@@ -14,12 +14,13 @@ pub fn commands() -> Vec<CommandEntry> {
     entries.extend(landmarks());
     entries.extend(trainings());
     entries.extend(ground());
-    entries.push(entry(
+    let print = entry(
         CommandGroup::Document,
         "Print the mission brief",
         vec![control(Key::P)],
         Command::from(PlanCommand::PrintBrief),
-    ));
+    );
+    entries.push(print.under(BarMenu::Save));
     entries
 }
 

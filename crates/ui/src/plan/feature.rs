@@ -4,6 +4,7 @@ use egui::{Rect, Ui, vec2};
 use pilotage_jobs::{Beside, JobEvent, JobId, OpenedFiles};
 use serde_json::Value;
 
+use super::RehearseCommand;
 use super::catalog::commands;
 use super::command::{ID, PlanCommand};
 use super::landmark_commands::delete;
@@ -16,6 +17,8 @@ use crate::documents::{Documents, planned_ground};
 use crate::export_command::ExportCommand;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapTool;
+use crate::shell::NextStep;
+use crate::shell::icons::Icon;
 use crate::units::Units;
 
 /// Description of the feature.
@@ -178,6 +181,16 @@ impl Feature for Planner {
 
     fn state(&self, documents: &Documents) -> Value {
         self.json(documents)
+    }
+
+    fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
+        let has_route = documents.selected_route().is_some();
+        let is_next = has_route && self.rehearsal.progress().is_none();
+        (is_next && workspace == Workspace::Plan).then(|| NextStep {
+            icon: Icon::Play,
+            label: "Rehearse route",
+            command: Command::from(PlanCommand::Rehearse(RehearseCommand::Start)),
+        })
     }
 
     fn summary(&self, documents: &Documents, units: Units) -> Option<String> {

@@ -77,7 +77,14 @@ impl LandmarkEditor {
                 )
             };
             ui.spacing_mut().item_spacing.x = 0.0;
-            if icon_button(ui, tokens, Icon::Pick, "Set the reference point on the map").clicked() {
+            if icon_button(
+                ui,
+                tokens,
+                Icon::Target,
+                "Set the reference point on the map",
+            )
+            .clicked()
+            {
                 let command = PlanCommand::Mark(Purpose::Reference);
                 context.commands.push(Command::from(command));
             }
@@ -130,7 +137,7 @@ impl LandmarkEditor {
                     "Delete",
                     PlanCommand::DeleteLandmarks(ids.to_vec()),
                 ),
-                (Icon::Layers, "Duplicate", PlanCommand::DuplicateLandmark),
+                (Icon::Duplicate, "Duplicate", PlanCommand::DuplicateLandmark),
                 (Icon::Eye, label, edit(LandmarkChange::Enabled(!all_on))),
             ] {
                 if text_button(ui, tokens, Some(icon), label, false).clicked() {

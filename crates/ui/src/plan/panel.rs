@@ -161,7 +161,7 @@ impl Planner {
 
 /// Draws the menu of the formats in which the route and the landmarks can be saved for other programs.
 fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
-    let button = icon_button(ui, context.tokens, Icon::Save, "Export");
+    let button = icon_button(ui, context.tokens, Icon::Export, "Export");
     egui::Popup::menu(&button).show(|ui| {
         ui.set_min_width(250.0);
         let tokens = context.tokens;

@@ -93,7 +93,7 @@ impl Planner {
             ui.horizontal(|ui| {
                 let label = "Rehearse this route";
                 let start = say(RehearseCommand::Start);
-                button(ui, context, Some(Icon::Play), label, true, start);
+                button(ui, context, Some(Icon::Play), label, false, start);
                 let watch = say(RehearseCommand::Watch(Some(1)));
                 button(ui, context, None, "Watch a flight", false, watch);
                 let more = icon_button(ui, tokens, Icon::More, "Settings of the rehearsal");

@@ -164,7 +164,7 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
         } else {
             "Draw another route"
         };
-        if icon_toggle(ui, tokens, Icon::Plus, draw, planner.drawing).clicked() {
+        if icon_toggle(ui, tokens, Icon::Path, draw, planner.drawing).clicked() {
             say.push(PlanCommand::ToggleDraw);
         }
         let more = icon_button(ui, tokens, Icon::More, "Patterns");
@@ -191,9 +191,9 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
             }
         });
         for (icon, label, command) in [
-            (Icon::Loop, "Fly it the other way", PlanCommand::Reverse),
+            (Icon::Reverse, "Fly it the other way", PlanCommand::Reverse),
             (
-                Icon::Layers,
+                Icon::Duplicate,
                 "Duplicate the route",
                 PlanCommand::DuplicateRoute,
             ),

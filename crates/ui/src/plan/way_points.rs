@@ -311,7 +311,7 @@ fn selected(
         }
         let inner = index > 0 && index + 1 < route.way_points.len();
         ui.add_enabled_ui(inner, |ui| {
-            if icon_button(ui, tokens, Icon::Pause, "Split the route here").clicked() {
+            if icon_button(ui, tokens, Icon::Split, "Split the route here").clicked() {
                 say.push(PlanCommand::Split);
             }
         });

@@ -9,7 +9,7 @@ use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureId, FeatureInfo, FeaturePlace,
 };
 use crate::host::stem;
-use crate::shell::catalog::{CommandEntry, CommandGroup, entry};
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
 use crate::units::clock;
 
 /// Identity of the feature.
@@ -31,7 +31,8 @@ fn commands() -> Vec<CommandEntry> {
     let label = "Save a picture of the view (PNG)";
     let save = Command::Feature(FeatureCommand::new(ID, Save));
     let entry = entry(CommandGroup::Document, label, Vec::new(), save);
-    vec![entry.also("screenshot screen capture snapshot image")]
+    let entry = entry.also("screenshot screen capture snapshot image");
+    vec![entry.under(BarMenu::Save)]
 }
 
 /// Picture that was asked for.

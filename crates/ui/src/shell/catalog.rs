@@ -3,7 +3,9 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
-pub use super::entry::{CommandEntry, CommandGroup, control, describe, entry, plain, shift};
+pub use super::entry::{
+    BarMenu, CommandEntry, CommandGroup, control, describe, entry, plain, shift,
+};
 use crate::command::{Command, Workspace};
 
 /// Speeds set by the digits 1 to 9 and 0.
@@ -125,7 +127,8 @@ fn view() -> Vec<CommandEntry> {
             vec![plain(Key::F)],
             Command::FitMap,
         )
-        .also("zoom fit reset view overview"),
+        .also("zoom fit reset view overview")
+        .under(BarMenu::View),
         of(
             "Follow the aircraft",
             vec![plain(Key::A)],
@@ -137,19 +140,22 @@ fn view() -> Vec<CommandEntry> {
             vec![plain(Key::T)],
             Command::ToggleTrackUp,
         )
-        .also("rotate heading north up"),
+        .also("rotate heading north up")
+        .under(BarMenu::View),
         of(
             "Show or hide the side column",
             vec![plain(Key::V)],
             Command::ToggleSide,
         )
-        .also("panel hide sidebar"),
+        .also("panel hide sidebar")
+        .under(BarMenu::View),
         of(
             "Show or hide the plots",
             vec![plain(Key::G)],
             Command::TogglePlots,
         )
-        .also("charts graphs curves hide"),
+        .also("charts graphs curves hide")
+        .under(BarMenu::View),
         of(
             "Show Replay",
             vec![shift(Key::R)],
@@ -160,13 +166,16 @@ fn view() -> Vec<CommandEntry> {
             vec![shift(Key::P)],
             Command::ShowWorkspace(Workspace::Plan),
         ),
-        of("Dark or light", vec![], Command::ToggleTheme).also("theme colours colors night day"),
+        of("Dark or light", vec![], Command::ToggleTheme)
+            .also("theme colours colors night day")
+            .under(BarMenu::View),
         of(
             "Metric or aviation units",
             vec![plain(Key::U)],
             Command::ToggleUnits,
         )
-        .also("feet knots metres miles imperial"),
+        .also("feet knots metres miles imperial")
+        .under(BarMenu::View),
         of(
             "Find a command",
             vec![control(Key::K), plain(Key::P)],
@@ -178,9 +187,11 @@ fn view() -> Vec<CommandEntry> {
             vec![plain(Key::Questionmark), shift(Key::Questionmark)],
             Command::ToggleHelp,
         )
-        .also("help keyboard keys manual"),
+        .also("help keyboard keys manual")
+        .under(BarMenu::Help),
         of("Show the notices again", vec![], Command::ToggleNotices)
-            .also("messages errors warnings history log"),
+            .also("messages errors warnings history log")
+            .under(BarMenu::Help),
     ]
 }
 
@@ -220,20 +231,25 @@ fn document() -> Vec<CommandEntry> {
             vec![plain(Key::M)],
             Command::ToggleSimulate,
         )
-        .also("scenario demo seed wind new"),
+        .also("scenario demo seed wind new")
+        .under(BarMenu::Open),
         of(
             "Filter settings",
             vec![plain(Key::S)],
             Command::ToggleSettings,
         )
-        .also("kalman estimator noise gate ukf ekf particles options preferences"),
+        .also("kalman estimator noise gate ukf ekf particles options preferences")
+        .under(BarMenu::Settings),
         of(
             "Open a flight, map, mission, route or run…",
             vec![control(Key::O)],
             Command::Open,
         )
-        .also("load file import log bin ulog geotiff kml"),
+        .also("load file import log bin ulog geotiff kml")
+        .under(BarMenu::Open),
         of("Stop computing", vec![], Command::CancelJob).also("cancel abort"),
-        of("Open the built-in demo", vec![], Command::OpenDemo).also("example sample home"),
+        of("Open the built-in demo", vec![], Command::OpenDemo)
+            .also("example sample home")
+            .under(BarMenu::Open),
     ]
 }

@@ -43,6 +43,23 @@ impl CommandGroup {
     }
 }
 
+/// Menu of the top bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BarMenu {
+    /// Files and flights to open.
+    Open,
+    /// Files to save, and what can be shared.
+    Save,
+    /// Files for other programs, below what can be saved.
+    Export,
+    /// Settings, where they have no button of their own.
+    Settings,
+    /// Panels, units, colours and map.
+    View,
+    /// Explanations of the app.
+    Help,
+}
+
 /// Row of the table.
 #[derive(Clone, Debug)]
 pub struct CommandEntry {
@@ -56,6 +73,8 @@ pub struct CommandEntry {
     pub command: Command,
     /// Other words for it by which people look for it.
     pub also: &'static str,
+    /// Menu in which it stands, if it does in one.
+    pub menu: Option<BarMenu>,
 }
 
 impl CommandEntry {
@@ -63,6 +82,13 @@ impl CommandEntry {
     #[must_use]
     pub fn also(self, also: &'static str) -> Self {
         Self { also, ..self }
+    }
+
+    /// The same command in a menu of the top bar.
+    #[must_use]
+    pub fn under(self, menu: BarMenu) -> Self {
+        let menu = Some(menu);
+        Self { menu, ..self }
     }
 
     /// Its first shortcut as people read it, or an empty text.
@@ -124,5 +150,6 @@ pub fn entry(
         shortcuts,
         command,
         also: "",
+        menu: None,
     }
 }

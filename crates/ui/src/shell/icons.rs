@@ -43,12 +43,8 @@ pub enum Icon {
     Save,
     /// Settings.
     Settings,
-    /// Units.
+    /// Measure.
     Ruler,
-    /// Light.
-    Sun,
-    /// Dark.
-    Moon,
     /// All commands.
     Search,
     /// Help.
@@ -65,12 +61,30 @@ pub enum Icon {
     EyeOff,
     /// Trouble.
     Warning,
-    /// Layers of the map.
+    /// The same for all of a stack.
     Layers,
-    /// The column at the right.
+    /// Make a second one of the same.
+    Duplicate,
+    /// Label what is in pictures.
+    Tag,
+    /// Files for other programs.
+    Export,
+    /// Draw a route.
+    Path,
+    /// Split a route.
+    Split,
+    /// The other way round.
+    Reverse,
+    /// A place to be set.
+    Target,
+    /// A notice.
+    Info,
+    /// Lessons.
+    Learn,
+    /// No signal.
+    NoSignal,
+    /// Panels of the window.
     Side,
-    /// The plots.
-    Plots,
     /// Everything else.
     More,
 }
@@ -159,20 +173,6 @@ impl Icon {
                 &[8.0, 5.0, 8.0, 8.5],
                 &[11.5, 5.0, 11.5, 8.0],
             ],
-            Self::Sun => &[
-                &[8.0, 1.0, 8.0, 3.0],
-                &[8.0, 13.0, 8.0, 15.0],
-                &[1.0, 8.0, 3.0, 8.0],
-                &[13.0, 8.0, 15.0, 8.0],
-                &[3.0, 3.0, 4.4, 4.4],
-                &[11.6, 11.6, 13.0, 13.0],
-                &[13.0, 3.0, 11.6, 4.4],
-                &[4.4, 11.6, 3.0, 13.0],
-            ],
-            Self::Moon => &[&[
-                9.5, 2.2, 6.0, 2.6, 3.2, 5.0, 2.4, 8.5, 4.0, 12.0, 7.5, 13.8, 11.0, 13.2, 13.6,
-                10.6, 10.5, 10.8, 8.0, 9.0, 7.4, 6.0, 9.5, 2.2,
-            ]],
             Self::Search => &[&[10.2, 10.2, 14.0, 14.0]],
             Self::Help => &[&[
                 5.8, 6.2, 6.2, 4.6, 8.0, 3.8, 9.8, 4.6, 10.2, 6.2, 8.0, 8.2, 8.0, 9.6,
@@ -197,9 +197,55 @@ impl Icon {
                 &[1.5, 3.0, 14.5, 3.0, 14.5, 13.0, 1.5, 13.0, 1.5, 3.0],
                 &[10.0, 3.0, 10.0, 13.0],
             ],
-            Self::Plots => &[
-                &[2.0, 2.0, 2.0, 14.0, 14.5, 14.0],
-                &[4.0, 11.0, 7.0, 6.5, 9.5, 9.0, 14.0, 3.0],
+            _ => self.rarer_lines(),
+        }
+    }
+
+    fn rarer_lines(self) -> &'static [&'static [f32]] {
+        match self {
+            Self::Duplicate => &[
+                &[5.5, 5.5, 14.0, 5.5, 14.0, 14.0, 5.5, 14.0, 5.5, 5.5],
+                &[3.5, 10.5, 2.0, 10.5, 2.0, 2.0, 10.5, 2.0, 10.5, 3.5],
+            ],
+            Self::Tag => &[&[2.0, 2.5, 8.0, 2.5, 14.2, 8.7, 8.7, 14.2, 2.0, 8.0, 2.0, 2.5]],
+            Self::Export => &[
+                &[8.0, 10.5, 8.0, 2.0],
+                &[4.5, 5.5, 8.0, 2.0, 11.5, 5.5],
+                &[
+                    5.0, 7.5, 2.5, 7.5, 2.5, 14.0, 13.5, 14.0, 13.5, 7.5, 11.0, 7.5,
+                ],
+            ],
+            Self::Path => &[&[3.0, 13.0, 5.5, 5.5, 10.5, 10.5, 13.0, 3.0]],
+            Self::Split => &[
+                &[8.0, 2.0, 8.0, 5.0],
+                &[8.0, 6.5, 8.0, 9.5],
+                &[8.0, 11.0, 8.0, 14.0],
+                &[5.0, 5.5, 2.0, 8.0, 5.0, 10.5],
+                &[11.0, 5.5, 14.0, 8.0, 11.0, 10.5],
+            ],
+            Self::Reverse => &[
+                &[2.0, 5.5, 14.0, 5.5],
+                &[10.5, 2.0, 14.0, 5.5],
+                &[14.0, 10.5, 2.0, 10.5],
+                &[5.5, 14.0, 2.0, 10.5],
+            ],
+            Self::Target => &[
+                &[8.0, 1.5, 8.0, 6.0],
+                &[8.0, 10.0, 8.0, 14.5],
+                &[1.5, 8.0, 6.0, 8.0],
+                &[10.0, 8.0, 14.5, 8.0],
+            ],
+            Self::Info => &[&[8.0, 7.4, 8.0, 11.6]],
+            Self::Learn => &[
+                &[8.0, 2.8, 15.0, 6.2, 8.0, 9.6, 1.0, 6.2, 8.0, 2.8],
+                &[4.2, 8.0, 4.2, 11.2, 8.0, 13.2, 11.8, 11.2, 11.8, 8.0],
+            ],
+            Self::NoSignal => &[
+                &[3.6, 10.6, 2.4, 8.0, 3.6, 5.4],
+                &[12.4, 10.6, 13.6, 8.0, 12.4, 5.4],
+                &[5.9, 9.4, 5.4, 8.0, 5.9, 6.6],
+                &[10.1, 9.4, 10.6, 8.0, 10.1, 6.6],
+                &[3.0, 14.0, 13.0, 2.0],
             ],
             _ => &[],
         }
@@ -259,15 +305,24 @@ impl Icon {
                     painter.circle_stroke(at(x, y), 1.9 * unit, stroke);
                 }
             }
-            Self::Sun => {
-                painter.circle_stroke(center, 3.0 * unit, stroke);
-            }
             Self::Search => {
                 painter.circle_stroke(at(6.8, 6.8), 4.6 * unit, stroke);
             }
             Self::Help => {
                 painter.circle_stroke(center, 6.8 * unit, stroke);
                 painter.circle_filled(at(8.0, 12.0), 0.9 * unit, color);
+            }
+            Self::Info => {
+                painter.circle_stroke(center, 6.8 * unit, stroke);
+                painter.circle_filled(at(8.0, 4.8), 0.9 * unit, color);
+            }
+            Self::Tag => {
+                painter.circle_filled(at(5.2, 5.6), 1.2 * unit, color);
+            }
+            Self::Path => {
+                for (x, y) in [(3.0, 13.0), (5.5, 5.5), (10.5, 10.5), (13.0, 3.0)] {
+                    painter.circle_filled(at(x, y), 1.7 * unit, color);
+                }
             }
             Self::Eye => {
                 painter.circle_filled(center, 2.0 * unit, color);

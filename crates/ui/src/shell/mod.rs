@@ -1,5 +1,6 @@
 //! Surroundings of the views: look, top bar, palette, help, notices.
 
+mod bar_menu;
 pub mod catalog;
 mod clicks;
 mod entry;
@@ -24,7 +25,7 @@ pub use palette::Palette;
 pub use sentences::{sentences, whole_sentences};
 pub use theme::apply_theme;
 pub use toasts::{Toast, Toasts};
-pub use top_bar::{TopBar, top_bar};
+pub use top_bar::{NextStep, TopBar, top_bar};
 pub use widgets::{
     at_work, caption, chip, heading, icon_button, icon_toggle, muted, paint_focus_ring, paint_row,
     reading, tab, text_button, title,

@@ -138,7 +138,7 @@ fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
                 let icon = if toast.trouble {
                     Icon::Warning
                 } else {
-                    Icon::Help
+                    Icon::Info
                 };
                 icon.paint(ui.painter(), rect, tone);
                 ui.vertical(|ui| {

@@ -2,13 +2,28 @@
 
 use egui::{Align, Layout, RichText, Ui};
 
+use super::bar_menu::{BarButton, bar_menu};
+use super::entry::{BarMenu, CommandEntry};
 use super::icons::Icon;
-use super::widgets::{icon_button, icon_toggle, muted, tab, text_button};
+use super::widgets::{icon_button, muted, tab, text_button};
 use crate::command::{Command, Workspace};
-use crate::export_command::ExportCommand;
-use crate::feature_command::{FeatureCommand, FeatureId};
 use crate::tokens::Tokens;
-use crate::units::Units;
+
+/// Bars at least as wide as this have words beside their signs.
+const WITH_WORDS: f32 = 1200.0;
+/// Bars narrower than this have one menu in the place of most groups.
+const NARROW: f32 = 620.0;
+
+/// The step that comes next in a workspace: the one button that stands out.
+#[derive(Clone, Debug)]
+pub struct NextStep {
+    /// Sign.
+    pub icon: Icon,
+    /// Action in words.
+    pub label: &'static str,
+    /// Command that it gives.
+    pub command: Command,
+}
 
 /// Content of the bar.
 pub struct TopBar<'a> {
@@ -18,153 +33,107 @@ pub struct TopBar<'a> {
     pub title: &'a str,
     /// Computation under way: progress (0 to 1) and words.
     pub progress: Option<(f32, &'a str)>,
-    /// The user's units.
-    pub units: Units,
     /// Whether the settings are open.
     pub settings_open: bool,
-    /// Whether the column at the right is open.
-    pub side_open: bool,
-    /// Whether the plots are open.
-    pub plots_open: bool,
-    /// Buttons of features: sign, words, and whose it is.
-    pub buttons: &'a [(Icon, &'static str, FeatureId)],
+    /// The step that comes next.
+    pub next: Option<NextStep>,
+    /// Table of all commands, of which the menus show theirs.
+    pub catalog: &'a [CommandEntry],
 }
 
 /// Draws the bar.
 pub fn top_bar(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Vec<Command>) {
     let width = ui.available_width();
-    let narrow = width < 860.0;
+    let is_narrow = width < NARROW;
     let height = ui.available_height();
-    ui.spacing_mut().item_spacing.x = if narrow { 2.0 } else { 4.0 };
-    let (mark, _) = ui.allocate_exact_size(egui::vec2(28.0, height), egui::Sense::hover());
-    Icon::Aircraft.paint_sized(ui.painter(), mark.center(), 20.0, tokens.accent);
-    if !narrow {
-        ui.label(
-            RichText::new("Pilotage")
-                .font(tokens.large())
-                .color(tokens.text),
-        );
+    ui.spacing_mut().item_spacing.x = if width < WITH_WORDS { 2.0 } else { 4.0 };
+    if !is_narrow {
+        let (mark, _) = ui.allocate_exact_size(egui::vec2(28.0, height), egui::Sense::hover());
+        Icon::Aircraft.paint_sized(ui.painter(), mark.center(), 20.0, tokens.accent);
+    }
+    if width >= 860.0 {
+        let name = RichText::new("Pilotage").font(tokens.large());
+        ui.label(name.color(tokens.text));
         ui.add_space(2.0 * tokens.space);
     }
     for workspace in Workspace::ALL {
-        if tab(
-            ui,
-            tokens,
-            workspace.label(),
-            workspace == bar.workspace,
-            height,
-        )
-        .clicked()
-        {
+        let is_open = workspace == bar.workspace;
+        if tab(ui, tokens, workspace.label(), is_open, height).clicked() {
             commands.push(Command::ShowWorkspace(workspace));
         }
     }
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        if narrow {
-            menu(ui, tokens, commands);
-        } else {
-            toggles(ui, tokens, bar, commands);
+        groups(ui, tokens, bar, width, commands);
+        if let Some(next) = &bar.next {
+            next_step(ui, tokens, next, is_narrow, commands);
         }
-        actions(ui, tokens, bar, commands, width < 1180.0);
-        if width > 620.0 {
+        if !is_narrow {
             middle(ui, tokens, bar, commands);
         }
     });
 }
 
-fn actions(
-    ui: &mut Ui,
-    tokens: &Tokens,
-    bar: &TopBar<'_>,
-    commands: &mut Vec<Command>,
-    compact: bool,
-) {
-    if icon_toggle(
-        ui,
-        tokens,
-        Icon::Settings,
-        "Filter settings",
-        bar.settings_open,
-    )
-    .clicked()
-    {
-        commands.push(Command::ToggleSettings);
+/// Groups of what can be done, from the right to the left: at most six groups, in narrow bars two.
+fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: &mut Vec<Command>) {
+    let has_words = width >= WITH_WORDS;
+    let button = |icon, name, words: &'static str| BarButton {
+        icon,
+        name,
+        words: if has_words { words } else { "" },
+        on: None,
+        has_menu: false,
+    };
+    let mut menu = |ui: &mut Ui, icon, name: &'static str, menus: &[BarMenu]| {
+        let face = BarButton {
+            has_menu: width >= NARROW,
+            ..button(icon, name, name)
+        };
+        let opened = face.show(ui, tokens);
+        bar_menu(&opened, tokens, bar.catalog, menus, commands);
+    };
+    if width < NARROW {
+        let rest = [
+            BarMenu::Save,
+            BarMenu::Settings,
+            BarMenu::View,
+            BarMenu::Help,
+        ];
+        menu(ui, Icon::More, "More", &rest);
+        menu(ui, Icon::Open, "Open", &[BarMenu::Open]);
+        return;
     }
-    if compact {
-        if icon_button(ui, tokens, Icon::Open, "Open…").clicked() {
-            commands.push(Command::Open);
-        }
-    } else {
-        ui.add_space(4.0);
-        if text_button(ui, tokens, Some(Icon::Open), "Open…", false).clicked() {
-            commands.push(Command::Open);
-        }
-        ui.add_space(4.0);
-    }
-    for (icon, label, of) in bar.buttons {
-        if icon_button(ui, tokens, *icon, label).clicked() {
-            commands.push(Command::Feature(FeatureCommand::show(of)));
-        }
-    }
-    if text_button(ui, tokens, Some(Icon::Aircraft), "Simulate…", true).clicked() {
-        commands.push(Command::ToggleSimulate);
-    }
-}
-
-fn toggles(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Vec<Command>) {
-    if icon_button(ui, tokens, Icon::Help, "All shortcuts").clicked() {
-        commands.push(Command::ToggleHelp);
-    }
-    if icon_button(ui, tokens, Icon::Search, "Find a command").clicked() {
+    menu(ui, Icon::Help, "Help", &[BarMenu::Help]);
+    let find = button(Icon::Search, "Find a command", "Find").show(ui, tokens);
+    menu(ui, Icon::Side, "View", &[BarMenu::View]);
+    let filter = BarButton {
+        on: Some(bar.settings_open),
+        ..button(Icon::Settings, "Filter settings", "Filter")
+    };
+    let filter = filter.show(ui, tokens);
+    menu(ui, Icon::Save, "Save", &[BarMenu::Save, BarMenu::Export]);
+    menu(ui, Icon::Open, "Open", &[BarMenu::Open]);
+    if find.clicked() {
         commands.push(Command::TogglePalette);
     }
-    let (icon, label) = if tokens.dark {
-        (Icon::Sun, "Light colours")
-    } else {
-        (Icon::Moon, "Dark colours")
-    };
-    if icon_button(ui, tokens, icon, label).clicked() {
-        commands.push(Command::ToggleTheme);
-    }
-    let label = match bar.units {
-        Units::Metric => "Units: metric. Change to aviation",
-        Units::Aviation => "Units: aviation. Change to metric",
-    };
-    if icon_button(ui, tokens, Icon::Ruler, label).clicked() {
-        commands.push(Command::ToggleUnits);
-    }
-    if icon_toggle(ui, tokens, Icon::Plots, "Plots", bar.plots_open).clicked() {
-        commands.push(Command::TogglePlots);
-    }
-    if icon_toggle(ui, tokens, Icon::Side, "Side column", bar.side_open).clicked() {
-        commands.push(Command::ToggleSide);
-    }
-    if icon_button(ui, tokens, Icon::Save, "Save the mission").clicked() {
-        commands.push(ExportCommand::Mission.into());
+    if filter.clicked() {
+        commands.push(Command::ToggleSettings);
     }
 }
 
-/// Everything that finds no place in a narrow bar.
-fn menu(ui: &mut Ui, tokens: &Tokens, commands: &mut Vec<Command>) {
-    let button = icon_button(ui, tokens, Icon::More, "More");
-    egui::Popup::menu(&button).show(|ui| {
-        ui.set_min_width(220.0);
-        for (label, command) in [
-            ("Save the mission", ExportCommand::Mission.into()),
-            ("Save the run", ExportCommand::Run.into()),
-            ("Show or hide the plots", Command::TogglePlots),
-            ("Show or hide the side column", Command::ToggleSide),
-            ("Metric or aviation units", Command::ToggleUnits),
-            ("Dark or light", Command::ToggleTheme),
-            ("Find a command", Command::TogglePalette),
-            ("All shortcuts", Command::ToggleHelp),
-        ] {
-            if ui.button(label).clicked() {
-                commands.push(command);
-                ui.close();
-            }
-        }
-    });
+fn next_step(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    next: &NextStep,
+    is_narrow: bool,
+    commands: &mut Vec<Command>,
+) {
+    if !is_narrow {
+        ui.add_space(tokens.space);
+    }
+    let icon = (!is_narrow).then_some(next.icon);
+    if text_button(ui, tokens, icon, next.label, true).clicked() {
+        commands.push(next.command.clone());
+    }
 }
 
 fn middle(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Vec<Command>) {

@@ -14,8 +14,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::host::{Download, OpenedFile};
-use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
-use crate::shell::icons::Icon;
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry, shift};
 use crate::state_json::object;
 
 /// Interval at which the progress of a download is looked at.
@@ -30,12 +29,15 @@ const INFO: FeatureInfo = FeatureInfo {
 };
 
 fn commands() -> Vec<CommandEntry> {
-    vec![entry(
-        CommandGroup::Document,
-        "Map from the web: tiles, GeoTIFF, PMTiles…",
-        vec![shift(Key::M)],
-        Command::Feature(FeatureCommand::show(ID)),
-    )]
+    vec![
+        entry(
+            CommandGroup::Document,
+            "Map from the web: tiles, GeoTIFF, PMTiles…",
+            vec![shift(Key::M)],
+            Command::Feature(FeatureCommand::show(ID)),
+        )
+        .under(BarMenu::Open),
+    ]
 }
 
 /// Map of the web that is open, if one is.
@@ -162,10 +164,6 @@ impl Feature for WebMapFeature {
 
     fn is_open_over(&self) -> bool {
         self.dialog.is_open()
-    }
-
-    fn bar_button(&self) -> Option<(Icon, &'static str)> {
-        Some((Icon::Layers, "Map from the web…"))
     }
 
     fn state(&self, _documents: &Documents) -> Value {

@@ -55,7 +55,7 @@ fn another_trajectory_can_be_what_all_are_compared_with() {
 fn a_kept_run_stays_when_another_flight_is_flown_and_goes_when_it_is_let_go() {
     let mut rig = rig_with_a_kept_run();
     let kept = names(&rig).pop().expect("a kept run");
-    rig.harness.get_by_label("Simulate…").click();
+    rig.menu("Open", "Simulate a flight…");
     rig.frames(8);
     rig.harness.get_by_label("Fly").click();
     rig.settle();
@@ -92,7 +92,7 @@ fn every_estimator_flies_the_flight_and_stands_in_one_table() {
     for name in ["UKF", "EKF", "PARTICLE"] {
         assert!(rig.harness.query_by_label(name).is_some(), "{name}");
     }
-    rig.harness.get_by_label("Simulate…").click();
+    rig.menu("Open", "Simulate a flight…");
     rig.frames(8);
     rig.harness.get_by_label("Fly").click();
     rig.settle();

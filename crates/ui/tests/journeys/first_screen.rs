@@ -74,7 +74,7 @@ fn the_first_visit_has_the_colours_of_the_rest_of_the_screen_and_later_ones_thos
     assert_eq!(rig().state()["dark"], true);
     let mut rig = rig_on(light(), size);
     assert_eq!(rig.state()["dark"], false);
-    rig.harness.get_by_label("Dark colours").click();
+    rig.menu("View", "Dark or light");
     rig.settle();
     assert_eq!(rig.state()["dark"], true);
     let stored = rig.host().stored.clone();

@@ -131,7 +131,7 @@ fn plots_of_a_log_leave_the_map_its_place_however_long_they_are_shown() {
 #[test]
 fn another_flight_takes_the_place_of_the_log() {
     let mut rig = rig_with_a_log();
-    rig.harness.get_by_label("Simulate…").click();
+    rig.menu("Open", "Simulate a flight…");
     rig.frames(8);
     rig.harness.get_by_label("Fly").click();
     rig.settle();

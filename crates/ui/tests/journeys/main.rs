@@ -46,6 +46,7 @@ mod select_span;
 mod settings;
 mod simulate;
 mod tables;
+mod top_bar;
 mod tour;
 mod typing;
 mod undo;

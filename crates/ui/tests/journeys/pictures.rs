@@ -203,7 +203,7 @@ fn the_app_is_drawn_for_people_to_look_at() {
         scene.key(Modifiers::COMMAND, Key::K);
         scene.save("palette");
         scene.key(Modifiers::NONE, Key::Escape);
-        scene.click("Simulate…");
+        scene.key(Modifiers::NONE, Key::M);
         scene.save("simulate");
         scene.key(Modifiers::NONE, Key::Escape);
         scene.key(Modifiers::NONE, Key::Questionmark);
@@ -212,7 +212,9 @@ fn the_app_is_drawn_for_people_to_look_at() {
         scene.tab("Learn");
         scene.work(40, 20.0);
         scene.save("learn");
-        scene.click("Light colours");
+        scene.click("View");
+        scene.save("view menu");
+        scene.click("Dark or light");
         scene.tab("Replay");
         scene.work(10, 20.0);
         scene.save("light");

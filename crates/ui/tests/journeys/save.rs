@@ -1,5 +1,4 @@
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable as _;
 use pilotage_ui::documents::decode_run;
 
 use super::support::{flight::mission, rig};
@@ -67,7 +66,7 @@ fn the_flown_track_is_offered_for_maps_and_globes() {
 #[test]
 fn open_asks_for_files() {
     let mut rig = rig();
-    rig.harness.get_by_label("Open…").click();
+    rig.menu("Open", "Open a flight, map, mission, route or run…");
     rig.frames(2);
     assert_eq!(rig.host().file_dialogs, 1);
 }

@@ -6,7 +6,7 @@ use super::support::rig;
 #[test]
 fn a_scenario_is_chosen_and_flown() {
     let mut rig = rig();
-    rig.harness.get_by_label("Simulate…").click();
+    rig.menu("Open", "Simulate a flight…");
     rig.frames(8);
     rig.harness.get_by_label("Village, calm").click();
     rig.frames(6);
@@ -32,7 +32,7 @@ fn a_scenario_is_chosen_and_flown() {
 #[test]
 fn the_hall_is_flown_over_its_floor_as_it_is() {
     let mut rig = rig();
-    rig.harness.get_by_label("Simulate…").click();
+    rig.menu("Open", "Simulate a flight…");
     rig.frames(8);
     rig.harness
         .get_by_label("Another height than the scenario’s")

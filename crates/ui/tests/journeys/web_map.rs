@@ -18,7 +18,7 @@ fn type_into(rig: &mut Rig, field: &str, text: &str) {
 /// Opens the map at an address by the dialog.
 fn open(rig: &mut Rig, address: &str) {
     rig.frames(8);
-    rig.harness.get_by_label("Map from the web…").click();
+    rig.menu("Open", "Map from the web: tiles, GeoTIFF, PMTiles…");
     rig.frames(6);
     type_into(rig, "Address", address);
     if rig.harness.query_by_label("Attribution").is_some() {

@@ -73,6 +73,14 @@ impl Rig {
         self.frames(3);
     }
 
+    /// Chooses from a menu of the top bar.
+    pub fn menu(&mut self, menu: &str, item: &str) {
+        self.harness.get_by_label(menu).click();
+        self.frames(3);
+        self.harness.get_by_label(item).click();
+        self.frames(3);
+    }
+
     /// Presses a key.
     pub fn key(&mut self, key: Key) {
         self.harness.key_press(key);

@@ -1,0 +1,62 @@
+use egui::{Key, Vec2};
+use egui_kittest::kittest::Queryable as _;
+
+use super::support::{Rig, ScriptedHost, rig, rig_on};
+
+const NEXT: [&str; 3] = ["Take the tour", "Rehearse route", "Cut GPS"];
+
+fn next(rig: &Rig) -> Vec<&str> {
+    let is_there = |label: &&str| rig.harness.query_by_label(label).is_some();
+    NEXT.into_iter().filter(is_there).collect()
+}
+
+#[test]
+fn each_workspace_has_its_own_next_step() {
+    let mut rig = rig();
+    assert_eq!(next(&rig), ["Take the tour"]);
+    rig.open_tab("Plan");
+    assert_eq!(next(&rig), Vec::<&str>::new(), "nothing to rehearse");
+    rig.key(Key::I);
+    rig.key(Key::I);
+    assert_eq!(next(&rig), ["Rehearse route"]);
+    rig.open_tab("Learn");
+    assert_eq!(next(&rig), Vec::<&str>::new());
+}
+
+#[test]
+fn a_menu_is_opened_walked_and_left_by_keyboard() {
+    let mut rig = rig();
+    let item = "Simulate a flight…";
+    rig.harness.get_by_label("Open").focus();
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.frames(2);
+    assert!(rig.harness.query_by_label(item).is_some());
+    rig.key(Key::Escape);
+    rig.frames(2);
+    assert!(rig.harness.query_by_label(item).is_none());
+    rig.harness.get_by_label("Open").focus();
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.frames(2);
+    rig.harness.get_by_label(item).focus();
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.frames(2);
+    assert_eq!(rig.state()["dialogs"]["simulate"], true);
+}
+
+#[test]
+fn a_narrow_window_keeps_all_workspaces_and_the_next_step() {
+    let size = Vec2::new(390.0, 844.0);
+    let mut rig = rig_on(ScriptedHost::default(), size);
+    for label in ["Replay", "Plan", "Learn", "Open", "More", "Take the tour"] {
+        let rect = rig.harness.get_by_label(label).rect();
+        assert!(
+            rect.left() >= 0.0 && rect.right() <= 406.0,
+            "{label} {rect:?}"
+        );
+    }
+    rig.menu("More", "Filter settings");
+    assert_eq!(rig.state()["dialogs"]["settings"], true);
+}
