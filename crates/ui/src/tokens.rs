@@ -50,8 +50,8 @@ pub struct Tokens {
     pub ghost: Color32,
     /// The spacing unit, points; everything is a multiple.
     pub space: f32,
-    /// Small, normal and large text, points.
-    pub text_sizes: [f32; 3],
+    /// The scale of text, points: captions, running text, headings, titles, the large number.
+    pub text_sizes: [f32; 5],
     /// Corner radius, points.
     pub radius: f32,
 }
@@ -85,7 +85,7 @@ impl Tokens {
             refused: Color32::from_rgb(240, 120, 70),
             ghost: Color32::from_rgb(120, 130, 140),
             space: 8.0,
-            text_sizes: [11.0, 13.0, 18.0],
+            text_sizes: [12.0, 14.0, 16.0, 20.0, 28.0],
             radius: 6.0,
         }
     }
@@ -147,13 +147,28 @@ impl Tokens {
         FontId::proportional(self.text_sizes[1])
     }
 
-    /// Titles.
-    pub fn large(&self) -> FontId {
-        FontId::proportional(self.text_sizes[2])
+    /// Headings inside of panels.
+    pub fn heading(&self) -> FontId {
+        strong(self.text_sizes[1])
     }
 
-    /// Figures of equal width, as large as captions.
-    pub fn figures(&self) -> FontId {
-        FontId::monospace(self.text_sizes[0])
+    /// Titles.
+    pub fn large(&self) -> FontId {
+        strong(self.text_sizes[3])
     }
+
+    /// The large number.
+    pub fn figure(&self) -> FontId {
+        strong(self.text_sizes[4])
+    }
+
+    /// Captions that stand out.
+    pub fn caption(&self) -> FontId {
+        strong(self.text_sizes[0])
+    }
+}
+
+/// The strong face: egui's second family, for figures of the usual face are as wide as one another.
+fn strong(size: f32) -> FontId {
+    FontId::monospace(size)
 }

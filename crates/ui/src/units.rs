@@ -68,6 +68,11 @@ impl Units {
     }
 }
 
+/// A number as text with the sign for minus that is as wide as a figure, in the place of a hyphen.
+pub fn with_minus(text: &str) -> String {
+    text.replace('-', "\u{2212}")
+}
+
 /// Minutes and seconds since `first`: `4:07.3`, and `\u{2212}0:05.0` before it.
 pub fn clock(time: f64, first: f64) -> String {
     let tenths = ((time - first) * 10.0).round();

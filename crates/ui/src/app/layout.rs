@@ -11,7 +11,7 @@ use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton};
 use crate::map::{MapExtra, MapTool};
-use crate::shell::{TopBar, help_sheet, icon_button, notices_sheet, tab, top_bar};
+use crate::shell::{TopBar, column_tabs, help_sheet, icon_button, notices_sheet, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 
@@ -470,15 +470,11 @@ fn tabbed(
     if !tabs.contains(scene.side_tab) {
         *scene.side_tab = tabs[0];
     }
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
-        for choice in tabs {
-            let label = choice.label(&views.features);
-            if tab(ui, tokens, label, choice == scene.side_tab, 32.0).clicked() {
-                *scene.side_tab = *choice;
-            }
-        }
-    });
+    let labels: Vec<&str> = tabs.iter().map(|it| it.label(&views.features)).collect();
+    let chosen = tabs.iter().position(|it| it == scene.side_tab);
+    if let Some(clicked) = column_tabs(ui, tokens, &labels, chosen) {
+        *scene.side_tab = tabs[clicked];
+    }
     let line = ui.max_rect().x_range();
     let y = ui.cursor().top() - 4.0;
     ui.painter().hline(line, y, Stroke::new(1.0, tokens.line));

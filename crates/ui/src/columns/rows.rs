@@ -57,11 +57,11 @@ pub(super) fn rows(
                     WIDTHS[0],
                     RichText::new(&column.name).color(tokens.text),
                 );
-                cell(ui, WIDTHS[1], RichText::new(first).font(tokens.figures()));
+                cell(ui, WIDTHS[1], RichText::new(first).font(tokens.small()));
                 choose_role(ui, column, index);
                 choose_unit(ui, column, index);
                 let reads = reads_as(column, range, units);
-                cell(ui, WIDTHS[4], RichText::new(reads).font(tokens.figures()));
+                cell(ui, WIDTHS[4], RichText::new(reads).font(tokens.small()));
                 ui.scope(|ui| {
                     ui.set_width(reason);
                     ui.add(Label::new(why(tokens, column)).wrap());

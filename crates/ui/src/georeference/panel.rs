@@ -211,7 +211,7 @@ impl Georeferencer {
                     cell(ui, *width, |ui| {
                         ui.label(
                             egui::RichText::new(text)
-                                .font(tokens.figures())
+                                .font(tokens.small())
                                 .color(tokens.text),
                         )
                     });

@@ -134,7 +134,7 @@ impl Tour {
         );
         ui.label(
             RichText::new(lesson.title())
-                .size(tokens.text_sizes[2])
+                .font(tokens.large())
                 .color(tokens.text),
         );
         let moment = self.found.as_ref().and_then(|(_, moment)| moment.clone());

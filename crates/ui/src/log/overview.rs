@@ -40,7 +40,7 @@ pub fn overview_panel(
     let first = context.clock_zero;
     ui.label(
         RichText::new(&outline.name)
-            .size(tokens.text_sizes[2])
+            .font(tokens.large())
             .color(tokens.text),
     );
     let mut about = vec![outline.format.label().to_owned()];

@@ -188,7 +188,7 @@ fn table(
                 pos2(right, middle),
                 Align2::RIGHT_CENTER,
                 &value,
-                tokens.figures(),
+                tokens.small(),
                 colour,
             );
             said = format!("{said}, {}: {value}", series_name(field));

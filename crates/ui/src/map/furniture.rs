@@ -11,7 +11,7 @@ use super::correction::ShownBelief;
 use super::symbols::{paint_ellipses, paint_sigma};
 use super::transform::ScreenFromWorld;
 use crate::tokens::Tokens;
-use crate::units::Units;
+use crate::units::{Units, with_minus};
 
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `most`.
 pub fn round_length(most: f64) -> f64 {
@@ -77,11 +77,11 @@ pub fn coordinates_text(p: &GroundPoint, frame: Option<&LocalFrame>, units: Unit
     match frame {
         Some(frame) => {
             let place = frame.geodetic_from_ground(p);
-            format!(
+            with_minus(&format!(
                 "{local}   {:.6}°, {:.6}°",
                 place.latitude.to_degrees(),
                 place.longitude.to_degrees()
-            )
+            ))
         }
         None => local,
     }
@@ -110,7 +110,8 @@ pub fn height_text(p: &GroundPoint, ground: &OpenedTerrain, units: Units) -> Opt
     let (factor, unit) = units.length();
     let height = factor * ground.height_at(p)?;
     let above = ground.heights()?.datum().frame();
-    Some(format!("ground {height:.0} {unit} {above}"))
+    let height = with_minus(&format!("{height:.0}"));
+    Some(format!("ground {height} {unit} {above}"))
 }
 
 /// Content of the lens.

@@ -112,7 +112,11 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport, fi
         crate::units::clock(to, first),
         to - from
     );
-    ui.label(RichText::new(title).color(tokens.text).strong());
+    ui.label(
+        RichText::new(title)
+            .color(tokens.text)
+            .font(tokens.heading()),
+    );
     let small = |text: String| {
         RichText::new(text)
             .size(tokens.text_sizes[0])

@@ -26,7 +26,11 @@ pub(super) fn winds(ui: &mut Ui, context: &ViewContext<'_>, report: &WindReport)
             .color(tokens.muted)
     };
     ui.add_space(tokens.space);
-    ui.label(RichText::new("Wind, by GPS").color(tokens.text).strong());
+    ui.label(
+        RichText::new("Wind, by GPS")
+            .color(tokens.text)
+            .font(tokens.heading()),
+    );
     let titles = ["north", "east", "apart"].map(str::to_owned);
     table::row(ui, tokens, &titles, tokens.muted, |ui| {
         ui.label(small(format!("where the air goes, {unit}")));

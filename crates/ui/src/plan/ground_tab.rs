@@ -20,7 +20,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{caption, icon_button, icons::Icon, muted};
-use crate::units::Units;
+use crate::units::{Units, with_minus};
 
 /// Draws the tab.
 pub fn ground_tab(
@@ -351,7 +351,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     let (factor, unit) = context.units.length();
     let units = context.units;
     let metres = |m: f64| format!("{:.1} {unit}", m * factor);
-    let change = |a: f64, b: f64| format!("{:+.0} %", 100.0 * (b / a - 1.0));
+    let change = |a: f64, b: f64| with_minus(&format!("{:+.0} %", 100.0 * (b / a - 1.0)));
     let rows = [
         (
             "Length",
@@ -397,7 +397,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
             for (name, straight, found, change) in rows {
                 ui.label(muted(tokens, name));
                 right(ui, egui::RichText::new(straight));
-                right(ui, egui::RichText::new(found).strong());
+                right(ui, egui::RichText::new(found).font(tokens.heading()));
                 right(ui, muted(tokens, change));
                 ui.end_row();
             }

@@ -58,7 +58,7 @@ fn group_ui(ui: &mut Ui, tokens: &Tokens, catalog: &[CommandEntry], group: Comma
                     rect.right_center(),
                     Align2::RIGHT_CENTER,
                     entry.keys(),
-                    tokens.figures(),
+                    tokens.small(),
                     tokens.accent,
                 );
             });

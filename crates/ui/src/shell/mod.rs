@@ -27,6 +27,6 @@ pub use theme::apply_theme;
 pub use toasts::{Toast, Toasts};
 pub use top_bar::{NextStep, TopBar, top_bar};
 pub use widgets::{
-    at_work, caption, chip, heading, icon_button, icon_toggle, muted, paint_focus_ring, paint_row,
-    reading, tab, text_button, title,
+    at_work, caption, chip, column_tabs, heading, icon_button, icon_toggle, muted,
+    paint_focus_ring, paint_row, reading, tab, text_button, title,
 };

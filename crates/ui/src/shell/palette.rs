@@ -196,7 +196,7 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui
             inner.right_center(),
             Align2::RIGHT_CENTER,
             entry.keys(),
-            tokens.figures(),
+            tokens.small(),
             tokens.muted,
         );
     }

@@ -1,10 +1,12 @@
 //! From tokens to egui's own style.
 
+use egui::emath::format_with_decimals_in_range;
 use egui::epaint::Shadow;
-use egui::style::{HandleShape, ScrollStyle, WidgetVisuals};
-use egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Theme, vec2};
+use egui::style::{HandleShape, NumberFormatter, ScrollStyle, WidgetVisuals};
+use egui::{Color32, CornerRadius, Margin, Stroke, TextStyle, Theme, vec2};
 
 use crate::tokens::Tokens;
+use crate::units::with_minus;
 
 /// Gives every widget of the context the look of `tokens`.
 pub fn apply_theme(context: &egui::Context, tokens: &Tokens) {
@@ -18,31 +20,18 @@ pub fn apply_theme(context: &egui::Context, tokens: &Tokens) {
 }
 
 fn style(tokens: &Tokens) -> egui::Style {
-    let [small, normal, large] = tokens.text_sizes;
     let mut style = egui::Style {
         text_styles: [
-            (
-                TextStyle::Small,
-                FontId::new(small, FontFamily::Proportional),
-            ),
-            (
-                TextStyle::Body,
-                FontId::new(normal, FontFamily::Proportional),
-            ),
-            (
-                TextStyle::Button,
-                FontId::new(normal, FontFamily::Proportional),
-            ),
-            (
-                TextStyle::Heading,
-                FontId::new(large, FontFamily::Proportional),
-            ),
-            (
-                TextStyle::Monospace,
-                FontId::new(small, FontFamily::Monospace),
-            ),
+            (TextStyle::Small, tokens.small()),
+            (TextStyle::Body, tokens.normal()),
+            (TextStyle::Button, tokens.normal()),
+            (TextStyle::Heading, tokens.large()),
+            (TextStyle::Monospace, tokens.small()),
         ]
         .into(),
+        number_formatter: NumberFormatter::new(|number, decimals| {
+            with_minus(&format_with_decimals_in_range(number, decimals))
+        }),
         animation_time: 0.12,
         explanation_tooltips: false,
         ..egui::Style::default()

@@ -144,7 +144,8 @@ fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
                 ui.vertical(|ui| {
                     ui.set_width(320.0_f32.min(ui.ctx().content_rect().width() - 120.0));
                     ui.spacing_mut().item_spacing.y = 4.0;
-                    ui.label(RichText::new(&toast.title).strong().color(tokens.text));
+                    let title = RichText::new(&toast.title).font(tokens.heading());
+                    ui.label(title.color(tokens.text));
                     let shown = toast.shown_text(now);
                     if !shown.is_empty() {
                         ui.label(RichText::new(shown).color(tokens.muted));

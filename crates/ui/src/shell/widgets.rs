@@ -1,7 +1,7 @@
 //! Small widgets that give the app its own face.
 
 use egui::{
-    Align2, Color32, CornerRadius, FontSelection, Response, RichText, Role, Sense, Stroke,
+    Align2, Color32, CornerRadius, FontId, FontSelection, Response, RichText, Role, Sense, Stroke,
     StrokeKind, Ui, WidgetInfo, vec2,
 };
 
@@ -126,11 +126,55 @@ pub fn text_button(
 
 /// A tab: words with a line of the accent colour below when chosen.
 pub fn tab(ui: &mut Ui, tokens: &Tokens, label: &str, chosen: bool, height: f32) -> Response {
+    tab_in(ui, tokens, (label, tokens.normal()), chosen, height)
+}
+
+/// Tabs of a column, which are set smaller where they would take more than a row, and take several where that is not
+/// enough; the one that was clicked.
+pub fn column_tabs(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    labels: &[&str],
+    chosen: Option<usize>,
+) -> Option<usize> {
+    let width_of = |label: &&str| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap((*label).to_owned(), tokens.normal(), tokens.text);
+        galley.size().x + 2.0 * tokens.space
+    };
+    let fits = labels.iter().map(width_of).sum::<f32>() <= ui.available_width();
+    let font = if fits {
+        tokens.normal()
+    } else {
+        tokens.small()
+    };
+    let row = ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(0.0, 0.0);
+        let mut clicked = None;
+        for (index, label) in labels.iter().enumerate() {
+            let label = (*label, font.clone());
+            if tab_in(ui, tokens, label, chosen == Some(index), 32.0).clicked() {
+                clicked = Some(index);
+            }
+        }
+        clicked
+    });
+    row.inner
+}
+
+fn tab_in(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    (label, font): (&str, FontId),
+    chosen: bool,
+    height: f32,
+) -> Response {
+    let is_small = font.size < tokens.text_sizes[1];
     let color = if chosen { tokens.text } else { tokens.muted };
-    let galley = ui
-        .painter()
-        .layout_no_wrap(label.to_owned(), tokens.normal(), color);
-    let size = vec2(galley.size().x + 2.0 * tokens.space, height);
+    let galley = ui.painter().layout_no_wrap(label.to_owned(), font, color);
+    let padding = if is_small { 1.25 } else { 2.0 } * tokens.space;
+    let size = vec2(galley.size().x + padding, height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Tab, true, chosen, label));
     if ui.is_rect_visible(rect) {
@@ -193,15 +237,15 @@ pub fn muted(tokens: &Tokens, text: impl Into<String>) -> RichText {
 
 /// A caption above something: small capitals' part.
 pub fn caption(ui: &mut Ui, tokens: &Tokens, text: &str) {
-    ui.label(muted(tokens, text.to_uppercase()).extra_letter_spacing(0.6));
+    let text = muted(tokens, text.to_uppercase()).font(tokens.caption());
+    ui.label(text.extra_letter_spacing(0.6));
 }
 
 /// A heading inside a panel.
 pub fn heading(ui: &mut Ui, tokens: &Tokens, text: &str) {
     ui.label(
         RichText::new(text)
-            .font(tokens.normal())
-            .strong()
+            .font(tokens.heading())
             .color(tokens.text),
     );
 }

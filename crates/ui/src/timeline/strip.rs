@@ -392,14 +392,14 @@ fn transport(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'
         rect.right_center(),
         Align2::RIGHT_CENTER,
         format!(" / {total}"),
-        tokens.figures(),
+        tokens.small(),
         tokens.muted,
     );
     ui.painter().text(
         end.left_center(),
         Align2::RIGHT_CENTER,
         now,
-        egui::FontId::monospace(tokens.text_sizes[1]),
+        tokens.heading(),
         tokens.text,
     );
 }

@@ -46,12 +46,12 @@ impl NumberReadout {
 
 /// Small text.
 pub(crate) fn small(tokens: &Tokens) -> FontId {
-    FontId::proportional(tokens.text_sizes[0])
+    tokens.small()
 }
 
 /// Normal text.
 pub(crate) fn normal(tokens: &Tokens) -> FontId {
-    FontId::proportional(tokens.text_sizes[1])
+    tokens.normal()
 }
 
 /// Width kept free for units at the right of a column of numbers, points.
@@ -147,9 +147,8 @@ pub(crate) fn section<R>(
     ui.add_space(0.5 * tokens.space);
     egui::CollapsingHeader::new(
         RichText::new(title)
-            .size(tokens.text_sizes[0])
-            .color(tokens.muted)
-            .strong(),
+            .font(tokens.caption())
+            .color(tokens.muted),
     )
     .id_salt(title)
     .default_open(open)

@@ -57,7 +57,7 @@ fn a_route_whose_corridor_alone_reaches_into_an_area_is_told_as_well_and_one_far
     rig.harness
         .get_by_label_contains("No-fly areas: corridor reaches");
     let mut rig = planning();
-    over_an_area(&mut rig, [(-150.0, 400.0), (0.0, 400.0)]);
+    over_an_area(&mut rig, [(-150.0, 380.0), (0.0, 380.0)]);
     assert_eq!(
         rig.state()["plan"]["no_fly_warnings"],
         serde_json::json!([])
