@@ -5,7 +5,7 @@ use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, vec2};
 use super::command::LearnCommand;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{icon_button, icons::Icon};
+use crate::shell::{BELOW_HUD, icon_button, icons::Icon};
 
 /// Draws a line on what is seen and what to try first; returns the part of the screen that it covers.
 pub(super) fn advice(
@@ -29,7 +29,7 @@ pub(super) fn advice(
     };
     let tokens = context.tokens;
     let width = (rect.width() - 96.0).min(720.0);
-    let at = Rect::from_min_size(rect.left_top() + vec2(16.0, 68.0), vec2(width, 64.0));
+    let at = Rect::from_min_size(rect.left_top() + vec2(16.0, BELOW_HUD), vec2(width, 64.0));
     let mut inside = ui.new_child(UiBuilder::new().max_rect(at).id_salt("advice"));
     let card = Frame::new()
         .fill(tokens.over_map())

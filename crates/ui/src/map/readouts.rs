@@ -1,37 +1,80 @@
 //! The few numbers that matter at the time cursor, above the map.
 
-use egui::{Align2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Rect, Ui};
 use pilotage_core::filter::circle_radius;
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
-use pilotage_core::navigator::StepReport;
+use pilotage_core::navigator::{Run, StepReport};
 
 use crate::context::ViewContext;
 use crate::documents::OpenedTerrain;
-use crate::tokens::Tokens;
-
-/// Single number: its name, value and unit.
-struct Readout {
-    name: &'static str,
-    value: String,
-    unit: &'static str,
-    /// Whether it is beyond what was promised.
-    is_broken: bool,
-}
+use crate::shell::{Headline, Light, Readout, hud};
+use crate::units::with_minus;
 
 /// Probability with which the position is within the distance that is told.
 const HELD: f64 = 0.95;
 
-fn readouts(context: &ViewContext<'_>, ground: &OpenedTerrain, step: &StepReport) -> Vec<Readout> {
+/// Stretch of time whose course is drawn, seconds.
+const COURSE: f64 = 60.0;
+/// Points of the course.
+const POINTS: usize = 49;
+
+/// Light for a position within `radius` metres, seen from `height` metres above the ground: about as much ground as
+/// that is in the picture.
+fn light(radius: f64, height: f64) -> (Light, &'static str) {
+    match radius / height.max(1e-3) {
+        share if share <= 0.1 => (Light::Good, "good"),
+        share if share <= 0.5 => (Light::Fair, "fair"),
+        _ => (Light::Poor, "poor"),
+    }
+}
+
+/// Longer standard deviation of the position over the last minute, metres: of the same course as the circle's radius,
+/// whose integral would be sought too often.
+fn course(run: &Run, time: f64) -> Vec<f64> {
+    let begin = run
+        .span()
+        .map_or(time, |(first, _)| first.max(time - COURSE));
+    if time - begin < 1.0 {
+        return Vec::new();
+    }
+    let times = (0..POINTS).map(|i| begin + (time - begin) * i as f64 / (POINTS - 1) as f64);
+    let steps = times.filter_map(|time| run.step_at(time));
+    let axes = steps.map(|step| {
+        let covariance = step.after.position_covariance();
+        let half = (0.5 * (covariance.m11 - covariance.m22)).hypot(covariance.m12);
+        (0.5 * covariance.trace() + half).max(0.0).sqrt()
+    });
+    axes.collect()
+}
+
+fn headline(context: &ViewContext<'_>, step: &StepReport, radius: f64) -> Headline<'static> {
+    let (value, unit) = context.units.short_distance(radius);
+    let (light, word) = light(radius, step.control.height);
+    Headline {
+        name: "Position (95 %)",
+        lead: "within ",
+        value,
+        unit,
+        light,
+        word,
+        why: "Good: within a tenth of the height above ground. Fair: within half of it. Poor: landmarks may be \
+              elsewhere in the picture than they are looked for, or outside of it.",
+        course: context
+            .run
+            .map_or_else(Vec::new, |run| course(run, step.time)),
+        stretch: "last 60 s",
+    }
+}
+
+fn readouts(
+    context: &ViewContext<'_>,
+    ground: &OpenedTerrain,
+    step: &StepReport,
+    radius: f64,
+) -> Vec<Readout> {
     let (length, length_unit) = context.units.length();
     let (speed, speed_unit) = context.units.speed();
-    let radius = circle_radius(&step.after.position_covariance(), HELD);
-    let (within, within_unit) = context.units.short_distance(radius);
-    let mut list = vec![Readout {
-        name: "Position within (95 %)",
-        value: within,
-        unit: within_unit,
-        is_broken: false,
-    }];
+    let mut list = Vec::new();
     let truth = context.flight.and_then(|f| f.truth.as_ref());
     if let Some(truth) = truth.and_then(|t| t.position(step.time)) {
         let own = step.after.position();
@@ -39,18 +82,14 @@ fn readouts(context: &ViewContext<'_>, ground: &OpenedTerrain, step: &StepReport
         let (value, unit) = context.units.short_distance(error);
         list.push(Readout {
             name: "True error",
-            value,
-            unit,
-            is_broken: error > radius,
+            value: format!("{value} {unit}"),
+            color: (error > radius).then_some(context.tokens.warning),
         });
     }
     let mut add = |name, value: String, unit| {
-        list.push(Readout {
-            name,
-            value,
-            unit,
-            is_broken: false,
-        });
+        let value = with_minus(&format!("{value} {unit}"));
+        let color = None;
+        list.push(Readout { name, value, color });
     };
     let wind = context.run.and_then(|run| {
         let at = |name| run.state_index(name).map(|i| step.after.mean[i]);
@@ -85,65 +124,31 @@ fn readouts(context: &ViewContext<'_>, ground: &OpenedTerrain, step: &StepReport
     list
 }
 
-/// Draws the numbers from `left_top` on; `room` points are free to the right. What it covers.
+/// Draws the numbers from `left_top` on; `room` points are free to the right. The part of the screen that they cover.
 pub fn paint_readouts(
-    ui: &mut Ui,
+    ui: &Ui,
     context: &ViewContext<'_>,
     ground: &OpenedTerrain,
     step: &StepReport,
     left_top: egui::Pos2,
     room: f32,
 ) -> Rect {
-    let tokens: &Tokens = context.tokens;
-    let mut list = readouts(context, ground, step);
-    let cell = vec2(128.0, 44.0);
-    list.truncate((room / cell.x).max(1.0) as usize);
-    let size = vec2(cell.x * list.len() as f32 + 8.0, cell.y);
-    let rect = Rect::from_min_size(left_top, size);
-    let response = ui.interact(rect, ui.scope_id().with("readouts"), Sense::hover());
-    response.widget_info(|| {
-        let words: Vec<String> = list
-            .iter()
-            .map(|r| format!("{}: {} {}", r.name, r.value, r.unit))
-            .collect();
-        WidgetInfo::labeled(Role::Label, true, words.join(". "))
-    });
-    let painter = ui.painter();
-    painter.rect_filled(rect, tokens.radius, tokens.over_map());
-    painter.rect_stroke(
-        rect,
-        tokens.radius,
-        Stroke::new(1.0, tokens.line),
-        egui::StrokeKind::Inside,
-    );
-    for (index, readout) in list.iter().enumerate() {
-        let right = rect.left() + cell.x * (index + 1) as f32 - 4.0;
-        painter.text(
-            pos2(right, rect.top() + 6.0),
-            Align2::RIGHT_TOP,
-            readout.name,
-            tokens.small(),
-            tokens.muted,
-        );
-        let color = if readout.is_broken {
-            tokens.warning
-        } else {
-            tokens.text
-        };
-        let unit = painter.text(
-            pos2(right, rect.bottom() - 6.0),
-            Align2::RIGHT_BOTTOM,
-            readout.unit,
-            tokens.small(),
-            tokens.muted,
-        );
-        painter.text(
-            pos2(unit.left() - 4.0, rect.bottom() - 5.0),
-            Align2::RIGHT_BOTTOM,
-            &readout.value,
-            tokens.normal(),
-            color,
-        );
+    let radius = circle_radius(&step.after.position_covariance(), HELD);
+    let headline = headline(context, step, radius);
+    let rest = readouts(context, ground, step, radius);
+    hud(ui, context.tokens, &headline, &rest, left_top, room)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_light_goes_with_the_share_of_the_picture() {
+        assert_eq!(light(12.0, 121.0).0, Light::Good);
+        assert_eq!(light(0.35, 3.0).0, Light::Fair, "in a hall");
+        assert_eq!(light(0.35, 121.0).0, Light::Good);
+        assert_eq!(light(80.0, 121.0).0, Light::Poor);
+        assert_eq!(light(1.0, 0.0).0, Light::Poor, "on the ground");
     }
-    rect
 }

@@ -24,6 +24,7 @@ use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::OpenedTerrain;
+use crate::shell::BELOW_HUD;
 use crate::tokens::Tokens;
 use pilotage_jobs::{Distinctness, MapInfo};
 
@@ -261,7 +262,7 @@ impl MapView {
             self.cover(covered);
         }
         for layer in extra.layers {
-            let corner = rect.left_top() + vec2(16.0, 68.0);
+            let corner = rect.left_top() + vec2(16.0, BELOW_HUD);
             if let Some(covered) = layer.paint_scale(ui.painter(), corner, context.tokens) {
                 self.cover(covered);
             }

@@ -6,7 +6,7 @@ use super::line::Stage;
 use super::{Measure, MeasureCommand};
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
-use crate::shell::{icon_button, text_button};
+use crate::shell::{BELOW_HUD, icon_button, text_button};
 
 /// Width of what is on the card, points.
 const WIDTH: f32 = 216.0;
@@ -16,7 +16,7 @@ impl Measure {
     pub(super) fn card(&self, ui: &mut Ui, map: Rect, context: &mut ViewContext<'_>) -> Rect {
         let tokens = context.tokens;
         let left = (map.right() - 84.0 - WIDTH).max(map.left() + 8.0);
-        let corner = pos2(left, map.top() + 68.0);
+        let corner = pos2(left, map.top() + BELOW_HUD);
         let room = Rect::from_min_max(corner, map.max.max(corner + vec2(WIDTH, 160.0)));
         // Clicks between the numbers are no points of the line.
         let builder = UiBuilder::new()
@@ -43,7 +43,11 @@ impl Measure {
         };
         let mut say = |command: MeasureCommand| context.commands.push(command.into());
         ui.horizontal(|ui| {
-            ui.label(RichText::new("Measure").color(tokens.text).strong());
+            ui.label(
+                RichText::new("Measure")
+                    .color(tokens.text)
+                    .font(tokens.heading()),
+            );
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if icon_button(ui, tokens, Icon::Close, "Stop measuring").clicked() {
                     say(MeasureCommand::Toggle);

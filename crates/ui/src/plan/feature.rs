@@ -17,8 +17,8 @@ use crate::documents::{Documents, planned_ground};
 use crate::export_command::ExportCommand;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapTool;
-use crate::shell::NextStep;
 use crate::shell::icons::Icon;
+use crate::shell::{BELOW_HUD, NextStep};
 use crate::units::Units;
 
 /// Description of the feature.
@@ -109,8 +109,9 @@ impl Feature for Planner {
             self,
             context.mission,
             corner,
+            rect.width() - 96.0,
         );
-        let below = rect.left_top() + vec2(16.0, 68.0);
+        let below = rect.left_top() + vec2(16.0, BELOW_HUD);
         let legend = self.heat_legend(ui, context.tokens, below);
         readouts.into_iter().chain(legend).collect()
     }

@@ -1,19 +1,17 @@
 //! The few numbers of a plan that matter, above the map.
 
-use egui::{Align2, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use egui::{Rect, Ui};
 use pilotage_core::mission::Mission;
 use pilotage_core::plan::Incursion;
 
 use super::incursion_check::IncursionCheck;
 use super::planner::Planner;
 use super::words::{PredictionFigures, distance_text};
+use crate::shell::{Headline, Light, Readout, hud};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// Name of the number about no-fly areas.
-const NO_FLY: &str = "No-fly areas";
-
-/// Draws the numbers from `left_top` on; returns what they cover.
+/// Draws the numbers from `left_top` on, where `room` points are free; returns what they cover.
 pub fn plan_readouts(
     ui: &Ui,
     tokens: &Tokens,
@@ -21,31 +19,30 @@ pub fn plan_readouts(
     planner: &Planner,
     mission: &Mission,
     left_top: egui::Pos2,
+    room: f32,
 ) -> Option<Rect> {
-    let outlook = PredictionFigures::of(&planner.forecast.shown()?.prediction)?;
+    let prediction = &planner.forecast.shown()?.prediction;
+    let outlook = PredictionFigures::of(prediction)?;
     let (factor, unit) = units.length();
-    let over = if outlook.stretches == 0 {
+    let is_within = outlook.stretches == 0;
+    let over = if is_within {
         "nowhere".to_owned()
     } else {
         distance_text(outlook.over, units)
     };
-    let mut cells = vec![
-        (
-            "Largest error (1σ)",
-            format!("{:.1} {unit}", outlook.sigma * factor),
-            false,
-        ),
-        (
-            "Widest corridor",
-            format!("±{:.1} {unit}", outlook.across * factor),
-            false,
-        ),
-        (
-            "Dead reckoning",
-            format!("{:.0} s", outlook.dead_reckoning),
-            false,
-        ),
-        ("Too uncertain", over, outlook.stretches > 0),
+    let plain = |name, value| Readout {
+        name,
+        value,
+        color: None,
+    };
+    let across = format!("±{:.1} {unit}", outlook.across * factor);
+    let mut rest = vec![
+        plain("Widest corridor", across),
+        plain("Dead reckoning", format!("{:.0} s", outlook.dead_reckoning)),
+        Readout {
+            color: (!is_within).then_some(tokens.warning),
+            ..plain("Too uncertain", over)
+        },
     ];
     if !mission.no_fly.is_empty() {
         let IncursionCheck { legs, reached, .. } = &planner.incursions;
@@ -56,30 +53,28 @@ pub fn plan_readouts(
             (true, true) => "corridor reaches".to_owned(),
             (true, false) => "clear".to_owned(),
         };
-        cells.push((NO_FLY, words, !legs.is_empty() || is_reached));
+        let is_bad = !legs.is_empty() || is_reached;
+        rest.push(Readout {
+            color: is_bad.then_some(tokens.no_fly),
+            ..plain("No-fly areas", words)
+        });
     }
-    let cell = vec2(120.0, 44.0);
-    let rect = Rect::from_min_size(left_top, vec2(cell.x * cells.len() as f32 + 8.0, cell.y));
-    let response = ui.interact(rect, ui.scope_id().with("plan readouts"), Sense::hover());
-    response.widget_info(|| {
-        let words: Vec<String> = cells.iter().map(|(n, v, _)| format!("{n}: {v}")).collect();
-        WidgetInfo::labeled(Role::Label, true, words.join(". "))
-    });
-    let painter = ui.painter();
-    painter.rect_filled(rect, tokens.radius, tokens.over_map());
-    let line = Stroke::new(1.0, tokens.line);
-    painter.rect_stroke(rect, tokens.radius, line, StrokeKind::Inside);
-    for (index, (name, value, bad)) in cells.iter().enumerate() {
-        let right = rect.left() + cell.x * (index + 1) as f32 - 4.0;
-        let top = pos2(right, rect.top() + 6.0);
-        painter.text(top, Align2::RIGHT_TOP, name, tokens.small(), tokens.muted);
-        let bottom = pos2(right, rect.bottom() - 5.0);
-        let color = match *bad {
-            true if *name == NO_FLY => tokens.no_fly,
-            true => tokens.warning,
-            false => tokens.text,
-        };
-        painter.text(bottom, Align2::RIGHT_BOTTOM, value, tokens.normal(), color);
-    }
-    Some(rect)
+    let (light, word) = if is_within {
+        (Light::Good, "in the limit")
+    } else {
+        (Light::Poor, "over the limit")
+    };
+    let samples = &prediction.samples;
+    let headline = Headline {
+        name: "Largest error (1σ)",
+        lead: "",
+        value: format!("{:.1}", outlook.sigma * factor),
+        unit,
+        light,
+        word,
+        why: "Predicted for the whole route; the limit is set in the Route tab.",
+        course: samples.iter().map(|it| it.corridor.sigma_major).collect(),
+        stretch: "along the route",
+    };
+    Some(hud(ui, tokens, &headline, &rest, left_top, room))
 }
