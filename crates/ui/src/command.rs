@@ -111,6 +111,8 @@ pub enum Command {
     ToggleSide,
     /// Show or hide the plots.
     TogglePlots,
+    /// Have the panels and the map of the workspace as they were at first.
+    ResetView,
     /// Keep the aircraft in the middle of the map, or not.
     ToggleFollow,
     /// Something that a feature does.

@@ -8,6 +8,9 @@ use crate::documents::Session;
 use crate::host::Host;
 use crate::units::Units;
 
+/// Scale of the map at first, metres per point.
+pub(super) const USUAL_SCALE: f64 = 0.7;
+
 impl App {
     pub(super) fn execute(
         &mut self,
@@ -226,6 +229,21 @@ impl App {
         }
     }
 
+    /// Panels and map of the workspace as they were at first: the aircraft followed, or else all in view.
+    fn reset_view(&mut self) {
+        self.view.reset_panels();
+        let is_flown = self.documents.run.is_some() && !self.is_flight_hidden();
+        let map = &mut self.views.map;
+        map.track_up = false;
+        map.camera.up = 0.0;
+        if is_flown && self.documents.log.is_none() {
+            map.follow = true;
+            map.camera.metres_per_point = USUAL_SCALE;
+        } else {
+            self.commands.push(Command::FitMap);
+        }
+    }
+
     fn look(&mut self, command: &Command, context: &egui::Context) {
         match command {
             Command::TogglePalette => self.dialogs.palette.toggle(),
@@ -256,6 +274,7 @@ impl App {
                     Units::Aviation => Units::Metric,
                 };
             }
+            Command::ResetView => self.reset_view(),
             Command::ShowWorkspace(workspace) => self.show_workspace(*workspace),
             Command::ToggleSide => self.view.side_open = !self.view.side_open,
             Command::TogglePlots => {

@@ -268,7 +268,7 @@ impl App {
             map.camera.center = flight.start.position;
         }
         if !USUAL_SCALES.contains(&map.camera.metres_per_point) {
-            map.camera.metres_per_point = 0.7;
+            map.camera.metres_per_point = super::execute::USUAL_SCALE;
         }
     }
 

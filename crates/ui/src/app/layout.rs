@@ -70,6 +70,7 @@ impl Scene<'_> {
 
 impl App {
     pub(super) fn layout(&mut self, ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
+        self.turn_to_panels();
         let tokens = self.tokens.clone();
         let screen = ui.ctx().content_rect();
         let narrow = screen.width() < NARROW;
@@ -121,6 +122,13 @@ impl App {
         }
         map(ui, &scene, views, commands);
         self.overlays(ui, &tokens, now, commands, narrow);
+    }
+
+    /// Turns to the panels of the workspace; a recorded flight has others than a simulated one.
+    fn turn_to_panels(&mut self) {
+        let is_log = self.documents.log.is_some() && !self.is_flight_hidden();
+        let work = self.view.workspace.label();
+        self.view.turn_to_panels(if is_log { "Log" } else { work });
     }
 
     /// Everything that the views are drawn from, and the views.
@@ -285,15 +293,15 @@ fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
     let screen = ui.ctx().content_rect();
     // A flight that has plots of its own is looked at by those first.
     let of_feature = views.features.iter().position(|it| it.has_plots());
-    let (id, usual) = if of_feature.is_some() {
-        ("plots of the flight", 0.42 * screen.height())
+    let usual = if of_feature.is_some() {
+        0.42 * screen.height()
     } else {
-        let kept = scene.view.plots_height;
-        ("plots", kept.unwrap_or(PLOTS_HEIGHT))
+        PLOTS_HEIGHT
     };
+    let id = panel_id("plots", scene);
     let panel = Panel::bottom(id)
         .resizable(true)
-        .default_size(usual)
+        .default_size(scene.view.plots_height.unwrap_or(usual))
         .size_range(96.0..=0.75 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
@@ -309,9 +317,8 @@ fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
             });
             ui.take_available_space();
         });
-    let height = panel.response.rect.height();
-    if of_feature.is_none() && (height - usual).abs() > 1.0 {
-        scene.view.plots_height = Some(height);
+    if is_resized(ui, id) {
+        scene.view.plots_height = Some(panel.response.rect.height());
     }
 }
 
@@ -319,7 +326,8 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
     let width = ui.ctx().content_rect().width();
     let default = if width >= 1280.0 { 376.0 } else { 320.0 };
     let tokens = scene.tokens;
-    let panel = Panel::right("side")
+    let id = panel_id("side", scene);
+    let panel = Panel::right(id)
         .resizable(true)
         .default_size(scene.view.side_width.unwrap_or(default))
         .size_range(288.0..=0.45 * width)
@@ -359,10 +367,21 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
             }
             ui.take_available_space();
         });
-    let taken = panel.response.rect.width();
-    if scene.view.side_width.is_some() || (taken - default).abs() > 1.0 {
-        scene.view.side_width = Some(taken);
+    if is_resized(ui, id) {
+        scene.view.side_width = Some(panel.response.rect.width());
     }
+}
+
+/// Identity of a panel that each kind of work has its own of.
+fn panel_id(name: &str, scene: &Scene<'_>) -> egui::IdSalt {
+    egui::IdSalt::new((name, &scene.view.panels_of, scene.view.resets))
+}
+
+/// Whether people draw the edge of a panel just now.
+fn is_resized(ui: &Ui, panel: egui::IdSalt) -> bool {
+    let edge = ui.scope_id().with(panel).with("__resize");
+    let response = ui.read_response(edge);
+    response.is_some_and(|edge| edge.dragged() || edge.drag_stopped())
 }
 
 /// The part below the map in a narrow window.
@@ -534,7 +553,8 @@ fn workspace(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut V
 /// The panel of the open workspace below the map.
 fn strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let screen = ui.ctx().content_rect();
-    let panel = Panel::bottom("plan strip")
+    let id = panel_id("strip", scene);
+    let panel = Panel::bottom(id)
         .resizable(true)
         .default_size(scene.view.strip_height.unwrap_or(STRIP_HEIGHT))
         .size_range(112.0..=0.5 * screen.height())
@@ -547,9 +567,8 @@ fn strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
             }
             ui.take_available_space();
         });
-    let height = panel.response.rect.height();
-    if (height - STRIP_HEIGHT).abs() > 1.0 {
-        scene.view.strip_height = Some(height);
+    if is_resized(ui, id) {
+        scene.view.strip_height = Some(panel.response.rect.height());
     }
 }
 

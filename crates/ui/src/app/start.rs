@@ -88,7 +88,7 @@ impl App {
             view,
         };
         app.views.map.follow = true;
-        app.views.map.camera.metres_per_point = 0.7;
+        app.views.map.camera.metres_per_point = super::execute::USUAL_SCALE;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
         for feature in &mut app.views.features {
             let own = feature.info().id;

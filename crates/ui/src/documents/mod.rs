@@ -14,10 +14,12 @@ mod laps;
 mod log_file;
 mod map_under;
 mod noticed;
+mod panel_layout;
 mod planned_ground;
 mod session;
 mod store;
 mod stored_session;
+mod view_panels;
 
 pub use add::Added;
 pub use brought::Brought;

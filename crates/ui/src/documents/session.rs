@@ -4,6 +4,7 @@ use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use super::panel_layout::PanelLayout;
 use crate::command::Workspace;
 use crate::units::Units;
 use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
@@ -69,6 +70,13 @@ pub struct ViewState {
     pub plots_height: Option<f32>,
     /// Height of the prediction's strip, points, if the user changed it.
     pub strip_height: Option<f32>,
+    /// Kind of work that the panels above are of; empty in sessions that know one layout alone.
+    pub panels_of: String,
+    /// Panels of other kinds of work.
+    pub other_panels: Vec<(String, PanelLayout)>,
+    /// Number of times that panels were reset at this visit.
+    #[serde(skip)]
+    pub resets: u32,
     /// Whether the first line of advice was dismissed.
     pub advice_dismissed: bool,
     /// Playback speed, times real time.
@@ -94,6 +102,9 @@ impl Default for ViewState {
             side_width: None,
             plots_height: None,
             strip_height: None,
+            panels_of: String::new(),
+            other_panels: Vec::new(),
+            resets: 0,
             advice_dismissed: false,
             speed: 2.0,
             looping: true,

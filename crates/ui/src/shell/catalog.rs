@@ -156,6 +156,9 @@ fn view() -> Vec<CommandEntry> {
         )
         .also("charts graphs curves hide")
         .under(BarMenu::View),
+        of("Reset view", vec![], Command::ResetView)
+            .also("layout panels default restore map")
+            .under(BarMenu::View),
         of(
             "Show Replay",
             vec![shift(Key::R)],

@@ -32,6 +32,7 @@ mod names;
 mod open_map;
 mod open_run;
 mod palette;
+mod panels;
 mod photos;
 mod pictures;
 mod plan;
