@@ -48,6 +48,8 @@ pub struct Tokens {
     pub refused: Color32,
     /// The previous run, shown for comparison.
     pub ghost: Color32,
+    /// Whether fingers press what is on screen, and not a pointer.
+    pub touch: bool,
     /// The spacing unit, points; everything is a multiple.
     pub space: f32,
     /// The scale of text, points: captions, running text, headings, titles, the large number.
@@ -84,6 +86,7 @@ impl Tokens {
             observed: Color32::from_rgb(90, 200, 250),
             refused: Color32::from_rgb(240, 120, 70),
             ghost: Color32::from_rgb(120, 130, 140),
+            touch: false,
             space: 8.0,
             text_sizes: [12.0, 14.0, 16.0, 20.0, 28.0],
             radius: 6.0,
@@ -115,6 +118,11 @@ impl Tokens {
     /// The set for drawings on maps and pictures, which are as dark in light surroundings.
     pub fn over_imagery() -> &'static Self {
         &OVER_IMAGERY
+    }
+
+    /// Least side of what is pressed, points.
+    pub fn target(&self) -> f32 {
+        if self.touch { 44.0 } else { 4.0 * self.space }
     }
 
     /// Behind a widget under the pointer.

@@ -18,7 +18,7 @@ use crate::tokens::Tokens;
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;
 const BAR_HEIGHT: f32 = 48.0;
-const PLOTS_HEIGHT: f32 = 164.0;
+const PLOTS_HEIGHT: f32 = 234.0;
 const STRIP_HEIGHT: f32 = 216.0;
 
 /// Everything that the views are drawn from, but the views themselves.

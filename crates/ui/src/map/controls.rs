@@ -127,18 +127,10 @@ impl MapView {
             Layer::Route | Layer::Corridor => planning && !context.mission.routes.is_empty(),
             _ => context.run.is_some(),
         };
-        self.layers.fit_into(rect.size());
         let rows = Layer::ALL.into_iter().filter(|l| present(*l)).count();
-        let height = 30.0
-            + if self.layers.is_open() {
-                22.0 * rows as f32
-            } else {
-                0.0
-            };
-        let at = Rect::from_min_size(
-            pos2(rect.left() + 16.0, rect.bottom() - 16.0 - height),
-            vec2(186.0, height),
-        );
+        let size = self.layers.legend_size(rows);
+        let corner = rect.left_bottom() + vec2(16.0, -16.0);
+        let at = Align2::LEFT_BOTTOM.anchor_size(corner, size);
         self.cover(at);
         let mut ui = ui.new_child(UiBuilder::new().max_rect(at).id_salt("legend"));
         self.layers.legend(&mut ui, context.tokens, present);

@@ -185,24 +185,27 @@ fn ellipses(painter: &Painter, rect: Rect, tokens: &Tokens) {
     }
 }
 
+/// Width of the open legend, of the closed one, and heights of its head and of a row, points.
+const WIDTH: f32 = 184.0;
+const CHIP: f32 = 80.0;
+const HEADER: f32 = 24.0;
+const ROW: f32 = 22.0;
+
 /// Layers that are on, and the state of the legend.
 #[derive(Clone, Debug, Default)]
 pub struct Layers {
     hidden: Vec<Layer>,
-    /// Whether the user opened or closed the legend.
-    chosen: Option<bool>,
-    roomy: bool,
+    is_open: bool,
 }
 
 impl Layers {
-    /// Whether the legend is open: as the user said, or as the map's size suggests.
-    pub fn is_open(&self) -> bool {
-        self.chosen.unwrap_or(self.roomy)
-    }
-
-    /// Says how large the map is.
-    pub fn fit_into(&mut self, size: egui::Vec2) {
-        self.roomy = size.x >= 720.0 && size.y >= 480.0;
+    /// Space that the legend takes with so many rows, points: of a chip unless people opened it.
+    pub fn legend_size(&self, rows: usize) -> egui::Vec2 {
+        if self.is_open {
+            vec2(WIDTH + 10.0, 10.0 + HEADER + ROW * rows as f32)
+        } else {
+            vec2(CHIP + 10.0, 10.0 + HEADER)
+        }
     }
 
     /// Whether a layer is on.
@@ -240,41 +243,21 @@ impl Layers {
             .inner_margin(4)
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
-                let width = 176.0;
-                let icon = if self.is_open() {
-                    Icon::Down
-                } else {
-                    Icon::Right
-                };
-                if row(ui, tokens, width, "Legend", None, |painter, rect| {
-                    icon.paint_sized(painter, rect.center(), 12.0, tokens.muted);
-                }) {
-                    self.chosen = Some(!self.is_open());
+                if header(ui, tokens, self.is_open).clicked() {
+                    self.is_open = !self.is_open;
                 }
-                if !self.is_open() {
+                if !self.is_open {
                     return;
                 }
                 for layer in Layer::ALL.into_iter().filter(|l| present(*l)) {
                     let on = self.shows(layer);
-                    if row(
-                        ui,
-                        tokens,
-                        width,
-                        layer.label(),
-                        Some(on),
-                        |painter, rect| {
-                            if on {
-                                layer.swatch(painter, rect, tokens);
-                            } else {
-                                Icon::EyeOff.paint_sized(
-                                    painter,
-                                    rect.center(),
-                                    12.0,
-                                    tokens.muted,
-                                );
-                            }
-                        },
-                    ) {
+                    if row(ui, tokens, layer.label(), on, |painter, rect| {
+                        if on {
+                            layer.swatch(painter, rect, tokens);
+                        } else {
+                            Icon::EyeOff.paint_sized(painter, rect.center(), 12.0, tokens.muted);
+                        }
+                    }) {
                         self.toggle(layer);
                     }
                 }
@@ -282,30 +265,43 @@ impl Layers {
     }
 }
 
+/// Head of the legend, which opens and closes it.
+fn header(ui: &mut Ui, tokens: &Tokens, is_open: bool) -> egui::Response {
+    let (width, icon) = if is_open {
+        (WIDTH, Icon::Down)
+    } else {
+        (CHIP, Icon::Right)
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(width, HEADER), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Legend"));
+    let painter = ui.painter();
+    if response.hovered() || response.has_focus() {
+        painter.rect_filled(rect, tokens.radius, tokens.hover());
+    }
+    let words = rect.left_center() + vec2(8.0, 0.0);
+    let (left, font) = (egui::Align2::LEFT_CENTER, tokens.caption());
+    painter.text(words, left, "Legend", font, tokens.text);
+    let at = rect.right_center() - vec2(12.0, 0.0);
+    icon.paint_sized(painter, at, 10.0, tokens.muted);
+    response
+}
+
 fn row(
     ui: &mut Ui,
     tokens: &Tokens,
-    width: f32,
     label: &str,
-    on: Option<bool>,
+    on: bool,
     paint: impl FnOnce(&Painter, Rect),
 ) -> bool {
-    let (rect, response) = ui.allocate_exact_size(vec2(width, 22.0), Sense::click());
-    response.widget_info(|| match on {
-        Some(on) => WidgetInfo::selected(Role::CheckBox, true, on, label),
-        None => WidgetInfo::labeled(Role::Button, true, label),
-    });
+    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, ROW), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, label));
     let painter = ui.painter();
     if response.hovered() || response.has_focus() {
         painter.rect_filled(rect, tokens.radius, tokens.hover());
     }
     let swatch = Rect::from_min_size(rect.min + vec2(6.0, 5.0), vec2(30.0, 12.0));
     paint(painter, swatch);
-    let color = if on == Some(false) {
-        tokens.muted
-    } else {
-        tokens.text
-    };
+    let color = if on { tokens.text } else { tokens.muted };
     painter.text(
         pos2(swatch.right() + 10.0, rect.center().y),
         egui::Align2::LEFT_CENTER,

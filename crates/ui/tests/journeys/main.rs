@@ -19,6 +19,7 @@ mod georeference;
 mod go_to;
 mod keyboard_landmark;
 mod labels;
+mod legend;
 mod link;
 mod log;
 mod log_against;

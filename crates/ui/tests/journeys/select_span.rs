@@ -47,7 +47,7 @@ fn an_edge_of_the_selected_span_is_dragged_in_the_timeline() {
 #[test]
 fn a_drag_with_shift_on_a_plot_of_the_run_selects() {
     let mut rig = rig();
-    let plot = rig.harness.get_by_label("Wind plot").rect();
+    let plot = rig.harness.get_by_label("Distance from truth plot").rect();
     rig.drag_with(Modifiers::SHIFT, at(plot, 0.4), at(plot, 0.7));
     let (from, to) = selected(&rig).expect("something is selected");
     assert!(to - from > 0.25 && to - from < 0.4, "{from} to {to}");
@@ -83,7 +83,7 @@ fn plots_show_the_selected_span_alone() {
     rig.harness.get_by_label("Selected time").click();
     rig.frames(3);
     rig.harness.get_by_label("All time");
-    let plot = rig.harness.get_by_label("Wind plot").rect();
+    let plot = rig.harness.get_by_label("Distance from truth plot").rect();
     rig.drag_with(Modifiers::SHIFT, at(plot, 0.5), at(plot, 0.9));
     let (from, to) = selected(&rig).expect("something is selected");
     assert!(from > 0.4 && to < 0.6 && to - from < 0.15, "{from} to {to}");

@@ -28,7 +28,10 @@ const NARROW_WIDTH: f32 = 230.0;
 #[derive(Clone, Copy, Debug)]
 struct PanelState {
     kind: PanelKind,
-    shown: bool,
+    /// Whether it is shown, if people said so.
+    shown: Option<bool>,
+    /// Whether the pointer or the keyboard was at its choices last.
+    is_at_choices: bool,
     folded: bool,
     choice: usize,
 }
@@ -60,7 +63,8 @@ impl Default for PlotsView {
             panels: PanelKind::ALL
                 .map(|kind| PanelState {
                     kind,
-                    shown: kind != PanelKind::Innovations,
+                    shown: None,
+                    is_at_choices: false,
                     folded: false,
                     choice: kind.first_choice(),
                 })
@@ -72,6 +76,14 @@ impl Default for PlotsView {
             drawn: None,
         }
     }
+}
+
+/// Whether a panel is shown: as people said, or else two that say most of the flight.
+fn is_shown(panel: &PanelState, context: &ViewContext<'_>) -> bool {
+    let has_truth = context.flight.is_some_and(|flight| flight.truth.is_some());
+    let is_of_truth = matches!(panel.kind, PanelKind::PositionError | PanelKind::Distance);
+    let is_usual = panel.kind != PanelKind::Innovations && is_of_truth == has_truth;
+    panel.shown.unwrap_or(is_usual) && has_data(panel.kind, context)
 }
 
 /// Whether a panel has anything to show: a vehicle model without wind has none to plot.
@@ -101,7 +113,7 @@ impl PlotsView {
         let span = self.time_axis.span(whole);
         self.chooser(ui, context, whole);
         let shown: Vec<usize> = (0..self.panels.len())
-            .filter(|i| self.panels[*i].shown && has_data(self.panels[*i].kind, context))
+            .filter(|i| is_shown(&self.panels[*i], context))
             .collect();
         let columns = columns(ui.available_size(), shown.len(), context.tokens);
         self.time_axis.hover = if columns == 1 {
@@ -205,8 +217,9 @@ impl PlotsView {
                 }
                 let title = panel.kind.title();
                 let name = format!("Show {title}");
-                if parts::chip(ui, tokens, panel.shown, title, &name).clicked() {
-                    panel.shown = !panel.shown;
+                let is_on = is_shown(panel, context);
+                if parts::chip(ui, tokens, is_on, title, &name).clicked() {
+                    panel.shown = Some(!is_on);
                 }
             }
             ui.add_space(tokens.space);
@@ -328,17 +341,36 @@ impl PlotsView {
                     );
                 }
                 if !(panel.folded && foldable) {
-                    for (i, (short, long)) in panel.kind.choices().into_iter().enumerate() {
-                        let name = format!("{title}, {long}");
-                        if parts::chip(ui, tokens, panel.choice == i, short, &name).clicked() {
-                            panel.choice = i;
-                        }
-                    }
+                    choices(ui, tokens, panel);
                 }
                 ui.available_rect_before_wrap()
             },
         )
         .inner
+    }
+}
+
+/// Choices of a panel, which are seen while the pointer or the keyboard is at its heading; else what is chosen is, calmly.
+fn choices(ui: &mut Ui, tokens: &Tokens, panel: &mut PanelState) {
+    let is_near = panel.is_at_choices || ui.rect_contains_pointer(ui.max_rect());
+    panel.is_at_choices = false;
+    for (i, (short, long)) in panel.kind.choices().into_iter().enumerate() {
+        let is_chosen = panel.choice == i;
+        let name = format!("{}, {long}", panel.kind.title());
+        let opacity = match (is_near || tokens.touch, is_chosen) {
+            (true, _) => 1.0,
+            (false, true) => 0.6,
+            (false, false) => 0.0,
+        };
+        let response = ui.scope(|ui| {
+            ui.multiply_opacity(opacity);
+            parts::chip(ui, tokens, is_chosen, short, &name)
+        });
+        let response = response.inner;
+        panel.is_at_choices |= response.hovered() || response.has_focus();
+        if response.clicked() {
+            panel.choice = i;
+        }
     }
 }
 

@@ -31,7 +31,7 @@ fn harness() -> Harness<'static, State> {
 fn a_click_in_the_middle_of_a_plot_seeks_to_the_middle_of_the_flight() {
     let mut harness = harness();
     harness.run();
-    let outer = harness.get_by_label("Wind plot").rect();
+    let outer = harness.get_by_label("Distance from truth plot").rect();
     let rect = TimeAxis::curves_rect(outer, &Tokens::dark());
     harness.hover_at(rect.center());
     harness.drag_at(rect.center());
@@ -51,20 +51,20 @@ fn a_click_in_the_middle_of_a_plot_seeks_to_the_middle_of_the_flight() {
 fn a_panel_that_is_switched_off_leaves_the_view() {
     let mut harness = harness();
     harness.run();
-    harness.get_by_label("Wind plot");
-    harness.get_by_label("Show Wind").click();
+    harness.get_by_label("Distance from truth plot");
+    harness.get_by_label("Show Distance from truth").click();
     harness.run();
-    assert!(harness.query_by_label("Wind plot").is_none());
+    assert!(harness.query_by_label("Distance from truth plot").is_none());
 }
 
 #[test]
 fn a_folded_panel_keeps_its_heading_only() {
     let mut harness = harness();
     harness.run();
-    harness.get_by_label("Fold NIS").click();
+    harness.get_by_label("Fold Position error").click();
     harness.run();
-    harness.get_by_label("Fold NIS");
-    assert!(harness.query_by_label("NIS plot").is_none());
+    harness.get_by_label("Fold Position error");
+    assert!(harness.query_by_label("Position error plot").is_none());
 }
 
 #[test]
@@ -79,4 +79,23 @@ fn less_time_halves_what_is_shown_and_all_brings_it_back() {
     harness.get_by_label("All time").click();
     harness.run();
     assert!(harness.state().view.time_axis.zoom.is_none());
+}
+
+#[test]
+fn two_plots_are_shown_at_first_and_their_choices_are_reached_without_a_pointer() {
+    let mut harness = harness();
+    harness.run();
+    let plots = [
+        "Position error plot",
+        "Distance from truth plot",
+        "Wind plot",
+        "NIS plot",
+    ];
+    let shown = plots.map(|name| harness.query_by_label(name).is_some());
+    assert_eq!(shown, [true, true, false, false]);
+    harness.get_by_label("Position error, east").focus();
+    harness.run();
+    harness.key_press(egui::Key::Enter);
+    harness.run();
+    assert_eq!(harness.state().view.panels[0].choice, 1);
 }
