@@ -90,6 +90,7 @@ export function shellServices(storage, openFiles) {
       } catch { /* a browser takes so many within a time */ }
     },
     prefersStillness() { return matchMedia("(prefers-reduced-motion: reduce)").matches; },
+    isTouchedFirst() { return matchMedia("(pointer: coarse)").matches; },
     prefersLight() { return matchMedia("(prefers-color-scheme: light)").matches; },
     announce(text) { summary.textContent = text; },
   };

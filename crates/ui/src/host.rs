@@ -126,6 +126,11 @@ pub trait Host {
         false
     }
 
+    /// Whether what people point with is their fingers first of all.
+    fn is_touched_first(&self) -> bool {
+        false
+    }
+
     /// Whether the workers have time for what nobody asked for.
     fn works_ahead(&self) -> bool {
         true

@@ -90,6 +90,10 @@ extern "C" {
     #[wasm_bindgen(method, js_name = prefersStillness)]
     pub fn prefers_stillness(this: &Shell) -> bool;
 
+    /// Whether what people point with is their fingers first of all.
+    #[wasm_bindgen(method, js_name = isTouchedFirst)]
+    pub fn is_touched_first(this: &Shell) -> bool;
+
     /// Keys of what the browser refused to store since the last call.
     #[wasm_bindgen(method, js_name = failedStores)]
     pub fn failed_stores(this: &Shell) -> Vec<String>;

@@ -419,6 +419,10 @@ impl Host for PageHost {
         self.inner.borrow().shell.prefers_light()
     }
 
+    fn is_touched_first(&self) -> bool {
+        self.inner.borrow().shell.is_touched_first()
+    }
+
     fn works_ahead(&self) -> bool {
         !self.inner.borrow().leaves_ahead
     }

@@ -276,7 +276,10 @@ impl App {
             }
             Command::ResetView => self.reset_view(),
             Command::ShowWorkspace(workspace) => self.show_workspace(*workspace),
-            Command::ToggleSide => self.view.side_open = !self.view.side_open,
+            Command::ToggleSide => {
+                let is_open = self.is_side_open(context.content_rect());
+                self.view.side_open = Some(!is_open);
+            }
             Command::TogglePlots => {
                 let height = context.content_rect().height();
                 self.view.plots_open = Some(!self.are_plots_open(height));

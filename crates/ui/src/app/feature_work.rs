@@ -183,7 +183,7 @@ impl App {
             return;
         }
         self.view.workspace = Workspace::Replay;
-        self.view.side_open = true;
+        self.view.side_open = Some(true);
         self.dialogs.settings = false;
         self.side_tab = SideTab::Feature(id);
     }

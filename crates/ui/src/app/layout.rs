@@ -17,6 +17,10 @@ use crate::tokens::Tokens;
 
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;
+/// Windows lower than this have no room for a column below the map.
+const LOW: f32 = 560.0;
+/// Least height of the map that plots below it leave, points.
+const LEAST_MAP: f32 = 200.0;
 const BAR_HEIGHT: f32 = 48.0;
 const PLOTS_HEIGHT: f32 = 234.0;
 const STRIP_HEIGHT: f32 = 216.0;
@@ -75,6 +79,7 @@ impl App {
         let screen = ui.ctx().content_rect();
         let narrow = screen.width() < NARROW;
         let plots_open = self.are_plots_open(screen.height());
+        let is_side_open = self.is_side_open(screen);
         let title = self.documents.title();
         let workspace = self.view.workspace;
         let mut features = self.views.features.iter();
@@ -110,7 +115,7 @@ impl App {
             self.overlays(ui, &tokens, now, commands, narrow);
             return;
         }
-        if scene.view.side_open || *scene.settings {
+        if is_side_open || *scene.settings {
             if narrow {
                 lower(ui, &mut scene, views, commands);
             } else {
@@ -151,6 +156,12 @@ impl App {
     pub(super) fn are_plots_open(&self, height: f32) -> bool {
         let is_usual = height >= 760.0 && !self.is_flight_aside();
         self.view.plots_open.unwrap_or(is_usual)
+    }
+
+    /// Whether the column is shown in a window of this size: as people said, else unless it would leave no map.
+    pub(super) fn is_side_open(&self, screen: egui::Rect) -> bool {
+        let is_usual = screen.width() >= NARROW || screen.height() >= LOW;
+        self.view.side_open.unwrap_or(is_usual)
     }
 
     fn overlays(
@@ -270,7 +281,7 @@ fn bar(tokens: &Tokens, height: f32) -> Panel {
 
 fn timeline(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let height = if ui.available_width() < 720.0 {
-        96.0
+        64.0 + scene.tokens.target()
     } else {
         64.0
     };
@@ -302,7 +313,7 @@ fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
     let panel = Panel::bottom(id)
         .resizable(true)
         .default_size(scene.view.plots_height.unwrap_or(usual))
-        .size_range(96.0..=0.75 * screen.height())
+        .size_range(96.0..=(ui.available_height() - LEAST_MAP).max(96.0))
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
             scene.with_context(commands, |context| {
@@ -450,7 +461,7 @@ fn picture_buttons(
     buttons: impl Iterator<Item = PictureButton>,
     commands: &mut Vec<Command>,
 ) {
-    let side = 4.0 * tokens.space;
+    let side = tokens.target();
     let mut at = picture.left_top();
     for button in buttons {
         let corner = egui::Rect::from_min_size(at, vec2(side, side));
@@ -557,7 +568,7 @@ fn strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
     let panel = Panel::bottom(id)
         .resizable(true)
         .default_size(scene.view.strip_height.unwrap_or(STRIP_HEIGHT))
-        .size_range(112.0..=0.5 * screen.height())
+        .size_range(112.0..=(ui.available_height() - LEAST_MAP).clamp(112.0, 0.5 * screen.height()))
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
             if let Some(owner) = views.owner_mut(scene.view.workspace) {

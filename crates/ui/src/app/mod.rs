@@ -28,7 +28,7 @@ use crate::feature::{Feature, FeatureId};
 use crate::host::Host;
 use crate::shell::catalog::CommandEntry;
 use crate::shell::keys::ShortcutListener;
-use crate::shell::{Toasts, apply_theme, keep_slow_clicks};
+use crate::shell::{Toasts, apply_theme, is_touched, keep_slow_clicks};
 use crate::timeline::Playback;
 use crate::tokens::Tokens;
 
@@ -88,6 +88,7 @@ impl App {
             self.started = true;
             self.start(ui.ctx(), host);
         }
+        self.follow_touch(ui.ctx());
         self.receive(ui.ctx(), host);
         self.views.map.turn(self.is_flight_hidden());
         self.tick(now);
@@ -305,8 +306,21 @@ impl App {
             .is_some_and(Feature::leaves_flight_aside)
     }
 
+    /// Makes what is pressed as large as whatever presses it needs.
+    fn follow_touch(&mut self, context: &egui::Context) {
+        let touch = context.input(|input| is_touched(input, self.tokens.touch));
+        if touch != self.tokens.touch {
+            self.tokens.touch = touch;
+            self.restyle(context);
+        }
+    }
+
     fn restyle(&mut self, context: &egui::Context) {
-        self.tokens = Tokens::of(self.view.dark);
+        let touch = self.tokens.touch;
+        self.tokens = Tokens {
+            touch,
+            ..Tokens::of(self.view.dark)
+        };
         apply_theme(context, &self.tokens);
     }
 }

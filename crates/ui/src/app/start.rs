@@ -47,7 +47,10 @@ impl App {
             },
             |bytes| ViewState::decode(&bytes),
         );
-        let tokens = Tokens::of(view.dark);
+        let tokens = Tokens {
+            touch: host.is_touched_first(),
+            ..Tokens::of(view.dark)
+        };
         context.set_fonts(fonts());
         apply_theme(context, &tokens);
         let features = crate::features::all();

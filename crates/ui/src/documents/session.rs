@@ -49,10 +49,6 @@ impl Session {
 /// View preferences of the user.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is a switch of its own on screen"
-)]
 pub struct ViewState {
     /// Dark colours.
     pub dark: bool,
@@ -60,8 +56,8 @@ pub struct ViewState {
     pub units: Units,
     /// The open workspace.
     pub workspace: Workspace,
-    /// Whether the column at the right is open.
-    pub side_open: bool,
+    /// Whether the column at the right is open; by the window's size if the user never said.
+    pub side_open: Option<bool>,
     /// Whether the plots are open; by the window's height if the user never said.
     pub plots_open: Option<bool>,
     /// Width of the column at the right, points, if the user changed it.
@@ -97,7 +93,7 @@ impl Default for ViewState {
             dark: true,
             units: Units::default(),
             workspace: Workspace::default(),
-            side_open: true,
+            side_open: None,
             plots_open: None,
             side_width: None,
             plots_height: None,

@@ -58,14 +58,17 @@ mod tests {
         view.turn_to_panels("Log");
         assert_eq!(view.side_width, None);
         view.side_width = Some(600.0);
-        view.side_open = false;
+        view.side_open = Some(false);
         let mut view = ViewState::decode(&view.encode());
         view.turn_to_panels("Replay");
-        assert_eq!((view.side_width, view.side_open), (Some(399.5), true));
+        assert_eq!((view.side_width, view.side_open), (Some(399.5), Some(true)));
         view.turn_to_panels("Log");
-        assert_eq!((view.side_width, view.side_open), (Some(600.0), false));
+        assert_eq!(
+            (view.side_width, view.side_open),
+            (Some(600.0), Some(false))
+        );
         view.reset_panels();
-        assert_eq!((view.side_width, view.side_open), (None, true));
+        assert_eq!((view.side_width, view.side_open), (None, None));
         view.turn_to_panels("Replay");
         assert_eq!(view.side_width, Some(399.5));
     }

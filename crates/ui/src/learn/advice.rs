@@ -29,6 +29,11 @@ pub(super) fn advice(
     };
     let tokens = context.tokens;
     let width = (rect.width() - 96.0).min(720.0);
+    let font = if width < 400.0 {
+        tokens.small()
+    } else {
+        tokens.normal()
+    };
     let at = Rect::from_min_size(rect.left_top() + vec2(16.0, BELOW_HUD), vec2(width, 64.0));
     let mut inside = ui.new_child(UiBuilder::new().max_rect(at).id_salt("advice"));
     let card = Frame::new()
@@ -41,7 +46,10 @@ pub(super) fn advice(
                 let room = ui.available_width() - 40.0;
                 ui.scope(|ui| {
                     ui.set_max_width(room);
-                    ui.add(egui::Label::new(egui::RichText::new(text).color(tokens.text)).wrap());
+                    ui.add(
+                        egui::Label::new(egui::RichText::new(text).font(font).color(tokens.text))
+                            .wrap(),
+                    );
                 });
                 if icon_button(ui, tokens, Icon::Close, "Dismiss the advice").clicked() {
                     context.commands.push(LearnCommand::DismissAdvice.into());

@@ -16,7 +16,9 @@ pub(super) fn file_name(log: &str, (from, to): (f64, f64), ending: &str) -> Stri
 impl LogFeature {
     /// Asks for figures of the plotted fields over the span that is selected or shown, while they are looked at.
     pub(super) fn ask_for_figures(&mut self, context: &mut FeatureContext<'_>) {
-        let is_shown = context.is_shown && context.view.side_open && self.tab == LogTab::Statistics;
+        let is_shown = context.is_shown
+            && context.view.side_open != Some(false)
+            && self.tab == LogTab::Statistics;
         if !is_shown || self.answers.figures.is_some() {
             return;
         }

@@ -24,8 +24,8 @@ impl MapView {
     ) {
         let tokens = context.tokens;
         let at = Rect::from_min_size(
-            pos2(rect.right() - 56.0, rect.top() + 16.0),
-            vec2(40.0, 300.0),
+            pos2(rect.right() - 24.0 - tokens.target(), rect.top() + 16.0),
+            vec2(tokens.target() + 8.0, 300.0),
         );
         let mut ui = ui.new_child(UiBuilder::new().max_rect(at).id_salt("map controls"));
         let panel = Frame::new()
@@ -84,7 +84,10 @@ impl MapView {
     /// The north arrow; a click turns the map with the track or north up again.
     fn compass(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
-        let (rect, response) = ui.allocate_exact_size(vec2(32.0, 36.0), Sense::click());
+        let (rect, response) = ui.allocate_exact_size(
+            vec2(tokens.target(), tokens.target().max(36.0)),
+            Sense::click(),
+        );
         let label = if self.track_up {
             "Track up. Change to north up"
         } else {

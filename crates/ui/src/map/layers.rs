@@ -190,21 +190,34 @@ const WIDTH: f32 = 184.0;
 const CHIP: f32 = 80.0;
 const HEADER: f32 = 24.0;
 const ROW: f32 = 22.0;
+/// Height of either that fingers press, points.
+const FINGER: f32 = 44.0;
 
 /// Layers that are on, and the state of the legend.
 #[derive(Clone, Debug, Default)]
 pub struct Layers {
     hidden: Vec<Layer>,
     is_open: bool,
+    /// Whether fingers press it.
+    pub touch: bool,
 }
 
 impl Layers {
+    fn header_height(&self) -> f32 {
+        if self.touch { FINGER } else { HEADER }
+    }
+
+    fn row_height(&self) -> f32 {
+        if self.touch { FINGER } else { ROW }
+    }
+
     /// Space that the legend takes with so many rows, points: of a chip unless people opened it.
     pub fn legend_size(&self, rows: usize) -> egui::Vec2 {
+        let head = 10.0 + self.header_height();
         if self.is_open {
-            vec2(WIDTH + 10.0, 10.0 + HEADER + ROW * rows as f32)
+            vec2(WIDTH + 10.0, head + self.row_height() * rows as f32)
         } else {
-            vec2(CHIP + 10.0, 10.0 + HEADER)
+            vec2(CHIP + 10.0, head)
         }
     }
 
@@ -243,7 +256,7 @@ impl Layers {
             .inner_margin(4)
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
-                if header(ui, tokens, self.is_open).clicked() {
+                if header(ui, tokens, self.is_open, self.header_height()).clicked() {
                     self.is_open = !self.is_open;
                 }
                 if !self.is_open {
@@ -251,13 +264,24 @@ impl Layers {
                 }
                 for layer in Layer::ALL.into_iter().filter(|l| present(*l)) {
                     let on = self.shows(layer);
-                    if row(ui, tokens, layer.label(), on, |painter, rect| {
-                        if on {
-                            layer.swatch(painter, rect, tokens);
-                        } else {
-                            Icon::EyeOff.paint_sized(painter, rect.center(), 12.0, tokens.muted);
-                        }
-                    }) {
+                    if row(
+                        ui,
+                        tokens,
+                        (layer.label(), self.row_height()),
+                        on,
+                        |painter, rect| {
+                            if on {
+                                layer.swatch(painter, rect, tokens);
+                            } else {
+                                Icon::EyeOff.paint_sized(
+                                    painter,
+                                    rect.center(),
+                                    12.0,
+                                    tokens.muted,
+                                );
+                            }
+                        },
+                    ) {
                         self.toggle(layer);
                     }
                 }
@@ -266,13 +290,13 @@ impl Layers {
 }
 
 /// Head of the legend, which opens and closes it.
-fn header(ui: &mut Ui, tokens: &Tokens, is_open: bool) -> egui::Response {
+fn header(ui: &mut Ui, tokens: &Tokens, is_open: bool, height: f32) -> egui::Response {
     let (width, icon) = if is_open {
         (WIDTH, Icon::Down)
     } else {
         (CHIP, Icon::Right)
     };
-    let (rect, response) = ui.allocate_exact_size(vec2(width, HEADER), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Legend"));
     let painter = ui.painter();
     if response.hovered() || response.has_focus() {
@@ -289,17 +313,20 @@ fn header(ui: &mut Ui, tokens: &Tokens, is_open: bool) -> egui::Response {
 fn row(
     ui: &mut Ui,
     tokens: &Tokens,
-    label: &str,
+    (label, height): (&str, f32),
     on: bool,
     paint: impl FnOnce(&Painter, Rect),
 ) -> bool {
-    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, ROW), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, height), Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, label));
     let painter = ui.painter();
     if response.hovered() || response.has_focus() {
         painter.rect_filled(rect, tokens.radius, tokens.hover());
     }
-    let swatch = Rect::from_min_size(rect.min + vec2(6.0, 5.0), vec2(30.0, 12.0));
+    let swatch = Rect::from_min_size(
+        rect.min + vec2(6.0, 0.5 * (rect.height() - 12.0)),
+        vec2(30.0, 12.0),
+    );
     paint(painter, swatch);
     let color = if on { tokens.text } else { tokens.muted };
     painter.text(

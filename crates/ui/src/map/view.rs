@@ -223,6 +223,7 @@ impl MapView {
         let view = self.camera.screen_from_world(rect);
         let painter = ui.painter_at(rect);
         let theme = std::mem::replace(&mut context.tokens, Tokens::over_imagery());
+        self.layers.touch = theme.touch;
         painter.rect_filled(rect, 0.0, context.tokens.background);
         if let Some(map) = extra.map {
             self.tiles.paint(&painter, &view, rect, map);

@@ -324,7 +324,7 @@ fn row(
                 enabled: !landmark.enabled,
             });
         }
-        let size = vec2(ui.available_width(), 4.0 * tokens.space);
+        let size = vec2(ui.available_width(), tokens.target());
         let (_, rect) = ui.allocate_space(size);
         let response = ui.interact(rect, egui::Id::unique(("landmark row", id)), Sense::click());
         response.widget_info(|| {

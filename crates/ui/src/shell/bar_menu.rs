@@ -27,7 +27,7 @@ impl BarButton<'_> {
         let text = self.words.to_owned();
         let font = tokens.normal();
         let galley = ui.painter().layout_no_wrap(text, font, tokens.text);
-        let side = 4.0 * tokens.space;
+        let side = tokens.target();
         let words = if self.words.is_empty() {
             0.0
         } else {
@@ -81,10 +81,11 @@ pub fn bar_menu(
     commands: &mut Vec<Command>,
 ) {
     egui::Popup::menu(button).show(|ui| {
-        ui.set_min_width(240.0);
+        ui.set_min_width(280.0);
         let room = ui.ctx().content_rect().height() - 96.0;
         egui::ScrollArea::vertical()
             .max_height(room)
+            .min_scrolled_height(room)
             .show(ui, |ui| {
                 for (place, menu) in menus.iter().enumerate() {
                     if place > 0 {

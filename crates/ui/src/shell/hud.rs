@@ -11,7 +11,7 @@ use crate::tokens::Tokens;
 pub const BELOW_HUD: f32 = 88.0;
 
 const HEIGHT: f32 = 64.0;
-/// Width of the large number with its light, points.
+/// Least width of the large number with its light, points.
 const HEADLINE: f32 = 184.0;
 /// Width of its course, points.
 const COURSE: f32 = 96.0;
@@ -97,8 +97,10 @@ pub fn hud(
         let galley = painter.layout_no_wrap(text.to_owned(), font, tokens.text);
         galley.size().x
     };
-    let has_course = headline.course.len() > 1 && room >= HEADLINE + COURSE;
-    let mut width = HEADLINE + if has_course { COURSE + 12.0 } else { 0.0 };
+    let named = width_of(headline.name, tokens.small()) + width_of(headline.word, tokens.small());
+    let first = (named + 36.0).max(HEADLINE);
+    let has_course = headline.course.len() > 1 && room >= first + COURSE;
+    let mut width = first + if has_course { COURSE + 12.0 } else { 0.0 };
     let mut cells = Vec::new();
     for readout in rest {
         let name = width_of(readout.name, tokens.small());
@@ -128,7 +130,7 @@ pub fn hud(
     painter.rect_stroke(rect, tokens.radius, line, StrokeKind::Inside);
     paint_headline(painter, tokens, headline, rect.left_top());
     if has_course {
-        let corner = rect.left_top() + vec2(HEADLINE, 0.0);
+        let corner = rect.left_top() + vec2(first, 0.0);
         let area = Rect::from_min_size(corner, vec2(COURSE, HEIGHT));
         paint_course(painter, tokens, headline, area);
     }

@@ -16,6 +16,7 @@ mod sentences;
 mod theme;
 mod toasts;
 mod top_bar;
+mod touch;
 mod widgets;
 
 pub use clicks::keep_slow_clicks;
@@ -28,6 +29,7 @@ pub use sentences::{sentences, whole_sentences};
 pub use theme::apply_theme;
 pub use toasts::{Toast, Toasts};
 pub use top_bar::{NextStep, TopBar, top_bar};
+pub use touch::is_touched;
 pub use widgets::{
     at_work, caption, chip, column_tabs, heading, icon_button, icon_toggle, muted,
     paint_focus_ring, paint_row, reading, tab, text_button, title,

@@ -27,7 +27,11 @@ pub fn notices_sheet(context: &Context, tokens: &Tokens, toasts: &Toasts, now: f
                         tokens.text
                     };
                     ui.horizontal_wrapped(|ui| {
-                        ui.label(RichText::new(&toast.title).font(tokens.heading()).color(color));
+                        ui.label(
+                            RichText::new(&toast.title)
+                                .font(tokens.heading())
+                                .color(color),
+                        );
                         ui.label(muted(tokens, age(now - toast.born)));
                     });
                     if !toast.text.is_empty() {

@@ -159,7 +159,7 @@ impl Palette {
 }
 
 fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui::Response {
-    let size = vec2(ui.available_width(), 4.0 * tokens.space);
+    let size = vec2(ui.available_width(), tokens.target());
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &*entry.label));
     if ui.is_rect_visible(rect) {

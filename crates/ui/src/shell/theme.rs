@@ -39,7 +39,11 @@ fn style(tokens: &Tokens) -> egui::Style {
     let space = tokens.space;
     style.spacing.item_spacing = vec2(space, space * 0.75);
     style.spacing.button_padding = vec2(space * 1.25, space * 0.625);
-    style.spacing.interact_size = vec2(32.0, 24.0);
+    style.spacing.interact_size = if tokens.touch {
+        vec2(tokens.target(), tokens.target())
+    } else {
+        vec2(32.0, 24.0)
+    };
     style.spacing.window_margin = Margin::same(16);
     style.spacing.menu_margin = Margin::same(8);
     style.spacing.slider_width = 168.0;

@@ -5,7 +5,7 @@ use egui::{Align, Layout, RichText, Ui};
 use super::bar_menu::{BarButton, bar_menu};
 use super::entry::{BarMenu, CommandEntry};
 use super::icons::Icon;
-use super::widgets::{icon_button, muted, tab, text_button};
+use super::widgets::{icon_button, muted, tab_in, text_button};
 use crate::command::{Command, Workspace};
 use crate::tokens::Tokens;
 
@@ -58,7 +58,13 @@ pub fn top_bar(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Ve
     }
     for workspace in Workspace::ALL {
         let is_open = workspace == bar.workspace;
-        if tab(ui, tokens, workspace.label(), is_open, height).clicked() {
+        let font = if is_narrow {
+            tokens.small()
+        } else {
+            tokens.normal()
+        };
+        let label = (workspace.label(), font);
+        if tab_in(ui, tokens, label, is_open, height).clicked() {
             commands.push(Command::ShowWorkspace(workspace));
         }
     }

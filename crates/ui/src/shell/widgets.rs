@@ -20,7 +20,7 @@ pub fn icon_toggle(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str, on: bo
 
 /// A square button; `on` is `None` for one that is pressed but never stays so.
 fn icon_face(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str, on: Option<bool>) -> Response {
-    let side = 4.0 * tokens.space;
+    let side = tokens.target();
     let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click());
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo {
@@ -89,7 +89,7 @@ pub fn text_button(
     let icon_width = if icon.is_some() { 24.0 } else { 0.0 };
     let size = vec2(
         galley.size().x + icon_width + 3.0 * tokens.space,
-        4.0 * tokens.space,
+        tokens.target(),
     );
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let enabled = ui.is_enabled();
@@ -163,7 +163,7 @@ pub fn column_tabs(
     row.inner
 }
 
-fn tab_in(
+pub(super) fn tab_in(
     ui: &mut Ui,
     tokens: &Tokens,
     (label, font): (&str, FontId),
@@ -174,6 +174,11 @@ fn tab_in(
     let color = if chosen { tokens.text } else { tokens.muted };
     let galley = ui.painter().layout_no_wrap(label.to_owned(), font, color);
     let padding = if is_small { 1.25 } else { 2.0 } * tokens.space;
+    let height = if tokens.touch {
+        height.max(tokens.target())
+    } else {
+        height
+    };
     let size = vec2(galley.size().x + padding, height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Tab, true, chosen, label));

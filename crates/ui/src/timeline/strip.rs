@@ -384,7 +384,7 @@ fn transport(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'
     ui.add_space(8.0);
     let first = extra.span.map_or(0.0, |s| s.0);
     let last = extra.span.map_or(0.0, |s| s.1);
-    let width = if narrow { 120.0 } else { 132.0 };
+    let width = if narrow { 96.0 } else { 132.0 };
     let (rect, response) = ui.allocate_exact_size(vec2(width, 28.0), Sense::hover());
     let (now, total) = (clock(context.time, first), clock(last, first));
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{now} of {total}")));
@@ -406,7 +406,7 @@ fn transport(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'
 
 fn speed_menu(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'_>) {
     let tokens = context.tokens;
-    let (rect, response) = ui.allocate_exact_size(vec2(48.0, 32.0), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(48.0, tokens.target()), Sense::click());
     let text = speed_text(extra.playback.speed);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Speed {text}")));
     if response.hovered() || response.has_focus() {

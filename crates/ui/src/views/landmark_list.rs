@@ -160,7 +160,7 @@ fn row(
                 enabled: !landmark.enabled,
             });
         }
-        let size = vec2(ui.available_width(), 4.0 * tokens.space);
+        let size = vec2(ui.available_width(), tokens.target());
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         response.widget_info(|| {
             WidgetInfo::selected(Role::Button, true, selected, landmark.name.as_str())

@@ -164,12 +164,17 @@ pub(crate) fn chip(ui: &mut Ui, tokens: &Tokens, on: bool, text: &str, name: &st
         .stroke(egui::Stroke::new(1.0, tokens.line))
         .corner_radius(tokens.radius)
         .wrap_mode(egui::TextWrapMode::Extend)
-        .small();
+        .small()
+        .min_size(vec2(if tokens.touch { tokens.target() } else { 0.0 }, 0.0));
     // Not in a scope of its own: that would not go on to the next row where the row is full.
     let before = ui.spacing().clone();
     let spacing = ui.spacing_mut();
     spacing.button_padding = vec2(0.75 * tokens.space, 0.25 * tokens.space);
-    spacing.interact_size.y = 2.0 * tokens.space;
+    spacing.interact_size.y = if tokens.touch {
+        tokens.target()
+    } else {
+        2.0 * tokens.space
+    };
     let response = ui.add(button);
     *ui.spacing_mut() = before;
     response.widget_info(|| {

@@ -30,6 +30,7 @@ mod lost_worker;
 mod matches;
 mod measure;
 mod names;
+mod narrow;
 mod open_map;
 mod open_run;
 mod palette;

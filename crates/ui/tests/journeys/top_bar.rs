@@ -1,7 +1,7 @@
-use egui::{Key, Vec2};
+use egui::Key;
 use egui_kittest::kittest::Queryable as _;
 
-use super::support::{Rig, ScriptedHost, rig, rig_on};
+use super::support::{Rig, rig};
 
 const NEXT: [&str; 3] = ["Take the tour", "Rehearse route", "Cut GPS"];
 
@@ -44,19 +44,4 @@ fn a_menu_is_opened_walked_and_left_by_keyboard() {
     rig.key(Key::Enter);
     rig.frames(2);
     assert_eq!(rig.state()["dialogs"]["simulate"], true);
-}
-
-#[test]
-fn a_narrow_window_keeps_all_workspaces_and_the_next_step() {
-    let size = Vec2::new(390.0, 844.0);
-    let mut rig = rig_on(ScriptedHost::default(), size);
-    for label in ["Replay", "Plan", "Learn", "Open", "More", "Take the tour"] {
-        let rect = rig.harness.get_by_label(label).rect();
-        assert!(
-            rect.left() >= 0.0 && rect.right() <= 406.0,
-            "{label} {rect:?}"
-        );
-    }
-    rig.menu("More", "Filter settings");
-    assert_eq!(rig.state()["dialogs"]["settings"], true);
 }

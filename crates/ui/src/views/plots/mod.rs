@@ -416,7 +416,11 @@ fn columns(size: egui::Vec2, panels: usize, tokens: &Tokens) -> usize {
 
 /// Height of a panel's heading, points.
 fn header_height(tokens: &Tokens) -> f32 {
-    3.0 * tokens.space
+    if tokens.touch {
+        tokens.target()
+    } else {
+        3.0 * tokens.space
+    }
 }
 
 /// All the time there is: the flight's, so that the axis stands still while a run streams in.

@@ -49,9 +49,21 @@ pub enum Scheme {
     Light,
 }
 
+/// Pointing device of the machine.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub enum Pointing {
+    /// With a mouse.
+    #[default]
+    Mouse,
+    /// With their fingers.
+    Fingers,
+}
+
 /// Answers jobs at once, unless told not to, and remembers what it was asked.
 #[derive(Default)]
 pub struct ScriptedHost {
+    /// Pointer of the machine.
+    pub pointer: Pointing,
     /// Milliseconds of its clock.
     pub now: f64,
     /// Every job asked for, in order.
@@ -561,6 +573,10 @@ fn assessment(order: &AssessmentOrder, per_frame: f64, wrong: f64) -> Assessment
 impl Host for ScriptedHost {
     fn prefers_light(&self) -> bool {
         self.scheme == Scheme::Light
+    }
+
+    fn is_touched_first(&self) -> bool {
+        self.pointer == Pointing::Fingers
     }
 
     fn download(&mut self, addresses: Vec<String>) {

@@ -9,4 +9,4 @@ pub mod inline;
 pub mod laid;
 
 pub use harness::{Rig, rig, rig_on};
-pub use host::{Ahead, Scheme, ScriptedHost};
+pub use host::{Ahead, Pointing, Scheme, ScriptedHost};
