@@ -55,19 +55,23 @@ export async function run(page, tools) {
   await tools.screenshot("own-3-map");
 
   // Two landmarks, and a route past them.
-  const { rect: [left, top, right, bottom] } = (await tools.state()).map;
-  const at = (x, y) => ({ x: left + x * (right - left), y: top + y * (bottom - top) });
+  const at = async (x, y) => {
+    const { rect: [left, top, right, bottom] } = (await tools.state()).map;
+    return { x: left + x * (right - left), y: top + y * (bottom - top) };
+  };
   for (const [i, [x, y]] of [[0.38, 0.45], [0.6, 0.5]].entries()) {
     await page.keyboard.press("n");
     await tools.waitFor((s) => s.map.picking, "the tool that draws landmarks");
-    await tools.drag(at(x - 0.035, y - 0.05), at(x + 0.035, y + 0.05));
+    await tools.drag(await at(x - 0.035, y - 0.05), await at(x + 0.035, y + 0.05));
     await tools.waitFor((s) => s.landmarks.length === i + 1, `landmark ${i + 1}`);
     await page.keyboard.press("Escape");
     await tools.drawn();
   }
   await page.keyboard.press("w");
   await tools.waitFor((s) => s.plan.drawing, "the tool that draws routes");
-  for (const [i, { x, y }] of [at(0.28, 0.4), at(0.5, 0.52), at(0.72, 0.5)].entries()) {
+  await tools.drawn();
+  for (const [i, [along, down]] of [[0.28, 0.4], [0.5, 0.52], [0.72, 0.5]].entries()) {
+    const { x, y } = await at(along, down);
     await page.mouse.click(x, y);
     await tools.waitFor((s) => s.plan.routes.at(-1)?.way_points.length === i + 1, `way-point ${i + 1}`);
     await page.waitForTimeout(600); // or two clicks are a double click

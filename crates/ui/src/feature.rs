@@ -481,6 +481,11 @@ pub trait Feature {
         false
     }
 
+    /// Whether it has something to show in the strip below the map of its workspace; the map has the room otherwise.
+    fn fills_strip(&self, _documents: &Documents) -> bool {
+        true
+    }
+
     /// Whether the plots of the run are shown beneath what it drew there.
     fn leaves_room_for_run(&self) -> bool {
         true

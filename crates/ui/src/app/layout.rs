@@ -104,7 +104,7 @@ impl App {
             return;
         }
         if is_flight_hidden {
-            if plots_open {
+            if plots_open && views.fills_strip(scene.view.workspace, scene.documents) {
                 strip(ui, &mut scene, views, commands);
             }
         } else {

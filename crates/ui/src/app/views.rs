@@ -2,6 +2,7 @@
 
 use super::side_tab::SideTab;
 use crate::command::Workspace;
+use crate::documents::Documents;
 use crate::feature::{Feature, FeaturePlace};
 use crate::map::MapView;
 use crate::timeline::Timeline;
@@ -31,6 +32,12 @@ impl Views {
     /// Whether a workspace is about something else than the flight.
     pub(super) fn hide_flight(&self, workspace: Workspace) -> bool {
         self.owner(workspace).is_some_and(Feature::hides_flight)
+    }
+
+    /// Whether the feature of a workspace has something to show below its map.
+    pub(super) fn fills_strip(&self, workspace: Workspace, documents: &Documents) -> bool {
+        let owner = self.owner(workspace);
+        owner.is_some_and(|it| it.fills_strip(documents))
     }
 
     /// Tab that is shown where nothing else was chosen.

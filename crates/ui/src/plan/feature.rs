@@ -96,6 +96,10 @@ impl Feature for Planner {
         self.column(ui, documents, context);
     }
 
+    fn fills_strip(&self, documents: &Documents) -> bool {
+        documents.selected_route().is_some() || self.drawing
+    }
+
     fn plots(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
         self.strip(ui, documents, context);
     }
