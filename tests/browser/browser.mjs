@@ -34,17 +34,20 @@ const enough = 400;
 
 /** Launches the browser; `close` ends it and throws its profile away. `smooth` pages paint as often and as finely as
  * they do for people, the demo is flown to its end unless it may `rest`, and what nobody asks for is left undone unless
- * it is to be done `ahead`. */
-export async function launch({ smooth = false, rest = true, ahead = false } = {}) {
+ * it is to be done `ahead`; `screen` is what is not usual about it: `width`, `height`, whether it is for `touch`, and
+ * pixels for each of the page's, `sharpness`. */
+export async function launch({ smooth = false, rest = true, ahead = false, screen = {} } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "pilotage-"));
   const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   try {
-    const deviceScaleFactor = smooth || process.env.PILOTAGE_SHARP ? 1 : coarse;
+    const { width, height, touch = false, sharpness } = { ...viewport, ...screen };
+    const deviceScaleFactor = sharpness ?? (smooth || process.env.PILOTAGE_SHARP ? 1 : coarse);
     const context = await chromium.launchPersistentContext(profile, {
-      executablePath: program(), headless: true, viewport, deviceScaleFactor, args: switches, colorScheme: "dark",
+      executablePath: program(), headless: true, viewport: { width, height }, deviceScaleFactor, args: switches, colorScheme: "dark",
+      hasTouch: touch, isMobile: touch,
     });
     if (!smooth) await context.addInitScript(paintSeldom, calm);
-    if (deviceScaleFactor !== 1) await context.addInitScript(measureByRatio);
+    if (deviceScaleFactor === coarse) await context.addInitScript(measureByRatio);
     if (rest) await context.addInitScript(restFlight, enough);
     if (!ahead) await context.addInitScript(leaveAhead);
     const close = async () => { await context.close(); remove(); };

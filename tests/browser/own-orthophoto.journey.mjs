@@ -80,7 +80,8 @@ export async function run(page, tools) {
   const planned = await tools.waitFor((s) => !s.plan.drawing && s.plan.prediction?.fine, "the prediction of the route", 90_000);
   await tools.screenshot("own-4-route");
 
-  // Flown in the simulation over that picture, then taken along.
+  // Flown in the simulation over that picture, once its landmarks were tested, then taken along.
+  await tools.waitFor((s) => s.plan.measured.length === 2 && s.plan.prediction?.fine, "both landmarks to be tested", 120_000);
   await tools.click(await tools.find(null, "Route"));
   await tools.click(await tools.find("Button", "Settings of the rehearsal"));
   await tools.click(await tools.find("CheckBox", "with pictures"));

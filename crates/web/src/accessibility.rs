@@ -176,6 +176,7 @@ pub fn tree_json(context: &egui::Context) -> String {
     let pixels_per_point = f64::from(context.pixels_per_point());
     let list = context.with_plugin(|plugin: &mut KeptTree| {
         let nodes = plugin.update.iter().flat_map(|update| &update.nodes);
+        let focus = plugin.update.as_ref().map(|update| update.focus);
         let named = nodes.filter(|(_, node)| node.label().is_some() || node.value().is_some());
         let list = named.map(|(id, node)| {
             json!({
@@ -186,6 +187,7 @@ pub fn tree_json(context: &egui::Context) -> String {
                 "number": node.numeric_value(),
                 "toggled": node.toggled().map(|t| format!("{t:?}")),
                 "disabled": node.is_disabled(),
+                "focused": focus == Some(*id),
                 "rect": node.bounds().map(|b| [b.x0, b.y0, b.x1, b.y1]),
                 "pixels_per_point": pixels_per_point,
             })

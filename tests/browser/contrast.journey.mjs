@@ -1,0 +1,100 @@
+// Every word on the panels and over five maps is told from what is behind it, in both themes: measured in the pixels.
+import { geotiff } from "./geotiff.mjs";
+
+export const name = "words have a contrast of 4.5 to 1 on panels and over five maps, in dark and light";
+export const tags = ["maps", "plan"];
+export const screen = { sharpness: 2 };
+
+const least = 4.5;
+
+/** Maps by the grey of their pixels. */
+const maps = {
+  white: () => [250, 250, 248],
+  black: () => [6, 8, 10],
+  grey: () => [128, 128, 128],
+  checks: (x, y) => ((x >> 3) + (y >> 3)) % 2 ? [235, 230, 220] : [30, 40, 35],
+};
+
+/** The contrast of each node's words by WCAG: between the colour that most of its pixels have and the one of those left
+ * that is farthest from it, of which there are as many as a stroke has. */
+async function contrasts(page, nodes) {
+  const picture = (await page.screenshot()).toString("base64");
+  return page.evaluate(async ([picture, nodes, sharpness]) => {
+    const bytes = Uint8Array.from(atob(picture), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext("2d", { willReadFrequently: true });
+    context.drawImage(image, 0, 0);
+    const linear = (v) => (v / 255 <= 0.04045 ? v / 255 / 12.92 : ((v / 255 + 0.055) / 1.055) ** 2.4);
+    const luminance = (r, g, b) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+    return nodes.map(({ rect }) => {
+      const [left, top, right, bottom] = rect.map((v) => Math.round(v * sharpness));
+      const [width, height] = [right - left, bottom - top];
+      const { data } = context.getImageData(left, top, width, height);
+      const counts = new Map();
+      for (let i = 0; i < data.length; i += 4) {
+        const colour = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2];
+        counts.set(colour, (counts.get(colour) ?? 0) + 1);
+      }
+      const parts = (colour) => [colour >> 16, (colour >> 8) & 255, colour & 255];
+      const ordered = [...counts].sort((a, b) => b[1] - a[1]);
+      const behind = luminance(...parts(ordered[0][0]));
+      // Colours by their contrast, the strongest first, until they make up a stroke.
+      const ratio = (l) => (Math.max(l, behind) + 0.05) / (Math.min(l, behind) + 0.05);
+      const strong = ordered.map(([colour, count]) => [ratio(luminance(...parts(colour))), count]).sort((a, b) => b[0] - a[0]);
+      let sum = 0;
+      for (const [value, count] of strong) {
+        sum += count;
+        if (sum >= 12) return value;
+      }
+      return 1;
+    });
+  }, [picture, nodes, screen.sharpness]);
+}
+
+export async function run(page, tools) {
+  await tools.waitReady();
+  await tools.waitFor((s) => s.run_steps > 100, "the demo", 150_000);
+  if ((await tools.state()).playing) await page.keyboard.press("Space");
+  let checked = 0;
+  const low = [];
+  const judge = async (where) => {
+    await page.mouse.move(3, 890);
+    await tools.waitFor((s) => s.toasts.length === 0, "the notices to go", 30_000).catch(() => {});
+    await page.waitForTimeout(700);
+    const worded = ["Label", "Button", "Tab", "Link", "CheckBox", "RadioButton", "TextRun"];
+    const nodes = (await tools.a11y()).filter(({ role, label, value, disabled, rect: [left, top, right, bottom] }) => worded.includes(role)
+      && !disabled && /[\p{L}\p{N}]{2}/u.test(label ?? value ?? "") && left >= 0 && top >= 0 && right <= 1440 && bottom <= 900 && right - left > 8 && bottom - top > 8);
+    const values = await contrasts(page, nodes);
+    checked += nodes.length;
+    nodes.forEach(({ role, label, value }, i) => {
+      if (values[i] < least) low.push(`${where}: ${role} "${label ?? value}" ${values[i].toFixed(2)}`);
+    });
+    await tools.screenshot(`contrast-${where.replaceAll(" ", "-")}`);
+  };
+  const everywhere = async (where) => {
+    for (const theme of ["dark", "light"]) {
+      if ((await tools.state()).dark !== (theme === "dark")) {
+        await page.keyboard.press("d");
+        await tools.waitFor((s) => s.dark === (theme === "dark"), `the ${theme} theme`);
+      }
+      await judge(`${where} ${theme}`);
+    }
+  };
+  await everywhere("replay");
+  await page.keyboard.press("Shift+P");
+  await tools.waitFor((s) => s.workspace === "Plan" && s.plan.prediction?.fine, "the plan", 90_000);
+  await everywhere("plan");
+  for (const [kind, pixel] of Object.entries(maps)) {
+    const map = geotiff({ width: 700, height: 500, gsd: 0.5, east: 570_000, north: 5_190_000, pixel });
+    await page.setInputFiles("#files", [{ name: `${kind}.tif`, mimeType: "image/tiff", buffer: Buffer.from(map) }]);
+    await tools.waitFor((s) => s.map.name === `${kind}.tif` && s.map.tiles > 0, `the ${kind} map`, 60_000);
+    await page.keyboard.press("n");
+    await page.keyboard.press("Enter");
+    await page.keyboard.press("Enter");
+    await everywhere(kind);
+  }
+  tools.say(`${checked} words measured, ${low.length} below ${least}`);
+  for (const line of low.slice(0, 40)) tools.say(line);
+  tools.check(low.length === 0, `${low.length} of ${checked} below ${least}`);
+}
