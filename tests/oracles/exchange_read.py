@@ -1,13 +1,15 @@
 """Routes and landmarks as other people's readers find them in our files.
 
-Question: {"waypoints": text, "kml": text, "gpx": text}. Answer: "waypoints", as pymavlink's mission
-reader has them: [[sequence, current, frame, command, p1 ... p7, autocontinue], ...]; "kml", the
+Question: {"waypoints": text, "rally": text, "kml": text, "gpx": text}. Answer: "waypoints" and "rally", as
+pymavlink's readers of missions and of rally points have them: [[sequence, current, frame, command, p1 ... p7,
+autocontinue], ...]; "kml", the
 placemarks of fastkml, once they pass the schema of KML 2.2: [{"name", "type", "coordinates"}, ...];
 "gpx", as gpxpy has it: {"routes": [{"name", "points": [[latitude, longitude, elevation], ...]}],
 "waypoints": [[name, latitude, longitude], ...]}.
 """
 
 import json
+import os
 import sys
 import tempfile
 
@@ -16,14 +18,16 @@ import gpxpy
 import lxml.etree
 from fastkml.utils import find_all
 from fastkml.validator import validate
-from pymavlink import mavwp
+
+# Rally points have messages of their own since MAVLink 2.
+os.environ["MAVLINK20"] = "1"
+from pymavlink import mavwp  # noqa: E402
 
 
-def waypoints(text):
+def waypoints(text, loader):
     with tempfile.NamedTemporaryFile("w", suffix=".waypoints") as file:
         file.write(text)
         file.flush()
-        loader = mavwp.MAVWPLoader()
         loader.load(file.name)
     items = [loader.wp(i) for i in range(loader.count())]
     return [
@@ -70,7 +74,8 @@ def gpx(text):
 question = json.load(sys.stdin)
 json.dump(
     {
-        "waypoints": waypoints(question["waypoints"]),
+        "waypoints": waypoints(question["waypoints"], mavwp.MAVWPLoader()),
+        "rally": waypoints(question["rally"], mavwp.MissionItemProtocol_Rally()),
         "kml": placemarks(question["kml"]),
         "gpx": gpx(question["gpx"]),
     },

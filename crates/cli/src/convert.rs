@@ -91,6 +91,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             routes: &imported.routes,
             landmarks: &imported.landmarks,
             no_fly: &imported.no_fly,
+            rally: Some(&imported.rally),
         };
         write_places(format, &places, &imported.frame)?
     };

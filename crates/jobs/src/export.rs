@@ -17,12 +17,14 @@ impl ExportOrder {
                 routes,
                 landmarks,
                 no_fly,
+                rally,
                 origin,
             } => {
                 let places = Places {
                     routes,
                     landmarks,
                     no_fly,
+                    rally: Some(rally),
                 };
                 write_places(*format, &places, &LocalFrame::new(*origin))
                     .map_err(|cause| cause.to_string())

@@ -122,6 +122,7 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
             .iter()
             .flat_map(|z| z.corners.iter().copied()),
     );
+    let places = places.chain(imported.rally.iter().map(|r| r.position));
     let nearest = places
         .map(|p| p.distance(&origin))
         .fold(f64::INFINITY, f64::min);
@@ -138,6 +139,7 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
         routes: imported.routes,
         landmarks: imported.landmarks,
         no_fly: imported.no_fly,
+        rally: imported.rally,
         notes: imported.notes,
     })
 }

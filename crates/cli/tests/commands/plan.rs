@@ -85,6 +85,7 @@ pub fn mission() -> Mission {
             ..Route::default()
         }],
         no_fly: Vec::new(),
+        rally: Vec::new(),
         labels: Vec::new(),
         camera: Some(CameraModel::pinhole(320, 240, 0.8)),
         camera_to_log: None,

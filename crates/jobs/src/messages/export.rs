@@ -4,7 +4,7 @@ use pilotage_core::exchange::labels::LabelFormat;
 use pilotage_core::exchange::{FlownTrack, Format};
 use pilotage_core::frames::Geodetic;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{FrameLabels, NoFlyZone, Route};
+use pilotage_core::mission::{FrameLabels, NoFlyZone, RallyPoint, Route};
 use serde::{Deserialize, Serialize};
 
 /// Content of the file, and its format.
@@ -20,6 +20,8 @@ pub enum ExportOrder {
         landmarks: Vec<Landmark>,
         /// Areas that must not be flown over.
         no_fly: Vec<NoFlyZone>,
+        /// Places to land at when the aircraft cannot go on.
+        rally: Vec<RallyPoint>,
         /// Origin of the world in which they lie.
         origin: Geodetic,
     },

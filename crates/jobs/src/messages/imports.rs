@@ -1,7 +1,7 @@
 //! Routes, landmarks and areas out of files of other programs.
 
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{NoFlyZone, Route};
+use pilotage_core::mission::{NoFlyZone, RallyPoint, Route};
 use serde::{Deserialize, Serialize};
 
 /// Content of a file of another program, placed in the mission's world.
@@ -17,6 +17,8 @@ pub struct ImportedFile {
     pub landmarks: Vec<Landmark>,
     /// Areas that it says must not be flown over: its own, and exclusion fences.
     pub no_fly: Vec<NoFlyZone>,
+    /// Places to land at when the aircraft cannot go on.
+    pub rally: Vec<RallyPoint>,
     /// Assumptions, and things kept aside or left out, in sentences.
     pub notes: Vec<String>,
 }

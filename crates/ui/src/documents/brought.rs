@@ -1,7 +1,7 @@
 //! Additions to the mission out of files.
 
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{NoFlyZone, Route};
+use pilotage_core::mission::{NoFlyZone, RallyPoint, Route};
 
 use pilotage_jobs::ImportedFile;
 
@@ -14,6 +14,8 @@ pub struct Brought {
     pub landmarks: Vec<Landmark>,
     /// Areas that must not be flown over.
     pub no_fly: Vec<NoFlyZone>,
+    /// Places to land at when the aircraft cannot go on.
+    pub rally: Vec<RallyPoint>,
 }
 
 impl From<ImportedFile> for Brought {
@@ -22,6 +24,7 @@ impl From<ImportedFile> for Brought {
             routes: file.routes,
             landmarks: file.landmarks,
             no_fly: file.no_fly,
+            rally: file.rally,
         }
     }
 }

@@ -3,7 +3,7 @@
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::mission::Mission;
 
-/// Ground around the routes and landmarks of a mission; `None` without any.
+/// Ground around the routes, landmarks and rally points of a mission; `None` without any.
 pub fn planned_ground(mission: &Mission) -> Option<GroundRect> {
     let routes = mission.routes.iter().flat_map(|r| &r.way_points);
     let places = routes.map(|w| w.position);
@@ -15,5 +15,6 @@ pub fn planned_ground(mission: &Mission) -> Option<GroundRect> {
             GroundPoint::new(b.south, b.east),
         ]
     });
-    GroundRect::around(places.chain(corners))
+    let rally = mission.rally.iter().map(|point| point.position);
+    GroundRect::around(places.chain(corners).chain(rally))
 }

@@ -280,6 +280,7 @@ impl Documents {
                     routes: own.routes,
                     landmarks: own.landmarks,
                     no_fly: own.no_fly,
+                    rally: own.rally,
                 }]);
             }
         }

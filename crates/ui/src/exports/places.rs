@@ -26,6 +26,7 @@ pub(super) fn route_file(
     let order = ExportOrder::Places {
         format,
         no_fly: mission.no_fly.clone(),
+        rally: mission.rally.clone(),
         routes: vec![route.clone()],
         landmarks: Vec::new(),
         origin: mission.origin,
@@ -53,6 +54,7 @@ pub(super) fn landmarks_file(
     let order = ExportOrder::Places {
         format,
         no_fly: Vec::new(),
+        rally: Vec::new(),
         routes: Vec::new(),
         landmarks: mission.landmarks.clone(),
         origin: mission.origin,

@@ -29,10 +29,12 @@ impl Planner {
         let routes: usize = files.iter().map(|f| f.routes.len()).sum();
         let landmarks: usize = files.iter().map(|f| f.landmarks.len()).sum();
         let no_fly: usize = files.iter().map(|f| f.no_fly.len()).sum();
+        let rally: usize = files.iter().map(|f| f.rally.len()).sum();
         let what: Vec<String> = counted(routes, "route")
             .into_iter()
             .chain(counted(landmarks, "landmark"))
             .chain(counted(no_fly, "no-fly area"))
+            .chain(counted(rally, "rally point"))
             .collect();
         let names: Vec<String> = files
             .iter()

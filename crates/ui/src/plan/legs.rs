@@ -49,6 +49,7 @@ fn circles(at: &WayPoint, cruise: f64) -> f64 {
             let way = std::f64::consts::TAU * radius.abs() * turns.max(0.0);
             way / at.speed.unwrap_or(cruise).max(1.0)
         }
+        WayPointAction::Wait { seconds, .. } => seconds.unwrap_or(0.0).max(0.0),
         _ => 0.0,
     }
 }
@@ -117,6 +118,19 @@ mod tests {
             (time - 30.0 - 10.0 * std::f64::consts::PI).abs() < 1e-9,
             "{time}"
         );
+    }
+
+    #[test]
+    fn waiting_at_the_end_of_a_leg_takes_its_time() {
+        let mut route = east();
+        let wait = |seconds| WayPointAction::Wait {
+            radius: 80.0,
+            seconds,
+        };
+        route.way_points[1].action = wait(Some(45.0));
+        assert_eq!(legs(&route, 20.0, &Wind::default())[0].time, Some(75.0));
+        route.way_points[1].action = wait(None);
+        assert_eq!(legs(&route, 20.0, &Wind::default())[0].time, Some(30.0));
     }
 
     #[test]

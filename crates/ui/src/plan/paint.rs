@@ -154,7 +154,9 @@ fn paint_selected(
         let selected = planner.way_point == Some(index);
         let hovered = tool.hovered == Some(Hit::WayPoint(index));
         paint_way_point(painter, *at, index + 1, selected, hovered, tokens);
-        if let WayPointAction::Loiter { radius, .. } = way_point.action {
+        if let WayPointAction::Loiter { radius, .. } | WayPointAction::Wait { radius, .. } =
+            way_point.action
+        {
             let stroke = Stroke::new(1.5, tokens.accent);
             painter.circle_stroke(*at, view.points(radius.abs()), stroke);
         }

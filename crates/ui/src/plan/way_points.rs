@@ -182,9 +182,30 @@ fn energy_words(sums: &Sums<'_>, index: usize) -> Option<String> {
 pub fn action_words(action: &WayPointAction) -> Option<String> {
     match action {
         WayPointAction::FlyBy => None,
-        WayPointAction::Loiter { turns, .. } => Some(format!("{turns:.0} circles")),
+        WayPointAction::Loiter { turns, .. } => Some(circles_words(*turns)),
+        WayPointAction::Wait {
+            seconds: Some(seconds),
+            ..
+        } => Some(format!("waits {}", wait_words(*seconds))),
+        WayPointAction::Wait { seconds: None, .. } => Some("waits".to_owned()),
         WayPointAction::TakeOff => Some("take-off".to_owned()),
         WayPointAction::Land => Some("landing".to_owned()),
+    }
+}
+
+/// Number of circles in words.
+fn circles_words(turns: f64) -> String {
+    let number = (turns * 10.0).round() / 10.0;
+    let unit = if number == 1.0 { "circle" } else { "circles" };
+    format!("{number} {unit}")
+}
+
+/// Time of waiting: seconds, or minutes and seconds.
+fn wait_words(seconds: f64) -> String {
+    if seconds < 120.0 {
+        format!("{seconds:.0} s")
+    } else {
+        format!("{} min", time_text(Some(seconds)))
     }
 }
 

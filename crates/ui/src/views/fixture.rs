@@ -165,6 +165,7 @@ impl Fixture {
             landmarks: landmarks(),
             routes: Vec::new(),
             no_fly: Vec::new(),
+            rally: Vec::new(),
             labels: Vec::new(),
             camera: None,
             camera_to_log: None,

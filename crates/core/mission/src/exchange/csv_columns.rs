@@ -16,6 +16,7 @@ pub(super) enum CsvRole {
     Action,
     Radius,
     Turns,
+    Seconds,
     Route,
     Id,
     Name,
@@ -28,7 +29,7 @@ pub(super) enum CsvRole {
 }
 
 /// Roles by what their columns are called, units and brackets aside; ours come first.
-const NAMES: [(CsvRole, &[&str]); 19] = [
+const NAMES: [(CsvRole, &[&str]); 20] = [
     (CsvRole::Latitude, &["latitude", "lat", "gps latitude"]),
     (
         CsvRole::Longitude,
@@ -79,6 +80,10 @@ const NAMES: [(CsvRole, &[&str]); 19] = [
     (CsvRole::Action, &["action"]),
     (CsvRole::Radius, &["radius", "loiter radius"]),
     (CsvRole::Turns, &["turns", "loiter turns"]),
+    (
+        CsvRole::Seconds,
+        &["seconds", "loiter time", "hold time", "wait"],
+    ),
     (CsvRole::Route, &["route"]),
     (CsvRole::Id, &["id"]),
     (CsvRole::Name, &["name", "title", "label"]),

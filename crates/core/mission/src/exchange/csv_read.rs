@@ -8,9 +8,10 @@ use super::ExchangeError;
 use super::angle;
 use super::csv_columns::{CsvColumn, CsvRole, Unit, columns};
 use super::found::{GeodeticContent, POINT_BOX};
+use super::litchi_actions::litchi_stay;
 use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
-use crate::mission::way_point_file::{action_of_word, frame_of_word};
-use crate::mission::{USUAL_ALTITUDE, WayPoint};
+use crate::mission::way_point_file::{ACTION_WORDS, StatedCircles, action_of_word, frame_of_word};
+use crate::mission::{USUAL_ALTITUDE, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Reads a table with a header line.
@@ -255,14 +256,25 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
         way_point.speed = row.number(CsvRole::Speed)?.filter(|speed| *speed > 0.0);
         if let Some((column, word)) = row.cell(CsvRole::Action) {
             let plain = word.to_lowercase().replace([' ', '-'], "_");
-            let radius = row.number(CsvRole::Radius)?.unwrap_or(0.0);
-            let turns = row.number(CsvRole::Turns)?.unwrap_or(1.0);
-            way_point.action = action_of_word(&plain, radius, turns).ok_or_else(|| {
-                let cause = format!("`{word}` is none of fly_by, loiter, take_off and land");
+            let circles = StatedCircles {
+                radius: row.number(CsvRole::Radius)?,
+                turns: row.number(CsvRole::Turns)?,
+                seconds: row.number(CsvRole::Seconds)?,
+            };
+            way_point.action = action_of_word(&plain, &circles).ok_or_else(|| {
+                let cause = format!("`{word}` is none of {ACTION_WORDS}");
                 row.error(&column.name, &cause)
             })?;
         }
         way_point.properties = row.properties();
+        if !table.has(CsvRole::Action)
+            && let Some(seconds) = litchi_stay(&way_point.properties)
+        {
+            way_point.action = WayPointAction::Wait {
+                radius: 0.0,
+                seconds: Some(seconds),
+            };
+        }
         for (role, key) in [(CsvRole::Name, "name"), (CsvRole::Id, "id")] {
             if let Some(text) = row.text(role) {
                 let text = Value::from(text).to_string();

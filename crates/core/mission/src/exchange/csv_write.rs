@@ -7,9 +7,9 @@ use serde_json::Value;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::written::WrittenFile;
-use super::{ExchangeError, csv_read, fence, flown_text};
-use crate::mission::way_point_file::{action_word, frame_word};
-use crate::mission::{FEATURE_MEMBER, Route, WayPoint, WayPointAction, degrees, globe};
+use super::{ExchangeError, csv_read, fence, flown_text, rally};
+use crate::mission::way_point_file::{StatedCircles, action_word, frame_word};
+use crate::mission::{FEATURE_MEMBER, Route, WayPoint, degrees, globe};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_base::text::in_quotes;
 use pilotage_vision::landmark::Landmark;
@@ -40,8 +40,14 @@ pub(super) const WORK: FormatWork = FormatWork {
                 });
             }
         };
-        let notes = fence::left_out(&[], places.no_fly, frame);
-        Ok(WrittenFile::of_text((text, notes.into_iter().collect())))
+        let mut notes: Vec<String> = fence::left_out(&[], places.no_fly, frame)
+            .into_iter()
+            .chain(rally::left_out(places))
+            .collect();
+        if places.routes.iter().any(|route| route.returns) {
+            notes.push("the return at the end is left out: rows are way-points".to_owned());
+        }
+        Ok(WrittenFile::of_text((text, notes)))
     },
     track: Some(TrackWork {
         write: |track| Ok(flown_text::csv(track).into_bytes()),
@@ -66,14 +72,18 @@ pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {
         "action",
         "radius_m",
         "turns",
+        "seconds",
     ]);
     table.row_of(&others);
     for (route, way_point) in rows {
         let (latitude, longitude) = place(frame, &way_point.position);
-        let (radius, turns) = match way_point.action {
-            WayPointAction::Loiter { radius, turns } => (radius.to_string(), turns.to_string()),
-            _ => (String::new(), String::new()),
-        };
+        let StatedCircles {
+            radius,
+            turns,
+            seconds,
+        } = StatedCircles::of(&way_point.action);
+        let [radius, turns, seconds] =
+            [radius, turns, seconds].map(|n| n.map_or_else(String::new, |n| n.to_string()));
         table.row(&[
             &route.name,
             &latitude,
@@ -84,6 +94,7 @@ pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {
             action_word(&way_point.action),
             &radius,
             &turns,
+            &seconds,
         ]);
         table.row_of(&cells(&others, &way_point.properties));
     }

@@ -6,9 +6,11 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use crate::mission::found::{FoundLandmark, FoundNoFly, LonLat, ReadRoute};
+use crate::mission::found::{FoundLandmark, FoundNoFly, FoundRally, LonLat, ReadRoute};
 use crate::mission::text::Text;
-use crate::mission::{NoFlyZone, Route, no_fly_feature, read_features, write_features};
+use crate::mission::{
+    NoFlyZone, RallyPoint, Route, no_fly_feature, rally_feature, read_features, write_features,
+};
 use pilotage_base::frames::LocalFrame;
 use pilotage_vision::landmark::Landmark;
 
@@ -28,9 +30,7 @@ pub(super) fn of_route(route: &Route, frame: &LocalFrame) -> Embedded {
 /// Properties to embed for a route where plain text has no place of its own.
 pub(super) fn of_route_whole(route: &Route, frame: &LocalFrame) -> String {
     let features = write_features(std::slice::from_ref(route), &[], frame);
-    let feature = features.first().map_or("{}", String::as_str);
-    let feature: Value = serde_json::from_str(feature).unwrap_or_default();
-    feature["properties"].to_string()
+    whole(features.first().map_or("{}", String::as_str))
 }
 
 /// Embeds a landmark.
@@ -41,6 +41,21 @@ pub(super) fn of_landmark(landmark: &Landmark, frame: &LocalFrame) -> Embedded {
 /// The area that must not be flown over, to be embedded.
 pub(super) fn of_no_fly(zone: &NoFlyZone, frame: &LocalFrame) -> Embedded {
     split(&[no_fly_feature(zone, frame)])
+}
+
+/// The rally point, to be embedded.
+pub(super) fn of_rally(point: &RallyPoint, frame: &LocalFrame) -> Embedded {
+    split(&[rally_feature(point, frame)])
+}
+
+/// Properties to embed for a rally point where plain text has no place of its own.
+pub(super) fn of_rally_whole(point: &RallyPoint, frame: &LocalFrame) -> String {
+    whole(&rally_feature(point, frame))
+}
+
+fn whole(feature: &str) -> String {
+    let feature: Value = serde_json::from_str(feature).unwrap_or_default();
+    feature["properties"].to_string()
 }
 
 fn split(features: &[String]) -> Embedded {
@@ -56,7 +71,7 @@ fn split(features: &[String]) -> Embedded {
         match value {
             // The name stands in the format itself.
             _ if name == "name" => {}
-            Value::String(text) if name != "pilotage" => {
+            Value::String(text) if !["pilotage", "altitude_frame"].contains(&name.as_str()) => {
                 texts.insert(name, text);
             }
             value => {
@@ -96,7 +111,7 @@ pub(super) fn read(
         .collect();
     let geometry = match (is_route, places) {
         (true, []) => Value::Null,
-        (true, [(longitude, latitude)]) => {
+        (_, [(longitude, latitude)]) => {
             json!({ "type": "Point", "coordinates": [longitude, latitude] })
         }
         (true, _) => json!({ "type": "LineString", "coordinates": positions }),
@@ -109,8 +124,10 @@ pub(super) fn read(
     let (mut features, _) = read_features(&Text(&content)).ok()?;
     let route = features.routes.pop().map(EmbeddedItem::Route);
     let no_fly = features.no_fly.pop().map(EmbeddedItem::NoFly);
+    let rally = features.rally.pop().map(EmbeddedItem::Rally);
     let item = route
         .or(no_fly)
+        .or(rally)
         .or_else(|| features.landmarks.pop().map(EmbeddedItem::Landmark))?;
     Some((item, is_changed))
 }
@@ -123,4 +140,6 @@ pub(super) enum EmbeddedItem {
     Landmark(FoundLandmark),
     /// An area that must not be flown over.
     NoFly(FoundNoFly),
+    /// A rally point.
+    Rally(FoundRally),
 }

@@ -7,6 +7,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::item::MissionItem;
+use super::rally::RALLY_POINT;
 use crate::mission::NoFlyZone;
 use crate::mission::found::{FoundNoFly, LonLat, on_globe};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
@@ -16,7 +17,6 @@ const VERTEX_INSIDE: u16 = 5001;
 const VERTEX_OUTSIDE: u16 = 5002;
 const CIRCLE_INSIDE: u16 = 5003;
 const CIRCLE_OUTSIDE: u16 = 5004;
-const RALLY_POINT: u16 = 5100;
 /// Corners that are this near each other are the same, degrees.
 const SAME_DEGREES: f64 = 1e-7;
 /// Corners of the polygon around a circle.
@@ -59,7 +59,6 @@ pub(super) fn of_items(items: &[&MissionItem]) -> Fences {
             CIRCLE_INSIDE | CIRCLE_OUTSIDE => {
                 fences.circle(place, first, item.command == CIRCLE_INSIDE);
             }
-            RALLY_POINT => fences.rally_points += 1,
             _ => {}
         }
     }
@@ -176,7 +175,6 @@ pub(super) fn with_areas(kept: &str, areas: &[NoFlyZone], frame: &LocalFrame) ->
 struct Gathered {
     no_fly: Vec<FoundNoFly>,
     inside: usize,
-    rally_points: usize,
     broken: usize,
 }
 
@@ -229,10 +227,6 @@ impl Gathered {
         tell(
             self.inside,
             "fence that keeps aircraft in: it is kept, and is no no-fly area",
-        );
-        tell(
-            self.rally_points,
-            "rally point, which is kept and not shown",
         );
         tell(
             self.broken,

@@ -14,8 +14,8 @@ use crate::mission::found::{
 };
 use crate::mission::text::Text;
 use crate::mission::{
-    FEATURE_MEMBER, NO_FLY_MARK, USUAL_ALTITUDE, WayPoint, no_fly_feature, read_features,
-    write_features,
+    FEATURE_MEMBER, NO_FLY_MARK, USUAL_ALTITUDE, WayPoint, no_fly_feature, rally_feature,
+    read_features, write_features,
 };
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 
@@ -66,6 +66,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         routes: features.routes,
         landmarks: features.landmarks,
         no_fly: features.no_fly,
+        rally: features.rally,
         notes: system_note.into_iter().collect(),
         origin: features.origin,
     };
@@ -331,10 +332,12 @@ fn properties(feature: &Value) -> BTreeMap<String, String> {
         .collect()
 }
 
-/// Routes, landmarks and no-fly areas as a collection of features.
+/// Routes, landmarks, no-fly areas and rally points as a collection of features.
 pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>) {
     let mut features = write_features(places.routes, places.landmarks, frame);
     features.extend(places.no_fly.iter().map(|zone| no_fly_feature(zone, frame)));
+    let rally = places.rally.unwrap_or_default().iter();
+    features.extend(rally.map(|point| rally_feature(point, frame)));
     let text = format!(
         "{{\n  \"type\": \"FeatureCollection\",\n  \"features\": [\n    {}\n  ]\n}}\n",
         features.join(",\n    ")

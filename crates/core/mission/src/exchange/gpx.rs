@@ -10,11 +10,12 @@ use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
 use super::xml::{NamedText, XmlElement, escape};
-use super::{ExchangeError, fence, flown_text};
-use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
-use crate::mission::{Route, USUAL_ALTITUDE, WayPoint, degrees, globe};
+use super::{ExchangeError, Places, fence, flown_text, route_actions};
+use crate::mission::found::{
+    FoundLandmark, FoundRally, LandmarkExtent, LonLat, ReadRoute, on_globe,
+};
+use crate::mission::{USUAL_ALTITUDE, WayPoint, degrees, globe};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use pilotage_vision::landmark::Landmark;
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
@@ -31,7 +32,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 pub(super) const WORK: FormatWork = FormatWork {
     read: Read::Text(read),
     write: |places, frame| {
-        let (text, mut notes) = write(places.routes, places.landmarks, frame);
+        let (text, mut notes) = write(places, frame);
         notes.extend(fence::left_out(&[], places.no_fly, frame));
         Ok(WrittenFile::of_text((text, notes)))
     },
@@ -65,6 +66,10 @@ pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeEr
     }
     let mut points = 0;
     for point in root.all("wpt") {
+        if let Some(rally) = rally(&source, point)? {
+            found.rally.push(rally);
+            continue;
+        }
         points += 1;
         let mut landmark = FoundLandmark::new(LandmarkExtent::Point(place(&source, point)?));
         landmark.name = point.child_text("name").map(str::to_owned);
@@ -82,6 +87,19 @@ pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeEr
         ));
     }
     Ok(found)
+}
+
+/// The rally point that a way-point says it is; its altitude is embedded.
+fn rally(source: &NamedText, point: &XmlElement) -> Result<Option<FoundRally>, ExchangeError> {
+    let own = point.child("extensions").and_then(|e| e.child_text(OWN));
+    let Some(own) = own else { return Ok(None) };
+    let Some((EmbeddedItem::Rally(mut rally), _)) =
+        embedded::read(own, &[place(source, point)?], &[])
+    else {
+        return Ok(None);
+    };
+    rally.name = point.child_text("name").map(str::to_owned);
+    Ok(Some(rally))
 }
 
 /// Adds the line of `points` in `holder`; says whether an elevation had to be assumed.
@@ -152,12 +170,14 @@ fn place(source: &NamedText, point: &XmlElement) -> Result<LonLat, ExchangeError
     }
 }
 
-/// Routes as routes, landmarks as way-points.
-pub(super) fn write(
-    routes: &[Route],
-    landmarks: &[Landmark],
-    frame: &LocalFrame,
-) -> (String, Vec<String>) {
+/// Routes as routes, landmarks and rally points as way-points.
+pub(super) fn write(places: &Places<'_>, frame: &LocalFrame) -> (String, Vec<String>) {
+    let Places {
+        routes,
+        landmarks,
+        rally,
+        ..
+    } = *places;
     let mut text = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx version=\"1.1\" creator=\"Pilotage\" \
          xmlns=\"http://www.topografix.com/GPX/1/1\" xmlns:pilotage=\"urn:pilotage:1\">\n",
@@ -176,6 +196,17 @@ pub(super) fn write(
             "<wpt {}><name>{}</name></wpt>",
             point(&landmark.reference),
             escape(&landmark.name)
+        );
+    }
+    for rally in rally.unwrap_or_default() {
+        let own = embedded::of_rally_whole(rally, frame);
+        let _ = writeln!(
+            text,
+            "<wpt {}><name>{}</name><type>rally</type>\n  <extensions><pilotage:{OWN}>{}</pilotage:{OWN}>\
+             </extensions></wpt>",
+            point(&rally.position),
+            escape(&rally.name),
+            escape(&own)
         );
     }
     let mut has_hidden = false;
@@ -205,7 +236,7 @@ pub(super) fn write(
         text.push_str("</rte>\n");
     }
     text.push_str("</gpx>\n");
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = route_actions::unseen(routes).into_iter().collect();
     if has_hidden {
         notes.push(
             "GPX has elevations above mean sea level only: other programs do not see the others"

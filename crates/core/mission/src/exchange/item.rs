@@ -9,9 +9,9 @@ use crate::mission::WayPointAction;
 use pilotage_base::frames::{Altitude, AltitudeFrame};
 
 pub(super) const WAY_POINT: u16 = 16;
-const LOITER_UNLIMITED: u16 = 17;
+pub(super) const LOITER_UNLIMITED: u16 = 17;
 pub(super) const LOITER_TURNS: u16 = 18;
-const LOITER_TIME: u16 = 19;
+pub(super) const LOITER_TIME: u16 = 19;
 pub(super) const RETURN_TO_LAUNCH: u16 = 20;
 pub(super) const LAND: u16 = 21;
 pub(super) const TAKE_OFF: u16 = 22;
@@ -126,9 +126,22 @@ impl MissionItem {
     /// Action at the place of the command; `None` if it leads to no place.
     pub(super) fn action(&self) -> Option<WayPointAction> {
         Some(match self.command {
-            WAY_POINT | LOITER_UNLIMITED | LOITER_TIME | LOITER_TO_ALTITUDE | SPLINE_WAY_POINT => {
-                WayPointAction::FlyBy
+            // A way-point at which rotorcraft stay for a time.
+            WAY_POINT if self.parameters[0].is_some_and(|seconds| seconds > 0.0) => {
+                WayPointAction::Wait {
+                    radius: 0.0,
+                    seconds: self.parameters[0],
+                }
             }
+            WAY_POINT | LOITER_TO_ALTITUDE | SPLINE_WAY_POINT => WayPointAction::FlyBy,
+            LOITER_UNLIMITED => WayPointAction::Wait {
+                radius: self.parameters[2].unwrap_or(0.0),
+                seconds: None,
+            },
+            LOITER_TIME => WayPointAction::Wait {
+                radius: self.parameters[2].unwrap_or(0.0),
+                seconds: Some(self.parameters[0].unwrap_or(0.0)),
+            },
             LOITER_TURNS => WayPointAction::Loiter {
                 turns: self.parameters[0].unwrap_or(1.0),
                 radius: self.parameters[2].unwrap_or(0.0),
@@ -150,6 +163,24 @@ pub(super) fn command_of(action: &WayPointAction) -> (u16, [Option<f64>; 4]) {
         }
         WayPointAction::TakeOff => (TAKE_OFF, plain),
         WayPointAction::Land => (LAND, plain),
+        WayPointAction::Wait {
+            radius,
+            seconds: Some(seconds),
+        } => (LOITER_TIME, [Some(seconds), Some(0.0), Some(radius), None]),
+        WayPointAction::Wait {
+            radius,
+            seconds: None,
+        } => (LOITER_UNLIMITED, [Some(0.0), Some(0.0), Some(radius), None]),
+    }
+}
+
+/// The return to launch.
+pub(super) fn return_to_launch() -> MissionItem {
+    MissionItem {
+        command: RETURN_TO_LAUNCH,
+        frame: 2,
+        parameters: [Some(0.0); 7],
+        is_continued: true,
     }
 }
 

@@ -16,7 +16,7 @@ use super::item::{
 };
 use super::speed_command::is_usual_speed;
 use crate::mission::found::{LonLat, ReadRoute, on_globe};
-use crate::mission::{WayPoint, WayPointAction};
+use crate::mission::{HOME, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, GroundPoint};
 
 /// Property of a way-point with the commands that follow it, and of a route with those before its
@@ -27,8 +27,8 @@ pub(super) const FIRST: &str = "mavlink_first";
 pub(super) const OWN: &str = "mavlink";
 /// Property of a way-point: the speed of its leg is over ground.
 pub(super) const GROUND_SPEED: &str = "mavlink_ground_speed";
-/// Property of a route: latitude, longitude and height of its home.
-pub(super) const HOME: &str = "home";
+/// Property of a route: the return to launch at its end, as the file had it.
+pub(super) const RETURN: &str = "mavlink_return";
 /// Placeholder among kept commands for the change of speed in files of earlier versions; now its own command
 /// stands there, in an object of one member of that name.
 pub(super) const SPEED_PLACE: &str = "\"speed\"";
@@ -69,6 +69,7 @@ pub(super) struct CommandRemainder {
 /// Command that follows a way-point and is none.
 enum Between {
     Kept(String),
+    Return(String),
     Speed(MissionItem, String),
 }
 
@@ -165,7 +166,10 @@ impl ItemReader {
             match item.command {
                 // Of an item that stands for several commands the way-points are shown.
                 _ if self.is_inside => {}
-                RETURN_TO_LAUNCH => self.returns += 1,
+                RETURN_TO_LAUNCH => {
+                    self.between.push(Between::Return(text));
+                    return;
+                }
                 // Fences and rally points have notes of their own.
                 command if is_fence(command) => {}
                 _ if is_take_off(&item) && states_no_place(&item) => self.homeless += 1,
@@ -263,6 +267,10 @@ impl ItemReader {
                 Between::Speed(_, text) if Some(i) == speed_at => {
                     format!("{{ \"{SPEED_MEMBER}\": {text} }}")
                 }
+                Between::Return(text) => {
+                    self.returns += 1;
+                    text
+                }
                 Between::Kept(text) | Between::Speed(_, text) => text,
             });
         }
@@ -280,6 +288,15 @@ impl ItemReader {
     }
 
     fn finish(mut self, home: Option<Home>) -> (ReadRoute, Vec<String>) {
+        // Further back it may be reached by jumps alone.
+        if !self.route.way_points.is_empty()
+            && let Some(Between::Return(text)) = self
+                .between
+                .pop_if(|last| matches!(last, Between::Return(_)))
+        {
+            self.route.returns = true;
+            self.route.properties.insert(RETURN.to_owned(), text);
+        }
         self.settle(None);
         if let Some(home) = home {
             let home = Value::from(home.to_vec()).to_string();
@@ -326,7 +343,10 @@ impl ItemReader {
             "commands are shown as way-points, and written again as they were",
         );
         if self.returns > 0 {
-            notes.push("the return to launch is kept; the line of the route ends before it".into());
+            notes.push(format!(
+                "{} × return to launch before the end is kept, and not shown",
+                self.returns
+            ));
         }
         if self.at_home > 0 {
             notes.push("the take-off states no place: it is put at the home position".into());

@@ -252,6 +252,11 @@ impl KmlReader<'_> {
                 zone.properties.extend(properties);
                 self.found.no_fly.push(zone);
             }
+            EmbeddedItem::Rally(mut point) => {
+                point.name.clone_from(&said.name);
+                point.properties.extend(properties);
+                self.found.rally.push(point);
+            }
         }
         true
     }

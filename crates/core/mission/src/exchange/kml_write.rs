@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::embedded::{self, Embedded};
 use super::xml::escape;
-use super::{ExchangeError, Places};
+use super::{ExchangeError, Places, route_actions};
 use crate::mission::{degrees, globe, rings};
 use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
@@ -34,12 +34,13 @@ const ORDER: [&str; 13] = [
     "StyleMap",
 ];
 
-/// Routes as lines, landmarks and no-fly areas as polygons.
+/// Routes as lines, landmarks and no-fly areas as polygons, rally points as points.
 pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>) {
     let Places {
         routes,
         landmarks,
         no_fly,
+        rally,
     } = *places;
     let mut text = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
@@ -93,8 +94,14 @@ pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>
         let embedded = embedded::of_no_fly(zone, frame);
         placemark(&mut text, &zone.name, &embedded, &polygon(&rings, frame));
     }
+    for point in rally.unwrap_or_default() {
+        let place = position(frame, &point.position);
+        let geometry = format!("<Point><coordinates>{place}</coordinates></Point>");
+        let embedded = embedded::of_rally(point, frame);
+        placemark(&mut text, &point.name, &embedded, &geometry);
+    }
     text.push_str("</Document>\n</kml>\n");
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = route_actions::unseen(routes).into_iter().collect();
     if hidden > 0 {
         notes.push(
             "KML has no altitudes above take-off: other programs see the route on the ground"

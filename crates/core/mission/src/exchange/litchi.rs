@@ -1,15 +1,12 @@
 //! Litchi's table of way-points: 46 columns, of which those that we do not know are written as they were
 //! read, or say nothing.
 
-use std::collections::BTreeMap;
-
-use serde_json::Value;
-
 use super::csv_write::quoted;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
+use super::litchi_actions::{ACTIONS, actions, kept};
 use super::written::WrittenFile;
-use super::{ExchangeError, csv_read, fence};
+use super::{ExchangeError, csv_read, fence, rally};
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::frames::{AltitudeFrame, LocalFrame};
 
@@ -30,13 +27,12 @@ pub(super) const WORK: FormatWork = FormatWork {
     write: |places, frame| {
         let (text, mut notes) = write(&places.routes[0], frame)?;
         notes.extend(fence::left_out(&[], places.no_fly, frame));
+        notes.extend(rally::left_out(places));
         Ok(WrittenFile::of_text((text, notes)))
     },
     track: None,
 };
 
-/// Actions that a way-point may have.
-const ACTIONS: usize = 15;
 /// Columns before the actions and after them, each with what it says where nothing is known; without
 /// that it is written from the way-point.
 const BEFORE: [(&str, Option<&str>); 8] = [
@@ -76,25 +72,14 @@ pub(super) fn write(
             advice: "let the altitudes count from take-off or from the ground",
         });
     }
-    let actions: Vec<(String, &str)> = (1..=ACTIONS)
-        .flat_map(|i| {
-            [
-                (format!("actiontype{i}"), "-1"),
-                (format!("actionparam{i}"), "0"),
-            ]
-        })
+    let named = |i: usize| [format!("actiontype{i}"), format!("actionparam{i}")];
+    let of_actions: Vec<String> = (1..=ACTIONS).flat_map(named).collect();
+    let names: Vec<&str> = (BEFORE.iter().map(|(name, _)| *name))
+        .chain(of_actions.iter().map(String::as_str))
+        .chain(AFTER.iter().map(|(name, _)| *name))
         .collect();
-    let columns: Vec<(&str, Option<&str>)> = BEFORE
-        .into_iter()
-        .chain(
-            actions
-                .iter()
-                .map(|(name, usual)| (name.as_str(), Some(*usual))),
-        )
-        .chain(AFTER)
-        .collect();
-    let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
     let mut text = names.join(",") + "\n";
+    let mut without_room = 0;
     for way_point in &route.way_points {
         let (longitude, latitude) = globe::lon_lat(frame, &way_point.position);
         let cell = |(name, usual): &(&str, Option<&str>)| match (*name, usual) {
@@ -110,16 +95,44 @@ pub(super) fn write(
             // 0 is the cruise speed.
             _ => way_point.speed.unwrap_or(0.0).to_string(),
         };
-        let row: Vec<String> = columns.iter().map(|c| quoted(&cell(c))).collect();
+        let seconds = match way_point.action {
+            WayPointAction::Wait { seconds, .. } => seconds,
+            _ => None,
+        };
+        let (actions, has_room) = actions(&way_point.properties, seconds);
+        without_room += usize::from(!has_room);
+        let actions = actions.into_iter().flat_map(|(kind, of)| [kind, of]);
+        let row: Vec<String> = (BEFORE.iter().map(&cell))
+            .chain(actions)
+            .chain(AFTER.iter().map(&cell))
+            .map(|cell| quoted(&cell))
+            .collect();
         text += &(row.join(",") + "\n");
     }
     let mut notes = Vec::new();
-    let is_more = |w: &&WayPoint| w.action != WayPointAction::FlyBy;
+    let is_more = |w: &&WayPoint| {
+        let stays = matches!(
+            w.action,
+            WayPointAction::Wait {
+                seconds: Some(_),
+                ..
+            }
+        );
+        w.action != WayPointAction::FlyBy && !stays
+    };
     let more = route.way_points.iter().filter(is_more).count();
     if more > 0 {
         notes.push(format!(
             "{more} × take-off, circle or landing is written as a way-point: Litchi has none of them"
         ));
+    }
+    if without_room > 0 {
+        notes.push(format!(
+            "{without_room} × wait is left out: the way-point has {ACTIONS} other actions"
+        ));
+    }
+    if route.returns {
+        notes.push("the return at the end is left out: choose it in Litchi".to_owned());
     }
     let is_column = |name: &str| names.iter().any(|own| own.eq_ignore_ascii_case(name));
     let others = |w: &WayPoint| w.properties.keys().any(|name| !is_column(name));
@@ -127,16 +140,4 @@ pub(super) fn write(
         notes.push("properties that are none of Litchi's columns are left out".to_owned());
     }
     Ok((text, notes))
-}
-
-/// Value that a table had in the column of that name.
-fn kept(properties: &BTreeMap<String, String>, name: &str) -> Option<String> {
-    let own = properties
-        .iter()
-        .find(|(own, _)| own.eq_ignore_ascii_case(name))?;
-    match serde_json::from_str(own.1) {
-        Ok(Value::String(text)) => Some(text),
-        Ok(Value::Number(number)) => Some(number.to_string()),
-        _ => None,
-    }
 }

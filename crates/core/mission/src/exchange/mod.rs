@@ -31,12 +31,15 @@ mod kml_read;
 mod kml_write;
 pub mod labels;
 mod litchi;
+mod litchi_actions;
 mod old_mission;
 mod places;
 mod plan;
 #[cfg(test)]
 mod plan_schema;
+mod rally;
 mod read;
+mod route_actions;
 mod route_items;
 mod shadow;
 mod speed_command;

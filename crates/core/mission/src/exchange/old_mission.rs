@@ -27,7 +27,7 @@ pub(super) const WORK: FormatWork = FormatWork {
         None => plan::read(file, content),
     }),
     write: |places, frame| {
-        let text = plan::write(&places.routes[0], places.no_fly, frame);
+        let text = plan::write(&places.routes[0], places, frame);
         Ok(WrittenFile::of_text(text))
     },
     track: None,

@@ -8,16 +8,16 @@ use std::fmt::Write;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::ExchangeError;
 use super::complex;
 use super::fence;
 use super::found::GeodeticContent;
 use super::item::MissionItem;
 use super::item_route::{Home, MissionStep, route_of};
 use super::route_items::{RouteStep, home_of, members, steps_of_plan};
+use super::{ExchangeError, Places, rally};
 use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::way_point_file::kept;
-use crate::mission::{MissionError, NoFlyZone, Route, degrees};
+use crate::mission::{MissionError, Route, degrees};
 use pilotage_base::frames::{Altitude, AltitudeFrame, LocalFrame};
 
 /// Prefixes of a route's properties that are members of the plan and of its mission.
@@ -65,11 +65,12 @@ fn read_text(file: &str, text: &Text) -> Result<GeodeticContent, MissionError> {
             .map_or(stem, |(stem, _)| stem)
             .to_owned(),
     );
-    if plan
-        .get("rallyPoints")
-        .is_some_and(|piece| holds_places(piece))
-    {
-        notes.push("the rally points are kept, and not shown".to_owned());
+    let rally = plan.get("rallyPoints");
+    let (rally, broken) = rally.map_or_else(Default::default, |piece| rally::of_plan(piece.get()));
+    if broken > 0 {
+        notes.push(format!(
+            "{broken} × rally point that is no place is kept, and not shown"
+        ));
     }
     let fences = plan
         .get("geoFence")
@@ -84,6 +85,7 @@ fn read_text(file: &str, text: &Text) -> Result<GeodeticContent, MissionError> {
     Ok(GeodeticContent {
         routes: vec![route],
         no_fly: fences.no_fly,
+        rally,
         notes,
         ..GeodeticContent::default()
     })
@@ -119,19 +121,6 @@ fn expect_version(
         )),
         None => Err(text.error(text.0, format!("{path}: the version is missing"))),
     }
-}
-
-/// Whether there is any coordinate in it.
-fn holds_places(piece: &RawValue) -> bool {
-    fn has_fraction(value: &Value) -> bool {
-        match value {
-            Value::Number(number) => number.is_f64(),
-            Value::Array(list) => list.iter().any(has_fraction),
-            Value::Object(members) => members.values().any(has_fraction),
-            _ => false,
-        }
-    }
-    serde_json::from_str::<Value>(piece.get()).is_ok_and(|value| has_fraction(&value))
 }
 
 fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<MissionStep, MissionError> {
@@ -225,7 +214,7 @@ fn several(name: String, text: &str) -> MissionStep {
 /// The route as a plan, and notes on what was assumed.
 pub(super) fn write(
     route: &Route,
-    no_fly: &[NoFlyZone],
+    places: &Places<'_>,
     frame: &LocalFrame,
 ) -> (String, Vec<String>) {
     let mut notes = Vec::new();
@@ -276,7 +265,13 @@ pub(super) fn write(
         plan.entry(name).or_insert_with(|| value.to_owned());
     }
     if let Some(fences) = plan.get_mut("geoFence") {
-        *fences = fence::with_areas(fences, no_fly, frame);
+        *fences = fence::with_areas(fences, places.no_fly, frame);
+    }
+    if let (Some(points), Some(kept)) = (places.rally, plan.get_mut("rallyPoints")) {
+        let height = route.stated_home().map(|[.., height]| height);
+        let (text, note) = rally::in_plan(kept, points, height, frame);
+        *kept = text;
+        notes.extend(note);
     }
     plan.insert("fileType", "\"Plan\"".to_owned());
     plan.insert("version", "1".to_owned());
@@ -345,7 +340,7 @@ fn items(route: &Route, frame: &LocalFrame) -> String {
         });
         lines.push(match step {
             RouteStep::Kept(piece) => with_jump_id(piece.get(), id),
-            RouteStep::Speed(item, _) => item.json(id),
+            RouteStep::Speed(item, _) | RouteStep::Return(item) => item.json(id),
             RouteStep::WayPoint(item, way_point) => {
                 let mut text = item.json(id);
                 text.truncate(text.len() - " }".len());

@@ -3,7 +3,7 @@
 use super::format_work::Read;
 use super::{ExchangeError, Format};
 use crate::mission::found::{self, LonLat};
-use crate::mission::{NoFlyZone, Route};
+use crate::mission::{NoFlyZone, RallyPoint, Route};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_base::text::of_utf_16;
 use pilotage_vision::landmark::Landmark;
@@ -25,6 +25,8 @@ pub struct Imported {
     pub landmarks: Vec<Landmark>,
     /// Areas that must not be flown over: those of our own files, and fences that keep aircraft out.
     pub no_fly: Vec<NoFlyZone>,
+    /// Places to land at when the aircraft cannot go on.
+    pub rally: Vec<RallyPoint>,
     /// Notes on all that was assumed, kept aside or left out, in sentences for people.
     pub notes: Vec<String>,
 }
@@ -53,7 +55,8 @@ pub fn read_any(
         Read::Packed(unpack, read) => read(name, &text(&unpack(name, bytes)?, &mut notes))?,
         Read::Bytes(read) => read(name, bytes)?,
     };
-    if found.routes.is_empty() && found.landmarks.is_empty() && found.no_fly.is_empty() {
+    let has_areas = !found.no_fly.is_empty() || !found.rally.is_empty();
+    if found.routes.is_empty() && found.landmarks.is_empty() && !has_areas {
         let mut cause = "there is neither a route nor a landmark in it".to_owned();
         for note in &found.notes {
             cause.push_str("; ");
@@ -66,6 +69,7 @@ pub fn read_any(
     }
     let mut places = found::places(&found.landmarks, &found.routes);
     places.extend(found.no_fly.iter().flat_map(|zone| &zone.corners));
+    places.extend(found.rally.iter().map(|point| point.place));
     let origin = frame.map(|frame| frame.origin).or(found.origin);
     let origin = match (
         origin.or_else(|| found::middle_of(&places)),
@@ -84,6 +88,7 @@ pub fn read_any(
         routes: found::routes(found.routes, &frame),
         landmarks: found::landmarks(found.landmarks, &frame),
         no_fly: found::no_fly(found.no_fly, &frame),
+        rally: found::rally(found.rally, &frame),
         notes,
     })
 }

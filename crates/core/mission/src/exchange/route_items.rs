@@ -6,9 +6,9 @@ use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::complex::{self, InnerCommand};
-use super::item::{MissionItem, command_of, frame_number};
+use super::item::{MissionItem, WAY_POINT, command_of, frame_number, return_to_launch};
 use super::item_route::{
-    AT_HOME, CommandRemainder, FIRST, GROUND_SPEED, HOME, Home, MEMBER, OWN, SPEED_MEMBER,
+    AT_HOME, CommandRemainder, FIRST, GROUND_SPEED, Home, MEMBER, OWN, RETURN, SPEED_MEMBER,
     SPEED_PLACE, THEN, is_plain_speed,
 };
 use super::speed_command::change_of_speed;
@@ -26,6 +26,8 @@ pub(super) enum RouteStep<'a> {
     Speed(MissionItem, Option<usize>),
     /// Kept command, as `QGroundControl` writes it.
     Kept(&'a RawValue),
+    /// The return to launch where no file said how.
+    Return(MissionItem),
 }
 
 impl RouteStep<'_> {
@@ -37,6 +39,7 @@ impl RouteStep<'_> {
                 .find(|(name, _)| *name == "doJumpId")
                 .and_then(|(_, value)| value.parse().ok()),
             Self::Kept(piece) => jump_id_of(piece.get()),
+            Self::Return(_) => None,
         }
     }
 }
@@ -62,7 +65,7 @@ fn steps<'a>(
     frame: &LocalFrame,
     whole: &[Option<&'a RawValue>],
 ) -> Vec<RouteStep<'a>> {
-    let home = stated_home(route);
+    let home = route.stated_home();
     let mut steps = Vec::new();
     let mut speed = None;
     let in_whole = |number: usize| whole.get(number).copied().flatten();
@@ -92,6 +95,11 @@ fn steps<'a>(
         before = outside(kept(way_point.properties.get(THEN)));
     }
     between(&mut steps, &before, None);
+    if route.returns {
+        let own = route.properties.get(RETURN);
+        let own = own.and_then(|text| serde_json::from_str(text).ok());
+        steps.push(own.map_or_else(|| RouteStep::Return(return_to_launch()), RouteStep::Kept));
+    }
     steps
 }
 
@@ -165,16 +173,11 @@ fn command(way_point: &WayPoint, frame: &LocalFrame, home: Option<Home>) -> Miss
         let mut before = item.clone();
         before.command = own.command;
         before.parameters[..4].copy_from_slice(&own.params);
-        let is_same = before.action().map(|a| std::mem::discriminant(&a))
-            == Some(std::mem::discriminant(&way_point.action));
-        if is_same {
+        if can_state(&before, &way_point.action) {
             item.command = own.command;
             item.is_continued = own.is_continued;
             item.parameters[..4].copy_from_slice(&own.params);
-            if let WayPointAction::Loiter { radius, turns } = way_point.action {
-                item.parameters[0] = Some(turns);
-                item.parameters[2] = Some(radius);
-            }
+            state_circles(&mut item, &way_point.action);
         }
     }
     let is_at_home = home.is_some_and(|[latitude, longitude, _]| {
@@ -188,6 +191,42 @@ fn command(way_point: &WayPoint, frame: &LocalFrame, home: Option<Home>) -> Miss
     item
 }
 
+/// Whether the command of a way-point, as a file had it, can state the action that it has.
+fn can_state(own: &MissionItem, action: &WayPointAction) -> bool {
+    match (own.action(), action) {
+        (
+            Some(WayPointAction::Wait {
+                seconds: own_time, ..
+            }),
+            WayPointAction::Wait { radius, seconds },
+        ) => {
+            // Rotorcraft stay at a way-point without circles.
+            own_time.is_some() == seconds.is_some() && (own.command != WAY_POINT || *radius == 0.0)
+        }
+        (Some(own), action) => std::mem::discriminant(&own) == std::mem::discriminant(action),
+        (None, _) => false,
+    }
+}
+
+/// States the circles of an action in the command that it has.
+fn state_circles(item: &mut MissionItem, action: &WayPointAction) {
+    match *action {
+        WayPointAction::Loiter { radius, turns } => {
+            item.parameters[0] = Some(turns);
+            item.parameters[2] = Some(radius);
+        }
+        WayPointAction::Wait { radius, seconds } => {
+            if seconds.is_some() {
+                item.parameters[0] = seconds;
+            }
+            if item.command != WAY_POINT {
+                item.parameters[2] = Some(radius);
+            }
+        }
+        _ => {}
+    }
+}
+
 /// Members of a plan's command that we do not know, from a way-point's properties.
 pub(super) fn members(way_point: &WayPoint) -> impl Iterator<Item = (&str, &String)> {
     way_point
@@ -199,14 +238,9 @@ pub(super) fn members(way_point: &WayPoint) -> impl Iterator<Item = (&str, &Stri
 /// The home that a route keeps; without one that of its first way-point, of which the height is not
 /// known.
 pub(super) fn home_of(route: &Route, frame: &LocalFrame) -> Option<Home> {
-    stated_home(route).or_else(|| {
+    route.stated_home().or_else(|| {
         let first = route.way_points.first()?;
         let (longitude, latitude) = globe::lon_lat(frame, &first.position);
         Some([latitude, longitude, 0.0])
     })
-}
-
-/// The home that a route keeps.
-pub(super) fn stated_home(route: &Route) -> Option<Home> {
-    serde_json::from_str(route.properties.get(HOME)?).ok()
 }

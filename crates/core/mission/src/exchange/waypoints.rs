@@ -7,16 +7,18 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::ExchangeError;
 use super::fence::{self, is_fence};
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
 use super::item::{JUMP, MissionItem, WAY_POINT, counted};
 use super::item_route::{Home, MissionStep, route_of};
-use super::route_items::{RouteStep, home_of, stated_home, steps_of};
+use super::rally::{self, RALLY_POINT};
+use super::route_items::{RouteStep, home_of, steps_of};
 use super::written::WrittenFile;
-use crate::mission::{NoFlyZone, Route, degrees};
+use super::{ExchangeError, Places};
+use crate::mission::found::FoundRally;
+use crate::mission::{Route, degrees};
 use pilotage_base::frames::{Geodetic, LocalFrame};
 
 /// The format.
@@ -34,7 +36,10 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 pub(super) const WORK: FormatWork = FormatWork {
     read: Read::Text(read),
     write: |places, frame| {
-        let text = write(&places.routes[0], places.no_fly, frame);
+        let text = match places.routes.first() {
+            Some(route) => write(route, places, frame),
+            None => write_rally(places, frame),
+        };
         Ok(WrittenFile::of_text(text))
     },
     track: None,
@@ -122,6 +127,17 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     let items: Vec<&MissionItem> = lines.iter().map(|l| &l.item).collect();
     let fences = fence::of_items(&items);
     notes.extend(fences.notes);
+    let rally: Vec<FoundRally> = items
+        .iter()
+        .filter_map(|item| rally::of_item(item))
+        .collect();
+    if !rally.is_empty() && rally.len() + usize::from(has_home_line) == lines.len() {
+        return Ok(GeodeticContent {
+            rally,
+            notes,
+            ..GeodeticContent::default()
+        });
+    }
     let steps = lines
         .into_iter()
         .skip(usize::from(has_home_line))
@@ -151,6 +167,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     Ok(GeodeticContent {
         routes: vec![route],
         no_fly: fences.no_fly,
+        rally,
         notes,
         origin: home
             .filter(|_| no_way_point)
@@ -236,7 +253,7 @@ fn home_item(route: &Route, own: Option<&WaypointFile>, frame: &LocalFrame) -> O
         },
     };
     let home = match own {
-        Some(_) => stated_home(route),
+        Some(_) => route.stated_home(),
         None => home_of(route, frame),
     };
     for (parameter, value) in item.parameters[4..]
@@ -251,7 +268,7 @@ fn home_item(route: &Route, own: Option<&WaypointFile>, frame: &LocalFrame) -> O
 /// The route as lines, and notes on what they cannot hold.
 pub(super) fn write(
     route: &Route,
-    no_fly: &[NoFlyZone],
+    places: &Places<'_>,
     frame: &LocalFrame,
 ) -> (String, Vec<String>) {
     let own: Option<WaypointFile> = route
@@ -272,8 +289,15 @@ pub(super) fn write(
     for step in steps_of(route, frame) {
         let id = step.jump_id();
         match step {
-            RouteStep::WayPoint(item, _) | RouteStep::Speed(item, _) => items.push((item, id)),
+            RouteStep::WayPoint(item, _) | RouteStep::Speed(item, _) | RouteStep::Return(item) => {
+                items.push((item, id));
+            }
             RouteStep::Kept(piece) => match MissionItem::of_json(piece.get()) {
+                // A rally point that the mission has no more.
+                Ok(item)
+                    if item.command == RALLY_POINT
+                        && (places.rally)
+                            .is_some_and(|points| !rally::is_among(&item, points, frame)) => {}
                 Ok(item) => items.push((item, id)),
                 Err(name) => left_out.push(name),
             },
@@ -282,7 +306,17 @@ pub(super) fn write(
     let lost = aim_jumps(&mut items);
     let written: Vec<&MissionItem> = items.iter().map(|(item, _)| item).collect();
     let fences = fence::of_items(&written).no_fly;
-    notes.extend(fence::left_out(&fences, no_fly, frame));
+    notes.extend(fence::left_out(&fences, places.no_fly, frame));
+    let known = written.iter().filter(|item| item.command == RALLY_POINT);
+    let more = places
+        .rally
+        .map_or(0, <[_]>::len)
+        .saturating_sub(known.count());
+    if more > 0 {
+        notes.push(format!(
+            "{more} × rally point is left out: autopilots take them from a file of their own"
+        ));
+    }
     let current = own.as_ref().map_or(Some(0), |own| {
         own.current
             .and_then(|id| items.iter().position(|item| item.1 == Some(id)))
@@ -303,11 +337,19 @@ pub(super) fn write(
             counted(&left_out)
         ));
     }
-    let kept_aside = ["plan:geoFence", "plan:rallyPoints"];
-    if kept_aside.iter().any(|p| route.properties.contains_key(*p)) {
-        notes.push("fences and rally points of the plan are left out: WPL has none".to_owned());
+    if route.properties.contains_key("plan:geoFence") {
+        notes.push("fences of the plan are left out: WPL has none".to_owned());
     }
     (text, notes)
+}
+
+/// Rally points as lines of a file of their own, which has no home.
+fn write_rally(places: &Places<'_>, frame: &LocalFrame) -> (String, Vec<String>) {
+    let mut text = format!("{HEADER} {VERSION}\n");
+    for (sequence, point) in places.rally.unwrap_or_default().iter().enumerate() {
+        text.push_str(&line_of(&rally::item_of(point, frame), sequence, false));
+    }
+    (text, Vec::new())
 }
 
 /// Lets jumps lead to the lines of the commands that they named; how many of these are gone.

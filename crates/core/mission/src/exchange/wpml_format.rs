@@ -1,10 +1,10 @@
 //! The format WPML.
 
-use super::fence;
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
 use super::wpml::{NAME, read, write};
 use super::written::WrittenFile;
+use super::{fence, rally};
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
@@ -23,6 +23,7 @@ pub(super) const WORK: FormatWork = FormatWork {
     write: |places, frame| {
         let (bytes, mut notes) = write(&places.routes[0], frame)?;
         notes.extend(fence::left_out(&[], places.no_fly, frame));
+        notes.extend(rally::left_out(places));
         Ok(WrittenFile { bytes, notes })
     },
     track: None,

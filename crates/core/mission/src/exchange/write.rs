@@ -48,15 +48,20 @@ pub fn write_landmarks(
     write_places(format, &places, frame)
 }
 
-/// Routes, landmarks and no-fly areas, placed in the world `frame`, together in one file.
+/// Routes, landmarks, no-fly areas and rally points, placed in the world `frame`, together in one file.
 pub fn write_places(
     format: Format,
     places: &Places<'_>,
     frame: &LocalFrame,
 ) -> Result<WrittenFile, ExchangeError> {
     let Places {
-        routes, landmarks, ..
+        routes,
+        landmarks,
+        rally,
+        ..
     } = *places;
+    let is_rally_alone =
+        format == Format::Waypoints && routes.is_empty() && rally.is_some_and(|r| !r.is_empty());
     let cannot_hold = |what: String, advice| ExchangeError::CannotHold {
         format: format.name(),
         what,
@@ -68,13 +73,13 @@ pub fn write_places(
             "write them as GeoJSON, KML or CSV",
         ));
     }
-    if routes.is_empty() && !format.holds_landmarks() {
+    if routes.is_empty() && !format.holds_landmarks() && !is_rally_alone {
         return Err(cannot_hold(
             "a file without a route".to_owned(),
             "draw a route first",
         ));
     }
-    if !format.holds_several_routes() && routes.len() != 1 {
+    if !format.holds_several_routes() && routes.len() != 1 && !is_rally_alone {
         return Err(cannot_hold(
             format!("{} routes", routes.len()),
             "choose one of them",

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{NoFlyZone, Route, WayPoint, globe};
-use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use super::{NoFlyZone, RallyPoint, Route, WayPoint, globe};
+use pilotage_base::frames::{Altitude, Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_vision::landmark::Landmark;
 
 /// Longitude and latitude, degrees.
@@ -83,6 +83,8 @@ pub(crate) struct ReadRoute {
     pub name: Option<String>,
     /// Places of the way-points, and the way-points, which do not know theirs yet.
     pub way_points: Vec<(LonLat, WayPoint)>,
+    /// Whether the aircraft returns to its home behind the last way-point.
+    pub returns: bool,
     /// Unknown properties, as JSON text.
     pub properties: BTreeMap<String, String>,
 }
@@ -97,6 +99,33 @@ pub(crate) struct FoundNoFly {
     pub holes: Vec<Vec<LonLat>>,
     /// Unknown properties, as JSON text.
     pub properties: BTreeMap<String, String>,
+}
+
+/// A rally point of a file, which does not know its place in the world yet.
+pub(crate) struct FoundRally {
+    /// Name for people.
+    pub name: Option<String>,
+    /// Its place.
+    pub place: LonLat,
+    /// Altitude at which the aircraft comes there.
+    pub altitude: Altitude,
+    /// Unknown properties, as JSON text.
+    pub properties: BTreeMap<String, String>,
+}
+
+/// The rally points in the world.
+pub(crate) fn rally(found: Vec<FoundRally>, frame: &LocalFrame) -> Vec<RallyPoint> {
+    let points = found.into_iter().enumerate().map(|(index, found)| {
+        let (longitude, latitude) = found.place;
+        let name = found.name;
+        RallyPoint {
+            name: name.unwrap_or_else(|| RallyPoint::usual_name(index + 1)),
+            position: globe::ground(frame, longitude, latitude),
+            altitude: found.altitude,
+            properties: found.properties,
+        }
+    });
+    points.collect()
 }
 
 /// The areas in the world.
@@ -263,6 +292,7 @@ pub(crate) fn routes(found: Vec<ReadRoute>, frame: &LocalFrame) -> Vec<Route> {
                     ..way_point
                 })
                 .collect(),
+            returns: found.returns,
             properties: found.properties,
         })
         .collect()

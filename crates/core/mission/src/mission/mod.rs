@@ -12,6 +12,7 @@ mod no_fly;
 pub mod package;
 pub mod pattern;
 mod place_file;
+mod rally;
 mod read;
 mod read_feature;
 mod record;
@@ -27,13 +28,15 @@ pub use error::MissionError;
 pub use labels::{FrameLabels, LabelBox};
 pub use no_fly::NoFlyZone;
 pub use place_file::{belongs_to, place_files};
+pub use rally::RallyPoint;
 pub(crate) use read::read_features;
 pub use read::read_mission;
 pub use record::{MapReference, Mission};
+pub(crate) use route::HOME;
 pub use route::{Route, WayPoint, WayPointAction};
 pub use way_point_file::USUAL_ALTITUDE;
 pub use write::write_mission;
-pub(crate) use write::{degrees, no_fly_feature, rings, write_features};
+pub(crate) use write::{degrees, no_fly_feature, rally_feature, rings, write_features};
 
 /// Version of the file that is read and written.
 const VERSION: &str = "1";
@@ -55,5 +58,11 @@ pub const FEATURE_MEMBER: &str = "feature:";
 /// Property and its value, as JSON text, by which a feature says that it is a route.
 const ROUTE_MARK: (&str, &str) = ("pilotage", "\"route\"");
 
+/// Property of a route: whether the aircraft returns to its home at the end.
+const RETURNS: &str = "returns_home";
+
 /// Property and its value by which a polygon says that it is an area that must not be flown over.
 pub(crate) const NO_FLY_MARK: (&str, &str) = ("pilotage", "\"no-fly\"");
+
+/// Property and its value by which a point says that the aircraft may land there when it cannot go on.
+pub(crate) const RALLY_MARK: (&str, &str) = ("pilotage", "\"rally\"");

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::found::{self, FoundLandmark, FoundNoFly, ReadRoute};
+use super::found::{self, FoundLandmark, FoundNoFly, FoundRally, ReadRoute};
 use super::read_feature::{GeoJsonFeature, feature};
 use super::text::{ObjectMembers, Text};
 use super::way_point_file::kept;
@@ -16,7 +16,7 @@ use pilotage_flight::{CameraFile, OriginFile};
 /// Reads a mission file.
 ///
 /// Every polygon feature is a landmark, whoever wrote it, unless it is marked as a no-fly area, and
-/// every feature marked as one a route; other features, unknown properties and unknown members are kept as JSON text. Without an origin
+/// every feature marked as one a route or a rally point; other features, unknown properties and unknown members are kept as JSON text. Without an origin
 /// the middle of all polygons and routes is taken.
 pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -50,6 +50,7 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
         landmarks: found::landmarks(found.landmarks, &frame),
         routes: found::routes(found.routes, &frame),
         no_fly: found::no_fly(found.no_fly, &frame),
+        rally: found::rally(found.rally, &frame),
         labels: text.take(&mut members, LABELS)?.unwrap_or_default(),
         camera,
         camera_to_log,
@@ -72,6 +73,8 @@ pub(crate) struct FoundFeatures<'a> {
     pub routes: Vec<ReadRoute>,
     /// Areas that must not be flown over.
     pub no_fly: Vec<FoundNoFly>,
+    /// Rally points.
+    pub rally: Vec<FoundRally>,
     /// Somebody else's features.
     pub others: Vec<&'a RawValue>,
     /// Origin that the file states.
@@ -99,12 +102,13 @@ pub(crate) fn read_features<'a>(
         });
     }
     let (mut landmarks, mut routes) = (Vec::new(), Vec::new());
-    let (mut no_fly, mut others) = (Vec::new(), Vec::new());
+    let (mut no_fly, mut rally, mut others) = (Vec::new(), Vec::new(), Vec::new());
     for piece in text.elements(features.get())? {
         match feature(text, piece)? {
             GeoJsonFeature::Landmark(landmark) => landmarks.push(landmark),
             GeoJsonFeature::Route(route) => routes.push(route),
             GeoJsonFeature::NoFly(zone) => no_fly.push(zone),
+            GeoJsonFeature::Rally(point) => rally.push(point),
             GeoJsonFeature::Other => others.push(piece),
         }
     }
@@ -118,6 +122,7 @@ pub(crate) fn read_features<'a>(
         landmarks,
         routes,
         no_fly,
+        rally,
         others,
         origin,
     };

@@ -1,13 +1,17 @@
 //! Features of a mission file: which are landmarks, which routes, and which somebody else's.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::found::{FoundLandmark, FoundNoFly, LandmarkExtent, LonLat, ReadRoute, on_globe};
+use super::found::{
+    FoundLandmark, FoundNoFly, FoundRally, LandmarkExtent, LonLat, ReadRoute, on_globe,
+};
 use super::text::{ObjectMembers, Text};
-use super::way_point_file::{USUAL_ALTITUDE, kept, read_way_point};
-use super::{FEATURE_MEMBER, MissionError, NO_FLY_MARK, ROUTE_MARK, WayPoint};
+use super::way_point_file::{USUAL_ALTITUDE, kept, read_altitude, read_way_point};
+use super::{FEATURE_MEMBER, MissionError, NO_FLY_MARK, RALLY_MARK, RETURNS, ROUTE_MARK, WayPoint};
 use pilotage_base::frames::GroundPoint;
 
 /// Kind of a feature, with its contents.
@@ -15,6 +19,7 @@ pub(super) enum GeoJsonFeature {
     Landmark(FoundLandmark),
     Route(ReadRoute),
     NoFly(FoundNoFly),
+    Rally(FoundRally),
     Other,
 }
 
@@ -42,9 +47,11 @@ pub(super) fn feature<'a>(
         _ => Ok(false),
     };
     let (has_mark, is_no_fly) = (marked(ROUTE_MARK)?, marked(NO_FLY_MARK)?);
+    let is_rally = marked(RALLY_MARK)?;
     let kind: Value = text.value(geometry.get())?;
     let is_polygon = kind.get("type").and_then(Value::as_str) == Some("Polygon");
-    if !is_polygon && !has_mark {
+    let is_rally = is_rally && kind.get("type").and_then(Value::as_str) == Some("Point");
+    if !is_polygon && !has_mark && !is_rally {
         return Ok(GeoJsonFeature::Other);
     }
     members.remove("geometry");
@@ -53,7 +60,12 @@ pub(super) fn feature<'a>(
         Some(piece) if piece.get() != "null" => text.members(piece.get())?,
         _ => ObjectMembers::new(),
     };
-    if is_polygon && is_no_fly {
+    if is_rally {
+        properties.remove(RALLY_MARK.0);
+        let mut found = rally(text, geometry.get(), &mut properties)?;
+        found.properties = with_members(properties, members);
+        Ok(GeoJsonFeature::Rally(found))
+    } else if is_polygon && is_no_fly {
         properties.remove(NO_FLY_MARK.0);
         let (mut corners, mut holes) = rings(text, geometry.get())?;
         // A ring ends where it begins.
@@ -89,10 +101,7 @@ fn is_marked<'a>(
 }
 
 /// Unknown properties, and unknown members of the feature under names of their own.
-fn with_members(
-    properties: ObjectMembers,
-    members: ObjectMembers,
-) -> std::collections::BTreeMap<String, String> {
+fn with_members(properties: ObjectMembers, members: ObjectMembers) -> BTreeMap<String, String> {
     let mut all = kept(properties);
     for (name, value) in kept(members) {
         all.insert(format!("{FEATURE_MEMBER}{name}"), value);
@@ -178,6 +187,25 @@ fn landmark<'a>(
     })
 }
 
+/// A rally point.
+fn rally<'a>(
+    text: &Text<'a>,
+    geometry: &'a str,
+    properties: &mut ObjectMembers<'a>,
+) -> Result<FoundRally, MissionError> {
+    let point: Option<Geometry> = text.read(geometry)?;
+    let position: Vec<f64> = match point.and_then(|point| point.coordinates) {
+        Some(coordinates) => text.value(coordinates.get())?,
+        None => Vec::new(),
+    };
+    Ok(FoundRally {
+        place: lon_lat(text, geometry, &position, "a rally point")?,
+        name: own(text, properties, "name"),
+        altitude: read_altitude(text, geometry, properties)?,
+        properties: BTreeMap::new(),
+    })
+}
+
 /// A route: a line, or a point or nothing where it has too few way-points for one.
 fn route<'a>(
     text: &Text<'a>,
@@ -224,6 +252,7 @@ fn route<'a>(
         id: own(text, properties, "id"),
         name: own(text, properties, "name"),
         way_points,
+        returns: own(text, properties, RETURNS).unwrap_or(false),
         ..ReadRoute::default()
     })
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{FrameLabels, NoFlyZone, Route};
+use super::{FrameLabels, NoFlyZone, RallyPoint, Route};
 use crate::settings::{CameraAdjustment, NavigatorSettings};
 use pilotage_base::frames::{AltitudeReference, Geodetic};
 use pilotage_flight::Flight;
@@ -41,6 +41,9 @@ pub struct Mission {
     /// Areas that must not be flown over.
     #[serde(default)]
     pub no_fly: Vec<NoFlyZone>,
+    /// Places to which the aircraft may go and land when it cannot go on.
+    #[serde(default)]
+    pub rally: Vec<RallyPoint>,
     /// Labels that people gave the pictures of flights, in the order of the pictures' names.
     #[serde(default)]
     pub labels: Vec<FrameLabels>,
@@ -79,6 +82,7 @@ impl Mission {
             landmarks: Vec::new(),
             routes: Vec::new(),
             no_fly: Vec::new(),
+            rally: Vec::new(),
             labels: Vec::new(),
             camera: None,
             camera_to_log: None,
@@ -125,6 +129,16 @@ impl Mission {
     /// An id that no landmark of the mission has.
     pub fn free_landmark_id(&self) -> u32 {
         self.landmarks.iter().map(|l| l.id + 1).max().unwrap_or(1)
+    }
+
+    /// The name `wanted`, or another if a rally point of the mission has it.
+    pub fn free_rally_name(&self, wanted: &str) -> String {
+        let is_free = |name: &str| self.rally.iter().all(|point| point.name != name);
+        if is_free(wanted) {
+            return wanted.to_owned();
+        }
+        let mut names = (1..).map(RallyPoint::usual_name);
+        names.find(|name| is_free(name)).unwrap_or_default()
     }
 
     /// The landmark with that id.

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use pilotage_base::frames::{Altitude, GroundPoint};
+use super::globe;
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 
 /// Action at a way-point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -23,6 +24,14 @@ pub enum WayPointAction {
     TakeOff,
     /// The route ends with a landing here.
     Land,
+    /// Circles around it, or hovers, for a time before the route goes on.
+    Wait {
+        /// Radius of the circle, metres; negative for circles to the left, and zero for hovering or the autopilot's
+        /// own.
+        radius: f64,
+        /// Seconds; `None` until somebody says otherwise.
+        seconds: Option<f64>,
+    },
 }
 
 /// A place that a route leads over.
@@ -62,9 +71,15 @@ pub struct Route {
     pub name: String,
     /// Its way-points, first to last.
     pub way_points: Vec<WayPoint>,
+    /// Whether the aircraft returns to its home behind the last way-point.
+    #[serde(default)]
+    pub returns: bool,
     /// Properties that a file brought and we do not know, by name, as JSON text.
     pub properties: BTreeMap<String, String>,
 }
+
+/// Property of a route: latitude and longitude in degrees of its home, and metres above mean sea level.
+pub(crate) const HOME: &str = "home";
 
 impl Route {
     /// Length over the way-points without turns and circles, metres.
@@ -86,7 +101,30 @@ impl Route {
             .sum()
     }
 
-    /// The same line flown the other way: each leg keeps its speed.
+    /// Latitude and longitude in degrees and metres above mean sea level of the home that a file stated.
+    pub(crate) fn stated_home(&self) -> Option<[f64; 3]> {
+        serde_json::from_str(self.properties.get(HOME)?).ok()
+    }
+
+    /// Place to which the aircraft returns: the home that a file stated, or else the first way-point; `frame` is the
+    /// world's.
+    pub fn home(&self, frame: &LocalFrame) -> Option<GroundPoint> {
+        let stated = self.stated_home();
+        let stated =
+            stated.map(|[latitude, longitude, _]| globe::ground(frame, longitude, latitude));
+        stated.or_else(|| Some(self.way_points.first()?.position))
+    }
+
+    /// Places at which it lands: its last way-point if it lands there, or home if it returns.
+    pub fn landing(&self, frame: &LocalFrame) -> Option<GroundPoint> {
+        if self.returns {
+            return self.home(frame);
+        }
+        let last = self.way_points.last()?;
+        (last.action == WayPointAction::Land).then_some(last.position)
+    }
+
+    /// The same line flown the other way: each leg keeps its speed, and take-off and landing change places.
     #[must_use]
     pub fn reversed(&self) -> Self {
         let mut way_points: Vec<WayPoint> = self.way_points.iter().rev().cloned().collect();
@@ -96,6 +134,18 @@ impl Route {
                 0 => None,
                 _ => self.way_points[self.way_points.len() - i].speed,
             };
+        }
+        let inner = way_points.get(1).map(|w| w.altitude);
+        if let (Some(first), Some(altitude)) = (way_points.first_mut(), inner)
+            && first.action == WayPointAction::Land
+        {
+            (first.action, first.altitude) = (WayPointAction::TakeOff, altitude);
+        }
+        if let Some(last) = way_points.last_mut()
+            && last.action == WayPointAction::TakeOff
+        {
+            last.action = WayPointAction::Land;
+            last.altitude = Altitude::new(0.0, AltitudeFrame::AboveGround);
         }
         Self {
             way_points,
@@ -108,13 +158,14 @@ impl Route {
         if index == 0 || index + 1 >= self.way_points.len() {
             return None;
         }
-        let part = |way_points: &[WayPoint]| Self {
+        let part = |way_points: &[WayPoint], returns| Self {
             way_points: way_points.to_vec(),
+            returns,
             ..self.clone()
         };
         Some((
-            part(&self.way_points[..=index]),
-            part(&self.way_points[index..]),
+            part(&self.way_points[..=index], false),
+            part(&self.way_points[index..], self.returns),
         ))
     }
 }
@@ -122,7 +173,7 @@ impl Route {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pilotage_base::frames::AltitudeFrame;
+    use pilotage_base::frames::Geodetic;
 
     fn route() -> Route {
         let at = |north, east, speed| WayPoint {
@@ -140,8 +191,40 @@ mod tests {
                 at(300.0, 0.0, Some(18.0)),
                 at(300.0, 400.0, Some(22.0)),
             ],
+            returns: true,
             properties: BTreeMap::new(),
         }
+    }
+
+    #[test]
+    fn home_is_what_a_file_stated_and_the_first_way_point_without_it() {
+        let frame = LocalFrame::new(Geodetic::from_degrees(47.0, 8.0, 400.0));
+        let mut route = route();
+        let home = |route: &Route| route.home(&frame).unwrap();
+        assert_eq!(home(&route), GroundPoint::new(0.0, 0.0));
+        let stated = "[47.001, 8.0, 400.0]".to_owned();
+        route.properties.insert(HOME.to_owned(), stated);
+        assert!((home(&route).north - 111.2).abs() < 0.1);
+        assert_eq!(route.landing(&frame), Some(home(&route)));
+        route.returns = false;
+        assert_eq!(route.landing(&frame), None);
+        route.way_points[2].action = WayPointAction::Land;
+        assert_eq!(route.landing(&frame), Some(GroundPoint::new(300.0, 400.0)));
+    }
+
+    #[test]
+    fn flown_the_other_way_it_takes_off_where_it_landed_and_climbs_to_the_next_way_point() {
+        let mut there = route();
+        there.way_points[0].action = WayPointAction::TakeOff;
+        there.way_points[2].action = WayPointAction::Land;
+        there.way_points[2].altitude = Altitude::new(0.0, AltitudeFrame::AboveGround);
+        let back = there.reversed();
+        let ends = [&back.way_points[0], &back.way_points[2]];
+        assert_eq!(
+            ends.map(|w| w.action),
+            [WayPointAction::TakeOff, WayPointAction::Land]
+        );
+        assert_eq!(ends.map(|w| w.altitude.metres), [120.0, 0.0]);
     }
 
     #[test]
@@ -158,6 +241,7 @@ mod tests {
         let (first, second) = route().split(1).unwrap();
         assert_eq!(first.way_points.last(), second.way_points.first());
         assert_eq!(first.length() + second.length(), route().length());
+        assert_eq!([first.returns, second.returns], [false, true]);
         assert_eq!(route().split(2), None);
     }
 }

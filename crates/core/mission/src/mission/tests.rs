@@ -43,6 +43,11 @@ fn mission() -> Mission {
             ],
             properties: [("floor_m".to_owned(), "120".to_owned())].into(),
         }],
+        rally: vec![RallyPoint {
+            altitude: Altitude::new(60.5, AltitudeFrame::AboveGround),
+            properties: [("owner".to_owned(), "\"Ann\"".to_owned())].into(),
+            ..RallyPoint::new(1, GroundPoint::new(-40.0, 75.5))
+        }],
         labels: vec![FrameLabels {
             frame: "00007.jpg".to_owned(),
             size: (640, 480),
@@ -108,8 +113,22 @@ fn route() -> Route {
                 ..at(0.0, AltitudeFrame::AboveTakeOff)
             },
             loiter,
-            at(900.0, AltitudeFrame::Amsl),
+            WayPoint {
+                action: WayPointAction::Wait {
+                    radius: 90.0,
+                    seconds: Some(45.5),
+                },
+                ..at(900.0, AltitudeFrame::Amsl)
+            },
+            WayPoint {
+                action: WayPointAction::Wait {
+                    radius: 0.0,
+                    seconds: None,
+                },
+                ..at(950.0, AltitudeFrame::Amsl)
+            },
         ],
+        returns: true,
         properties: [
             ("colour".to_owned(), "\"red\"".to_owned()),
             ("feature:bbox".to_owned(), "[1,2, 3,4]".to_owned()),
@@ -199,7 +218,7 @@ fn what_is_written_is_geojson() {
     let geojson::GeoJson::FeatureCollection(collection) = parsed else {
         panic!("no collection");
     };
-    assert_eq!(collection.features.len(), 5);
+    assert_eq!(collection.features.len(), 6);
 }
 
 #[test]

@@ -35,16 +35,58 @@ pub(crate) fn action_word(action: &WayPointAction) -> &'static str {
         WayPointAction::Loiter { .. } => "loiter",
         WayPointAction::TakeOff => "take_off",
         WayPointAction::Land => "land",
+        WayPointAction::Wait { .. } => "wait",
     }
 }
 
-/// Action at a way-point, by its word in a file and the circle that goes with loitering.
-pub(crate) fn action_of_word(word: &str, radius: f64, turns: f64) -> Option<WayPointAction> {
+/// Words of a file for actions, for people.
+pub(crate) const ACTION_WORDS: &str = "fly_by, loiter, wait, take_off and land";
+
+/// Circles at a way-point as a file states them.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct StatedCircles {
+    /// Radius, metres; negative for circles to the left.
+    pub radius: Option<f64>,
+    /// Number of circles.
+    pub turns: Option<f64>,
+    /// Seconds.
+    pub seconds: Option<f64>,
+}
+
+impl StatedCircles {
+    /// Circles of an action.
+    pub(crate) fn of(action: &WayPointAction) -> Self {
+        match *action {
+            WayPointAction::Loiter { radius, turns } => Self {
+                radius: Some(radius),
+                turns: Some(turns),
+                seconds: None,
+            },
+            WayPointAction::Wait { radius, seconds } => Self {
+                radius: Some(radius),
+                turns: None,
+                seconds,
+            },
+            _ => Self::default(),
+        }
+    }
+}
+
+/// Action at a way-point, by its word in a file and the circles that go with it.
+pub(crate) fn action_of_word(word: &str, circles: &StatedCircles) -> Option<WayPointAction> {
+    let radius = circles.radius.unwrap_or(0.0);
     [
         WayPointAction::FlyBy,
-        WayPointAction::Loiter { radius, turns },
+        WayPointAction::Loiter {
+            radius,
+            turns: circles.turns.unwrap_or(1.0),
+        },
         WayPointAction::TakeOff,
         WayPointAction::Land,
+        WayPointAction::Wait {
+            radius,
+            seconds: circles.seconds,
+        },
     ]
     .into_iter()
     .find(|action| action_word(action) == word)
@@ -52,26 +94,23 @@ pub(crate) fn action_of_word(word: &str, radius: f64, turns: f64) -> Option<WayP
 
 /// The object that states everything about a way-point but its place.
 pub(crate) fn write_way_point(way_point: &WayPoint) -> String {
-    let altitude = &way_point.altitude;
+    let mut text = format!("{{ {}", altitude_members(&way_point.altitude));
     // Writing into a string cannot fail.
-    let mut text = format!(
-        "{{ \"altitude_m\": {}, \"altitude_frame\": \"{}\"",
-        Value::from(altitude.metres),
-        frame_word(altitude.frame)
-    );
     if let Some(speed) = way_point.speed {
         let _ = write!(text, ", \"speed_mps\": {}", Value::from(speed));
     }
     if way_point.action != WayPointAction::FlyBy {
         let _ = write!(text, ", \"action\": \"{}\"", action_word(&way_point.action));
     }
-    if let WayPointAction::Loiter { radius, turns } = way_point.action {
-        let _ = write!(
-            text,
-            ", \"radius_m\": {}, \"turns\": {}",
-            Value::from(radius),
-            Value::from(turns)
-        );
+    let StatedCircles {
+        radius,
+        turns,
+        seconds,
+    } = StatedCircles::of(&way_point.action);
+    for (name, value) in [("radius_m", radius), ("turns", turns), ("seconds", seconds)] {
+        if let Some(value) = value {
+            let _ = write!(text, ", \"{name}\": {}", Value::from(value));
+        }
     }
     for (name, value) in &way_point.properties {
         let _ = write!(text, ", {}: {value}", Value::from(name.as_str()));
@@ -86,50 +125,70 @@ pub(crate) fn read_way_point<'a>(
     piece: &'a str,
 ) -> Result<WayPoint, MissionError> {
     let mut members: ObjectMembers = text.members(piece)?;
-    let place = |members: &ObjectMembers<'a>, name: &str| {
-        members.get(name).map_or(piece, |value| value.get())
-    };
-    let frame_place = place(&members, "altitude_frame");
-    let frame = match text.take::<String>(&mut members, "altitude_frame")? {
-        None => USUAL_ALTITUDE.frame,
-        Some(word) => frame_of_word(&word).ok_or_else(|| {
-            text.error(
-                frame_place,
-                format!("`{word}` is none of amsl, above_take_off and above_ground"),
-            )
-        })?,
-    };
-    let metres = text
-        .take(&mut members, "altitude_m")?
-        .unwrap_or(USUAL_ALTITUDE.metres);
+    let altitude = read_altitude(text, piece, &mut members)?;
     let speed = text.take(&mut members, "speed_mps")?;
-    let action_place = place(&members, "action");
+    let action_place = members.get("action").map_or(piece, |value| value.get());
     let action = match text.take::<String>(&mut members, "action")? {
         None => WayPointAction::FlyBy,
         Some(word) => {
-            let (radius, turns) = if word == "loiter" {
-                (
-                    text.take(&mut members, "radius_m")?.unwrap_or(0.0),
-                    text.take(&mut members, "turns")?.unwrap_or(1.0),
-                )
-            } else {
-                (0.0, 0.0)
+            // What the action does not state is somebody else's, and kept.
+            let mut number = |of: &[&str], name: &str| {
+                let is_own = of.contains(&word.as_str());
+                is_own
+                    .then(|| text.take::<f64>(&mut members, name))
+                    .transpose()
             };
-            action_of_word(&word, radius, turns).ok_or_else(|| {
-                text.error(
-                    action_place,
-                    format!("`{word}` is none of fly_by, loiter, take_off and land"),
-                )
+            let circles = StatedCircles {
+                radius: number(&["loiter", "wait"], "radius_m")?.flatten(),
+                turns: number(&["loiter"], "turns")?.flatten(),
+                seconds: number(&["wait"], "seconds")?.flatten(),
+            };
+            action_of_word(&word, &circles).ok_or_else(|| {
+                text.error(action_place, format!("`{word}` is none of {ACTION_WORDS}"))
             })?
         }
     };
     Ok(WayPoint {
         position: GroundPoint::default(),
-        altitude: Altitude::new(metres, frame),
+        altitude,
         speed,
         action,
         properties: kept(members),
     })
+}
+
+/// Takes out the altitude that the object `piece` of `text` states; the usual one where it states none.
+pub(super) fn read_altitude<'a>(
+    text: &Text<'a>,
+    piece: &'a str,
+    members: &mut ObjectMembers<'a>,
+) -> Result<Altitude, MissionError> {
+    let place = members
+        .get("altitude_frame")
+        .map_or(piece, |value| value.get());
+    let frame = match text.take::<String>(members, "altitude_frame")? {
+        None => USUAL_ALTITUDE.frame,
+        Some(word) => frame_of_word(&word).ok_or_else(|| {
+            text.error(
+                place,
+                format!("`{word}` is none of amsl, above_take_off and above_ground"),
+            )
+        })?,
+    };
+    let metres = text.take(members, "altitude_m")?;
+    Ok(Altitude::new(
+        metres.unwrap_or(USUAL_ALTITUDE.metres),
+        frame,
+    ))
+}
+
+/// The members that state an altitude.
+pub(super) fn altitude_members(altitude: &Altitude) -> String {
+    format!(
+        "\"altitude_m\": {}, \"altitude_frame\": \"{}\"",
+        Value::from(altitude.metres),
+        frame_word(altitude.frame)
+    )
 }
 
 /// Members that we do not know, as JSON text.

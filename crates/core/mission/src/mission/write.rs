@@ -6,10 +6,10 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::globe;
-use super::way_point_file::write_way_point;
+use super::way_point_file::{altitude_members, write_way_point};
 use super::{
     CAMERA_TO_LOG, FEATURE_MEMBER, LABELS, MapReference, Mission, NO_FLY_MARK, NoFlyZone,
-    OTHER_FEATURES, ROUTE_MARK, Route, VERSION,
+    OTHER_FEATURES, RALLY_MARK, RETURNS, ROUTE_MARK, RallyPoint, Route, VERSION,
 };
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_flight::{CameraFile, OriginFile};
@@ -69,6 +69,7 @@ pub fn write_mission(mission: &Mission) -> String {
     }
     let mut features = write_features(&mission.routes, &mission.landmarks, &frame);
     features.extend(mission.no_fly.iter().map(|z| no_fly_feature(z, &frame)));
+    features.extend(mission.rally.iter().map(|r| rally_feature(r, &frame)));
     if let Some(others) = mission.properties.get(OTHER_FEATURES) {
         let inside = others
             .trim()
@@ -200,6 +201,21 @@ pub(crate) fn no_fly_feature(zone: &NoFlyZone, frame: &LocalFrame) -> String {
     end(text, &zone.properties)
 }
 
+/// A rally point as a feature of GeoJSON.
+pub(crate) fn rally_feature(point: &RallyPoint, frame: &LocalFrame) -> String {
+    let mut text = begin(&point.properties);
+    let (mark, marked) = RALLY_MARK;
+    let _ = write!(
+        text,
+        ",\n      \"geometry\": {{ \"type\": \"Point\", \"coordinates\": {} }},\n      \
+         \"properties\": {{ \"{mark}\": {marked}, \"name\": {}, {}",
+        position(frame, &point.position),
+        Value::from(point.name.as_str()),
+        altitude_members(&point.altitude),
+    );
+    end(text, &point.properties)
+}
+
 fn route_feature(route: &Route, frame: &LocalFrame) -> String {
     let positions: Vec<String> = route
         .way_points
@@ -230,5 +246,8 @@ fn route_feature(route: &Route, frame: &LocalFrame) -> String {
         route.id,
         Value::from(route.name.as_str()),
     );
+    if route.returns {
+        let _ = write!(text, ", \"{RETURNS}\": true");
+    }
     end(text, &route.properties)
 }

@@ -239,6 +239,7 @@ impl Scenario {
             landmarks,
             routes: Vec::new(),
             no_fly: Vec::new(),
+            rally: Vec::new(),
             labels: Vec::new(),
             camera: Some(Self::camera()),
             camera_to_log: None,

@@ -51,6 +51,7 @@ fn file() -> ImportedFile {
         }],
         landmarks: vec![Landmark::new(1, "Silo", bounds)],
         no_fly: Vec::new(),
+        rally: Vec::new(),
         notes: vec!["1 command is kept but not understood: command 31000".into()],
     }
 }

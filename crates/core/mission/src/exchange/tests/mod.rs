@@ -1,11 +1,13 @@
 //! Round trips through every format, other people's files, and broken ones.
 
+mod actions;
 mod flown;
 mod foreign;
 mod globe;
 mod home;
 mod makers;
 mod plan;
+mod rally;
 mod round_trip;
 mod several;
 

@@ -98,8 +98,13 @@ fn places_speeds_and_altitudes_of_a_plan_are_understood() {
     assert_eq!(route.way_points[3].action, loiter);
     let told = |words: &str| assert!(notes.iter().any(|n| n.contains(words)), "{notes:#?}");
     told("3 commands are kept but not understood: DO_MOUNT_CONTROL, DO_SET_CAM_TRIGG_DIST, survey");
-    told("1 command is shown as a way-point, and written again as it was: LOITER_TIME");
-    told("return to launch is kept");
+    let waits = [(1, 0.0, 3.0), (2, 60.0, 30.0)];
+    for (index, radius, seconds) in waits {
+        let seconds = Some(seconds);
+        let wait = WayPointAction::Wait { radius, seconds };
+        assert_eq!(route.way_points[index].action, wait);
+    }
+    assert!(route.returns);
     told("keeps aircraft in: it is kept");
     told("at the home position");
 }
@@ -282,7 +287,6 @@ fn the_documented_plan_is_edited_and_keeps_fences_rally_points_and_the_survey() 
         );
     };
     told("keeps aircraft in: it is kept");
-    told("rally points are kept");
     told("survey");
     let last = route.way_points.last_mut().unwrap();
     last.altitude = Altitude {
@@ -303,4 +307,10 @@ fn the_documented_plan_is_edited_and_keeps_fences_rally_points_and_the_survey() 
     assert_eq!(after[2]["params"][4], before[2]["params"][4]);
     assert_eq!(after[3]["command"], 20);
     assert_eq!(plan(&read("documented.plan", &text).0), text);
+    let points = read_any("a.plan", DOCUMENTED.as_bytes(), Some(frame())).unwrap();
+    let heights: Vec<_> = points.rally.iter().map(|point| point.altitude).collect();
+    assert_eq!(
+        heights,
+        [Altitude::new(50.0, AltitudeFrame::AboveTakeOff); 2]
+    );
 }

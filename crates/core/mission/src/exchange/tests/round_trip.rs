@@ -18,6 +18,8 @@ fn any_way_point() -> impl Strategy<Value = WayPoint> {
         }),
         Just(WayPointAction::TakeOff),
         Just(WayPointAction::Land),
+        (-500.0_f64..500.0, proptest::option::of(0.5_f64..4000.0))
+            .prop_map(|(radius, seconds)| WayPointAction::Wait { radius, seconds }),
     ];
     let frame = proptest::sample::select(AltitudeFrame::ALL.to_vec());
     (
@@ -37,8 +39,10 @@ fn any_route() -> impl Strategy<Value = Route> {
     (
         "[a-zA-Zä<&\"' ]{1,12}",
         proptest::collection::vec(any_way_point(), 1..8),
+        any::<bool>(),
     )
-        .prop_map(|(name, way_points)| Route {
+        .prop_map(|(name, way_points, returns)| Route {
+            returns,
             id: 1,
             name: format!("r{name}s"),
             way_points,
@@ -57,6 +61,8 @@ proptest! {
             if format.holds_several_routes() {
                 prop_assert_eq!(&back.routes[0].name, &route.name);
             }
+            // Rows of a table are way-points.
+            prop_assert_eq!(back.routes[0].returns, route.returns && format != Format::Csv);
         }
     }
 

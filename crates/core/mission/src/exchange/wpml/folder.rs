@@ -2,6 +2,7 @@
 
 use super::super::ExchangeError;
 use super::super::xml::{NamedText, XmlElement};
+use super::hover::hover;
 use super::text_of;
 use crate::mission::found::{LonLat, on_globe};
 
@@ -45,6 +46,8 @@ pub(super) struct Point {
     pub turn: Option<String>,
     pub heading: Option<String>,
     pub actions: Vec<String>,
+    /// Seconds for which it hovers there.
+    pub hover: Option<f64>,
 }
 
 /// A folder with way-points.
@@ -163,7 +166,8 @@ fn point(
     let actions = placemark
         .all("actionGroup")
         .flat_map(|group| group.all("action"))
-        .filter_map(|action| action.child_text("actionActuatorFunc"));
+        .filter_map(|action| action.child_text("actionActuatorFunc"))
+        .filter(|kind| *kind != "hover");
     let other = |child: &&XmlElement| !OWN.contains(&child.name.as_str());
     let kml =
         |child: &&XmlElement| !["name", "description", "styleUrl"].contains(&child.name.as_str());
@@ -180,6 +184,7 @@ fn point(
         turn: turn.map(str::to_owned),
         heading: heading.map(str::to_owned),
         actions: actions.map(str::to_owned).collect(),
+        hover: hover(placemark.children.iter()),
     })
 }
 

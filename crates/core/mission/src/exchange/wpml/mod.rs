@@ -6,6 +6,7 @@
 
 mod folder;
 mod heights;
+mod hover;
 mod name;
 mod read;
 mod write;
@@ -39,6 +40,9 @@ const INDEX: &str = "dji.index";
 /// Property of a way-point: height of mean sea level above the ellipsoid, metres; `null` where its
 /// altitude is above the ellipsoid itself.
 const UNDULATION: &str = "dji.undulation";
+
+/// Word for a return home at the end.
+const GO_HOME: &str = "goHome";
 
 /// Whether a text is one of the two files, by its name space.
 pub(super) fn is_text(head: &str) -> bool {

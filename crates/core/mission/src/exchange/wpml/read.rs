@@ -5,16 +5,16 @@ use serde_json::Value;
 
 use super::super::found::GeodeticContent;
 use super::super::item::counted;
-use super::super::item_route::{GROUND_SPEED, HOME};
+use super::super::item_route::GROUND_SPEED;
 use super::super::xml::{NamedText, XmlElement};
 use super::super::{ExchangeError, kml_read};
 use super::folder::{Point, WaylineFolder, folders};
 use super::{
-    IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION, ending, is_shadow,
-    is_text, text_of,
+    GO_HOME, IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION, ending,
+    is_shadow, is_text, text_of,
 };
 use crate::mission::found::ReadRoute;
-use crate::mission::{USUAL_ALTITUDE, WayPoint};
+use crate::mission::{HOME, USUAL_ALTITUDE, WayPoint, WayPointAction};
 use pilotage_base::files::{FileSet, ZipFiles};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
@@ -241,6 +241,12 @@ impl WpmlNotes {
             let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
             // A file states the speed of the leg that leads away.
             way_point.speed = speed;
+            if point.hover.is_some() {
+                way_point.action = WayPointAction::Wait {
+                    radius: 0.0,
+                    seconds: point.hover,
+                };
+            }
             let has_speed = speed.is_some();
             self.speeds += usize::from(has_speed);
             speed = point.speed;
@@ -332,8 +338,9 @@ impl WpmlNotes {
             route
                 .properties
                 .insert(MISSION.to_owned(), Value::from(text).to_string());
-            self.finish
-                .extend(config.child_text("finishAction").map(str::to_owned));
+            let finish = config.child_text("finishAction");
+            route.returns = finish == Some(GO_HOME);
+            self.finish.extend(finish.map(str::to_owned));
         }
         if let Some(name_space) = root
             .attribute("wpml")
@@ -360,9 +367,11 @@ impl WpmlNotes {
         kept("headings", &self.headings);
         kept("actions", &self.actions);
         if let Some(finish) = self.finish.first() {
-            notes.push(format!(
-                "what is done at the end is kept, and not shown: {finish}"
-            ));
+            notes.push(if finish == GO_HOME {
+                format!("the aircraft returns home at the end ({finish})")
+            } else {
+                format!("what is done at the end is kept, and not shown: {finish}")
+            });
         }
         if self.ellipsoid > 0 {
             notes.push(format!(

@@ -8,9 +8,10 @@ use super::super::item::{MissionItem, RETURN_TO_LAUNCH, command_name, counted};
 use super::super::route_items::{RouteStep, steps_of};
 use super::super::xml::{NamedText, escape};
 use super::heights::heights;
+use super::hover::with_hover;
 use super::{
-    IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, NAME_SPACE, OWN_NAME_SPACE, TEMPLATE, WAYLINES,
-    text_of,
+    GO_HOME, IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, NAME_SPACE, OWN_NAME_SPACE, TEMPLATE,
+    WAYLINES, text_of,
 };
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::files::{FileSink, ZipSink};
@@ -48,21 +49,23 @@ pub(in super::super) fn write(
         ));
         configuration(finish, common)
     });
+    let mission = with_finish(mission, route);
     let numbers = numbers(route);
     let (mut flown, mut drawn) = (String::new(), String::new());
     for (i, way_point) in route.way_points.iter().enumerate() {
+        let seconds = match way_point.action {
+            WayPointAction::Wait { seconds, .. } => seconds,
+            _ => None,
+        };
         let own = |key| text(&way_point.properties, key).map(|t| renumbered(&t, i, &numbers));
         let template = own(IN_TEMPLATE);
         let rest = own(IN_WAYLINES).unwrap_or_else(|| of_both(template.as_deref().unwrap_or("")));
+        let rest = with_hover(&complete(rest), i, seconds);
         let place = place(i, &way_point.position, frame);
         let speed = element("waypointSpeed", speeds[i]);
         let height = element("executeHeight", heights.flown[i]);
         // Writing into a string cannot fail.
-        let _ = writeln!(
-            flown,
-            "<Placemark>{place}{height}{speed}{}</Placemark>",
-            complete(rest)
-        );
+        let _ = writeln!(flown, "<Placemark>{place}{height}{speed}{rest}</Placemark>");
         let (ellipsoid, height) = (
             element("ellipsoidHeight", heights.flown[i]),
             element("height", heights.drawn[i]),
@@ -72,6 +75,7 @@ pub(in super::super) fn write(
              <wpml:useGlobalTurnParam>1</wpml:useGlobalTurnParam>"
                 .to_owned()
         });
+        let rest = with_hover(&rest, i, seconds);
         let _ = writeln!(
             drawn,
             "<Placemark>{place}{ellipsoid}{height}<wpml:useGlobalHeight>0</wpml:useGlobalHeight>\
@@ -206,7 +210,7 @@ fn speeds(route: &Route, notes: &mut Vec<String>) -> (Vec<f64>, f64) {
 /// Action of the aircraft at the end, in the file's word; notes on steps that have no place in the file.
 fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'static str {
     let mut left_out = Vec::new();
-    let mut returns = false;
+    let mut returns = route.returns;
     for step in steps_of(route, frame) {
         if let RouteStep::Kept(piece) = step {
             match MissionItem::of_json(piece.get()) {
@@ -216,12 +220,14 @@ fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'stati
             }
         }
     }
-    let loiters = |w: &WayPoint| matches!(w.action, WayPointAction::Loiter { .. });
-    let circles = route.way_points.iter().filter(|w| loiters(w)).count();
-    left_out.extend(std::iter::repeat_n(
-        "circles at a way-point".to_owned(),
-        circles,
-    ));
+    for way_point in &route.way_points {
+        let name = match way_point.action {
+            WayPointAction::Loiter { .. } => "circles at a way-point",
+            WayPointAction::Wait { seconds: None, .. } => "waiting without an end",
+            _ => continue,
+        };
+        left_out.push(name.to_owned());
+    }
     if !left_out.is_empty() {
         notes.push(format!(
             "DJI's file has no place for this, which is left out: {}",
@@ -234,6 +240,26 @@ fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'stati
     } else {
         "goHome"
     }
+}
+
+/// The configuration of a mission with what the route says of its end: whether it returns. All else is as it was.
+fn with_finish(mission: String, route: &Route) -> String {
+    let said = |word: &str| format!("<wpml:finishAction>{word}</wpml:finishAction>");
+    let lands = route.way_points.last().map(|w| w.action) == Some(WayPointAction::Land);
+    let is_known = text(&route.properties, MISSION).is_some();
+    if route.returns && !mission.contains(&said(GO_HOME)) {
+        let before = ["autoLand", "noAction", "gotoFirstWaypoint"].map(said);
+        let old = before.iter().find(|old| mission.contains(*old));
+        return match old {
+            Some(old) => mission.replace(old, &said(GO_HOME)),
+            None => said(GO_HOME) + &mission,
+        };
+    }
+    if !route.returns && is_known {
+        let word = if lands { "autoLand" } else { "noAction" };
+        return mission.replace(&said(GO_HOME), &said(word));
+    }
+    mission
 }
 
 /// The configuration of a mission that comes from no file of DJI.

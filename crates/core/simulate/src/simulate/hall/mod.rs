@@ -174,6 +174,7 @@ impl IndoorHall {
                 .collect(),
             routes: Vec::new(),
             no_fly: Vec::new(),
+            rally: Vec::new(),
             labels: Vec::new(),
             camera: Some(Self::camera()),
             camera_to_log: None,
