@@ -430,8 +430,12 @@ mod tests {
             way_points: (0..count).map(|i| at(600.0 * i as f64)).collect(),
             ..Route::default()
         };
-        let legs =
-            super::super::legs::legs(&route, 20.0, &pilotage_core::simulate::Wind::default());
+        let legs = super::super::legs::legs(
+            &route,
+            None,
+            20.0,
+            &pilotage_core::simulate::Wind::default(),
+        );
         let bounds = GroundRect::centered(GroundPoint::new(30.0, 300.0), 20.0, 20.0);
         let landmarks = [BriefLandmark {
             landmark: Landmark::new(1, "Barn <old>", bounds),

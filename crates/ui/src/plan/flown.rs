@@ -1,9 +1,14 @@
 //! With what a plan is flown, and how high and over which places its routes lead.
 
+use std::f64::consts::TAU;
+
 use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
-use pilotage_core::mission::{Route, WayPoint};
-use pilotage_core::simulate::{Airframe, Scenario, SimulationChoice, Target, Wind};
+use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_core::mission::turn::turn_radius;
+use pilotage_core::mission::{Route, WayPoint, WayPointAction, circles};
+use pilotage_core::simulate::{
+    Airframe, GuidanceSettings, Scenario, SimulationChoice, Target, Wind,
+};
 
 use super::profile::{ProfileSample, on_leg, profile};
 use crate::documents::Documents;
@@ -19,6 +24,9 @@ const UNEVEN: f64 = 4.0;
 const SHORTEST_PIECE: f64 = 200.0;
 /// Places at which a piece is looked at.
 const BENDS: u32 = 20;
+
+/// Most circles that are predicted at a way-point.
+pub const MOST_CIRCLES: f64 = 20.0;
 
 /// Airspeed in cruise of the aircraft that is planned for, m/s.
 pub fn cruise() -> f64 {
@@ -82,9 +90,41 @@ pub fn flown_height(documents: &Documents) -> f64 {
     )
 }
 
+/// Leg from the last way-point of a route to home, if it returns.
+pub fn way_back(route: &Route, documents: &Documents) -> Option<[GroundPoint; 2]> {
+    route.way_back(&LocalFrame::new(documents.mission.origin))
+}
+
+/// Radius in metres, negative to the left, and number of the circles at a way-point, as an aircraft flies them that
+/// banks up to `bank`, radians; `None` where it flies by. Waiting without an end is flown by as well.
+pub fn circles_at(way_point: &WayPoint, bank: f64) -> Option<(f64, f64)> {
+    let speed = way_point.speed.unwrap_or_else(cruise);
+    let tightest = turn_radius(speed, GuidanceSettings::within(bank).planned_bank);
+    let flown = |radius: f64| {
+        let side = if radius < 0.0 { -1.0 } else { 1.0 };
+        side * radius.abs().max(tightest)
+    };
+    match way_point.action {
+        WayPointAction::Loiter { radius, turns } => Some((flown(radius), turns)),
+        WayPointAction::Wait {
+            radius,
+            seconds: Some(seconds),
+        } => {
+            let radius = flown(radius);
+            Some((radius, seconds * speed / (TAU * radius.abs())))
+        }
+        _ => None,
+    }
+}
+
 /// Flown places of a route: its way-points with their heights above ground, metres, and airspeeds, and
-/// between them places from which on the ground lets the height change otherwise.
-pub fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Vec<Target>) {
+/// between them places from which on the ground lets the height change otherwise; around way-points the circles
+/// that an aircraft flies which banks up to `bank`, radians; and home, if it returns.
+pub fn flown_over(
+    route: &Route,
+    documents: &Documents,
+    bank: f64,
+) -> (Vec<GroundPoint>, Vec<Target>) {
     let relief = documents.relief();
     let ground = |p: &GroundPoint| relief.at(p);
     let take_off = relief.take_off(route);
@@ -96,8 +136,15 @@ pub fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Ve
             airspeed,
         });
     };
-    for (index, way_point) in route.way_points.iter().enumerate() {
-        let before = index.checked_sub(1).map(|i| &route.way_points[i]);
+    let back = way_back(route, documents).map(|[_, home]| WayPoint {
+        position: home,
+        speed: None,
+        action: WayPointAction::FlyBy,
+        ..route.way_points[route.way_points.len() - 1].clone()
+    });
+    let all: Vec<&WayPoint> = route.way_points.iter().chain(&back).collect();
+    for (index, way_point) in all.iter().copied().enumerate() {
+        let before = index.checked_sub(1).map(|i| all[i]);
         let leg = on_leg((before.unwrap_or(way_point), way_point), &ground, take_off);
         if let Some(before) = before.filter(|_| !relief.is_level()) {
             let length = before.position.distance(&way_point.position);
@@ -108,7 +155,27 @@ pub fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Ve
                 add(&leg(share), way_point.speed);
             }
         }
-        add(&leg(1.0), way_point.speed);
+        let around = before.and_then(|before| {
+            let (radius, turns) = circles_at(way_point, bank)?;
+            let after = all.get(index + 1).map(|next| &next.position);
+            let turns = turns.min(MOST_CIRCLES);
+            circles(&before.position, &way_point.position, after, radius, turns)
+        });
+        match around {
+            Some(around) => {
+                for place in around {
+                    let there = WayPoint {
+                        position: place,
+                        ..way_point.clone()
+                    };
+                    add(
+                        &on_leg((&there, &there), &ground, take_off)(1.0),
+                        way_point.speed,
+                    );
+                }
+            }
+            None => add(&leg(1.0), way_point.speed),
+        }
     }
     (places, targets)
 }

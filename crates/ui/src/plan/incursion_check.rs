@@ -1,6 +1,6 @@
 //! No-fly areas that the selected route leads over or near, found anew when route, areas or prediction change.
 
-use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::mission::{Mission, NoFlyZone, Route};
 use pilotage_core::plan::{Incursion, ReachedZone, incursions, reached_zones};
 
@@ -25,7 +25,11 @@ impl IncursionCheck {
     /// Looks at the route anew, if anything changed.
     pub fn keep_to(&mut self, mission: &Mission, route: Option<&Route>, forecast: &Forecast) {
         let way_points = route.map_or(&[][..], |route| &route.way_points);
-        let places = || way_points.iter().map(|w| w.position);
+        let back = route.and_then(|route| route.way_back(&LocalFrame::new(mission.origin)));
+        let places = || {
+            let back = back.map(|[_, home]| home);
+            way_points.iter().map(|w| w.position).chain(back)
+        };
         let is_same = self.zones == mission.no_fly
             && self.prediction == forecast.number()
             && places().eq(self.places.iter().copied());
@@ -100,5 +104,13 @@ mod tests {
         route.way_points[1].position.east = -10.0;
         check.keep_to(&mission, Some(&route), &forecast);
         assert!(check.legs.is_empty());
+        let home = LocalFrame::new(mission.origin).geodetic_from_ground(&at(50.0, 150.0));
+        let home = [home.latitude.to_degrees(), home.longitude.to_degrees(), 0.0];
+        route
+            .properties
+            .insert("home".to_owned(), format!("{home:?}"));
+        route.returns = true;
+        check.keep_to(&mission, Some(&route), &forecast);
+        assert_eq!(check.legs.len(), 1, "the way back leads over it");
     }
 }

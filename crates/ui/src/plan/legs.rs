@@ -1,6 +1,7 @@
 //! The legs of a route: distance, course and time in the wind.
 
 use nalgebra::Vector2;
+use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 use pilotage_core::simulate::Wind;
 
@@ -15,31 +16,42 @@ pub struct Leg {
     pub time: Option<f64>,
 }
 
-/// The legs of `route` for an aircraft that cruises at `cruise` m/s.
-pub fn legs(route: &Route, cruise: f64, wind: &Wind) -> Vec<Leg> {
+/// The legs of `route` for an aircraft that cruises at `cruise` m/s, and last the way back, if there is one.
+pub fn legs(
+    route: &Route,
+    way_back: Option<[GroundPoint; 2]>,
+    cruise: f64,
+    wind: &Wind,
+) -> Vec<Leg> {
     let air = wind.velocity();
-    route
-        .way_points
-        .windows(2)
-        .map(|pair| {
-            let way = pair[1].position.to_vector() - pair[0].position.to_vector();
-            let distance = way.norm();
-            if distance < 1e-6 {
-                return Leg {
-                    distance: 0.0,
-                    course: None,
-                    time: Some(0.0),
-                };
-            }
-            let along = way / distance;
-            let speed = ground_speed(pair[1].speed.unwrap_or(cruise), &along, &air);
-            Leg {
-                distance,
-                course: Some(along.y.atan2(along.x).rem_euclid(std::f64::consts::TAU)),
-                time: speed.map(|speed| distance / speed + circles(&pair[1], cruise)),
-            }
-        })
-        .collect()
+    let leg = |[from, to]: [GroundPoint; 2], airspeed: f64, stays: f64| {
+        let way = to.to_vector() - from.to_vector();
+        let distance = way.norm();
+        if distance < 1e-6 {
+            return Leg {
+                distance: 0.0,
+                course: None,
+                time: Some(stays),
+            };
+        }
+        let along = way / distance;
+        let speed = ground_speed(airspeed, &along, &air);
+        Leg {
+            distance,
+            course: Some(along.y.atan2(along.x).rem_euclid(std::f64::consts::TAU)),
+            time: speed.map(|speed| distance / speed + stays),
+        }
+    };
+    let between = route.way_points.windows(2).map(|pair| {
+        let ends = [pair[0].position, pair[1].position];
+        leg(
+            ends,
+            pair[1].speed.unwrap_or(cruise),
+            circles(&pair[1], cruise),
+        )
+    });
+    let back = way_back.map(|ends| leg(ends, cruise, 0.0));
+    between.chain(back).collect()
 }
 
 /// Seconds that circles at a way-point take, through the air.
@@ -81,7 +93,7 @@ pub fn time_text(seconds: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
+    use pilotage_core::frames::{Altitude, AltitudeFrame};
 
     fn east() -> Route {
         let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
@@ -98,7 +110,7 @@ mod tests {
             from: degrees.to_radians(),
             speed,
         };
-        let time = |wind| legs(&east(), 20.0, &wind)[0].time;
+        let time = |wind| legs(&east(), None, 20.0, &wind)[0].time;
         assert_eq!(time(Wind::default()), Some(30.0));
         assert!((time(from(90.0, 5.0)).unwrap() - 40.0).abs() < 1e-9);
         assert!((time(from(0.0, 12.0)).unwrap() - 37.5).abs() < 1e-9);
@@ -113,7 +125,7 @@ mod tests {
             radius: -50.0,
             turns: 2.0,
         };
-        let time = legs(&route, 20.0, &Wind::default())[0].time.unwrap();
+        let time = legs(&route, None, 20.0, &Wind::default())[0].time.unwrap();
         assert!(
             (time - 30.0 - 10.0 * std::f64::consts::PI).abs() < 1e-9,
             "{time}"
@@ -128,14 +140,30 @@ mod tests {
             seconds,
         };
         route.way_points[1].action = wait(Some(45.0));
-        assert_eq!(legs(&route, 20.0, &Wind::default())[0].time, Some(75.0));
+        assert_eq!(
+            legs(&route, None, 20.0, &Wind::default())[0].time,
+            Some(75.0)
+        );
         route.way_points[1].action = wait(None);
-        assert_eq!(legs(&route, 20.0, &Wind::default())[0].time, Some(30.0));
+        assert_eq!(
+            legs(&route, None, 20.0, &Wind::default())[0].time,
+            Some(30.0)
+        );
+    }
+
+    #[test]
+    fn the_way_back_is_a_leg_in_cruise() {
+        let mut route = east();
+        route.way_points[1].speed = Some(10.0);
+        let back = [GroundPoint::new(0.0, 600.0), GroundPoint::new(0.0, 0.0)];
+        let all = legs(&route, Some(back), 20.0, &Wind::default());
+        assert_eq!(totals(&all), (1200.0, Some(90.0)));
+        assert!((all[1].course.unwrap().to_degrees() - 270.0).abs() < 1e-9);
     }
 
     #[test]
     fn the_course_counts_clockwise_from_north() {
-        let leg = legs(&east(), 20.0, &Wind::default())[0];
+        let leg = legs(&east(), None, 20.0, &Wind::default())[0];
         assert!((leg.course.unwrap().to_degrees() - 90.0).abs() < 1e-9);
     }
 }

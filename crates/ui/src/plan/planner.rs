@@ -235,7 +235,7 @@ impl Planner {
             return None;
         }
         let camera = camera(documents);
-        let (way_points, targets) = flown_over(route, documents);
+        let (way_points, targets) = flown_over(route, documents, self.preferences.bank);
         Some(PredictionOrder {
             path: PlannedPath {
                 way_points,

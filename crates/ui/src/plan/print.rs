@@ -5,7 +5,7 @@ use pilotage_core::sorting::sort;
 
 use super::aircraft::energy_left;
 use super::brief::{BriefScene, MOST_LANDMARKS, STYLE, brief, brief_area};
-use super::flown::{camera, cruise};
+use super::flown::{camera, cruise, way_back};
 use super::legs::legs;
 use super::planner::Planner;
 use super::printing::{BriefLandmark, Printing};
@@ -126,7 +126,7 @@ impl Planner {
             return;
         };
         let wind = self.wind(documents);
-        let legs = legs(route, cruise(), &wind);
+        let legs = legs(route, way_back(route, documents), cruise(), &wind);
         let (speed, speed_unit) = units.speed();
         let camera = camera(documents);
         let across = 2.0 * (0.5 * camera.width as f64 / camera.focal).atan();

@@ -7,7 +7,7 @@ use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 use super::PlanCommand;
 use super::aircraft::{aircraft, energy_left, tight_legs};
 use super::button::button;
-use super::flown::cruise;
+use super::flown::{MOST_CIRCLES, circles_at, cruise, way_back};
 use super::legs::{legs, time_text, totals};
 use super::pattern_card::pattern_card;
 use super::patterns::Pattern;
@@ -53,7 +53,8 @@ pub fn route_tab(
         planner.rehearsal_card(ui, context);
     });
     ui.add_space(tokens.space);
-    let legs = legs(route, cruise(), &planner.wind(documents));
+    let air = planner.wind(documents);
+    let legs = legs(route, way_back(route, documents), cruise(), &air);
     let (length, time) = totals(&legs);
     ui.horizontal(|ui| {
         caption(ui, tokens, "Legs");
@@ -307,11 +308,32 @@ pub fn assumptions(
     if climbs {
         list.push("Between way-points of different heights it climbs or sinks evenly.".to_owned());
     }
-    let circles = |w: &WayPoint| matches!(w.action, WayPointAction::Loiter { .. });
-    if route.way_points.iter().any(circles) {
-        let words = "Circles at way-points count in the time of the legs, but are not predicted: the \
-                     aircraft is taken to fly by.";
+    let bank = planner.preferences.bank;
+    let flown = |w: &WayPoint| circles_at(w, bank).map(|(_, turns)| turns);
+    if route.way_points.iter().skip(1).any(|w| flown(w).is_some()) {
+        let words = "Circles and waiting are predicted as circles around the way-point, as tight as the \
+                     bank limit lets them be.";
         list.push(words.to_owned());
+    }
+    if route
+        .way_points
+        .iter()
+        .filter_map(flown)
+        .any(|turns| turns > MOST_CIRCLES)
+    {
+        list.push(format!(
+            "Of more than {MOST_CIRCLES} circles {MOST_CIRCLES} are predicted."
+        ));
+    }
+    if route
+        .way_points
+        .iter()
+        .any(|w| matches!(w.action, WayPointAction::Wait { seconds: None, .. }))
+    {
+        list.push("Waiting without an end is predicted as flying by.".to_owned());
+    }
+    if way_back(route, documents).is_some() {
+        list.push("It returns at the altitude of the last way-point.".to_owned());
     }
     list.extend(documents.relief().assumptions(route, units));
     list

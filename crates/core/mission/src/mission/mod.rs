@@ -3,6 +3,7 @@
 //!
 //! The file of a mission is GeoJSON; docs/formats.md defines it.
 
+mod circles;
 mod error;
 pub(crate) mod found;
 pub(crate) mod globe;
@@ -24,6 +25,7 @@ pub mod turn;
 pub(crate) mod way_point_file;
 mod write;
 
+pub use circles::circles;
 pub use error::MissionError;
 pub use labels::{FrameLabels, LabelBox};
 pub use no_fly::NoFlyZone;

@@ -115,13 +115,20 @@ impl Route {
         stated.or_else(|| Some(self.way_points.first()?.position))
     }
 
-    /// Places at which it lands: its last way-point if it lands there, or home if it returns.
+    /// Place at which it lands: its last way-point if it lands there, or home if it returns.
     pub fn landing(&self, frame: &LocalFrame) -> Option<GroundPoint> {
-        if self.returns {
-            return self.home(frame);
-        }
         let last = self.way_points.last()?;
-        (last.action == WayPointAction::Land).then_some(last.position)
+        if last.action == WayPointAction::Land {
+            return Some(last.position);
+        }
+        self.home(frame).filter(|_| self.returns)
+    }
+
+    /// Leg from the last way-point to home, if it returns and does not land before.
+    pub fn way_back(&self, frame: &LocalFrame) -> Option<[GroundPoint; 2]> {
+        let last = self.way_points.last()?.position;
+        let landing = self.landing(frame)?;
+        (last.distance(&landing) > 1.0).then_some([last, landing])
     }
 
     /// The same line flown the other way: each leg keeps its speed, and take-off and landing change places.
@@ -206,10 +213,14 @@ mod tests {
         route.properties.insert(HOME.to_owned(), stated);
         assert!((home(&route).north - 111.2).abs() < 0.1);
         assert_eq!(route.landing(&frame), Some(home(&route)));
+        let last = GroundPoint::new(300.0, 400.0);
+        assert_eq!(route.way_back(&frame), Some([last, home(&route)]));
         route.returns = false;
         assert_eq!(route.landing(&frame), None);
         route.way_points[2].action = WayPointAction::Land;
-        assert_eq!(route.landing(&frame), Some(GroundPoint::new(300.0, 400.0)));
+        route.returns = true;
+        assert_eq!(route.landing(&frame), Some(last));
+        assert_eq!(route.way_back(&frame), None, "it landed before");
     }
 
     #[test]

@@ -92,7 +92,7 @@ fn circles_at_a_way_point_lengthen_the_way_there() {
     rig.frames(3);
     let after = time(&rig);
     assert!(
-        after.contains("1 circles") && before != after,
+        after.contains("1 circle,") && before != after,
         "{before} {after}"
     );
 }

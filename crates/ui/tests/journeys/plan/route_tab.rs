@@ -179,10 +179,11 @@ fn stated_energy_is_counted_down_along_the_legs() {
 }
 
 #[test]
-fn circles_are_said_not_to_be_predicted() {
+fn circles_lengthen_what_is_predicted() {
     let mut rig = planning();
     draw(&mut rig, &BEND);
-    assert_eq!(count(&rig, "Circles at way-points"), 0);
+    assert_eq!(count(&rig, "Circles and waiting"), 0);
+    let before = number(&rig, "/prediction/length");
     choose(&mut rig, 2);
     rig.harness
         .get_by_label("What is done at the way-point")
@@ -190,5 +191,9 @@ fn circles_are_said_not_to_be_predicted() {
     rig.frames(3);
     rig.harness.get_by_label("Circle").click();
     rig.settle();
-    assert_eq!(count(&rig, "Circles at way-points count in the time"), 1);
+    assert_eq!(count(&rig, "Circles and waiting are predicted"), 1);
+    // A circle of 80 m around the way-point, entered and left along its tangents.
+    let longer = number(&rig, "/prediction/length") - before;
+    let circle = std::f64::consts::TAU * 80.0;
+    assert!((0.7 * circle..1.5 * circle).contains(&longer), "{longer} m");
 }
