@@ -61,16 +61,16 @@ pub struct LandmarkScene<'a> {
     pub lines_drawn: f32,
 }
 
-/// Draws all landmarks.
+/// Draws all landmarks, and names of theirs and of other things (`labels`).
 pub fn paint_landmarks(
     painter: &Painter,
     view: &ScreenFromWorld,
     screen: Rect,
     scene: &LandmarkScene<'_>,
+    mut labels: Vec<LandmarkLabel>,
     tokens: &Tokens,
 ) {
     let room = screen.expand(32.0);
-    let mut labels = Vec::new();
     for landmark in scene.landmarks {
         let corners = view.corners(&landmark.bounds);
         let around = Rect::from_points(&corners);

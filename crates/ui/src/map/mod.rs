@@ -22,6 +22,7 @@ mod transform;
 mod view;
 
 pub use button::MapButton;
+pub use labels::LandmarkLabel;
 pub use layer::MapLayer;
 pub(crate) use layers::track_colour;
 pub use layers::{Layer, Layers};

@@ -3,6 +3,7 @@
 use egui::{Painter, Pos2, Rect, Response, Ui};
 use pilotage_core::mission::Mission;
 
+use super::labels::LandmarkLabel;
 use super::layers::Layers;
 use super::transform::ScreenFromWorld;
 use crate::context::ViewContext;
@@ -56,6 +57,11 @@ pub trait MapTool {
         response: &Response,
         context: &mut ViewContext<'_>,
     ) -> bool;
+
+    /// Names that find their places together with those of landmarks.
+    fn labels(&self, _canvas: &MapCanvas<'_>) -> Vec<LandmarkLabel> {
+        Vec::new()
+    }
 
     /// Draws what belongs to a stage.
     fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>);

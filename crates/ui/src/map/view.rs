@@ -9,6 +9,7 @@ use super::correction::{ShownBelief, shown_belief};
 use super::furniture::{
     LensScene, coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
+use super::labels::LandmarkLabel;
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
@@ -248,7 +249,18 @@ impl MapView {
         paint_tool(self, MapStage::Ground);
         self.paint_tracks(&painter, &view, rect, context, extra);
         paint_tool(self, MapStage::BelowMarks);
-        self.paint_now(&painter, &view, rect, context, extra, &response);
+        let canvas = MapCanvas {
+            painter: &painter,
+            view: &view,
+            rect,
+            pointer,
+            mission,
+            route,
+            layers: &self.layers,
+            tokens: context.tokens,
+        };
+        let labels = tools.iter().flat_map(|tool| tool.labels(&canvas)).collect();
+        self.paint_now(&painter, &view, context, extra, &response, labels);
         paint_tool(self, MapStage::AboveMarks);
         paint_tool(self, MapStage::Last);
         self.paint_drawing(&painter, &view, &response, context);
@@ -360,7 +372,10 @@ impl MapView {
     ) -> (Vec<[Pos2; 2]>, Vec<Rect>) {
         let route = context.selected_route().filter(|_| self.planning);
         let way_points = route.map_or(&[][..], |route| &route.way_points);
-        let on_route = way_points.iter().map(|w| view.apply(&w.position));
+        let frame = LocalFrame::new(context.mission.origin);
+        let home = route.and_then(|route| Some(route.way_back(&frame)?[1]));
+        let on_route = way_points.iter().map(|w| w.position).chain(home);
+        let on_route = on_route.map(|place| view.apply(&place));
         let steps = context.run.map_or(&[][..], |run| &run.steps);
         let is_shown = !self.planning && self.layers.shows(Layer::Estimate);
         let every = (steps.len() / TRACK_POINTS).max(1);
@@ -378,12 +393,12 @@ impl MapView {
         &mut self,
         painter: &egui::Painter,
         view: &ScreenFromWorld,
-        rect: Rect,
         context: &ViewContext<'_>,
         extra: &MapExtra<'_>,
         response: &egui::Response,
+        labels: Vec<LandmarkLabel>,
     ) {
-        let tokens = context.tokens;
+        let (tokens, rect) = (context.tokens, response.rect);
         let step = context.run.and_then(|r| r.step_at(context.time));
         let frame_step = context.run.and_then(|r| recent_frame(r, context.time));
         let shows = |layer| self.layers.shows(layer);
@@ -395,7 +410,8 @@ impl MapView {
         let belief = believed(context).map(|(belief, _)| belief);
         let aircraft = belief.as_ref().map(|it| view.apply(&it.position));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
-        if shows(Layer::Landmarks) {
+        let shows_landmarks = shows(Layer::Landmarks);
+        if shows_landmarks || !labels.is_empty() {
             let (lines, marks) = self.busy(view, context);
             let covered = self.covered.iter().copied().chain(own).chain(marks);
             let covered: Vec<Rect> = covered.collect();
@@ -403,7 +419,11 @@ impl MapView {
                 .hover_pos()
                 .and_then(|p| super::picking::landmark_at(&context.mission.landmarks, view, p));
             let scene = LandmarkScene {
-                landmarks: &context.mission.landmarks,
+                landmarks: if shows_landmarks {
+                    &context.mission.landmarks
+                } else {
+                    &[]
+                },
                 step: frame_step,
                 selection: context.selection,
                 hovered,
@@ -413,7 +433,7 @@ impl MapView {
                 lines_from: aircraft.filter(|_| shows(Layer::Matches)),
                 lines_drawn: belief.as_ref().map_or(1.0, |it| it.share),
             };
-            paint_landmarks(painter, view, rect, &scene, tokens);
+            paint_landmarks(painter, view, rect, &scene, labels, tokens);
         }
         if let Some(distinctness) = extra.distinctness {
             let most = context.mission.navigator.detector.greatest_ambiguity;

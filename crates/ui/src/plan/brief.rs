@@ -9,10 +9,11 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, Route};
 use pilotage_core::plan::RoutePrediction;
 
+use super::actions::action_words;
 use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
 use super::printing::BriefLandmark;
-use super::way_points::{action_words, altitude_words};
+use super::way_points::altitude_words;
 use super::words::{PredictionFigures, distance_text};
 use crate::units::Units;
 use pilotage_jobs::{BriefPictures, EncodedPicture};

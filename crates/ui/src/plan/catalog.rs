@@ -53,6 +53,24 @@ fn routes() -> Vec<CommandEntry> {
             PlanCommand::Split,
         )
         .also("waypoint cut"),
+        of(
+            "Take off at the start of the route, or fly past it",
+            vec![],
+            PlanCommand::ToggleTakeOff,
+        )
+        .also("takeoff launch"),
+        of(
+            "Return to the start at the end of the route, or not",
+            vec![],
+            PlanCommand::ToggleReturn,
+        )
+        .also("rtl home launch back"),
+        of(
+            "Land at the last way-point, or fly past it",
+            vec![],
+            PlanCommand::ToggleLanding,
+        )
+        .also("landing touch down"),
         of("Survey an area", vec![], PlanCommand::Mark(Purpose::Survey))
             .also("lawnmower grid pattern scan"),
         of(
@@ -197,6 +215,12 @@ fn ground() -> Vec<CommandEntry> {
             vec![],
             PlanCommand::Find(FindCommand::Start),
         ),
+        of(
+            "Mark a rally point",
+            vec![shift(Key::I)],
+            PlanCommand::Mark(Purpose::Rally),
+        )
+        .also("emergency landing alternate safe divert"),
         of(
             "Draw a no-fly area",
             vec![shift(Key::A)],

@@ -28,6 +28,17 @@ pub enum AreaChange {
     Corner(usize, GroundPoint),
 }
 
+/// A change of a rally point.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RallyChange {
+    /// Another name.
+    Name(String),
+    /// Another place.
+    Place(GroundPoint),
+    /// Another altitude at which the aircraft comes there.
+    Altitude(Altitude),
+}
+
 /// Something to do in the Plan workspace. Way-points are those of the selected route, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanCommand {
@@ -102,6 +113,23 @@ pub enum PlanCommand {
         /// Whether the drag is over.
         finished: bool,
     },
+    /// Take off at the first way-point, or fly past it.
+    ToggleTakeOff,
+    /// Return home at the end, or not.
+    ToggleReturn,
+    /// Land at the last way-point, or fly past it.
+    ToggleLanding,
+    /// Change a rally point; `finished` as for a drag.
+    EditRally {
+        /// Its number.
+        index: usize,
+        /// Change of the rally point.
+        change: RallyChange,
+        /// Whether the drag is over.
+        finished: bool,
+    },
+    /// Delete a rally point, by its number.
+    DeleteRally(usize),
     /// Make the selected route of another pattern; `finished` as for a drag.
     SetPattern {
         /// The pattern.

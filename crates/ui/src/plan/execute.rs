@@ -5,11 +5,13 @@ use pilotage_core::mission::Route;
 use pilotage_core::simulate::SimulationChoice;
 
 use super::PlanCommand;
+use super::actions::change_ends;
 use super::find_command::{FindCommand, FindPick};
 use super::flown;
 use super::heat_command::HeatCommand;
 use super::patterns::{CoveredGround, Pattern};
 use super::planner::{Planner, made_for};
+use super::rally::edit_rally_points;
 use super::routes::{EditStep, like};
 use super::tab::PlanTab;
 use crate::feature::FeatureContext;
@@ -25,6 +27,9 @@ impl Planner {
             context.show();
         }
         let Some(command) = self.edit_landmarks(command, context) else {
+            return;
+        };
+        let Some(command) = edit_rally_points(command, context) else {
             return;
         };
         match command {
@@ -303,6 +308,9 @@ fn change(route: &mut Route, command: &PlanCommand) {
             }
         }
         PlanCommand::Reverse => *route = route.reversed(),
+        PlanCommand::ToggleReturn | PlanCommand::ToggleTakeOff | PlanCommand::ToggleLanding => {
+            change_ends(route, command);
+        }
         PlanCommand::RenameRoute(name) => route.name.clone_from(name),
         _ => {}
     }

@@ -95,6 +95,12 @@ pub fn way_back(route: &Route, documents: &Documents) -> Option<[GroundPoint; 2]
     route.way_back(&LocalFrame::new(documents.mission.origin))
 }
 
+/// Home as a way-point at the altitude of the last one, if a route returns there.
+pub fn home_way_point(route: &Route, documents: &Documents) -> Option<WayPoint> {
+    let [_, home] = way_back(route, documents)?;
+    Some(WayPoint::new(home, route.way_points.last()?.altitude))
+}
+
 /// Radius in metres, negative to the left, and number of the circles at a way-point, as an aircraft flies them that
 /// banks up to `bank`, radians; `None` where it flies by. Waiting without an end is flown by as well.
 pub fn circles_at(way_point: &WayPoint, bank: f64) -> Option<(f64, f64)> {
@@ -136,12 +142,7 @@ pub fn flown_over(
             airspeed,
         });
     };
-    let back = way_back(route, documents).map(|[_, home]| WayPoint {
-        position: home,
-        speed: None,
-        action: WayPointAction::FlyBy,
-        ..route.way_points[route.way_points.len() - 1].clone()
-    });
+    let back = home_way_point(route, documents);
     let all: Vec<&WayPoint> = route.way_points.iter().chain(&back).collect();
     for (index, way_point) in all.iter().copied().enumerate() {
         let before = index.checked_sub(1).map(|i| all[i]);

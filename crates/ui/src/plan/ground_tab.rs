@@ -1,4 +1,4 @@
-//! The ground: where a fix would be had, no-fly areas, and finding a route over it.
+//! The ground: where a fix would be had, no-fly areas, rally points, and finding a route over it.
 
 use egui::{Align, DragValue, Layout, Slider, TextEdit, Ui};
 use pilotage_core::frames::AltitudeFrame;
@@ -14,6 +14,7 @@ use super::heat::BLIND;
 use super::heat_command::{HeatCommand, HeatOf};
 use super::legs::time_text;
 use super::planner::Planner;
+use super::rally_card::rally_card;
 use super::way_points::altitude_words;
 use super::words::distance_text;
 use crate::command::Command;
@@ -35,6 +36,8 @@ pub fn ground_tab(
     areas(ui, planner, context);
     ui.add_space(2.0 * space);
     find(ui, planner, documents, context);
+    ui.add_space(2.0 * space);
+    rally_card(ui, planner, context);
 }
 
 fn say_heat(context: &mut ViewContext<'_>, command: HeatCommand) {

@@ -15,6 +15,8 @@ pub enum Hit {
     Corner(usize),
     /// A corner of a no-fly area: number of the area and of the corner.
     Area(usize, usize),
+    /// A rally point.
+    Rally(usize),
 }
 
 /// The pointer's own state.
@@ -26,6 +28,8 @@ pub struct PlanPointer {
     pub(super) corner: Option<(u32, usize)>,
     /// The no-fly area and the corner of it that is being dragged.
     pub(super) area: Option<(usize, usize)>,
+    /// The rally point that is being dragged.
+    pub(super) rally: Option<usize>,
     /// Thing that the pointer is over.
     pub(super) hovered: Option<Hit>,
     /// Place of the pointer, while something is drawn.

@@ -88,6 +88,9 @@ impl Planner {
         self.marking = (!same).then(|| Marking::new(purpose));
         self.drawing = false;
         context.map.picking = false;
+        if purpose == Purpose::Rally {
+            self.tab = PlanTab::Ground;
+        }
         if purpose != Purpose::Reference {
             *context.selection = None;
         }
@@ -108,6 +111,10 @@ impl Planner {
                         context.run_is_stale();
                     }
                 }
+            }
+            (Purpose::Rally, Some(place)) => {
+                context.documents.add_rally(place);
+                context.document_changed();
             }
             (Purpose::Outline, _) if corners.len() >= 3 => {
                 self.add_drawn(&DrawnLandmark::Outline(corners), context);

@@ -1,5 +1,6 @@
 //! Planning: routes over the map, what they will be navigated with, and how well that will go.
 
+mod actions;
 mod aircraft;
 mod assessments;
 mod brief;
@@ -37,6 +38,7 @@ mod landmarks_tab;
 mod lanes;
 mod legs;
 mod marking;
+mod marks;
 mod no_fly;
 mod on_map;
 mod paint;
@@ -49,6 +51,8 @@ mod print;
 mod printing;
 mod profile;
 mod purpose;
+mod rally;
+mod rally_card;
 mod readouts;
 mod rehearsal;
 mod rehearsal_card;
@@ -61,6 +65,7 @@ pub mod routes;
 mod suggest_command;
 mod suggestions;
 mod suggestions_card;
+mod symbols;
 mod tab;
 mod tallies;
 mod train_command;

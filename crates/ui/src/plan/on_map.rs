@@ -5,9 +5,10 @@ use egui::{Response, Ui};
 use super::find_command::FindPick;
 use super::find_tool::paint_hint;
 use super::incursions::paint_incursions;
+use super::marks::mark_labels;
 use super::planner::Planner;
 use crate::context::ViewContext;
-use crate::map::{Layer, MapCanvas, MapStage, MapTool, ScreenFromWorld};
+use crate::map::{LandmarkLabel, Layer, MapCanvas, MapStage, MapTool, ScreenFromWorld};
 
 impl MapTool for Planner {
     fn hides_flight(&self) -> bool {
@@ -31,6 +32,13 @@ impl MapTool for Planner {
         let is_busy = pointer.interact(ui, view, response, self, context);
         self.pointer = pointer;
         is_busy
+    }
+
+    fn labels(&self, canvas: &MapCanvas<'_>) -> Vec<LandmarkLabel> {
+        if !canvas.layers.shows(Layer::Route) {
+            return Vec::new();
+        }
+        mark_labels(canvas.view, canvas.mission, canvas.route, canvas.tokens)
     }
 
     fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {

@@ -2,13 +2,14 @@
 
 use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, vec2};
 use pilotage_core::mission::turn::Turn;
-use pilotage_core::mission::{Mission, Route, WayPointAction};
+use pilotage_core::mission::{Mission, Route};
 use pilotage_core::plan::PredictionSample;
 
 use super::aircraft::{radius_at, tight_legs};
 use super::chart::sample_at;
 use super::corridor_paint::paint_corridor;
 use super::hit::{Hit, PlanPointer};
+use super::marks::{paint_action, paint_rally, paint_way_back};
 use super::planner::Planner;
 use super::pointer::middles;
 use super::rehearsal::FlownErrors;
@@ -54,6 +55,11 @@ impl Planner {
         tokens: &Tokens,
     ) {
         paint_routes(painter, view, mission, selected, self, tool, tokens);
+        let rally = match tool.hovered {
+            Some(Hit::Rally(index)) => Some(index),
+            _ => None,
+        };
+        paint_rally(painter, view, mission, rally, tokens);
         if let Some(marking) = &self.marking {
             marking.paint(painter, view, tool.pointer, tokens);
         }
@@ -105,6 +111,7 @@ fn paint_routes(
         }
     }
     if let Some(route) = selected.and_then(|id| route_of(mission, id)) {
+        paint_way_back(painter, view, route, mission, tokens);
         paint_selected(painter, view, route, planner, tool, tokens);
     }
 }
@@ -150,16 +157,14 @@ fn paint_selected(
         }
     }
     paint_turns(painter, view, route, planner, tokens);
-    for (index, (way_point, at)) in route.way_points.iter().zip(&line).enumerate() {
+    let bank = planner.preferences.bank;
+    for index in 0..line.len() {
+        paint_action(painter, view, (route, index), bank, tokens);
+    }
+    for (index, at) in line.iter().enumerate() {
         let selected = planner.way_point == Some(index);
         let hovered = tool.hovered == Some(Hit::WayPoint(index));
         paint_way_point(painter, *at, index + 1, selected, hovered, tokens);
-        if let WayPointAction::Loiter { radius, .. } | WayPointAction::Wait { radius, .. } =
-            way_point.action
-        {
-            let stroke = Stroke::new(1.5, tokens.accent);
-            painter.circle_stroke(*at, view.points(radius.abs()), stroke);
-        }
     }
 }
 

@@ -136,6 +136,8 @@ pub struct Planner {
     pub(super) name_draft: Option<(u32, String)>,
     /// The name being typed for a no-fly area, by its number.
     pub(super) area_draft: Option<(usize, String)>,
+    /// The name being typed for a rally point, by its number.
+    pub(super) rally_draft: Option<(usize, String)>,
     /// Whether the map was fitted to the plan.
     pub fitted: bool,
     /// Comparison of the selected landmark with the map around it.

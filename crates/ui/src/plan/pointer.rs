@@ -6,7 +6,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route};
 
 use super::PlanCommand;
-use super::command::AreaChange;
+use super::command::{AreaChange, RallyChange};
 use super::hit::{Hit, PlanPointer};
 use super::planner::Planner;
 use super::tab::PlanTab;
@@ -78,6 +78,11 @@ fn hit(
             return Some(Hit::Middle(index));
         }
     }
+    let rally = mission.rally.iter().enumerate();
+    let rally = rally.map(|(index, point)| (index, view.apply(&point.position)));
+    if let Some(index) = nearest(rally, at) {
+        return Some(Hit::Rally(index));
+    }
     if planner.tab == PlanTab::Ground {
         let zones = mission.no_fly.iter().enumerate();
         let places = zones.flat_map(|(zone, of)| {
@@ -147,6 +152,7 @@ impl PlanPointer {
                 }
                 Some(Hit::Corner(index)) => self.corner = landmark.map(|l| (l.id, index)),
                 Some(Hit::Area(zone, corner)) => self.area = Some((zone, corner)),
+                Some(Hit::Rally(index)) => self.rally = Some(index),
                 _ => {}
             }
         }
@@ -169,18 +175,8 @@ impl PlanPointer {
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
             return true;
         }
-        if let Some((index, corner)) = self.area {
-            let over = response.drag_stopped() || !response.dragged();
-            if let Some(at) = at {
-                say(PlanCommand::EditArea {
-                    index,
-                    change: AreaChange::Corner(corner, view.inverse(at)),
-                    finished: over,
-                });
-            }
-            if over {
-                self.area = None;
-            }
+        if self.area.is_some() || self.rally.is_some() {
+            self.drag_place(view, response).into_iter().for_each(say);
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
             return true;
         }
@@ -213,6 +209,32 @@ impl PlanPointer {
     }
 }
 
+impl PlanPointer {
+    /// Drags the corner of a no-fly area or the rally point that is held.
+    fn drag_place(&mut self, view: &ScreenFromWorld, response: &Response) -> Option<PlanCommand> {
+        let finished = response.drag_stopped() || !response.dragged();
+        let to = response.interact_pointer_pos().map(|at| view.inverse(at));
+        let (area, rally) = (self.area, self.rally);
+        if finished {
+            (self.area, self.rally) = (None, None);
+        }
+        let to = to?;
+        match (area, rally) {
+            (Some((index, corner)), _) => Some(PlanCommand::EditArea {
+                index,
+                change: AreaChange::Corner(corner, to),
+                finished,
+            }),
+            (None, Some(index)) => Some(PlanCommand::EditRally {
+                index,
+                change: RallyChange::Place(to),
+                finished,
+            }),
+            (None, None) => None,
+        }
+    }
+}
+
 /// A click: true if it was for the plan.
 fn clicked(
     response: &Response,
@@ -237,7 +259,7 @@ fn clicked(
             finished: true,
         }),
         Some(Hit::Route(id)) => say(PlanCommand::SelectRoute(id)),
-        Some(Hit::Corner(_) | Hit::Area(..)) => {}
+        Some(Hit::Corner(_) | Hit::Area(..) | Hit::Rally(_)) => {}
         None => {
             if planner.way_point.is_some() {
                 say(PlanCommand::SelectWayPoint(None));

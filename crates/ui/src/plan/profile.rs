@@ -4,8 +4,9 @@ use egui::{
     Align2, Color32, Mesh, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint};
-use pilotage_core::mission::{Route, WayPoint};
+use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
+use super::symbols::{paint_home, paint_triangle};
 use super::words::{distance_text, long};
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -53,6 +54,8 @@ pub struct ProfileScene<'a> {
     pub frame: &'a str,
     /// The selected way-point.
     pub chosen: Option<usize>,
+    /// Whether the last way-point of the route is home, to which it returns.
+    pub ends_at_home: bool,
     /// The look.
     pub tokens: &'a Tokens,
     /// The user's units.
@@ -260,17 +263,27 @@ fn way_points(
         };
         let place = at(sample, sample.flown);
         let chosen = scene.chosen == Some(index);
-        let radius = if chosen { 5.0 } else { 3.5 };
-        painter.circle(
-            place,
-            radius,
-            tokens.surface,
-            Stroke::new(1.5, tokens.accent),
-        );
+        let is_home = scene.ends_at_home && index + 1 == scene.route.way_points.len();
+        match way_point.action {
+            _ if is_home => paint_home(painter, place, tokens.surface, tokens),
+            WayPointAction::TakeOff => paint_triangle(painter, place, true, tokens.surface, tokens),
+            WayPointAction::Land => paint_triangle(painter, place, false, tokens.surface, tokens),
+            action => {
+                let edge = Stroke::new(1.5, tokens.accent);
+                if action != WayPointAction::FlyBy {
+                    painter.circle_stroke(place, 7.0, edge);
+                }
+                let radius = if chosen { 5.0 } else { 3.5 };
+                painter.circle(place, radius, tokens.surface, edge);
+            }
+        }
+        if is_home {
+            continue;
+        }
         let (text, font) = ((index + 1).to_string(), tokens.small());
         let color = if chosen { tokens.text } else { tokens.muted };
         painter.text(
-            place - vec2(0.0, 7.0),
+            place - vec2(0.0, 8.0),
             Align2::CENTER_BOTTOM,
             text,
             font,

@@ -14,12 +14,14 @@ pub enum Purpose {
     Reference,
     /// The area of a survey.
     Survey,
+    /// A new rally point.
+    Rally,
 }
 
 impl Purpose {
     /// Whether one click is all.
     pub fn is_point(self) -> bool {
-        matches!(self, Self::Point | Self::Reference)
+        matches!(self, Self::Point | Self::Reference | Self::Rally)
     }
 
     /// Advice on what to do, in words on the map.
@@ -27,6 +29,7 @@ impl Purpose {
         match (self, corners) {
             (Self::Point, _) => "Click on the landmark",
             (Self::Reference, _) => "Click on the point that is measured",
+            (Self::Rally, _) => "Click where the aircraft may land when it cannot go on",
             (Self::Survey, 0..3) => "Click the corners of the area one after the other",
             (Self::Outline, 0..3) => "Click its corners one after the other",
             (Self::Outline | Self::Survey, _) => {

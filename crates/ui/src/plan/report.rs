@@ -35,6 +35,7 @@ impl Planner {
                     "id": r.id,
                     "name": r.name,
                     "length": r.length(),
+                    "returns": r.returns,
                     "pattern": Pattern::of(r).is_some(),
                     "way_points": r.way_points.iter().map(way_point).collect::<Vec<_>>(),
                 })
@@ -81,6 +82,12 @@ impl Planner {
             "areas": mission.no_fly.iter().map(|z| object!({
                 "name": z.name,
                 "corners": z.corners.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
+            })).collect::<Vec<_>>(),
+            "rally": mission.rally.iter().map(|r| object!({
+                "name": r.name,
+                "north": r.position.north,
+                "east": r.position.east,
+                "altitude": r.altitude.metres,
             })).collect::<Vec<_>>(),
             "no_fly_warnings": documents
                 .selected_route()

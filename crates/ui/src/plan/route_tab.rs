@@ -5,6 +5,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
 use super::PlanCommand;
+use super::actions::ends;
 use super::aircraft::{aircraft, energy_left, tight_legs};
 use super::button::button;
 use super::flown::{MOST_CIRCLES, circles_at, cruise, way_back};
@@ -77,6 +78,7 @@ pub fn route_tab(
         tight,
     };
     way_points(ui, planner, route, &sums, context);
+    ends(ui, route, context);
     ui.add_space(tokens.space);
     let id = egui::Id::unique("plan wind");
     ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {

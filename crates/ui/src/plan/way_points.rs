@@ -1,25 +1,30 @@
 //! The table of way-points and legs, with a keyboard path for everything the map does.
 
 use egui::{
-    Align2, ComboBox, DragValue, EventFilter, Key, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2,
-    vec2,
+    Align2, ComboBox, DragValue, EventFilter, Key, Painter, Rect, Role, Sense, Ui, UiBuilder,
+    WidgetInfo, pos2, vec2,
 };
 use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint};
-use pilotage_core::mission::{Route, WayPointAction};
+use pilotage_core::mission::Route;
 
 use super::PlanCommand;
+use super::actions::{action, action_words};
 use super::flown::cruise;
 use super::legs::{Leg, time_text};
 use super::planner::Planner;
 use super::pointer::middle;
 use super::relief::Relief;
+use super::symbols::paint_home;
 use super::words::distance_text;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, paint_row};
+use crate::tokens::Tokens;
 use crate::units::Units;
 
 const ROW: f32 = 38.0;
+/// Left edge of the words in a row.
+const LEFT: f32 = 38.0;
 
 /// Figures of the legs in the table.
 pub struct Sums<'a> {
@@ -52,6 +57,9 @@ pub fn way_points(
                 selected(ui, route, index, &sums.relief, context);
             });
         }
+    }
+    if let Some(leg) = sums.legs.get(route.way_points.len().saturating_sub(1)) {
+        way_back_row(ui, leg, context);
     }
     ui.spacing_mut().item_spacing.y = 4.0;
     if planner.way_point.is_none() {
@@ -86,13 +94,7 @@ fn row(
     let (_, rect) = ui.allocate_space(size);
     let id = egui::Id::unique(("way-point", index));
     let response = ui.interact(rect, id, Sense::click());
-    let leg_words = leg.map(|leg| {
-        let course = leg.course.map_or("–".to_owned(), |c| {
-            format!("{:03.0}°", c.to_degrees().round().rem_euclid(360.0))
-        });
-        let distance = distance_text(leg.distance, context.units);
-        [course, distance, time_text(leg.time)]
-    });
+    let leg_words = leg.map(|leg| leg_words(leg, context.units));
     let mut altitude = altitude_words(&way_point.altitude, context.units);
     if let Some(words) = action_words(&way_point.action) {
         altitude = format!("{words}, {altitude}");
@@ -123,13 +125,9 @@ fn row(
         tokens.small(),
         tokens.text,
     );
-    let left = rect.left() + 38.0;
-    let columns = [left + 44.0, rect.center().x + 36.0, rect.right() - 10.0];
+    let left = rect.left() + LEFT;
     if let Some(words) = leg_words {
-        for (x, text) in columns.into_iter().zip(words) {
-            let at = pos2(x, upper);
-            painter.text(at, Align2::RIGHT_CENTER, text, tokens.normal(), tokens.text);
-        }
+        paint_columns(painter, rect, upper, words, tokens);
     } else {
         let at = pos2(left, upper);
         painter.text(
@@ -172,41 +170,56 @@ fn row(
     }
 }
 
+/// Course, distance and time of a leg.
+fn leg_words(leg: &Leg, units: Units) -> [String; 3] {
+    let distance = distance_text(leg.distance, units);
+    [course_words(leg.course), distance, time_text(leg.time)]
+}
+
+/// A course over the ground in whole degrees.
+pub fn course_words(course: Option<f64>) -> String {
+    course.map_or("–".to_owned(), |c| {
+        format!("{:03.0}°", c.to_degrees().round().rem_euclid(360.0))
+    })
+}
+
+/// Writes the figures of a leg into the columns of a row.
+fn paint_columns(painter: &Painter, rect: Rect, y: f32, words: [String; 3], tokens: &Tokens) {
+    let columns = [
+        rect.left() + LEFT + 44.0,
+        rect.center().x + 36.0,
+        rect.right() - 10.0,
+    ];
+    for (x, text) in columns.into_iter().zip(words) {
+        let at = pos2(x, y);
+        painter.text(at, Align2::RIGHT_CENTER, text, tokens.normal(), tokens.text);
+    }
+}
+
+/// Draws the leg back to home.
+fn way_back_row(ui: &mut Ui, leg: &Leg, context: &ViewContext<'_>) {
+    let tokens = context.tokens;
+    let size = vec2(ui.available_width(), ROW);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let words = leg_words(leg, context.units);
+    response.widget_info(|| {
+        let [course, distance, time] = &words;
+        let name = format!("Return: course {course}, {distance}, {time}");
+        WidgetInfo::labeled(Role::Label, true, name)
+    });
+    let painter = ui.painter();
+    let home = pos2(rect.left() + 16.0, rect.center().y);
+    paint_home(painter, home, tokens.surface, tokens);
+    paint_columns(painter, rect, rect.top() + 12.0, words, tokens);
+    let at = pos2(rect.left() + LEFT, rect.top() + 27.0);
+    let (align, font) = (Align2::LEFT_CENTER, tokens.small());
+    painter.text(at, align, "return to the start", font, tokens.muted);
+}
+
 /// Energy that is left on board behind the leg to a way-point, in words, where it is stated.
 fn energy_words(sums: &Sums<'_>, index: usize) -> Option<String> {
     let left = sums.left.as_ref()?.get(index).filter(|_| index > 0)?;
     Some(format!("{left:.0} Wh left"))
-}
-
-/// Action at a way-point in words, where it is more than flying by.
-pub fn action_words(action: &WayPointAction) -> Option<String> {
-    match action {
-        WayPointAction::FlyBy => None,
-        WayPointAction::Loiter { turns, .. } => Some(circles_words(*turns)),
-        WayPointAction::Wait {
-            seconds: Some(seconds),
-            ..
-        } => Some(format!("waits {}", wait_words(*seconds))),
-        WayPointAction::Wait { seconds: None, .. } => Some("waits".to_owned()),
-        WayPointAction::TakeOff => Some("take-off".to_owned()),
-        WayPointAction::Land => Some("landing".to_owned()),
-    }
-}
-
-/// Number of circles in words.
-fn circles_words(turns: f64) -> String {
-    let number = (turns * 10.0).round() / 10.0;
-    let unit = if number == 1.0 { "circle" } else { "circles" };
-    format!("{number} {unit}")
-}
-
-/// Time of waiting: seconds, or minutes and seconds.
-fn wait_words(seconds: f64) -> String {
-    if seconds < 120.0 {
-        format!("{seconds:.0} s")
-    } else {
-        format!("{} min", time_text(Some(seconds)))
-    }
 }
 
 /// Arrows move the way-point by a metre, with Shift by ten; Insert adds one behind it.
@@ -351,74 +364,6 @@ fn selected(
     });
     ui.add_space(4.0);
     context.commands.extend(say.into_iter().map(Command::from));
-}
-
-/// Draws the choice of the action at the way-point; returns the command that changes it.
-fn action(
-    ui: &mut Ui,
-    now: WayPointAction,
-    index: usize,
-    route: &Route,
-    context: &ViewContext<'_>,
-) -> Option<PlanCommand> {
-    let loiter = WayPointAction::Loiter {
-        radius: 80.0,
-        turns: 1.0,
-    };
-    let mut choices = vec![("Fly by", WayPointAction::FlyBy), ("Circle", loiter)];
-    if index == 0 {
-        choices.push(("Take-off", WayPointAction::TakeOff));
-    }
-    if index + 1 == route.way_points.len() {
-        choices.push(("Landing", WayPointAction::Land));
-    }
-    let same = |a: &WayPointAction| std::mem::discriminant(a) == std::mem::discriminant(&now);
-    let name = choices
-        .iter()
-        .find(|(_, a)| same(a))
-        .map_or("Fly by", |(n, _)| n);
-    let mut next = (now, true);
-    let combo = ComboBox::from_id_salt("action").width(84.0);
-    let combo = combo.selected_text(name).show_ui(ui, |ui| {
-        for (label, choice) in &choices {
-            if ui.selectable_label(same(choice), *label).clicked() && !same(choice) {
-                next = (*choice, true);
-            }
-        }
-    });
-    combo
-        .response
-        .accessible_name("What is done at the way-point");
-    if let WayPointAction::Loiter { radius, turns } = now {
-        let (factor, unit) = context.units.length();
-        let (mut shown, mut count) = (radius.abs() * factor, turns);
-        let field = DragValue::new(&mut shown)
-            .range(10.0 * factor..=5000.0 * factor)
-            .speed(1.0)
-            .fixed_decimals(0)
-            .suffix(format!(" {unit}"));
-        let field = ui.add(field).accessible_name("Radius of the circles");
-        let circles = DragValue::new(&mut count).range(0.5..=99.0).speed(0.1);
-        let circles = ui
-            .add(circles.suffix(" ×"))
-            .accessible_name("Number of circles");
-        let left = radius < 0.0;
-        let turned = ui.selectable_label(left, "left").clicked();
-        if field.changed() || circles.changed() || turned {
-            let radius = shown / factor * if left == turned { 1.0 } else { -1.0 };
-            let action = WayPointAction::Loiter {
-                radius,
-                turns: count,
-            };
-            next = (action, !field.dragged() && !circles.dragged());
-        }
-    }
-    let (action, finished) = next;
-    (action != now).then_some(PlanCommand::SetAction {
-        index,
-        action,
-        finished,
-    })
 }
 
 fn altitude(

@@ -1,0 +1,55 @@
+//! Rally points marked on the map, moved, named, deleted.
+
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::super::support::Rig;
+use super::{click, planning, screen};
+
+fn points(rig: &Rig) -> Vec<(String, f64, f64)> {
+    let state = rig.state();
+    let list = state["plan"]["rally"].as_array().cloned();
+    let point = |point: serde_json::Value| {
+        let number = |name: &str| point[name].as_f64().unwrap_or(f64::NAN).round();
+        let name = point["name"].as_str().unwrap_or_default().to_owned();
+        (name, number("north"), number("east"))
+    };
+    list.unwrap_or_default().into_iter().map(point).collect()
+}
+
+#[test]
+fn a_rally_point_is_marked_by_a_click_and_moved_by_a_drag_and_both_are_undone() {
+    let mut rig = planning();
+    rig.key_with(Modifiers::SHIFT, Key::I);
+    assert_eq!(rig.state()["plan"]["marking"]["purpose"], "Rally");
+    click(&mut rig, 90.0, -150.0);
+    rig.settle();
+    assert_eq!(points(&rig), [("Rally 1".to_owned(), 90.0, -150.0)]);
+    assert!(rig.state()["plan"]["marking"].is_null());
+    let (from, to) = (screen(&rig, 90.0, -150.0), screen(&rig, 40.0, -90.0));
+    rig.drag(from, to);
+    rig.settle();
+    let (name, north, east) = points(&rig).remove(0);
+    assert!(
+        (north - 40.0).abs() < 3.0 && (east + 90.0).abs() < 3.0,
+        "{name} {north} {east}"
+    );
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(points(&rig), [("Rally 1".to_owned(), 90.0, -150.0)]);
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(points(&rig), []);
+}
+
+#[test]
+fn a_rally_point_is_deleted_in_the_column() {
+    let mut rig = planning();
+    for east in [-100.0, 100.0] {
+        rig.key_with(Modifiers::SHIFT, Key::I);
+        click(&mut rig, 60.0, east);
+        rig.settle();
+    }
+    assert_eq!(points(&rig).len(), 2);
+    rig.harness.get_by_label("Delete Rally 1").click();
+    rig.settle();
+    assert_eq!(points(&rig), [("Rally 2".to_owned(), 60.0, 100.0)]);
+}
