@@ -24,6 +24,8 @@ pub enum ExportCommand {
     Track(Format),
     /// All landmarks as a file of another program.
     Landmarks(Format),
+    /// The rally points as way-points in a file of their own, as autopilots take them.
+    Rally,
     /// Content of another feature as a file of another program.
     File(Box<(ExportedFile, ExportOrder)>),
 }

@@ -4,7 +4,7 @@ use pilotage_core::exchange::Format;
 use pilotage_jobs::{ExportOrder, Job, JobEvent, JobId};
 
 use super::mission_file::MissionFile;
-use super::places::{landmarks_file, route_file};
+use super::places::{landmarks_file, rally_file, route_file};
 use super::track::track_file;
 use crate::documents::encode_run;
 use crate::export_command::{EXPORTS, ExportCommand, ExportedFile};
@@ -46,7 +46,13 @@ fn commands() -> Vec<CommandEntry> {
         let label = format!("Save the flown track as {}", format.as_words());
         (label, ExportCommand::Track(format))
     });
-    let all = own.into_iter().chain(routes).chain(landmarks).chain(tracks);
+    let rally = format!(
+        "Export the rally points as {}",
+        Format::Waypoints.as_words()
+    );
+    let rally = std::iter::once((rally, ExportCommand::Rally));
+    let all = own.into_iter().chain(routes).chain(rally);
+    let all = all.chain(landmarks).chain(tracks);
     all.map(|(label, command)| {
         let keys = match command {
             ExportCommand::Mission => vec![control(Key::S)],
@@ -100,6 +106,7 @@ impl Feature for ExportsFeature {
             }
             ExportCommand::Route(format) => route_file(*format, context),
             ExportCommand::Landmarks(format) => landmarks_file(*format, context),
+            ExportCommand::Rally => rally_file(context),
             ExportCommand::Track(format) => track_file(*format, context),
             ExportCommand::File(made) => Some(made.as_ref().clone()),
         };

@@ -61,3 +61,29 @@ pub(super) fn landmarks_file(
     };
     Some((file, order))
 }
+
+/// File of all rally points, and how it is made; none without one, which people are told.
+pub(super) fn rally_file(context: &mut FeatureContext<'_>) -> Option<(ExportedFile, ExportOrder)> {
+    let mission = &context.documents.mission;
+    if mission.rally.is_empty() {
+        let text = "Mark one on the map in the Plan workspace.";
+        context.note("No rally points to export", text);
+        return None;
+    }
+    let format = Format::Waypoints;
+    let (name, extension) = (stem(&mission.name), format.extensions()[0]);
+    let file = ExportedFile {
+        what: "Rally points",
+        format: format.name(),
+        name: format!("{name}-rally.{extension}"),
+    };
+    let order = ExportOrder::Places {
+        format,
+        no_fly: Vec::new(),
+        rally: mission.rally.clone(),
+        routes: Vec::new(),
+        landmarks: Vec::new(),
+        origin: mission.origin,
+    };
+    Some((file, order))
+}

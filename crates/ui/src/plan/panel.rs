@@ -178,6 +178,15 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
                 .push(Command::from(PlanCommand::PrintBrief));
             ui.close();
         }
+        if !context.mission.rally.is_empty() {
+            caption(ui, tokens, "Rally points");
+            let words = Format::Waypoints.as_words();
+            let name = format!("Export the rally points as {words}");
+            if ui.button(words).accessible_name(name).clicked() {
+                context.commands.push(ExportCommand::Rally.into());
+                ui.close();
+            }
+        }
         for (title, part) in [("Route", "route"), ("Landmarks", "landmarks")] {
             caption(ui, tokens, title);
             for format in Format::all() {

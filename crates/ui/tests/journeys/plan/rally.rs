@@ -4,7 +4,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
 use super::super::support::Rig;
-use super::{click, planning, screen};
+use super::{click, draw, planning, screen};
 
 fn points(rig: &Rig) -> Vec<(String, f64, f64)> {
     let state = rig.state();
@@ -52,4 +52,31 @@ fn a_rally_point_is_deleted_in_the_column() {
     rig.harness.get_by_label("Delete Rally 1").click();
     rig.settle();
     assert_eq!(points(&rig), [("Rally 2".to_owned(), 60.0, 100.0)]);
+}
+
+#[test]
+fn rally_points_are_exported_in_a_file_of_their_own() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    let export = |rig: &mut Rig| {
+        rig.harness.get_by_label("Export").click();
+        rig.frames(3);
+        let name = "Export the rally points as way-points (QGC WPL)";
+        let offered = rig
+            .harness
+            .query_by_label(name)
+            .map(|button| button.click());
+        rig.settle();
+        offered.is_some()
+    };
+    assert!(!export(&mut rig), "there is none yet");
+    rig.key(Key::Escape);
+    rig.key_with(Modifiers::SHIFT, Key::I);
+    click(&mut rig, 90.0, -150.0);
+    rig.settle();
+    assert!(export(&mut rig));
+    let (name, bytes) = rig.host().saved.pop().expect("a file");
+    assert!(name.ends_with("-rally.waypoints"), "{name}");
+    let text = String::from_utf8(bytes).expect("plain text");
+    assert!(text.starts_with("QGC WPL 110\n0\t0\t3\t5100\t"), "{text}");
 }
