@@ -6,15 +6,15 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{NoFlyZone, Route};
+use pilotage_core::mission::{NoFlyZone, RallyPoint, Route, WayPointAction};
 use pilotage_core::plan::RoutePrediction;
 
 use super::actions::action_words;
 use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
 use super::printing::BriefLandmark;
-use super::way_points::altitude_words;
-use super::words::{PredictionFigures, distance_text};
+use super::way_points::{altitude_words, course_words};
+use super::words::{PredictionFigures, distance_text, escape, place_words};
 use crate::units::Units;
 use pilotage_jobs::{BriefPictures, EncodedPicture};
 
@@ -35,8 +35,14 @@ pub struct BriefScene<'a> {
     pub mission: &'a str,
     /// The route.
     pub route: &'a Route,
-    /// Its legs.
+    /// Its legs, last the way back.
     pub legs: &'a [Leg],
+    /// The way back home, if it returns.
+    pub way_back: Option<[GroundPoint; 2]>,
+    /// Rally points of the mission.
+    pub rally: &'a [RallyPoint],
+    /// The page for emergencies, as HTML, if there is a place to land at.
+    pub emergency: Option<String>,
     /// The world frame, if it has a place on the globe.
     pub frame: Option<LocalFrame>,
     /// Energy left at each way-point, watt hours.
@@ -104,21 +110,13 @@ pub fn brief(scene: &BriefScene<'_>) -> String {
     legs(&mut text, scene);
     text.push_str("</section></div>");
     landmarks(&mut text, scene);
-    text
-}
-
-fn escape(text: &str) -> String {
-    let mut escaped = String::new();
-    for letter in text.chars() {
-        match letter {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            other => escaped.push(other),
+    match &scene.emergency {
+        Some(emergency) => {
+            let sheet = |page: &str| format!("<div class=\"sheet\">{page}</div>");
+            sheet(&text) + &sheet(emergency)
         }
+        None => text,
     }
-    escaped
 }
 
 fn data_address(picture: &EncodedPicture) -> String {
@@ -192,6 +190,9 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
             y - 4.0
         );
     }
+    if let Some(ends) = scene.way_back {
+        way_back(text, ends.map(|place| at(&place)));
+    }
     let line = points(&mut scene.route.way_points.iter().map(|w| w.position));
     let _ = write!(
         text,
@@ -199,6 +200,15 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
     );
     for (index, way_point) in scene.route.way_points.iter().enumerate() {
         let (x, y) = at(&way_point.position);
+        if let WayPointAction::Loiter { radius, .. } | WayPointAction::Wait { radius, .. } =
+            way_point.action
+        {
+            let radius = radius.abs() * scale;
+            let _ = write!(
+                text,
+                "<circle class=\"around\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\"/>"
+            );
+        }
         let _ = write!(
             text,
             "<circle class=\"point\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"9\"/>\
@@ -207,8 +217,37 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
             index + 1
         );
     }
+    for point in scene.rally {
+        rally_mark(text, at(&point.position), &point.name);
+    }
     scale_bar(text, scene, scale, height);
     text.push_str("</svg>");
+}
+
+/// The way back home.
+fn way_back(text: &mut String, [from, home]: [(f64, f64); 2]) {
+    let line = format!("{:.1},{:.1} {:.1},{:.1}", from.0, from.1, home.0, home.1);
+    let _ = write!(
+        text,
+        "<polyline class=\"under\" points=\"{line}\"/><polyline class=\"route back\" points=\"{line}\"/>\
+         <text class=\"halo\" x=\"{:.1}\" y=\"{:.1}\">home</text>",
+        home.0,
+        home.1 - 12.0
+    );
+}
+
+/// The mark of a rally point with its name.
+fn rally_mark(text: &mut String, (x, y): (f64, f64), name: &str) {
+    let _ = write!(
+        text,
+        "<path class=\"point\" d=\"M {x:.1} {:.1} l 11 11 l -11 11 l -11 -11 z\"/>\
+         <text class=\"number\" x=\"{x:.1}\" y=\"{:.1}\">R</text>\
+         <text class=\"halo\" x=\"{x:.1}\" y=\"{:.1}\">{}</text>",
+        y - 11.0,
+        y + 3.5,
+        y + 25.0,
+        escape(name)
+    );
 }
 
 /// A bar of a round length with its unit, and an arrow to the north.
@@ -315,9 +354,7 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
                 String::new(),
             ],
             Some(leg) => [
-                leg.course.map_or("–".to_owned(), |c| {
-                    format!("{:03.0}°", c.to_degrees().round().rem_euclid(360.0))
-                }),
+                course_words(leg.course),
                 distance_text(leg.distance, scene.units),
                 time_words(leg.time),
                 format!(
@@ -331,7 +368,7 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
             "<tr><td>{}</td><td>{}{}</td>",
             index + 1,
             escape(&altitude),
-            place_words(&way_point.position, scene.frame.as_ref())
+            below(&place_words(&way_point.position, scene.frame.as_ref()))
         );
         for cell in cells {
             let _ = write!(text, "<td>{}</td>", escape(&cell));
@@ -341,22 +378,30 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
         }
         text.push_str("</tr>");
     }
+    if let (Some(_), Some(leg)) = (scene.way_back, scene.legs.last()) {
+        let (factor, unit) = scene.units.speed();
+        let _ = write!(
+            text,
+            "<tr><td></td><td>return to the start</td><td>{}</td><td>{}</td><td>{}</td><td>{:.1} {unit}</td>",
+            course_words(leg.course),
+            escape(&distance_text(leg.distance, scene.units)),
+            time_words(leg.time),
+            cruise() * factor
+        );
+        if let Some(left) = scene.left.as_ref().and_then(|l| l.last()) {
+            let _ = write!(text, "<td>{left:.0} Wh</td>");
+        }
+        text.push_str("</tr>");
+    }
     text.push_str("</table>");
 }
 
-/// Latitude and longitude of a place in a line of their own; nothing in a world without a place on the globe.
-fn place_words(place: &GroundPoint, frame: Option<&LocalFrame>) -> String {
-    let Some(frame) = frame else {
-        return String::new();
-    };
-    let place = frame.geodetic_from_ground(place);
-    let side = |degrees: f64, letters: [char; 2]| {
-        let letter = letters[usize::from(degrees < 0.0)];
-        format!("{letter} {:.5}°", degrees.abs())
-    };
-    let latitude = side(place.latitude.to_degrees(), ['N', 'S']);
-    let longitude = side(place.longitude.to_degrees(), ['E', 'W']);
-    format!("<br><small>{latitude} {longitude}</small>")
+/// A place in a line of its own, if there are words for it.
+fn below(place: &str) -> String {
+    match place {
+        "" => String::new(),
+        place => format!("<br><small>{place}</small>"),
+    }
 }
 
 /// Minutes and seconds, with their unit.
@@ -458,6 +503,9 @@ mod tests {
                 longitude: -8.25_f64.to_radians(),
                 height: 0.0,
             })),
+            way_back: None,
+            rally: &[],
+            emergency: None,
             left: None,
             prediction: None,
             limit: 10.0,

@@ -11,6 +11,7 @@ mod command;
 mod compared;
 mod corridor_paint;
 mod drawn_landmarks;
+mod emergency;
 mod examination;
 mod examine;
 mod execute;

@@ -1,10 +1,12 @@
 //! The mission brief: asked for, and printed once its pictures are there.
 
 use pilotage_core::frames::{GroundPoint, LocalFrame};
+use pilotage_core::mission::Route;
 use pilotage_core::sorting::sort;
 
 use super::aircraft::energy_left;
 use super::brief::{BriefScene, MOST_LANDMARKS, STYLE, brief, brief_area};
+use super::emergency::{EmergencyScene, KnownLandmark, emergency, refuges};
 use super::flown::{camera, cruise, way_back};
 use super::legs::legs;
 use super::planner::Planner;
@@ -12,6 +14,7 @@ use super::printing::{BriefLandmark, Printing};
 use super::route_tab::assumptions;
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
+use crate::units::Units;
 use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent, JobId};
 
 impl Planner {
@@ -24,7 +27,10 @@ impl Planner {
             return;
         };
         let (landmarks, more) = self.brief_landmarks(documents);
+        let rally = documents.mission.rally.iter().map(|point| point.position);
+        let home = way_back(route, documents).map(|[_, home]| home);
         let places = route.way_points.iter().map(|w| w.position);
+        let places = places.chain(home).chain(rally);
         let boxes = landmarks.iter().flat_map(|l| {
             let b = l.landmark.bounds;
             [
@@ -51,6 +57,30 @@ impl Planner {
         });
         let text = "The browser's print opens as soon as its pictures are drawn.";
         context.note("Preparing the mission brief", text);
+    }
+
+    /// The page for emergencies; none without a place to land at.
+    fn emergency_page(&self, route: &Route, documents: &Documents, units: Units) -> Option<String> {
+        let mission = &documents.mission;
+        let refuges = refuges(mission, route, units);
+        let enabled = mission.landmarks.iter().filter(|l| l.enabled);
+        let known = enabled.map(|landmark| {
+            let measured = self.assessments.of(landmark);
+            KnownLandmark {
+                landmark,
+                found: measured.map(|it| it.last.expected.probability()),
+            }
+        });
+        let scene = EmergencyScene {
+            mission: &mission.name,
+            route,
+            way_back: way_back(route, documents),
+            frame: documents.world_origin().map(LocalFrame::new),
+            refuges: &refuges,
+            landmarks: &known.collect::<Vec<_>>(),
+            units,
+        };
+        (!refuges.is_empty()).then(|| emergency(&scene))
     }
 
     /// The landmarks that the prediction finds along the route, in that order; without a prediction
@@ -126,7 +156,8 @@ impl Planner {
             return;
         };
         let wind = self.wind(documents);
-        let legs = legs(route, way_back(route, documents), cruise(), &wind);
+        let way_back = way_back(route, documents);
+        let legs = legs(route, way_back, cruise(), &wind);
         let (speed, speed_unit) = units.speed();
         let camera = camera(documents);
         let across = 2.0 * (0.5 * camera.width as f64 / camera.focal).atan();
@@ -156,6 +187,9 @@ impl Planner {
             route,
             left: energy_left(&legs, &self.preferences),
             legs: &legs,
+            way_back,
+            rally: &documents.mission.rally,
+            emergency: self.emergency_page(route, documents, units),
             frame: documents.world_origin().map(LocalFrame::new),
             prediction: self.forecast.shown().map(|s| &s.prediction),
             limit: self.preferences.limit,

@@ -1,6 +1,6 @@
 //! The prediction in a few numbers and sentences.
 
-use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::RoutePrediction;
 
@@ -107,6 +107,36 @@ pub fn long(units: Units, longest: f64) -> (f64, &'static str) {
         Units::Metric => (1e-3, "km"),
         Units::Aviation => (1.0 / 1852.0, "NM"),
     }
+}
+
+/// Text as it stands in HTML.
+pub fn escape(text: &str) -> String {
+    let mut escaped = String::new();
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+/// Latitude and longitude of a place; empty in a world without a place on the globe.
+pub fn place_words(place: &GroundPoint, frame: Option<&LocalFrame>) -> String {
+    let Some(frame) = frame else {
+        return String::new();
+    };
+    let place = frame.geodetic_from_ground(place);
+    let side = |degrees: f64, letters: [char; 2]| {
+        let letter = letters[usize::from(degrees < 0.0)];
+        format!("{letter} {:.5}°", degrees.abs())
+    };
+    let latitude = side(place.latitude.to_degrees(), ['N', 'S']);
+    let longitude = side(place.longitude.to_degrees(), ['E', 'W']);
+    format!("{latitude} {longitude}")
 }
 
 /// Position of a place relative to the landmark nearest to it, in words.

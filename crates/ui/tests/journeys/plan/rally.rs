@@ -55,7 +55,7 @@ fn a_rally_point_is_deleted_in_the_column() {
 }
 
 #[test]
-fn rally_points_are_exported_in_a_file_of_their_own() {
+fn rally_points_are_exported_in_a_file_of_their_own_and_make_an_emergency_page() {
     let mut rig = planning();
     draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
     let export = |rig: &mut Rig| {
@@ -71,6 +71,9 @@ fn rally_points_are_exported_in_a_file_of_their_own() {
     };
     assert!(!export(&mut rig), "there is none yet");
     rig.key(Key::Escape);
+    rig.harness
+        .get_by_label("Return to the start at the end")
+        .click_accesskit();
     rig.key_with(Modifiers::SHIFT, Key::I);
     click(&mut rig, 90.0, -150.0);
     rig.settle();
@@ -79,4 +82,17 @@ fn rally_points_are_exported_in_a_file_of_their_own() {
     assert!(name.ends_with("-rally.waypoints"), "{name}");
     let text = String::from_utf8(bytes).expect("plain text");
     assert!(text.starts_with("QGC WPL 110\n0\t0\t3\t5100\t"), "{text}");
+    rig.key_with(Modifiers::COMMAND, Key::P);
+    rig.settle();
+    let (_, body) = rig.host().printed.take().expect("a page");
+    for words in [
+        "return to the start</td><td>270°</td>",
+        ">home</text>",
+        "<h1>Emergency",
+        "Rally 1",
+        "<td>1 to 2</td>",
+        "<td>2 to home</td><td>Rally 1</td>",
+    ] {
+        assert!(body.contains(words), "{words}");
+    }
 }
