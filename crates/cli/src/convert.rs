@@ -103,8 +103,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         number if number == 0 || arguments.landmarks || !holds_areas => String::new(),
         number => format!(", {}", count(number, "no-fly area")),
     };
+    let holds_rally = holds_areas || format == Format::Gpx || imported.routes.is_empty();
+    let rally = match imported.rally.len() {
+        number if number == 0 || arguments.landmarks || !holds_rally => String::new(),
+        number => format!(", {}", count(number, "rally point")),
+    };
     println!(
-        "{name}: {}, {} and {}{no_fly}",
+        "{name}: {}, {} and {}{no_fly}{rally}",
         format.name(),
         count(imported.routes.len(), "route"),
         count(imported.landmarks.len(), "landmark")

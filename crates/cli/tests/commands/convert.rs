@@ -91,3 +91,19 @@ fn labels_go_from_one_format_into_the_other_and_are_counted() {
         "{said}"
     );
 }
+
+#[test]
+fn rally_points_go_through_geojson_into_a_file_of_way_points_of_their_own() {
+    let folder = Folder::new("convert-rally");
+    let lines = "QGC WPL 110\n0\t0\t3\t5100\t0\t40\t0\t0\t47.4\t8.5\t60\t1\n";
+    folder.write("a.waypoints", lines);
+    for pair in [["a.waypoints", "b.geojson"], ["b.geojson", "c.waypoints"]] {
+        let [from, to] = pair;
+        let output = folder.convert(from, to, &[]);
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        let said = words(&output.stdout);
+        assert!(said.contains("1 rally point"), "{said}");
+    }
+    let back = std::fs::read_to_string(folder.0.join("c.waypoints")).unwrap();
+    assert_eq!(back, lines);
+}
