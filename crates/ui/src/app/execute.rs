@@ -281,8 +281,8 @@ impl App {
                 self.view.side_open = Some(!is_open);
             }
             Command::TogglePlots => {
-                let height = context.content_rect().height();
-                self.view.plots_open = Some(!self.are_plots_open(height));
+                let screen = context.content_rect();
+                self.view.plots_open = Some(!self.are_plots_open(screen));
             }
             _ => {}
         }

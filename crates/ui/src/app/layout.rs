@@ -78,7 +78,7 @@ impl App {
         let tokens = self.tokens.clone();
         let screen = ui.ctx().content_rect();
         let narrow = screen.width() < NARROW;
-        let plots_open = self.are_plots_open(screen.height());
+        let plots_open = self.are_plots_open(screen);
         let is_side_open = self.is_side_open(screen);
         let title = self.documents.title();
         let workspace = self.view.workspace;
@@ -152,9 +152,10 @@ impl App {
         (scene, &mut self.views)
     }
 
-    /// Whether plots are shown in a window of this height: as people said, else where there is room and they matter.
-    pub(super) fn are_plots_open(&self, height: f32) -> bool {
-        let is_usual = height >= 760.0 && !self.is_flight_aside();
+    /// Whether plots are shown in a window of this size: as people said, else where there is room and they matter.
+    pub(super) fn are_plots_open(&self, screen: egui::Rect) -> bool {
+        let has_room = screen.width() >= NARROW || !self.is_flight_hidden();
+        let is_usual = has_room && screen.height() >= 760.0 && !self.is_flight_aside();
         self.view.plots_open.unwrap_or(is_usual)
     }
 

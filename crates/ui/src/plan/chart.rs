@@ -212,7 +212,17 @@ fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, uni
         tokens.small(),
         tokens.muted,
     );
+    // Beside the choice of charts.
+    let end = outer.right() - 180.0;
+    let laid = |text: &str| {
+        let text = text.to_owned();
+        painter.layout_no_wrap(text, tokens.small(), tokens.muted)
+    };
     for (text, color, width, dashed) in entries {
+        let galley = laid(text);
+        if x + 24.0 + galley.size().x > end {
+            return;
+        }
         let ends = [pos2(x, y), pos2(x + 18.0, y)];
         let stroke = Stroke::new(width, color);
         if dashed {
@@ -221,24 +231,15 @@ fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, uni
             painter.line_segment(ends, stroke);
         }
         let place = pos2(x + 24.0, y);
-        let drawn = painter.text(
-            place,
-            Align2::LEFT_CENTER,
-            text,
-            tokens.small(),
-            tokens.muted,
-        );
+        let drawn = Align2::LEFT_CENTER.anchor_size(place, galley.size());
+        painter.galley(drawn.min, galley, tokens.muted);
         x = drawn.right() + 20.0;
     }
-    // Beside the choice of charts.
-    let right = pos2(outer.right() - 180.0, y);
-    painter.text(
-        right,
-        Align2::RIGHT_CENTER,
-        scene.state,
-        tokens.small(),
-        tokens.muted,
-    );
+    let galley = laid(scene.state);
+    let place = Align2::RIGHT_CENTER.anchor_size(pos2(end, y), galley.size());
+    if place.left() > x {
+        painter.galley(place.min, galley, tokens.muted);
+    }
 }
 
 /// A bar as high as the probability in each frame, with the landmark's name and its best.

@@ -34,7 +34,7 @@ fn a_phone_has_every_workspace_the_next_step_and_the_map() {
         );
     }
     let map = rig.rect("/map/rect");
-    assert!(map.height() > 200.0, "{map:?}");
+    assert!(map.height() > 300.0, "{map:?}");
     rig.menu("More", "Filter settings");
     assert_eq!(rig.state()["dialogs"]["settings"], true);
 }
