@@ -10,6 +10,7 @@ use pilotage_core::navigator::{Navigator, summarize};
 use pilotage_core::simulate::{
     FlightDay, FlightPlan, Overrides, Scenario, SensorSpec, SimulatedFrames,
 };
+use pilotage_core::vehicle::StateComponent;
 
 /// Largest root mean square error where landmarks are in view that is taken for a success, metres.
 const GOOD: f64 = 3.0;
@@ -45,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .ok_or("a simulated flight has a truth")?;
     let mut run = navigator.run_head();
     let wind = run
-        .state_index("wind north")
+        .state_index(StateComponent::WindNorth)
         .ok_or("no wind in the state")?;
     println!("time, s  error, m  sigma, m  wind north, m/s  wind east, m/s");
     let mut printed = f64::NEG_INFINITY;

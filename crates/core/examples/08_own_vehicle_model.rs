@@ -8,7 +8,7 @@ use std::error::Error;
 use nalgebra::{Matrix2, Matrix5, SMatrix, SVector, Vector2, Vector5};
 use pilotage_core::filter::{Consistency, Gate, Gaussian, Ukf, UnscentedSettings};
 use pilotage_core::frames::{Attitude, GroundPoint};
-use pilotage_core::vehicle::{ControlInput, VehicleModel};
+use pilotage_core::vehicle::{ControlInput, StateComponent, VehicleModel};
 
 /// Random walk of current and speed, m/s/√s.
 const WALK: f64 = 0.01;
@@ -30,12 +30,15 @@ impl VehicleModel<5> for Boat {
         Matrix5::from_diagonal(&(Vector5::new(1e-4, 1e-4, q, q, q) * dt))
     }
 
-    fn state_names(&self) -> [&'static str; 5] {
-        ["north", "east", "current north", "current east", "speed"]
-    }
-
-    fn state_units(&self) -> [&'static str; 5] {
-        ["m", "m", "m/s", "m/s", "m/s"]
+    fn layout(&self) -> [StateComponent; 5] {
+        let own = |key| StateComponent::Own { key, unit: "m/s" };
+        [
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            own("current north"),
+            own("current east"),
+            own("speed"),
+        ]
     }
 
     fn prior(&self, at: GroundPoint, deviation: f64) -> Gaussian<5> {
@@ -67,7 +70,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     let (told, sigma) = (filter.mean(), filter.state().standard_deviations());
-    for (i, (name, unit)) in (Boat.state_names().iter().zip(Boat.state_units())).enumerate() {
+    for (i, component) in Boat.layout().into_iter().enumerate() {
+        let (name, unit) = (component.key(), component.unit());
         let [told, sigma, truth] = [told[i], sigma[i], truth[i]];
         println!("{name}: {told:.2} {unit} (sigma {sigma:.2}), truly {truth:.2}");
     }

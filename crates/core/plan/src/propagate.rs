@@ -10,7 +10,7 @@ use super::request::{PredictionError, PredictionRequest};
 use super::view::{Information, LandmarkInformation, PlannedFrame};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::{Gaussian, numerical_jacobian};
-use pilotage_estimation::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
+use pilotage_estimation::vehicle::{ControlInput, StateComponent, VehicleModel, VehicleVisitor};
 use pilotage_flight::TruthState;
 use pilotage_simulate::simulate::{TrueFlight, Turbulence};
 
@@ -66,10 +66,7 @@ impl VehicleVisitor for Propagation<'_> {
         let plan = request.plan;
         let states = &self.flight.states;
         let first = states.first().ok_or(PredictionError::NoRoute)?;
-        let bias = model
-            .state_names()
-            .iter()
-            .position(|n| *n == "heading bias");
+        let bias = model.index_of(StateComponent::HeadingBias);
         let gusty = self.gusts_of(&model);
         let mut draws = Draws::new(self.seed);
         let prior = self.prior(&model, &gusty, first);

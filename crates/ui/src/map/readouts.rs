@@ -4,6 +4,7 @@ use egui::{Rect, Ui};
 use pilotage_core::filter::circle_radius;
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::navigator::{Run, StepReport};
+use pilotage_core::vehicle::StateComponent;
 
 use crate::context::ViewContext;
 use crate::documents::OpenedTerrain;
@@ -92,8 +93,11 @@ fn readouts(
         list.push(Readout { name, value, color });
     };
     let wind = context.run.and_then(|run| {
-        let at = |name| run.state_index(name).map(|i| step.after.mean[i]);
-        Some((at("wind north")?, at("wind east")?))
+        let at = |component| run.state_index(component).map(|i| step.after.mean[i]);
+        Some((
+            at(StateComponent::WindNorth)?,
+            at(StateComponent::WindEast)?,
+        ))
     });
     if let Some((north, east)) = wind {
         let from = (-east).atan2(-north).to_degrees().rem_euclid(360.0);

@@ -7,7 +7,7 @@ use super::airplane::AirData;
 use super::parts::{
     AirDataBiases, Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind,
 };
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -106,21 +106,17 @@ impl VehicleModel<8> for AirplaneFull {
         self.noise_in(&belief.mean, mean_squared_wind(belief, 2), input, dt)
     }
 
-    fn state_names(&self) -> [&'static str; 8] {
+    fn layout(&self) -> [StateComponent; 8] {
         [
-            "north",
-            "east",
-            "wind north",
-            "wind east",
-            "gust north",
-            "gust east",
-            "airspeed bias",
-            "heading bias",
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::WindNorth,
+            StateComponent::WindEast,
+            StateComponent::GustNorth,
+            StateComponent::GustEast,
+            StateComponent::AirspeedBias,
+            StateComponent::HeadingBias,
         ]
-    }
-
-    fn state_units(&self) -> [&'static str; 8] {
-        ["m", "m", "m/s", "m/s", "m/s", "m/s", "m/s", "rad"]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<8> {
@@ -151,9 +147,5 @@ impl VehicleModel<8> for AirplaneFull {
             },
             ..*self
         }
-    }
-
-    fn wind_index(&self) -> Option<usize> {
-        Some(2)
     }
 }

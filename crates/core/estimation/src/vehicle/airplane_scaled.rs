@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::airplane::{AirData, AirMotion};
 use super::noise::add_integrated_random_walk;
 use super::parts::{Gusts, add_velocity_noise, mean_squared_wind, position_effect};
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -165,21 +165,17 @@ impl VehicleModel<8> for AirplaneScaled {
         self.noise_in(&belief.mean, mean_squared_wind(belief, 2), input, dt)
     }
 
-    fn state_names(&self) -> [&'static str; 8] {
+    fn layout(&self) -> [StateComponent; 8] {
         [
-            "north",
-            "east",
-            "wind north",
-            "wind east",
-            "gust north",
-            "gust east",
-            "airspeed scale",
-            "heading bias",
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::WindNorth,
+            StateComponent::WindEast,
+            StateComponent::GustNorth,
+            StateComponent::GustEast,
+            StateComponent::AirspeedScale,
+            StateComponent::HeadingBias,
         ]
-    }
-
-    fn state_units(&self) -> [&'static str; 8] {
-        ["m", "m", "m/s", "m/s", "m/s", "m/s", "", "rad"]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<8> {
@@ -211,9 +207,5 @@ impl VehicleModel<8> for AirplaneScaled {
             },
             ..*self
         }
-    }
-
-    fn wind_index(&self) -> Option<usize> {
-        Some(2)
     }
 }

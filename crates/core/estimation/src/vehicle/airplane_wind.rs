@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
 use super::parts::{add_velocity_noise, enter_velocity_slope};
-use super::{ControlInput, ThesisNoise, VehicleModel};
+use super::{ControlInput, StateComponent, ThesisNoise, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -89,12 +89,13 @@ impl VehicleModel<4> for AirplaneWind {
         noise
     }
 
-    fn state_names(&self) -> [&'static str; 4] {
-        ["north", "east", "wind north", "wind east"]
-    }
-
-    fn state_units(&self) -> [&'static str; 4] {
-        ["m", "m", "m/s", "m/s"]
+    fn layout(&self) -> [StateComponent; 4] {
+        [
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::WindNorth,
+            StateComponent::WindEast,
+        ]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<4> {
@@ -103,9 +104,5 @@ impl VehicleModel<4> for AirplaneWind {
             Vector4::new(position.north, position.east, 0.0, 0.0),
             &Vector4::new(p, p, w, w),
         )
-    }
-
-    fn wind_index(&self) -> Option<usize> {
-        Some(2)
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
 use super::parts::{AirDataBiases, add_velocity_noise, enter_velocity_slope};
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -76,19 +76,15 @@ impl VehicleModel<6> for AirplaneWindBias {
         noise
     }
 
-    fn state_names(&self) -> [&'static str; 6] {
+    fn layout(&self) -> [StateComponent; 6] {
         [
-            "north",
-            "east",
-            "wind north",
-            "wind east",
-            "airspeed bias",
-            "heading bias",
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::WindNorth,
+            StateComponent::WindEast,
+            StateComponent::AirspeedBias,
+            StateComponent::HeadingBias,
         ]
-    }
-
-    fn state_units(&self) -> [&'static str; 6] {
-        ["m", "m", "m/s", "m/s", "m/s", "rad"]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<6> {
@@ -105,9 +101,5 @@ impl VehicleModel<6> for AirplaneWindBias {
             self.biases.start_heading_bias_deviation,
         ]);
         Gaussian::from_standard_deviations(mean, &deviations)
-    }
-
-    fn wind_index(&self) -> Option<usize> {
-        Some(2)
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
 use super::parts::{Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind};
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -91,19 +91,15 @@ impl VehicleModel<6> for AirplaneWindGust {
         self.noise_in(mean_squared_wind(belief, 2), input, dt)
     }
 
-    fn state_names(&self) -> [&'static str; 6] {
+    fn layout(&self) -> [StateComponent; 6] {
         [
-            "north",
-            "east",
-            "wind north",
-            "wind east",
-            "gust north",
-            "gust east",
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::WindNorth,
+            StateComponent::WindEast,
+            StateComponent::GustNorth,
+            StateComponent::GustEast,
         ]
-    }
-
-    fn state_units(&self) -> [&'static str; 6] {
-        ["m", "m", "m/s", "m/s", "m/s", "m/s"]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<6> {
@@ -125,9 +121,5 @@ impl VehicleModel<6> for AirplaneWindGust {
             },
             ..*self
         }
-    }
-
-    fn wind_index(&self) -> Option<usize> {
-        Some(2)
     }
 }

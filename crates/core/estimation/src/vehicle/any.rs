@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -43,19 +43,11 @@ impl<const N: usize> VehicleModel<N> for AnyVehicle<N> {
         self.as_ref().noise_of_belief(belief, input, dt)
     }
 
-    fn state_names(&self) -> [&'static str; N] {
-        self.as_ref().state_names()
-    }
-
-    fn state_units(&self) -> [&'static str; N] {
-        self.as_ref().state_units()
+    fn layout(&self) -> [StateComponent; N] {
+        self.as_ref().layout()
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<N> {
         self.as_ref().prior(position, position_deviation)
-    }
-
-    fn wind_index(&self) -> Option<usize> {
-        self.as_ref().wind_index()
     }
 }

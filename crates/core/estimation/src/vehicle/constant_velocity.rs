@@ -4,7 +4,7 @@ use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
 use serde::{Deserialize, Serialize};
 
 use super::parts::{add_velocity_noise, enter_velocity_slope};
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -59,12 +59,13 @@ impl VehicleModel<4> for ConstantVelocity {
         noise
     }
 
-    fn state_names(&self) -> [&'static str; 4] {
-        ["north", "east", "velocity north", "velocity east"]
-    }
-
-    fn state_units(&self) -> [&'static str; 4] {
-        ["m", "m", "m/s", "m/s"]
+    fn layout(&self) -> [StateComponent; 4] {
+        [
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::VelocityNorth,
+            StateComponent::VelocityEast,
+        ]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<4> {

@@ -3,6 +3,7 @@
 use nalgebra::{DVector, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
+use super::StateComponent;
 use crate::filter::{Gaussian, partial_jacobian};
 use pilotage_base::frames::{Attitude, GroundPoint};
 
@@ -62,7 +63,8 @@ impl ControlInput {
 
 /// Motion of a vehicle: a process model over `N` state components.
 ///
-/// Components 0 and 1 are always the position, metres north and east of the world's origin.
+/// Every layout begins with the position, north and east, so that the marginal of a belief over its first two
+/// components is that of the position.
 pub trait VehicleModel<const N: usize> {
     /// The state `dt` seconds later if nothing unexpected happens.
     fn propagate(&self, state: &SVector<f64, N>, input: &ControlInput, dt: f64) -> SVector<f64, N>;
@@ -106,19 +108,21 @@ pub trait VehicleModel<const N: usize> {
         self.process_noise(&belief.mean, input, dt)
     }
 
-    /// Names of the components, with [`Self::state_units`].
-    fn state_names(&self) -> [&'static str; N];
-
-    /// SI units of the components.
-    fn state_units(&self) -> [&'static str; N];
+    /// Components of the state, in their order.
+    fn layout(&self) -> [StateComponent; N];
 
     /// Belief at the start: the position as given, with standard deviation `position_deviation`
     /// (metres) on each axis, and everything else as the model's settings say.
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<N>;
 
+    /// Index of a component in the state; `None` where the model has none.
+    fn index_of(&self, component: StateComponent) -> Option<usize> {
+        component.index_in(&self.layout())
+    }
+
     /// Index of the wind's north component, its east component follows; `None` without wind.
     fn wind_index(&self) -> Option<usize> {
-        None
+        self.index_of(StateComponent::WindNorth)
     }
 
     /// The same vehicle in gusts of `deviation` m/s per axis that fade over `correlation_time` seconds;

@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Matrix6, SMatrix, SVector, Vector2, Vector6};
 use serde::{Deserialize, Serialize};
 
 use super::noise::add_white_noise;
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 use pilotage_base::frames::units::GRAVITY;
@@ -194,19 +194,15 @@ impl VehicleModel<6> for Multirotor {
         noise
     }
 
-    fn state_names(&self) -> [&'static str; 6] {
+    fn layout(&self) -> [StateComponent; 6] {
         [
-            "north",
-            "east",
-            "wind north",
-            "wind east",
-            "velocity forward",
-            "velocity right",
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::WindNorth,
+            StateComponent::WindEast,
+            StateComponent::VelocityForward,
+            StateComponent::VelocityRight,
         ]
-    }
-
-    fn state_units(&self) -> [&'static str; 6] {
-        ["m", "m", "m/s", "m/s", "m/s", "m/s"]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<6> {
@@ -217,10 +213,6 @@ impl VehicleModel<6> for Multirotor {
         mean[0] = position.north;
         mean[1] = position.east;
         Gaussian::from_standard_deviations(mean, &Vector6::new(p, p, w, w, v, v))
-    }
-
-    fn wind_index(&self) -> Option<usize> {
-        Some(2)
     }
 }
 

@@ -3,12 +3,9 @@
 use nalgebra::{SMatrix, SVector, Vector2};
 
 use super::noise::GaussMarkov;
-use super::{AnyVehicle, ControlInput, VehicleModel};
+use super::{AnyVehicle, ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
-
-/// Name of the first of the map's two components; the second follows.
-pub const MAP_ERROR_NORTH: &str = "map error north";
 
 /// Error of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,18 +109,13 @@ macro_rules! over_map {
                 noise
             }
 
-            fn state_names(&self) -> [&'static str; $n] {
-                let own = self.vehicle.state_names();
+            fn layout(&self) -> [StateComponent; $n] {
+                let own = self.vehicle.layout();
                 std::array::from_fn(|i| match i {
-                    $m => MAP_ERROR_NORTH,
-                    i if i > $m => "map error east",
+                    $m => StateComponent::MapErrorNorth,
+                    i if i > $m => StateComponent::MapErrorEast,
                     i => own[i],
                 })
-            }
-
-            fn state_units(&self) -> [&'static str; $n] {
-                let own = self.vehicle.state_units();
-                std::array::from_fn(|i| if i < $m { own[i] } else { "m" })
             }
 
             fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<$n> {
@@ -135,10 +127,6 @@ macro_rules! over_map {
                     prior.covariance[(i, i)] = self.error.deviation.powi(2);
                 }
                 prior
-            }
-
-            fn wind_index(&self) -> Option<usize> {
-                self.vehicle.wind_index()
             }
         })+
     };

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -47,12 +47,8 @@ impl VehicleModel<2> for RandomWalk {
         Matrix2::from_diagonal_element(density * density * dt)
     }
 
-    fn state_names(&self) -> [&'static str; 2] {
-        ["north", "east"]
-    }
-
-    fn state_units(&self) -> [&'static str; 2] {
-        ["m", "m"]
+    fn layout(&self) -> [StateComponent; 2] {
+        [StateComponent::PositionNorth, StateComponent::PositionEast]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<2> {

@@ -133,10 +133,9 @@ impl VehicleSettings {
         impl VehicleVisitor for Components {
             type Output = Vec<(&'static str, &'static str)>;
             fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
-                model
-                    .state_names()
-                    .into_iter()
-                    .zip(model.state_units())
+                let layout = model.layout().into_iter();
+                layout
+                    .map(|component| (component.key(), component.unit()))
                     .collect()
             }
         }

@@ -215,11 +215,7 @@ impl VehicleVisitor for Promises {
 
     fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) {
         let mut state = model.prior(GroundPoint::new(5.0, -7.0), 3.0).mean;
-        if let Some(i) = model
-            .state_names()
-            .iter()
-            .position(|name| *name == "heading bias")
-        {
+        if let Some(i) = model.index_of(StateComponent::HeadingBias) {
             state[i] = self.bias;
         }
         let (input, dt) = (&self.input, self.dt);

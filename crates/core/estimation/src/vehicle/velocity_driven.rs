@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::noise::add_integrated_random_walk;
 use super::parts::position_effect;
-use super::{ControlInput, VehicleModel};
+use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -91,12 +91,13 @@ impl VehicleModel<4> for VelocityDriven {
         noise
     }
 
-    fn state_names(&self) -> [&'static str; 4] {
-        ["north", "east", "velocity bias north", "velocity bias east"]
-    }
-
-    fn state_units(&self) -> [&'static str; 4] {
-        ["m", "m", "m/s", "m/s"]
+    fn layout(&self) -> [StateComponent; 4] {
+        [
+            StateComponent::PositionNorth,
+            StateComponent::PositionEast,
+            StateComponent::VelocityBiasNorth,
+            StateComponent::VelocityBiasEast,
+        ]
     }
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<4> {

@@ -8,7 +8,7 @@ use super::prepared::Instruments;
 use pilotage_base::frames::GroundPoint;
 use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::Gaussian;
-use pilotage_estimation::vehicle::VehicleModel;
+use pilotage_estimation::vehicle::{StateComponent, VehicleModel};
 
 /// Belief at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,9 +43,8 @@ impl BeliefPoint {
         calibration: &Calibration,
     ) -> Self {
         let place = belief.marginal::<0, 2>();
-        let names = model.state_names();
-        let of = |name: &str| {
-            let index = names.iter().position(|n| *n == name)?;
+        let of = |component| {
+            let index = model.index_of(component)?;
             let deviation = belief.covariance[(index, index)].max(0.0).sqrt();
             Some((belief.mean[index], deviation))
         };
@@ -64,8 +63,8 @@ impl BeliefPoint {
             error: there.map(|there| there - place.mean),
             wind: model.wind(&belief.mean).unwrap_or_default(),
             wind_covariance: wind_covariance.unwrap_or_default(),
-            scale: of("airspeed scale"),
-            heading_bias: of("heading bias")
+            scale: of(StateComponent::AirspeedScale),
+            heading_bias: of(StateComponent::HeadingBias)
                 .map(|(bias, deviation)| (bias - correction, deviation)),
             is_aided: false,
         }

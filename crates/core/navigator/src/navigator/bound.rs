@@ -8,7 +8,7 @@ use super::inputs::Inputs;
 use super::{Run, StepReport};
 use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{CramerRao, FilterError, numerical_jacobian};
-use pilotage_estimation::vehicle::{VehicleModel, VehicleVisitor};
+use pilotage_estimation::vehicle::{StateComponent, VehicleModel, VehicleVisitor};
 use pilotage_flight::Flight;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::geometry::joint_noise;
@@ -135,10 +135,7 @@ impl Bound<'_> {
         if landmarks.is_empty() {
             return Ok(());
         }
-        let bias = model
-            .state_names()
-            .iter()
-            .position(|n| *n == "heading bias");
+        let bias = model.index_of(StateComponent::HeadingBias);
         let slope = numerical_jacobian::<N, Dyn>(
             |x| -> Option<OVector<f64, Dyn>> {
                 let position = GroundPoint::new(x[0], x[1]);

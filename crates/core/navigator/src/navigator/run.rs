@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::StepReport;
+use pilotage_estimation::vehicle::StateComponent;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::landmark::Landmark;
 
@@ -45,7 +46,7 @@ impl Run {
         Some((self.steps.first()?.time, self.steps.last()?.time))
     }
 
-    /// Index of the state component of that name.
+    /// Index of a component in the state; `None` where the run's vehicle has none.
     ///
     /// ```
     /// # use std::sync::Arc;
@@ -54,6 +55,7 @@ impl Run {
     /// # use pilotage_raster::camera::CameraModel;
     /// # use pilotage_mission::settings::NavigatorSettings;
     /// # use pilotage_navigator::navigator::Navigator;
+    /// use pilotage_estimation::vehicle::StateComponent;
     /// # use pilotage_raster::imagery::Blank;
     /// # let channel = |name, mean: f64, by: f64| Channel {
     /// #     name,
@@ -78,12 +80,13 @@ impl Run {
     ///
     /// // The first two are the position.
     /// let run = navigator.run_head();
-    /// assert_eq!(run.state_index("north"), Some(0));
-    /// assert_eq!(run.state_index("wind north"), Some(2));
-    /// assert_eq!(run.state_index("colour"), None);
+    /// assert_eq!(run.state_index(StateComponent::PositionNorth), Some(0));
+    /// assert_eq!(run.state_index(StateComponent::WindNorth), Some(2));
+    /// assert_eq!(run.state_index(StateComponent::VelocityNorth), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn state_index(&self, name: &str) -> Option<usize> {
-        self.state_names.iter().position(|(n, _)| n == name)
+    pub fn state_index(&self, component: StateComponent) -> Option<usize> {
+        let key = component.key();
+        self.state_names.iter().position(|(name, _)| name == key)
     }
 }

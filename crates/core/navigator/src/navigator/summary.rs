@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::bound::position_bound;
 use super::{CandidateReport, Outcome, RegistrationRefusal, Run, StepReport};
 use pilotage_estimation::filter::Consistency;
+use pilotage_estimation::vehicle::StateComponent;
 use pilotage_flight::Flight;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::landmark::Refusal;
@@ -214,7 +215,7 @@ pub fn summarize(flight: &Flight, run: &Run, true_noise: Option<&NavigatorSettin
     let (mut all, mut corrected, mut unaided) = (vec![], vec![], vec![]);
     let (mut wind, mut wind_later) = (vec![], vec![]);
     let (mut nees, mut nis) = (Consistency::default(), Consistency::default());
-    let wind_index = run.state_index("wind north");
+    let wind_index = run.state_index(StateComponent::WindNorth);
     let begun = run.span().map_or(0.0, |(start, _)| start);
     for step in &run.steps {
         count_frame(&mut summary, step);

@@ -3,6 +3,7 @@
 use egui::{Align2, Pos2, Stroke, vec2};
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{NavigatorSettings, Run, StepReport};
+use pilotage_core::vehicle::StateComponent;
 
 use super::super::figure::Figure;
 use super::super::lesson::Lesson;
@@ -31,8 +32,8 @@ impl Lesson for Wind {
     // start's.
     fn find(&self, run: &Run, flight: Option<&Flight>, units: Units) -> Option<TourMoment> {
         let (north, east) = run
-            .state_index("wind north")
-            .zip(run.state_index("wind east"))?;
+            .state_index(StateComponent::WindNorth)
+            .zip(run.state_index(StateComponent::WindEast))?;
         let spread = |s: &StepReport| {
             (s.after.covariance[(north, north)] + s.after.covariance[(east, east)])
                 .max(0.0)
@@ -69,7 +70,7 @@ impl Lesson for Wind {
     }
 
     fn missing(&self, run: &Run) -> Option<&'static str> {
-        run.state_index("wind north").is_none().then_some(
+        run.state_index(StateComponent::WindNorth).is_none().then_some(
             "This vehicle model does not estimate the wind. Choose “Airplane + wind” in the filter settings to see it learned.",
         )
     }
@@ -87,8 +88,8 @@ impl Lesson for Wind {
             ..
         } = *figure;
         let Some((north, east)) = run
-            .state_index("wind north")
-            .zip(run.state_index("wind east"))
+            .state_index(StateComponent::WindNorth)
+            .zip(run.state_index(StateComponent::WindEast))
         else {
             return;
         };

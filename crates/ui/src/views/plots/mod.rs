@@ -88,7 +88,8 @@ fn is_shown(panel: &PanelState, context: &ViewContext<'_>) -> bool {
 
 /// Whether a panel has anything to show: a vehicle model without wind has none to plot.
 fn has_data(kind: PanelKind, context: &ViewContext<'_>) -> bool {
-    let windless = |run: &pilotage_core::navigator::Run| run.state_index("wind north").is_none();
+    let wind = pilotage_core::vehicle::StateComponent::WindNorth;
+    let windless = |run: &pilotage_core::navigator::Run| run.state_index(wind).is_none();
     kind != PanelKind::Wind || !context.run.is_some_and(windless)
 }
 

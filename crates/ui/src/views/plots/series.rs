@@ -3,6 +3,7 @@
 use pilotage_core::filter::chi_square_interval;
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{Outcome, Run, StepReport};
+use pilotage_core::vehicle::StateComponent;
 
 use super::pyramid::ExtentPyramid;
 use crate::short_map::ShortMap;
@@ -167,8 +168,8 @@ impl RunSeries {
         let from = self.steps.times.len();
         let to = run.steps.len().min(from + STEPS_PER_FRAME);
         let wind = run
-            .state_index("wind north")
-            .zip(run.state_index("wind east"));
+            .state_index(StateComponent::WindNorth)
+            .zip(run.state_index(StateComponent::WindEast));
         for step in &run.steps[from..to] {
             self.add(step, flight, wind);
         }

@@ -7,7 +7,7 @@ use crate::navigator::Estimate;
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::estimator::{Estimator, Expectation, StateModel};
 use pilotage_estimation::filter::{FilterError, SigmaPoints};
-use pilotage_estimation::vehicle::{ControlInput, MAP_ERROR_NORTH, VehicleModel};
+use pilotage_estimation::vehicle::{ControlInput, StateComponent, VehicleModel};
 
 /// A filter with its vehicle model.
 #[derive(Clone)]
@@ -24,10 +24,9 @@ pub struct FilterEngine<const N: usize, V, F> {
 
 impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> {
     pub fn new(filter: F, model: V) -> Self {
-        let named = |name| model.state_names().iter().position(|n| *n == name);
         let mut engine = Self {
-            heading_bias_index: named("heading bias"),
-            map_error_index: named(MAP_ERROR_NORTH),
+            heading_bias_index: model.index_of(StateComponent::HeadingBias),
+            map_error_index: model.index_of(StateComponent::MapErrorNorth),
             filter,
             model,
             depends_on: Vec::new(),
@@ -101,13 +100,9 @@ where
     }
 
     fn components(&self) -> Vec<(String, String)> {
-        let names = self
-            .model
-            .state_names()
-            .into_iter()
-            .zip(self.model.state_units());
-        names
-            .map(|(name, unit)| (name.to_owned(), unit.to_owned()))
+        let layout = self.model.layout().into_iter();
+        layout
+            .map(|component| (component.key().to_owned(), component.unit().to_owned()))
             .collect()
     }
 
