@@ -1,6 +1,6 @@
 //! Airplane in a steady wind with gusts and biased air data.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
@@ -104,6 +104,15 @@ impl VehicleModel<8> for AirplaneFull {
         dt: f64,
     ) -> SMatrix<f64, 8, 8> {
         self.noise_in(&belief.mean, mean_squared_wind(belief, 2), input, dt)
+    }
+
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 8>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let air = self.air_data.motion(input, state[6], state[7]).velocity();
+        Some(air + Vector2::new(state[2] + state[4], state[3] + state[5]))
     }
 
     fn layout(&self) -> [StateComponent; 8] {

@@ -165,6 +165,15 @@ impl VehicleModel<8> for AirplaneScaled {
         self.noise_in(&belief.mean, mean_squared_wind(belief, 2), input, dt)
     }
 
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 8>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let air = self.motion(state, input).velocity();
+        Some(air + Vector2::new(state[2] + state[4], state[3] + state[5]))
+    }
+
     fn layout(&self) -> [StateComponent; 8] {
         [
             StateComponent::PositionNorth,

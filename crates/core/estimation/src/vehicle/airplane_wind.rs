@@ -1,6 +1,6 @@
 //! Airplane in a steady wind: position and wind.
 
-use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
+use nalgebra::{Matrix4, SMatrix, SVector, Vector2, Vector4};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
@@ -87,6 +87,15 @@ impl VehicleModel<4> for AirplaneWind {
             .copy_from(&self.air_data.position_noise(&motion, dt));
         add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
         noise
+    }
+
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 4>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let air = self.air_data.motion(input, 0.0, 0.0).velocity();
+        Some(air + Vector2::new(state[2], state[3]))
     }
 
     fn layout(&self) -> [StateComponent; 4] {

@@ -1,6 +1,6 @@
 //! Airplane in a steady wind with biased air data.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
@@ -74,6 +74,15 @@ impl VehicleModel<6> for AirplaneWindBias {
         add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
         self.biases.add_noise(&mut noise, 4, &motion, dt);
         noise
+    }
+
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 6>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let air = self.air_data.motion(input, state[4], state[5]).velocity();
+        Some(air + Vector2::new(state[2], state[3]))
     }
 
     fn layout(&self) -> [StateComponent; 6] {

@@ -1,6 +1,6 @@
 //! Airplane in a steady wind with gusts.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
@@ -89,6 +89,15 @@ impl VehicleModel<6> for AirplaneWindGust {
         dt: f64,
     ) -> SMatrix<f64, 6, 6> {
         self.noise_in(mean_squared_wind(belief, 2), input, dt)
+    }
+
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 6>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let air = self.air_data.motion(input, 0.0, 0.0).velocity();
+        Some(air + Vector2::new(state[2] + state[4], state[3] + state[5]))
     }
 
     fn layout(&self) -> [StateComponent; 6] {

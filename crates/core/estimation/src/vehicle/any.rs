@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, Vector2};
 
 use super::{ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
@@ -41,6 +41,14 @@ impl<const N: usize> VehicleModel<N> for AnyVehicle<N> {
         dt: f64,
     ) -> SMatrix<f64, N, N> {
         self.as_ref().noise_of_belief(belief, input, dt)
+    }
+
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, N>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        self.as_ref().ground_velocity(state, input)
     }
 
     fn layout(&self) -> [StateComponent; N] {

@@ -1,6 +1,6 @@
 //! Vehicle that keeps its velocity, nearly: position and velocity over ground.
 
-use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
+use nalgebra::{Matrix4, SMatrix, SVector, Vector2, Vector4};
 use serde::{Deserialize, Serialize};
 
 use super::parts::{add_velocity_noise, enter_velocity_slope};
@@ -57,6 +57,14 @@ impl VehicleModel<4> for ConstantVelocity {
         let mut noise = Matrix4::zeros();
         add_velocity_noise(&mut noise, 2, self.velocity_noise_density, dt);
         noise
+    }
+
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 4>,
+        _input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        Some(Vector2::new(state[2], state[3]))
     }
 
     fn layout(&self) -> [StateComponent; 4] {

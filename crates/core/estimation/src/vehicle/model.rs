@@ -142,6 +142,17 @@ pub trait VehicleModel<const N: usize> {
             .map(|i| Vector2::new(state[i], state[i + 1]))
     }
 
+    /// Velocity over ground in a state with these readings, m/s north and east: that with which
+    /// [`Self::propagate`] begins to move the position; `None` where the model knows none.
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, N>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let _ = (state, input);
+        None
+    }
+
     /// The position of a state.
     fn position(&self, state: &SVector<f64, N>) -> GroundPoint {
         GroundPoint::new(state[0], state[1])

@@ -194,6 +194,16 @@ impl VehicleModel<6> for Multirotor {
         noise
     }
 
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 6>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let through_air = Vector2::new(state[4], state[5]);
+        let wind = Vector2::new(state[2], state[3]);
+        Some(earth_from_body(input.heading()) * through_air + wind)
+    }
+
     fn layout(&self) -> [StateComponent; 6] {
         [
             StateComponent::PositionNorth,

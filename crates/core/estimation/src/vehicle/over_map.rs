@@ -109,6 +109,14 @@ macro_rules! over_map {
                 noise
             }
 
+            fn ground_velocity(
+                &self,
+                state: &SVector<f64, $n>,
+                input: &ControlInput,
+            ) -> Option<Vector2<f64>> {
+                self.vehicle.ground_velocity(&Self::own(state), input)
+            }
+
             fn layout(&self) -> [StateComponent; $n] {
                 let own = self.vehicle.layout();
                 std::array::from_fn(|i| match i {

@@ -91,6 +91,15 @@ impl VehicleModel<4> for VelocityDriven {
         noise
     }
 
+    fn ground_velocity(
+        &self,
+        state: &SVector<f64, 4>,
+        input: &ControlInput,
+    ) -> Option<Vector2<f64>> {
+        let bias = Vector2::new(state[2], state[3]);
+        Some(input.ground_velocity? - bias)
+    }
+
     fn layout(&self) -> [StateComponent; 4] {
         [
             StateComponent::PositionNorth,

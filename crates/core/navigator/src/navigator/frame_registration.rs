@@ -7,16 +7,16 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector, Matrix2};
+use nalgebra::{DMatrix, Matrix2, dvector};
 
-use super::engine::{CorrectedStep, Engine, map_error};
+use super::engine::{CorrectedStep, Engine, MeasurementModel, map_error};
 use super::found_places::{FoundPlaces, SearchedRegion};
 use super::inputs::Inputs;
-use super::see::GaussianInnovation;
+use super::observation::{GaussianInnovation, Observation};
 use super::{Estimate, JointReport, RegisteredPlace, RegistrationRefusal, RegistrationReport};
 use pilotage_base::frames::GroundPoint;
-use pilotage_base::statistics::chi_square_quantile;
-use pilotage_estimation::filter::{FilterError, fading_factor};
+use pilotage_estimation::filter::{FilterError, Gate, Verdict, fading_factor};
+use pilotage_estimation::vehicle::Kinematics;
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::camera::CameraModel;
@@ -202,18 +202,11 @@ fn not_laid(cause: &NotRegistered) -> RegistrationReport {
     }
 }
 
-/// The place of a frame as a measurement of the position.
+/// The place of a frame as an observation of the position on the map, judged.
 pub struct SeenPlace {
-    /// North and east, metres.
-    seen: DVector<f64>,
-    surprise: GaussianInnovation,
-    nis: f64,
-    threshold: f64,
-}
-
-#[expect(clippy::unnecessary_wraps, reason = "as every measurement model")]
-fn measured_place(position: GroundPoint, _heading_bias: f64) -> Option<DVector<f64>> {
-    Some(DVector::from_column_slice(&[position.north, position.east]))
+    observation: Observation<'static>,
+    innovation: GaussianInnovation,
+    verdict: Verdict,
 }
 
 impl SeenPlace {
@@ -224,24 +217,26 @@ impl SeenPlace {
         place: &RegisteredPlace,
     ) -> Result<Self, FilterError> {
         let position = place.pose.position_in_world;
-        let seen = DVector::from_column_slice(&[position.x, position.y]);
         // A map's error that is a state of the filter is no noise of its measurements.
         let of_map = map_error(settings).map_or(0.0, |error| error.deviation.powi(2));
         let own = place.covariance.fixed_view::<2, 2>(0, 0) - Matrix2::identity() * of_map;
-        let noise = DMatrix::from_fn(COMPONENTS, COMPONENTS, |i, j| {
-            settings.measurement_scale * own[(i, j)]
-        });
-        let expected = engine.expect(&measured_place, &noise)?;
-        let surprise = GaussianInnovation {
-            innovation: &seen - expected.mean,
-            covariance: expected.covariance,
-            noise,
+        let on_map = |seen: &Kinematics| Some(dvector![seen.on_map.north, seen.on_map.east]);
+        let observation = Observation {
+            measured: dvector![position.x, position.y],
+            noise: DMatrix::from_fn(COMPONENTS, COMPONENTS, |i, j| {
+                settings.measurement_scale * own[(i, j)]
+            }),
+            model: MeasurementModel::of_pose(on_map),
+            degrees: COMPONENTS,
+        };
+        let innovation = observation.innovation(engine)?;
+        let gate = Gate {
+            confidence: settings.gate_confidence,
         };
         Ok(Self {
-            nis: surprise.nis()?,
-            threshold: chi_square_quantile(settings.gate_confidence, COMPONENTS as f64),
-            seen,
-            surprise,
+            verdict: observation.verdict(&innovation, gate)?,
+            observation,
+            innovation,
         })
     }
 
@@ -252,16 +247,8 @@ impl SeenPlace {
         recovered: Option<f64>,
     ) -> Result<Believed, FilterError> {
         let predicted = engine.state();
-        let step = engine.correct(&measured_place, &self.surprise.noise, &self.seen)?;
-        let joint = JointReport {
-            nis: self.nis,
-            degrees_of_freedom: COMPONENTS,
-            threshold: self.threshold,
-            gain: step.gain.clone(),
-            innovation: step.innovation.clone(),
-            innovation_covariance: step.innovation_covariance.clone(),
-            recovered,
-        };
+        let step = self.observation.correct(engine)?;
+        let joint = JointReport::of(&self.verdict, &step, recovered);
         Ok(Believed {
             predicted,
             step,
@@ -281,12 +268,12 @@ impl RegisteredFrame {
             return Ok(None);
         };
         let seen = SeenPlace::by(settings, engine.as_ref(), place)?;
-        let SeenPlace { nis, threshold, .. } = seen;
+        let Verdict { nis, threshold, .. } = seen.verdict;
         let mut recovered = None;
         if nis > threshold {
             // The filter expects such an innovation or a larger one with the probability exp(-NIS / 2).
             let log_expected = -0.5 * nis / std::f64::consts::LN_10;
-            let surprise = &seen.surprise;
+            let surprise = &seen.innovation;
             let factor = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise);
             let Some(factor) = factor.filter(|_| self.report.log_false_alarms < log_expected)
             else {

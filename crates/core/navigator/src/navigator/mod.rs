@@ -13,6 +13,7 @@ mod found_places;
 mod frame_registration;
 mod heading_doubt;
 mod inputs;
+mod observation;
 mod picture_lag;
 mod pipeline;
 mod possible_places;

@@ -19,7 +19,7 @@ use super::engine::Engine;
 use super::expected::AppearanceModel;
 use super::inputs::Inputs;
 use super::recovery::believed;
-use super::see::{Associator, FoundPlace, Measurement, SightedPlace, stack};
+use super::see::{Associator, FoundPlace, Measurement, SightedPlace, observation};
 use super::{CandidateReport, Control, Doubt, Estimate, Instrument, SensorFault};
 use pilotage_base::frames::{Pose, wrap_pi};
 use pilotage_estimation::filter::FilterError;
@@ -181,7 +181,8 @@ impl PictureLag {
             let (log_likelihood, agreed) = judged(&judge, &found, reports)?;
             if !agreed.is_empty() {
                 let pose = judge.pose;
-                stack(seer.settings, &agreed).correct(rival.engine.as_mut(), &model, &pose)?;
+                let seen = observation(seer.settings, &agreed, &model, &pose);
+                seen.correct(rival.engine.as_mut())?;
             }
             rival.weigh(&found, log_likelihood - own);
         }

@@ -16,14 +16,14 @@ use super::inputs::Inputs;
 use super::picture_lag::{Onlooker, PictureLag};
 use super::possible_places::PossiblePlaces;
 use super::recovery::{Opinion, Recovery, reconsider};
-use super::see::{Associator, Measurement, degrees, stack};
+use super::see::{Associator, Measurement, observation};
 use super::ticks::{Tick, ticks};
 use super::{
     CandidateReport, Control, FrameReport, JointReport, Outcome, Run, SigmaSets, StepReport,
     StepTiming,
 };
 use pilotage_base::frames::{GroundPoint, Pose};
-use pilotage_estimation::filter::FilterError;
+use pilotage_estimation::filter::{FilterError, GateReason, Verdict};
 use pilotage_flight::{ChannelName, Flight, FrameSource};
 use pilotage_mission::settings::{Cruise, NavigatorSettings};
 use pilotage_raster::camera::CameraModel;
@@ -464,18 +464,17 @@ impl Navigator {
         let (agreed, nis, threshold) = agreed;
         let mut joint = None;
         if !agreed.is_empty() {
-            let stacked = stack(&self.settings, &agreed);
-            let step = stacked.correct(self.engine.as_mut(), &model, &pose)?;
+            let seen = observation(&self.settings, &agreed, &model, &pose);
+            let step = seen.correct(self.engine.as_mut())?;
             self.possible = PossiblePlaces::new();
-            joint = Some(JointReport {
+            let verdict = Verdict {
+                accepted: true,
                 nis,
-                degrees_of_freedom: degrees(&agreed),
                 threshold,
-                gain: step.gain.clone(),
-                innovation: step.innovation.clone(),
-                innovation_covariance: step.innovation_covariance.clone(),
-                recovered,
-            });
+                dof: seen.degrees,
+                reason: GateReason::WithinExpectation,
+            };
+            joint = Some(JointReport::of(&verdict, &step, recovered));
             report.corrected_by(report.predicted.clone(), step);
         }
         let laid = report.frame.take().and_then(|frame| frame.laid);

@@ -12,7 +12,7 @@
 
 use super::CandidateReport;
 use super::engine::{Engine, PredictedStep};
-use super::see::{Agreed, Associator, FoundPlace, stack};
+use super::see::{Agreed, Associator, FoundPlace, observation};
 use pilotage_estimation::filter::{FilterError, fading_factor};
 use pilotage_estimation::vehicle::ControlInput;
 
@@ -101,8 +101,8 @@ fn weigh<'l>(
     if agreed.0.is_empty() {
         return founded(seer, refused, reports).map(Opinion::Unsure);
     }
-    let stacked = stack(seer.settings, &agreed.0);
-    stacked.correct(second.engine.as_mut(), &seer.model, &seer.pose)?;
+    let seen = observation(seer.settings, &agreed.0, &seer.model, &seer.pose);
+    seen.correct(second.engine.as_mut())?;
     Ok(Opinion::Unsure(Some(second)))
 }
 
@@ -128,8 +128,8 @@ fn founded(
     if agreed.is_empty() {
         return Ok(None);
     }
-    let stacked = stack(seer.settings, &agreed);
-    stacked.correct(engine.as_mut(), &seer.model, &seer.pose)?;
+    let seen = observation(seer.settings, &agreed, &seer.model, &seer.pose);
+    seen.correct(engine.as_mut())?;
     Ok(Some(Recovery {
         engine,
         landmarks: agreed.iter().map(|m| m.landmark.id).collect(),

@@ -1,15 +1,16 @@
 //! See, associate, gate: from a picture to the measurements that may correct the estimate.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix4, Point2, Point3, Vector4};
+use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector4};
 
 use super::attention::{attended, probability_of_view};
-use super::engine::{CorrectedStep, Engine, MeasurementModel};
+use super::engine::{Engine, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
+use super::observation::{GaussianInnovation, Observation};
 use super::region::{may_be_in_view, reach};
 use super::{CandidateReport, Outcome};
 use pilotage_base::frames::{GroundPoint, Pose};
-use pilotage_estimation::estimator::Expectation;
 use pilotage_estimation::filter::{FilterError, Gate};
+use pilotage_estimation::vehicle::Kinematics;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::geometry::{COMPONENTS, joint_noise};
@@ -52,37 +53,6 @@ pub type FoundPlace<'l> = (&'l Landmark, usize, SightedPlace);
 /// Measurements that agree in a frame, their joint normalized innovation squared and its threshold.
 pub type Agreed<'l> = (Vec<Measurement<'l>>, f64, f64);
 
-/// Innovation of a measurement against what is expected, with its covariance.
-pub struct GaussianInnovation {
-    pub innovation: DVector<f64>,
-    /// Innovation covariance.
-    pub covariance: DMatrix<f64>,
-    /// The part of it that is the measurement's noise.
-    pub noise: DMatrix<f64>,
-}
-
-impl GaussianInnovation {
-    /// Normalized innovation squared.
-    pub fn nis(&self) -> Result<f64, FilterError> {
-        let root = self.root()?;
-        Ok(root.solve(&self.innovation).dot(&self.innovation))
-    }
-
-    /// Logarithm of the innovation's density, without the factor of its dimension; as if the normalized
-    /// innovation squared were at most `most`.
-    pub fn log_likelihood(&self, most: f64) -> Result<f64, FilterError> {
-        let log_volume: f64 = self.root()?.l().diagonal().iter().map(|d| d.ln()).sum();
-        Ok(-0.5 * self.nis()?.min(most) - log_volume)
-    }
-
-    fn root(&self) -> Result<Cholesky<f64, Dyn>, FilterError> {
-        let root = self.covariance.clone().cholesky();
-        root.ok_or(FilterError::NotFinite {
-            place: "innovation covariance",
-        })
-    }
-}
-
 /// Everything that stays the same while a frame is worked on.
 pub struct Associator<'a> {
     pub settings: &'a NavigatorSettings,
@@ -93,28 +63,42 @@ pub struct Associator<'a> {
     pub frame: usize,
 }
 
-/// Several landmarks of a frame as one measurement: 4m components with their joint noise.
-pub struct Stacked<'l> {
-    pub seen: DVector<f64>,
-    pub noise: DMatrix<f64>,
-    landmarks: Vec<(&'l Landmark, Anchor)>,
-}
-
-/// Several landmarks of a frame as one measurement.
-pub fn stack<'l>(settings: &NavigatorSettings, measurements: &[Measurement<'l>]) -> Stacked<'l> {
-    let mut seen = DVector::zeros(COMPONENTS * measurements.len());
+/// Several landmarks of a frame as one observation of 4m components with their joint noise, as a camera of `model`
+/// at the assumed `pose` saw them.
+pub fn observation<'a>(
+    settings: &NavigatorSettings,
+    measurements: &[Measurement<'a>],
+    model: &AppearanceModel<'a>,
+    pose: &Pose,
+) -> Observation<'a> {
+    let mut measured = DVector::zeros(COMPONENTS * measurements.len());
     for (i, m) in measurements.iter().enumerate() {
-        seen.fixed_rows_mut::<COMPONENTS>(COMPONENTS * i)
+        measured
+            .fixed_rows_mut::<COMPONENTS>(COMPONENTS * i)
             .copy_from(&m.seen);
     }
     let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
     let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
     let landmarks = measurements.iter().map(|m| (m.landmark, m.anchor));
-    Stacked {
-        seen,
+    Observation {
+        measured,
         noise: noise(settings, &own, &jacobians),
-        landmarks: landmarks.collect(),
+        model: expected(landmarks.collect(), model, pose),
+        degrees: degrees(measurements),
     }
+}
+
+/// Appearances of landmarks to a camera of `model` at the assumed `pose`.
+fn expected<'a>(
+    landmarks: Vec<(&'a Landmark, Anchor)>,
+    model: &AppearanceModel<'a>,
+    pose: &Pose,
+) -> MeasurementModel<'a> {
+    let (model, pose) = (*model, *pose);
+    MeasurementModel::of_pose(move |seen: &Kinematics| {
+        let bias = seen.heading_bias.unwrap_or(0.0);
+        Some(model.appearances(&landmarks, &pose, seen.on_map, bias))
+    })
 }
 
 fn noise(
@@ -124,20 +108,6 @@ fn noise(
 ) -> DMatrix<f64> {
     let pose = settings.sensors.pose_covariance();
     joint_noise(own, jacobians, &pose, settings.measurement_scale)
-}
-
-impl Stacked<'_> {
-    /// Corrects `engine` by it, as a camera of `model` at the assumed `pose` saw it.
-    pub fn correct(
-        &self,
-        engine: &mut dyn Engine,
-        model: &AppearanceModel<'_>,
-        pose: &Pose,
-    ) -> Result<CorrectedStep, FilterError> {
-        let expected: &MeasurementModel<'_> =
-            &|position, bias| Some(model.appearances(&self.landmarks, pose, position, bias));
-        engine.correct(expected, &self.noise, &self.seen)
-    }
 }
 
 impl<'a> Associator<'a> {
@@ -228,7 +198,8 @@ impl<'a> Associator<'a> {
         let anchor = Anchor::of(model.camera, &self.pose, &point)?;
         let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
         let noise = noise(self.settings, &[self.floor(landmark, &anchor)], &[jacobian]);
-        let expected = self.expect(&[(landmark, anchor)], &noise).ok()?;
+        let expected = expected(vec![(landmark, anchor)], &model, &self.pose);
+        let expected = self.engine.expect(&expected, &noise).ok()?;
         let covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
         let deviation = |i: usize| expected.covariance[(i, i)].max(0.0).sqrt();
         let report = CandidateReport {
@@ -251,20 +222,6 @@ impl<'a> Associator<'a> {
             outcome: Outcome::Refused(Refusal::OutOfPicture),
         };
         Some((report, anchor))
-    }
-
-    fn expect(
-        &self,
-        landmarks: &[(&Landmark, Anchor)],
-        noise: &DMatrix<f64>,
-    ) -> Result<Expectation, FilterError> {
-        let model: &MeasurementModel<'_> = &|position, bias| {
-            Some(
-                self.model
-                    .appearances(landmarks, &self.pose, position, bias),
-            )
-        };
-        self.engine.expect(model, noise)
     }
 
     fn gate(&self) -> Gate {
@@ -405,13 +362,7 @@ impl<'a> Associator<'a> {
         &self,
         measurements: &[Measurement<'_>],
     ) -> Result<GaussianInnovation, FilterError> {
-        let stacked = stack(self.settings, measurements);
-        let expected = self.expect(&stacked.landmarks, &stacked.noise)?;
-        Ok(GaussianInnovation {
-            innovation: stacked.seen - expected.mean,
-            covariance: expected.covariance,
-            noise: stacked.noise,
-        })
+        observation(self.settings, measurements, &self.model, &self.pose).innovation(self.engine)
     }
 
     /// Takes out landmarks until the rest agree with each other and with the prediction.

@@ -85,12 +85,12 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
     use rand_distr::{Distribution, StandardNormal};
 
-    use super::super::engine::engine;
+    use super::super::engine::{MeasurementModel, engine};
     use super::*;
     use crate::navigator::{Control, SigmaSets, StepReport, StepTiming};
     use pilotage_base::frames::{Attitude, GroundPoint};
     use pilotage_estimation::filter::Consistency;
-    use pilotage_estimation::vehicle::ControlInput;
+    use pilotage_estimation::vehicle::{ControlInput, Kinematics};
     use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings};
 
     /// A run of `choice` in a wind that it does not know, with a fix every fifth second, and the truth.
@@ -126,7 +126,8 @@ mod tests {
             let mut after = predicted.after.clone();
             if k % 10 == 9 {
                 let seen = dvector![truth[0] + 2.0 * normal(), truth[1] + 2.0 * normal()];
-                let model = |p: GroundPoint, _: f64| Some(dvector![p.north, p.east]);
+                let place = |k: &Kinematics| Some(dvector![k.position.north, k.position.east]);
+                let model = MeasurementModel::of_pose(place);
                 after = engine.correct(&model, &position, &seen).unwrap().after;
             }
             steps.push(StepReport {

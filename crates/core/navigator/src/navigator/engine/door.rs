@@ -6,10 +6,26 @@ use crate::navigator::Estimate;
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::estimator::Expectation;
 use pilotage_estimation::filter::FilterError;
-use pilotage_estimation::vehicle::ControlInput;
+use pilotage_estimation::vehicle::{ControlInput, Kinematics, KinematicsPart};
 
-/// Measurement model of all that it may know of a state: position on the map and the heading's bias, radians.
-pub type MeasurementModel<'a> = dyn Fn(GroundPoint, f64) -> Option<DVector<f64>> + 'a;
+type MeasurementFunction<'a> = dyn Fn(&Kinematics) -> Option<DVector<f64>> + 'a;
+
+/// Measurement of a vehicle as a function of how it moves; `None` where nothing can be.
+pub struct MeasurementModel<'a> {
+    pub of: Box<MeasurementFunction<'a>>,
+    /// Part of the kinematics that the function looks at.
+    pub part: KinematicsPart,
+}
+
+impl<'a> MeasurementModel<'a> {
+    /// Of position and heading.
+    pub fn of_pose(of: impl Fn(&Kinematics) -> Option<DVector<f64>> + 'a) -> Self {
+        Self {
+            of: Box::new(of),
+            part: KinematicsPart::Pose,
+        }
+    }
+}
 
 /// A prediction, for the report.
 #[derive(Clone)]

@@ -7,79 +7,60 @@ use crate::navigator::Estimate;
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::estimator::{Estimator, Expectation, StateModel};
 use pilotage_estimation::filter::{FilterError, SigmaPoints};
-use pilotage_estimation::vehicle::{ControlInput, StateComponent, VehicleModel};
+use pilotage_estimation::vehicle::{
+    ControlInput, Kinematics, KinematicsPart, KinematicsReader, VehicleModel,
+};
 
 /// A filter with its vehicle model.
 #[derive(Clone)]
 pub struct FilterEngine<const N: usize, V, F> {
     filter: F,
+    vehicle: Observed<V>,
+}
+
+/// A vehicle model as measurement models see it.
+#[derive(Clone)]
+struct Observed<V> {
     model: V,
-    heading_bias_index: Option<usize>,
-    /// The first of the map's two components.
-    map_error_index: Option<usize>,
-    depends_on: Vec<usize>,
+    reader: KinematicsReader,
+    /// Readings at the moment of what is measured.
+    input: ControlInput,
     /// Inputs between what is measured and now, with their lengths in seconds, the latest first.
     past: Vec<(ControlInput, f64)>,
 }
 
 impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> {
     pub fn new(filter: F, model: V) -> Self {
-        let mut engine = Self {
-            heading_bias_index: model.index_of(StateComponent::HeadingBias),
-            map_error_index: model.index_of(StateComponent::MapErrorNorth),
-            filter,
+        let vehicle = Observed {
+            reader: KinematicsReader::of(&model.layout()),
             model,
-            depends_on: Vec::new(),
+            input: ControlInput::default(),
             past: Vec::new(),
         };
-        engine.depends_on = engine.measured_components();
-        engine
+        Self { filter, vehicle }
     }
+}
 
-    /// The components on which what is measured now depends.
-    fn measured_components(&self) -> Vec<usize> {
-        let of_map = self.map_error_index.into_iter().flat_map(|i| [i, i + 1]);
-        let own = [0, 1].into_iter().chain(self.heading_bias_index);
-        own.chain(of_map).collect()
-    }
-
-    fn measure<'a>(
-        &self,
-        model: &'a MeasurementModel<'a>,
-    ) -> impl Fn(&SVector<f64, N>) -> Option<DVector<f64>> + 'a + use<'a, N, V, F>
-    where
-        V: Clone + 'a,
-    {
-        let (vehicle, bias_index) = (self.model.clone(), self.heading_bias_index);
-        let (past, map_error_index) = (self.past.clone(), self.map_error_index);
-        move |x| {
-            let bias = bias_index.map_or(0.0, |i| x[i]);
-            model(on_map(was_at(&vehicle, &past, x), map_error_index, x), bias)
+impl<V> Observed<V> {
+    /// The components on which what is measured now of this part depends.
+    fn components<const N: usize>(&self, part: KinematicsPart) -> Vec<usize> {
+        if part == KinematicsPart::Pose && self.past.is_empty() {
+            self.reader.pose_components().collect()
+        } else {
+            (0..N).collect()
         }
     }
-}
 
-/// Place at which the map shows what is at `position`: what cameras see is compared with the map.
-fn on_map<const N: usize>(
-    position: GroundPoint,
-    map_error_index: Option<usize>,
-    x: &SVector<f64, N>,
-) -> GroundPoint {
-    match map_error_index {
-        None => position,
-        Some(i) => GroundPoint::new(position.north + x[i], position.east + x[i + 1]),
+    /// Kinematics in the state `x`, the position as it was before the inputs of the past if nothing unexpected
+    /// happened since.
+    fn kinematics<const N: usize>(&self, x: &SVector<f64, N>, part: KinematicsPart) -> Kinematics
+    where
+        V: VehicleModel<N>,
+    {
+        let back = |x, (input, dt): &(ControlInput, f64)| self.model.propagate(&x, input, -dt);
+        let then = self.past.iter().fold(*x, back);
+        self.reader.read(&self.model, part, (x, &then), &self.input)
     }
-}
-
-/// Position of a vehicle of state `x` before the inputs of `past`, the latest first, if nothing unexpected
-/// happened since.
-fn was_at<const N: usize, V: VehicleModel<N>>(
-    vehicle: &V,
-    past: &[(ControlInput, f64)],
-    x: &SVector<f64, N>,
-) -> GroundPoint {
-    let back = |x, (input, dt): &(ControlInput, f64)| vehicle.propagate(&x, input, -dt);
-    vehicle.position(&past.iter().fold(*x, back))
 }
 
 fn matrix<const N: usize>(points: &SigmaPoints<N>) -> DMatrix<f64> {
@@ -100,19 +81,19 @@ where
     }
 
     fn components(&self) -> Vec<(String, String)> {
-        let layout = self.model.layout().into_iter();
+        let layout = self.vehicle.model.layout().into_iter();
         layout
             .map(|component| (component.key().to_owned(), component.unit().to_owned()))
             .collect()
     }
 
     fn heading_bias(&self) -> f64 {
-        self.heading_bias_index
-            .map_or(0.0, |i| self.filter.belief().mean[i])
+        let mean = self.filter.belief().mean;
+        self.vehicle.reader.heading_bias(&mean).unwrap_or(0.0)
     }
 
     fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError> {
-        let step = self.filter.predict(&self.model, input, dt)?;
+        let step = self.filter.predict(&self.vehicle.model, input, dt)?;
         Ok(PredictedStep {
             before: (&step.before).into(),
             after: (&step.after).into(),
@@ -122,18 +103,12 @@ where
     }
 
     fn look_back(&mut self, past: Vec<(ControlInput, f64)>) {
-        self.depends_on = if past.is_empty() {
-            self.measured_components()
-        } else {
-            (0..N).collect()
-        };
-        self.past = past;
+        self.vehicle.past = past;
     }
 
     fn seen_from(&self) -> GroundPoint {
         let mean = self.filter.belief().mean;
-        let seen_from = was_at(&self.model, &self.past, &mean);
-        on_map(seen_from, self.map_error_index, &mean)
+        self.vehicle.kinematics(&mean, KinematicsPart::Pose).on_map
     }
 
     fn another(&self) -> Box<dyn Engine> {
@@ -148,7 +123,7 @@ where
 
     fn dead_reckon(&self, state: &DVector<f64>, input: &ControlInput, dt: f64) -> DVector<f64> {
         let state = SVector::<f64, N>::from_column_slice(state.as_slice());
-        DVector::from_column_slice(self.model.propagate(&state, input, dt).as_slice())
+        DVector::from_column_slice(self.vehicle.model.propagate(&state, input, dt).as_slice())
     }
 
     fn expect(
@@ -156,9 +131,10 @@ where
         model: &MeasurementModel<'_>,
         noise: &DMatrix<f64>,
     ) -> Result<Expectation, FilterError> {
+        let vehicle = &self.vehicle;
         let model = StateModel {
-            of: &self.measure(model),
-            depends_on: &self.depends_on,
+            of: &|x| (model.of)(&vehicle.kinematics(x, model.part)),
+            depends_on: &vehicle.components::<N>(model.part),
         };
         self.filter.expect(&model, noise)
     }
@@ -170,10 +146,10 @@ where
         measurement: &DVector<f64>,
     ) -> Result<CorrectedStep, FilterError> {
         let sigma_before = matrix(&self.filter.measurement_points());
-        let measure = self.measure(model);
+        let vehicle = &self.vehicle;
         let model = StateModel {
-            of: &measure,
-            depends_on: &self.depends_on,
+            of: &|x| (model.of)(&vehicle.kinematics(x, model.part)),
+            depends_on: &vehicle.components::<N>(model.part),
         };
         let step = self.filter.correct(&model, noise, measurement)?;
         Ok(CorrectedStep {

@@ -38,7 +38,7 @@ fn begun(choice: EstimatorChoice, vehicle: VehicleChoice) -> Box<dyn Engine> {
     reason = "a measurement model may see nothing"
 )]
 /// Distance and direction of a mast, and the direction of another seen from a turned vehicle.
-fn seen(position: GroundPoint, bias: f64) -> Option<DVector<f64>> {
+fn seen_from(position: GroundPoint, bias: f64) -> Option<DVector<f64>> {
     let (north, east) = (120.0 - position.north, 80.0 - position.east);
     let other = (-60.0 - position.east).atan2(300.0 - position.north) - bias;
     Some(dvector![
@@ -46,6 +46,11 @@ fn seen(position: GroundPoint, bias: f64) -> Option<DVector<f64>> {
         100.0 * east.atan2(north),
         100.0 * other
     ])
+}
+
+/// The same as a measurement model.
+fn seen() -> MeasurementModel<'static> {
+    MeasurementModel::of_pose(|k| seen_from(k.on_map, k.heading_bias.unwrap_or(0.0)))
 }
 
 fn noise() -> DMatrix<f64> {
@@ -70,9 +75,9 @@ fn flown(choice: EstimatorChoice, vehicle: VehicleChoice) -> Estimate {
         truth.east += 0.5 * east;
         if k % 2 == 0 {
             let off = 0.5 * f64::from(k).sin();
-            let z = seen(truth, 0.0).unwrap() + dvector![off, -off, off];
-            let expected = engine.expect(&seen, &noise()).unwrap();
-            let step = engine.correct(&seen, &noise(), &z).unwrap();
+            let z = seen_from(truth, 0.0).unwrap() + dvector![off, -off, off];
+            let expected = engine.expect(&seen(), &noise()).unwrap();
+            let step = engine.correct(&seen(), &noise(), &z).unwrap();
             assert_eq!(step.innovation_covariance, expected.covariance);
             assert!((&step.innovation - (z - expected.mean)).norm() < 1e-9);
             let n = step.after.mean.len();
@@ -175,9 +180,8 @@ fn an_engine_that_looks_back_sees_from_where_it_was() {
         assert!(was.distance(&here) > 15.0);
         // Sigma points on a bent way lie a little off the way of their middle.
         assert!(engine.seen_from().distance(&was) < 0.01, "{vehicle:?}");
-        let model: &MeasurementModel<'_> =
-            &|position, _| Some(dvector![position.north, position.east]);
-        let expected = engine.expect(model, &DMatrix::identity(2, 2)).unwrap();
+        let model = MeasurementModel::of_pose(|k| Some(dvector![k.on_map.north, k.on_map.east]));
+        let expected = engine.expect(&model, &DMatrix::identity(2, 2)).unwrap();
         let of_then = GroundPoint::new(expected.mean[0], expected.mean[1]);
         assert!(of_then.distance(&was) < 0.1, "{vehicle:?}");
     }

@@ -1,0 +1,91 @@
+//! Observations: what was measured, and what a filter makes of it.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+use super::JointReport;
+use super::engine::{CorrectedStep, Engine, MeasurementModel};
+use pilotage_estimation::filter::{FilterError, Gate, Verdict};
+
+/// Something that was measured, by whatever aid.
+pub struct Observation<'a> {
+    /// Measured vector of m components.
+    pub measured: DVector<f64>,
+    /// Covariance of its noise, m × m.
+    pub noise: DMatrix<f64>,
+    /// Expectation of it.
+    pub model: MeasurementModel<'a>,
+    /// Degrees of freedom of its normalized innovation squared: m, less what the measurement leaves open.
+    pub degrees: usize,
+}
+
+/// Innovation of a measurement against what is expected, with its covariance.
+pub struct GaussianInnovation {
+    pub innovation: DVector<f64>,
+    /// Innovation covariance.
+    pub covariance: DMatrix<f64>,
+    /// The part of it that is the measurement's noise.
+    pub noise: DMatrix<f64>,
+}
+
+impl Observation<'_> {
+    /// Innovation against what `engine` expects.
+    pub fn innovation(&self, engine: &dyn Engine) -> Result<GaussianInnovation, FilterError> {
+        let expected = engine.expect(&self.model, &self.noise)?;
+        Ok(GaussianInnovation {
+            innovation: &self.measured - expected.mean,
+            covariance: expected.covariance,
+            noise: self.noise.clone(),
+        })
+    }
+
+    /// Verdict of `gate` on its innovation.
+    pub fn verdict(
+        &self,
+        innovation: &GaussianInnovation,
+        gate: Gate,
+    ) -> Result<Verdict, FilterError> {
+        Ok(gate.verdict(innovation.nis()?, self.degrees))
+    }
+
+    /// Corrects `engine` by it.
+    pub fn correct(&self, engine: &mut dyn Engine) -> Result<CorrectedStep, FilterError> {
+        engine.correct(&self.model, &self.noise, &self.measured)
+    }
+}
+
+impl GaussianInnovation {
+    /// Normalized innovation squared.
+    pub fn nis(&self) -> Result<f64, FilterError> {
+        let root = self.root()?;
+        Ok(root.solve(&self.innovation).dot(&self.innovation))
+    }
+
+    /// Logarithm of the innovation's density, without the factor of its dimension; as if the normalized
+    /// innovation squared were at most `most`.
+    pub fn log_likelihood(&self, most: f64) -> Result<f64, FilterError> {
+        let log_volume: f64 = self.root()?.l().diagonal().iter().map(|d| d.ln()).sum();
+        Ok(-0.5 * self.nis()?.min(most) - log_volume)
+    }
+
+    fn root(&self) -> Result<Cholesky<f64, Dyn>, FilterError> {
+        let root = self.covariance.clone().cholesky();
+        root.ok_or(FilterError::NotFinite {
+            place: "innovation covariance",
+        })
+    }
+}
+
+impl JointReport {
+    /// Report of the correction by an observation that a gate accepted.
+    pub(super) fn of(verdict: &Verdict, step: &CorrectedStep, recovered: Option<f64>) -> Self {
+        Self {
+            nis: verdict.nis,
+            degrees_of_freedom: verdict.dof,
+            threshold: verdict.threshold,
+            gain: step.gain.clone(),
+            innovation: step.innovation.clone(),
+            innovation_covariance: step.innovation_covariance.clone(),
+            recovered,
+        }
+    }
+}
