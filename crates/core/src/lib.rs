@@ -48,8 +48,8 @@ pub mod mission {
 /// The pipeline from prediction to report, and its settings.
 pub mod navigator {
     pub use pilotage_mission::settings::{
-        Cruise, EstimatorChoice, EstimatorSettings, NavigatorSettings, ProcessNoise, SensorNoise,
-        StartError, VehicleChoice,
+        ChosenAid, Cruise, EstimatorChoice, EstimatorSettings, NavigatorSettings, ProcessNoise,
+        SensorNoise, StartError, VehicleChoice,
     };
     pub use pilotage_navigator::navigator::*;
 }

@@ -385,6 +385,7 @@ impl Flier {
                 see: 1.2,
                 update: 0.03,
             },
+            updates: Vec::new(),
         }
     }
 

@@ -1,10 +1,12 @@
 //! Settings for people: of the navigator, its estimator, and the camera beside its log.
 
 mod adjustment;
+mod aids;
 mod navigator;
 mod without_mission;
 
 pub use adjustment::CameraAdjustment;
+pub use aids::ChosenAid;
 pub use pilotage_estimation::estimator::{EstimatorChoice, EstimatorSettings};
 
 pub use navigator::{

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, Vector4};
 use serde::{Deserialize, Serialize};
 
-use super::EstimatorSettings;
+use super::{ChosenAid, EstimatorSettings};
 use pilotage_estimation::vehicle::{Multirotor, VelocityDriven};
 use pilotage_vision::landmark::TemplateSettings;
 use pilotage_vision::registration::FollowSettings;
@@ -223,6 +223,9 @@ pub struct NavigatorSettings {
     /// Lay whole frames on the map, with what is assumed of them; `None` looks for landmarks alone.
     #[serde(default)]
     pub whole_frames: Option<FollowSettings>,
+    /// Aids beside pictures that are switched on, in the order in which they are asked.
+    #[serde(default)]
+    pub aids: Vec<ChosenAid>,
 }
 
 impl Default for NavigatorSettings {
@@ -267,6 +270,7 @@ impl Default for NavigatorSettings {
             shortest_step: 0.0,
             estimator: EstimatorSettings::default(),
             whole_frames: None,
+            aids: Vec::new(),
         }
     }
 }

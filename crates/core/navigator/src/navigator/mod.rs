@@ -1,5 +1,6 @@
 //! The pipeline: predict → choose landmarks → see → associate → gate → update → report.
 
+mod aids;
 mod attention;
 mod bound;
 mod engine;
@@ -23,11 +24,13 @@ mod registration_refusal;
 mod report;
 mod run;
 mod run_file;
+mod run_file_6;
 mod see;
 mod smooth;
 mod summary;
 mod ticks;
 
+pub use aids::{AidError, AidInfo, AidNumber};
 pub use bound::position_bound;
 pub use engine::vehicle;
 pub use estimate::Estimate;
@@ -39,7 +42,7 @@ pub use pipeline::{Navigator, NavigatorError};
 pub use registration_refusal::RegistrationRefusal;
 pub use report::{
     CandidateReport, Control, FrameReport, JointReport, Outcome, RegisteredPlace,
-    RegistrationReport, SigmaSets, StepReport, StepTiming,
+    RegistrationReport, SigmaSets, StepReport, StepTiming, UpdateReport,
 };
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};

@@ -15,14 +15,16 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DMatrix, Vector4};
 
+use super::aids::take;
 use super::engine::Engine;
 use super::expected::AppearanceModel;
 use super::inputs::Inputs;
+use super::observation::Observation;
 use super::recovery::believed;
 use super::see::{Associator, FoundPlace, Measurement, SightedPlace, observation};
 use super::{CandidateReport, Control, Doubt, Estimate, Instrument, SensorFault};
 use pilotage_base::frames::{Pose, wrap_pi};
-use pilotage_estimation::filter::FilterError;
+use pilotage_estimation::filter::{FilterError, Gate};
 use pilotage_estimation::vehicle::ControlInput;
 use pilotage_flight::Flight;
 use pilotage_raster::camera::CameraModel;
@@ -202,6 +204,23 @@ impl PictureLag {
             rival.weight = begun;
             rival.alone.clear();
         }
+        Ok(())
+    }
+
+    /// Shows everybody what an aid beside the pictures observed now, when the instruments read `input`; the first, whose
+    /// logarithm of the likelihood was `own`, was shown it elsewhere.
+    pub fn take(
+        &mut self,
+        observation: &Observation<'_>,
+        (input, gate, own): (&ControlInput, Gate, f64),
+    ) -> Result<(), FilterError> {
+        for rival in &mut self.rivals {
+            rival.engine.look_now(input);
+            if let Some(taken) = take(rival.engine.as_mut(), observation, gate)? {
+                rival.weight *= (taken.log_likelihood - own).exp();
+            }
+        }
+        self.share();
         Ok(())
     }
 

@@ -1,5 +1,6 @@
 //! The navigator: one call a step.
 
+mod aiding;
 mod doubts;
 mod laying;
 
@@ -8,6 +9,7 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
+use super::aids::{Aid, AidError, chosen};
 use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
 use super::frame_registration::FrameRegistration;
@@ -44,6 +46,9 @@ pub enum NavigatorError {
         /// Remedy to propose.
         remedy: String,
     },
+    /// An aid cannot be switched on.
+    #[error(transparent)]
+    Aid(#[from] AidError),
     /// The filter cannot go on.
     #[error("the filter stopped at {time:.2} s: {cause}")]
     Filter {
@@ -70,6 +75,8 @@ pub struct Navigator {
     whole_frames: Option<FrameRegistration>,
     /// Other places at which the aircraft may be; only whole frames tell.
     possible: PossiblePlaces,
+    /// Aids beside pictures.
+    aids: Vec<Box<dyn Aid>>,
     ticks: Vec<Tick>,
     next: usize,
     time: f64,
@@ -190,7 +197,13 @@ impl Navigator {
                 HeadingDoubt::new(engine.as_ref(), start.time).ok(),
             )
         };
-        let ticks = ticks(&flight, settings.shortest_step);
+        let aids = chosen(&settings.aids, &flight)?;
+        let read: Vec<_> = aids
+            .iter()
+            .filter_map(|aid| aid.info().channels.first())
+            .copied()
+            .collect();
+        let ticks = ticks(&flight, settings.shortest_step, &read);
         Ok(Self {
             inputs,
             landmarks: landmarks.to_vec(),
@@ -202,6 +215,7 @@ impl Navigator {
             detector,
             whole_frames: None,
             possible: PossiblePlaces::new(),
+            aids,
             ticks,
             next: 0,
             time: start.time,
@@ -321,7 +335,27 @@ impl Navigator {
                 see: 0.0,
                 update: 0.0,
             },
+            updates: Vec::new(),
         };
+        self.take_frame(tick, frames, &mut report, stopwatch)?;
+        if !self.aids.is_empty() {
+            let begun = stopwatch();
+            self.take_aids(time - dt, &mut report)?;
+            report.timing.update += stopwatch() - begun;
+        }
+        self.conclude(&mut report);
+        Ok(report)
+    }
+
+    /// Looks at the frame of a step, if it has one.
+    fn take_frame(
+        &mut self,
+        tick: Tick,
+        frames: &mut dyn FrameSource,
+        report: &mut StepReport,
+        stopwatch: &dyn Fn() -> f64,
+    ) -> Result<(), FilterError> {
+        let time = tick.time;
         if let Some(index) = tick.frame {
             self.look_back(index);
             let trouble = self.blindness(time);
@@ -329,11 +363,7 @@ impl Navigator {
                 trouble
             } else if !self.sparing || self.is_laying() || self.may_see(index) {
                 match frames.picture(index) {
-                    Ok(picture) => {
-                        self.look(index, &picture, &mut report, stopwatch)?;
-                        self.conclude(&mut report);
-                        return Ok(report);
-                    }
+                    Ok(picture) => return self.look(index, &picture, report, stopwatch),
                     Err(trouble) => Some(trouble.to_string()),
                 }
             } else {
@@ -341,8 +371,7 @@ impl Navigator {
             };
             report.frame = Some(self.blind(index, trouble));
         }
-        self.conclude(&mut report);
-        Ok(report)
+        Ok(())
     }
 
     /// Why no landmark can be looked for at `time`, if so: nobody knows how the camera looks at the ground.

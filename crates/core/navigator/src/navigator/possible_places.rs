@@ -12,12 +12,14 @@
 //! the probability that is left.
 
 use super::Estimate;
+use super::aids::take;
 use super::engine::{Engine, PredictedStep, engine};
 use super::found_places::{FoundPlaces, SearchedRegion, density};
 use super::frame_registration::{Believed, SeenPlace};
+use super::observation::Observation;
 use super::registration_refusal::RegistrationRefusal;
 use pilotage_base::statistics::probability_words;
-use pilotage_estimation::filter::FilterError;
+use pilotage_estimation::filter::{FilterError, Gate};
 use pilotage_estimation::vehicle::ControlInput;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::registration::{Follower, Registration};
@@ -100,6 +102,28 @@ impl PossiblePlaces {
         if !self.unforeseen.as_mut().is_none_or(moves) {
             self.unforeseen = None;
         }
+    }
+
+    /// Shows all what an aid beside the pictures observed now, when the instruments read `input`; the navigator's own
+    /// filter, whose logarithm of the likelihood was `own`, was shown it elsewhere.
+    pub fn take(
+        &mut self,
+        observation: &Observation<'_>,
+        (input, gate, own): (&ControlInput, Gate, f64),
+    ) -> Result<(), FilterError> {
+        let mut all = self.main;
+        for belief in self.unforeseen.iter_mut().chain(&mut self.others) {
+            belief.engine.look_now(input);
+            if let Some(taken) = take(belief.engine.as_mut(), observation, gate)? {
+                belief.weight *= (taken.log_likelihood - own).exp();
+            }
+            all += belief.weight;
+        }
+        self.main /= all;
+        for belief in self.unforeseen.iter_mut().chain(&mut self.others) {
+            belief.weight /= all;
+        }
+        Ok(())
     }
 
     /// The navigator knows where it is: everything else is forgotten.

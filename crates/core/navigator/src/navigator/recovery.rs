@@ -11,9 +11,11 @@
 //! frame share its shake: neither convinces.
 
 use super::CandidateReport;
+use super::aids::take;
 use super::engine::{Engine, PredictedStep};
+use super::observation::Observation;
 use super::see::{Agreed, Associator, FoundPlace, observation};
-use pilotage_estimation::filter::{FilterError, fading_factor};
+use pilotage_estimation::filter::{FilterError, Gate, fading_factor};
 use pilotage_estimation::vehicle::ControlInput;
 
 /// Another belief about the same flight.
@@ -49,6 +51,17 @@ impl Recovery {
     pub fn moved(mut self, input: &ControlInput, dt: f64) -> Option<Self> {
         self.step = Some(self.engine.predict(input, dt).ok()?);
         Some(self)
+    }
+
+    /// Shows it what an aid beside the pictures observed now, when the instruments read `input`.
+    pub fn take(
+        &mut self,
+        observation: &Observation<'_>,
+        (input, gate): (&ControlInput, Gate),
+    ) -> Result<(), FilterError> {
+        self.engine.look_now(input);
+        take(self.engine.as_mut(), observation, gate)?;
+        Ok(())
     }
 
     /// See [`Engine::look_back`].

@@ -136,6 +136,34 @@ pub struct JointReport {
     pub recovered: Option<f64>,
 }
 
+/// Correction by an aid beside pictures, or what the gate refused of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct UpdateReport {
+    /// Name of the aid in files.
+    pub aid: String,
+    /// Measured vector of m components, in their SI units.
+    pub measured: DVector<f64>,
+    /// Innovation: measured minus expected, m.
+    pub innovation: DVector<f64>,
+    /// Innovation covariance, m × m.
+    pub innovation_covariance: DMatrix<f64>,
+    /// Normalized innovation squared.
+    pub nis: f64,
+    /// Its degrees of freedom.
+    pub degrees_of_freedom: usize,
+    /// Threshold of the gate.
+    pub threshold: f64,
+    /// Kalman gain, n × m; `None` where the gate refused it.
+    pub gain: Option<DMatrix<f64>>,
+}
+
+impl UpdateReport {
+    /// Whether it corrected the estimate.
+    pub fn is_accepted(&self) -> bool {
+        self.gain.is_some()
+    }
+}
+
 /// Observations in a camera frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FrameReport {
@@ -250,6 +278,9 @@ pub struct StepReport {
     pub frame: Option<FrameReport>,
     /// Time spent.
     pub timing: StepTiming,
+    /// Aids beside pictures that had a reading, in the order in which they were asked.
+    #[serde(default)]
+    pub updates: Vec<UpdateReport>,
 }
 
 impl StepReport {
@@ -265,6 +296,13 @@ impl StepReport {
         self.predicted = predicted;
         self.after = step.after;
         self.sigma.before_correct = Some(step.sigma_before);
+        self.sigma.after_correct = Some(step.sigma_after);
+    }
+
+    /// The estimate was corrected by `step` of an aid, after whatever the frame did.
+    pub(super) fn aided_by(&mut self, step: CorrectedStep) {
+        self.after = step.after;
+        self.sigma.before_correct.get_or_insert(step.sigma_before);
         self.sigma.after_correct = Some(step.sigma_after);
     }
 

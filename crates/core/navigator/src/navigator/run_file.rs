@@ -1,9 +1,10 @@
 //! A run as a file: a short header with a version, then the run in postcard.
 
 use super::Run;
+use super::run_file_6::{self, RunOfVersion6};
 
 /// The first bytes of every run file; the last is the version.
-const HEADER: &[u8] = b"PILOTAGE RUN 6\n";
+const HEADER: &[u8] = b"PILOTAGE RUN 7\n";
 const MARK: &[u8] = b"PILOTAGE RUN ";
 
 /// Why bytes are not a run.
@@ -86,10 +87,14 @@ pub fn decode_run(file: &str, bytes: &[u8]) -> Result<Run, RunFileError> {
     if !bytes.starts_with(MARK) {
         return Err(RunFileError::NotARun { file });
     }
-    let Some(body) = bytes.strip_prefix(HEADER) else {
+    let read = if let Some(body) = bytes.strip_prefix(HEADER) {
+        postcard::from_bytes(body)
+    } else if let Some(body) = bytes.strip_prefix(run_file_6::HEADER) {
+        postcard::from_bytes::<RunOfVersion6>(body).map(Run::from)
+    } else {
         return Err(RunFileError::OtherVersion { file });
     };
-    postcard::from_bytes(body).map_err(|e| RunFileError::Damaged {
+    read.map_err(|e| RunFileError::Damaged {
         file,
         cause: e.to_string(),
     })
@@ -97,7 +102,11 @@ pub fn decode_run(file: &str, bytes: &[u8]) -> Result<Run, RunFileError> {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{DMatrix, dvector};
+
     use super::*;
+    use crate::navigator::{Control, Estimate, SigmaSets, StepReport, StepTiming};
+    use pilotage_base::frames::GroundPoint;
 
     fn run() -> Run {
         Run {
@@ -113,6 +122,55 @@ mod tests {
     fn a_run_survives_its_file() {
         let bytes = encode_run(&run()).expect("writes");
         assert_eq!(decode_run("a.run", &bytes).expect("reads"), run());
+    }
+
+    /// Bytes of what ends with an empty list in this version and had none in the one before.
+    fn without_last_list(value: &impl serde::Serialize) -> Vec<u8> {
+        let mut bytes = postcard::to_stdvec(value).expect("writes");
+        assert_eq!(bytes.pop(), Some(0), "an empty list is a zero");
+        bytes
+    }
+
+    #[test]
+    fn a_run_of_the_version_before_opens_without_aids() {
+        let estimate = Estimate {
+            mean: dvector![3.0, -4.0],
+            covariance: DMatrix::identity(2, 2),
+        };
+        let step = |time| StepReport {
+            time,
+            dt: 0.5,
+            control: Control {
+                airspeed: Some(18.0),
+                heading: 1.0,
+                roll: 0.1,
+                pitch: 0.0,
+                height: 120.0,
+            },
+            before: estimate.clone(),
+            predicted: estimate.clone(),
+            after: estimate.clone(),
+            sigma: SigmaSets {
+                before_predict: DMatrix::zeros(2, 5),
+                after_predict: DMatrix::zeros(2, 5),
+                before_correct: None,
+                after_correct: None,
+            },
+            dead_reckoned: GroundPoint::new(1.0, 2.0),
+            doubts: Vec::new(),
+            frame: None,
+            timing: StepTiming::default(),
+            updates: Vec::new(),
+        };
+        let mut run = run();
+        run.steps = vec![step(0.5), step(1.0)];
+        let mut bytes = run_file_6::HEADER.to_vec();
+        bytes.extend(postcard::to_stdvec(&run.name).expect("writes"));
+        bytes.extend(without_last_list(&run.settings));
+        bytes.extend(postcard::to_stdvec(&(&run.landmarks, &run.state_names)).expect("writes"));
+        bytes.push(2);
+        bytes.extend(run.steps.iter().flat_map(without_last_list));
+        assert_eq!(decode_run("old.run", &bytes).expect("reads"), run);
     }
 
     #[test]

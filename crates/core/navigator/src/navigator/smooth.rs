@@ -153,6 +153,7 @@ mod tests {
                 doubts: Vec::new(),
                 frame: None,
                 timing: StepTiming::default(),
+                updates: Vec::new(),
             });
             truths.push(truth.clone());
         }

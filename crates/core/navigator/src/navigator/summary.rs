@@ -144,6 +144,9 @@ pub struct Summary {
     pub nees: Option<ConsistencyFigures>,
     /// Normalized innovation squared of the corrections.
     pub nis: Option<ConsistencyFigures>,
+    /// The same of every aid beside pictures that had a reading, by its name; refused readings count.
+    #[serde(default)]
+    pub nis_of_aids: BTreeMap<String, ConsistencyFigures>,
     /// Milliseconds per camera frame, mean.
     pub ms_per_frame: FrameTiming,
 }
@@ -215,12 +218,17 @@ pub fn summarize(flight: &Flight, run: &Run, true_noise: Option<&NavigatorSettin
     let (mut all, mut corrected, mut unaided) = (vec![], vec![], vec![]);
     let (mut wind, mut wind_later) = (vec![], vec![]);
     let (mut nees, mut nis) = (Consistency::default(), Consistency::default());
+    let mut nis_of_aids: BTreeMap<&String, Consistency> = BTreeMap::new();
     let wind_index = run.state_index(StateComponent::WindNorth);
     let begun = run.span().map_or(0.0, |(start, _)| start);
     for step in &run.steps {
         count_frame(&mut summary, step);
         if let Some(joint) = step.frame.as_ref().and_then(|f| f.joint.as_ref()) {
             nis.push(joint.nis, joint.degrees_of_freedom);
+        }
+        for update in &step.updates {
+            let of_aid = nis_of_aids.entry(&update.aid).or_default();
+            of_aid.push(update.nis, update.degrees_of_freedom);
         }
         let Some(truth) = flight.truth.as_ref() else {
             continue;
@@ -260,6 +268,9 @@ pub fn summarize(flight: &Flight, run: &Run, true_noise: Option<&NavigatorSettin
     summary.wind_error_after_minute_mps = ErrorFigures::of(wind_later);
     summary.nees = figures(&nees);
     summary.nis = figures(&nis);
+    let of_aids = nis_of_aids.into_iter();
+    let of_aids = of_aids.filter_map(|(aid, nis)| Some((aid.clone(), figures(&nis)?)));
+    summary.nis_of_aids = of_aids.collect();
     summary.position_bound_m = true_noise
         .and_then(|noise| position_bound(flight, run, noise)?.ok())
         .map(|rms| BoundFigures { rms });

@@ -12,11 +12,13 @@ pub struct Tick {
     pub time: f64,
     /// Number of the frame that arrives then.
     pub frame: Option<usize>,
+    /// Whether an aid has a reading then.
+    is_aided: bool,
 }
 
-/// Every time at which a frame arrives after the start, or a measurement no sooner than `shortest` seconds
-/// after what came before.
-pub fn ticks(flight: &Flight, shortest: f64) -> Vec<Tick> {
+/// Every time at which a frame arrives after the start or one of the channels `aids` has a reading, or another
+/// measurement no sooner than `shortest` seconds after what came before.
+pub fn ticks(flight: &Flight, shortest: f64, aids: &[ChannelName]) -> Vec<Tick> {
     let start = flight.start.time;
     let mut ticks: Vec<Tick> = flight
         .frames
@@ -25,13 +27,17 @@ pub fn ticks(flight: &Flight, shortest: f64) -> Vec<Tick> {
         .map(|(index, frame)| Tick {
             time: frame.time,
             frame: Some(index),
+            is_aided: false,
         })
         .collect();
-    for name in [ChannelName::Airspeed, ChannelName::Heading] {
+    let drives = [ChannelName::Airspeed, ChannelName::Heading].map(|name| (name, false));
+    let aids = aids.iter().map(|name| (*name, true));
+    for (name, is_aided) in drives.into_iter().chain(aids) {
         let times = flight.channel(name).map_or(&[][..], |c| &c.times);
         ticks.extend(times.iter().map(|time| Tick {
             time: *time,
             frame: None,
+            is_aided,
         }));
     }
     ticks.retain(|tick| tick.time >= start - SAME_TIME);
@@ -42,7 +48,10 @@ pub fn ticks(flight: &Flight, shortest: f64) -> Vec<Tick> {
             .then(b.frame.is_some().cmp(&a.frame.is_some()))
     });
     let apart = shortest.max(SAME_TIME);
-    ticks.dedup_by(|later, kept| later.frame.is_none() && later.time - kept.time < apart);
+    ticks.dedup_by(|later, kept| {
+        let apart = if later.is_aided { SAME_TIME } else { apart };
+        later.frame.is_none() && later.time - kept.time < apart
+    });
     ticks
 }
 
@@ -89,13 +98,13 @@ mod tests {
     #[test]
     fn every_measurement_is_a_step_unless_steps_have_a_shortest_length() {
         let flight = flight();
-        let all = ticks(&flight, 0.0);
+        let all = ticks(&flight, 0.0, &[]);
         assert_eq!(
             all.len(),
             1010,
             "those of airspeed are also those of heading"
         );
-        let apart = ticks(&flight, 0.05);
+        let apart = ticks(&flight, 0.05, &[]);
         let frames: Vec<_> = apart.iter().filter_map(|tick| tick.frame).collect();
         assert_eq!(frames, (0..10).collect::<Vec<_>>(), "no frame is left out");
         let is_apart = |pair: &[Tick]| {
@@ -104,5 +113,16 @@ mod tests {
         assert!(apart.windows(2).all(is_apart));
         assert!((180..=220).contains(&apart.len()), "{}", apart.len());
         assert!(apart.last().unwrap().time > 9.9);
+        let aided = ticks(&flight, 0.25, &[ChannelName::Airspeed]);
+        let readings = (0..200).map(|i| f64::from(i) / 20.0);
+        let is_step = |time: f64| {
+            aided
+                .iter()
+                .any(|tick| (tick.time - time).abs() < SAME_TIME)
+        };
+        assert!(
+            readings.into_iter().all(is_step),
+            "no reading of an aid is left out"
+        );
     }
 }

@@ -194,6 +194,7 @@ fn step_report(
         dead_reckoned: GroundPoint::new(truth.north + drift, truth.east - 0.6 * drift),
         frame,
         timing: StepTiming::default(),
+        updates: Vec::new(),
     }
 }
 

@@ -25,6 +25,14 @@ impl<'a> MeasurementModel<'a> {
             part: KinematicsPart::Pose,
         }
     }
+
+    /// Of the velocity, too.
+    pub fn of_motion(of: impl Fn(&Kinematics) -> Option<DVector<f64>> + 'a) -> Self {
+        Self {
+            of: Box::new(of),
+            part: KinematicsPart::Motion,
+        }
+    }
 }
 
 /// A prediction, for the report.
@@ -61,6 +69,9 @@ pub trait Engine: Send {
     /// Takes what is measured for what was before the inputs of `past` (with their lengths in seconds, the
     /// latest first), from here on.
     fn look_back(&mut self, past: Vec<(ControlInput, f64)>);
+
+    /// Takes what is measured for what is now, when the vehicle's own instruments read `input`, from here on.
+    fn look_now(&mut self, input: &ControlInput);
 
     /// Position of the vehicle on the map when what is measured happened: the map's error is in it.
     fn seen_from(&self) -> GroundPoint;

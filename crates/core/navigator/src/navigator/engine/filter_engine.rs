@@ -106,6 +106,11 @@ where
         self.vehicle.past = past;
     }
 
+    fn look_now(&mut self, input: &ControlInput) {
+        self.vehicle.input = *input;
+        self.vehicle.past.clear();
+    }
+
     fn seen_from(&self) -> GroundPoint {
         let mean = self.filter.belief().mean;
         self.vehicle.kinematics(&mean, KinematicsPart::Pose).on_map

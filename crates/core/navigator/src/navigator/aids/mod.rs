@@ -1,0 +1,32 @@
+//! All aids beside pictures, in the order in which they are asked: another one is a file of this folder, and a line in
+//! the list below.
+
+mod aid;
+mod choice;
+mod reading;
+mod take;
+#[cfg(test)]
+mod tests;
+
+pub(super) use aid::{Aid, AidMoment};
+pub use aid::{AidInfo, AidNumber};
+pub use choice::AidError;
+pub(super) use choice::chosen;
+pub(super) use take::{Taken, take};
+
+/// Declares the files of the aids, and makes their list.
+macro_rules! aids {
+    ($($file:ident,)*) => {
+        $(mod $file;)*
+
+        impl AidInfo {
+            /// Every aid.
+            pub const ALL: &[&Self] = &[$(&$file::INFO),*];
+        }
+    };
+}
+
+aids! {
+    gps_position,
+    gps_velocity,
+}

@@ -1,0 +1,105 @@
+//! Runs as version 6 of their files has them: without aids beside pictures.
+
+use serde::Deserialize;
+
+use super::{Control, Doubt, Estimate, FrameReport, Run, SigmaSets, StepReport, StepTiming};
+use pilotage_base::frames::GroundPoint;
+use pilotage_mission::settings::{
+    EstimatorSettings, NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice,
+};
+use pilotage_vision::landmark::{Landmark, TemplateSettings};
+use pilotage_vision::registration::FollowSettings;
+
+/// The first bytes of such a file.
+pub const HEADER: &[u8] = b"PILOTAGE RUN 6\n";
+
+/// A run of that version.
+#[derive(Deserialize)]
+pub struct RunOfVersion6 {
+    name: String,
+    settings: Settings,
+    landmarks: Vec<Landmark>,
+    state_names: Vec<(String, String)>,
+    steps: Vec<Step>,
+}
+
+#[derive(Deserialize)]
+struct Settings {
+    vehicle: VehicleChoice,
+    alpha: f64,
+    beta: f64,
+    redraw: bool,
+    gate_confidence: f64,
+    start: StartError,
+    process: ProcessNoise,
+    sensors: SensorNoise,
+    measurement_scale: f64,
+    detector: TemplateSettings,
+    most_landmarks: usize,
+    shortest_step: f64,
+    estimator: EstimatorSettings,
+    whole_frames: Option<FollowSettings>,
+}
+
+#[derive(Deserialize)]
+struct Step {
+    time: f64,
+    dt: f64,
+    control: Control,
+    before: Estimate,
+    predicted: Estimate,
+    after: Estimate,
+    sigma: SigmaSets,
+    dead_reckoned: GroundPoint,
+    doubts: Vec<Doubt>,
+    frame: Option<FrameReport>,
+    timing: StepTiming,
+}
+
+impl From<RunOfVersion6> for Run {
+    fn from(run: RunOfVersion6) -> Self {
+        let of = run.settings;
+        Self {
+            name: run.name,
+            settings: NavigatorSettings {
+                vehicle: of.vehicle,
+                alpha: of.alpha,
+                beta: of.beta,
+                redraw: of.redraw,
+                gate_confidence: of.gate_confidence,
+                start: of.start,
+                process: of.process,
+                sensors: of.sensors,
+                measurement_scale: of.measurement_scale,
+                detector: of.detector,
+                most_landmarks: of.most_landmarks,
+                shortest_step: of.shortest_step,
+                estimator: of.estimator,
+                whole_frames: of.whole_frames,
+                aids: Vec::new(),
+            },
+            landmarks: run.landmarks,
+            state_names: run.state_names,
+            steps: run.steps.into_iter().map(StepReport::from).collect(),
+        }
+    }
+}
+
+impl From<Step> for StepReport {
+    fn from(step: Step) -> Self {
+        Self {
+            time: step.time,
+            dt: step.dt,
+            control: step.control,
+            before: step.before,
+            predicted: step.predicted,
+            after: step.after,
+            sigma: step.sigma,
+            dead_reckoned: step.dead_reckoned,
+            doubts: step.doubts,
+            frame: step.frame,
+            timing: step.timing,
+            updates: Vec::new(),
+        }
+    }
+}
