@@ -1,7 +1,9 @@
 //! `--filter key=value,…`: changes to the navigator's settings.
 
 use pilotage_core::landmark::TemplateFeatures;
-use pilotage_core::navigator::{EstimatorChoice, NavigatorSettings, VehicleChoice};
+use pilotage_core::navigator::{
+    AidInfo, ChosenAid, EstimatorChoice, NavigatorSettings, VehicleChoice,
+};
 use pilotage_core::registration::FollowSettings;
 
 /// Names of the vehicle models on the command line.
@@ -100,7 +102,27 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "frame-height-within" => frames(settings).limit_height(0.01 * number()?),
         "map-accuracy" => frames(settings).map_deviation = number()?,
         "start-wind" => settings.start.wind = number()?,
-        _ => return Err(format!("--filter: there is no setting \"{key}\"")),
+        _ => {
+            let (name, number_name) = key.split_once('.').unwrap_or((key, ""));
+            let info = AidInfo::named(name)
+                .map_err(|_| format!("--filter: there is no setting \"{key}\""))?;
+            let known = settings.aids.iter().position(|aid| aid.key == name);
+            let mut aid = known.map_or_else(
+                || ChosenAid::usual(name),
+                |index| settings.aids.remove(index),
+            );
+            if number_name.is_empty() {
+                if !switch()? {
+                    return Ok(());
+                }
+            } else {
+                aid = aid.with(number_name, number()?);
+            }
+            info.values(&aid)
+                .map_err(|e| format!("--filter {key}: {e}"))?;
+            let place = known.unwrap_or(settings.aids.len());
+            settings.aids.insert(place, aid);
+        }
     }
     Ok(())
 }
@@ -138,6 +160,19 @@ mod tests {
         assert!((frames.height_limit() - 0.12).abs() < 1e-12);
         apply(&mut settings, "whole-frames=false").unwrap();
         assert!(settings.whole_frames.is_none());
+        apply(&mut settings, "gps-velocity.noise=0.4,gps-position=true").unwrap();
+        let velocity = ChosenAid::usual("gps-velocity").with("noise", 0.4);
+        assert_eq!(
+            settings.aids,
+            [velocity.clone(), ChosenAid::usual("gps-position")]
+        );
+        apply(&mut settings, "gps-position=false").unwrap();
+        assert_eq!(settings.aids, [velocity]);
+        assert!(
+            apply(&mut settings, "gps-velocity.colour=1")
+                .unwrap_err()
+                .contains("colour")
+        );
         assert!(
             apply(&mut settings, "alhpa=1")
                 .unwrap_err()

@@ -61,7 +61,7 @@ pub struct Arguments {
     /// Length of the GPS outages, where there is no map.
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
     outage: f64,
-    /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind.
+    /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind,gps-velocity=true,gps-velocity.noise=0.4.
     #[arg(long, default_value = "")]
     filter: String,
     /// File for the run.
