@@ -29,6 +29,17 @@ impl Units {
         }
     }
 
+    /// Factor from an SI unit, and the unit on screen of what has it.
+    pub fn of_si(self, unit: &str) -> (f64, String) {
+        let (factor, name) = match unit {
+            "m" => self.length(),
+            "m/s" => self.speed(),
+            "rad" => (1.0_f64.to_degrees(), "°"),
+            other => return (1.0, other.to_owned()),
+        };
+        (factor, name.to_owned())
+    }
+
     /// A distance of metres that may be short, and its unit: centimetres below a metre, tenths of a foot.
     pub fn short_distance(self, metres: f64) -> (String, &'static str) {
         let (factor, unit) = self.length();

@@ -1,5 +1,6 @@
 //! Dialogs: simulate a flight, set the filter.
 
+mod aid_settings;
 mod landmark_settings;
 mod setting_rows;
 mod settings;

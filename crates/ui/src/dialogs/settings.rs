@@ -4,6 +4,7 @@ use egui::{Slider, SliderClamping, Ui};
 use pilotage_core::navigator::{EstimatorChoice, NavigatorSettings, VehicleChoice};
 use pilotage_core::registration::FollowSettings;
 
+use super::aid_settings::aids;
 use super::landmark_settings::landmarks;
 use super::setting_rows::{limit_slider, linear, meaning, named, scaled};
 use crate::command::Command;
@@ -36,6 +37,7 @@ pub fn settings_sheet(
             vehicle(ui, tokens, &mut settings);
             whole_frames(ui, tokens, &mut settings, context.units);
             landmarks(ui, tokens, &mut settings.detector, context.units);
+            aids(ui, tokens, &mut settings.aids, context.flight);
             spread(ui, tokens, &mut settings);
             process(ui, tokens, &mut settings, context.units);
             measurement(ui, tokens, &mut settings, context.units);

@@ -1,5 +1,6 @@
 //! The filter inspector: everything one step concluded, in numbers and in words.
 
+mod aids;
 mod candidates;
 mod laid;
 mod matrix;
@@ -12,7 +13,6 @@ use pilotage_core::navigator::{FrameReport, JointReport, Run, StepReport};
 use super::parts::{self, NumberReadout, figures};
 use super::picking;
 use crate::context::{DrawnTimes, ViewContext};
-use crate::units::Units;
 
 /// Explains the filter's step at the cursor.
 #[derive(Default)]
@@ -57,6 +57,7 @@ impl InspectorView {
                     let age = context.time - run.steps[last_frame.unwrap_or(index)].time;
                     self::frame(ui, context, run, frame, age);
                 }
+                aids::show(ui, context, run, index);
             });
     }
 
@@ -120,7 +121,7 @@ impl InspectorView {
                 if i >= step.after.mean.len() {
                     break;
                 }
-                let (factor, unit) = in_units(unit, context.units);
+                let (factor, unit) = context.units.of_si(unit);
                 let sigma = step.after.covariance[(i, i)].max(0.0).sqrt() * factor;
                 let value = NumberReadout::new(
                     name.clone(),
@@ -275,17 +276,6 @@ const MEASURED: [(&str, &str, f64); 4] = [
     ("turn", "°", 180.0 / std::f64::consts::PI),
     ("scale", "%", 100.0),
 ];
-
-/// Factor and unit on screen of a state component's unit.
-fn in_units(unit: &str, units: Units) -> (f64, String) {
-    let (factor, name) = match unit {
-        "m" => units.length(),
-        "m/s" => units.speed(),
-        "rad" => (1.0_f64.to_degrees(), "°"),
-        other => return (1.0, other.to_owned()),
-    };
-    (factor, name.to_owned())
-}
 
 #[cfg(test)]
 mod tests;

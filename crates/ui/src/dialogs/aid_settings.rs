@@ -1,0 +1,59 @@
+//! Settings of the aids beside pictures, made from their list.
+
+use egui::Ui;
+use pilotage_core::flight::Flight;
+use pilotage_core::navigator::{AidInfo, ChosenAid};
+
+use super::setting_rows::{meaning, scaled};
+use crate::shell::caption;
+use crate::tokens::Tokens;
+
+/// Range of a number that is offered, as factors on its usual value.
+const RANGE: (f64, f64) = (0.02, 50.0);
+
+/// Draws a switch for every aid, with its numbers while it is on; those of which `flight` has no readings cannot be
+/// switched on.
+pub(super) fn aids(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    chosen: &mut Vec<ChosenAid>,
+    flight: Option<&Flight>,
+) {
+    caption(ui, tokens, "Aids beside pictures");
+    for info in AidInfo::ALL {
+        let place = chosen.iter().position(|aid| aid.key == info.key);
+        let has_readings = flight.is_some_and(|flight| {
+            let channels = info.channels.iter();
+            let mut channels = channels.map(|name| flight.channel(*name));
+            channels.all(|channel| channel.is_some_and(|c| !c.times.is_empty()))
+        });
+        let mut is_on = place.is_some();
+        ui.add_enabled_ui(has_readings || is_on, |ui| {
+            if ui.checkbox(&mut is_on, info.label).changed() {
+                match place {
+                    Some(place) => drop(chosen.remove(place)),
+                    None => chosen.push(ChosenAid::usual(info.key)),
+                }
+            }
+        });
+        let text = if has_readings {
+            info.description.to_owned()
+        } else {
+            format!("{} This flight has no readings of it.", info.description)
+        };
+        meaning(ui, tokens, &text);
+        if let Some(aid) = chosen.iter_mut().find(|aid| aid.key == info.key) {
+            numbers(ui, info, aid);
+        }
+    }
+}
+
+fn numbers(ui: &mut Ui, info: &AidInfo, aid: &mut ChosenAid) {
+    let Ok(values) = info.values(aid) else { return };
+    for (number, mut value) in info.numbers.iter().zip(values) {
+        let range = RANGE.0 * number.usual..=RANGE.1 * number.usual;
+        if scaled(ui, number.label, number.unit, &mut value, 1.0, range) {
+            *aid = std::mem::take(aid).with(number.key, value);
+        }
+    }
+}
