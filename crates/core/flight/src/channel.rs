@@ -122,6 +122,8 @@ channels! {
     AutopilotEast = "autopilot_east", Length;
     /// Height as the autopilot estimated it, metres above sea level.
     AutopilotHeight = "autopilot_height", Length;
+    /// Heading by the earth's magnetic field alone, radians clockwise from true north: the declination is taken out.
+    MagneticHeading = "magnetic_heading", Angle;
 }
 
 impl ChannelName {

@@ -29,4 +29,5 @@ macro_rules! aids {
 aids! {
     gps_position,
     gps_velocity,
+    magnetic_heading,
 }

@@ -10,9 +10,9 @@ use rand_distr::{Distribution, StandardNormal};
 use super::super::engine::engine;
 use super::super::{Navigator, NavigatorError, Run};
 use super::*;
-use pilotage_base::frames::{Attitude, GroundPoint};
+use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
 use pilotage_estimation::filter::{Consistency, Gate};
-use pilotage_estimation::vehicle::ControlInput;
+use pilotage_estimation::vehicle::{ControlInput, StateComponent};
 use pilotage_flight::{Channel, ChannelName, Flight, NoPictures, StartFix};
 use pilotage_mission::settings::{ChosenAid, EstimatorChoice, NavigatorSettings, VehicleChoice};
 use pilotage_raster::camera::CameraModel;
@@ -23,6 +23,8 @@ const WIND: Vector2<f64> = Vector2::new(-3.0, 5.0);
 /// Airspeed, m/s, and turn rate, rad/s.
 const AIRSPEED: f64 = 18.0;
 const TURN_RATE: f64 = 0.03;
+/// Standard deviation of the compass, radians.
+const COMPASS: f64 = 0.05;
 
 /// Two minutes in a wide circle, with satellite navigation once a second from `seed`, of these standard deviations (m,
 /// m/s).
@@ -44,9 +46,7 @@ fn flight(seed: u64, (position, velocity): (f64, f64)) -> Flight {
         let angle = TURN_RATE * t;
         Vector2::new(angle.cos(), angle.sin()) * AIRSPEED + WIND
     };
-    let heading = times
-        .iter()
-        .map(|t| pilotage_base::frames::wrap_pi(TURN_RATE * t));
+    let heading = times.iter().map(|t| wrap_pi(TURN_RATE * t));
     let mut channels = vec![
         channel(ChannelName::Heading, times.clone(), heading.collect()),
         channel(
@@ -56,6 +56,14 @@ fn flight(seed: u64, (position, velocity): (f64, f64)) -> Flight {
             times.iter().map(|_| AIRSPEED + 1e-3 * normal()).collect(),
         ),
     ];
+    let compass = times
+        .iter()
+        .map(|t| wrap_pi(TURN_RATE * t + COMPASS * normal()));
+    channels.push(channel(
+        ChannelName::MagneticHeading,
+        times.clone(),
+        compass.collect(),
+    ));
     let stamps: Vec<f64> = (1..=120).map(f64::from).collect();
     for (axis, place_name, velocity_name) in [
         (0, ChannelName::GpsNorth, ChannelName::GpsVelocityNorth),
@@ -184,6 +192,54 @@ fn innovations_of_every_aid_are_as_large_as_they_are_said_to_be() {
 }
 
 #[test]
+fn a_compass_tells_the_bias_of_the_heading_as_a_kalman_update_of_one_number_does() {
+    const BIAS: f64 = 0.02;
+    let mut settings = settings(vec![
+        ChosenAid::usual("magnetic-heading").with("apart", 1.0),
+    ]);
+    settings.vehicle = VehicleChoice::AirplaneFull;
+    settings.process.heading_bias = 0.03;
+    settings.gate_confidence = 1.0;
+    let mut nis = Consistency::default();
+    for seed in 0..20 {
+        let mut flight = flight(seed, (2.0, 0.3));
+        let heading = flight
+            .channels
+            .iter_mut()
+            .find(|c| c.name == ChannelName::Heading);
+        for value in &mut heading.unwrap().values {
+            *value = wrap_pi(*value + BIAS);
+        }
+        let compass = flight
+            .channel(ChannelName::MagneticHeading)
+            .unwrap()
+            .clone();
+        let run = fly(flight, &settings).unwrap();
+        let index = run.state_index(StateComponent::HeadingBias).unwrap();
+        let (mut mean, mut variance) = (0.0, 0.03_f64.powi(2));
+        for step in run.steps.iter().filter(|step| !step.updates.is_empty()) {
+            let read = compass.interpolated(step.time).unwrap();
+            let innovation = wrap_pi(TURN_RATE * step.time + BIAS - read) - mean;
+            let spread = variance + COMPASS.powi(2);
+            nis.push(step.updates[0].nis, 1);
+            assert!((step.updates[0].nis - innovation.powi(2) / spread).abs() < 1e-6);
+            mean += variance / spread * innovation;
+            variance *= 1.0 - variance / spread;
+            assert!(
+                (step.after.mean[index] - mean).abs() < 1e-9,
+                "{} {mean}",
+                step.time
+            );
+            assert!((step.after.covariance[(index, index)] / variance - 1.0).abs() < 1e-6);
+        }
+    }
+    let summary = nis.summary().unwrap();
+    println!("{summary:?}");
+    assert_eq!(summary.count, 20 * 120);
+    assert!(summary.is_consistent(), "{summary:?}");
+}
+
+#[test]
 fn aids_keep_an_airplane_on_course_in_a_wind_that_nobody_told() {
     let off = |aids: Vec<ChosenAid>| {
         let run = fly(flight(3, (2.0, 0.3)), &settings(aids)).unwrap();
@@ -238,8 +294,9 @@ fn readings_nearer_than_their_errors_last_are_left_out() {
 }
 
 #[test]
-fn a_vehicle_that_knows_no_velocity_is_not_asked_for_one() {
-    let mut settings = settings(honest(2.0, 0.3)[1..].to_vec());
+fn a_vehicle_that_knows_neither_velocity_nor_heading_bias_is_not_asked_for_them() {
+    let [_, velocity] = honest(2.0, 0.3);
+    let mut settings = settings(vec![velocity, ChosenAid::usual("magnetic-heading")]);
     settings.vehicle = VehicleChoice::RandomWalk;
     let run = fly(flight(1, (2.0, 0.3)), &settings).unwrap();
     assert!(run.steps.iter().all(|step| step.updates.is_empty()));
