@@ -30,4 +30,5 @@ aids! {
     gps_position,
     gps_velocity,
     magnetic_heading,
+    measured_velocity,
 }
