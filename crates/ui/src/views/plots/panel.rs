@@ -5,7 +5,7 @@ use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 use super::super::chart::ChartAxes;
 use super::super::parts;
 use super::draw::{self, TimeCurve};
-use super::series::{FrameColumn, InnovationColumn, RunSeries, SeriesTable, StepColumn};
+use super::series::{AidColumn, FrameColumn, InnovationColumn, RunSeries, SeriesTable, StepColumn};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
@@ -130,7 +130,7 @@ impl PanelKind {
             }
             Self::Nis => {
                 let of = |column: FrameColumn| Self::curve(&series.frames, column as usize, factor);
-                vec![
+                let mut layers = vec![
                     PlotLayer::band(
                         "95 % bounds",
                         of(FrameColumn::Low),
@@ -138,7 +138,18 @@ impl PanelKind {
                         tokens.truth,
                     ),
                     PlotLayer::dots("NIS", of(FrameColumn::Nis), tokens.observed),
-                ]
+                ];
+                if !series.aids.times.is_empty() {
+                    let of = |column: AidColumn| Self::curve(&series.aids, column as usize, factor);
+                    layers.push(PlotLayer::dots(
+                        "aids",
+                        of(AidColumn::Used),
+                        tokens.corrected,
+                    ));
+                    let refused = of(AidColumn::Refused);
+                    layers.push(PlotLayer::crosses("aids, refused", refused, tokens.refused));
+                }
+                layers
             }
             Self::Innovations => {
                 let (value, sigma) = if north {

@@ -44,6 +44,15 @@ pub(crate) enum FrameColumn {
     High,
 }
 
+/// Columns of the table of aids beside pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum AidColumn {
+    /// NIS of what corrected the estimate.
+    Used,
+    /// The same of what was refused.
+    Refused,
+}
+
 /// Columns of the tables of innovations, pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum InnovationColumn {
@@ -118,6 +127,7 @@ pub(crate) struct RunSeries {
     pub frames: SeriesTable,
     pub accepted: SeriesTable,
     pub refused: SeriesTable,
+    pub aids: SeriesTable,
     /// Stretches without a correction, seconds.
     pub gaps: Vec<(f64, f64)>,
     /// Another number whenever anything in here is another.
@@ -134,6 +144,7 @@ impl Default for RunSeries {
             frames: SeriesTable::new(3),
             accepted: SeriesTable::new(4),
             refused: SeriesTable::new(4),
+            aids: SeriesTable::new(2),
             gaps: Vec::new(),
             revision: 0,
             last_correction: None,
@@ -219,6 +230,15 @@ impl RunSeries {
         set(StepColumn::TrueWindEast, true_wind.map(|w| w.y));
         self.steps.push(step.time, row);
         self.add_frame(step);
+        for update in &step.updates {
+            let nis = Some(update.nis);
+            let row = if update.is_accepted() {
+                [nis, None]
+            } else {
+                [None, nis]
+            };
+            self.aids.push(step.time, row);
+        }
         self.add_gap(step);
     }
 
@@ -269,6 +289,9 @@ impl RunSeries {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{DMatrix, dvector};
+    use pilotage_core::navigator::UpdateReport;
+
     use super::super::super::fixture::Fixture;
     use super::*;
 
@@ -321,6 +344,30 @@ mod tests {
             .position(step.time)
             .unwrap();
         assert!((error - (step.after.mean[0] - truth.x)).abs() < 1e-4);
+    }
+
+    #[test]
+    fn nis_of_aids_stands_beside_that_of_pictures_used_and_refused() {
+        let mut fixture = Fixture::lasting(15.0);
+        for (step, nis, gain) in [(3, 1.5, Some(DMatrix::zeros(4, 2))), (8, 40.0, None)] {
+            fixture.run.steps[step].updates.push(UpdateReport {
+                aid: "gps-position".to_owned(),
+                measured: dvector![1.0, 2.0],
+                innovation: dvector![0.5, 0.5],
+                innovation_covariance: DMatrix::identity(2, 2),
+                nis,
+                degrees_of_freedom: 2,
+                threshold: 11.6,
+                gain,
+            });
+        }
+        let mut series = RunSeries::default();
+        series.update(Some(&fixture.run), Some(&fixture.flight));
+        assert_eq!(series.aids.times.len(), 2);
+        let of = |column: AidColumn, row| series.aids.column(column as usize).get(row);
+        assert_eq!(of(AidColumn::Used, 0), Some(1.5));
+        assert_eq!(of(AidColumn::Refused, 1), Some(40.0));
+        assert!(of(AidColumn::Refused, 0).is_none_or(f32::is_nan));
     }
 
     #[test]
