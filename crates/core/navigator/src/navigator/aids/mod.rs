@@ -30,5 +30,4 @@ aids! {
     gps_position,
     gps_velocity,
     magnetic_heading,
-    measured_velocity,
 }
