@@ -101,6 +101,7 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "frame-heading-within" => frames(settings).limit_heading(number()?.to_radians()),
         "frame-height-within" => frames(settings).limit_height(0.01 * number()?),
         "map-accuracy" => frames(settings).map_deviation = number()?,
+        "estimate-height" => settings.estimates_height = switch()?,
         "start-wind" => settings.start.wind = number()?,
         _ => {
             let (name, number_name) = key.split_once('.').unwrap_or((key, ""));
@@ -166,7 +167,8 @@ mod tests {
             settings.aids,
             [velocity.clone(), ChosenAid::usual("gps-position")]
         );
-        apply(&mut settings, "gps-position=false").unwrap();
+        apply(&mut settings, "gps-position=false,estimate-height=true").unwrap();
+        assert!(settings.estimates_height);
         assert_eq!(settings.aids, [velocity]);
         assert!(
             apply(&mut settings, "gps-velocity.colour=1")

@@ -124,6 +124,8 @@ channels! {
     AutopilotHeight = "autopilot_height", Length;
     /// Heading by the earth's magnetic field alone, radians clockwise from true north: the declination is taken out.
     MagneticHeading = "magnetic_heading", Angle;
+    /// Distance to the ground along the body's down axis, by laser or radar, metres.
+    GroundRange = "ground_range", Length;
 }
 
 impl ChannelName {

@@ -2,7 +2,7 @@
 
 use egui::Ui;
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{AidInfo, ChosenAid};
+use pilotage_core::navigator::{AidInfo, ChosenAid, NavigatorSettings};
 
 use super::setting_rows::{meaning, scaled};
 use crate::shell::caption;
@@ -16,10 +16,18 @@ const RANGE: (f64, f64) = (0.02, 50.0);
 pub(super) fn aids(
     ui: &mut Ui,
     tokens: &Tokens,
-    chosen: &mut Vec<ChosenAid>,
+    settings: &mut NavigatorSettings,
     flight: Option<&Flight>,
 ) {
     caption(ui, tokens, "Aids beside pictures");
+    ui.checkbox(&mut settings.estimates_height, "Estimate the height");
+    meaning(
+        ui,
+        tokens,
+        "Height and the bias of the barometer become states of the filter, for the aids that measure them. Landmarks are \
+         still looked for from the height in the log.",
+    );
+    let chosen = &mut settings.aids;
     for info in AidInfo::ALL {
         let place = chosen.iter().position(|aid| aid.key == info.key);
         let has_readings = flight.is_some_and(|flight| {

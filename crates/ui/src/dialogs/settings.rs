@@ -37,7 +37,7 @@ pub fn settings_sheet(
             vehicle(ui, tokens, &mut settings);
             whole_frames(ui, tokens, &mut settings, context.units);
             landmarks(ui, tokens, &mut settings.detector, context.units);
-            aids(ui, tokens, &mut settings.aids, context.flight);
+            aids(ui, tokens, &mut settings, context.flight);
             spread(ui, tokens, &mut settings);
             process(ui, tokens, &mut settings, context.units);
             measurement(ui, tokens, &mut settings, context.units);

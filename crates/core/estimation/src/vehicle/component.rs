@@ -71,6 +71,10 @@ components! {
     VelocityBiasNorth = "velocity bias north", "m/s";
     /// Measured velocity over ground, reading minus truth, m/s east.
     VelocityBiasEast = "velocity bias east", "m/s";
+    /// Height above the ground plane, metres.
+    Height = "height", "m";
+    /// Height by air pressure, reading minus truth, metres: whatever the barometer was set to.
+    BarometerBias = "barometer bias", "m";
     /// Metres by which the map shows things too far north.
     MapErrorNorth = "map error north", "m";
     /// Metres by which the map shows things too far east.

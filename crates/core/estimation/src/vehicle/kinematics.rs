@@ -18,6 +18,10 @@ pub struct Kinematics {
     pub attitude: Attitude,
     /// Heading, reading minus truth, radians; `None` where the model takes the reading for the truth.
     pub heading_bias: Option<f64>,
+    /// Height above the ground plane, metres; `None` where the model has none.
+    pub height: Option<f64>,
+    /// Height by air pressure, reading minus truth, metres; `None` where the model has none.
+    pub barometer_bias: Option<f64>,
 }
 
 /// Part of the kinematics at which a measurement model looks.
@@ -34,6 +38,8 @@ pub enum KinematicsPart {
 pub struct KinematicsReader {
     position: [usize; 2],
     heading_bias: Option<usize>,
+    height: Option<usize>,
+    barometer_bias: Option<usize>,
     /// The first of the map's two components.
     map_error: Option<usize>,
 }
@@ -45,17 +51,18 @@ impl KinematicsReader {
         Self {
             position: [north, north + 1],
             heading_bias: StateComponent::HeadingBias.index_in(layout),
+            height: StateComponent::Height.index_in(layout),
+            barometer_bias: StateComponent::BarometerBias.index_in(layout),
             map_error: StateComponent::MapErrorNorth.index_in(layout),
         }
     }
 
-    /// Components on which position, place on the map and heading depend.
+    /// Components on which position, place on the map, heading and height depend.
     pub fn pose_components(&self) -> impl Iterator<Item = usize> {
         let of_map = self.map_error.into_iter().flat_map(|i| [i, i + 1]);
-        self.position
-            .into_iter()
-            .chain(self.heading_bias)
-            .chain(of_map)
+        let of_height = self.height.into_iter().chain(self.barometer_bias);
+        let own = self.position.into_iter().chain(self.heading_bias);
+        own.chain(of_map).chain(of_height)
     }
 
     /// Bias of the heading in `state`, radians.
@@ -93,6 +100,8 @@ impl KinematicsReader {
                 ..input.attitude
             },
             heading_bias,
+            height: self.height.map(|i| state[i]),
+            barometer_bias: self.barometer_bias.map(|i| state[i]),
         }
     }
 }

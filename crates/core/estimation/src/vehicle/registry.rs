@@ -5,9 +5,9 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust,
-    ConstantVelocity, MapError, Multirotor, OverMap, RandomWalk, ThesisNoise, VehicleModel,
-    VelocityDriven,
+    AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust, AtHeight,
+    ConstantVelocity, HeightModel, MapError, Multirotor, OverMap, RandomWalk, ThesisNoise,
+    VehicleModel, VelocityDriven,
 };
 
 /// Something that wants to work with a vehicle model of any state size.
@@ -57,6 +57,19 @@ macro_rules! registry {
             /// Opens the door to code that is generic over the state size.
             pub fn visit<V: VehicleVisitor>(&self, visitor: V) -> V::Output {
                 match self { $(Self::$variant(model) => visitor.visit::<$size, _>(*model),)+ }
+            }
+
+            /// The same with the height of the vehicle as a state, two states larger.
+            pub fn visit_at_height<V: VehicleVisitor>(
+                &self,
+                height: HeightModel,
+                visitor: V,
+            ) -> V::Output {
+                match self {
+                    $(Self::$variant(model) => {
+                        visitor.visit::<{ $size + 2 }, _>(AtHeight::<$size>::new(Arc::new(*model), height))
+                    })+
+                }
             }
 
             /// The same with the model over a map that is off, two states larger.

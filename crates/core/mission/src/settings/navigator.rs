@@ -226,6 +226,10 @@ pub struct NavigatorSettings {
     /// Aids beside pictures that are switched on, in the order in which they are asked.
     #[serde(default)]
     pub aids: Vec<ChosenAid>,
+    /// Estimate the height of the vehicle as well, and the bias of its barometer: for aids that measure them. The map's
+    /// error is then no state of the filter but noise of every frame.
+    #[serde(default)]
+    pub estimates_height: bool,
 }
 
 impl Default for NavigatorSettings {
@@ -271,6 +275,7 @@ impl Default for NavigatorSettings {
             estimator: EstimatorSettings::default(),
             whole_frames: None,
             aids: Vec::new(),
+            estimates_height: false,
         }
     }
 }

@@ -77,6 +77,7 @@ impl From<RunOfVersion6> for Run {
                 estimator: of.estimator,
                 whole_frames: of.whole_frames,
                 aids: Vec::new(),
+                estimates_height: false,
             },
             landmarks: run.landmarks,
             state_names: run.state_names,

@@ -30,4 +30,6 @@ aids! {
     gps_position,
     gps_velocity,
     magnetic_heading,
+    barometric_height,
+    ground_range,
 }

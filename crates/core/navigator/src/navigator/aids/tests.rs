@@ -25,6 +25,9 @@ const AIRSPEED: f64 = 18.0;
 const TURN_RATE: f64 = 0.03;
 /// Standard deviation of the compass, radians.
 const COMPASS: f64 = 0.05;
+/// Random walk of the height, m/√s, and the bank, radians.
+const CLIMB: f64 = 1.0;
+const ROLL: f64 = 0.1;
 
 /// Two minutes in a wide circle, with satellite navigation once a second from `seed`, of these standard deviations (m,
 /// m/s).
@@ -63,6 +66,32 @@ fn flight(seed: u64, (position, velocity): (f64, f64)) -> Flight {
         ChannelName::MagneticHeading,
         times.clone(),
         compass.collect(),
+    ));
+    let (mut height, mut bias) = (120.0, 35.0 + 10.0 * normal());
+    let heights = times.iter().map(|t| {
+        // A step of the walk every tenth of a second.
+        height += CLIMB * 0.1_f64.sqrt() * normal();
+        bias += 0.02 * 0.1_f64.sqrt() * normal();
+        let tilted = ROLL.cos();
+        (
+            *t,
+            ROLL,
+            height + bias + normal(),
+            height / tilted + 0.5 * normal(),
+        )
+    });
+    let heights: Vec<(f64, f64, f64, f64)> = heights.collect();
+    let of = |value: fn(&(f64, f64, f64, f64)) -> f64| heights.iter().map(value).collect();
+    channels.push(channel(ChannelName::Roll, times.clone(), of(|h| h.1)));
+    channels.push(channel(
+        ChannelName::BarometricHeight,
+        times.clone(),
+        of(|h| h.2),
+    ));
+    channels.push(channel(
+        ChannelName::GroundRange,
+        times.clone(),
+        of(|h| h.3),
     ));
     let stamps: Vec<f64> = (1..=120).map(f64::from).collect();
     for (axis, place_name, velocity_name) in [
@@ -237,6 +266,36 @@ fn a_compass_tells_the_bias_of_the_heading_as_a_kalman_update_of_one_number_does
     println!("{summary:?}");
     assert_eq!(summary.count, 20 * 120);
     assert!(summary.is_consistent(), "{summary:?}");
+}
+
+#[test]
+fn barometer_and_range_tell_height_and_bias_as_honestly_as_they_say() {
+    let aids = [
+        ChosenAid::usual("barometric-height").with("noise", 1.0),
+        ChosenAid::usual("ground-range").with("noise", 0.5),
+    ];
+    let mut settings = settings(aids.to_vec());
+    (settings.estimates_height, settings.gate_confidence) = (true, 1.0);
+    let mut of_aids = [Consistency::default(); 2];
+    for seed in 0..20 {
+        let run = fly(flight(seed, (2.0, 0.3)), &settings).unwrap();
+        for update in run.steps.iter().flat_map(|step| &step.updates) {
+            let aid = usize::from(update.aid == "ground-range");
+            of_aids[aid].push(update.nis, update.degrees_of_freedom);
+        }
+        let bias = run.state_index(StateComponent::BarometerBias).unwrap();
+        let last = &run.steps.last().unwrap().after;
+        assert!((last.mean[bias] - 35.0).abs() < 40.0, "{}", last.mean);
+        assert!(last.covariance[(bias, bias)].sqrt() < 0.5);
+    }
+    for nis in of_aids {
+        let summary = nis.summary().unwrap();
+        println!("{summary:?}");
+        assert!(
+            summary.count >= 20 * 120 && summary.is_consistent(),
+            "{summary:?}"
+        );
+    }
 }
 
 #[test]

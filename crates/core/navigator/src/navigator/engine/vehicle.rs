@@ -2,14 +2,18 @@
 
 use pilotage_estimation::vehicle::{
     AirData, AirDataBiases, AirplaneFull, AirplaneWind, AirplaneWindGust, ConstantVelocity, Gusts,
-    MapError, Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VehicleVisitor, VelocityDriven,
+    HeightModel, MapError, Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VehicleVisitor,
+    VelocityDriven,
 };
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 
-/// Works with the model that the filter of a run has: that of the vehicle, with the error of the map where that is known
-/// to be off.
+/// Works with the model that the filter of a run has: that of the vehicle, with its height where that is asked for, else with
+/// the error of the map where that is known to be off.
 pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) -> V::Output {
     let vehicle = vehicle(settings);
+    if settings.estimates_height {
+        return vehicle.visit_at_height(HeightModel::default(), visitor);
+    }
     match map_error(settings) {
         Some(error) => vehicle.visit_over_map(error, visitor),
         None => vehicle.visit(visitor),
@@ -19,7 +23,7 @@ pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) 
 /// Model of the map's error, if that error is a state of the filter.
 pub fn map_error(settings: &NavigatorSettings) -> Option<MapError> {
     let deviation = settings.whole_frames?.map_deviation;
-    (deviation > 0.0).then(|| MapError::of(deviation))
+    (deviation > 0.0 && !settings.estimates_height).then(|| MapError::of(deviation))
 }
 
 /// The vehicle model that the settings ask for.
