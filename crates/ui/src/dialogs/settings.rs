@@ -37,11 +37,11 @@ pub fn settings_sheet(
             vehicle(ui, tokens, &mut settings);
             whole_frames(ui, tokens, &mut settings, context.units);
             landmarks(ui, tokens, &mut settings.detector, context.units);
-            aids(ui, tokens, &mut settings, context.flight);
             spread(ui, tokens, &mut settings);
             process(ui, tokens, &mut settings, context.units);
             measurement(ui, tokens, &mut settings, context.units);
             start(ui, tokens, &mut settings, context.units);
+            aids(ui, tokens, &mut settings, context.flight);
             ui.add_space(tokens.space);
             if text_button(ui, tokens, Some(Icon::Undo), "Reset to default", false).clicked() {
                 settings = usual();
