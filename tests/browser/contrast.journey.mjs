@@ -75,7 +75,11 @@ export async function run(page, tools) {
   const everywhere = async (where) => {
     for (const theme of ["dark", "light"]) {
       if ((await tools.state()).dark !== (theme === "dark")) {
-        await page.keyboard.press("d");
+        await page.keyboard.press("Control+k");
+        await tools.waitFor((s) => s.dialogs.palette, "the palette");
+        await page.keyboard.type("theme");
+        await tools.drawn();
+        await page.keyboard.press("Enter");
         await tools.waitFor((s) => s.dark === (theme === "dark"), `the ${theme} theme`);
       }
       await judge(`${where} ${theme}`);

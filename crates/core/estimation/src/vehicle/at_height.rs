@@ -1,10 +1,7 @@
 //! A vehicle whose height is estimated as well.
 
-use nalgebra::{SMatrix, SVector, Vector2};
-
-use super::{AnyVehicle, ControlInput, StateComponent, VehicleModel};
-use crate::filter::Gaussian;
-use pilotage_base::frames::GroundPoint;
+use super::StateComponent;
+use super::extended::{Extended, PairChange, StatePair};
 
 /// Height of a vehicle and the barometer that it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,111 +32,36 @@ impl Default for HeightModel {
 ///
 /// A barometer tells the sum of the two, so that it takes something that measures the height itself, such as the range to
 /// the ground, to tell them apart; from then on the barometer holds the height.
-#[derive(Clone)]
-pub struct AtHeight<const M: usize> {
-    vehicle: AnyVehicle<M>,
-    height: HeightModel,
-}
+pub type AtHeight<const M: usize> = Extended<M, HeightModel>;
 
-impl<const M: usize> AtHeight<M> {
-    /// `vehicle` with a height.
-    pub fn new(vehicle: AnyVehicle<M>, height: HeightModel) -> Self {
-        Self { vehicle, height }
+impl StatePair for HeightModel {
+    const COMPONENTS: [StateComponent; 2] = [StateComponent::Height, StateComponent::BarometerBias];
+
+    fn change(&self, _way: impl FnOnce() -> f64, dt: f64) -> PairChange {
+        PairChange {
+            left: 1.0,
+            added: [
+                self.climb_noise_density.powi(2) * dt,
+                self.bias_noise_density.powi(2) * dt,
+            ],
+        }
     }
 
-    /// State of the vehicle alone.
-    fn own<const N: usize>(state: &SVector<f64, N>) -> SVector<f64, M> {
-        SVector::from_fn(|i, _| state[i])
+    fn prior_variances(&self) -> [f64; 2] {
+        [self.start_deviation, self.start_bias_deviation].map(|deviation| deviation.powi(2))
     }
 }
-
-/// The model of `$n` states over a vehicle of `$m`, two fewer: sums of sizes cannot be written as types.
-macro_rules! at_height {
-    ($($m:literal + 2 = $n:literal),+) => {
-        $(impl VehicleModel<$n> for AtHeight<$m> {
-            fn propagate(
-                &self,
-                state: &SVector<f64, $n>,
-                input: &ControlInput,
-                dt: f64,
-            ) -> SVector<f64, $n> {
-                let moved = self.vehicle.propagate(&Self::own(state), input, dt);
-                SVector::from_fn(|i, _| if i < $m { moved[i] } else { state[i] })
-            }
-
-            fn process_noise(
-                &self,
-                state: &SVector<f64, $n>,
-                input: &ControlInput,
-                dt: f64,
-            ) -> SMatrix<f64, $n, $n> {
-                let mut noise = SMatrix::<f64, $n, $n>::zeros();
-                noise
-                    .fixed_view_mut::<$m, $m>(0, 0)
-                    .copy_from(&self.vehicle.process_noise(&Self::own(state), input, dt));
-                noise[($m, $m)] = self.height.climb_noise_density.powi(2) * dt;
-                noise[($m + 1, $m + 1)] = self.height.bias_noise_density.powi(2) * dt;
-                noise
-            }
-
-            fn noise_of_belief(
-                &self,
-                belief: &Gaussian<$n>,
-                input: &ControlInput,
-                dt: f64,
-            ) -> SMatrix<f64, $n, $n> {
-                let own = Gaussian::new(
-                    Self::own(&belief.mean),
-                    belief.covariance.fixed_view::<$m, $m>(0, 0).into_owned(),
-                );
-                let mut noise = self.process_noise(&belief.mean, input, dt);
-                noise
-                    .fixed_view_mut::<$m, $m>(0, 0)
-                    .copy_from(&self.vehicle.noise_of_belief(&own, input, dt));
-                noise
-            }
-
-            fn ground_velocity(
-                &self,
-                state: &SVector<f64, $n>,
-                input: &ControlInput,
-            ) -> Option<Vector2<f64>> {
-                self.vehicle.ground_velocity(&Self::own(state), input)
-            }
-
-            fn layout(&self) -> [StateComponent; $n] {
-                let own = self.vehicle.layout();
-                std::array::from_fn(|i| match i {
-                    $m => StateComponent::Height,
-                    i if i > $m => StateComponent::BarometerBias,
-                    i => own[i],
-                })
-            }
-
-            fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<$n> {
-                let own = self.vehicle.prior(position, position_deviation);
-                let mut prior = Gaussian::<$n>::new(SVector::zeros(), SMatrix::zeros());
-                prior.mean.fixed_rows_mut::<$m>(0).copy_from(&own.mean);
-                prior.covariance.fixed_view_mut::<$m, $m>(0, 0).copy_from(&own.covariance);
-                prior.covariance[($m, $m)] = self.height.start_deviation.powi(2);
-                prior.covariance[($m + 1, $m + 1)] = self.height.start_bias_deviation.powi(2);
-                prior
-            }
-        })+
-    };
-}
-
-at_height!(2 + 2 = 4, 4 + 2 = 6, 6 + 2 = 8, 8 + 2 = 10);
 
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
 
-    use nalgebra::Vector1;
+    use nalgebra::{SVector, Vector1};
+    use pilotage_base::frames::GroundPoint;
 
     use super::*;
     use crate::filter::{Ukf, UnscentedSettings};
-    use crate::vehicle::ConstantVelocity;
+    use crate::vehicle::{ConstantVelocity, ControlInput, VehicleModel as _};
 
     #[test]
     fn a_range_to_the_ground_tells_the_bias_of_a_barometer_which_then_holds_the_height() {

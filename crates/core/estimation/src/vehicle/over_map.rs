@@ -1,11 +1,8 @@
 //! A vehicle over a map that is not quite where it says.
 
-use nalgebra::{SMatrix, SVector, Vector2};
-
+use super::StateComponent;
+use super::extended::{Extended, PairChange, StatePair};
 use super::noise::GaussMarkov;
-use super::{AnyVehicle, ControlInput, StateComponent, VehicleModel};
-use crate::filter::Gaussian;
-use pilotage_base::frames::GroundPoint;
 
 /// Error of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,123 +31,35 @@ impl MapError {
 ///
 /// What is seen on the map tells the sum of the two, so that no number of frames tells the position better than the
 /// map is known; what tells the position itself tells the map's error as well.
-#[derive(Clone)]
-pub struct OverMap<const M: usize> {
-    vehicle: AnyVehicle<M>,
-    error: MapError,
-}
+pub type OverMap<const M: usize> = Extended<M, MapError>;
 
-impl<const M: usize> OverMap<M> {
-    /// `vehicle` over a map.
-    pub fn new(vehicle: AnyVehicle<M>, error: MapError) -> Self {
-        Self { vehicle, error }
+impl StatePair for MapError {
+    const COMPONENTS: [StateComponent; 2] =
+        [StateComponent::MapErrorNorth, StateComponent::MapErrorEast];
+
+    fn change(&self, way: impl FnOnce() -> f64, _dt: f64) -> PairChange {
+        let change = GaussMarkov::over(self.deviation, self.reach, way());
+        PairChange {
+            left: change.persistence,
+            added: [change.value_variance; 2],
+        }
     }
 
-    /// State of the vehicle alone.
-    fn own<const N: usize>(state: &SVector<f64, N>) -> SVector<f64, M> {
-        SVector::from_fn(|i, _| state[i])
-    }
-
-    /// Change of the map's error while the vehicle moves from `state`.
-    fn change(&self, state: &SVector<f64, M>, input: &ControlInput, dt: f64) -> GaussMarkov {
-        let moved = self.vehicle.propagate(state, input, dt);
-        let way = Vector2::new(moved[0] - state[0], moved[1] - state[1]).norm();
-        GaussMarkov::over(self.error.deviation, self.error.reach, way)
+    fn prior_variances(&self) -> [f64; 2] {
+        [self.deviation.powi(2); 2]
     }
 }
-
-/// The model of `$n` states over a vehicle of `$m`, two fewer: sums of sizes cannot be written as types.
-macro_rules! over_map {
-    ($($m:literal + 2 = $n:literal),+) => {
-        $(impl VehicleModel<$n> for OverMap<$m> {
-            fn propagate(
-                &self,
-                state: &SVector<f64, $n>,
-                input: &ControlInput,
-                dt: f64,
-            ) -> SVector<f64, $n> {
-                let own = Self::own(state);
-                let moved = self.vehicle.propagate(&own, input, dt);
-                let left = self.change(&own, input, dt).persistence;
-                SVector::from_fn(|i, _| if i < $m { moved[i] } else { left * state[i] })
-            }
-
-            fn process_noise(
-                &self,
-                state: &SVector<f64, $n>,
-                input: &ControlInput,
-                dt: f64,
-            ) -> SMatrix<f64, $n, $n> {
-                let own = Self::own(state);
-                let mut noise = SMatrix::<f64, $n, $n>::zeros();
-                noise
-                    .fixed_view_mut::<$m, $m>(0, 0)
-                    .copy_from(&self.vehicle.process_noise(&own, input, dt));
-                let added = self.change(&own, input, dt).value_variance;
-                noise[($m, $m)] = added;
-                noise[($m + 1, $m + 1)] = added;
-                noise
-            }
-
-            fn noise_of_belief(
-                &self,
-                belief: &Gaussian<$n>,
-                input: &ControlInput,
-                dt: f64,
-            ) -> SMatrix<f64, $n, $n> {
-                let own = Gaussian::new(
-                    Self::own(&belief.mean),
-                    belief.covariance.fixed_view::<$m, $m>(0, 0).into_owned(),
-                );
-                let mut noise = self.process_noise(&belief.mean, input, dt);
-                noise
-                    .fixed_view_mut::<$m, $m>(0, 0)
-                    .copy_from(&self.vehicle.noise_of_belief(&own, input, dt));
-                noise
-            }
-
-            fn ground_velocity(
-                &self,
-                state: &SVector<f64, $n>,
-                input: &ControlInput,
-            ) -> Option<Vector2<f64>> {
-                self.vehicle.ground_velocity(&Self::own(state), input)
-            }
-
-            fn layout(&self) -> [StateComponent; $n] {
-                let own = self.vehicle.layout();
-                std::array::from_fn(|i| match i {
-                    $m => StateComponent::MapErrorNorth,
-                    i if i > $m => StateComponent::MapErrorEast,
-                    i => own[i],
-                })
-            }
-
-            fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<$n> {
-                let own = self.vehicle.prior(position, position_deviation);
-                let mut prior = Gaussian::<$n>::new(SVector::zeros(), SMatrix::zeros());
-                prior.mean.fixed_rows_mut::<$m>(0).copy_from(&own.mean);
-                prior.covariance.fixed_view_mut::<$m, $m>(0, 0).copy_from(&own.covariance);
-                for i in $m..$n {
-                    prior.covariance[(i, i)] = self.error.deviation.powi(2);
-                }
-                prior
-            }
-        })+
-    };
-}
-
-over_map!(2 + 2 = 4, 4 + 2 = 6, 6 + 2 = 8, 8 + 2 = 10);
 
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
 
-    use nalgebra::{Matrix2, Vector2};
+    use nalgebra::{Matrix2, SVector, Vector2};
+    use pilotage_base::frames::GroundPoint;
 
     use super::*;
-    use crate::filter::{Ukf, UnscentedSettings};
-    use crate::vehicle::ConstantVelocity;
+    use crate::filter::{Gaussian, Ukf, UnscentedSettings};
+    use crate::vehicle::{ConstantVelocity, ControlInput, VehicleModel as _};
 
     fn over_map() -> OverMap<4> {
         OverMap::new(Arc::new(ConstantVelocity::default()), MapError::of(3.0))

@@ -1,11 +1,11 @@
 //! Height by air pressure.
 
-use nalgebra::{DMatrix, dvector};
+use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidMoment, AidNumber};
-use super::reading::{APART, AidReadings};
+use super::aid::{AidInfo, AidNumber};
+use super::direct::DirectAid;
+use super::reading::APART;
 use pilotage_flight::ChannelName;
 
 /// Description for people.
@@ -26,37 +26,6 @@ pub const INFO: AidInfo = AidInfo {
         APART,
     ],
     begin: |numbers| {
-        Box::new(BarometricHeight {
-            noise: numbers[0],
-            readings: AidReadings::of(&INFO, numbers[1]),
-        })
+        DirectAid::boxed(&INFO, numbers, |_| MeasurementModel::of_pose(|seen| Some(dvector![seen.height? + seen.barometer_bias?])))
     },
 };
-
-struct BarometricHeight {
-    /// Standard deviation, metres.
-    noise: f64,
-    readings: AidReadings,
-}
-
-impl Aid for BarometricHeight {
-    fn info(&self) -> &'static AidInfo {
-        &INFO
-    }
-
-    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
-        let observation = |measured| Observation {
-            measured,
-            noise: DMatrix::from_element(1, 1, self.noise.powi(2)),
-            model: MeasurementModel::of_pose(|seen| {
-                Some(dvector![seen.height? + seen.barometer_bias?])
-            }),
-            degrees: 1,
-        };
-        self.readings
-            .next(moment)
-            .map(observation)
-            .into_iter()
-            .collect()
-    }
-}

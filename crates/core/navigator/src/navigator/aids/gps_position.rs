@@ -1,11 +1,11 @@
 //! Position by satellite navigation.
 
-use nalgebra::{DMatrix, dvector};
+use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidMoment, AidNumber};
-use super::reading::{APART, AidReadings};
+use super::aid::{AidInfo, AidNumber};
+use super::direct::DirectAid;
+use super::reading::APART;
 use pilotage_flight::ChannelName;
 
 /// Description for people.
@@ -26,37 +26,6 @@ pub const INFO: AidInfo = AidInfo {
         APART,
     ],
     begin: |numbers| {
-        Box::new(GpsPosition {
-            noise: numbers[0],
-            readings: AidReadings::of(&INFO, numbers[1]),
-        })
+        DirectAid::boxed(&INFO, numbers, |_| MeasurementModel::of_pose(|seen| Some(dvector![seen.position.north, seen.position.east])))
     },
 };
-
-struct GpsPosition {
-    /// Standard deviation per axis, metres.
-    noise: f64,
-    readings: AidReadings,
-}
-
-impl Aid for GpsPosition {
-    fn info(&self) -> &'static AidInfo {
-        &INFO
-    }
-
-    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
-        let observation = |measured| Observation {
-            measured,
-            noise: DMatrix::from_diagonal_element(2, 2, self.noise.powi(2)),
-            model: MeasurementModel::of_pose(|seen| {
-                Some(dvector![seen.position.north, seen.position.east])
-            }),
-            degrees: 2,
-        };
-        self.readings
-            .next(moment)
-            .map(observation)
-            .into_iter()
-            .collect()
-    }
-}

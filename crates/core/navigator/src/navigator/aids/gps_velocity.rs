@@ -1,11 +1,11 @@
 //! Velocity over ground by satellite navigation.
 
-use nalgebra::{DMatrix, dvector};
+use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidMoment, AidNumber};
-use super::reading::{APART, AidReadings};
+use super::aid::{AidInfo, AidNumber};
+use super::direct::DirectAid;
+use super::reading::APART;
 use pilotage_flight::ChannelName;
 
 /// Description for people.
@@ -25,39 +25,11 @@ pub const INFO: AidInfo = AidInfo {
         },
         APART,
     ],
+    // The error includes what the airspeed's reading errs at that moment.
     begin: |numbers| {
-        Box::new(GpsVelocity {
-            noise: numbers[0],
-            readings: AidReadings::of(&INFO, numbers[1]),
-        })
-    },
-};
-
-struct GpsVelocity {
-    /// Standard deviation per axis, m/s, with what the airspeed's reading errs at that moment.
-    noise: f64,
-    readings: AidReadings,
-}
-
-impl Aid for GpsVelocity {
-    fn info(&self) -> &'static AidInfo {
-        &INFO
-    }
-
-    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
-        let observation = |measured| Observation {
-            measured,
-            noise: DMatrix::from_diagonal_element(2, 2, self.noise.powi(2)),
-            model: MeasurementModel::of_motion(|seen| {
+        DirectAid::boxed(&INFO, numbers, |_| MeasurementModel::of_motion(|seen| {
                 let velocity = seen.velocity?;
                 Some(dvector![velocity.x, velocity.y])
-            }),
-            degrees: 2,
-        };
-        self.readings
-            .next(moment)
-            .map(observation)
-            .into_iter()
-            .collect()
-    }
-}
+            }))
+    },
+};

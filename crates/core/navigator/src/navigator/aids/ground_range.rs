@@ -1,11 +1,11 @@
 //! Distance to the ground by laser or radar.
 
-use nalgebra::{DMatrix, dvector};
+use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidMoment, AidNumber};
-use super::reading::{APART, AidReadings};
+use super::aid::{AidInfo, AidNumber};
+use super::direct::DirectAid;
+use super::reading::APART;
 use pilotage_flight::ChannelName;
 
 /// Description for people.
@@ -26,40 +26,11 @@ pub const INFO: AidInfo = AidInfo {
         APART,
     ],
     begin: |numbers| {
-        Box::new(GroundRange {
-            noise: numbers[0],
-            readings: AidReadings::of(&INFO, numbers[1]),
-        })
-    },
-};
-
-struct GroundRange {
-    /// Standard deviation, metres.
-    noise: f64,
-    readings: AidReadings,
-}
-
-impl Aid for GroundRange {
-    fn info(&self) -> &'static AidInfo {
-        &INFO
-    }
-
-    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
-        let observation = |measured| Observation {
-            measured,
-            noise: DMatrix::from_element(1, 1, self.noise.powi(2)),
-            model: MeasurementModel::of_pose(|seen| {
+        DirectAid::boxed(&INFO, numbers, |_| MeasurementModel::of_pose(|seen| {
                 // Along the axis of a tilted body the ground is farther away.
                 let down = seen.attitude.roll.cos() * seen.attitude.pitch.cos();
                 (down > 0.1).then_some(())?;
                 Some(dvector![seen.height? / down])
-            }),
-            degrees: 1,
-        };
-        self.readings
-            .next(moment)
-            .map(observation)
-            .into_iter()
-            .collect()
-    }
-}
+            }))
+    },
+};

@@ -1,11 +1,10 @@
 //! Heading by the earth's magnetic field.
 
-use nalgebra::{DMatrix, DVector, dvector};
+use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidMoment, AidNumber};
-use super::reading::AidReadings;
+use super::aid::{AidInfo, AidNumber};
+use super::direct::DirectAid;
 use pilotage_base::frames::wrap_pi;
 use pilotage_flight::ChannelName;
 
@@ -32,43 +31,15 @@ pub const INFO: AidInfo = AidInfo {
             usual: 20.0,
         },
     ],
+    // The error includes what the heading's own reading errs from one moment to the next.
     begin: |numbers| {
-        Box::new(MagneticHeading {
-            noise: numbers[0],
-            readings: AidReadings::of(&INFO, numbers[1]),
+        DirectAid::boxed(&INFO, numbers, |measured| {
+            let read = measured[0];
+            MeasurementModel::of_pose(move |seen| {
+                seen.heading_bias?;
+                // Expectations near the reading differ from it by less than half a turn.
+                Some(dvector![read + wrap_pi(seen.attitude.yaw - read)])
+            })
         })
     },
 };
-
-struct MagneticHeading {
-    /// Standard deviation, radians, with what the heading's own reading errs from one moment to the next.
-    noise: f64,
-    readings: AidReadings,
-}
-
-impl Aid for MagneticHeading {
-    fn info(&self) -> &'static AidInfo {
-        &INFO
-    }
-
-    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
-        let observation = |measured: DVector<f64>| {
-            let read = measured[0];
-            Observation {
-                measured,
-                noise: DMatrix::from_element(1, 1, self.noise.powi(2)),
-                model: MeasurementModel::of_pose(move |seen| {
-                    seen.heading_bias?;
-                    // Expectations near the reading differ from it by less than half a turn.
-                    Some(dvector![read + wrap_pi(seen.attitude.yaw - read)])
-                }),
-                degrees: 1,
-            }
-        };
-        self.readings
-            .next(moment)
-            .map(observation)
-            .into_iter()
-            .collect()
-    }
-}

@@ -3,6 +3,7 @@
 
 mod aid;
 mod choice;
+mod direct;
 mod reading;
 mod take;
 #[cfg(test)]
