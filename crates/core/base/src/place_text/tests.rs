@@ -201,6 +201,32 @@ fn plus_codes_are_the_middles_of_their_squares() {
     }
 }
 
+/// Values of the same package (`recoverNearest`, then `decode`).
+#[test]
+fn short_plus_codes_are_the_squares_nearest_to_a_place() {
+    for (text, near, found) in [
+        ("9G8F+6X Zürich", [47.37, 8.54], [47.365_562_5, 8.524_937_5]),
+        ("9g8f+6x", [47.4, 9.0], [47.365_562_5, 8.524_937_5]),
+        ("8F+6X, Zürich", [47.37, 8.54], [47.365_562_5, 8.524_937_5]),
+        ("WF8Q+WF", [0.0, -160.03], [-0.082_687_5, -160.511_312_5]),
+        ("22VJ+22", [51.01, -1.0], [51.042_562_5, -0.969_937_5]),
+        // Over the date line.
+        ("9G8F+6X", [-47.9, -179.99], [-47.634_437_5, 179.524_937_5]),
+    ] {
+        let near = Geodetic::from_degrees(near[0], near[1], 0.0);
+        let place = place_of_text_near(text, &near).unwrap_or_else(|why| panic!("{text}: {why}"));
+        let place = [place.latitude, place.longitude].map(f64::to_degrees);
+        let error = (place[0] - found[0]).abs().max((place[1] - found[1]).abs());
+        assert!(error < 1e-9, "{text}: {place:?}");
+    }
+    let anywhere = Geodetic::from_degrees(0.0, 0.0, 0.0);
+    for text in ["9G8F+6", "F+6X2", "9G8+6X", "9G8A+6X"] {
+        assert!(place_of_text_near(text, &anywhere).is_err(), "{text}");
+    }
+    assert_eq!(town_of_short_code("46.5, 8"), None);
+    assert_eq!(town_of_short_code("+46.5, +8"), None);
+}
+
 /// The same package (`isValid`, `isFull`) takes none of these for whole codes.
 #[test]
 fn wrong_plus_codes_are_refused_with_the_reason() {
