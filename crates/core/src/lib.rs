@@ -4,7 +4,7 @@
 //! A facade: every name here is that of one of the crates in the folders beside it, by the subject under
 //! which people look for it. None of them reaches a screen, a clock, a file system or a thread.
 
-pub use pilotage_base::{angle_text, frames, place_text, sorting, text, viridis};
+pub use pilotage_base::{angle_text, frames, gazetteer, place_text, sorting, text, viridis};
 pub use pilotage_estimation::vehicle;
 pub use pilotage_mission::exchange;
 pub use pilotage_navigator::{instruments, study};

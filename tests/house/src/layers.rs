@@ -26,6 +26,7 @@ pub const ORDERS: [&Order; 8] = [
             "bytes",
             "files",
             "frames",
+            "gazetteer",
             "georeference",
             "place_text",
             "text",

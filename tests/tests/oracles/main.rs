@@ -16,6 +16,7 @@ mod maps;
 mod mcap;
 mod opencv;
 mod photos;
+mod places;
 mod pmtiles;
 mod systems;
 mod terrain;

@@ -7,6 +7,7 @@ pub mod angle_text;
 pub mod bytes;
 pub mod files;
 pub mod frames;
+pub mod gazetteer;
 pub mod georeference;
 pub mod place_text;
 pub mod sorting;
