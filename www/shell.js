@@ -44,6 +44,13 @@ async function drawn(svg, width, height) {
   }
 }
 
+/** Bytes of a file that lies beside the page's program. */
+async function fetchOwn(file) {
+  const response = await fetch(new URL(file, import.meta.url), { credentials: "same-origin" });
+  if (!response.ok) throw new Error(`${file}: ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
 export function shellServices(storage, openFiles) {
   const input = document.getElementById("files");
   const summary = document.getElementById("summary");
@@ -68,6 +75,7 @@ export function shellServices(storage, openFiles) {
     startFilm: () => startFilm(canvas),
     stopFilm(name) { stopFilm((film) => save(name, film)); },
     store(key, bytes) { storage.put(key, bytes); },
+    fetchOwn,
     fetchTiles,
     downloadTiles,
     downloadState,

@@ -100,6 +100,14 @@ pub trait Host {
     /// Ends it; what has come stays.
     fn stop_download(&mut self) {}
 
+    /// Fetches a file that the page has beside its program; it arrives by [`Host::fetched`].
+    fn fetch(&mut self, _file: &str) {}
+
+    /// Bytes of a fetched file, once they are there, empty if it cannot be had. To be asked once.
+    fn fetched(&mut self, _file: &str) -> Option<Vec<u8>> {
+        None
+    }
+
     /// Keys of what the browser refused to store since the last call, for lack of room.
     fn failed_stores(&mut self) -> Vec<String> {
         Vec::new()

@@ -66,6 +66,10 @@ extern "C" {
     #[wasm_bindgen(method, js_name = fetchTiles)]
     pub fn fetch_tiles(this: &Shell, addresses: js_sys::Array) -> js_sys::Promise;
 
+    /// A file that the page has beside its program: a promise of its bytes.
+    #[wasm_bindgen(method, js_name = fetchOwn)]
+    pub fn fetch_own(this: &Shell, file: &str) -> js_sys::Promise;
+
     /// Fetches tiles into the browser's cache.
     #[wasm_bindgen(method, js_name = downloadTiles)]
     pub fn download_tiles(this: &Shell, addresses: js_sys::Array);

@@ -55,6 +55,8 @@ struct Inner {
     place: Option<String>,
     /// Place to which people went by the browser's Back or Forward.
     wanted: Option<String>,
+    /// Files of the page that were fetched, by name.
+    fetched: ShortMap<String, Vec<u8>>,
     /// Problem last told of tiles that cannot be had, in words.
     told: Option<String>,
     /// Whether what nobody asked for is left undone.
@@ -125,6 +127,7 @@ impl PageHost {
             fetching: Vec::new(),
             place: None,
             wanted: None,
+            fetched: ShortMap::default(),
             told: None,
             leaves_ahead: false,
         };
@@ -310,6 +313,23 @@ impl Host for PageHost {
 
     fn stop_download(&mut self) {
         self.inner.borrow().shell.stop_download();
+    }
+
+    fn fetch(&mut self, file: &str) {
+        let file = file.to_owned();
+        let promise = self.inner.borrow().shell.fetch_own(&file);
+        let shared = self.inner.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            let came = wasm_bindgen_futures::JsFuture::from(promise).await;
+            let bytes = came.map(|bytes| Uint8Array::new(&bytes).to_vec());
+            let mut inner = shared.borrow_mut();
+            inner.fetched.insert(file, bytes.unwrap_or_default());
+            inner.inbox.context.request_repaint();
+        });
+    }
+
+    fn fetched(&mut self, file: &str) -> Option<Vec<u8>> {
+        self.inner.borrow_mut().fetched.remove(file)
     }
 
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {

@@ -92,6 +92,10 @@ pub struct ScriptedHost {
     pub link: String,
     /// The page printed last: its style and its body.
     pub printed: Option<(String, String)>,
+    /// Files of the page that were asked for, in order.
+    pub asked_files: Vec<String>,
+    /// Bytes of the files of the page, by name.
+    pub own_files: HashMap<String, Vec<u8>>,
     /// Keys to report as refused.
     pub refused: Vec<String>,
     /// Places in the app that it told of, one after the other.
@@ -671,6 +675,14 @@ impl Host for ScriptedHost {
 
     fn print(&mut self, style: &str, body: &str) {
         self.printed = Some((style.into(), body.into()));
+    }
+
+    fn fetch(&mut self, file: &str) {
+        self.asked_files.push(file.into());
+    }
+
+    fn fetched(&mut self, file: &str) -> Option<Vec<u8>> {
+        self.own_files.remove(file)
     }
 
     fn failed_stores(&mut self) -> Vec<String> {
