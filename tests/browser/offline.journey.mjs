@@ -4,7 +4,7 @@ import { existsSync, readFileSync, statSync } from "node:fs";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
 
-export const name = "the page works offline after the first visit, under a sub-path";
+export const name = "the page works offline after the first visit, its list of towns as well, under a sub-path";
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = process.env.PILOTAGE_PAGE
@@ -47,4 +47,10 @@ export async function run(page, tools) {
   await tools.waitReady();
   await tools.waitFor((s) => s.run_steps > 0, "the demo without a server: workers as well", 150_000);
   await tools.screenshot("offline");
+  await page.keyboard.press("Shift+W");
+  await tools.waitFor((s) => s.go_to.open, "the dialog that asks for a place");
+  await tools.drawn();
+  await page.keyboard.type("zur");
+  await tools.waitFor((s) => s.go_to.offered[0]?.startsWith("Zürich, Switzerland"), "a town of the list, without a server");
+  await tools.screenshot("offline-towns");
 }

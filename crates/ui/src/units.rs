@@ -59,6 +59,14 @@ impl Units {
         }
     }
 
+    /// A distance of metres to a place far away with its unit: whole kilometres, nautical miles.
+    pub fn far(self, metres: f64) -> String {
+        match self {
+            Self::Metric => format!("{:.0} km", 1e-3 * metres),
+            Self::Aviation => format!("{:.0} NM", metres / 1852.0),
+        }
+    }
+
     /// An area of square metres with its unit: square metres, hectares or square kilometres, square feet, acres or
     /// square nautical miles.
     pub fn area(self, square_metres: f64) -> String {

@@ -1,10 +1,15 @@
-//! Going to a place by its coordinates, in any form in which people write them.
+//! Going to a place: a town by its name, or coordinates in any form in which people write them.
 
 mod dialog;
 mod feature;
+mod mark;
+mod places;
 
 use pilotage_core::frames::Geodetic;
+use pilotage_core::gazetteer::FoundTown;
 
+use self::mark::Mark;
+use self::places::Places;
 use crate::command::Command;
 use crate::feature_command::{FeatureCommand, FeatureId};
 
@@ -14,7 +19,9 @@ const ID: FeatureId = "go_to";
 /// Something to do about going to a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum GoToCommand {
-    /// Go to what is typed.
+    /// Offer the towns of which the name is typed.
+    Search,
+    /// Go to what is typed, or to the chosen town.
     Go,
 }
 
@@ -24,10 +31,12 @@ impl From<GoToCommand> for Command {
     }
 }
 
-/// Dialog that asks for a place.
+/// Dialog that asks for a place, and the mark at the one that was gone to.
 #[derive(Debug, Default)]
 pub struct GoTo {
     is_open: bool,
+    /// Whether it was open at the end of the frame before.
+    was_open: bool,
     /// Whether the field has yet to get the keyboard.
     wants_keyboard: bool,
     typed: String,
@@ -35,4 +44,10 @@ pub struct GoTo {
     why: String,
     /// Place that was meant, where the open map does not reach.
     elsewhere: Option<Geodetic>,
+    places: Places,
+    /// Towns that are offered, each with its row in words.
+    offered: Vec<(FoundTown, String)>,
+    /// Index of the one that Enter chooses.
+    chosen: usize,
+    mark: Option<Mark>,
 }

@@ -18,6 +18,29 @@ fn go(rig: &mut Rig, place: &str) {
     rig.frames(4);
 }
 
+/// Opens the dialog, for which the file of places that the page has arrives.
+fn open_with_towns(rig: &mut Rig) {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../www/places.bin");
+    let bytes = std::fs::read(file).expect("a file of the page");
+    rig.key_with(Modifiers::SHIFT, Key::W);
+    rig.frames(2);
+    rig.host().own_files.insert("places.bin".into(), bytes);
+    rig.frames(2);
+}
+
+fn type_text(rig: &mut Rig, text: &str) {
+    rig.key_with(Modifiers::COMMAND, Key::A);
+    rig.harness.event(Event::Text(text.to_owned()));
+    rig.frames(4);
+}
+
+fn offered(rig: &Rig) -> Vec<String> {
+    let state = rig.state();
+    let rows = state["go_to"]["offered"].as_array().expect("rows").iter();
+    rows.map(|row| row.as_str().unwrap_or_default().to_owned())
+        .collect()
+}
+
 fn center(rig: &Rig) -> [f64; 2] {
     let state = rig.state();
     [0, 1].map(|i| state["map"]["center"][i].as_f64().expect("metres"))
@@ -58,6 +81,8 @@ fn the_map_goes_to_a_place_in_every_form() {
         ("8°0.12' E 47°0.06' N", 0.1),
         ("32TMT2412805758", 1.0),
         ("8FVC2222+CR", 10.0),
+        // The nearest one of that name to the middle of the map.
+        ("2222+CR", 10.0),
     ] {
         let mut rig = rig();
         go(&mut rig, place);
@@ -77,7 +102,7 @@ fn what_names_no_place_is_told_with_its_reason_and_moves_nothing() {
     for (place, reason) in [
         ("32TAT4811", "no column of zone 32"),
         ("32T 448251 5411932", "outside of band T"),
-        ("9G8F+6X", "short"),
+        ("9G8F+6X Zürich", "No town of the list is called Zürich"),
         ("here", "46.8571"),
     ] {
         go(&mut rig, place);
@@ -146,4 +171,150 @@ fn a_place_far_away_is_told_and_a_map_of_the_web_is_offered_there() {
         before["landmarks"],
         "two steps back is what was open"
     );
+}
+
+/// Zug lies at 47.17° N 8.52° E in the list of towns: 18.9 km north and 39.5 km east of 47° N 8° E by the radii of curvature.
+#[test]
+fn towns_are_offered_by_the_beginnings_of_their_names_those_of_the_open_world_first() {
+    let mut rig = rig();
+    open_with_towns(&mut rig);
+    type_text(&mut rig, "zür");
+    let rows = offered(&rig);
+    assert!(rows[0].starts_with("Zürich, Switzerland · "), "{rows:?}");
+    // None of the larger ones far away comes before a small one nearby.
+    type_text(&mut rig, "b");
+    let rows = offered(&rig);
+    let far = rows
+        .iter()
+        .map(|row| row.rsplit(' ').nth(1).and_then(|km| km.parse().ok()));
+    let far: Vec<u32> = far.flatten().collect();
+    assert!(
+        far.len() == 8 && far.is_sorted() && far[7] < 100,
+        "{rows:?}"
+    );
+    type_text(&mut rig, "Duluth");
+    assert!(offered(&rig)[0].starts_with("Duluth, Minnesota, United States · 7"));
+    // Coordinates are no town.
+    type_text(&mut rig, "47.001, 8.002");
+    assert!(offered(&rig).is_empty());
+    type_text(&mut rig, "zug");
+    let row = offered(&rig)[0].clone();
+    rig.harness.get_by_label(&row);
+    rig.key(Key::Enter);
+    rig.frames(4);
+    let [north, east] = center(&rig);
+    assert!(
+        (north - 19_000.0).abs() < 1_500.0 && (east - 39_400.0).abs() < 1_500.0,
+        "{north} {east}"
+    );
+    assert_eq!(rig.state()["go_to"]["mark"], "Zug");
+    assert_eq!(rig.host().asked_files, ["places.bin"], "once");
+}
+
+#[test]
+fn arrows_choose_among_the_towns_and_a_click_takes_one() {
+    let mut rig = rig();
+    open_with_towns(&mut rig);
+    type_text(&mut rig, "zu");
+    let rows = offered(&rig);
+    rig.key(Key::ArrowDown);
+    rig.key(Key::ArrowDown);
+    rig.key(Key::ArrowUp);
+    rig.frames(2);
+    assert_eq!(rig.state()["go_to"]["chosen"], 1);
+    rig.key(Key::Enter);
+    rig.frames(4);
+    let chosen = rig.state()["go_to"]["mark"]
+        .as_str()
+        .unwrap_or_default()
+        .to_owned();
+    assert!(
+        rows[1].starts_with(&chosen) && !rows[0].starts_with(&chosen),
+        "{chosen}: {rows:?}"
+    );
+    rig.key_with(Modifiers::SHIFT, Key::W);
+    rig.frames(4);
+    // The distances are those from where the map is.
+    let rows = offered(&rig);
+    rig.harness.get_by_label(&rows[1]).click();
+    rig.frames(4);
+    let clicked = rig.state()["go_to"]["mark"]
+        .as_str()
+        .unwrap_or_default()
+        .to_owned();
+    assert!(rows[1].starts_with(&clicked), "{clicked}: {rows:?}");
+}
+
+#[test]
+fn a_town_far_away_is_told_and_a_map_of_the_web_is_offered_there() {
+    let mut rig = rig();
+    open_with_towns(&mut rig);
+    type_text(&mut rig, "duluth");
+    rig.key(Key::Enter);
+    rig.frames(4);
+    assert!(
+        why(&rig).contains(" km from the world that is open"),
+        "{}",
+        why(&rig)
+    );
+    rig.harness.get_by_label("Open a map from the web there…");
+    go(&mut rig, "zzz");
+    assert!(
+        why(&rig).starts_with("No town of the list begins so."),
+        "{}",
+        why(&rig)
+    );
+}
+
+/// The middle of the square by openlocationcode 1.0.1: 47.365562° N, 8.524937° E.
+#[test]
+fn a_short_code_lies_near_the_town_behind_it() {
+    let mut rig = rig();
+    open_with_towns(&mut rig);
+    go(&mut rig, "9G8F+6X Zürich");
+    let [north, east] = center(&rig);
+    assert!(
+        (north - 40_700.0).abs() < 150.0 && (east - 39_650.0).abs() < 100.0,
+        "{north} {east}"
+    );
+}
+
+#[test]
+fn without_the_list_of_towns_coordinates_are_gone_to_and_the_list_is_asked_for_again() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::SHIFT, Key::W);
+    rig.frames(2);
+    rig.harness
+        .get_by_label_contains("The list of towns is loading.");
+    rig.host().own_files.insert("places.bin".into(), Vec::new());
+    rig.frames(2);
+    rig.harness
+        .get_by_label_contains("The list of towns cannot be loaded.");
+    go(&mut rig, "47.001, 8.002");
+    assert_eq!(rig.state()["go_to"]["open"], false);
+    open_with_towns(&mut rig);
+    rig.harness.get_by_label_contains("GeoNames, CC BY 4.0");
+    assert_eq!(rig.host().asked_files.len(), 2);
+}
+
+#[test]
+fn the_mark_stays_until_the_next_one_or_escape() {
+    let mut rig = rig();
+    for place in ["47.001, 8.002", "32TMT2412805758"] {
+        go(&mut rig, place);
+        assert_eq!(rig.state()["go_to"]["mark"], place);
+    }
+    rig.key_with(Modifiers::SHIFT, Key::W);
+    rig.frames(2);
+    rig.key(Key::Escape);
+    rig.frames(2);
+    let state = rig.state();
+    assert_eq!(state["go_to"]["open"], false);
+    assert_eq!(
+        state["go_to"]["mark"], "32TMT2412805758",
+        "Escape was the dialog's"
+    );
+    rig.key(Key::Escape);
+    rig.frames(2);
+    assert_eq!(rig.state()["go_to"]["mark"], serde_json::Value::Null);
 }
