@@ -47,7 +47,7 @@ export async function launch({ smooth = false, rest = true, ahead = false, scree
       hasTouch: touch, isMobile: touch,
     });
     if (!smooth) await context.addInitScript(paintSeldom, calm);
-    if (deviceScaleFactor === coarse) await context.addInitScript(measureByRatio);
+    if (deviceScaleFactor !== 1) await context.addInitScript(measureByRatio);
     if (rest) await context.addInitScript(restFlight, enough);
     if (!ahead) await context.addInitScript(leaveAhead);
     const close = async () => { await context.close(); remove(); };

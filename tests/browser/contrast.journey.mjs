@@ -5,7 +5,11 @@ export const name = "words have a contrast of 4.5 to 1 on panels and over five m
 export const tags = ["maps", "plan"];
 export const screen = { sharpness: 2 };
 
-const least = 4.5;
+const least = 4.5; // of words
+const leastOfSigns = 3; // of what is a sign alone, by its width
+const signWidth = 40; // CSS pixels
+const hidden = 1.25; // less is not drawn: what shows itself under the pointer alone
+const fade = 40; // CSS pixels at the lower end of a column, in which what goes on below fades away
 
 /** Maps by the grey of their pixels. */
 const maps = {
@@ -19,7 +23,7 @@ const maps = {
  * that is farthest from it, of which there are as many as a stroke has. */
 async function contrasts(page, nodes) {
   const picture = (await page.screenshot()).toString("base64");
-  return page.evaluate(async ([picture, nodes, sharpness]) => {
+  return page.evaluate(async ([picture, nodes, sharpness, signWidth]) => {
     const bytes = Uint8Array.from(atob(picture), (letter) => letter.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
     const canvas = new OffscreenCanvas(image.width, image.height);
@@ -42,14 +46,15 @@ async function contrasts(page, nodes) {
       // Colours by their contrast, the strongest first, until they make up a stroke.
       const ratio = (l) => (Math.max(l, behind) + 0.05) / (Math.min(l, behind) + 0.05);
       const strong = ordered.map(([colour, count]) => [ratio(luminance(...parts(colour))), count]).sort((a, b) => b[0] - a[0]);
+      const stroke = width <= signWidth * sharpness ? 5 : 12; // pixels
       let sum = 0;
       for (const [value, count] of strong) {
         sum += count;
-        if (sum >= 12) return value;
+        if (sum >= stroke) return value;
       }
       return 1;
     });
-  }, [picture, nodes, screen.sharpness]);
+  }, [picture, nodes, screen.sharpness, signWidth]);
 }
 
 export async function run(page, tools) {
@@ -66,9 +71,12 @@ export async function run(page, tools) {
     const nodes = (await tools.a11y()).filter(({ role, label, value, disabled, rect: [left, top, right, bottom] }) => worded.includes(role)
       && !disabled && /[\p{L}\p{N}]{2}/u.test(label ?? value ?? "") && left >= 0 && top >= 0 && right <= 1440 && bottom <= 900 && right - left > 8 && bottom - top > 8);
     const values = await contrasts(page, nodes);
-    checked += nodes.length;
-    nodes.forEach(({ role, label, value }, i) => {
-      if (values[i] < least) low.push(`${where}: ${role} "${label ?? value}" ${values[i].toFixed(2)}`);
+    const { map, workspace } = await tools.state();
+    const columnEnd = workspace === "Plan" ? map.rect[3] : 835;
+    nodes.forEach(({ role, label, value, rect: [left, , right, bottom] }, i) => {
+      if (values[i] < hidden || (left > map.rect[2] && bottom > columnEnd - fade)) return;
+      checked += 1;
+      if (values[i] < (right - left <= signWidth ? leastOfSigns : least)) low.push(`${where}: ${role} "${label ?? value}" ${values[i].toFixed(2)}`);
     });
     await tools.screenshot(`contrast-${where.replaceAll(" ", "-")}`);
   };

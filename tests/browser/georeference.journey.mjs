@@ -104,6 +104,7 @@ export async function run(page, tools) {
   const points = ["#CRS: EPSG:32615", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual", ...lines, ""].join("\n");
   await page.setInputFiles("#files", [file("photo.points", points)]);
   await tools.waitFor((s) => s.georeferencer.points === 4 && s.georeferencer.rms_metres < 1e-6, "the points of the file");
+  await tools.waitFor((s) => s.toasts.length === 0, "the notices to go, which lie over the buttons", 30_000);
   const saved = [];
   page.on("download", (download) => saved.push(download));
   await tools.click(await tools.find("Button", "Save world file"));

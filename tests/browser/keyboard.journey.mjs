@@ -53,22 +53,21 @@ export async function run(page, tools) {
   tools.check(file.suggestedFilename().endsWith(".plan"), file.suggestedFilename());
   await tools.screenshot("keyboard-plan");
 
-  // A setting of the filter, by Tab and its digits.
+  // A setting of the filter, by Tab and Space.
   await command("filter settings");
   await tools.waitFor((s) => s.dialogs.settings, "the settings");
-  await focus("α");
-  await press("Enter", "Control+a");
-  await page.keyboard.type("0.4");
-  await press("Enter");
-  await tools.waitFor((s) => Math.abs(s.navigator.alpha - 0.4) < 1e-6, "the setting");
-  await press("Escape");
+  await focus("Draw the points anew after the process noise");
+  const { redraw } = (await tools.state()).navigator;
+  await press("Space");
+  await tools.waitFor((s) => s.navigator.redraw !== redraw, "the setting");
+  await command("filter settings");
   await tools.waitFor((s) => !s.dialogs.settings, "the settings to close");
 
   // The tour, forward and back.
   await command("tour");
   const begun = await tools.waitFor((s) => s.tour && s.workspace === "Learn", "the tour");
-  await press("ArrowRight");
+  await press("PageDown");
   await tools.waitFor((s) => s.tour.stop !== begun.tour.stop, "the next stop");
-  await press("ArrowLeft");
+  await press("PageUp");
   await tools.waitFor((s) => s.tour.stop === begun.tour.stop, "the stop before");
 }

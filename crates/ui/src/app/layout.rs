@@ -399,10 +399,11 @@ fn is_resized(ui: &Ui, panel: egui::IdSalt) -> bool {
 /// The part below the map in a narrow window.
 fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let height = ui.ctx().content_rect().height();
+    let most = (ui.available_height() - LEAST_MAP).clamp(160.0, 0.7 * height);
     Panel::bottom("lower")
         .resizable(true)
-        .default_size(0.40 * height)
-        .size_range(160.0..=0.7 * height)
+        .default_size((0.40 * height).min(most))
+        .size_range(160.0..=most)
         .frame(plain_frame(scene.tokens, Margin::symmetric(12, 8)))
         .show(ui, |ui| {
             if *scene.settings {

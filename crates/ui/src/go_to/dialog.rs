@@ -55,7 +55,8 @@ impl GoTo {
         if field.changed() {
             context.commands.push(GoToCommand::Search.into());
         }
-        let is_entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+        let is_entered =
+            (field.lost_focus() || field.has_focus()) && ui.input(|i| i.key_pressed(Key::Enter));
         let is_chosen = self.towns(ui, up + down > 0);
         let words = "A town, degrees (46°51.4' N 92°4.6' W), UTM (32T 448251 5211932), MGRS (32TMT4825111932) or a \
                      plus code (8FVC9G8F+6X, 9G8F+6X Zürich).";
