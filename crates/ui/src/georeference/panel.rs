@@ -1,13 +1,13 @@
 //! The column beside picture and map: what to do next, the points, the fit and its errors.
 
-use egui::{Key, TextEdit, Ui};
+use egui::{TextEdit, Ui};
 use pilotage_core::imagery::georeferencer::TransformKind;
 
 use super::coordinates::{Typed, parse};
 use super::{GeoreferenceCommand, Georeferencer};
 use crate::command::Command;
 use crate::shell::icons::Icon;
-use crate::shell::{caption, heading, icon_button, muted, tab, text_button, title};
+use crate::shell::{caption, heading, icon_button, is_entered, muted, tab, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
 use crate::web_map::WebMapCommand;
@@ -80,7 +80,7 @@ impl Georeferencer {
                 .desired_width(width)
                 .hint_text("46.8571, -92.0765 or east north");
             let field = ui.add(field).accessible_name("Coordinates of the place");
-            let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+            let entered = is_entered(&field);
             let pressed = text_button(ui, tokens, None, "Add point", false).clicked();
             if field.changed() {
                 self.typed_wrong = None;

@@ -8,7 +8,7 @@ use pilotage_jobs::{MapSource, WebMap};
 use super::{GoTo, GoToCommand};
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{muted, text_button, title};
+use crate::shell::{is_entered, muted, text_button, title};
 use crate::web_map::WebMapCommand;
 
 impl GoTo {
@@ -55,8 +55,7 @@ impl GoTo {
         if field.changed() {
             context.commands.push(GoToCommand::Search.into());
         }
-        let is_entered =
-            (field.lost_focus() || field.has_focus()) && ui.input(|i| i.key_pressed(Key::Enter));
+        let is_entered = is_entered(&field);
         let is_chosen = self.towns(ui, up + down > 0);
         let words = "A town, degrees (46°51.4' N 92°4.6' W), UTM (32T 448251 5211932), MGRS (32TMT4825111932) or a \
                      plus code (8FVC9G8F+6X, 9G8F+6X Zürich).";

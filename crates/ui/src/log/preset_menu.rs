@@ -7,6 +7,7 @@ use super::presets::{OwnPresets, PresetCommand};
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::shell::is_entered;
 use crate::tokens::Tokens;
 use crate::views::parts;
 
@@ -94,7 +95,7 @@ impl PresetMenu {
                 .hint_text("Save these plots as …")
                 .desired_width(22.0 * tokens.space);
             let field = ui.add(edit).accessible_name("Name of a new preset");
-            let is_entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+            let is_entered = is_entered(&field);
             let is_clicked = named_button(ui, "Save", true, "Save these plots as a preset");
             let name = self.name.trim();
             if (is_entered || is_clicked) && !name.is_empty() {

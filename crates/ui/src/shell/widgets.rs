@@ -1,8 +1,8 @@
 //! Small widgets that give the app its own face.
 
 use egui::{
-    Align2, Color32, CornerRadius, FontId, FontSelection, Response, RichText, Role, Sense, Stroke,
-    StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, Color32, CornerRadius, FontId, FontSelection, Key, Response, RichText, Role, Sense,
+    Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
 use super::icons::Icon;
@@ -233,6 +233,12 @@ pub fn chip(ui: &mut Ui, tokens: &Tokens, text: &str, color: Color32) -> Respons
     painter.galley(rect.center() - 0.5 * galley.size(), galley, color);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
     response
+}
+
+/// Whether Enter was pressed in a field of one line, be it in the very frame in which that got the keyboard.
+pub fn is_entered(field: &Response) -> bool {
+    let has_keyboard = field.lost_focus() || field.has_focus();
+    has_keyboard && field.ctx.input(|i| i.key_pressed(Key::Enter))
 }
 
 /// Words in the small size and the lighter tone.
