@@ -78,18 +78,28 @@ impl Packages {
     }
 }
 
-/// Files of lessons, whose modules a macro declares, so that `cargo fmt` does not find them.
-fn lessons() -> Result<Vec<PathBuf>, Failure> {
-    let folder = root().join("crates/ui/src/learn/lessons");
-    let files = fs::read_dir(&folder).map_err(Failure::file(&folder))?;
-    Ok(files.flatten().map(|file| file.path()).collect())
+/// Folders whose modules a macro declares, so that `cargo fmt` does not find them.
+const DECLARED_BY_MACROS: [&str; 2] = [
+    "crates/core/navigator/src/navigator/aids",
+    "crates/ui/src/learn/lessons",
+];
+
+/// The files of those folders.
+fn declared_by_macros() -> Result<Vec<PathBuf>, Failure> {
+    let mut paths = Vec::new();
+    for folder in DECLARED_BY_MACROS {
+        let folder = root().join(folder);
+        let files = fs::read_dir(&folder).map_err(Failure::file(&folder))?;
+        paths.extend(files.flatten().map(|file| file.path()));
+    }
+    Ok(paths)
 }
 
 /// `cargo fmt` would change nothing.
 pub fn format() -> Result<(), Failure> {
     ensure_component("rustfmt", "fmt")?;
     let mut check = cargo(&["fmt", "--all", "--check", "--"]);
-    run(check.args(lessons()?), CARGO_ADVICE)
+    run(check.args(declared_by_macros()?), CARGO_ADVICE)
 }
 
 /// No lint has anything to say about anything built natively. Where nobody sits at the terminal, what the tests are

@@ -26,6 +26,8 @@ pub const INFO: AidInfo = AidInfo {
         APART,
     ],
     begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |_| MeasurementModel::of_pose(|seen| Some(dvector![seen.height? + seen.barometer_bias?])))
+        DirectAid::boxed(&INFO, numbers, |_| {
+            MeasurementModel::of_pose(|seen| Some(dvector![seen.height? + seen.barometer_bias?]))
+        })
     },
 };

@@ -26,6 +26,10 @@ pub const INFO: AidInfo = AidInfo {
         APART,
     ],
     begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |_| MeasurementModel::of_pose(|seen| Some(dvector![seen.position.north, seen.position.east])))
+        DirectAid::boxed(&INFO, numbers, |_| {
+            MeasurementModel::of_pose(|seen| {
+                Some(dvector![seen.position.north, seen.position.east])
+            })
+        })
     },
 };

@@ -27,9 +27,11 @@ pub const INFO: AidInfo = AidInfo {
     ],
     // The error includes what the airspeed's reading errs at that moment.
     begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |_| MeasurementModel::of_motion(|seen| {
+        DirectAid::boxed(&INFO, numbers, |_| {
+            MeasurementModel::of_motion(|seen| {
                 let velocity = seen.velocity?;
                 Some(dvector![velocity.x, velocity.y])
-            }))
+            })
+        })
     },
 };
