@@ -1,7 +1,7 @@
 //! Actions at way-points and at the ends of a route: in words, and chosen.
 
 use egui::{ComboBox, DragValue, Ui};
-use pilotage_core::mission::{Route, WayPoint, WayPointAction};
+use pilotage_core::mission::{Route, WayPointAction};
 
 use super::PlanCommand;
 use super::legs::time_text;
@@ -174,9 +174,9 @@ fn radius_field(ui: &mut Ui, radius: f64, context: &ViewContext<'_>) -> (Option<
 
 /// Draws what the route does at its ends.
 pub fn ends(ui: &mut Ui, route: &Route, context: &mut ViewContext<'_>) {
-    let acts = |way_point: Option<&WayPoint>, action| way_point.is_some_and(|w| w.action == action);
-    let takes_off = acts(route.way_points.first(), WayPointAction::TakeOff);
-    let lands = acts(route.way_points.last(), WayPointAction::Land);
+    let first = route.way_points.first();
+    let takes_off = first.is_some_and(|it| it.action == WayPointAction::TakeOff);
+    let lands = route.lands();
     for (label, on, enabled, command) in [
         (
             "Take off at the start",
@@ -231,7 +231,7 @@ pub fn change_ends(route: &mut Route, command: &PlanCommand) {
 mod tests {
     use super::*;
     use pilotage_core::frames::GroundPoint;
-    use pilotage_core::mission::USUAL_ALTITUDE;
+    use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
 
     #[test]
     fn a_route_lands_at_its_end_or_returns_and_never_both() {

@@ -45,11 +45,7 @@ pub fn refuges(mission: &Mission, route: &Route, units: Units) -> Vec<Refuge> {
     let takes_off = route.way_points.first();
     let takes_off = takes_off.filter(|w| w.action == WayPointAction::TakeOff);
     let start = takes_off.map(|w| own("Place of take-off", w.position));
-    let lands = route
-        .way_points
-        .last()
-        .is_some_and(|w| w.action == WayPointAction::Land);
-    let name = if lands { "Landing" } else { "Home" };
+    let name = if route.lands() { "Landing" } else { "Home" };
     let landing = route.landing(&frame).map(|place| own(name, place));
     for place in start.into_iter().chain(landing) {
         // A route may land where it took off.

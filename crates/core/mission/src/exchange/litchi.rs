@@ -95,10 +95,7 @@ pub(super) fn write(
             // 0 is the cruise speed.
             _ => way_point.speed.unwrap_or(0.0).to_string(),
         };
-        let seconds = match way_point.action {
-            WayPointAction::Wait { seconds, .. } => seconds,
-            _ => None,
-        };
+        let seconds = way_point.action.wait_seconds();
         let (actions, has_room) = actions(&way_point.properties, seconds);
         without_room += usize::from(!has_room);
         let actions = actions.into_iter().flat_map(|(kind, of)| [kind, of]);
@@ -110,16 +107,8 @@ pub(super) fn write(
         text += &(row.join(",") + "\n");
     }
     let mut notes = Vec::new();
-    let is_more = |w: &&WayPoint| {
-        let stays = matches!(
-            w.action,
-            WayPointAction::Wait {
-                seconds: Some(_),
-                ..
-            }
-        );
-        w.action != WayPointAction::FlyBy && !stays
-    };
+    let is_more =
+        |w: &&WayPoint| w.action != WayPointAction::FlyBy && w.action.wait_seconds().is_none();
     let more = route.way_points.iter().filter(is_more).count();
     if more > 0 {
         notes.push(format!(

@@ -34,6 +34,16 @@ pub enum WayPointAction {
     },
 }
 
+impl WayPointAction {
+    /// Seconds for which the aircraft waits; `None` where it does not, or without an end.
+    pub fn wait_seconds(&self) -> Option<f64> {
+        match self {
+            Self::Wait { seconds, .. } => *seconds,
+            _ => None,
+        }
+    }
+}
+
 /// A place that a route leads over.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WayPoint {
@@ -115,10 +125,16 @@ impl Route {
         stated.or_else(|| Some(self.way_points.first()?.position))
     }
 
+    /// Whether it lands at its last way-point.
+    pub fn lands(&self) -> bool {
+        let last = self.way_points.last();
+        last.is_some_and(|it| it.action == WayPointAction::Land)
+    }
+
     /// Place at which it lands: its last way-point if it lands there, or home if it returns.
     pub fn landing(&self, frame: &LocalFrame) -> Option<GroundPoint> {
         let last = self.way_points.last()?;
-        if last.action == WayPointAction::Land {
+        if self.lands() {
             return Some(last.position);
         }
         self.home(frame).filter(|_| self.returns)

@@ -53,10 +53,7 @@ pub(in super::super) fn write(
     let numbers = numbers(route);
     let (mut flown, mut drawn) = (String::new(), String::new());
     for (i, way_point) in route.way_points.iter().enumerate() {
-        let seconds = match way_point.action {
-            WayPointAction::Wait { seconds, .. } => seconds,
-            _ => None,
-        };
+        let seconds = way_point.action.wait_seconds();
         let own = |key| text(&way_point.properties, key).map(|t| renumbered(&t, i, &numbers));
         let template = own(IN_TEMPLATE);
         let rest = own(IN_WAYLINES).unwrap_or_else(|| of_both(template.as_deref().unwrap_or("")));
@@ -234,8 +231,7 @@ fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'stati
             counted(&left_out)
         ));
     }
-    let last = route.way_points.last().map(|w| w.action);
-    if last == Some(WayPointAction::Land) && !returns {
+    if route.lands() && !returns {
         "autoLand"
     } else {
         "goHome"
@@ -245,7 +241,6 @@ fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'stati
 /// The configuration of a mission with what the route says of its end: whether it returns. All else is as it was.
 fn with_finish(mission: String, route: &Route) -> String {
     let said = |word: &str| format!("<wpml:finishAction>{word}</wpml:finishAction>");
-    let lands = route.way_points.last().map(|w| w.action) == Some(WayPointAction::Land);
     let is_known = text(&route.properties, MISSION).is_some();
     if route.returns && !mission.contains(&said(GO_HOME)) {
         let before = ["autoLand", "noAction", "gotoFirstWaypoint"].map(said);
@@ -256,7 +251,11 @@ fn with_finish(mission: String, route: &Route) -> String {
         };
     }
     if !route.returns && is_known {
-        let word = if lands { "autoLand" } else { "noAction" };
+        let word = if route.lands() {
+            "autoLand"
+        } else {
+            "noAction"
+        };
         return mission.replace(&said(GO_HOME), &said(word));
     }
     mission
