@@ -1,6 +1,6 @@
 //! The ground: where a fix would be had, no-fly areas, rally points, and finding a route over it.
 
-use egui::{Align, DragValue, Layout, Slider, TextEdit, Ui};
+use egui::{Align, DragValue, Layout, Slider, Ui};
 use pilotage_core::frames::AltitudeFrame;
 use pilotage_core::plan::{Aim, BudgetOf};
 
@@ -13,6 +13,7 @@ use super::find_tool::hint;
 use super::heat::BLIND;
 use super::heat_command::{HeatCommand, HeatOf};
 use super::legs::time_text;
+use super::name_field::name_field;
 use super::planner::Planner;
 use super::rally_card::rally_card;
 use super::way_points::altitude_words;
@@ -146,25 +147,14 @@ fn heat_state(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
 /// The name of an area in a field of its own.
 fn area_name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut ViewContext<'_>) {
     let zone = &context.mission.no_fly[index];
-    let draft = match &mut planner.area_draft {
-        Some((of, text)) if *of == index => text,
-        _ => &mut zone.name.clone(),
-    };
-    let field = TextEdit::singleline(draft).desired_width(0.6 * ui.available_width());
-    let field = ui.add(field);
-    let field = field.accessible_name(format!("Name of {}", zone.name));
-    if field.lost_focus() {
-        let name = draft.trim().to_owned();
-        if !name.is_empty() && name != zone.name {
-            context.commands.push(Command::from(PlanCommand::EditArea {
-                index,
-                change: AreaChange::Name(name),
-                finished: true,
-            }));
-        }
-        planner.area_draft = None;
-    } else if field.has_focus() {
-        planner.area_draft = Some((index, draft.clone()));
+    let width = 0.6 * ui.available_width();
+    let typed = name_field(ui, &mut planner.area_draft, (index, &zone.name), width);
+    if let Some(name) = typed {
+        context.commands.push(Command::from(PlanCommand::EditArea {
+            index,
+            change: AreaChange::Name(name),
+            finished: true,
+        }));
     }
 }
 

@@ -40,6 +40,7 @@ mod lanes;
 mod legs;
 mod marking;
 mod marks;
+mod name_field;
 mod no_fly;
 mod on_map;
 mod paint;

@@ -1,11 +1,12 @@
 //! Rally points in the column: names, altitudes, a button for another one.
 
-use egui::{DragValue, TextEdit, Ui};
+use egui::{DragValue, Ui};
 use pilotage_core::frames::Altitude;
 
 use super::PlanCommand;
 use super::button::button;
 use super::command::RallyChange;
+use super::name_field::name_field;
 use super::planner::Planner;
 use super::purpose::Purpose;
 use crate::command::Command;
@@ -50,25 +51,14 @@ pub fn rally_card(ui: &mut Ui, planner: &mut Planner, context: &mut ViewContext<
 /// Draws the name of a rally point in a field of its own.
 fn name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut ViewContext<'_>) {
     let point = &context.mission.rally[index];
-    let draft = match &mut planner.rally_draft {
-        Some((of, text)) if *of == index => text,
-        _ => &mut point.name.clone(),
-    };
-    let field = TextEdit::singleline(draft).desired_width(0.4 * ui.available_width());
-    let field = ui.add(field);
-    let field = field.accessible_name(format!("Name of {}", point.name));
-    if field.lost_focus() {
-        let name = draft.trim().to_owned();
-        if !name.is_empty() && name != point.name {
-            context.commands.push(Command::from(PlanCommand::EditRally {
-                index,
-                change: RallyChange::Name(name),
-                finished: true,
-            }));
-        }
-        planner.rally_draft = None;
-    } else if field.has_focus() {
-        planner.rally_draft = Some((index, draft.clone()));
+    let width = 0.4 * ui.available_width();
+    let typed = name_field(ui, &mut planner.rally_draft, (index, &point.name), width);
+    if let Some(name) = typed {
+        context.commands.push(Command::from(PlanCommand::EditRally {
+            index,
+            change: RallyChange::Name(name),
+            finished: true,
+        }));
     }
 }
 
