@@ -2,9 +2,10 @@
 
 use nalgebra::Point2;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-use pilotage_jobs::{MapSource, WebMap};
+use pilotage_jobs::MapSource;
 
 use super::Georeferencer;
+use crate::map::{distance_over_ground, is_in_reach};
 
 /// Complaint about a place that is not where the other points are.
 const FAR: &str = "is too far from the other points. Delete those first, or undo them.";
@@ -25,20 +26,15 @@ impl Georeferencer {
         self.system?.geodetic(place.x, place.y)
     }
 
-    /// Distance of the picture from the map beside, metres, where it lies beyond the reach of that map's world.
+    /// Distance of the picture from the map beside over the ground, metres, where it lies beyond the reach of that map's world.
     pub fn far_from_map(&self) -> Option<f64> {
         self.distance(&self.somewhere()?)
     }
 
-    /// Distance of a place from the world of the map, metres, if that world does not reach it.
+    /// Distance of a place from the world of the map over the ground, metres, if that world does not reach it.
     fn distance(&self, place: &Geodetic) -> Option<f64> {
         let frame = self.frame?;
-        let place = Geodetic {
-            height: frame.origin.height,
-            ..*place
-        };
-        let distance = frame.world_from_geodetic(&place).coords.norm();
-        (distance > 0.5 * WebMap::area().width()).then_some(distance)
+        (!is_in_reach(&frame, place)).then(|| distance_over_ground(&frame, place))
     }
 
     /// Takes a place on the globe for the point being picked. The first decides on the plane, wherever it lies; of the
@@ -135,7 +131,7 @@ mod tests {
         assert_eq!(it.points.len(), 3);
         assert_eq!(it.system.and_then(|s| s.epsg()), Some(32_615));
         let km = 1e-3 * it.far_from_map().expect("another country");
-        assert!((4000.0..5000.0).contains(&km), "{km} km"); // along the chord; 4724 km along the ground
+        assert!((4000.0..5000.0).contains(&km), "{km} km");
         assert!(it.ground().is_none());
         let origin = it.placed().and_then(|map| map.origin()).expect("a fit");
         assert!((origin.latitude.to_degrees() - 46.8427).abs() < 5e-4);

@@ -6,13 +6,13 @@ use pilotage_core::place_text::{place_of_text, place_of_text_near, town_of_short
 use serde_json::Value;
 
 use super::mark::Mark;
-use super::places::{World, over_ground, reach, straight};
+use super::places::World;
 use super::{GoTo, GoToCommand, ID};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
-use crate::map::MapLayer;
+use crate::map::{MapLayer, distance_over_ground, is_in_reach, world_reach};
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry, shift};
 use crate::state_json::object;
 
@@ -108,12 +108,11 @@ impl GoTo {
             height: frame.origin.height,
             ..*place
         };
-        let distance = straight(&frame, &place);
-        if distance > reach() {
+        if !is_in_reach(&frame, &place) {
             self.why = format!(
                 "That is {:.0} km from the world that is open, which reaches {:.0} km.",
-                1e-3 * over_ground(distance),
-                1e-3 * reach()
+                1e-3 * distance_over_ground(&frame, &place),
+                1e-3 * world_reach()
             );
             self.elsewhere = Some(place);
             return;

@@ -3,9 +3,8 @@
 use egui::{Align2, Painter, Stroke, vec2};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 
-use super::places::{reach, straight};
 use crate::context::ViewContext;
-use crate::map::{MapLayer, ScreenFromWorld, paint_halo_text};
+use crate::map::{MapLayer, ScreenFromWorld, is_in_reach, paint_halo_text};
 
 /// Radius of the ring, points of the screen.
 const RADIUS: f32 = 6.0;
@@ -25,7 +24,7 @@ impl MapLayer for Mark {
         context: &ViewContext<'_>,
         frame: Option<LocalFrame>,
     ) {
-        let Some(frame) = frame.filter(|frame| straight(frame, &self.place) <= reach()) else {
+        let Some(frame) = frame.filter(|frame| is_in_reach(frame, &self.place)) else {
             return;
         };
         let height = frame.origin.height;

@@ -2,16 +2,14 @@
 
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::gazetteer::{FoundTown, Gazetteer};
-use pilotage_jobs::WebMap;
 
 use crate::host::Host;
+use crate::map::{distance_over_ground, is_in_reach};
 
 /// Name of the file among those of the page.
 const FILE: &str = "places.bin";
 /// Most towns that are offered at a time.
 const MOST: usize = 8;
-/// Mean radius of the Earth, metres.
-const EARTH: f64 = 6_371_000.0;
 
 /// List of towns on its way.
 #[derive(Debug, Default)]
@@ -67,8 +65,7 @@ impl Places {
         };
         gazetteer.find(text, MOST, &|place| {
             let world = world?;
-            let is_inside = straight(&world.frame, place) <= reach();
-            is_inside.then(|| world.distance(place))
+            is_in_reach(&world.frame, place).then(|| world.distance(place))
         })
     }
 }
@@ -82,23 +79,6 @@ pub(super) struct World {
 impl World {
     /// Distance of a place from the middle of the map over the ground, metres.
     pub(super) fn distance(&self, place: &Geodetic) -> f64 {
-        over_ground(straight(&LocalFrame::new(self.middle), place))
+        distance_over_ground(&LocalFrame::new(self.middle), place)
     }
-}
-
-/// Farthest that a place may lie from the origin of the open world, metres: beyond, the plane leaves the globe.
-pub(super) fn reach() -> f64 {
-    0.5 * WebMap::area().width()
-}
-
-/// Distance of a place from the origin of a frame through the Earth, metres.
-pub(super) fn straight(frame: &LocalFrame, place: &Geodetic) -> f64 {
-    let height = frame.origin.height;
-    let place = Geodetic { height, ..*place };
-    frame.world_from_geodetic(&place).coords.norm()
-}
-
-/// Distance over the ground of places at a distance through the Earth, metres.
-pub(super) fn over_ground(straight: f64) -> f64 {
-    2.0 * EARTH * (0.5 * straight / EARTH).min(1.0).asin()
 }

@@ -26,7 +26,7 @@ pub use labels::LandmarkLabel;
 pub use layer::MapLayer;
 pub(crate) use layers::track_colour;
 pub use layers::{Layer, Layers};
-pub(crate) use other_world::carry;
+pub(crate) use other_world::{carry, distance_over_ground, is_in_reach, world_reach};
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};
 pub use tiles::{TILES_AT_A_TIME, TileCache, TileKey};
 pub use tool::{MapCanvas, MapStage, MapTool};
