@@ -231,40 +231,35 @@ impl MapView {
         }
         let pointer = response.hover_pos();
         let (mission, route) = (context.mission, context.route);
-        let paint_tool = |map: &Self, stage| {
+        let tokens = context.tokens;
+        let show_tools = |map: &Self, show: &mut dyn FnMut(&dyn MapTool, &MapCanvas<'_>)| {
+            let canvas = MapCanvas {
+                painter: &painter,
+                view: &view,
+                rect,
+                pointer,
+                mission,
+                route,
+                layers: &map.layers,
+                tokens,
+            };
             for tool in &tools {
-                let canvas = MapCanvas {
-                    painter: &painter,
-                    view: &view,
-                    rect,
-                    pointer,
-                    mission,
-                    route,
-                    layers: &map.layers,
-                    tokens: context.tokens,
-                };
-                tool.paint(stage, &canvas);
+                show(&**tool, &canvas);
             }
         };
+        let paint_tool =
+            |map: &Self, stage| show_tools(map, &mut |tool, canvas| tool.paint(stage, canvas));
         paint_tool(self, MapStage::Ground);
         self.paint_tracks(&painter, &view, rect, context, extra);
         paint_tool(self, MapStage::BelowMarks);
-        let canvas = MapCanvas {
-            painter: &painter,
-            view: &view,
-            rect,
-            pointer,
-            mission,
-            route,
-            layers: &self.layers,
-            tokens: context.tokens,
-        };
-        let labels = tools.iter().flat_map(|tool| tool.labels(&canvas)).collect();
-        self.paint_now(&painter, &view, context, extra, &response, labels);
+        let mut labels = Vec::new();
+        show_tools(self, &mut |tool, canvas| labels.extend(tool.labels(canvas)));
+        let now = (belief.as_ref(), labels);
+        self.paint_now(&painter, &view, context, extra, &response, now);
         paint_tool(self, MapStage::AboveMarks);
         paint_tool(self, MapStage::Last);
         self.paint_drawing(&painter, &view, &response, context);
-        self.paint_furniture(&painter, &view, rect, context, extra, &response);
+        self.paint_furniture(&painter, &view, belief.as_ref(), context, extra, &response);
         self.legend(ui, rect, context);
         context.tokens = theme;
         let step = context.run.and_then(|r| r.step_at(context.time));
@@ -288,7 +283,7 @@ impl MapView {
     }
 
     /// Keeps the aircraft in the middle and its direction at the top, if so wished.
-    fn steer(&mut self, belief: Option<&(ShownBelief, &StepReport)>) {
+    fn steer(&mut self, belief: Option<&BeliefOfStep<'_>>) {
         let Some((belief, step)) = belief else {
             return;
         };
@@ -396,10 +391,9 @@ impl MapView {
         context: &ViewContext<'_>,
         extra: &MapExtra<'_>,
         response: &egui::Response,
-        labels: Vec<LandmarkLabel>,
+        (belief, labels): (Option<&BeliefOfStep<'_>>, Vec<LandmarkLabel>),
     ) {
         let (tokens, rect) = (context.tokens, response.rect);
-        let step = context.run.and_then(|r| r.step_at(context.time));
         let frame_step = context.run.and_then(|r| recent_frame(r, context.time));
         let shows = |layer| self.layers.shows(layer);
         if let Some(frame) = frame_step.and_then(|s| s.frame.as_ref())
@@ -407,8 +401,7 @@ impl MapView {
         {
             paint_footprint(painter, view, &frame.footprint, tokens);
         }
-        let belief = believed(context).map(|(belief, _)| belief);
-        let aircraft = belief.as_ref().map(|it| view.apply(&it.position));
+        let aircraft = belief.map(|(belief, _)| view.apply(&belief.position));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
         let shows_landmarks = shows(Layer::Landmarks);
         if shows_landmarks || !labels.is_empty() {
@@ -431,7 +424,7 @@ impl MapView {
                 covered: &covered,
                 lines: &lines,
                 lines_from: aircraft.filter(|_| shows(Layer::Matches)),
-                lines_drawn: belief.as_ref().map_or(1.0, |it| it.share),
+                lines_drawn: belief.map_or(1.0, |(belief, _)| belief.share),
             };
             paint_landmarks(painter, view, rect, &scene, labels, tokens);
         }
@@ -439,7 +432,7 @@ impl MapView {
             let most = context.mission.navigator.detector.greatest_ambiguity;
             paint_look_alike(painter, view, distinctness, most, tokens);
         }
-        let (Some(step), Some(belief)) = (step, belief) else {
+        let Some((belief, step)) = belief else {
             return;
         };
         let heading = step.control.heading;
@@ -505,12 +498,12 @@ impl MapView {
         &mut self,
         painter: &egui::Painter,
         view: &ScreenFromWorld,
-        rect: Rect,
+        belief: Option<&BeliefOfStep<'_>>,
         context: &ViewContext<'_>,
         extra: &MapExtra<'_>,
         response: &egui::Response,
     ) {
-        let tokens = context.tokens;
+        let (tokens, rect) = (context.tokens, response.rect);
         let corner = rect.right_bottom() - vec2(16.0, 16.0);
         paint_scale_bar(painter, view, corner, context.units, tokens);
         if let Some(pointer) = response.hover_pos() {
@@ -528,7 +521,7 @@ impl MapView {
                 tokens.sigma,
             );
         }
-        if let Some((belief, step)) = believed(context)
+        if let Some((belief, step)) = belief
             && self.layers.shows(Layer::Sigma)
             && rect.width() > 620.0
             && rect.height() > 420.0
@@ -542,7 +535,7 @@ impl MapView {
             self.cover(lens);
             let scene = LensScene {
                 step,
-                belief: &belief,
+                belief,
                 truth,
             };
             paint_lens(painter, view, lens, &scene, context.units, tokens);
@@ -550,8 +543,11 @@ impl MapView {
     }
 }
 
-/// The belief to be drawn at the time cursor, and its step.
-fn believed<'a>(context: &ViewContext<'a>) -> Option<(ShownBelief, &'a StepReport)> {
+/// A belief as it is drawn, and its step.
+type BeliefOfStep<'a> = (ShownBelief, &'a StepReport);
+
+/// The belief to be drawn at the time cursor.
+fn believed<'a>(context: &ViewContext<'a>) -> Option<BeliefOfStep<'a>> {
     let run = context.run?;
     let step = run.step_at(context.time)?;
     Some((shown_belief(run, step, context.time, context.motion), step))
