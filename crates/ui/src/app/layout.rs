@@ -57,7 +57,7 @@ impl Scene<'_> {
             run: self.documents.run.as_ref(),
             ghost: self.documents.ghost.as_ref(),
             time: self.playback.time,
-            clock_zero: self.documents.span().map_or(0.0, |span| span.0),
+            clock_zero: self.documents.clock_zero(),
             selected_span: self.playback.selected_span,
             playing: self.playback.playing,
             motion: self.playback.motion(),

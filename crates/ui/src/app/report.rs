@@ -249,8 +249,7 @@ impl Report<'_> {
         }
         if let Some((from, to)) = self.playback.selected_span {
             let length = clock(to, from);
-            let first = documents.span().map_or(0.0, |s| s.0);
-            let begin = clock(from, first);
+            let begin = clock(from, documents.clock_zero());
             parts.push(format!("Selected: {length} from {begin} on."));
         }
         if let Some(landmark) = self.selection.and_then(|id| documents.mission.landmark(id)) {

@@ -332,6 +332,17 @@ impl Documents {
         }
     }
 
+    /// Time at which every clock on the page stands at zero, seconds in the flight's time base.
+    pub fn clock_zero(&self) -> f64 {
+        self.span().map_or(0.0, |span| span.0)
+    }
+
+    /// Name of what is looked at, for files: the flight, or else the mission.
+    pub fn subject(&self) -> &str {
+        let flight = self.flight.as_ref();
+        flight.map_or(&self.mission.name, |flight| &flight.name)
+    }
+
     /// Time at which looking at a flight begins: just before the take-off of a log, or else its start.
     pub fn first_look(&self) -> Option<f64> {
         let (first, last) = self.span()?;

@@ -66,8 +66,7 @@ impl Films {
                 "It has no encoder for what is drawn on a page. Single pictures can be saved.";
             return context.trouble("This browser makes no films", text);
         }
-        let flight = documents.flight.as_ref();
-        let title = flight.map_or(&documents.mission.name, |flight| &flight.name);
+        let title = documents.subject();
         let times = format!("{}-{}", clock(span.0, whole.0), clock(span.1, whole.0));
         self.recording = Some(Recording {
             name: format!("{}.{ending}", stem(&format!("{title}-{times}"))),

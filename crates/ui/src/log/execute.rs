@@ -59,7 +59,7 @@ impl LogFeature {
         let picture = self.log.as_ref().and_then(|log| {
             let selected = context.playback.selected_span;
             let tokens = Tokens::of(context.view.dark);
-            let zero = context.documents.span().map_or(0.0, |span| span.0);
+            let zero = context.documents.clock_zero();
             let drawn = self.plots.picture(log, &tokens, selected, zero)?;
             let span = self.plots.span_of_interest(log, None)?;
             Some((drawn, &log.file, span))

@@ -21,7 +21,7 @@ use crate::shell::NextStep;
 use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 use crate::shell::icons::Icon;
 
-use panel::{OutageScene, outage_panel};
+use panel::outage_panel;
 use state::{ID, OutageCommand};
 
 pub use state::Outages;
@@ -106,13 +106,8 @@ impl Feature for Outages {
         true
     }
 
-    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
-        let scene = OutageScene {
-            outages: self,
-            selected: context.selected_span,
-            first: documents.span().map_or(0.0, |span| span.0),
-        };
-        outage_panel(ui, context, &scene);
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, _documents: &Documents) {
+        outage_panel(ui, context, self);
     }
 
     fn layers(&self) -> Vec<&dyn MapLayer> {

@@ -8,6 +8,7 @@ use super::wind::winds;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{at_work, text_button};
+use crate::units::clock;
 use crate::views::{parts, table};
 use pilotage_jobs::{OutageReport, StudyReport};
 
@@ -19,18 +20,8 @@ const TOLD: [f64; 2] = [10.0, 30.0];
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
 
-/// Scene of the view of cuts.
-pub struct OutageScene<'a> {
-    /// Results of cuts.
-    pub outages: &'a Outages,
-    /// The selected stretch of time, seconds in the flight's time base.
-    pub selected: Option<(f64, f64)>,
-    /// First time of the log, from which people count.
-    pub first: f64,
-}
-
 /// Draws the view of a cut.
-pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
+pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
     wrapped(
@@ -39,34 +30,34 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageSc
         "How far off would it be if GPS failed here? The program learns from the flight up to the cut, goes on by \
              airspeed and heading alone, and is compared with the receiver.",
     );
-    choose(ui, context, scene);
-    if let Some(words) = &scene.outages.work.words
+    choose(ui, context, outages);
+    if let Some(words) = &outages.work.words
         && at_work(ui, tokens, words)
     {
         context.commands.push(Command::CancelJob);
     }
-    if let Some(trouble) = &scene.outages.work.trouble {
+    if let Some(trouble) = &outages.work.trouble {
         wrapped(ui, tokens.warning, trouble);
     }
-    if let Some(report) = &scene.outages.report {
-        one_cut(ui, context, report, scene.first);
+    if let Some(report) = &outages.report {
+        one_cut(ui, context, report);
     }
-    study(ui, context, scene);
-    if let Some(report) = scene.outages.report.as_ref().and_then(|r| r.winds.as_ref()) {
+    study(ui, context, outages);
+    if let Some(report) = outages.report.as_ref().and_then(|r| r.winds.as_ref()) {
         winds(ui, context, report);
     }
 }
 
-fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
+fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     let now = context.time;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
-        if let Some((from, to)) = scene.selected {
+        if let Some((from, to)) = context.selected_span {
             let text = format!(
                 "Cut GPS from {} to {}",
-                crate::units::clock(from, scene.first),
-                crate::units::clock(to, scene.first)
+                clock(from, context.clock_zero),
+                clock(to, context.clock_zero)
             );
             if text_button(ui, tokens, None, &text, true).clicked() {
                 context.commands.push(OutageCommand::Selected.into());
@@ -80,12 +71,11 @@ fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
                 }
             }
         }
-        if scene.outages.report.is_some() && text_button(ui, tokens, None, "Clear", false).clicked()
-        {
+        if outages.report.is_some() && text_button(ui, tokens, None, "Clear", false).clicked() {
             context.commands.push(OutageCommand::Clear.into());
         }
     });
-    if scene.selected.is_none() {
+    if context.selected_span.is_none() {
         let hint = "Or hold Shift and drag over a plot or the time line.";
         ui.label(
             RichText::new(hint)
@@ -101,15 +91,15 @@ fn wrapped(ui: &mut Ui, colour: egui::Color32, text: &str) {
 }
 
 /// Numbers and the growth of the error of one cut.
-fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport, first: f64) {
+fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
     let tokens = context.tokens;
     let (factor, unit) = context.units.length();
     ui.add_space(0.5 * tokens.space);
     let (from, to) = report.span;
     let title = format!(
         "No GPS from {} to {} ({:.0} s)",
-        crate::units::clock(from, first),
-        crate::units::clock(to, first),
+        clock(from, context.clock_zero),
+        clock(to, context.clock_zero),
         to - from
     );
     ui.label(
@@ -166,7 +156,7 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport, fi
 }
 
 /// Outages all along the flight.
-fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
+fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     ui.add_space(tokens.space);
     ui.horizontal_wrapped(|ui| {
@@ -174,18 +164,14 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &OutageScene<'_>) {
         ui.label(RichText::new("All along the flight:").color(tokens.muted));
         for length in LENGTHS {
             let name = format!("Cuts of {length:.0} s all along");
-            let on = scene
-                .outages
-                .study
-                .as_ref()
-                .is_some_and(|s| s.length == length);
+            let on = outages.study.as_ref().is_some_and(|s| s.length == length);
             if parts::chip(ui, tokens, on, &format!("{length:.0} s"), &name).clicked() {
                 let study = OutageCommand::Study(length);
                 context.commands.push(study.into());
             }
         }
     });
-    let Some(StudyReport { studies, .. }) = &scene.outages.study else {
+    let Some(StudyReport { studies, .. }) = &outages.study else {
         return;
     };
     let cuts = studies.first().map_or(0, |s| s.cuts.len());

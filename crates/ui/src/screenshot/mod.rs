@@ -45,8 +45,7 @@ pub struct Screenshot {
 /// Name of the file for the view of what is open: the flight with the time of the cursor, or the mission.
 fn file_name(context: &FeatureContext<'_>) -> String {
     let documents = &*context.documents;
-    let (flight, span) = (documents.flight.as_ref(), documents.span());
-    let name = flight.map_or(&documents.mission.name, |flight| &flight.name);
+    let (name, span) = (documents.subject(), documents.span());
     let time = span.map(|(first, _)| clock(context.playback.time, first));
     let time = time.map_or_else(String::new, |time| format!("-{time}"));
     format!("{}.png", stem(&format!("{name}{time}")))
