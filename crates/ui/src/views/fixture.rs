@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::io::Cursor;
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x4, Matrix4, Point3, Vector2, Vector4};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x4, Matrix4, Point3, Vector2, Vector4, dvector};
 use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::{Flight, Frame, StartFix, Truth, TruthState};
 use pilotage_core::frames::{Attitude, Geodetic, GroundPoint, GroundRect, Pose};
@@ -13,7 +13,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, NavigatorSettings, Outcome,
-    Refusal, Run, SigmaSets, StepReport, StepTiming,
+    Refusal, Run, SigmaSets, StepReport, StepTiming, UpdateReport,
 };
 use pilotage_core::raster::Gray;
 
@@ -84,6 +84,20 @@ fn landmarks() -> Vec<Landmark> {
 fn heading(time: f64) -> f64 {
     let turn = ((time - 50.0) / 10.0).clamp(0.0, 1.0);
     (120.0 - 75.0 * turn).to_radians()
+}
+
+/// A reading of GPS whose innovation lay so far off, taken in if it has a gain.
+pub(crate) fn reading_of_gps(nis: f64, gain: Option<DMatrix<f64>>) -> UpdateReport {
+    UpdateReport {
+        aid: "gps-position".to_owned(),
+        measured: dvector![1.0, 2.0],
+        innovation: dvector![0.5, 0.5],
+        innovation_covariance: DMatrix::identity(2, 2),
+        nis,
+        degrees_of_freedom: 2,
+        threshold: 11.6,
+        gain,
+    }
 }
 
 fn sigma_points(mean: &Vector4<f64>, covariance: &Matrix4<f64>) -> DMatrix<f64> {

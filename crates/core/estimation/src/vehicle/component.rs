@@ -4,7 +4,7 @@ macro_rules! components {
     ($($(#[$doc:meta])* $variant:ident = $key:literal, $unit:literal;)+) => {
         /// A component of the state of a vehicle.
         ///
-        /// Where a quantity has two axes, east follows north in every layout.
+        /// Of a quantity with two axes, east follows north in every layout.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum StateComponent {
             $($(#[$doc])* $variant,)+

@@ -68,25 +68,14 @@ fn last_of<'r>(run: &'r Run, index: usize, aid: &str) -> Option<(f64, &'r Update
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{DMatrix, dvector};
-
-    use super::super::super::fixture::Fixture;
+    use super::super::super::fixture::{Fixture, reading_of_gps};
     use super::*;
 
     #[test]
     fn the_last_reading_up_to_the_cursor_is_shown() {
         let mut run = Fixture::lasting(15.0).run;
         for (step, nis) in [(3, 1.0), (8, 2.0), (20, 3.0)] {
-            run.steps[step].updates.push(UpdateReport {
-                aid: "gps-position".to_owned(),
-                measured: dvector![1.0, 2.0],
-                innovation: dvector![0.5, 0.5],
-                innovation_covariance: DMatrix::identity(2, 2),
-                nis,
-                degrees_of_freedom: 2,
-                threshold: 11.6,
-                gain: None,
-            });
+            run.steps[step].updates.push(reading_of_gps(nis, None));
         }
         let nis = |index| last_of(&run, index, "gps-position").map(|(_, update)| update.nis);
         assert_eq!(

@@ -289,10 +289,9 @@ impl RunSeries {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{DMatrix, dvector};
-    use pilotage_core::navigator::UpdateReport;
+    use nalgebra::DMatrix;
 
-    use super::super::super::fixture::Fixture;
+    use super::super::super::fixture::{Fixture, reading_of_gps};
     use super::*;
 
     #[test]
@@ -350,16 +349,9 @@ mod tests {
     fn nis_of_aids_stands_beside_that_of_pictures_used_and_refused() {
         let mut fixture = Fixture::lasting(15.0);
         for (step, nis, gain) in [(3, 1.5, Some(DMatrix::zeros(4, 2))), (8, 40.0, None)] {
-            fixture.run.steps[step].updates.push(UpdateReport {
-                aid: "gps-position".to_owned(),
-                measured: dvector![1.0, 2.0],
-                innovation: dvector![0.5, 0.5],
-                innovation_covariance: DMatrix::identity(2, 2),
-                nis,
-                degrees_of_freedom: 2,
-                threshold: 11.6,
-                gain,
-            });
+            fixture.run.steps[step]
+                .updates
+                .push(reading_of_gps(nis, gain));
         }
         let mut series = RunSeries::default();
         series.update(Some(&fixture.run), Some(&fixture.flight));
