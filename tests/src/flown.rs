@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix4, Vector4};
 use pilotage_core::flight::{Flight, FrameSource};
-use pilotage_core::navigator::{Doubt, Navigator, Run};
+use pilotage_core::navigator::{Doubt, KnownGround, Navigator, Run};
 use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
 
@@ -42,7 +42,7 @@ pub fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight
     let mission = scenario.mission();
     let map = Arc::new(Scenario::map());
     let given = Arc::new(flight.clone());
-    let navigator = Navigator::new(given, &mission.landmarks, map, &mission.navigator)
+    let navigator = Navigator::new(given, &KnownGround::of(&mission, map), &mission.navigator)
         .expect("the flight has what it takes");
     Flown::by(navigator, &mut frames, flight)
 }

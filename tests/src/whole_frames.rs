@@ -7,7 +7,9 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::{
     CachedImagery, Georeference, GeoreferencedPicture, Imagery, decode_map,
 };
-use pilotage_core::navigator::{FrameReport, Navigator, NavigatorSettings, Run, VehicleChoice};
+use pilotage_core::navigator::{
+    FrameReport, KnownGround, Navigator, NavigatorSettings, Run, VehicleChoice,
+};
 use pilotage_core::registration::FollowSettings;
 
 use crate::{data::shared, recorded};
@@ -65,7 +67,7 @@ pub fn navigate(
     frames: &mut dyn FrameSource,
     settings: &NavigatorSettings,
 ) -> Run {
-    let navigator = Navigator::new(Arc::new(flight), &[], map, settings);
+    let navigator = Navigator::new(Arc::new(flight), &KnownGround::new(map), settings);
     let navigator = navigator.expect("the navigator begins");
     let begun = std::time::Instant::now();
     let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;

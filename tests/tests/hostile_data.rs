@@ -8,7 +8,7 @@ use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{
     Instruments, OutagePlan, ReckonSettings, ReckoningWay, reckon, study_cuts,
 };
-use pilotage_core::navigator::{Navigator, NavigatorSettings};
+use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings};
 use pilotage_core::simulate::{FlightDay, Scenario};
 use pilotage_tests::damage::{change, drop_samples};
 use pilotage_tests::flown::{Flown, fly, fly_as, fly_as_stated};
@@ -377,7 +377,7 @@ fn the_instruments_of_real_flights_are_believed() {
             shortest_step: 0.1,
             ..NavigatorSettings::default()
         };
-        let navigator = Navigator::new(flight, &[], map, &settings);
+        let navigator = Navigator::new(flight, &KnownGround::new(map), &settings);
         let mut navigator = navigator.expect("it has a heading");
         while let Some(step) = navigator.advance(&mut NoPictures, &|| 0.0) {
             let step = step.expect("the filter goes on");

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pilotage_core::calibration::{CameraPrior, CameraToLog, Estimated, camera_to_log};
 use pilotage_core::flight::read_flight;
-use pilotage_core::navigator::{NavigatorSettings, Summary, summarize};
+use pilotage_core::navigator::{KnownGround, NavigatorSettings, Summary, summarize};
 use serde::Serialize;
 
 use crate::CommandResult;
@@ -61,7 +61,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     };
     let mut rounds = Vec::new();
     for _ in 0..arguments.rounds.max(1) {
-        let run = navigate(&flight, &[], Arc::clone(&map), &settings, &mut frames)?;
+        let run = navigate(
+            &flight,
+            &KnownGround::new(Arc::clone(&map)),
+            &settings,
+            &mut frames,
+        )?;
         let found = camera_to_log(&flight, &run, &believed)?;
         rounds.push(CalibrationRound {
             camera_to_log: found,

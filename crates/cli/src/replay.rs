@@ -5,10 +5,11 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use pilotage_core::flight::{Flight, FrameSource};
-use pilotage_core::imagery::{CachedImagery, Imagery};
-use pilotage_core::landmark::Landmark;
+use pilotage_core::imagery::CachedImagery;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, Summary, summarize};
+use pilotage_core::navigator::{
+    KnownGround, Navigator, NavigatorSettings, Run, Summary, summarize,
+};
 use pilotage_core::simulate::{Overrides, Scenario};
 use pilotage_jobs::{JobEvent, MapSource, SummaryOrder};
 use serde::Serialize;
@@ -116,15 +117,16 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         .into());
     }
     let imagery = open_map(map, flight.frame_on_globe, MAP_CACHE)?;
-    let (flight, landmarks, mut settings) = if let Some(path) = &arguments.mission {
+    let (flight, ground, mut settings) = if let Some(path) = &arguments.mission {
         let mission = OpenMission::read(path)?.package.mission;
-        (mission.flown(&flight), mission.landmarks, mission.navigator)
+        let ground = KnownGround::of(&mission, imagery);
+        (mission.flown(&flight), ground, mission.navigator)
     } else {
         let settings = NavigatorSettings::without_mission(&flight, true);
-        (flight, Vec::new(), settings)
+        (flight, KnownGround::new(imagery), settings)
     };
     crate::filter_options::apply(&mut settings, &arguments.filter)?;
-    let run = navigate(&flight, &landmarks, imagery, &settings, &mut frames)?;
+    let run = navigate(&flight, &ground, &settings, &mut frames)?;
     let summary = summarize(&flight, &run, None);
     report(arguments, &flight, &run, &summary)
 }
@@ -132,14 +134,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 /// Navigates a flight to its end.
 pub fn navigate(
     flight: &Arc<Flight>,
-    landmarks: &[Landmark],
-    map: Arc<dyn Imagery>,
+    ground: &KnownGround,
     settings: &NavigatorSettings,
     frames: &mut dyn FrameSource,
 ) -> Result<Run, Box<dyn std::error::Error>> {
     let begun = Instant::now();
     let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
-    let navigator = Navigator::new(Arc::clone(flight), landmarks, map, settings)?;
+    let navigator = Navigator::new(Arc::clone(flight), ground, settings)?;
     Ok(navigator.fly(frames, &stopwatch)?)
 }
 
@@ -206,8 +207,7 @@ fn replay_seed(scenario: &Scenario, mission: &Mission, arguments: &Arguments) ->
     let flight = mission.flown(&Arc::new(simulated.flight));
     let run = navigate(
         &flight,
-        &mission.landmarks,
-        map,
+        &KnownGround::of(mission, map),
         &mission.navigator,
         &mut simulated.frames,
     )

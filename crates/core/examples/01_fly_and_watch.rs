@@ -6,7 +6,7 @@
 use std::{error::Error, sync::Arc};
 
 use pilotage_core::imagery::CachedImagery;
-use pilotage_core::navigator::{Navigator, summarize};
+use pilotage_core::navigator::{KnownGround, Navigator, summarize};
 use pilotage_core::simulate::{
     FlightDay, FlightPlan, Overrides, Scenario, SensorSpec, SimulatedFrames,
 };
@@ -38,7 +38,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let map = Arc::new(CachedImagery::new(Arc::new(map), 64));
     let mut frames = SimulatedFrames::new(&flight, FlightDay::Same, 1).over(map.clone());
     let settings = &mission.navigator;
-    let mut navigator = Navigator::new(flight.clone(), &mission.landmarks, map, settings)?;
+    let ground = KnownGround::of(&mission, map);
+    let mut navigator = Navigator::new(flight.clone(), &ground, settings)?;
 
     let truth = flight
         .truth

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::imagery::Imagery;
-use pilotage_core::navigator::Navigator;
+use pilotage_core::navigator::{KnownGround, Navigator};
 use pilotage_core::study::{Contender, ContenderTally, EstimatorComparison};
 
 use super::flights::OpenFlight;
@@ -63,7 +63,7 @@ impl Contest {
                 let mission = &self.order.mission;
                 let settings = contender.settings(&mission.navigator, self.order.seed);
                 let (flight, map) = (ground.flight.clone(), ground.map.clone());
-                let navigator = Navigator::new(flight, &mission.landmarks, map, &settings);
+                let navigator = Navigator::new(flight, &KnownGround::of(mission, map), &settings);
                 let navigator = navigator.map_err(|cause| cause.to_string())?;
                 empty.insert(Passage::new(navigator.sparing()))
             }

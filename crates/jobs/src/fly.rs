@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Navigator, NavigatorSettings, StepReport};
+use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings, StepReport};
 
 use serde::{Deserialize, Serialize};
 
@@ -64,7 +64,11 @@ impl Fly {
         let mission =
             (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
         let flown = mission.flown(&flight);
-        let navigator = Navigator::new(flown.clone(), &mission.landmarks, map, &mission.navigator);
+        let navigator = Navigator::new(
+            flown.clone(),
+            &KnownGround::of(&mission, map),
+            &mission.navigator,
+        );
         emit(JobEvent::Flight(Box::new(flown.without_inertial())));
         if !is_given {
             emit(JobEvent::Mission(Box::new(mission)));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Navigator, NavigatorSettings, summarize};
+use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings, summarize};
 
 use super::flights::OpenFlight;
 use super::order::{Order, Urgency, WorkerRole, keys_of};
@@ -56,8 +56,11 @@ impl RunningJob for SumUpFlight {
             let map = worker.map(&self.order.map)?;
             let open = worker.flight(&self.order.flight)?;
             let flight = mission.flown(&open.borrow().flight);
-            let navigator =
-                Navigator::new(flight.clone(), &mission.landmarks, map, &mission.navigator);
+            let navigator = Navigator::new(
+                flight.clone(),
+                &KnownGround::of(mission, map),
+                &mission.navigator,
+            );
             let navigator = navigator.map_err(|cause| cause.to_string())?;
             self.flying = Some(Flying {
                 open,

@@ -10,7 +10,7 @@ use pilotage_core::instruments::{
     Instruments, OutagePlan, OutageStudy, PositionFix, ReckonSettings, ReckoningWay, quantile,
     reckon, study_cuts,
 };
-use pilotage_core::navigator::{Navigator, Run, position_fixes};
+use pilotage_core::navigator::{KnownGround, Navigator, Run, position_fixes};
 use pilotage_core::simulate::{Overrides, Scenario};
 
 /// Seconds since a landmark that was seen just now.
@@ -23,7 +23,11 @@ fn flown() -> (Arc<pilotage_core::flight::Flight>, Run) {
     let (mission, map) = (scenario.mission(), Arc::new(Scenario::map()));
     let flight = Arc::new(made.flight);
     let settings = &mission.navigator;
-    let navigator = Navigator::new(Arc::clone(&flight), &mission.landmarks, map, settings);
+    let navigator = Navigator::new(
+        Arc::clone(&flight),
+        &KnownGround::of(&mission, map),
+        settings,
+    );
     let navigator = navigator.unwrap().sparing();
     let run = navigator.fly(&mut made.frames, &|| 0.0);
     (flight, run.unwrap())

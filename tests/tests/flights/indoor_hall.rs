@@ -12,7 +12,9 @@ use pilotage_core::flight::{Flight, FrameError, FrameSource};
 use pilotage_core::frames::units::feet;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, StepReport, VehicleChoice};
+use pilotage_core::navigator::{
+    KnownGround, Navigator, NavigatorSettings, Run, StepReport, VehicleChoice,
+};
 use pilotage_core::raster::Picture;
 use pilotage_core::simulate::IndoorHall;
 use pilotage_tests::studies::either;
@@ -67,7 +69,8 @@ fn navigate(
     settings: &NavigatorSettings,
 ) -> Run {
     let flight = Arc::clone(&flown.flight);
-    let navigator = Navigator::new(flight, landmarks, Arc::clone(map), settings).unwrap();
+    let ground = KnownGround::new(map.clone()).with_landmarks(landmarks);
+    let navigator = Navigator::new(flight, &ground, settings).unwrap();
     navigator.fly(&mut flown.frames, &|| 0.0).unwrap()
 }
 

@@ -11,7 +11,7 @@ use egui::{CentralPanel, Frame, Ui, vec2};
 use pilotage_core::flight::{Flight, FrameSource as _};
 use pilotage_core::imagery::Imagery;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Navigator, Run, StepReport, explain};
+use pilotage_core::navigator::{KnownGround, Navigator, Run, StepReport, explain};
 use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::{Overrides, Scenario};
 
@@ -66,8 +66,7 @@ impl ViewDocuments {
         let settings = mission.navigator.clone();
         let mut navigator = Navigator::new(
             Arc::clone(&flight),
-            &mission.landmarks,
-            Arc::clone(&map),
+            &KnownGround::of(&mission, Arc::clone(&map)),
             &settings,
         )
         .expect("the scenario can be navigated");

@@ -1,6 +1,6 @@
 //! Observations: what was measured, and what a filter makes of it.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SMatrix, SVector};
 
 use super::JointReport;
 use super::engine::{CorrectedStep, Engine, MeasurementModel};
@@ -16,6 +16,13 @@ pub struct Observation<'a> {
     pub model: MeasurementModel<'a>,
     /// Degrees of freedom of its normalized innovation squared: m, less what the measurement leaves open.
     pub degrees: usize,
+}
+
+/// A normal distribution of `N` components.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaussianState<const N: usize> {
+    pub mean: SVector<f64, N>,
+    pub covariance: SMatrix<f64, N, N>,
 }
 
 /// Innovation of a measurement against what is expected, with its covariance.

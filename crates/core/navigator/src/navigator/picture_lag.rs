@@ -13,21 +13,19 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{DMatrix, Vector4};
+use nalgebra::DMatrix;
 
 use super::aids::take;
 use super::engine::Engine;
-use super::expected::AppearanceModel;
-use super::inputs::Inputs;
 use super::observation::Observation;
+use super::observed_at::ObservedAt;
+use super::onlooker::Onlooker;
 use super::recovery::believed;
 use super::see::{Associator, FoundPlace, Measurement, SightedPlace, observation};
-use super::{CandidateReport, Control, Doubt, Estimate, Instrument, SensorFault};
+use super::{CandidateReport, Doubt, Estimate, Instrument, SensorFault};
 use pilotage_base::frames::{Pose, wrap_pi};
 use pilotage_estimation::filter::{FilterError, Gate};
 use pilotage_estimation::vehicle::ControlInput;
-use pilotage_flight::Flight;
-use pilotage_raster::camera::CameraModel;
 
 /// Longest lag that is thought of, seconds …
 const LONGEST: f64 = 2.0;
@@ -45,13 +43,6 @@ const UNLIKELY: f64 = 0.01;
 /// Most evidence of one landmark, whenever it is seen alone, as odds: it may be drawn, or found, in a wrong place every
 /// time, and must not lead the belief astray.
 const ODDS_OF_ONE: f64 = 100.0;
-/// Readings that are taken together are at most so far from their middle, seconds …
-const EVENED: f64 = 0.1;
-/// … and how many on either side of it.
-const READINGS: i32 = 2;
-/// Longest input that is assumed to be even when the way is followed back, seconds.
-const PIECE: f64 = 0.1;
-
 /// A filter that assumes another lag.
 struct Hypothesis {
     lag: f64,
@@ -93,38 +84,6 @@ pub struct PictureLag {
     /// Since when the first lag is doubted, and whether it was given up, seconds.
     doubted: Option<f64>,
     replaced: Option<f64>,
-}
-
-/// The flight as a camera sees it.
-#[derive(Clone, Copy)]
-pub struct Onlooker<'a> {
-    pub flight: &'a Flight,
-    pub inputs: &'a Inputs,
-    pub camera: &'a CameraModel,
-    /// When the picture came, seconds.
-    pub time: f64,
-}
-
-impl<'a> Onlooker<'a> {
-    /// Appearance model of a picture that comes `lag` seconds late.
-    pub fn model(&self, lag: f64) -> AppearanceModel<'a> {
-        let control = evened(self.flight, self.time - lag);
-        AppearanceModel::of(self.flight, self.camera, &control)
-    }
-
-    /// Inputs that drove the aircraft in the last `lag` seconds, with their lengths in seconds, the latest
-    /// first.
-    pub fn past(&self, lag: f64) -> Vec<(ControlInput, f64)> {
-        let pieces = (lag / PIECE - 1e-9).ceil().max(0.0) as u32;
-        let dt = lag / f64::from(pieces.max(1));
-        let end = |piece| self.time - f64::from(piece) * dt;
-        (0..pieces)
-            .map(|piece| {
-                let input = self.inputs.between(self.flight, end(piece + 1), end(piece));
-                (input, dt)
-            })
-            .collect()
-    }
 }
 
 impl PictureLag {
@@ -207,16 +166,18 @@ impl PictureLag {
         Ok(())
     }
 
-    /// Shows everybody what an aid beside the pictures observed now, when the instruments read `input`; the first, whose
-    /// logarithm of the likelihood was `own`, was shown it elsewhere.
+    /// Shows everybody what an aid observed; the first, whose logarithm of the likelihood was `own`, was shown it
+    /// elsewhere. An aid that sees took the attitude of the moment that the first assumes: what it saw says
+    /// nothing about the lag.
     pub fn take(
         &mut self,
         observation: &Observation<'_>,
-        (input, gate, own): (&ControlInput, Gate, f64),
+        (at, gate, own): (&ObservedAt<'_>, Gate, f64),
     ) -> Result<(), FilterError> {
         for rival in &mut self.rivals {
-            rival.engine.look_now(input);
-            if let Some(taken) = take(rival.engine.as_mut(), observation, gate)? {
+            at.turn(rival.engine.as_mut(), rival.lag);
+            let taken = take(rival.engine.as_mut(), observation, gate)?;
+            if let (Some(taken), ObservedAt::Now(_)) = (taken, at) {
                 rival.weight *= (taken.log_likelihood - own).exp();
             }
         }
@@ -352,35 +313,6 @@ fn judged<'l>(
         }
     }
     Ok((log_likelihood, agreed))
-}
-
-/// Readings of the instruments of `flight` about `time`, seconds: their mean from a little before to a little
-/// after, so that turns still count as they are.
-///
-/// A camera shakes as much for every lag that is assumed, but each reads its attitude at a time of its own, with a
-/// noise of its own: of two lags, neither of them likelier, it makes the odds of one wander by more with every picture.
-/// An aircraft does not roll as fast as a reading errs.
-fn evened(flight: &Flight, time: f64) -> Control {
-    let about = Control::of(flight, time);
-    let mut off = Vector4::zeros();
-    for reading in -READINGS..=READINGS {
-        let share = f64::from(reading) / f64::from(READINGS);
-        let near = Control::of(flight, time + share * EVENED);
-        off += Vector4::new(
-            near.roll - about.roll,
-            near.pitch - about.pitch,
-            wrap_pi(near.heading - about.heading),
-            near.height - about.height,
-        );
-    }
-    off /= f64::from(2 * READINGS + 1);
-    Control {
-        roll: about.roll + off[0],
-        pitch: about.pitch + off[1],
-        heading: wrap_pi(about.heading + off[2]),
-        height: about.height + off[3],
-        ..about
-    }
 }
 
 /// Places that were `found` by `from`, for `to`, who assumes another pose.

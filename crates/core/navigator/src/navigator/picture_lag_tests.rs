@@ -1,13 +1,10 @@
 //! Tests of `picture_lag`.
 
-use std::f64::consts::PI;
-
-use nalgebra::{Matrix4, Point3};
+use nalgebra::{Matrix4, Point3, Vector4};
 
 use super::super::engine::engine;
 use super::*;
 use pilotage_base::frames::{Attitude, GroundPoint, GroundRect};
-use pilotage_flight::{Channel, ChannelName, StartFix};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::landmark::Landmark;
 
@@ -60,43 +57,6 @@ fn a_lag_that_was_ruled_out_may_begin_later_and_goes_on_from_the_first() {
     // One that is likelier than that keeps its own belief.
     assert_eq!(lag.rivals[1].weight, likely);
     assert_eq!(lag.rivals[1].engine.state(), start().state());
-}
-
-#[test]
-fn readings_that_err_are_evened_and_steady_turns_are_left() {
-    let times: Vec<f64> = (0..=40).map(|i| 0.05 * f64::from(i)).collect();
-    let channel = |name, value: &dyn Fn(f64) -> f64| Channel {
-        name,
-        values: times.iter().map(|time| value(*time)).collect(),
-        times: times.clone(),
-    };
-    // A heading that turns through south, a roll that errs by a fifth of a radian in one reading.
-    let flight = Flight {
-        name: "turning".to_owned(),
-        frame_on_globe: None,
-        camera: CameraModel::pinhole(64, 48, 1.0),
-        ground_down: 0.0,
-        channels: vec![
-            channel(ChannelName::Heading, &|time| {
-                wrap_pi(PI + 0.5 * (time - 1.0))
-            }),
-            channel(ChannelName::Roll, &|time| {
-                if (time - 1.0).abs() < 1e-9 { 0.2 } else { 0.0 }
-            }),
-        ],
-        frames: Vec::new(),
-        start: StartFix {
-            time: 0.0,
-            position: GroundPoint::default(),
-            standard_deviation: 1.0,
-        },
-        truth: None,
-    };
-    let now = evened(&flight, 1.0);
-    assert!(wrap_pi(now.heading - PI).abs() < 1e-9, "{}", now.heading);
-    assert!((now.roll - 0.04).abs() < 1e-9, "{}", now.roll);
-    let later = evened(&flight, 1.3);
-    assert!(wrap_pi(later.heading - PI - 0.15).abs() < 1e-9 && later.roll.abs() < 1e-9);
 }
 
 #[test]

@@ -15,7 +15,9 @@ use super::expected::AppearanceModel;
 use super::frame_registration::FrameRegistration;
 use super::heading_doubt::HeadingDoubt;
 use super::inputs::Inputs;
-use super::picture_lag::{Onlooker, PictureLag};
+use super::known_ground::KnownGround;
+use super::onlooker::Onlooker;
+use super::picture_lag::PictureLag;
 use super::possible_places::PossiblePlaces;
 use super::recovery::{Opinion, Recovery, reconsider};
 use super::see::{Associator, Measurement, observation};
@@ -29,7 +31,6 @@ use pilotage_estimation::filter::{FilterError, GateReason, Verdict};
 use pilotage_flight::{ChannelName, Flight, FrameSource};
 use pilotage_mission::settings::{Cruise, NavigatorSettings};
 use pilotage_raster::camera::CameraModel;
-use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 use pilotage_vision::landmark::{ChosenDetector, Detector, Landmark, Refusal};
 
@@ -85,8 +86,8 @@ pub struct Navigator {
 }
 
 impl Navigator {
-    /// Prepares to navigate `flight` by `landmarks` of `map`, each found by the detector that was chosen
-    /// for it.
+    /// Prepares to navigate `flight` by what is known of the `ground`, each landmark found by the detector that was
+    /// chosen for it.
     ///
     /// ```
     /// # use std::sync::Arc;
@@ -95,7 +96,7 @@ impl Navigator {
     /// # use pilotage_raster::camera::CameraModel;
     /// # use pilotage_flight::NoPictures;
     /// # use pilotage_mission::settings::NavigatorSettings;
-    /// use pilotage_navigator::navigator::Navigator;
+    /// use pilotage_navigator::navigator::{KnownGround, Navigator};
     /// # use pilotage_raster::imagery::Blank;
     /// # let channel = |name, mean: f64, by: f64| Channel {
     /// #     name,
@@ -118,7 +119,8 @@ impl Navigator {
     ///
     /// // 20 m/s towards the east for ten seconds, without pictures, in a wind of 4 m/s or so.
     /// let settings = NavigatorSettings::default();
-    /// let navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), &settings)?;
+    /// let ground = KnownGround::new(Arc::new(Blank));
+    /// let navigator = Navigator::new(Arc::new(flight), &ground, &settings)?;
     /// let run = navigator.fly(&mut NoPictures, &|| 0.0)?;
     /// let last = run.step_at(10.0).ok_or("no step")?;
     /// assert!(last.after.position().distance(&GroundPoint::new(0.0, 200.0)) < 1.0);
@@ -127,12 +129,19 @@ impl Navigator {
     /// ```
     pub fn new(
         flight: Arc<Flight>,
-        landmarks: &[Landmark],
-        map: Arc<dyn Imagery>,
+        ground: &KnownGround,
         settings: &NavigatorSettings,
     ) -> Result<Self, NavigatorError> {
+        let map = Arc::clone(&ground.map);
+        let landmarks = &ground.landmarks;
         let detector = ChosenDetector::new(Arc::clone(&map), settings.detector, landmarks);
-        let mut navigator = Self::with_detector(flight, landmarks, Box::new(detector), settings)?;
+        let mut navigator = Self::prepare(
+            flight,
+            landmarks,
+            Box::new(detector),
+            settings,
+            Some(ground),
+        )?;
         if let Some(assumed) = settings.whole_frames {
             navigator.whole_frames = Some(FrameRegistration::new(map, assumed));
         } else if let Some(heading) = &mut navigator.heading {
@@ -142,12 +151,22 @@ impl Navigator {
         Ok(navigator)
     }
 
-    /// As [`Navigator::new`], with another detector and without a map on which whole frames could be laid.
+    /// As [`Navigator::new`], with another detector, and with nothing known of the ground but landmarks.
     pub fn with_detector(
         flight: Arc<Flight>,
         landmarks: &[Landmark],
         detector: Box<dyn Detector>,
         settings: &NavigatorSettings,
+    ) -> Result<Self, NavigatorError> {
+        Self::prepare(flight, landmarks, detector, settings, None)
+    }
+
+    fn prepare(
+        flight: Arc<Flight>,
+        landmarks: &[Landmark],
+        detector: Box<dyn Detector>,
+        settings: &NavigatorSettings,
+        ground: Option<&KnownGround>,
     ) -> Result<Self, NavigatorError> {
         let is_found_by_frames = settings.whole_frames.is_some();
         for (name, remedy, is_needed) in [
@@ -197,7 +216,7 @@ impl Navigator {
                 HeadingDoubt::new(engine.as_ref(), start.time).ok(),
             )
         };
-        let aids = chosen(&settings.aids, &flight)?;
+        let aids = chosen(&settings.aids, &flight, ground)?;
         let read: Vec<_> = aids
             .iter()
             .filter_map(|aid| aid.info().channels.first())
@@ -337,33 +356,37 @@ impl Navigator {
             },
             updates: Vec::new(),
         };
-        self.take_frame(tick, frames, &mut report, stopwatch)?;
+        let seen = self.take_frame(tick, frames, &mut report, stopwatch)?;
         if !self.aids.is_empty() {
             let begun = stopwatch();
-            self.take_aids(time - dt, &mut report)?;
+            let seen = tick.frame.zip(seen.as_ref());
+            self.take_aids(time - dt, seen, &mut report)?;
             report.timing.update += stopwatch() - begun;
         }
         self.conclude(&mut report);
         Ok(report)
     }
 
-    /// Looks at the frame of a step, if it has one.
+    /// Looks at the frame of a step, if it has one; its picture, if that could be looked at.
     fn take_frame(
         &mut self,
         tick: Tick,
         frames: &mut dyn FrameSource,
         report: &mut StepReport,
         stopwatch: &dyn Fn() -> f64,
-    ) -> Result<(), FilterError> {
+    ) -> Result<Option<Picture>, FilterError> {
         let time = tick.time;
         if let Some(index) = tick.frame {
             self.look_back(index);
             let trouble = self.blindness(time);
             let trouble = if trouble.is_some() {
                 trouble
-            } else if !self.sparing || self.is_laying() || self.may_see(index) {
+            } else if !self.sparing || self.is_laying() || self.aids_see() || self.may_see(index) {
                 match frames.picture(index) {
-                    Ok(picture) => return self.look(index, &picture, report, stopwatch),
+                    Ok(picture) => {
+                        self.look(index, &picture, report, stopwatch)?;
+                        return Ok(Some(picture));
+                    }
                     Err(trouble) => Some(trouble.to_string()),
                 }
             } else {
@@ -371,7 +394,7 @@ impl Navigator {
             };
             report.frame = Some(self.blind(index, trouble));
         }
-        Ok(())
+        Ok(None)
     }
 
     /// Why no landmark can be looked for at `time`, if so: nobody knows how the camera looks at the ground.

@@ -17,6 +17,7 @@ use super::engine::{Engine, PredictedStep, engine};
 use super::found_places::{FoundPlaces, SearchedRegion, density};
 use super::frame_registration::{Believed, SeenPlace};
 use super::observation::Observation;
+use super::observed_at::ObservedAt;
 use super::registration_refusal::RegistrationRefusal;
 use pilotage_base::statistics::probability_words;
 use pilotage_estimation::filter::{FilterError, Gate};
@@ -104,16 +105,15 @@ impl PossiblePlaces {
         }
     }
 
-    /// Shows all what an aid beside the pictures observed now, when the instruments read `input`; the navigator's own
-    /// filter, whose logarithm of the likelihood was `own`, was shown it elsewhere.
+    /// Shows all what an aid observed; the navigator's own filter, whose logarithm of the likelihood was `own`, was shown it elsewhere.
     pub fn take(
         &mut self,
         observation: &Observation<'_>,
-        (input, gate, own): (&ControlInput, Gate, f64),
+        (at, gate, own): (&ObservedAt<'_>, Gate, f64),
     ) -> Result<(), FilterError> {
         let mut all = self.main;
         for belief in self.unforeseen.iter_mut().chain(&mut self.others) {
-            belief.engine.look_now(input);
+            at.turn(belief.engine.as_mut(), 0.0);
             if let Some(taken) = take(belief.engine.as_mut(), observation, gate)? {
                 belief.weight *= (taken.log_likelihood - own).exp();
             }

@@ -14,6 +14,7 @@ use super::CandidateReport;
 use super::aids::take;
 use super::engine::{Engine, PredictedStep};
 use super::observation::Observation;
+use super::observed_at::ObservedAt;
 use super::see::{Agreed, Associator, FoundPlace, observation};
 use pilotage_estimation::filter::{FilterError, Gate, fading_factor};
 use pilotage_estimation::vehicle::ControlInput;
@@ -53,13 +54,13 @@ impl Recovery {
         Some(self)
     }
 
-    /// Shows it what an aid beside the pictures observed now, when the instruments read `input`.
+    /// Shows it what an aid observed; it assumes that pictures come `lag` seconds late.
     pub fn take(
         &mut self,
         observation: &Observation<'_>,
-        (input, gate): (&ControlInput, Gate),
+        (at, lag, gate): (&ObservedAt<'_>, f64, Gate),
     ) -> Result<(), FilterError> {
-        self.engine.look_now(input);
+        at.turn(self.engine.as_mut(), lag);
         take(self.engine.as_mut(), observation, gate)?;
         Ok(())
     }

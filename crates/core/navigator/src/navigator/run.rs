@@ -54,7 +54,7 @@ impl Run {
     /// # use pilotage_flight::{Channel, ChannelName, Flight, StartFix};
     /// # use pilotage_raster::camera::CameraModel;
     /// # use pilotage_mission::settings::NavigatorSettings;
-    /// # use pilotage_navigator::navigator::Navigator;
+    /// # use pilotage_navigator::navigator::{KnownGround, Navigator};
     /// use pilotage_estimation::vehicle::StateComponent;
     /// # use pilotage_raster::imagery::Blank;
     /// # let channel = |name, mean: f64, by: f64| Channel {
@@ -76,7 +76,7 @@ impl Run {
     /// #     truth: None,
     /// # };
     /// # let settings = NavigatorSettings::default();
-    /// # let navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), &settings)?;
+    /// # let navigator = Navigator::new(Arc::new(flight), &KnownGround::new(Arc::new(Blank)), &settings)?;
     ///
     /// // The first two are the position.
     /// let run = navigator.run_head();

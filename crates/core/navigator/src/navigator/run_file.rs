@@ -47,7 +47,7 @@ pub enum RunFileError {
 /// # use pilotage_raster::camera::CameraModel;
 /// # use pilotage_mission::settings::NavigatorSettings;
 /// # use pilotage_raster::imagery::Blank;
-/// use pilotage_navigator::navigator::{Navigator, decode_run, encode_run};
+/// use pilotage_navigator::navigator::{KnownGround, Navigator, decode_run, encode_run};
 /// # let channel = |name, mean: f64, by: f64| Channel {
 /// #     name,
 /// #     times: (0..=50).map(|i| 0.2 * f64::from(i)).collect(),
@@ -67,7 +67,7 @@ pub enum RunFileError {
 /// #     truth: None,
 /// # };
 /// # let settings = NavigatorSettings::default();
-/// # let navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), &settings)?;
+/// # let navigator = Navigator::new(Arc::new(flight), &KnownGround::new(Arc::new(Blank)), &settings)?;
 ///
 /// let run = navigator.run_head();
 /// let bytes = encode_run(&run)?;

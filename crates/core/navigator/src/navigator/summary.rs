@@ -172,7 +172,7 @@ fn figures(consistency: &Consistency) -> Option<ConsistencyFigures> {
 /// # use nalgebra::Point3;
 /// # use pilotage_flight::{NoPictures, Truth, TruthState};
 /// # use pilotage_mission::settings::NavigatorSettings;
-/// use pilotage_navigator::navigator::{Navigator, summarize};
+/// use pilotage_navigator::navigator::{KnownGround, Navigator, summarize};
 /// # use pilotage_raster::imagery::Blank;
 /// # let at = |time: f64| TruthState {
 /// #     time,
@@ -200,7 +200,7 @@ fn figures(consistency: &Consistency) -> Option<ConsistencyFigures> {
 /// # };
 /// # let flight = Arc::new(flight);
 /// # let settings = NavigatorSettings::default();
-/// # let navigator = Navigator::new(Arc::clone(&flight), &[], Arc::new(Blank), &settings)?;
+/// # let navigator = Navigator::new(Arc::clone(&flight), &KnownGround::new(Arc::new(Blank)), &settings)?;
 /// # let run = navigator.fly(&mut NoPictures, &|| 0.0)?;
 ///
 /// // Ten seconds without a picture in a wind of 2 m/s that nobody told.

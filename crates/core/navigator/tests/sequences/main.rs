@@ -17,7 +17,7 @@ use photos::{Photo, Site};
 use pilotage_base::frames::GroundPoint;
 use pilotage_flight::{Channel, ChannelName, Flight, Frame, FrameError, FrameSource, StartFix};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
-use pilotage_navigator::navigator::Navigator;
+use pilotage_navigator::navigator::{KnownGround, Navigator};
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{Picture, decode_picture};
 use pilotage_vision::registration::FollowSettings;
@@ -94,7 +94,7 @@ fn fly(site: &Site, known: &Known) -> Vec<Moment> {
     let map = Arc::new(site.map.clone());
     let flight = Arc::new(flight(photos, known));
     let mut pictures = Pictures(photos.iter().map(|p| p.file.clone()).collect());
-    let mut navigator = Navigator::new(flight, &[], map, &settings()).unwrap();
+    let mut navigator = Navigator::new(flight, &KnownGround::new(map), &settings()).unwrap();
     let mut moments = Vec::new();
     let begun = std::time::Instant::now();
     let clock = || begun.elapsed().as_secs_f64() * 1e3;

@@ -1,8 +1,16 @@
 //! Description of an aid for people, and what an aid does.
 
+use pilotage_base::frames::Pose;
 use pilotage_flight::{ChannelName, Flight};
+use pilotage_raster::raster::Picture;
 
-use super::super::observation::Observation;
+use super::super::expected::AppearanceModel;
+use super::super::known_ground::KnownGround;
+use super::super::observation::{GaussianState, Observation};
+use super::error::AidError;
+
+/// Makes an aid, with a value for each of its numbers, from what is known of the ground, if anything is.
+type BeginAid = fn(&[f64], Option<&KnownGround>) -> Result<Box<dyn Aid>, AidError>;
 
 /// Description of an aid.
 #[derive(Clone, Copy, Debug)]
@@ -13,14 +21,22 @@ pub struct AidInfo {
     pub label: &'static str,
     /// Explanation of what it measures and how far that is to be trusted, in sentences.
     pub description: &'static str,
-    /// Channels of which it takes its readings: a reading is there when the first has one.
+    /// Channels of which it takes its readings: a reading is there when the first has one. An aid without channels
+    /// looks at the camera's pictures.
     pub channels: &'static [ChannelName],
     /// Components of what it measures, each with its SI unit.
     pub components: &'static [(&'static str, &'static str)],
     /// Numbers that people may set.
     pub numbers: &'static [AidNumber],
-    /// Makes the aid, with a value for each of the numbers.
-    pub(super) begin: fn(&[f64]) -> Box<dyn Aid>,
+    /// Makes the aid.
+    pub(super) begin: BeginAid,
+}
+
+impl AidInfo {
+    /// Whether it looks at the camera's pictures.
+    pub const fn sees(&self) -> bool {
+        self.channels.is_empty()
+    }
 }
 
 /// Number that people may set for an aid.
@@ -43,6 +59,23 @@ pub struct AidMoment<'a> {
     pub from: f64,
     /// End of this step, seconds.
     pub until: f64,
+    /// The picture that came at its end, if one did that can be looked at.
+    #[expect(dead_code, reason = "the aids at hand look at no picture")]
+    pub look: Option<AidLook<'a>>,
+}
+
+/// A picture that an aid may look at, and what is believed of the camera that took it.
+#[expect(dead_code, reason = "the aids at hand look at no picture")]
+pub struct AidLook<'a> {
+    /// Number of the picture's frame.
+    pub index: usize,
+    pub picture: &'a Picture,
+    /// Camera, attitude and heights as measured when the picture was taken; the heading's bias is still in it.
+    pub model: AppearanceModel<'a>,
+    /// Believed pose of the camera over the map, after whatever landmarks said in this picture.
+    pub pose: Pose,
+    /// Belief about place on the map (north, east, metres) and heading's bias (radians) when the picture was taken.
+    pub belief: GaussianState<3>,
 }
 
 /// A source of corrections.
@@ -50,6 +83,8 @@ pub trait Aid: Send {
     /// Its description.
     fn info(&self) -> &'static AidInfo;
 
-    /// Observations that it has made at a moment, true at its end.
+    /// Observations that it has made at a moment: true at its end, or when the picture was taken if the aid sees.
+    /// The attitude in the kinematics that their models are shown is that of the instruments at the end; that of the
+    /// picture is the look's.
     fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>>;
 }

@@ -25,9 +25,9 @@ pub const INFO: AidInfo = AidInfo {
         },
         APART,
     ],
-    begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |_| {
+    begin: |numbers, _| {
+        Ok(DirectAid::boxed(&INFO, numbers, |_| {
             MeasurementModel::of_pose(|seen| Some(dvector![seen.height? + seen.barometer_bias?]))
-        })
+        }))
     },
 };

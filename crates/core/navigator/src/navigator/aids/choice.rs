@@ -1,45 +1,10 @@
 //! The aids that the settings switch on.
 
+use super::super::known_ground::KnownGround;
 use super::aid::{Aid, AidInfo};
+use super::error::AidError;
 use pilotage_flight::Flight;
 use pilotage_mission::settings::ChosenAid;
-
-/// Why an aid cannot be switched on.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum AidError {
-    /// Nothing has that name.
-    #[error("there is no aid \"{key}\"; there are {}", keys())]
-    Unknown {
-        /// The name.
-        key: String,
-    },
-    /// The aid has no such number.
-    #[error("the aid \"{key}\" has no number \"{number}\"; leave it out")]
-    UnknownNumber {
-        /// Name of the aid.
-        key: String,
-        /// Name of the number.
-        number: String,
-    },
-    /// A number that is none, or below zero.
-    #[error("the aid \"{key}\" cannot have {number} = {value}; say a number above zero")]
-    Unsound {
-        /// Name of the aid.
-        key: String,
-        /// Name of the number.
-        number: String,
-        /// The value.
-        value: String,
-    },
-    /// The flight measured nothing of the kind.
-    #[error("the flight has no channel {channel} for the aid \"{key}\"; switch that off")]
-    NoChannel {
-        /// Name of the aid.
-        key: String,
-        /// Key of the channel.
-        channel: String,
-    },
-}
 
 fn keys() -> String {
     let keys: Vec<&str> = AidInfo::ALL.iter().map(|info| info.key).collect();
@@ -55,6 +20,7 @@ impl AidInfo {
         let found = Self::ALL.iter().find(|info| info.key == key);
         found.copied().ok_or_else(|| AidError::Unknown {
             key: key.to_owned(),
+            known: keys(),
         })
     }
 
@@ -79,8 +45,12 @@ impl AidInfo {
     }
 }
 
-/// The aids that are switched on for `flight`.
-pub fn chosen(choices: &[ChosenAid], flight: &Flight) -> Result<Vec<Box<dyn Aid>>, AidError> {
+/// The aids that are switched on for `flight`, over `ground` as far as it is known.
+pub fn chosen(
+    choices: &[ChosenAid],
+    flight: &Flight,
+    ground: Option<&KnownGround>,
+) -> Result<Vec<Box<dyn Aid>>, AidError> {
     let begun = |choice: &ChosenAid| {
         let info = AidInfo::named(&choice.key)?;
         let values = info.values(choice)?;
@@ -91,7 +61,7 @@ pub fn chosen(choices: &[ChosenAid], flight: &Flight) -> Result<Vec<Box<dyn Aid>
                 channel: name.key().to_owned(),
             });
         }
-        Ok((info.begin)(&values))
+        (info.begin)(&values, ground)
     };
     choices.iter().map(begun).collect()
 }

@@ -25,11 +25,11 @@ pub const INFO: AidInfo = AidInfo {
         },
         APART,
     ],
-    begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |_| {
+    begin: |numbers, _| {
+        Ok(DirectAid::boxed(&INFO, numbers, |_| {
             MeasurementModel::of_pose(|seen| {
                 Some(dvector![seen.position.north, seen.position.east])
             })
-        })
+        }))
     },
 };

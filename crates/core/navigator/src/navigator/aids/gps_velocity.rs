@@ -26,12 +26,12 @@ pub const INFO: AidInfo = AidInfo {
         APART,
     ],
     // The error includes what the airspeed's reading errs at that moment.
-    begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |_| {
+    begin: |numbers, _| {
+        Ok(DirectAid::boxed(&INFO, numbers, |_| {
             MeasurementModel::of_motion(|seen| {
                 let velocity = seen.velocity?;
                 Some(dvector![velocity.x, velocity.y])
             })
-        })
+        }))
     },
 };

@@ -25,14 +25,14 @@ pub const INFO: AidInfo = AidInfo {
         },
         APART,
     ],
-    begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |_| {
+    begin: |numbers, _| {
+        Ok(DirectAid::boxed(&INFO, numbers, |_| {
             MeasurementModel::of_pose(|seen| {
                 // Along the axis of a tilted body the ground is farther away.
                 let down = seen.attitude.roll.cos() * seen.attitude.pitch.cos();
                 (down > 0.1).then_some(())?;
                 Some(dvector![seen.height? / down])
             })
-        })
+        }))
     },
 };

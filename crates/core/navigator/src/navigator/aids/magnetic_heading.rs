@@ -32,14 +32,14 @@ pub const INFO: AidInfo = AidInfo {
         },
     ],
     // The error includes what the heading's own reading errs from one moment to the next.
-    begin: |numbers| {
-        DirectAid::boxed(&INFO, numbers, |measured| {
+    begin: |numbers, _| {
+        Ok(DirectAid::boxed(&INFO, numbers, |measured| {
             let read = measured[0];
             MeasurementModel::of_pose(move |seen| {
                 seen.heading_bias?;
                 // Expectations near the reading differ from it by less than half a turn.
                 Some(dvector![read + wrap_pi(seen.attitude.yaw - read)])
             })
-        })
+        }))
     },
 };

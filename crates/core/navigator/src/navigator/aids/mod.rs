@@ -4,15 +4,16 @@
 mod aid;
 mod choice;
 mod direct;
+mod error;
 mod reading;
 mod take;
 #[cfg(test)]
 mod tests;
 
-pub(super) use aid::{Aid, AidMoment};
+pub(super) use aid::{Aid, AidLook, AidMoment};
 pub use aid::{AidInfo, AidNumber};
-pub use choice::AidError;
 pub(super) use choice::chosen;
+pub use error::AidError;
 pub(super) use take::{Taken, take};
 
 /// Declares the files of the aids, and makes their list.

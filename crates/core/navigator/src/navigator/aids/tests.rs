@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::super::engine::engine;
-use super::super::{Navigator, NavigatorError, Run};
+use super::super::{KnownGround, Navigator, NavigatorError, Run};
 use super::*;
 use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
 use pilotage_estimation::filter::{Consistency, Gate};
@@ -134,7 +134,11 @@ fn settings(aids: Vec<ChosenAid>) -> NavigatorSettings {
 }
 
 fn fly(flight: Flight, settings: &NavigatorSettings) -> Result<Run, NavigatorError> {
-    let navigator = Navigator::new(Arc::new(flight), &[], Arc::new(Blank), settings)?;
+    let navigator = Navigator::new(
+        Arc::new(flight),
+        &KnownGround::new(Arc::new(Blank)),
+        settings,
+    )?;
     navigator.fly(&mut NoPictures, &|| 0.0)
 }
 
@@ -167,8 +171,9 @@ fn a_reading_corrects_as_a_linear_kalman_update_by_hand_does() {
                 flight: &flight,
                 from: 1.5,
                 until: 2.0,
+                look: None,
             };
-            let mut aid = chosen(&honest(2.0, 0.3)[aid..=aid], &flight)
+            let mut aid = chosen(&honest(2.0, 0.3)[aid..=aid], &flight, None)
                 .unwrap()
                 .remove(0);
             let observation = aid.observe(&moment).remove(0);
@@ -365,21 +370,26 @@ fn a_vehicle_that_knows_neither_velocity_nor_heading_bias_is_not_asked_for_them(
 fn every_aid_is_described_and_what_cannot_be_switched_on_says_why() {
     for info in AidInfo::ALL {
         assert_eq!(AidInfo::named(info.key).unwrap().label, info.label);
-        assert!(info.description.ends_with('.') && !info.channels.is_empty());
+        assert!(info.description.ends_with('.'));
         let usual = info.values(&ChosenAid::usual(info.key)).unwrap();
         assert_eq!(usual.len(), info.numbers.len());
         let mut bare = flight(1, (2.0, 0.3));
         bare.channels
             .retain(|channel| !info.channels.contains(&channel.name));
-        let refused = chosen(&[ChosenAid::usual(info.key)], &bare).err();
+        let refused = chosen(&[ChosenAid::usual(info.key)], &bare, None).err();
         assert!(
-            matches!(refused, Some(AidError::NoChannel { .. })),
+            matches!(
+                refused,
+                Some(AidError::NoChannel { .. } | AidError::UnknownGround { .. })
+            ),
             "{}",
             info.key
         );
     }
     let refused = |choice: ChosenAid| {
-        let error = chosen(&[choice], &flight(1, (2.0, 0.3))).err().unwrap();
+        let error = chosen(&[choice], &flight(1, (2.0, 0.3)), None)
+            .err()
+            .unwrap();
         error.to_string()
     };
     assert!(refused(ChosenAid::usual("sextant")).contains("gps-position"));

@@ -1,55 +1,95 @@
 //! Aids beside pictures: what they observed in a step, shown to all filters.
 
-use super::super::aids::{Aid, AidMoment, Taken, take};
-use super::super::observation::Observation;
-use super::super::{StepReport, UpdateReport};
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, Matrix3, Vector3, dvector};
+
+use super::super::aids::{Aid, AidLook, AidMoment, Taken, take};
+use super::super::engine::MeasurementModel;
+use super::super::expected::AppearanceModel;
+use super::super::observation::{GaussianState, Observation};
+use super::super::observed_at::ObservedAt;
+use super::super::onlooker::Onlooker;
+use super::super::picture_lag::PictureLag;
+use super::super::{AidInfo, StepReport, UpdateReport};
 use super::Navigator;
+use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::{FilterError, Gate};
+use pilotage_raster::raster::Picture;
 
 impl Navigator {
-    /// Takes in what the aids observed since `from`, seconds, after whatever a frame did in this step.
+    /// Whether an aid looks at pictures.
+    pub(super) fn aids_see(&self) -> bool {
+        self.aids.iter().any(|aid| aid.info().sees())
+    }
+
+    /// Takes in what the aids observed since `from`, seconds, after whatever a frame did in this step, and what they
+    /// see in the picture of that frame, with its number.
     ///
     /// Filters that assume something else of the pictures, or follow another place, are shown the same, and gain or
     /// lose by it.
     pub(super) fn take_aids(
         &mut self,
         from: f64,
+        seen: Option<(usize, &Picture)>,
         report: &mut StepReport,
     ) -> Result<(), FilterError> {
+        let flight = Arc::clone(&self.flight);
+        let camera = flight.camera_of_frame(seen.map_or(0, |(index, _)| index));
+        let look = match seen {
+            Some((index, picture)) if self.aids_see() => {
+                self.look_back(index);
+                Some(self.aid_look(index, picture, self.appearance_model(&camera))?)
+            }
+            _ => None,
+        };
         let moment = AidMoment {
-            flight: &self.flight,
+            flight: &flight,
             from,
             until: self.time,
+            look,
         };
         let observed = |aid: &mut Box<dyn Aid>| {
             let observations = aid.observe(&moment);
             observations
                 .into_iter()
-                .map(|observation| (aid.info().key, observation))
+                .map(|observation| (aid.info(), observation))
                 .collect()
         };
-        let observed: Vec<Vec<(&str, Observation<'static>)>> =
+        let observed: Vec<Vec<(&AidInfo, Observation<'static>)>> =
             self.aids.iter_mut().map(observed).collect();
-        let input = self.inputs.between(&self.flight, self.time, self.time);
+        let input = self.inputs.between(&flight, self.time, self.time);
+        let onlooker = Onlooker {
+            flight: &flight,
+            inputs: &self.inputs,
+            camera: &camera,
+            time: self.time,
+        };
         let gate = Gate {
             confidence: self.settings.gate_confidence,
         };
+        let lag_of_pictures = self.lag.as_ref().map_or(0.0, PictureLag::assumed);
         for (aid, observation) in observed.into_iter().flatten() {
-            self.engine.look_now(&input);
+            let at = if aid.sees() {
+                ObservedAt::Picture(onlooker)
+            } else {
+                ObservedAt::Now(&input)
+            };
+            at.turn(self.engine.as_mut(), lag_of_pictures);
             let Some(taken) = take(self.engine.as_mut(), &observation, gate)? else {
                 continue;
             };
             let own = taken.log_likelihood;
             if let Some(lag) = &mut self.lag {
-                lag.take(&observation, (&input, gate, own))?;
+                lag.take(&observation, (&at, gate, own))?;
             }
             if let Some(second) = &mut self.second {
-                second.take(&observation, (&input, gate))?;
+                second.take(&observation, (&at, lag_of_pictures, gate))?;
             }
-            self.possible.take(&observation, (&input, gate, own))?;
+            self.possible.take(&observation, (&at, gate, own))?;
             report
                 .updates
-                .push(UpdateReport::of(aid, &observation, &taken));
+                .push(UpdateReport::of(aid.key, &observation, &taken));
             if let Some(step) = taken.step {
                 report.aided_by(step);
             }
@@ -58,6 +98,31 @@ impl Navigator {
             report.after = self.possible.likeliest(&likeliest).unwrap_or(likeliest);
         }
         Ok(())
+    }
+
+    /// Look of aids at the picture of frame `index`, from the belief that was turned to it.
+    fn aid_look<'a>(
+        &self,
+        index: usize,
+        picture: &'a Picture,
+        model: AppearanceModel<'a>,
+    ) -> Result<AidLook<'a>, FilterError> {
+        let place_and_bias = MeasurementModel::of_pose(|seen| {
+            let bias = seen.heading_bias.unwrap_or(0.0);
+            Some(dvector![seen.on_map.north, seen.on_map.east, bias])
+        });
+        let belief = self.engine.expect(&place_and_bias, &DMatrix::zeros(3, 3))?;
+        let mean = Vector3::from_column_slice(belief.mean.as_slice());
+        Ok(AidLook {
+            index,
+            picture,
+            pose: model.pose(GroundPoint::new(mean.x, mean.y), mean.z),
+            model,
+            belief: GaussianState {
+                mean,
+                covariance: Matrix3::from_column_slice(belief.covariance.as_slice()),
+            },
+        })
     }
 }
 

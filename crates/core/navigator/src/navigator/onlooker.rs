@@ -1,0 +1,125 @@
+//! A flight as its camera sees it, which may be late.
+
+use nalgebra::Vector4;
+
+use super::Control;
+use super::expected::AppearanceModel;
+use super::inputs::Inputs;
+use pilotage_base::frames::wrap_pi;
+use pilotage_estimation::vehicle::ControlInput;
+use pilotage_flight::Flight;
+use pilotage_raster::camera::CameraModel;
+
+/// Readings that are taken together are at most so far from their middle, seconds …
+const EVENED: f64 = 0.1;
+/// … and how many on either side of it.
+const READINGS: i32 = 2;
+/// Longest input that is assumed to be even when the way is followed back, seconds.
+const PIECE: f64 = 0.1;
+
+/// The flight as a camera sees it.
+#[derive(Clone, Copy)]
+pub struct Onlooker<'a> {
+    pub flight: &'a Flight,
+    pub inputs: &'a Inputs,
+    pub camera: &'a CameraModel,
+    /// When the picture came, seconds.
+    pub time: f64,
+}
+
+impl<'a> Onlooker<'a> {
+    /// Appearance model of a picture that comes `lag` seconds late.
+    pub fn model(&self, lag: f64) -> AppearanceModel<'a> {
+        let control = evened(self.flight, self.time - lag);
+        AppearanceModel::of(self.flight, self.camera, &control)
+    }
+
+    /// Inputs that drove the aircraft in the last `lag` seconds, with their lengths in seconds, the latest
+    /// first.
+    pub fn past(&self, lag: f64) -> Vec<(ControlInput, f64)> {
+        let pieces = (lag / PIECE - 1e-9).ceil().max(0.0) as u32;
+        let dt = lag / f64::from(pieces.max(1));
+        let end = |piece| self.time - f64::from(piece) * dt;
+        (0..pieces)
+            .map(|piece| {
+                let input = self.inputs.between(self.flight, end(piece + 1), end(piece));
+                (input, dt)
+            })
+            .collect()
+    }
+}
+
+/// Readings of the instruments of `flight` about `time`, seconds: their mean from a little before to a little
+/// after, so that turns still count as they are.
+///
+/// A camera shakes as much for every lag that is assumed, but each reads its attitude at a time of its own, with a
+/// noise of its own: of two lags, neither of them likelier, it makes the odds of one wander by more with every picture.
+/// An aircraft does not roll as fast as a reading errs.
+fn evened(flight: &Flight, time: f64) -> Control {
+    let about = Control::of(flight, time);
+    let mut off = Vector4::zeros();
+    for reading in -READINGS..=READINGS {
+        let share = f64::from(reading) / f64::from(READINGS);
+        let near = Control::of(flight, time + share * EVENED);
+        off += Vector4::new(
+            near.roll - about.roll,
+            near.pitch - about.pitch,
+            wrap_pi(near.heading - about.heading),
+            near.height - about.height,
+        );
+    }
+    off /= f64::from(2 * READINGS + 1);
+    Control {
+        roll: about.roll + off[0],
+        pitch: about.pitch + off[1],
+        heading: wrap_pi(about.heading + off[2]),
+        height: about.height + off[3],
+        ..about
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use pilotage_base::frames::GroundPoint;
+    use pilotage_flight::{Channel, ChannelName, StartFix};
+
+    #[test]
+    fn readings_that_err_are_evened_and_steady_turns_are_left() {
+        let times: Vec<f64> = (0..=40).map(|i| 0.05 * f64::from(i)).collect();
+        let channel = |name, value: &dyn Fn(f64) -> f64| Channel {
+            name,
+            values: times.iter().map(|time| value(*time)).collect(),
+            times: times.clone(),
+        };
+        // A heading that turns through south, a roll that errs by a fifth of a radian in one reading.
+        let flight = Flight {
+            name: "turning".to_owned(),
+            frame_on_globe: None,
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            ground_down: 0.0,
+            channels: vec![
+                channel(ChannelName::Heading, &|time| {
+                    wrap_pi(PI + 0.5 * (time - 1.0))
+                }),
+                channel(ChannelName::Roll, &|time| {
+                    if (time - 1.0).abs() < 1e-9 { 0.2 } else { 0.0 }
+                }),
+            ],
+            frames: Vec::new(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::default(),
+                standard_deviation: 1.0,
+            },
+            truth: None,
+        };
+        let now = evened(&flight, 1.0);
+        assert!(wrap_pi(now.heading - PI).abs() < 1e-9, "{}", now.heading);
+        assert!((now.roll - 0.04).abs() < 1e-9, "{}", now.roll);
+        let later = evened(&flight, 1.3);
+        assert!(wrap_pi(later.heading - PI - 0.15).abs() < 1e-9 && later.roll.abs() < 1e-9);
+    }
+}
