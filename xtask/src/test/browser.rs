@@ -25,11 +25,15 @@ const NAMES: [&str; 4] = [
     "google-chrome",
 ];
 
-/// Walks the journeys through the page in `dist`: all, or those with one of `tags`.
-pub fn check(dist: &Path, tags: Option<&[String]>) -> Result<(), Failure> {
+/// Walks the journeys through the page in `dist`: all, or those with one of `tags`. The demo is flown before, unless it
+/// `is_flown`.
+pub fn check(dist: &Path, tags: Option<&[String]>, is_flown: bool) -> Result<(), Failure> {
     let browser = prepare()?;
     let server = std::env::current_exe().map_err(Failure::file("xtask"))?;
-    let demo = fly_demo()?;
+    let demo = demo();
+    if !is_flown {
+        fly_demo()?;
+    }
     run(
         program("node")
             .arg("tests/browser/run.mjs")
@@ -51,16 +55,24 @@ pub fn prepare() -> Result<PathBuf, Failure> {
     Ok(browser)
 }
 
-/// Flies the demo once for all journeys that do not judge how it is flown.
-fn fly_demo() -> Result<PathBuf, Failure> {
-    let file = places::target().join("demo.run");
+/// File of the demo as it was flown once, for all journeys that do not judge how it is flown.
+fn demo() -> PathBuf {
+    places::target().join("demo.run")
+}
+
+/// Words for the program of the terminal that make it.
+pub fn words_for_demo() -> Vec<String> {
+    let file = demo().to_string_lossy().into_owned();
+    ["replay", "--scenario", DEMO, "--out", &file]
+        .map(ToOwned::to_owned)
+        .into()
+}
+
+fn fly_demo() -> Result<(), Failure> {
     let arguments = ["run", "--locked", "--quiet", "-p", "pilotage-cli", "--"];
     let mut replay = native_cargo(&arguments)?;
-    replay
-        .args(["replay", "--scenario", DEMO, "--out"])
-        .arg(&file);
-    run(replay.stdout(Stdio::null()), "cargo was found before")?;
-    Ok(file)
+    replay.args(words_for_demo());
+    run(replay.stdout(Stdio::null()), "cargo was found before")
 }
 
 /// Makes sure that a Node of the right age is there.

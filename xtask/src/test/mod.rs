@@ -16,7 +16,7 @@ mod program;
 mod programs;
 mod table;
 
-use std::{process::ExitCode, thread::JoinHandle};
+use std::{path::Path, process::ExitCode, thread::JoinHandle};
 
 use crate::{
     failure::Failure,
@@ -26,6 +26,9 @@ use crate::{
 };
 pub use changed::{Reach, reach};
 pub use native::store_first_seconds;
+use native::{Extent, Packages};
+use program::Program;
+use programs::Outcomes;
 use table::Table;
 
 /// Choice of the checks that are run, and of the packages that they are run on.
@@ -53,10 +56,55 @@ fn fetch(oracles: bool, browser: bool) -> JoinHandle<()> {
     })
 }
 
+/// Checks of lines of their own that ran among the native tests.
+#[derive(Default)]
+struct Ran {
+    /// The tests that asked other people's programs, if they did.
+    oracles: Option<Outcomes>,
+    /// Whether the demo was flown.
+    demo: bool,
+}
+
+impl Ran {
+    /// Runs the native tests. Those of a full run ask other people's programs, and the demo is flown for the journeys
+    /// beside them: neither keeps more than one core busy.
+    fn tests(&mut self, packages: &Packages, choice: &Choice, page: bool) -> Result<(), Failure> {
+        let is_full = !choice.quick && choice.only.is_none();
+        let python = (is_full && packages.hold("pilotage-tests")).then(oracles::interpreter);
+        let python = python.and_then(Result::ok);
+        let python = python.as_deref().map(Path::to_string_lossy);
+        let demo = browser::words_for_demo();
+        let demo: Vec<&str> = demo.iter().map(String::as_str).collect();
+        let flies = is_full && page && packages.hold("pilotage-cli");
+        let extent = Extent {
+            studies: choice.studies,
+            quick: choice.quick,
+            python: python.as_deref(),
+            beside: flies.then_some(&demo),
+        };
+        let outcomes = native::tests(packages, &extent)?;
+        let tested = outcomes.judge(|one| python.is_none() || !one.asks_oracles());
+        self.demo = flies && outcomes.has_passed(|one| !one.arguments.is_empty());
+        self.oracles = python.is_some().then_some(outcomes);
+        if choice.quick {
+            return tested;
+        }
+        tested.and(native::examples(packages))
+    }
+
+    /// Judges the tests that ask other people's programs, or runs them.
+    fn oracles(&self) -> Result<(), Failure> {
+        match &self.oracles {
+            Some(outcomes) => outcomes.judge(Program::asks_oracles),
+            None => oracles::check(),
+        }
+    }
+}
+
 /// Runs the checks and prints the table.
 pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
     let mut table = Table::new(choice.only.clone());
-    let packages = native::Packages::of(choice.reach.as_ref());
+    let packages = Packages::of(choice.reach.as_ref());
     let page_is_reached = choice.reach.as_ref().is_none_or(|reach| reach.page);
     let fetched = (!choice.quick && choice.only.is_none())
         .then(|| fetch(packages.hold("pilotage-tests"), page_is_reached));
@@ -79,21 +127,22 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
         });
     }
     table.check("tests of the build program", native::build_program);
+    if let Some(fetched) = fetched {
+        // What it failed at is tried again by the check that needs it, which tells why.
+        let _ = fetched.join();
+    }
+    let mut ran = Ran::default();
     if !packages.are_none() {
         table.check("tests, native", || {
-            native::tests(&packages, choice.studies, choice.quick)
+            ran.tests(&packages, choice, page_is_reached)
         });
     }
     if !choice.quick {
         if !packages.are_none() {
             table.check("documentation", || native::documentation(&packages));
         }
-        if let Some(fetched) = fetched {
-            // What it failed at is tried again by the check that needs it, which tells why.
-            let _ = fetched.join();
-        }
         if packages.hold("pilotage-tests") {
-            table.check("oracles", oracles::check);
+            table.check("oracles", || ran.oracles());
         }
     }
     if !choice.quick && page_is_reached {
@@ -104,7 +153,7 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
             let quick = Profile::Quick;
             table.check("sizes of the page", || page::check_sizes(quick, &page));
             table.check("journeys through the page", || {
-                browser::check(&page, tags.as_deref())
+                browser::check(&page, tags.as_deref(), ran.demo)
             });
         } else {
             table.blocked(

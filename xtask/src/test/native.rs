@@ -5,7 +5,11 @@
 //! rules of the house are left out of the tests and have their own lines: their libraries are built
 //! already, in this program's profile.
 
-use super::{Reach, documented, linted, linted::native_cargo, programs};
+use super::{
+    Reach, documented, linted,
+    linted::native_cargo,
+    programs::{self, Manner, Outcomes},
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -150,19 +154,37 @@ pub fn house_rules() -> Result<(), Failure> {
     run(&mut native_cargo(&arguments)?, CARGO_ADVICE)
 }
 
-/// Every test that needs no other program; `studies` over all their seeds (`tests/src/studies.rs`). `quick` leaves
-/// out what takes long, what has not changed since it passed, and examples in the documentation.
-pub fn tests(packages: &Packages, studies: bool, quick: bool) -> Result<(), Failure> {
+/// Extent of the native tests.
+#[derive(Debug)]
+pub struct Extent<'a> {
+    /// All seeds of studies (`tests/src/studies.rs`).
+    pub studies: bool,
+    /// Without what takes long and what has not changed since it passed.
+    pub quick: bool,
+    /// Interpreter with other people's programs, for the tests that ask them.
+    pub python: Option<&'a str>,
+    /// Words for the program of the terminal, which runs beside the tests.
+    pub beside: Option<&'a [&'a str]>,
+}
+
+/// Every test program.
+pub fn tests(packages: &Packages, extent: &Extent<'_>) -> Result<Outcomes, Failure> {
     let packages = packages.arguments(&PACKAGES);
-    let all: &[_] = &[("PILOTAGE_STUDIES", "1")];
-    let environment = if studies { all } else { &[] };
-    let tested = programs::test(&packages, environment, quick);
-    if quick {
-        return tested;
+    let mut manner = Manner::default();
+    if extent.studies {
+        manner.environment.push(("PILOTAGE_STUDIES", "1"));
     }
+    if let Some(python) = extent.python {
+        manner = manner.asking(python);
+    }
+    programs::test(&packages, &manner, extent.quick, extent.beside)
+}
+
+/// Every example in the documentation.
+pub fn examples(packages: &Packages) -> Result<(), Failure> {
     let mut examples = native_cargo(&["test", "--no-fail-fast", "--doc"])?;
-    let examples = run(examples.args(&packages), CARGO_ADVICE);
-    tested.and(examples)
+    examples.args(packages.arguments(&PACKAGES));
+    run(&mut examples, CARGO_ADVICE)
 }
 
 /// Stores anew what the page shows first, as the program of the page in `dist` computes it, by the test that

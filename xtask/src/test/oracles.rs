@@ -6,17 +6,18 @@ use std::{
     process::Command,
 };
 
-use super::{install, native::PACKAGES, programs};
+use super::{
+    install,
+    native::PACKAGES,
+    program::Program,
+    programs::{self, Manner},
+};
 use crate::{
     failure::Failure,
     places,
     process::{on_path, program, run, succeeds},
 };
 
-/// Line that an oracle test prints when it had no interpreter (`tests/src/oracle.rs`).
-const SKIPPED: &str = "skipped: no oracle interpreter";
-/// The variable that names the interpreter.
-const INTERPRETER: &str = "PILOTAGE_PYTHON";
 /// Oldest Python that has the pinned versions.
 const IS_USABLE: &str = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))";
 
@@ -25,7 +26,8 @@ pub fn check() -> Result<(), Failure> {
     let python = interpreter()?;
     let python = python.to_string_lossy();
     let arguments = [&PACKAGES[..], &["--test", "oracle*"]].concat();
-    programs::test_aloud(&arguments, &[(INTERPRETER, &python)], SKIPPED)
+    let manner = Manner::default().asking(&python);
+    programs::test(&arguments, &manner, false, None)?.judge(Program::asks_oracles)
 }
 
 /// The Python of `target/oracles`, with everything in `tests/oracles/requirements.txt`; made if it is not there.

@@ -70,6 +70,7 @@ mod tests {
             name: "pilotage-ui/b".to_owned(),
             executable: folder.join("b"),
             folder: folder.join("sources"),
+            arguments: Vec::new(),
         };
         let below = Program {
             name: "a/b".to_owned(),

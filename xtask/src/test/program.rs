@@ -8,7 +8,8 @@ use serde_json::Value;
 pub const LONG: [&str; 4] = ["whole_frames", "across_dates", "hostile_data", "scenarios"];
 /// Programs that take longest beside them, and begin next: none of them must be what everybody waits for at
 /// the end.
-const EARLY: [&str; 13] = [
+const EARLY: [&str; 14] = [
+    "oracles",
     "oracle_frames",
     "pilotage_jobs",
     "pilotage_ui",
@@ -37,6 +38,8 @@ pub struct Program {
     pub executable: PathBuf,
     /// The folder of its package, in which its tests expect to be run.
     pub folder: PathBuf,
+    /// Words that it is given.
+    pub arguments: Vec<String>,
 }
 
 impl Program {
@@ -46,6 +49,12 @@ impl Program {
         let mut order = LONG.iter().chain(&EARLY);
         let place = order.position(|early| Some(*early) == target);
         place.unwrap_or(LONG.len() + EARLY.len())
+    }
+
+    /// Whether it asks other people's programs.
+    pub fn asks_oracles(&self) -> bool {
+        let target = self.name.rsplit('/').next();
+        target.is_some_and(|target| target.starts_with("oracle"))
     }
 
     /// Whether the program takes so long that `--quick` leaves it out.
@@ -60,10 +69,22 @@ impl Program {
     }
 }
 
-/// The program that a message of cargo tells of.
+/// The test program that a message of cargo tells of.
 pub fn of_message(line: &str) -> Option<Program> {
     let message: Value = serde_json::from_str(line).ok()?;
+    message["profile"]["test"].as_bool().filter(|test| *test)?;
+    program(&message)
+}
+
+/// The program `name`, which is no test, if it is what a message of cargo tells of.
+pub fn named_in_message(name: &str, line: &str) -> Option<Program> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let is_named = message["target"]["name"] == name && message["target"]["kind"][0] == "bin";
     let is_test = message["profile"]["test"].as_bool()?;
+    (is_named && !is_test).then(|| program(&message))?
+}
+
+fn program(message: &Value) -> Option<Program> {
     let executable = PathBuf::from(message["executable"].as_str()?);
     let folder = Path::new(message["manifest_path"].as_str()?).parent()?;
     let target = message["target"]["name"].as_str()?;
@@ -73,10 +94,11 @@ pub fn of_message(line: &str) -> Option<Program> {
         Some((name, _)) => name.to_owned(),
         None => folder.file_name()?.to_str()?.to_owned(),
     };
-    is_test.then(|| Program {
+    Some(Program {
         name: format!("{package}/{target}"),
         executable,
         folder: folder.to_owned(),
+        arguments: Vec::new(),
     })
 }
 
@@ -101,5 +123,16 @@ mod tests {
         ] {
             assert_eq!(of_message(&other), None, "{other}");
         }
+        assert!(!program.asks_oracles());
+    }
+
+    #[test]
+    fn a_program_is_told_from_the_tests_of_it() {
+        let tests = r#"{"reason":"compiler-artifact","package_id":"path+file:///r/crates/cli#pilotage-cli@0.2.0","manifest_path":"/r/crates/cli/Cargo.toml","target":{"kind":["bin"],"name":"pilotage"},"profile":{"test":true},"executable":"/r/target/debug/deps/pilotage-1"}"#;
+        let itself = tests.replace("\"test\":true", "\"test\":false");
+        assert_eq!(named_in_message("pilotage", tests), None);
+        assert_eq!(named_in_message("pilot", &itself), None);
+        let found = named_in_message("pilotage", &itself).unwrap();
+        assert_eq!(found.name, "pilotage-cli/pilotage");
     }
 }

@@ -11,17 +11,57 @@ use std::{
 use super::{
     linted::native_cargo,
     passed::Passed,
-    program::{LONG, Program, SURFACES, of_message},
+    program::{LONG, Program, SURFACES, named_in_message, of_message},
 };
 use crate::{
     failure::Failure,
     process::{CARGO_ADVICE, capture, program, succeed},
 };
 
-/// Builds the tests of the packages that `arguments` choose and runs them; `environment` is what they are told.
-/// `quick` leaves out what takes long and what has not changed since it passed.
-pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Result<(), Failure> {
-    let mut programs = in_order(build(arguments)?);
+/// The program that a terminal runs.
+const TERMINAL: &str = "pilotage";
+
+/// Line that an oracle test prints when it had no interpreter (`tests/src/oracle.rs`).
+const SKIPPED: &str = "skipped: no oracle interpreter";
+/// The variable that names the interpreter.
+const INTERPRETER: &str = "PILOTAGE_PYTHON";
+/// Programs that were run, and whether each passed.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Outcomes(Vec<(Program, bool)>);
+
+impl Outcomes {
+    /// Whether one of `these` was run, and passed.
+    pub fn has_passed(&self, these: impl Fn(&Program) -> bool) -> bool {
+        let mut outcomes = self.0.iter();
+        outcomes.any(|(one, has_passed)| *has_passed && these(one))
+    }
+
+    /// Fails with the names of those among `these` that did.
+    pub fn judge(&self, these: impl Fn(&Program) -> bool) -> Result<(), Failure> {
+        let outcomes = self.0.iter();
+        let failed: Vec<&str> = outcomes
+            .filter(|(one, has_passed)| !has_passed && these(one))
+            .map(|(one, _)| one.name.as_str())
+            .collect();
+        if failed.is_empty() {
+            Ok(())
+        } else {
+            Err(Failure::Check(format!("{} failed", failed.join(", "))))
+        }
+    }
+}
+
+/// Builds the tests of the packages that `arguments` choose and runs them in this manner. `quick` leaves out what takes
+/// long and what has not changed since it passed; `beside` is what the program of the terminal is told in a run of its
+/// own, while the others run.
+pub fn test(
+    arguments: &[&str],
+    manner: &Manner<'_>,
+    quick: bool,
+    beside: Option<&[&str]>,
+) -> Result<Outcomes, Failure> {
+    let told = build(arguments)?;
+    let mut programs = in_order(told.lines().filter_map(of_message).collect());
     let all = programs.len();
     let mut passed = Passed::read();
     if quick {
@@ -41,30 +81,28 @@ pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Re
             SURFACES.join(" and "),
         );
     }
-    let manner = Manner {
-        environment,
-        ..Manner::default()
-    };
-    let outcomes = run_all(programs, &manner, &print);
-    for (one, has_passed) in &outcomes {
+    if let Some(arguments) = beside {
+        let mut terminal = told
+            .lines()
+            .filter_map(|line| named_in_message(TERMINAL, line));
+        let terminal = terminal.next().map(|terminal| Program {
+            arguments: arguments.iter().map(ToString::to_string).collect(),
+            ..terminal
+        });
+        // After the longest: whoever needs what it makes comes after all of them.
+        let place = programs.len().min(LONG.len());
+        programs.splice(place..place, terminal);
+    }
+    let outcomes = run_all(programs, manner, &print);
+    for (one, has_passed) in outcomes
+        .0
+        .iter()
+        .filter(|(one, _)| one.arguments.is_empty())
+    {
         passed.note(one, *has_passed);
     }
     passed.write()?;
-    judge(&outcomes)
-}
-
-/// Builds the test programs that `arguments` choose and runs them; `environment` is what they are told. What they say
-/// is printed, and one that says `skipped` has failed.
-pub fn test_aloud(
-    arguments: &[&str],
-    environment: &[(&str, &str)],
-    skipped: &str,
-) -> Result<(), Failure> {
-    let manner = Manner {
-        environment,
-        aloud: Some(skipped),
-    };
-    judge(&run_all(in_order(build(arguments)?), &manner, &print))
+    Ok(outcomes)
 }
 
 /// The programs in the order in which they begin.
@@ -75,11 +113,20 @@ fn in_order(mut programs: Vec<Program>) -> Vec<Program> {
 
 /// Manner in which programs are run.
 #[derive(Debug, Default)]
-struct Manner<'a> {
+pub struct Manner<'a> {
     /// Variables that they find.
-    environment: &'a [(&'a str, &'a str)],
-    /// All that they say is printed; and what makes one fail that says it.
-    aloud: Option<&'a str>,
+    pub environment: Vec<(&'a str, &'a str)>,
+    /// Text that makes those that ask other people's programs fail where they say it; all that they say is printed.
+    pub skipped: Option<&'a str>,
+}
+
+impl<'a> Manner<'a> {
+    /// The same, in which the tests that ask other people's programs ask `python`, and fail where they do not.
+    pub fn asking(mut self, python: &'a str) -> Self {
+        self.environment.push((INTERPRETER, python));
+        self.skipped = Some(SKIPPED);
+        self
+    }
 }
 
 fn print(told: &str) {
@@ -87,39 +134,20 @@ fn print(told: &str) {
     let _ = writeln!(std::io::stdout(), "{told}");
 }
 
-/// Fails with the names of the programs that did.
-fn judge(outcomes: &[(Program, bool)]) -> Result<(), Failure> {
-    let failed: Vec<&str> = outcomes
-        .iter()
-        .filter(|(_, has_passed)| !has_passed)
-        .map(|(one, _)| one.name.as_str())
-        .collect();
-    if failed.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::Check(format!("{} failed", failed.join(", "))))
-    }
-}
-
-/// Has cargo build the test programs.
-fn build(arguments: &[&str]) -> Result<Vec<Program>, Failure> {
+/// Has cargo build the test programs; its messages.
+fn build(arguments: &[&str]) -> Result<String, Failure> {
     let mut cargo = native_cargo(&["test", "--no-run"])?;
     cargo.args(arguments);
     cargo.arg("--message-format=json-render-diagnostics");
     cargo.stderr(Stdio::inherit());
     let output = capture(&mut cargo, CARGO_ADVICE)?;
     succeed(&cargo, output.status)?;
-    let text = String::from_utf8_lossy(&output.stdout);
-    Ok(text.lines().filter_map(of_message).collect())
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 /// Runs the programs, as many at a time as there are cores, each on one; whether each passed. How each went is told
 /// when it is over.
-fn run_all(
-    programs: Vec<Program>,
-    manner: &Manner<'_>,
-    tell: &(dyn Fn(&str) + Sync),
-) -> Vec<(Program, bool)> {
+fn run_all(programs: Vec<Program>, manner: &Manner<'_>, tell: &(dyn Fn(&str) + Sync)) -> Outcomes {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let queue = Mutex::new(programs.into_iter());
     let outcomes = Mutex::new(Vec::new());
@@ -137,9 +165,8 @@ fn run_all(
             });
         }
     });
-    outcomes
-        .into_inner()
-        .unwrap_or_else(PoisonError::into_inner)
+    let outcomes = outcomes.into_inner();
+    Outcomes(outcomes.unwrap_or_else(PoisonError::into_inner))
 }
 
 /// Runs a program: whether it passed, and how it went in words, with all that it said if it failed.
@@ -149,7 +176,9 @@ fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
     command.env("CARGO_MANIFEST_DIR", &one.folder);
     command.env("RUST_TEST_THREADS", "1");
     command.envs(manner.environment.iter().copied());
-    if manner.aloud.is_some() {
+    command.args(&one.arguments);
+    let skipped = manner.skipped.filter(|_| one.asks_oracles());
+    if skipped.is_some() {
         command.arg("--nocapture");
     }
     let begun = Instant::now();
@@ -159,8 +188,8 @@ fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
         Ok(output) => {
             let said = [output.stdout.as_slice(), output.stderr.as_slice()].concat();
             let said = String::from_utf8_lossy(&said).into_owned();
-            let skipped = manner.aloud.is_some_and(|word| said.contains(word));
-            (output.status.success() && !skipped, said)
+            let has_skipped = skipped.is_some_and(|word| said.contains(word));
+            (output.status.success() && !has_skipped, said)
         }
         Err(error) => (false, error.to_string()),
     };
@@ -170,7 +199,7 @@ fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
         .trim_start_matches("test result: ");
     let told = if has_passed {
         let head = format!("{seconds:>7.1} s  {}: {result}", one.name);
-        match manner.aloud {
+        match skipped {
             Some(_) => format!("{said}{head}"),
             None => head,
         }
@@ -192,11 +221,17 @@ mod tests {
             name: "a/b".to_owned(),
             executable: PathBuf::from("/nowhere/b"),
             folder: std::env::temp_dir(),
+            arguments: Vec::new(),
         };
         let said = Mutex::new(Vec::new());
         let tell = |told: &str| said.lock().unwrap().push(told.to_owned());
         let outcomes = run_all(vec![missing.clone()], &Manner::default(), &tell);
-        assert_eq!(outcomes, [(missing, false)]);
+        assert_eq!(outcomes, Outcomes(vec![(missing, false)]));
+        assert!(
+            !outcomes.has_passed(|_| true)
+                && outcomes.judge(|_| true).is_err()
+                && outcomes.judge(Program::asks_oracles).is_ok()
+        );
         let said = said.into_inner().unwrap();
         assert!(
             said[0].starts_with("FAILED") && said[0].contains("a/b"),
