@@ -80,6 +80,7 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "yaw" => settings.sensors.yaw = number()?.to_radians(),
         "height" => settings.sensors.height = number()?,
         "pixel" => settings.sensors.pixel = number()?,
+        "ground" => settings.sensors.ground = number()?,
         "features" => {
             settings.detector.features = TemplateFeatures::named(value).ok_or_else(|| {
                 let keys = TemplateFeatures::ALL.map(TemplateFeatures::key);

@@ -6,7 +6,7 @@ use super::request::PlannedLandmark;
 use pilotage_base::frames::Pose;
 use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::camera::CameraModel;
-use pilotage_vision::geometry::{appearance, ground_jacobian, pose_jacobian};
+use pilotage_vision::geometry::{AppearanceError, appearance, ground_jacobian, pose_jacobian};
 
 /// Information of a landmark about the state in one frame, linearized at the planned pose.
 #[derive(Clone, Copy, Debug)]
@@ -125,10 +125,12 @@ impl PlannedFrame<'_> {
         to_picture.fixed_view_mut::<2, 2>(0, 0).copy_from(&to_pixel);
         let b = landmark.landmark.bounds;
         let half = 0.25 * (b.width() + b.height());
-        let angle = sensors.pixel / (half * self.camera.focal / height).max(1.0);
-        let floor = nalgebra::Vector4::new(sensors.pixel, sensors.pixel, angle, angle);
+        let unknown = AppearanceError {
+            pixel: sensors.pixel,
+            ground: sensors.ground,
+        };
         let covariance = to_picture * expected.covariance * to_picture.transpose()
-            + Matrix4::from_diagonal(&floor.map(|sd| sd * sd));
+            + unknown.covariance(&to_pixel, self.camera.focal / height, half);
         Some(LandmarkInformation {
             landmark: index,
             information: Information::new(&slope, &pose_jacobian, &covariance)?,

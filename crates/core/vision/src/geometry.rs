@@ -88,6 +88,47 @@ pub fn joint_noise(
     noise
 }
 
+/// Error that is added to what a detector says of the place, turn and size of a landmark, standard deviations per axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AppearanceError {
+    /// In the picture, pixels.
+    pub pixel: f64,
+    /// On the ground, metres.
+    pub ground: f64,
+}
+
+impl AppearanceError {
+    /// Covariance of pixel x, pixel y, rotation and log scale of a patch of half the size `half`, metres, where the
+    /// ground maps into the picture by `to_pixel`, pixels per metre, `scale` of them in any direction. Turn and size
+    /// are as uncertain as its rim is by as much.
+    ///
+    /// ```
+    /// use nalgebra::Matrix2;
+    /// use pilotage_vision::geometry::AppearanceError;
+    ///
+    /// // Four pixels to the metre: 0.3 px, and 0.1 m, which is 0.4 px.
+    /// let error = AppearanceError { pixel: 0.3, ground: 0.1 };
+    /// let covariance = error.covariance(&(Matrix2::identity() * 4.0), 4.0, 20.0);
+    /// assert!((covariance[(0, 0)].sqrt() - 0.5).abs() < 1e-12);
+    /// // 0.5 px at a rim 80 px away.
+    /// assert!((covariance[(2, 2)].sqrt() - 0.5 / 80.0).abs() < 1e-12);
+    /// ```
+    pub fn covariance(&self, to_pixel: &Matrix2<f64>, scale: f64, half: f64) -> Matrix4<f64> {
+        let angle = self.pixel / (half * scale).max(1.0);
+        let deviations = Vector4::new(self.pixel, self.pixel, angle, angle);
+        let mut covariance = Matrix4::from_diagonal(&deviations.map(|sd| sd * sd));
+        if self.ground > 0.0 {
+            let place = to_pixel * to_pixel.transpose() * self.ground.powi(2);
+            let mut both = covariance.fixed_view_mut::<2, 2>(0, 0);
+            both += place;
+            let turn = (self.ground / half).powi(2);
+            covariance[(2, 2)] += turn;
+            covariance[(3, 3)] += turn;
+        }
+        covariance
+    }
+}
+
 /// Change of the ground point (north, east) with the pixel: 2 × 2, metres per pixel; `None` where the
 /// ray does not reach the ground.
 ///

@@ -332,6 +332,19 @@ fn measurement(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, u
     );
     scaled(
         ui,
+        "Ground σ",
+        length_unit,
+        &mut sensors.ground,
+        length,
+        0.0..=10.0,
+    );
+    meaning(
+        ui,
+        tokens,
+        "The same on the ground: another sun and season move what a landmark looks like, in every picture alike.",
+    );
+    scaled(
+        ui,
         "Gate confidence",
         "%",
         &mut settings.gate_confidence,

@@ -165,9 +165,12 @@ pub struct SensorNoise {
     pub yaw: f64,
     /// Height above ground, metres.
     pub height: f64,
-    /// Error of the detector's place that its covariance cannot know, added to it, pixels per axis:
-    /// another sun and season move what a patch looks like, the same way in every frame.
+    /// Error of the detector's place that its covariance cannot know, added to it, pixels per axis.
     pub pixel: f64,
+    /// The same on the ground, metres per axis: another sun and season move what a patch looks like, the same way in
+    /// every frame and from every height.
+    #[serde(default)]
+    pub ground: f64,
 }
 
 impl SensorNoise {
@@ -267,6 +270,7 @@ impl Default for NavigatorSettings {
                 yaw: 1.15_f64.to_radians(),
                 height: 0.6,
                 pixel: 1.0,
+                ground: 0.0,
             },
             measurement_scale: 1.0,
             detector: TemplateSettings::default(),

@@ -226,6 +226,7 @@ impl SeenPlace {
             noise: DMatrix::from_fn(COMPONENTS, COMPONENTS, |i, j| {
                 settings.measurement_scale * own[(i, j)]
             }),
+            weakened: None,
             model: MeasurementModel::of_pose(on_map),
             degrees: COMPONENTS,
         };

@@ -15,6 +15,7 @@ mod frame_registration;
 mod heading_doubt;
 mod inputs;
 mod known_ground;
+mod looks;
 mod observation;
 mod observed_at;
 mod onlooker;

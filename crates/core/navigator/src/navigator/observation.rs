@@ -12,6 +12,9 @@ pub struct Observation<'a> {
     pub measured: DVector<f64>,
     /// Covariance of its noise, m × m.
     pub noise: DMatrix<f64>,
+    /// Covariance by which it corrects, m × m, where it has errors in common with what was observed before: as much less
+    /// is new in it.
+    pub weakened: Option<DMatrix<f64>>,
     /// Expectation of it.
     pub model: MeasurementModel<'a>,
     /// Degrees of freedom of its normalized innovation squared: m, less what the measurement leaves open.
@@ -56,7 +59,8 @@ impl Observation<'_> {
 
     /// Corrects `engine` by it.
     pub fn correct(&self, engine: &mut dyn Engine) -> Result<CorrectedStep, FilterError> {
-        engine.correct(&self.model, &self.noise, &self.measured)
+        let noise = self.weakened.as_ref().unwrap_or(&self.noise);
+        engine.correct(&self.model, noise, &self.measured)
     }
 }
 

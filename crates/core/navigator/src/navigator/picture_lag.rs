@@ -132,12 +132,17 @@ impl PictureLag {
         }
         self.let_begin(seer.engine, onlooker.time)?;
         let model = onlooker.model(self.assumed);
-        let first = Associator::new(seer.settings, seer.engine, model, seer.frame);
+        let first = Associator::new(seer.settings, seer.engine, model, (seer.frame, seer.looks));
         let (own, _) = judged(&first, &all_seen_anew(found, seer, &first), reports)?;
         for rival in &mut self.rivals {
             rival.engine.look_back(onlooker.past(rival.lag));
             let model = onlooker.model(rival.lag);
-            let judge = Associator::new(seer.settings, rival.engine.as_ref(), model, seer.frame);
+            let judge = Associator::new(
+                seer.settings,
+                rival.engine.as_ref(),
+                model,
+                (seer.frame, seer.looks),
+            );
             let found = all_seen_anew(found, seer, &judge);
             let (log_likelihood, agreed) = judged(&judge, &found, reports)?;
             if !agreed.is_empty() {

@@ -16,6 +16,7 @@ use super::frame_registration::FrameRegistration;
 use super::heading_doubt::HeadingDoubt;
 use super::inputs::Inputs;
 use super::known_ground::KnownGround;
+use super::looks::LooksAtLandmarks;
 use super::onlooker::Onlooker;
 use super::picture_lag::PictureLag;
 use super::possible_places::PossiblePlaces;
@@ -76,6 +77,8 @@ pub struct Navigator {
     whole_frames: Option<FrameRegistration>,
     /// Other places at which the aircraft may be; only whole frames tell.
     possible: PossiblePlaces,
+    /// Looks at landmarks that were taken in.
+    looks: LooksAtLandmarks,
     /// Aids beside pictures.
     aids: Vec<Box<dyn Aid>>,
     ticks: Vec<Tick>,
@@ -234,6 +237,7 @@ impl Navigator {
             detector,
             whole_frames: None,
             possible: PossiblePlaces::new(),
+            looks: LooksAtLandmarks::default(),
             aids,
             ticks,
             next: 0,
@@ -377,6 +381,7 @@ impl Navigator {
     ) -> Result<Option<Picture>, FilterError> {
         let time = tick.time;
         if let Some(index) = tick.frame {
+            self.looks.forget(time);
             self.look_back(index);
             let trouble = self.blindness(time);
             let trouble = if trouble.is_some() {
@@ -421,7 +426,8 @@ impl Navigator {
     fn may_see(&self, index: usize) -> bool {
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera);
-        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, index);
+        let looked = (index, &self.looks);
+        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, looked);
         !seer.candidates(&self.landmarks).is_empty()
     }
 
@@ -455,9 +461,9 @@ impl Navigator {
         }
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera);
-        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, index);
-        let pose = seer.pose;
-        let candidates = seer.candidates(&self.landmarks);
+        let looked = (index, &self.looks);
+        let seer = Associator::new(&self.settings, self.engine.as_ref(), model, looked);
+        let (pose, candidates) = (seer.pose, seer.candidates(&self.landmarks));
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
         let mut measurements: Vec<Measurement<'_>> = Vec::new();
         let (mut found, mut doubtful, mut refused) = (Vec::new(), Vec::new(), Vec::new());
@@ -527,6 +533,8 @@ impl Navigator {
                 reason: GateReason::WithinExpectation,
             };
             joint = Some(JointReport::of(&verdict, &step, recovered));
+            self.looks
+                .note(agreed.iter().map(|seen| seen.landmark.id), self.time);
             report.corrected_by(report.predicted.clone(), step);
         }
         let laid = report.frame.take().and_then(|frame| frame.laid);

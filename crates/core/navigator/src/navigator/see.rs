@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector4};
 use super::attention::{attended, probability_of_view};
 use super::engine::{Engine, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
+use super::looks::{LooksAtLandmarks, variance_of_look};
 use super::observation::{GaussianInnovation, Observation};
 use super::region::{may_be_in_view, reach};
 use super::{CandidateReport, Outcome};
@@ -13,7 +14,7 @@ use pilotage_estimation::filter::{FilterError, Gate};
 use pilotage_estimation::vehicle::Kinematics;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::raster::Pyramid;
-use pilotage_vision::geometry::{COMPONENTS, joint_noise};
+use pilotage_vision::geometry::{AppearanceError, COMPONENTS, joint_noise};
 use pilotage_vision::landmark::{
     Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, measured,
 };
@@ -33,12 +34,28 @@ pub struct Measurement<'a> {
     pub seen: Vector4<f64>,
     pub covariance: Matrix4<f64>,
     pub jacobian: Matrix4<f64>,
+    /// Number of the look at the landmark, and the part of the variances that every look at it has in common.
+    pub look: u32,
+    pub lasting: Vector4<f64>,
 }
 
 impl Measurement<'_> {
     /// Degrees of freedom of its normalized innovation squared.
     fn degrees(&self) -> usize {
         measured(&self.covariance)
+    }
+
+    /// Its covariance as that of a look with nothing in common with others, beside an error of the camera's pose with the
+    /// covariance `pose`.
+    fn weakened(&self, pose: &Matrix4<f64>) -> Matrix4<f64> {
+        let mut weakened = self.covariance;
+        let of_pose = self.jacobian * pose * self.jacobian.transpose();
+        for i in 0..COMPONENTS {
+            let together = self.covariance[(i, i)] + of_pose[(i, i)];
+            let own = together - self.lasting[i];
+            weakened[(i, i)] += variance_of_look(self.look, self.lasting[i], own) - together;
+        }
+        weakened
     }
 }
 
@@ -61,6 +78,8 @@ pub struct Associator<'a> {
     pub pose: Pose,
     /// Number of the frame.
     pub frame: usize,
+    /// Looks at landmarks before it.
+    pub looks: &'a LooksAtLandmarks,
 }
 
 /// Several landmarks of a frame as one observation of 4m components with their joint noise, as a camera of `model`
@@ -79,10 +98,17 @@ pub fn observation<'a>(
     }
     let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
     let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
+    let are_new = measurements.iter().all(|m| m.look == 1);
+    let of_pose = settings.sensors.pose_covariance();
+    let weakened = (!are_new).then(|| {
+        let own: Vec<_> = measurements.iter().map(|m| m.weakened(&of_pose)).collect();
+        noise(settings, &own, &jacobians)
+    });
     let landmarks = measurements.iter().map(|m| (m.landmark, m.anchor));
     Observation {
         measured,
         noise: noise(settings, &own, &jacobians),
+        weakened,
         model: expected(landmarks.collect(), model, pose),
         degrees: degrees(measurements),
     }
@@ -111,12 +137,12 @@ fn noise(
 }
 
 impl<'a> Associator<'a> {
-    /// Prepares the expectations for frame number `frame` from where `engine` believes to be.
+    /// Prepares the expectations for frame number `frame`, after some `looks`, from where `engine` believes to be.
     pub fn new(
         settings: &'a NavigatorSettings,
         engine: &'a dyn Engine,
         model: AppearanceModel<'a>,
-        frame: usize,
+        (frame, looks): (usize, &'a LooksAtLandmarks),
     ) -> Self {
         let pose = model.pose(engine.seen_from(), engine.heading_bias());
         Self {
@@ -125,6 +151,7 @@ impl<'a> Associator<'a> {
             model,
             pose,
             frame,
+            looks,
         }
     }
 
@@ -136,16 +163,20 @@ impl<'a> Associator<'a> {
         Associator { engine, ..*self }
     }
 
-    /// Least covariance of what is measured of `landmark`: the pixel floor, what it means for turn and scale
-    /// over the half size of the patch, and the map's own error.
+    /// Least covariance of what is measured of `landmark`: what no detector knows of its own error, and the map's
+    /// error.
     fn floor(&self, landmark: &Landmark, anchor: &Anchor) -> Matrix4<f64> {
-        let pixel = self.settings.sensors.pixel;
+        let own = self.unknown(landmark, anchor, self.settings.sensors.pixel);
+        own + anchor.in_pixels(self.settings.detector.map_deviation)
+    }
+
+    /// Covariance of what no detector knows of its own error: that in the picture, `pixel`, and that on the ground.
+    fn unknown(&self, landmark: &Landmark, anchor: &Anchor, pixel: f64) -> Matrix4<f64> {
         let height = (self.model.ground_down - self.model.camera_down).max(1.0);
         let half = 0.25 * (landmark.bounds.width() + landmark.bounds.height());
-        let angle = pixel / (half * self.model.camera.focal / height).max(1.0);
-        let own =
-            Matrix4::from_diagonal(&Vector4::new(pixel, pixel, angle, angle).map(|sd| sd * sd));
-        own + anchor.in_pixels(self.settings.detector.map_deviation)
+        let ground = self.settings.sensors.ground;
+        let error = AppearanceError { pixel, ground };
+        error.covariance(&anchor.to_pixel, self.model.camera.focal / height, half)
     }
 
     /// Landmarks that may be in view, the most central first, with the reports begun; not all of them
@@ -354,6 +385,8 @@ impl<'a> Associator<'a> {
             seen,
             covariance,
             jacobian,
+            look: self.looks.next(landmark.id),
+            lasting: self.unknown(landmark, &anchor, 0.0).diagonal(),
         })
     }
 

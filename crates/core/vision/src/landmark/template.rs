@@ -476,14 +476,20 @@ fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) 
     }
 }
 
-/// Alignment after the fine one failed: the place is known to a pixel, turn and scale to the step of their
-/// grid.
+/// Standard deviation of a place that is no better known than by the parabola through its scores, pixels of the patch.
+/// Over 38 looks on ten days of the generated world, against the truth: 0.14 on nine of them, 0.25 on the tenth.
+const UNALIGNED: f64 = 0.3;
+/// The same of turn and scale, that distance at the patch's rim: 0.19 and 0.3 of a pixel and a half there.
+const UNALIGNED_RIM: f64 = 0.45;
+
+/// Alignment after the fine one failed: the place is known to a part of a pixel, turn and scale to that of the rim.
 fn unaligned(similarity: PatchSimilarity, size: (usize, usize)) -> PatchAlignment {
     let lever = 0.25 * (size.0 + size.1) as f64;
-    let angle = (1.5 / lever).powi(2);
+    let angle = (UNALIGNED_RIM / lever).powi(2);
+    let place = UNALIGNED.powi(2);
     PatchAlignment {
         similarity,
-        covariance: Matrix4::from_diagonal(&nalgebra::Vector4::new(1.0, 1.0, angle, angle)),
+        covariance: Matrix4::from_diagonal(&nalgebra::Vector4::new(place, place, angle, angle)),
     }
 }
 

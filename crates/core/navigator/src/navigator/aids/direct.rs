@@ -40,6 +40,7 @@ impl Aid for DirectAid {
         let size = self.info.components.len();
         let observation = |measured: DVector<f64>| Observation {
             noise: DMatrix::from_diagonal_element(size, size, self.noise.powi(2)),
+            weakened: None,
             model: (self.model)(&measured),
             measured,
             degrees: size,

@@ -223,6 +223,7 @@ impl IndoorHall {
                 height: spec.height.noise.hypot(spec.height.bias),
                 // Posters are laid by hand.
                 pixel: self.laying * Self::camera().focal / self.height,
+                ground: 0.0,
             },
             ..defaults
         }
