@@ -11,7 +11,7 @@ pub use pilotage_navigator::{instruments, study};
 pub use pilotage_raster::{camera, raster};
 pub use pilotage_simulate::simulate;
 pub use pilotage_training as training;
-pub use pilotage_vision::{landmark, registration};
+pub use pilotage_vision::{landmark, registration, road};
 
 /// Estimators, gates, consistency, and the distributions behind them.
 pub mod filter {

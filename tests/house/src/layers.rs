@@ -50,6 +50,7 @@ pub const ORDERS: [&Order; 8] = [
             "geometry",
             "landmark",
             "registration",
+            "road",
         ],
     },
     &Order {

@@ -18,6 +18,7 @@ mod opencv;
 mod photos;
 mod places;
 mod pmtiles;
+mod roads;
 mod systems;
 mod terrain;
 mod tlog;

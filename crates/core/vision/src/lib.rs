@@ -1,8 +1,9 @@
-//! Observations by the camera, found on the map: landmarks and their detectors, whole frames registered, and
+//! Observations by the camera, found on the map: landmarks and their detectors, whole frames registered, roads, and
 //! errors of the camera's pose as they become errors in the picture.
 
 mod evidence;
 pub mod geometry;
 pub mod landmark;
 pub mod registration;
+pub mod road;
 mod texture;
