@@ -7,6 +7,7 @@ mod labelled;
 mod photo;
 mod plan;
 mod precision;
+pub mod road;
 mod sample;
 #[cfg(test)]
 mod tests;

@@ -2,9 +2,15 @@
 //!
 //! Pixels have x right, y down, their origin at the outer corner of the top-left pixel.
 
+mod crossing;
 mod detection;
+mod distance;
+pub mod network;
+mod probability;
+mod ridge;
 mod seen;
 pub mod yellow;
 
 pub use detection::RoadDetection;
+pub use probability::{RoadProbability, SEEN_GSD, probability_by, road_probability, roads_seen};
 pub use seen::{RoadPoint, RoadsSeen, SeenCrossing};

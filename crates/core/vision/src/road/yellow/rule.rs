@@ -195,8 +195,9 @@ mod tests {
         };
         let found = rule.lines(&picture);
         let [x, y] = found.intersection.expect("they cross");
+        // All rows of the paint have equal votes.
         assert!(
-            (x - 300.5).abs() <= 3.5 && (y - 200.5).abs() <= 3.5, /* rows of the paint have equal votes */
+            (x - 300.5).abs() <= 3.5 && (y - 200.5).abs() <= 3.5,
             "{x} {y}"
         );
         let roads = found.roads();
