@@ -9,8 +9,10 @@ pub mod network;
 mod probability;
 mod ridge;
 mod seen;
+mod trace;
 pub mod yellow;
 
 pub use detection::RoadDetection;
 pub use probability::{RoadProbability, SEEN_GSD, probability_by, road_probability, roads_seen};
 pub use seen::{RoadPoint, RoadsSeen, SeenCrossing};
+pub use trace::trace;

@@ -11,7 +11,7 @@ use super::seen::RoadsSeen;
 pub const SEEN_GSD: f64 = 0.5;
 
 /// Probability from which a pixel belongs to a road.
-const LEAST: f32 = 0.4;
+pub(super) const SURE: f32 = 0.4;
 
 /// Probability of road for pixels of half a metre or so.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,7 +64,7 @@ pub fn roads_seen(picture: &Raster<Rgba>, metres_per_pixel: f64) -> RoadsSeen {
 impl RoadProbability {
     /// Points of the centre lines and crossings, in pixels of the picture.
     pub fn roads(&self) -> RoadsSeen {
-        let body = RoadBody::new(&self.probability, LEAST);
+        let body = RoadBody::new(&self.probability, SURE);
         let mut points = ridge_points(&body, &self.probability);
         let mut crossings = crossings(&body, &self.probability, &points);
         let [sx, sy] = self.scale;
@@ -105,4 +105,59 @@ fn resized(picture: &Raster<Rgba>, width: usize, height: usize) -> Raster<Rgba> 
         let [red, green, blue] = sum.map(|s| (s / count.max(1)) as u8);
         [red, green, blue, u8::MAX]
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pale street between lawns, 7 m wide, and a street that joins it.
+    fn streets(metres_per_pixel: f64) -> Raster<Rgba> {
+        let pixels = (128.0 / metres_per_pixel) as usize;
+        let mut state = 5_u32;
+        Raster::from_fn(pixels, pixels, |x, y| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let grain = (state >> 28) as u8;
+            let (x, y) = (x as f64 * metres_per_pixel, y as f64 * metres_per_pixel);
+            if (x - 60.0).abs() < 3.5 || (x > 60.0 && (y - 70.0).abs() < 3.0) {
+                [128 + grain, 127 + grain, 126 + grain, 255]
+            } else {
+                [72 + grain, 98 + grain, 58 + grain, 255]
+            }
+        })
+    }
+
+    #[test]
+    fn a_street_is_seen_at_its_place_at_any_scale_with_its_crossing() {
+        for metres_per_pixel in [0.25, 0.5, 0.8] {
+            let roads = roads_seen(&streets(metres_per_pixel), metres_per_pixel);
+            let metres = |pixel: [f64; 2]| pixel.map(|p| p * metres_per_pixel);
+            let of_street = |p: &&super::super::RoadPoint| {
+                let [x, y] = metres(p.pixel);
+                (x - 60.0).abs() < 1.0 && (20.0..108.0).contains(&y) && (y - 70.0).abs() > 10.0
+            };
+            let street: Vec<_> = roads.points.iter().filter(of_street).collect();
+            assert!(
+                street.len() as f64 * 0.5 > 50.0,
+                "{metres_per_pixel}: {}",
+                street.len()
+            );
+            let mean = street.iter().map(|p| p.width).sum::<f64>() / street.len() as f64;
+            assert!((mean * metres_per_pixel - 7.0).abs() < 2.0, "{mean} px");
+            let near = roads.crossings.iter().any(|c| {
+                let [x, y] = metres(c.pixel);
+                (x - 60.0).hypot(y - 70.0) < 5.0 && c.directions.len() == 3
+            });
+            assert!(near, "{metres_per_pixel}: {:?}", roads.crossings);
+        }
+    }
+
+    #[test]
+    fn nothing_is_seen_in_nothing() {
+        assert_eq!(roads_seen(&Raster::filled(90, 70, [0; 4]), 0.5).points, []);
+        assert_eq!(
+            roads_seen(&Raster::filled(3, 2, [90, 90, 90, 255]), 0.5).points,
+            []
+        );
+    }
 }

@@ -98,34 +98,84 @@ pub(super) fn depthwise_row(
 ) {
     let sources = input.three_rows(row, apart);
     let (width, channels) = (input.width, input.channels);
-    let least = _mm256_set1_ps(least);
     for column in (0..channels).step_by(8) {
         // SAFETY: `column` + 8 is at most the number of channels of every pixel, tap and offset.
-        unsafe {
-            let start = _mm256_loadu_ps(offsets.as_ptr().wrapping_add(column));
-            let weights: [__m256; 9] = std::array::from_fn(|tap| {
-                _mm256_loadu_ps(taps.as_ptr().wrapping_add(tap * channels + column))
-            });
-            let mut place = line.as_mut_ptr().wrapping_add(column);
-            for x in 0..width {
-                let mut sum = start;
-                for (i, source) in sources.iter().enumerate() {
-                    if source.is_empty() {
-                        continue;
-                    }
-                    let middle = source.as_ptr().wrapping_add(x * channels + column);
-                    if x >= apart {
-                        let value = _mm256_loadu_ps(middle.wrapping_sub(apart * channels));
-                        sum = _mm256_fmadd_ps(value, weights[3 * i], sum);
-                    }
-                    sum = _mm256_fmadd_ps(_mm256_loadu_ps(middle), weights[3 * i + 1], sum);
-                    if x + apart < width {
-                        let value = _mm256_loadu_ps(middle.wrapping_add(apart * channels));
-                        sum = _mm256_fmadd_ps(value, weights[3 * i + 2], sum);
+        let kernel = unsafe {
+            Kernel {
+                taps: std::array::from_fn(|tap| {
+                    _mm256_loadu_ps(taps.as_ptr().wrapping_add(tap * channels + column))
+                }),
+                offset: _mm256_loadu_ps(offsets.as_ptr().wrapping_add(column)),
+                least: _mm256_set1_ps(least),
+                apart,
+                width,
+                channels,
+                column,
+            }
+        };
+        let inner_end = width.saturating_sub(apart + 3).max(apart);
+        let mut x = 0;
+        while x < width {
+            if (apart..inner_end).contains(&x) {
+                kernel.pixels::<4>(&sources, x, line);
+                x += 4;
+            } else {
+                kernel.pixels::<1>(&sources, x, line);
+                x += 1;
+            }
+        }
+    }
+}
+
+/// Taps of eight channels.
+struct Kernel {
+    taps: [__m256; 9],
+    offset: __m256,
+    least: __m256,
+    apart: usize,
+    width: usize,
+    channels: usize,
+    column: usize,
+}
+
+impl Kernel {
+    /// Some pixels from `x` on, side by side; if there are several, all of their taps lie inside the picture.
+    #[inline]
+    #[target_feature(enable = "avx2,fma")]
+    fn pixels<const PIXELS: usize>(&self, sources: &[&[f32]; 3], x: usize, line: &mut [f32]) {
+        let mut sums = [self.offset; PIXELS];
+        let first = x * self.channels + self.column;
+        let reach = self.apart * self.channels;
+        let (has_left, has_right) = (x >= self.apart, x + self.apart < self.width);
+        for (source, taps) in sources.iter().zip(self.taps.chunks_exact(3)) {
+            if source.is_empty() {
+                continue;
+            }
+            let middle = source.as_ptr().wrapping_add(first);
+            let places = [
+                (has_left, middle.wrapping_sub(reach)),
+                (true, middle),
+                (has_right, middle.wrapping_add(reach)),
+            ];
+            for ((is_inside, place), tap) in places.into_iter().zip(taps) {
+                if is_inside {
+                    for (i, sum) in sums.iter_mut().enumerate() {
+                        // SAFETY: the pixel lies inside the row, which has all channels of every pixel.
+                        let value =
+                            unsafe { _mm256_loadu_ps(place.wrapping_add(i * self.channels)) };
+                        *sum = _mm256_fmadd_ps(value, *tap, *sum);
                     }
                 }
-                _mm256_storeu_ps(place, _mm256_max_ps(sum, least));
-                place = place.wrapping_add(channels);
+            }
+        }
+        let out = line.as_mut_ptr().wrapping_add(first);
+        for (i, sum) in sums.into_iter().enumerate() {
+            // SAFETY: the line has all channels of every pixel.
+            unsafe {
+                _mm256_storeu_ps(
+                    out.wrapping_add(i * self.channels),
+                    _mm256_max_ps(sum, self.least),
+                );
             }
         }
     }
