@@ -5,6 +5,7 @@
 //! and the middles of its roads (white), of so many metres per pixel; that of the repository's weights is `SpaceNet`'s
 //! road chip of Las Vegas (CC BY-SA 4.0, imagery courtesy of Maxar).
 //!
+//! `… -- judge` prints how thresholds do on pictures that were not learned from, in changed colours, blur and noise.
 //! `… -- look FOLDER` writes examples as pictures.
 
 use std::path::Path;
@@ -19,6 +20,7 @@ use pilotage_training::road::{
     scenery_roads, turned,
 };
 use pilotage_vision::road::network::{RoadNetwork, network_input};
+use pilotage_vision::road::{probability_by, road_mask};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -41,13 +43,19 @@ fn main() -> Outcome<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words.as_slice() {
+        ["judge"] => {
+            judge();
+            Ok(())
+        }
         ["look", folder] => look(Path::new(folder)),
         [out, seconds] => train(out, seconds.parse()?, Vec::new()),
         [out, seconds, picture, mask, x, y] => {
             let real = real(picture, mask, [x.parse()?, y.parse()?])?;
             train(out, seconds.parse()?, vec![real])
         }
-        _ => Err("usage: OUT SECONDS [PICTURE MASK METRES_X METRES_Y], or look FOLDER".into()),
+        _ => {
+            Err("usage: OUT SECONDS [PICTURE MASK METRES_X METRES_Y], judge, or look FOLDER".into())
+        }
     }
 }
 
@@ -289,6 +297,50 @@ fn report(name: &str, network: &RoadNetwork, examples: &[RoadExample]) {
             "  log odds > {limit}: precision {:.3}, recall {:.3}, IoU {iou:.3}",
             share(false_hit),
             share(missed)
+        );
+    }
+}
+
+/// Prints precision, recall and their mean of the built-in network by likely and sure probabilities.
+fn judge() {
+    let network = RoadNetwork::built_in();
+    let pool = Pool::new(900_000..900_120, 2000..2006, Vec::new());
+    let mut random = ChaCha8Rng::seed_from_u64(9);
+    let sources = pool.drawn.iter().chain(&pool.scenery);
+    let examples: Vec<RoadExample> = sources.map(|source| changed(source, &mut random)).collect();
+    let seen: Vec<_> = (examples.iter())
+        .map(|example| probability_by(&network, &example.picture, 0.5).probability)
+        .collect();
+    let limits = [
+        (0.4, 0.4),
+        (0.3, 0.3),
+        (0.3, 0.5),
+        (0.25, 0.5),
+        (0.2, 0.5),
+        (0.3, 0.6),
+        (0.2, 0.6),
+        (0.15, 0.6),
+        (0.25, 0.4),
+        (0.2, 0.4),
+    ];
+    for (likely, sure) in limits {
+        let [mut hit, mut false_hit, mut missed] = [0_u64; 3];
+        for (example, probability) in examples.iter().zip(&seen) {
+            let mask = road_mask(probability, likely, sure);
+            for (seen, truth) in mask.pixels().iter().zip(example.truth.pixels()) {
+                match (seen, truth) {
+                    (true, RoadTruth::Road) => hit += 1,
+                    (true, RoadTruth::Open) => false_hit += 1,
+                    (false, RoadTruth::Road) => missed += 1,
+                    _ => {}
+                }
+            }
+        }
+        let share = |of: u64| hit as f64 / (hit + of).max(1) as f64;
+        let (precision, recall) = (share(false_hit), share(missed));
+        let mean = 2.0 * precision * recall / (precision + recall);
+        println!(
+            "likely {likely}, sure {sure}: precision {precision:.3}, recall {recall:.3}, F1 {mean:.3}"
         );
     }
 }

@@ -1,9 +1,14 @@
 //! The loops of the gradient, compiled for AVX2 where there is AVX2.
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(
+        unsafe_code,
+        reason = "functions for an instruction set that was looked for at run time"
+    )
+)]
 #![expect(
-    unsafe_code,
     clippy::inline_always,
-    reason = "functions for an instruction set that was looked for at run time, each compiled into the function that \
-              enables it"
+    reason = "loops, each compiled into the function that enables an instruction set"
 )]
 
 use pilotage_vision::road::network::ChannelGrid;

@@ -186,7 +186,7 @@ fn meeting([px, py]: [f64; 2], arms: &[Arm]) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::ridge::ridge_points;
+    use super::super::ridge::{ridge_points, road_mask};
     use super::*;
 
     /// Roads that leave (100, 90) in the given directions, degrees clockwise from up.
@@ -204,7 +204,7 @@ mod tests {
 
     fn found(directions: &[f64]) -> Vec<SeenCrossing> {
         let probability = star(directions);
-        let body = RoadBody::new(&probability, 0.5);
+        let body = RoadBody::new(road_mask(&probability, 0.5, 0.5));
         let points = ridge_points(&body, &probability);
         crossings(&body, &probability, &points)
     }

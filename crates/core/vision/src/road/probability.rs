@@ -4,14 +4,16 @@ use pilotage_raster::raster::{Gray, Raster, Rgba};
 
 use super::crossing::crossings;
 use super::network::{RoadNetwork, network_input};
-use super::ridge::{RoadBody, ridge_points};
+use super::ridge::{RoadBody, ridge_points, road_mask};
 use super::seen::RoadsSeen;
 
 /// Ground sample distance at which the network sees, metres per pixel.
 pub const SEEN_GSD: f64 = 0.5;
 
-/// Probability from which a pixel belongs to a road.
-pub(super) const SURE: f32 = 0.4;
+/// Probability from which a pixel is a road for sure, and from which it is where it is connected with such; the best of
+/// ten pairs on drawn ground that was not learned from (`train_roads -- judge`).
+const SURE: f32 = 0.6;
+const LIKELY: f32 = 0.3;
 
 /// Probability of road for pixels of half a metre or so.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,9 +64,14 @@ pub fn roads_seen(picture: &Raster<Rgba>, metres_per_pixel: f64) -> RoadsSeen {
 }
 
 impl RoadProbability {
+    /// Pixels of the probability that belong to roads.
+    pub fn mask(&self) -> Raster<bool> {
+        road_mask(&self.probability, LIKELY, SURE)
+    }
+
     /// Points of the centre lines and crossings, in pixels of the picture.
     pub fn roads(&self) -> RoadsSeen {
-        let body = RoadBody::new(&self.probability, SURE);
+        let body = RoadBody::new(self.mask());
         let mut points = ridge_points(&body, &self.probability);
         let mut crossings = crossings(&body, &self.probability, &points);
         let [sx, sy] = self.scale;

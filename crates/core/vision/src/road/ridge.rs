@@ -27,12 +27,31 @@ pub(super) struct RoadBody {
 }
 
 impl RoadBody {
-    /// Pixels of at least `least` probability.
-    pub(super) fn new(probability: &Gray, least: f32) -> Self {
-        let mask = probability.map(|p| p >= least);
+    /// The set pixels.
+    pub(super) fn new(mask: Raster<bool>) -> Self {
         let inside = distance_inside(&mask, FARTHEST);
         Self { mask, inside }
     }
+}
+
+/// Pixels of at least the probability `sure`, and those of at least `likely` that are connected with them.
+pub fn road_mask(probability: &Gray, likely: f32, sure: f32) -> Raster<bool> {
+    let (width, height) = (probability.width(), probability.height());
+    let mut mask = probability.map(|p| p >= sure);
+    let set = mask.pixels().iter().enumerate().filter(|(_, set)| **set);
+    let mut open: Vec<usize> = set.map(|(at, _)| at).collect();
+    while let Some(at) = open.pop() {
+        let (x, y) = (at % width, at / width);
+        for row in y.saturating_sub(1)..(y + 2).min(height) {
+            for column in x.saturating_sub(1)..(x + 2).min(width) {
+                if !mask.get(column, row) && probability.get(column, row) >= likely {
+                    mask.set(column, row, true);
+                    open.push(row * width + column);
+                }
+            }
+        }
+    }
+    mask
 }
 
 /// Points of the centre lines, those of one pixel each; pieces of few pixels are left out.
@@ -148,7 +167,10 @@ mod tests {
             for half in [2.5, 6.0, 14.0] {
                 let (sin, cos) = degrees.to_radians().sin_cos();
                 let probability = strip(half, sin, cos);
-                let points = ridge_points(&RoadBody::new(&probability, 0.5), &probability);
+                let points = ridge_points(
+                    &RoadBody::new(road_mask(&probability, 0.5, 0.5)),
+                    &probability,
+                );
                 assert!(points.len() > 70, "{degrees} {half}: {}", points.len());
                 let inner = |p: &&RoadPoint| {
                     (15.0..105.0).contains(&p.pixel[0]) && (15.0..85.0).contains(&p.pixel[1])
@@ -173,13 +195,27 @@ mod tests {
     }
 
     #[test]
+    fn what_is_likely_counts_where_it_goes_on_from_what_is_sure() {
+        let row = [0.3, 0.3, 0.1, 0.2, 0.6, 0.3, 0.2, 0.1, 0.3];
+        let probability = Gray::from_fn(9, 1, |x, _| row[x]);
+        let set = |likely| road_mask(&probability, likely, 0.5).pixels().to_vec();
+        let of =
+            |range: std::ops::Range<usize>| (0..9).map(|x| range.contains(&x)).collect::<Vec<_>>();
+        assert_eq!(set(0.2), of(3..7));
+        assert_eq!(set(0.5), of(4..5));
+    }
+
+    #[test]
     fn specks_are_no_roads() {
         let probability = Gray::from_fn(
             60,
             60,
             |x, y| if x % 15 < 6 && y % 15 < 6 { 0.9 } else { 0.0 },
         );
-        let points = ridge_points(&RoadBody::new(&probability, 0.5), &probability);
+        let points = ridge_points(
+            &RoadBody::new(road_mask(&probability, 0.5, 0.5)),
+            &probability,
+        );
         assert!(points.is_empty(), "{}", points.len());
     }
 }

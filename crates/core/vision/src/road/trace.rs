@@ -3,10 +3,8 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use pilotage_raster::raster::Raster;
-
 use super::distance::distance_inside;
-use super::probability::{RoadProbability, SURE};
+use super::probability::RoadProbability;
 
 /// Cost of a pixel of a certain road, against that of a pixel of none.
 const LEAST_COST: f32 = 0.05;
@@ -93,8 +91,7 @@ pub fn trace(seen: &RoadProbability, from: [f64; 2], to: [f64; 2]) -> Option<Vec
 
 /// Cost of each pixel.
 fn costs(seen: &RoadProbability) -> Vec<f32> {
-    let mask: Raster<bool> = seen.probability.map(|p| p >= SURE);
-    let inside = distance_inside(&mask, DEEP);
+    let inside = distance_inside(&seen.mask(), DEEP);
     let pairs = seen.probability.pixels().iter().zip(inside.pixels());
     let cost = |(p, depth): (&f32, &f32)| {
         let by_road = (1.0 - p) * (1.0 - p);

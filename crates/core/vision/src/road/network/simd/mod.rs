@@ -1,9 +1,12 @@
 //! The loops of the network, written for AVX2 where there is AVX2, with plain twins.
 //!
 //! With AVX2 a product and a sum are rounded once, elsewhere twice: results differ by rounding.
-#![expect(
-    unsafe_code,
-    reason = "functions for an instruction set that was looked for at run time"
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(
+        unsafe_code,
+        reason = "functions for an instruction set that was looked for at run time"
+    )
 )]
 
 mod plain;
