@@ -77,7 +77,7 @@ pub fn forbidden_dependencies<'a>(text: &str, forbidden: &[&'a str]) -> Vec<&'a 
 }
 
 /// The crates of the method from the bottom up: each may depend on those before it.
-pub const CORE: [&str; 14] = [
+pub const CORE: [&str; 15] = [
     "libraries",
     "fourier",
     "base",
@@ -85,6 +85,7 @@ pub const CORE: [&str; 14] = [
     "raster",
     "flight",
     "vision",
+    "roads",
     "mission",
     "readers",
     "maps",
