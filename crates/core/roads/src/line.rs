@@ -1,7 +1,9 @@
 //! Roads as they are written: a line each.
 
-use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::{GroundPoint, GroundRect};
 use serde::{Deserialize, Serialize};
+
+use crate::course::between;
 
 /// Class of a road, from the least to the greatest, by the names of OpenStreetMap's `highway`.
 #[derive(
@@ -82,6 +84,49 @@ pub struct RoadLine {
     pub course: Vec<GroundPoint>,
 }
 
+impl RoadLine {
+    /// The parts of it within `rect`, cut at the edge.
+    pub fn within(&self, rect: &GroundRect) -> Vec<Self> {
+        let mut parts: Vec<Vec<GroundPoint>> = Vec::new();
+        for pair in self.course.windows(2) {
+            let Some((from, to)) = shares_within(pair[0], pair[1], rect) else {
+                continue;
+            };
+            let ends = [from, to].map(|share| between(pair[0], pair[1], share));
+            match parts.last_mut() {
+                Some(part) if part.last() == Some(&ends[0]) => part.push(ends[1]),
+                _ => parts.push(ends.to_vec()),
+            }
+        }
+        let part = |course| Self {
+            course,
+            ..self.clone()
+        };
+        parts.into_iter().map(part).collect()
+    }
+}
+
+/// Shares of the way from `from` to `to` between which it lies within `rect`, if it does.
+fn shares_within(from: GroundPoint, to: GroundPoint, rect: &GroundRect) -> Option<(f64, f64)> {
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for (start, end, low, high) in [
+        (from.north, to.north, rect.south, rect.north),
+        (from.east, to.east, rect.west, rect.east),
+    ] {
+        let way = end - start;
+        if way == 0.0 {
+            if start < low || start > high {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = ((low - start) / way, (high - start) / way);
+        first = first.max(a.min(b));
+        last = last.min(a.max(b));
+    }
+    (first < last).then_some((first, last))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,5 +151,22 @@ mod tests {
         );
         assert_eq!(RoadClass::of_highway("steps"), None);
         assert_eq!(RoadClass::of_highway("proposed"), None);
+    }
+
+    #[test]
+    fn a_line_that_leaves_a_square_and_comes_back_has_two_parts_in_it() {
+        let course = [(0.0, 0.0), (20.0, 0.0), (20.0, 6.0), (0.0, 6.0)];
+        let line = RoadLine {
+            course: course.map(|(n, e)| GroundPoint::new(n, e)).to_vec(),
+            ..RoadLine::default()
+        };
+        let rect = GroundRect::centered(GroundPoint::default(), 20.0, 20.0);
+        let parts = line.within(&rect);
+        let courses: Vec<_> = parts.iter().map(|part| part.course.clone()).collect();
+        let part = |east| vec![GroundPoint::new(0.0, east), GroundPoint::new(10.0, east)];
+        assert_eq!(courses[0], part(0.0));
+        assert_eq!(courses[1], [part(6.0)[1], part(6.0)[0]]);
+        let whole = rect.grown(10.0);
+        assert_eq!(line.within(&whole), [line]);
     }
 }

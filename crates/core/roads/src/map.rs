@@ -60,7 +60,7 @@ impl RoadMap {
     ///     ..RoadLine::default()
     /// };
     /// let lines = [road([(-100.0, 0.0), (100.0, 0.0)]), road([(0.0, -50.0), (0.0, 50.0)])];
-    /// let joining = RoadJoining { snap: 0.5, crossings: true };
+    /// let joining = RoadJoining { snap: 0.5, crossings: true, reach: 0.0 };
     /// let map = RoadMap::new(lines.to_vec(), joining);
     /// assert_eq!((map.graph().node_count(), map.graph().edge_count()), (5, 4));
     /// assert_eq!(map.crossings()[0].directions.len(), 4);
@@ -248,8 +248,9 @@ mod tests {
     #[test]
     fn lines_that_cross_or_end_beside_each_other_are_joined_when_asked() {
         let joining = RoadJoining {
-            snap: 2.0,
+            snap: 0.1,
             crossings: true,
+            reach: 2.0,
         };
         let lines = vec![
             line(&[(0.0, -100.0), (0.0, 100.0)]),
@@ -263,7 +264,9 @@ mod tests {
         assert_eq!(crossings[0].place, GroundPoint::new(0.0, -30.0));
         assert_eq!(crossings[0].directions.len(), 4);
         assert_eq!(crossings[1].directions.len(), 3);
+        assert_eq!(crossings[1].place, GroundPoint::new(0.0, 50.0));
         assert_eq!(map.graph().edge_count(), 6);
+        assert_eq!(map.length(), 200.0 + 80.0 + 60.0);
     }
 
     #[test]
@@ -317,6 +320,7 @@ mod tests {
             RoadJoining {
                 snap: 0.1,
                 crossings: true,
+                reach: 0.0,
             },
         );
         let at = GroundPoint::new(2.0, 5.0);

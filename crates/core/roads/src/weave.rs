@@ -13,9 +13,10 @@ use crate::segments::{Segment, SegmentGrid};
 pub struct RoadJoining {
     /// Points nearer to each other than this are the same, metres.
     pub snap: f64,
-    /// Whether lines that cross without a common point do meet there, and ends within `snap` of another line reach it:
-    /// not so where bridges are drawn.
+    /// Whether lines that cross without a common point do meet there: not so where bridges are drawn.
     pub crossings: bool,
+    /// Ends that no other line shares are led on to the nearest line within this, metres.
+    pub reach: f64,
 }
 
 impl RoadJoining {
@@ -23,6 +24,7 @@ impl RoadJoining {
     pub const SHARED_POINTS: Self = Self {
         snap: 1e-3,
         crossings: false,
+        reach: 0.0,
     };
 }
 
@@ -80,8 +82,8 @@ pub fn weave(lines: &[RoadLine], joining: RoadJoining) -> Woven {
         }
         woven.push(indices);
     }
-    if joining.crossings {
-        cross(&mut set, &mut woven);
+    if joining.crossings || joining.reach > 0.0 {
+        Pieces::of(&set, &woven).join(&mut set, &mut woven, joining);
     }
     Woven {
         points: set.points,
@@ -89,81 +91,133 @@ pub fn weave(lines: &[RoadLine], joining: RoadJoining) -> Woven {
     }
 }
 
-/// Puts common points into lines where they cross, and where one ends beside another.
-fn cross(set: &mut PointSet, lines: &mut [Vec<usize>]) {
-    // Pieces (line, piece) as segments whose `edge` is their place in this list.
-    let mut pieces: Vec<(usize, usize)> = Vec::new();
-    let mut segments = Vec::new();
-    for (line, indices) in lines.iter().enumerate() {
-        for (piece, pair) in indices.windows(2).enumerate() {
-            segments.push(Segment {
-                edge: pieces.len() as u32,
-                from: set.points[pair[0]],
-                to: set.points[pair[1]],
-                along: 0.0,
-            });
-            pieces.push((line, piece));
-        }
-    }
-    let grid = SegmentGrid::new(segments.clone());
-    // Shares along each piece at which it gets a point.
-    let mut cuts: Vec<Vec<(f64, usize)>> = vec![Vec::new(); pieces.len()];
-    for (index, own) in segments.iter().enumerate() {
-        let middle = between(own.from, own.to, 0.5);
-        let reach = 0.5 * own.from.distance(&own.to) + set.snap;
-        let mut others = Vec::new();
-        grid.visit(middle, reach, |other| others.push(other.edge as usize));
-        others.sort_unstable();
-        others.dedup();
-        let (line, piece) = pieces[index];
-        let ends = [lines[line][piece], lines[line][piece + 1]];
-        for other in others.into_iter().filter(|other| *other > index) {
-            let (their_line, their_piece) = pieces[other];
-            let theirs = [
-                lines[their_line][their_piece],
-                lines[their_line][their_piece + 1],
-            ];
-            if ends.iter().any(|end| theirs.contains(end)) {
-                continue;
-            }
-            if let Some((share, their_share)) = meeting(own, &segments[other]) {
-                let point = set.index(between(own.from, own.to, share));
-                cuts[index].push((share, point));
-                cuts[other].push((their_share, point));
+/// The straight pieces of all lines, found by place.
+struct Pieces {
+    /// Each with its index as its edge.
+    segments: Vec<Segment>,
+    /// Line of each piece, and the points at its ends.
+    owners: Vec<(usize, [usize; 2])>,
+    grid: SegmentGrid,
+}
+
+/// Points that pieces get: piece, share of the way along it, point.
+type Cuts = Vec<(usize, f64, usize)>;
+
+impl Pieces {
+    fn of(set: &PointSet, lines: &[Vec<usize>]) -> Self {
+        let (mut segments, mut owners) = (Vec::new(), Vec::new());
+        for (line, indices) in lines.iter().enumerate() {
+            for pair in indices.windows(2) {
+                segments.push(Segment {
+                    edge: owners.len() as u32,
+                    from: set.points[pair[0]],
+                    to: set.points[pair[1]],
+                    along: 0.0,
+                });
+                owners.push((line, [pair[0], pair[1]]));
             }
         }
+        Self {
+            grid: SegmentGrid::new(segments.clone()),
+            segments,
+            owners,
+        }
     }
-    for indices in lines.iter() {
-        let (Some(first), Some(last)) = (indices.first(), indices.last()) else {
-            continue;
-        };
-        for end in [*first, *last] {
-            let point = set.points[end];
-            grid.visit(point, set.snap, |other| {
-                let (line, piece) = pieces[other.edge as usize];
-                let theirs = [lines[line][piece], lines[line][piece + 1]];
-                let share = nearest_share(other.from, other.to, point);
-                let foot = between(other.from, other.to, share);
-                if !theirs.contains(&end) && foot.distance(&point) <= set.snap {
-                    cuts[other.edge as usize].push((share, end));
+
+    /// Puts common points into lines where they cross, and where one ends beside another.
+    fn join(&self, set: &mut PointSet, lines: &mut [Vec<usize>], joining: RoadJoining) {
+        let mut cuts = Vec::new();
+        if joining.crossings {
+            self.cross(set, &mut cuts);
+        }
+        // Ends are led on after the pieces are cut, so that these stay the pieces that they were.
+        let mut led_on = Vec::new();
+        for (line, indices) in lines.iter().enumerate() {
+            if let [first, .., last] = indices[..] {
+                for (is_last, end) in [(false, first), (true, last)] {
+                    let is_shared = lines
+                        .iter()
+                        .enumerate()
+                        .any(|(other, indices)| other != line && indices.contains(&end));
+                    if !is_shared && cuts.iter().all(|(_, _, point)| *point != end) {
+                        led_on.extend(self.lead_on((line, is_last, end), set, &mut cuts, joining));
+                    }
                 }
-            });
+            }
+        }
+        cuts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let mut piece = 0;
+        for indices in lines.iter_mut() {
+            let mut cut_line: Vec<usize> = indices.first().copied().into_iter().collect();
+            for end in indices.iter().skip(1) {
+                let first = cuts.partition_point(|(cut, ..)| *cut < piece);
+                let own = cuts[first..].iter().take_while(|(cut, ..)| *cut == piece);
+                cut_line.extend(own.map(|(_, _, point)| *point));
+                cut_line.push(*end);
+                piece += 1;
+            }
+            cut_line.dedup();
+            *indices = cut_line;
+        }
+        for (line, is_last, point) in led_on {
+            let place = if is_last { lines[line].len() } else { 0 };
+            lines[line].insert(place, point);
         }
     }
-    let mut pieces = cuts.into_iter();
-    for indices in lines.iter_mut() {
-        let Some(first) = indices.first().copied() else {
-            continue;
-        };
-        let mut cut_line = vec![first];
-        for end in &indices[1..] {
-            let mut cuts = pieces.next().unwrap_or_default();
-            cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
-            cut_line.extend(cuts.iter().map(|(_, point)| *point));
-            cut_line.push(*end);
+
+    /// Finds where pieces cross that share no point.
+    fn cross(&self, set: &mut PointSet, cuts: &mut Cuts) {
+        for (index, own) in self.segments.iter().enumerate() {
+            let middle = between(own.from, own.to, 0.5);
+            let reach = 0.5 * own.from.distance(&own.to) + set.snap;
+            let mut others = Vec::new();
+            self.grid
+                .visit(middle, reach, |other| others.push(other.edge as usize));
+            others.sort_unstable();
+            others.dedup();
+            let ends = self.owners[index].1;
+            for other in others.into_iter().filter(|other| *other > index) {
+                if self.owners[other].1.iter().any(|end| ends.contains(end)) {
+                    continue;
+                }
+                if let Some((share, their_share)) = meeting(own, &self.segments[other]) {
+                    let point = set.index(between(own.from, own.to, share));
+                    cuts.push((index, share, point));
+                    cuts.push((other, their_share, point));
+                }
+            }
         }
-        cut_line.dedup();
-        *indices = cut_line;
+    }
+
+    /// Joins the end of a line (whether it is the last point, and which) with the nearest other line, and returns the
+    /// point that the line gets beyond its end, if any.
+    fn lead_on(
+        &self,
+        (line, is_last, end): (usize, bool, usize),
+        set: &mut PointSet,
+        cuts: &mut Cuts,
+        joining: RoadJoining,
+    ) -> Option<(usize, bool, usize)> {
+        let point = set.points[end];
+        let reach = joining.reach.max(set.snap);
+        let mut nearest: Option<(f64, usize, f64, GroundPoint)> = None;
+        self.grid.visit(point, reach, |other| {
+            let share = nearest_share(other.from, other.to, point);
+            let foot = between(other.from, other.to, share);
+            let distance = foot.distance(&point);
+            let is_nearer = nearest.is_none_or(|(least, ..)| distance < least);
+            if self.owners[other.edge as usize].0 != line && distance <= reach && is_nearer {
+                nearest = Some((distance, other.edge as usize, share, foot));
+            }
+        });
+        let (distance, piece, share, foot) = nearest?;
+        if distance <= set.snap {
+            cuts.push((piece, share, end));
+            return None;
+        }
+        let met = set.index(foot);
+        cuts.push((piece, share, met));
+        Some((line, is_last, met))
     }
 }
 

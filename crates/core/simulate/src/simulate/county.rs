@@ -7,10 +7,11 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::scenario::{LANDMARKS, picked};
-use super::scenery::{Day, NATIVE_GSD, Scenery};
+use super::scenery::{Day, NATIVE_GSD, ROAD_JOINING, Scenery};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Raster, Rgba};
+use pilotage_roads::{RoadJoining, RoadLine};
 use pilotage_vision::landmark::Landmark;
 
 /// Side of a square, metres.
@@ -50,6 +51,12 @@ impl Square {
                 Scenery::open_country(self.seed, day)
             }
         })
+    }
+
+    /// The place in the county of a place of the square's own scenery, for a square around `middle`.
+    fn in_county(&self, place: GroundPoint, middle: GroundPoint) -> GroundPoint {
+        let turned = turn(place, 4 - self.turns);
+        GroundPoint::new(turned.north + middle.north, turned.east + middle.east)
     }
 
     /// Pixels of a window in metres from the middle of the square.
@@ -131,10 +138,7 @@ impl County {
             let features = square.scenery(&self.day).distinct_features();
             for feature in features.into_iter().take(LANDMARKS) {
                 let bounds = picked(&feature);
-                // Back from the scenery's turn.
-                let center = turn(bounds.center(), 4 - square.turns);
-                let center =
-                    GroundPoint::new(center.north + middle.north, center.east + middle.east);
+                let center = square.in_county(bounds.center(), middle);
                 let (height, width) = if square.turns % 2 == 1 {
                     (bounds.width(), bounds.height())
                 } else {
@@ -147,6 +151,24 @@ impl County {
             }
         }
         landmarks
+    }
+
+    /// Centre lines and widths of the roads of every village, with the rule by which they meet.
+    pub fn roads(&self) -> (Vec<RoadLine>, RoadJoining) {
+        // Open country has no roads, and need not be laid out to be asked for them.
+        let settled = (0..self.squares.len()).filter(|index| self.squares[*index].settled);
+        let lines = settled.flat_map(|index| self.roads_of(index));
+        (lines.collect(), ROAD_JOINING)
+    }
+
+    /// Roads of one square.
+    fn roads_of(&self, index: usize) -> Vec<RoadLine> {
+        let (square, middle) = (&self.squares[index], Self::middle(index));
+        let (mut lines, _) = square.scenery(&self.day).roads();
+        for place in lines.iter_mut().flat_map(|line| &mut line.course) {
+            *place = square.in_county(*place, middle);
+        }
+        lines
     }
 }
 
@@ -261,5 +283,27 @@ mod tests {
         );
         assert_eq!(a.villages(), b.villages());
         assert!((3..18).contains(&a.villages().len()));
+    }
+
+    #[test]
+    fn roads_lie_on_asphalt_in_a_square_that_is_turned() {
+        let county = County::new(3, Day::map_day());
+        let turned = |s: &Square| s.settled && s.turns % 2 == 1;
+        let index = county.squares.iter().position(turned).unwrap();
+        let lines = county.roads_of(index);
+        let main: Vec<_> = lines.iter().filter(|line| line.width > 7.0).collect();
+        let is_grey = |p: &&Rgba| p[..3].iter().max().unwrap() - p[..3].iter().min().unwrap() < 24;
+        let lies_on_asphalt = |line: &&&RoadLine| {
+            let place = line.course[line.course.len() / 2];
+            let around = GroundRect::centered(place, 4.0, 4.0);
+            let seen = county.window(&Window::covering(&around, 0.5));
+            10 * seen.pixels().iter().filter(is_grey).count() > 7 * seen.pixels().len()
+        };
+        let count = main.iter().filter(lies_on_asphalt).count();
+        assert!(
+            main.len() >= 4 && count + 1 >= main.len(),
+            "{count} of {}",
+            main.len()
+        );
     }
 }

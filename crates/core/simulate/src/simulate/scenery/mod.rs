@@ -7,6 +7,7 @@
 
 mod bend;
 mod cast;
+mod centre_lines;
 mod coverings;
 mod crowns;
 mod day;
@@ -54,6 +55,7 @@ use land::Land;
 use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Raster, Rgba};
+use pilotage_roads::{RoadJoining, RoadLine};
 use world::SceneryWorld;
 
 /// The seed of the built-in demo.
@@ -61,6 +63,13 @@ pub const DEMO_SEED: u64 = 7;
 
 /// Ground sample distance at which the scenery carries all its detail, metres per pixel.
 pub const NATIVE_GSD: f64 = 0.15;
+
+/// Rule by which roads of the scenery meet: they are drawn over each other, and end at the rim of a roundabout.
+pub(super) const ROAD_JOINING: RoadJoining = RoadJoining {
+    snap: 0.5,
+    crossings: true,
+    reach: 7.0,
+};
 
 /// A generated square of ground, 2,400 m on a side, centred on the world's origin.
 ///
@@ -120,6 +129,15 @@ impl Scenery {
     pub fn distinct_features(&self) -> Vec<DistinctFeature> {
         let in_plan = self.world.land.plan.features.iter();
         in_plan.map(turn::feature).collect()
+    }
+
+    /// Centre lines and widths of its roads and tracks, with the rule by which they meet.
+    pub fn roads(&self) -> (Vec<RoadLine>, RoadJoining) {
+        let roads = &self.world.land.plan.roads;
+        (
+            centre_lines::centre_lines(roads, &self.bounds()),
+            ROAD_JOINING,
+        )
     }
 
     /// Outlines of everything labelled that touches `rect`.

@@ -2,6 +2,7 @@
 
 use super::*;
 use pilotage_base::frames::GroundPoint;
+use pilotage_roads::RoadMap;
 
 fn scenery() -> Scenery {
     Scenery::new(DEMO_SEED, Day::map_day())
@@ -199,4 +200,27 @@ fn labelled_roads_are_gray_and_the_labelled_pond_is_dark() {
 fn outside_the_square_there_is_no_data() {
     let picture = scenery().window(&around(1300.0, 0.0, 1.0, 4));
     assert!(picture.pixels().iter().all(|p| p[3] == 0));
+}
+
+#[test]
+fn the_road_map_of_the_scenery_has_its_main_road_straight_and_its_roundabout_met_by_four() {
+    let (lines, joining) = Scenery::new(DEMO_SEED, Day::map_day()).roads();
+    let map = RoadMap::new(lines, joining);
+    // South Road under the second leg, 7.2 m wide, straight for a kilometre: north-east and through there.
+    let middle = GroundPoint::new(400.0, 130.0);
+    let near = map.nearest(middle, 5.0).unwrap();
+    assert_eq!(map.line_of(near.edge).name, "South Road");
+    assert!((map.line_of(near.edge).width - 7.2).abs() < 1e-6);
+    let slope = (near.heading.rem_euclid(std::f64::consts::PI)).to_degrees();
+    assert!((slope - 45.0).abs() < 0.01, "{slope}");
+    assert!(near.distance < 0.01, "{near:?}");
+    let center = GroundPoint::new(-428.0, -617.0);
+    let around = map.crossings();
+    let met = around
+        .iter()
+        .filter(|c| c.place.distance(&center) < 20.0)
+        .count();
+    assert_eq!(met, 4);
+    // Church Street goes over High Street.
+    assert!(around.len() > 25, "{}", around.len());
 }

@@ -4,7 +4,8 @@ use super::scene_kind::{DistinctFeature, SceneLabel};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::Window;
 
-fn point(p: &GroundPoint) -> GroundPoint {
+/// The place on the other side.
+pub(super) fn point(p: &GroundPoint) -> GroundPoint {
     GroundPoint::new(-p.north, -p.east)
 }
 
