@@ -1,13 +1,19 @@
 //! Road maps: graphs of curved centre lines with widths, classes and crossings.
 
 mod course;
+mod fix;
+#[cfg(test)]
+mod fix_tests;
 mod line;
 mod map;
 mod segments;
+mod straight;
 mod weave;
 
 pub use course::{CoursePlace, course_length, place_along, place_near};
+pub use fix::{RoadComponent, RoadFix, RoadFixSettings, RoadSighting, fix_on_roads};
 pub use line::{RoadClass, RoadLine};
 pub use map::{RoadCrossing, RoadEdge, RoadMap};
 pub use segments::NearRoad;
+pub use straight::StraightRoad;
 pub use weave::RoadJoining;

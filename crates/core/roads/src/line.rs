@@ -74,7 +74,6 @@ impl RoadClass {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RoadLine {
     /// Name for people; empty where it has none.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
     /// Class.
     pub class: RoadClass,

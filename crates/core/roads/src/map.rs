@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use petgraph::Direction;
 use petgraph::graph::{EdgeIndex, NodeIndex, UnGraph};
 use petgraph::visit::EdgeRef;
-use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_base::frames::{GroundPoint, GroundRect, wrap_pi};
 
 use crate::course::{course_length, heading, place_along};
 use crate::line::{RoadClass, RoadLine};
@@ -15,6 +15,9 @@ use crate::weave::{RoadJoining, weave};
 /// Way from a crossing at which the direction of a road that leaves it is taken, metres: farther than the corner of a
 /// kerb, nearer than most bends.
 const TANGENT_REACH: f64 = 12.0;
+
+/// Turn between two straight pieces from which on they make a corner, radians.
+const CORNER: f64 = 0.6;
 
 /// A road between two nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,9 +120,20 @@ impl RoadMap {
         &self.graph
     }
 
+    /// The edge with that index.
+    ///
+    /// # Panics
+    /// If the map has no such edge.
+    pub fn edge(&self, index: usize) -> &RoadEdge {
+        &self.graph[EdgeIndex::new(index)]
+    }
+
     /// Line of the edge with that index.
+    ///
+    /// # Panics
+    /// If the map has no such edge.
     pub fn line_of(&self, edge: usize) -> &RoadLine {
-        &self.lines[self.graph[EdgeIndex::new(edge)].line]
+        &self.lines[self.edge(edge).line]
     }
 
     /// Length of all roads, metres.
@@ -196,13 +210,26 @@ fn leaving(course: &[GroundPoint]) -> f64 {
 fn segments(graph: &UnGraph<GroundPoint, RoadEdge>) -> Vec<Segment> {
     let mut segments = Vec::new();
     for (edge, RoadEdge { course, .. }) in graph.edge_weights().enumerate() {
+        let headings: Vec<f64> = course.windows(2).map(|w| heading(w[0], w[1])).collect();
+        // Half of the turn from one piece to the next, where that is a bend and no corner.
+        let half_turn = |piece: usize| {
+            let (own, next) = (headings.get(piece), headings.get(piece + 1));
+            let turn = own.zip(next).map_or(0.0, |(own, next)| wrap_pi(next - own));
+            if turn.abs() < CORNER { 0.5 * turn } else { 0.0 }
+        };
         let mut along = 0.0;
-        for pair in course.windows(2) {
+        for (piece, pair) in course.windows(2).enumerate() {
             segments.push(Segment {
                 edge: edge as u32,
                 from: pair[0],
                 to: pair[1],
                 along,
+                turns: [
+                    piece
+                        .checked_sub(1)
+                        .map_or(0.0, |before| -half_turn(before)),
+                    half_turn(piece),
+                ],
             });
             along += pair[0].distance(&pair[1]);
         }

@@ -15,6 +15,9 @@ pub struct Segment {
     pub to: GroundPoint,
     /// Way along the edge at `from`, metres.
     pub along: f64,
+    /// Turns of the curve's heading at both ends against the segment's own, radians: a curve that is drawn in straight
+    /// pieces turns all along them.
+    pub turns: [f64; 2],
 }
 
 /// Road beside a place.
@@ -24,7 +27,7 @@ pub struct NearRoad {
     pub edge: usize,
     /// Nearest place of its centre line.
     pub foot: GroundPoint,
-    /// Heading of the centre line there, radians clockwise from north.
+    /// Heading of the curve there, radians clockwise from north.
     pub heading: f64,
     /// Way along the edge, metres.
     pub along: f64,
@@ -106,14 +109,14 @@ impl SegmentGrid {
         });
         let (distance, s, share) = best?;
         let foot = between(s.from, s.to, share);
-        let heading = heading(s.from, s.to);
+        let straight = heading(s.from, s.to);
         let off = point.to_vector() - s.from.to_vector();
         Some(NearRoad {
             edge: s.edge as usize,
             foot,
-            heading,
+            heading: straight + s.turns[0] + share * (s.turns[1] - s.turns[0]),
             along: s.along + share * s.from.distance(&s.to),
-            right: off.y * heading.cos() - off.x * heading.sin(),
+            right: off.y * straight.cos() - off.x * straight.sin(),
             distance,
         })
     }

@@ -113,6 +113,7 @@ impl Pieces {
                     from: set.points[pair[0]],
                     to: set.points[pair[1]],
                     along: 0.0,
+                    turns: [0.0; 2],
                 });
                 owners.push((line, [pair[0], pair[1]]));
             }
