@@ -1,5 +1,7 @@
 //! Roads as they are written: a line each.
 
+use std::collections::BTreeMap;
+
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use serde::{Deserialize, Serialize};
 
@@ -81,6 +83,9 @@ pub struct RoadLine {
     pub width: f64,
     /// Centre line, two points or more.
     pub course: Vec<GroundPoint>,
+    /// Properties that a file brought and we do not know, by name, as JSON text.
+    #[serde(default)]
+    pub properties: BTreeMap<String, String>,
 }
 
 impl RoadLine {

@@ -72,7 +72,7 @@ impl RoadMap {
     /// assert_eq!(near.right.abs(), 3.0);
     /// # Ok::<(), &str>(())
     /// ```
-    pub fn new(lines: Vec<RoadLine>, joining: RoadJoining) -> Self {
+    pub fn new(mut lines: Vec<RoadLine>, joining: RoadJoining) -> Self {
         let woven = weave(&lines, joining);
         let mut uses = vec![0; woven.points.len()];
         for indices in &woven.lines {
@@ -106,11 +106,14 @@ impl RoadMap {
                 start = end;
             }
         }
+        for (line, indices) in lines.iter_mut().zip(&woven.lines) {
+            line.course = indices.iter().map(|i| woven.points[*i]).collect();
+        }
         let grid = SegmentGrid::new(segments(&graph));
         Self { lines, graph, grid }
     }
 
-    /// The lines of which the map was made.
+    /// The lines of which the map was made, with the points at which they meet: shared points join them again.
     pub fn lines(&self) -> &[RoadLine] {
         &self.lines
     }

@@ -17,6 +17,7 @@ mod rally;
 mod read;
 mod read_feature;
 mod record;
+mod road;
 mod route;
 #[cfg(test)]
 mod tests;
@@ -68,3 +69,6 @@ pub(crate) const NO_FLY_MARK: (&str, &str) = ("pilotage", "\"no-fly\"");
 
 /// Property and its value by which a point says that the aircraft may land there when it cannot go on.
 pub(crate) const RALLY_MARK: (&str, &str) = ("pilotage", "\"rally\"");
+
+/// Property and its value by which a line says that it is the centre line of a road.
+const ROAD_MARK: (&str, &str) = ("pilotage", "\"road\"");

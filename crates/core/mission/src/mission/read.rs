@@ -6,6 +6,7 @@ use serde_json::value::RawValue;
 
 use super::found::{self, FoundLandmark, FoundNoFly, FoundRally, ReadRoute};
 use super::read_feature::{GeoJsonFeature, feature};
+use super::road::FoundRoad;
 use super::text::{ObjectMembers, Text};
 use super::way_point_file::kept;
 use super::{CAMERA_TO_LOG, LABELS, MapReference, Mission, MissionError, OTHER_FEATURES, VERSION};
@@ -16,7 +17,7 @@ use pilotage_flight::{CameraFile, OriginFile};
 /// Reads a mission file.
 ///
 /// Every polygon feature is a landmark, whoever wrote it, unless it is marked as a no-fly area, and
-/// every feature marked as one a route or a rally point; other features, unknown properties and unknown members are kept as JSON text. Without an origin
+/// every feature marked as one a route, a rally point or a road; other features, unknown properties and unknown members are kept as JSON text. Without an origin
 /// the middle of all polygons and routes is taken.
 pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -51,6 +52,11 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
         routes: found::routes(found.routes, &frame),
         no_fly: found::no_fly(found.no_fly, &frame),
         rally: found::rally(found.rally, &frame),
+        roads: found
+            .roads
+            .into_iter()
+            .map(|road| road.in_world(&frame))
+            .collect(),
         labels: text.take(&mut members, LABELS)?.unwrap_or_default(),
         camera,
         camera_to_log,
@@ -75,6 +81,8 @@ pub(crate) struct FoundFeatures<'a> {
     pub no_fly: Vec<FoundNoFly>,
     /// Rally points.
     pub rally: Vec<FoundRally>,
+    /// Roads.
+    pub roads: Vec<FoundRoad>,
     /// Somebody else's features.
     pub others: Vec<&'a RawValue>,
     /// Origin that the file states.
@@ -103,12 +111,14 @@ pub(crate) fn read_features<'a>(
     }
     let (mut landmarks, mut routes) = (Vec::new(), Vec::new());
     let (mut no_fly, mut rally, mut others) = (Vec::new(), Vec::new(), Vec::new());
+    let mut roads = Vec::new();
     for piece in text.elements(features.get())? {
         match feature(text, piece)? {
             GeoJsonFeature::Landmark(landmark) => landmarks.push(landmark),
             GeoJsonFeature::Route(route) => routes.push(route),
             GeoJsonFeature::NoFly(zone) => no_fly.push(zone),
             GeoJsonFeature::Rally(point) => rally.push(point),
+            GeoJsonFeature::Road(road) => roads.push(road),
             GeoJsonFeature::Other => others.push(piece),
         }
     }
@@ -123,6 +133,7 @@ pub(crate) fn read_features<'a>(
         routes,
         no_fly,
         rally,
+        roads,
         others,
         origin,
     };

@@ -9,9 +9,12 @@ use serde_json::value::RawValue;
 use super::found::{
     FoundLandmark, FoundNoFly, FoundRally, LandmarkExtent, LonLat, ReadRoute, on_globe,
 };
+use super::road::{FoundRoad, HIGHWAY, WIDTH};
 use super::text::{ObjectMembers, Text};
 use super::way_point_file::{USUAL_ALTITUDE, kept, read_altitude, read_way_point};
-use super::{FEATURE_MEMBER, MissionError, NO_FLY_MARK, RALLY_MARK, RETURNS, ROUTE_MARK, WayPoint};
+use super::{
+    FEATURE_MEMBER, MissionError, NO_FLY_MARK, RALLY_MARK, RETURNS, ROAD_MARK, ROUTE_MARK, WayPoint,
+};
 use pilotage_base::frames::GroundPoint;
 
 /// Kind of a feature, with its contents.
@@ -20,6 +23,7 @@ pub(super) enum GeoJsonFeature {
     Route(ReadRoute),
     NoFly(FoundNoFly),
     Rally(FoundRally),
+    Road(FoundRoad),
     Other,
 }
 
@@ -51,7 +55,9 @@ pub(super) fn feature<'a>(
     let kind: Value = text.value(geometry.get())?;
     let is_polygon = kind.get("type").and_then(Value::as_str) == Some("Polygon");
     let is_rally = is_rally && kind.get("type").and_then(Value::as_str) == Some("Point");
-    if !is_polygon && !has_mark && !is_rally {
+    let is_line = kind.get("type").and_then(Value::as_str) == Some("LineString");
+    let is_road = is_line && marked(ROAD_MARK)?;
+    if !is_polygon && !has_mark && !is_rally && !is_road {
         return Ok(GeoJsonFeature::Other);
     }
     members.remove("geometry");
@@ -65,6 +71,11 @@ pub(super) fn feature<'a>(
         let mut found = rally(text, geometry.get(), &mut properties)?;
         found.properties = with_members(properties, members);
         Ok(GeoJsonFeature::Rally(found))
+    } else if is_road {
+        properties.remove(ROAD_MARK.0);
+        let mut found = road(text, geometry.get(), &mut properties)?;
+        found.properties = with_members(properties, members);
+        Ok(GeoJsonFeature::Road(found))
     } else if is_polygon && is_no_fly {
         properties.remove(NO_FLY_MARK.0);
         let (mut corners, mut holes) = rings(text, geometry.get())?;
@@ -184,6 +195,29 @@ fn landmark<'a>(
         height: text.take(properties, "height_m")?.unwrap_or(0.0),
         enabled: text.take(properties, "enabled")?.unwrap_or(true),
         ..FoundLandmark::new(LandmarkExtent::Corners(corners))
+    })
+}
+
+/// A road.
+fn road<'a>(
+    text: &Text<'a>,
+    geometry: &'a str,
+    properties: &mut ObjectMembers<'a>,
+) -> Result<FoundRoad, MissionError> {
+    let line: Option<Geometry> = text.read(geometry)?;
+    let positions: Vec<Vec<f64>> = match line.and_then(|line| line.coordinates) {
+        Some(coordinates) => text.value(coordinates.get())?,
+        None => Vec::new(),
+    };
+    let places = positions
+        .iter()
+        .map(|position| lon_lat(text, geometry, position, "a point of a road"));
+    Ok(FoundRoad {
+        name: own(text, properties, "name"),
+        class: own(text, properties, HIGHWAY),
+        width: own(text, properties, WIDTH),
+        course: places.collect::<Result<_, _>>()?,
+        properties: BTreeMap::new(),
     })
 }
 

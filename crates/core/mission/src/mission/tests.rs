@@ -6,6 +6,7 @@ use super::*;
 use crate::settings::{CameraAdjustment, NavigatorSettings, VehicleChoice};
 use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
 use pilotage_raster::camera::CameraModel;
+use pilotage_roads::{RoadClass, RoadLine};
 use pilotage_vision::landmark::Landmark;
 
 fn mission() -> Mission {
@@ -47,6 +48,15 @@ fn mission() -> Mission {
             altitude: Altitude::new(60.5, AltitudeFrame::AboveGround),
             properties: [("owner".to_owned(), "\"Ann\"".to_owned())].into(),
             ..RallyPoint::new(1, GroundPoint::new(-40.0, 75.5))
+        }],
+        roads: vec![RoadLine {
+            name: "Mill \"old\" Lane".to_owned(),
+            class: RoadClass::Tertiary,
+            width: 6.25,
+            course: [(10.0, -20.0), (310.5, -20.0), (500.0, 90.0)]
+                .map(|(n, e)| GroundPoint::new(n, e))
+                .to_vec(),
+            properties: [("lanes".to_owned(), "2".to_owned())].into(),
         }],
         labels: vec![FrameLabels {
             frame: "00007.jpg".to_owned(),
@@ -168,6 +178,11 @@ fn a_mission_survives_its_file() {
     assert_eq!((&a.name, &a.properties), (&b.name, &b.properties));
     assert_eq!(a.corners.len(), 4);
     assert!(a.corners.iter().zip(&b.corners).all(|(a, b)| near(a, b)));
+    let (a, b) = (&after.roads[0], &before.roads[0]);
+    assert_eq!((&a.name, a.class, a.width), (&b.name, b.class, b.width));
+    assert_eq!(a.properties, b.properties);
+    assert_eq!(a.course.len(), 3);
+    assert!(a.course.iter().zip(&b.course).all(|(a, b)| near(a, b)));
     let (a, b) = (&after.routes[0], &before.routes[0]);
     assert_eq!((a.id, &a.name), (b.id, &b.name));
     assert_eq!(a.properties, b.properties);
@@ -218,7 +233,7 @@ fn what_is_written_is_geojson() {
     let geojson::GeoJson::FeatureCollection(collection) = parsed else {
         panic!("no collection");
     };
-    assert_eq!(collection.features.len(), 6);
+    assert_eq!(collection.features.len(), 7);
 }
 
 #[test]

@@ -6,13 +6,15 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::globe;
+use super::road::{HIGHWAY, WIDTH};
 use super::way_point_file::{altitude_members, write_way_point};
 use super::{
     CAMERA_TO_LOG, FEATURE_MEMBER, LABELS, MapReference, Mission, NO_FLY_MARK, NoFlyZone,
-    OTHER_FEATURES, RALLY_MARK, RETURNS, ROUTE_MARK, RallyPoint, Route, VERSION,
+    OTHER_FEATURES, RALLY_MARK, RETURNS, ROAD_MARK, ROUTE_MARK, RallyPoint, Route, VERSION,
 };
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_flight::{CameraFile, OriginFile};
+use pilotage_roads::RoadLine;
 use pilotage_vision::landmark::Landmark;
 use pilotage_vision::landmark::annotations::{HOLES, OUTLINE};
 
@@ -70,6 +72,7 @@ pub fn write_mission(mission: &Mission) -> String {
     let mut features = write_features(&mission.routes, &mission.landmarks, &frame);
     features.extend(mission.no_fly.iter().map(|z| no_fly_feature(z, &frame)));
     features.extend(mission.rally.iter().map(|r| rally_feature(r, &frame)));
+    features.extend(mission.roads.iter().map(|r| road_feature(r, &frame)));
     if let Some(others) = mission.properties.get(OTHER_FEATURES) {
         let inside = others
             .trim()
@@ -214,6 +217,23 @@ pub(crate) fn rally_feature(point: &RallyPoint, frame: &LocalFrame) -> String {
         altitude_members(&point.altitude),
     );
     end(text, &point.properties)
+}
+
+/// A road as a feature of GeoJSON.
+fn road_feature(road: &RoadLine, frame: &LocalFrame) -> String {
+    let course: Vec<String> = road.course.iter().map(|p| position(frame, p)).collect();
+    let mut text = begin(&road.properties);
+    let (mark, marked) = ROAD_MARK;
+    let _ = write!(
+        text,
+        ",\n      \"geometry\": {{ \"type\": \"LineString\", \"coordinates\": [{}] }},\n      \
+         \"properties\": {{ \"{mark}\": {marked}, \"name\": {}, \"{HIGHWAY}\": \"{}\", \"{WIDTH}\": {}",
+        course.join(", "),
+        Value::from(road.name.as_str()),
+        road.class.key(),
+        Value::from(road.width),
+    );
+    end(text, &road.properties)
 }
 
 fn route_feature(route: &Route, frame: &LocalFrame) -> String {

@@ -251,6 +251,7 @@ impl Scenario {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
+            roads: Vec::new(),
             labels: Vec::new(),
             camera: Some(Self::camera()),
             camera_to_log: None,

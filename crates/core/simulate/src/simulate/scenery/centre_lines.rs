@@ -23,6 +23,7 @@ pub(super) fn centre_lines(roads: &[Road], bounds: &GroundRect) -> Vec<RoadLine>
                 .iter()
                 .map(|s| turn::point(&s.ground()))
                 .collect(),
+            ..RoadLine::default()
         })
     };
     let lines = roads.iter().filter_map(line);
