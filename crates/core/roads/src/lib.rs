@@ -1,5 +1,6 @@
 //! Road maps: graphs of curved centre lines with widths, classes and crossings.
 
+mod apls;
 mod course;
 mod fix;
 #[cfg(test)]
@@ -10,6 +11,7 @@ mod segments;
 mod straight;
 mod weave;
 
+pub use apls::{AplsEdge, AplsGraph, AplsScore, AplsSettings, apls};
 pub use course::{CoursePlace, course_length, place_along, place_near};
 pub use fix::{RoadComponent, RoadFix, RoadFixSettings, RoadSighting, fix_on_roads};
 pub use line::{RoadClass, RoadLine};
