@@ -29,3 +29,31 @@ impl ChosenAid {
         self
     }
 }
+
+/// A number of an aid that the filter has to know as well.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilterAidNumber {
+    /// Name of the aid in files.
+    pub aid: &'static str,
+    /// Name of the number in files.
+    pub number: &'static str,
+    /// Value where nobody says another, SI.
+    pub usual: f64,
+}
+
+/// Error of the road map per axis, metres: a state of the filter, so that many looks at one road make nobody surer than
+/// the map. Roads of `OpenStreetMap` lie metres off.
+pub const ROAD_MAP: FilterAidNumber = FilterAidNumber {
+    aid: "roads",
+    number: "map",
+    usual: 2.0,
+};
+
+impl FilterAidNumber {
+    /// Its value if its aid is among `chosen`.
+    pub fn of(&self, chosen: &[ChosenAid]) -> Option<f64> {
+        let aid = chosen.iter().find(|aid| aid.key == self.aid)?;
+        let stated = aid.numbers.iter().find(|(name, _)| name == self.number);
+        Some(stated.map_or(self.usual, |(_, value)| *value))
+    }
+}

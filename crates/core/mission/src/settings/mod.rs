@@ -6,7 +6,7 @@ mod navigator;
 mod without_mission;
 
 pub use adjustment::CameraAdjustment;
-pub use aids::ChosenAid;
+pub use aids::{ChosenAid, FilterAidNumber, ROAD_MAP};
 pub use pilotage_estimation::estimator::{EstimatorChoice, EstimatorSettings};
 
 pub use navigator::{

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pilotage_mission::mission::Mission;
 use pilotage_raster::imagery::Imagery;
+use pilotage_roads::RoadLine;
 use pilotage_vision::landmark::Landmark;
 
 /// Everything that is known of the ground, and by which an aircraft may find its way.
@@ -13,6 +14,8 @@ pub struct KnownGround {
     pub map: Arc<dyn Imagery>,
     /// Landmarks on it.
     pub landmarks: Vec<Landmark>,
+    /// Roads on it; shared points join them.
+    pub roads: Vec<RoadLine>,
 }
 
 impl KnownGround {
@@ -21,12 +24,16 @@ impl KnownGround {
         Self {
             map,
             landmarks: Vec::new(),
+            roads: Vec::new(),
         }
     }
 
     /// All that `mission` knows, over its map.
     pub fn of(mission: &Mission, map: Arc<dyn Imagery>) -> Self {
-        Self::new(map).with_landmarks(&mission.landmarks)
+        Self {
+            roads: mission.roads.clone(),
+            ..Self::new(map).with_landmarks(&mission.landmarks)
+        }
     }
 
     /// The same with these landmarks.

@@ -6,6 +6,7 @@ mod crossing;
 mod detection;
 mod distance;
 pub mod network;
+mod north_up;
 mod probability;
 mod ridge;
 mod seen;
@@ -13,6 +14,7 @@ mod trace;
 pub mod yellow;
 
 pub use detection::RoadDetection;
+pub use north_up::NorthUpPicture;
 pub use probability::{RoadProbability, SEEN_GSD, probability_by, road_probability, roads_seen};
 pub use ridge::road_mask;
 pub use seen::{RoadPoint, RoadsSeen, SeenCrossing};

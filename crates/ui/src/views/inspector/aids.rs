@@ -43,7 +43,9 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, index: usi
             );
             parts::reading(ui, tokens, &nis.color(color));
             parts::gauge(ui, tokens, update.nis, update.threshold, true);
-            for (i, (name, unit)) in info.components.iter().enumerate() {
+            // What pictures show does not always tell all of them.
+            let told = update.innovation.len();
+            for (i, (name, unit)) in info.components.iter().take(told).enumerate() {
                 let (factor, unit) = context.units.of_si(unit);
                 let sigma = update.innovation_covariance[(i, i)].max(0.0).sqrt();
                 let innovation = parts::brief(factor * update.innovation[i]);

@@ -2,6 +2,7 @@
 
 use pilotage_base::frames::Pose;
 use pilotage_flight::{ChannelName, Flight};
+use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::raster::Picture;
 
 use super::super::expected::AppearanceModel;
@@ -60,14 +61,13 @@ pub struct AidMoment<'a> {
     /// End of this step, seconds.
     pub until: f64,
     /// The picture that came at its end, if one did that can be looked at.
-    #[expect(dead_code, reason = "the aids at hand look at no picture")]
     pub look: Option<AidLook<'a>>,
 }
 
 /// A picture that an aid may look at, and what is believed of the camera that took it.
-#[expect(dead_code, reason = "the aids at hand look at no picture")]
 pub struct AidLook<'a> {
     /// Number of the picture's frame.
+    #[allow(dead_code, reason = "for aids that remember by frame")]
     pub index: usize,
     pub picture: &'a Picture,
     /// Camera, attitude and heights as measured when the picture was taken; the heading's bias is still in it.
@@ -76,6 +76,10 @@ pub struct AidLook<'a> {
     pub pose: Pose,
     /// Belief about place on the map (north, east, metres) and heading's bias (radians) when the picture was taken.
     pub belief: GaussianState<3>,
+    /// Errors of the measured attitude and height, and of the mount.
+    pub noise: SensorNoise,
+    /// Standard deviation per axis of the map's error that is a state of the filter, metres; 0 where none is.
+    pub map_deviation: f64,
 }
 
 /// A source of corrections.

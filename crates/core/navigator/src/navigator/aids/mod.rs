@@ -34,4 +34,5 @@ aids! {
     magnetic_heading,
     barometric_height,
     ground_range,
+    roads,
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, Matrix3, Vector3, dvector};
 
 use super::super::aids::{Aid, AidLook, AidMoment, Taken, take};
-use super::super::engine::MeasurementModel;
+use super::super::engine::{MeasurementModel, map_error};
 use super::super::expected::AppearanceModel;
 use super::super::observation::{GaussianState, Observation};
 use super::super::observed_at::ObservedAt;
@@ -111,7 +111,9 @@ impl Navigator {
             let bias = seen.heading_bias.unwrap_or(0.0);
             Some(dvector![seen.on_map.north, seen.on_map.east, bias])
         });
-        let belief = self.engine.expect(&place_and_bias, &DMatrix::zeros(3, 3))?;
+        // A vehicle that knows no bias of its heading has no variance of it.
+        let least = 1e-12 * DMatrix::identity(3, 3);
+        let belief = self.engine.expect(&place_and_bias, &least)?;
         let mean = Vector3::from_column_slice(belief.mean.as_slice());
         Ok(AidLook {
             index,
@@ -122,6 +124,8 @@ impl Navigator {
                 mean,
                 covariance: Matrix3::from_column_slice(belief.covariance.as_slice()),
             },
+            noise: self.settings.sensors,
+            map_deviation: map_error(&self.settings).map_or(0.0, |error| error.deviation),
         })
     }
 }

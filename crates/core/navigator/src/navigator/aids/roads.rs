@@ -1,0 +1,350 @@
+//! Roads in pictures, laid on the roads of a map.
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector2, Vector3};
+
+use super::super::engine::MeasurementModel;
+use super::super::observation::Observation;
+use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber};
+use super::error::AidError;
+use pilotage_base::frames::GroundPoint;
+use pilotage_mission::settings::ROAD_MAP;
+use pilotage_raster::imagery::Window;
+use pilotage_roads::{RoadFix, RoadFixSettings, RoadJoining, RoadMap, RoadSighting, fix_on_roads};
+use pilotage_vision::road::{NorthUpPicture, RoadDetection, RoadPoint};
+
+/// Metres a pixel at which roads are looked for.
+const GSD: f64 = 0.5;
+/// Ground that is looked at, as far as so many heights from below the camera.
+const FARTHEST_HEIGHTS: f64 = 2.0;
+/// Least probability of a point that counts.
+const LEAST_PROBABILITY: f64 = 0.5;
+/// Standard deviations of the belief within which roads are looked for, beside the least reach.
+const BELIEVED: f64 = 3.0;
+/// Least and greatest reach, metres.
+const REACH: (f64, f64) = (15.0, 60.0);
+
+/// Description for people.
+pub const INFO: AidInfo = AidInfo {
+    key: ROAD_MAP.aid,
+    label: "Roads",
+    description: "Roads seen in the picture, laid on the roads of the mission. They tell the place across a road and the \
+                  heading, and along it only where it bends or another one meets it; what they do not tell is left to \
+                  dead reckoning. No number of looks is surer than the map of the roads.",
+    channels: &[],
+    components: &[("best known", "m"), ("second", "m"), ("third", "m")],
+    numbers: &[
+        AidNumber {
+            key: ROAD_MAP.number,
+            label: "Error of the road map per axis",
+            unit: "m",
+            usual: ROAD_MAP.usual,
+        },
+        AidNumber {
+            key: "middle",
+            label: "Error of a road's middle in a look",
+            unit: "m",
+            usual: 0.5,
+        },
+        AidNumber {
+            key: "apart",
+            label: "Time between looks",
+            unit: "s",
+            usual: 0.5,
+        },
+    ],
+    begin: |numbers, ground| {
+        let lines = ground.map_or(&[][..], |ground| &ground.roads);
+        if lines.is_empty() {
+            return Err(AidError::UnknownGround {
+                key: ROAD_MAP.aid.to_owned(),
+                what: "road".to_owned(),
+                remedy: "add roads to the mission, or switch it off".to_owned(),
+            });
+        }
+        Ok(Box::new(Roads {
+            map: RoadMap::new(lines.to_vec(), RoadJoining::SHARED_POINTS),
+            of_map: numbers[0],
+            of_middle: numbers[1],
+            apart: numbers[2],
+            last: f64::NEG_INFINITY,
+        }))
+    },
+};
+
+/// The aid over a road map.
+struct Roads {
+    map: RoadMap,
+    /// Standard deviations of the map and of a road's middle in one look, metres.
+    of_map: f64,
+    of_middle: f64,
+    /// Least time between looks, and the last one, seconds.
+    apart: f64,
+    last: f64,
+}
+
+impl Aid for Roads {
+    fn info(&self) -> &'static AidInfo {
+        &INFO
+    }
+
+    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
+        let Some(look) = &moment.look else {
+            return Vec::new();
+        };
+        if moment.until < self.last + self.apart - 1e-6 {
+            return Vec::new();
+        }
+        self.last = moment.until;
+        let sightings = sightings(look);
+        let fix = self.fix(look, &sightings);
+        fix.map(|fix| observation(look, &fix)).into_iter().collect()
+    }
+}
+
+impl Roads {
+    /// Correction of the look's pose by what was sighted.
+    fn fix(&self, look: &AidLook<'_>, sightings: &[RoadSighting]) -> Option<RoadFix> {
+        let place = look.belief.covariance.fixed_view::<2, 2>(0, 0).into_owned();
+        let believed = place.symmetric_eigenvalues().max().max(0.0).sqrt();
+        let beyond_state = (self.of_map.powi(2) - look.map_deviation.powi(2)).max(0.0);
+        let settings = RoadFixSettings {
+            reach: (REACH.0 + BELIEVED * believed).min(REACH.1),
+            shared: (self.of_middle.powi(2) + beyond_state).sqrt(),
+            scale: look.noise.height / height(look),
+            ..RoadFixSettings::default()
+        };
+        fix_on_roads(&self.map, sightings, below(look), &settings)
+    }
+}
+
+/// Height of the camera above the ground, metres.
+fn height(look: &AidLook<'_>) -> f64 {
+    (look.model.ground_down - look.model.camera_down).max(1.0)
+}
+
+/// Ground below the believed camera.
+fn below(look: &AidLook<'_>) -> GroundPoint {
+    let position = look.pose.position_in_world;
+    GroundPoint::new(position.x, position.y)
+}
+
+/// Points on roads in the look's picture, on the ground under its pose.
+fn sightings(look: &AidLook<'_>) -> Vec<RoadSighting> {
+    let farthest = FARTHEST_HEIGHTS * height(look);
+    let model = &look.model;
+    let ground = NorthUpPicture::of(
+        model.camera,
+        &look.pose,
+        model.ground_down,
+        look.picture,
+        GSD,
+        farthest,
+    );
+    let Some(NorthUpPicture { window, pixels }) = ground else {
+        return Vec::new();
+    };
+    let seen = RoadDetection::YellowLines.roads_seen(&pixels);
+    let certain = seen
+        .points
+        .iter()
+        .filter(|p| p.probability >= LEAST_PROBABILITY);
+    certain.map(|point| sighting(&window, point)).collect()
+}
+
+fn sighting(window: &Window, point: &RoadPoint) -> RoadSighting {
+    let [x, y] = point.pixel;
+    RoadSighting {
+        place: window.ground_at(x, y),
+        direction: point.direction,
+    }
+}
+
+/// Measurement of each component of a fix, with the errors of the camera's attitude.
+fn observation(look: &AidLook<'_>, fix: &RoadFix) -> Observation<'static> {
+    let weights: Vec<Vector3<f64>> = fix.components.iter().map(|c| c.weights).collect();
+    let size = weights.len();
+    let of_attitude = attitude_noise(look);
+    let noise = DMatrix::from_fn(size, size, |i, j| {
+        let own = if i == j {
+            fix.components[i].variance
+        } else {
+            0.0
+        };
+        own + weights[i].dot(&(of_attitude * weights[j]))
+    });
+    let measured = fix.components.iter().map(|component| component.value);
+    // North, east and heading that were believed; a bias that is larger is a heading that is smaller.
+    let believed = look.belief.mean;
+    Observation {
+        measured: DVector::from_iterator(size, measured),
+        noise,
+        model: MeasurementModel::of_pose(move |seen| {
+            let bias = seen.heading_bias.unwrap_or(0.0);
+            let change = Vector3::new(
+                seen.on_map.north - believed.x,
+                seen.on_map.east - believed.y,
+                believed.z - bias,
+            );
+            let values = weights.iter().map(|weights| weights.dot(&change));
+            Some(DVector::from_iterator(size, values))
+        }),
+        weakened: None,
+        degrees: size,
+    }
+}
+
+/// Covariance of the camera's place (north, east, metres) and heading (radians) as its picture tells them by the errors
+/// of its attitude.
+fn attitude_noise(look: &AidLook<'_>) -> Matrix3<f64> {
+    let (sin, cos) = look.pose.attitude.yaw.sin_cos();
+    let (ahead, right) = (Vector2::new(cos, sin), Vector2::new(-sin, cos));
+    let shift = |angle: f64| (height(look) * angle).powi(2);
+    let place = shift(look.noise.pitch) * ahead * ahead.transpose()
+        + shift(look.noise.roll) * right * right.transpose();
+    let mut noise = Matrix3::zeros();
+    noise.fixed_view_mut::<2, 2>(0, 0).copy_from(&place);
+    noise[(2, 2)] = look.noise.yaw.powi(2);
+    noise
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::super::engine::engine;
+    use super::super::super::expected::AppearanceModel;
+    use super::super::super::observation::GaussianState;
+    use super::super::super::{KnownGround, NavigatorError};
+    use super::super::take;
+    use super::*;
+    use pilotage_base::frames::Attitude;
+    use pilotage_estimation::filter::Gate;
+    use pilotage_mission::settings::{ChosenAid, NavigatorSettings, SensorNoise};
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::imagery::Blank;
+    use pilotage_raster::raster::Picture;
+    use pilotage_roads::RoadLine;
+
+    /// A road to the north-east through the origin.
+    fn road() -> RoadLine {
+        RoadLine {
+            width: 7.0,
+            course: vec![
+                GroundPoint::new(-500.0, -500.0),
+                GroundPoint::new(500.0, 500.0),
+            ],
+            ..RoadLine::default()
+        }
+    }
+
+    fn aid(of_map: f64) -> Roads {
+        Roads {
+            map: RoadMap::new(vec![road()], RoadJoining::SHARED_POINTS),
+            of_map,
+            of_middle: 0.3,
+            apart: 0.5,
+            last: f64::NEG_INFINITY,
+        }
+    }
+
+    fn settings(of_map: f64) -> NavigatorSettings {
+        NavigatorSettings {
+            aids: vec![ChosenAid::usual(INFO.key).with(ROAD_MAP.number, of_map)],
+            ..NavigatorSettings::default()
+        }
+    }
+
+    /// Corrections by `looks` looks at the road from 100 m, from a belief 20 m north of the truth, which is the origin:
+    /// variances of the place along and across the road before and after, and the error across after.
+    fn corrected(of_map: f64, looks: usize) -> ([f64; 2], [f64; 2], f64) {
+        let settings = settings(of_map);
+        let believed = GroundPoint::new(20.0, 0.0);
+        let mut engine = engine(&settings, believed, 15.0).unwrap();
+        let (along, across) = (Vector2::new(0.5, 0.5), Vector2::new(-0.5, 0.5));
+        let variances = |covariance: nalgebra::Matrix2<f64>| {
+            [along, across].map(|axis| 2.0 * axis.dot(&(covariance * axis)))
+        };
+        let before = variances(engine.state().position_covariance());
+        let camera = CameraModel::pinhole(64, 48, 1.0);
+        let picture = Picture::from_fn(64, 48, |_, _| [90; 3]);
+        let aid = aid(of_map);
+        for _ in 0..looks {
+            let of_place = |seen: &pilotage_estimation::vehicle::Kinematics| {
+                let bias = seen.heading_bias.unwrap_or(0.0);
+                Some(nalgebra::dvector![
+                    seen.on_map.north,
+                    seen.on_map.east,
+                    bias
+                ])
+            };
+            let place = MeasurementModel::of_pose(of_place);
+            let belief = engine
+                .expect(&place, &(1e-12 * DMatrix::identity(3, 3)))
+                .unwrap();
+            let model = AppearanceModel {
+                camera: &camera,
+                attitude: Attitude::level(0.8),
+                camera_down: -100.0,
+                ground_down: 0.0,
+            };
+            let mean = Vector3::from_column_slice(belief.mean.as_slice());
+            let look = AidLook {
+                index: 0,
+                picture: &picture,
+                pose: model.pose(GroundPoint::new(mean.x, mean.y), mean.z),
+                model,
+                belief: GaussianState {
+                    mean,
+                    covariance: Matrix3::from_column_slice(belief.covariance.as_slice()),
+                },
+                noise: SensorNoise {
+                    roll: 0.002,
+                    pitch: 0.002,
+                    yaw: 0.002,
+                    height: 0.5,
+                    pixel: 0.0,
+                    ground: 0.0,
+                },
+                map_deviation: of_map,
+            };
+            // Points of the road below the true place, as they lie below the believed one.
+            let seen = (-15..=15).map(|i| RoadSighting {
+                place: GroundPoint::new(mean.x + 4.0 * f64::from(i), mean.y + 4.0 * f64::from(i)),
+                direction: std::f64::consts::FRAC_PI_4 + mean.z,
+            });
+            let seen: Vec<_> = seen.collect();
+            let fix = aid.fix(&look, &seen).unwrap();
+            let observed = observation(&look, &fix);
+            let taken = take(engine.as_mut(), &observed, Gate { confidence: 0.999 });
+            assert!(taken.unwrap().unwrap().verdict.accepted);
+        }
+        let state = engine.state();
+        let error = 2.0_f64.sqrt() * across.dot(&state.position().to_vector());
+        (before, variances(state.position_covariance()), error)
+    }
+
+    #[test]
+    fn a_look_at_a_straight_road_corrects_across_and_leaves_dead_reckoning_along() {
+        let (before, after, error) = corrected(0.3, 1);
+        assert!(error.abs() < 1.0, "{error}");
+        assert!(after[1] < 0.4, "{after:?}");
+        assert!(
+            (after[0] / before[0] - 1.0).abs() < 1e-6,
+            "{before:?} {after:?}"
+        );
+    }
+
+    #[test]
+    fn a_hundred_looks_are_no_surer_than_the_map() {
+        let (_, after, _) = corrected(3.0, 100);
+        assert!((8.0..9.5).contains(&after[1]), "{after:?}");
+    }
+
+    #[test]
+    fn a_mission_without_roads_is_told_so() {
+        let ground = KnownGround::new(Arc::new(Blank));
+        let refused = (INFO.begin)(&[1.0, 1.0, 1.0], Some(&ground)).err().unwrap();
+        let words = NavigatorError::from(refused).to_string();
+        assert!(words.contains("no road"), "{words}");
+    }
+}
