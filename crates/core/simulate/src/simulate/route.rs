@@ -16,6 +16,11 @@ pub(super) fn two_legs() -> Vec<GroundPoint> {
     route([(-400.0, 420.0), (145.0, -125.0), (540.0, 270.0)])
 }
 
+/// The second of the two legs alone, between the buildings and the pool: along a road.
+pub(super) fn road_leg() -> Vec<GroundPoint> {
+    route([(145.0, -125.0), (540.0, 270.0)])
+}
+
 /// Several crossings of the same places with S-turns in different directions, with gaps between.
 pub(super) fn extended() -> Vec<GroundPoint> {
     route([

@@ -19,9 +19,10 @@ use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_flight::Flight;
 use pilotage_mission::mission::{MapReference, Mission};
 use pilotage_mission::settings::{
-    NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice,
+    ChosenAid, NavigatorSettings, ProcessNoise, ROAD_MAP, SensorNoise, StartError, VehicleChoice,
 };
 use pilotage_raster::camera::CameraModel;
+use pilotage_roads::RoadMap;
 use pilotage_vision::landmark::Landmark;
 
 /// Landmarks of the scenarios: nine buildings and a pool.
@@ -37,6 +38,9 @@ pub(super) const LANDMARKS: usize = 10;
 /// measured; for 0.32 px, 0.010 and 0.010 from 1000 ft, where 0.25 to 0.28, 0.009 and 0.011 were.
 const DETECTOR_PIXEL: f64 = 0.18;
 const DETECTOR_GROUND: f64 = 0.11;
+
+/// Error of the map of generated roads per axis, metres: verges and worn edges move their middle so far.
+const GENERATED_ROAD_ERROR: f64 = 0.3;
 
 /// Origin of the generated world on the globe: a place without a map, in the North Atlantic.
 pub fn world_origin() -> Geodetic {
@@ -90,6 +94,8 @@ pub struct Scenario {
     pub height: f64,
     /// Mean wind.
     pub wind: Wind,
+    /// Whether it is navigated by roads, without landmarks.
+    pub is_by_roads: bool,
 }
 
 /// Values that the user wants otherwise than the scenario has them.
@@ -147,6 +153,7 @@ impl Scenario {
                 route: route::two_legs(),
                 height: feet(400.0),
                 wind: Wind::default(),
+                is_by_roads: false,
             },
             Self {
                 name: "distinct-400ft-wind",
@@ -159,6 +166,7 @@ impl Scenario {
                     from: 307.0_f64.to_radians(),
                     speed: knots(10.0),
                 },
+                is_by_roads: false,
             },
             Self {
                 name: "distinct-1000ft-extended",
@@ -168,6 +176,17 @@ impl Scenario {
                 route: route::extended(),
                 height: feet(1000.0),
                 wind: Wind::default(),
+                is_by_roads: false,
+            },
+            Self {
+                name: "roads-400ft",
+                title: "Along a road",
+                description: "The leg north-east along a straight road, without a landmark: the road \
+                              tells the place across it, and nothing along it. Calm air.",
+                route: route::road_leg(),
+                height: feet(400.0),
+                wind: Wind::default(),
+                is_by_roads: true,
             },
         ]
     }
@@ -236,7 +255,7 @@ impl Scenario {
         let landmarks = map
             .distinct_features()
             .into_iter()
-            .take(LANDMARKS)
+            .take(if self.is_by_roads { 0 } else { LANDMARKS })
             .zip(1..)
             .map(|(feature, id)| {
                 let bounds = picked(&feature);
@@ -251,7 +270,12 @@ impl Scenario {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
-            roads: Vec::new(),
+            roads: if self.is_by_roads {
+                let (lines, joining) = map.roads();
+                RoadMap::new(lines, joining).lines().to_vec()
+            } else {
+                Vec::new()
+            },
             labels: Vec::new(),
             camera: Some(Self::camera()),
             camera_to_log: None,
@@ -298,6 +322,13 @@ impl Scenario {
                 pixel: DETECTOR_PIXEL,
                 ground: DETECTOR_GROUND,
             },
+            aids: if self.is_by_roads {
+                // The generated roads lie where the map has them.
+                let map = ROAD_MAP.number;
+                vec![ChosenAid::usual(ROAD_MAP.aid).with(map, GENERATED_ROAD_ERROR)]
+            } else {
+                Vec::new()
+            },
             ..defaults
         }
     }
@@ -318,6 +349,7 @@ impl Scenario {
 mod tests {
     use super::*;
     use pilotage_flight::FrameTruth;
+    use pilotage_roads::RoadJoining;
 
     /// For every frame, how many of the mission's landmarks lie in it.
     fn in_view(scenario: &Scenario) -> Vec<usize> {
@@ -337,12 +369,12 @@ mod tests {
     }
 
     #[test]
-    fn every_scenario_has_nine_buildings_and_a_pool_and_sees_them_all() {
-        for scenario in Scenario::all() {
+    fn every_scenario_by_landmarks_has_nine_buildings_and_a_pool_and_sees_them_all() {
+        for scenario in Scenario::all().iter().filter(|s| !s.is_by_roads) {
             let mission = scenario.mission();
             assert_eq!(mission.landmarks.len(), 10);
             assert_eq!(mission.landmarks[9].name, "swimming pool");
-            assert!(in_view(&scenario).iter().filter(|n| **n > 0).count() > 60);
+            assert!(in_view(scenario).iter().filter(|n| **n > 0).count() > 60);
         }
     }
 
@@ -357,6 +389,21 @@ mod tests {
         );
         assert!((0.55..0.95).contains(&share), "{share}");
         assert!((20..=80).contains(&gap), "{gap} frames");
+    }
+
+    #[test]
+    fn the_flight_by_roads_follows_one_that_is_straight_and_alone_in_view() {
+        let scenario = Scenario::named("roads-400ft").unwrap();
+        let mission = scenario.mission();
+        assert!(mission.landmarks.is_empty());
+        let roads = RoadMap::new(mission.roads.clone(), RoadJoining::SHARED_POINTS);
+        let flight = scenario.fly(1, &Overrides::default());
+        let truth = flight.truth.unwrap();
+        for state in &truth.states {
+            let below = GroundPoint::new(state.position.x, state.position.y);
+            let near = roads.nearest(below, 30.0).unwrap();
+            assert_eq!(roads.line_of(near.edge).name, "South Road");
+        }
     }
 
     #[test]
