@@ -18,6 +18,8 @@ const GSD: f64 = 0.5;
 const FARTHEST_HEIGHTS: f64 = 2.0;
 /// Least probability of a point that counts.
 const LEAST_PROBABILITY: f64 = 0.5;
+/// Least distance between points, metres: nearer ones err alike.
+const SPACING: f64 = 4.0;
 /// Standard deviations of the belief within which roads are looked for, beside the least reach.
 const BELIEVED: f64 = 3.0;
 /// Least and greatest reach, metres.
@@ -143,12 +145,16 @@ fn sightings(look: &AidLook<'_>) -> Vec<RoadSighting> {
     let Some(NorthUpPicture { window, pixels }) = ground else {
         return Vec::new();
     };
-    let seen = RoadDetection::YellowLines.roads_seen(&pixels);
-    let certain = seen
-        .points
-        .iter()
-        .filter(|p| p.probability >= LEAST_PROBABILITY);
-    certain.map(|point| sighting(&window, point)).collect()
+    let seen = RoadDetection::Network.roads_seen(&pixels, GSD);
+    let mut kept: Vec<RoadSighting> = Vec::new();
+    for point in &seen.points {
+        let new = sighting(&window, point);
+        let is_apart = |other: &RoadSighting| other.place.distance(&new.place) >= SPACING;
+        if point.probability >= LEAST_PROBABILITY && kept.iter().all(is_apart) {
+            kept.push(new);
+        }
+    }
+    kept
 }
 
 fn sighting(window: &Window, point: &RoadPoint) -> RoadSighting {
