@@ -2,6 +2,7 @@
 
 mod apls;
 mod course;
+pub mod files;
 mod fix;
 #[cfg(test)]
 mod fix_tests;
