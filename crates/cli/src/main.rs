@@ -31,6 +31,7 @@ mod register;
 mod rehearse;
 mod replay;
 mod replay_frames;
+mod roads;
 mod scenario;
 mod simulate;
 mod statistics;
@@ -75,6 +76,8 @@ enum CommandChoice {
     Detect(detect::Arguments),
     /// Lay photos on a map, of whatever date: where each was taken, how surely, or why not.
     Register(register::Arguments),
+    /// Read, print, write and compare road maps, and fly by them.
+    Roads(roads::Arguments),
     /// Convert routes, landmarks and labels between file formats.
     Convert(convert::Arguments),
     /// Write the values of a log as CSV or JSON, or its track as KML, GPX, GeoJSON or CSV.
@@ -107,6 +110,7 @@ fn main() -> ExitCode {
         CommandChoice::Evaluate(arguments) => evaluate::run(&arguments),
         CommandChoice::Detect(arguments) => detect::run(&arguments),
         CommandChoice::Register(arguments) => register::run(&arguments),
+        CommandChoice::Roads(arguments) => roads::run(&arguments),
         CommandChoice::Convert(arguments) => convert::run(&arguments),
         CommandChoice::Export(arguments) => export::run(&arguments),
         CommandChoice::Columns(arguments) => columns::run(&arguments),

@@ -11,4 +11,5 @@ mod own_map;
 mod plan;
 mod register;
 mod rehearse;
+mod roads;
 mod vehicles;

@@ -1,0 +1,154 @@
+//! `pilotage roads`: road maps read, printed, put into missions, written, compared; flights by them.
+
+mod fly;
+mod source;
+
+use std::path::PathBuf;
+
+use pilotage_core::frames::LocalFrame;
+use pilotage_core::mission::{Mission, read_mission, write_mission};
+use pilotage_core::roads::files::write_roads;
+use pilotage_core::roads::{AplsGraph, AplsSettings, RoadClass, apls};
+
+use crate::CommandResult;
+use crate::files::write_whole;
+use source::{RoadSource, class};
+
+/// Arguments of `pilotage roads`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(clap::Subcommand)]
+enum Task {
+    /// Say what a road map has: roads by class, crossings, extent.
+    Print {
+        /// File of OpenStreetMap (XML, PBF), GeoJSON or a mission, or a built-in scenario.
+        source: String,
+    },
+    /// Put the roads of a file into a mission, in place of those that it has.
+    Import {
+        /// File of OpenStreetMap (XML, PBF) or GeoJSON, or a built-in scenario.
+        source: String,
+        /// Mission file, which is made if it is missing, around the middle of the roads.
+        #[arg(long)]
+        mission: PathBuf,
+        /// The least class of road that is taken: path, track, service, residential, tertiary, …
+        #[arg(long, default_value = "path")]
+        least: String,
+    },
+    /// Write roads as GeoJSON.
+    Export {
+        /// File of OpenStreetMap (XML, PBF), GeoJSON or a mission, or a built-in scenario.
+        source: String,
+        /// File to write.
+        #[arg(long)]
+        out: PathBuf,
+    },
+    /// Say how alike two road maps are: average path length similarity.
+    Apls {
+        /// The true map.
+        truth: String,
+        /// The map that is judged.
+        proposal: String,
+        /// Greatest distance at which a point is put on the other map, metres.
+        #[arg(long, default_value_t = 4.0)]
+        snap: f64,
+        /// Distance between the points that are compared, metres.
+        #[arg(long, default_value_t = 50.0)]
+        spacing: f64,
+    },
+    /// Fly a scenario by roads, and say how far across and along them the estimate is off.
+    Fly(fly::Arguments),
+}
+
+/// Does what the arguments say.
+pub fn run(arguments: &Arguments) -> CommandResult {
+    match &arguments.task {
+        Task::Print { source } => print(&RoadSource::open(source)?),
+        Task::Import {
+            source,
+            mission,
+            least,
+        } => import(&RoadSource::open(source)?, mission, least)?,
+        Task::Export { source, out } => {
+            let source = RoadSource::open(source)?;
+            write_whole(out, write_roads(&source.lines(None), &source.frame()?))?;
+        }
+        Task::Apls {
+            truth,
+            proposal,
+            snap,
+            spacing,
+        } => {
+            let (truth, proposal) = (RoadSource::open(truth)?, RoadSource::open(proposal)?);
+            let frame = truth.frame()?;
+            let first = AplsGraph::of(&truth.map(Some(&frame)), 0);
+            let after = first.nodes.len() as u64;
+            // Names of points along edges follow those of the nodes, so that the other's begin far off.
+            let second = AplsGraph::of(&proposal.map(Some(&frame)), (after + 1) << 24);
+            let settings = AplsSettings {
+                snap: *snap,
+                spacing: *spacing,
+            };
+            let score = apls(&first, &second, &settings);
+            println!(
+                "APLS {:.4} (truth onto proposal {:.4}, proposal onto truth {:.4}; {} and {} points)",
+                score.total,
+                score.truth_onto_proposal,
+                score.proposal_onto_truth,
+                score.of_truth,
+                score.of_proposal
+            );
+        }
+        Task::Fly(arguments) => fly::run(arguments)?,
+    }
+    Ok(())
+}
+
+fn print(source: &RoadSource) {
+    let map = source.map(None);
+    for note in source.notes() {
+        println!("{note}");
+    }
+    for (class, key, _) in RoadClass::ALL {
+        let lines = map.lines().iter().filter(|line| line.class == class);
+        let lengths = lines.map(|line| pilotage_core::roads::course_length(&line.course));
+        let lengths: Vec<f64> = lengths.collect();
+        if !lengths.is_empty() {
+            let length = lengths.iter().sum::<f64>() / 1000.0;
+            println!("{key:12} {:6} lines {length:9.3} km", lengths.len());
+        }
+    }
+    let graph = map.graph();
+    println!(
+        "{} nodes, {} edges, {} crossings, {:.3} km",
+        graph.node_count(),
+        graph.edge_count(),
+        map.crossings().len(),
+        map.length() / 1000.0
+    );
+    if let Some(bounds) = map.bounds() {
+        println!("{:.0} m by {:.0} m", bounds.width(), bounds.height());
+    }
+}
+
+fn import(source: &RoadSource, path: &PathBuf, least: &str) -> CommandResult {
+    let least = class(least)?;
+    let mut mission = if path.exists() {
+        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
+        read_mission(&bytes).map_err(|e| format!("{}: {e}", path.display()))?
+    } else {
+        Mission::new("Roads", source.frame()?.origin)
+    };
+    let lines = source.lines(Some(&LocalFrame::new(mission.origin)));
+    mission.roads = lines
+        .into_iter()
+        .filter(|line| line.class >= least)
+        .collect();
+    write_whole(path, write_mission(&mission))?;
+    println!("{}: {} roads", path.display(), mission.roads.len());
+    Ok(())
+}
