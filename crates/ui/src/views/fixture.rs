@@ -180,6 +180,7 @@ impl Fixture {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
+            roads: Vec::new(),
             labels: Vec::new(),
             camera: None,
             camera_to_log: None,
