@@ -9,6 +9,7 @@ pub use pilotage_estimation::vehicle;
 pub use pilotage_mission::exchange;
 pub use pilotage_navigator::{instruments, study};
 pub use pilotage_raster::{camera, raster};
+pub use pilotage_reference as reference;
 pub use pilotage_roads as roads;
 pub use pilotage_simulate::simulate;
 pub use pilotage_training as training;

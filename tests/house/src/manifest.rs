@@ -77,7 +77,7 @@ pub fn forbidden_dependencies<'a>(text: &str, forbidden: &[&'a str]) -> Vec<&'a 
 }
 
 /// The crates of the method from the bottom up: each may depend on those before it.
-pub const CORE: [&str; 15] = [
+pub const CORE: [&str; 16] = [
     "libraries",
     "fourier",
     "base",
@@ -86,6 +86,7 @@ pub const CORE: [&str; 15] = [
     "flight",
     "vision",
     "roads",
+    "reference",
     "mission",
     "readers",
     "maps",
