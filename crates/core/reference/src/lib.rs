@@ -3,6 +3,7 @@
 //!
 //! Second method of DeAngelo 2016 (chapter 3): buildings, fields and trees are told apart by their arrangement.
 
+pub mod association;
 mod class;
 mod compact;
 mod landmark;

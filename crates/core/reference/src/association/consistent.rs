@@ -1,0 +1,253 @@
+//! Association by agreement: cliques of pairs, weighed against each other and against chance.
+
+use nalgebra::{Matrix2, Vector2};
+use std::f64::consts::TAU;
+
+use super::candidates::{Candidate, candidates};
+use super::fix::{JointFix, SharedErrorFit};
+use super::graph::AgreementGraph;
+use super::{AssociationProblem, AssociationSettings};
+use pilotage_base::statistics::chi_square_quantile;
+
+/// Places of the aircraft that are weighed against each other.
+const HYPOTHESES: usize = 4;
+/// Rounds in which pairs are gathered around a place and the place is fitted to them.
+const ROUNDS: usize = 3;
+
+/// A pair that fits the likeliest place, accepted or not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AssociatedPair {
+    /// Index of the observed landmark.
+    pub observed: usize,
+    /// Index of the possible one.
+    pub possible: usize,
+    /// Probability that the two are the same thing.
+    pub probability: f64,
+    /// Squared distance of the two in standard deviations.
+    pub distance_squared: f64,
+    /// Whether it is believed.
+    pub accepted: bool,
+}
+
+/// Association of a picture.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Association {
+    /// Pairs that fit the likeliest place, by observed landmark.
+    pub pairs: Vec<AssociatedPair>,
+    /// Probability that the likeliest place is right, against the others and against chance.
+    pub probability: f64,
+    /// Fix by the accepted pairs, if they are enough and fit together.
+    pub fix: Option<JointFix>,
+}
+
+/// A place of the aircraft, with what speaks for it.
+struct Hypothesis {
+    pairs: Vec<(Candidate, AssociatedPair)>,
+    /// Logarithm of its likelihood times its prior, over that of chance.
+    log_odds: f64,
+}
+
+/// Associates what was observed with what is possible.
+///
+/// The densest clique of the agreement graph gives a place; pairs are gathered around it, one to one; the next clique
+/// is sought among the pairs that do not lie there. Each place is weighed by the pairs that it explains and its
+/// distance from the belief. A pair is believed if its probability is, and the pairs together if their joint
+/// chi-square is inside its gate.
+pub fn associate(problem: &AssociationProblem<'_>, settings: &AssociationSettings) -> Association {
+    let all = candidates(problem, settings);
+    let graph = AgreementGraph::of(problem, &all, settings);
+    let mut is_left = vec![true; all.len()];
+    let mut places = Vec::new();
+    for _ in 0..HYPOTHESES {
+        let clique = graph.densest(&is_left);
+        if clique.len() < 2 {
+            break;
+        }
+        for index in &clique {
+            is_left[*index] = false;
+        }
+        let start = clique.iter().map(|index| &all[*index]);
+        let Some((hypothesis, around)) = gathered(problem, &all, start, settings) else {
+            continue;
+        };
+        for index in around {
+            is_left[index] = false;
+        }
+        places.push(hypothesis);
+    }
+    let best = places
+        .iter()
+        .enumerate()
+        .max_by(|a, b| a.1.log_odds.total_cmp(&b.1.log_odds));
+    let Some((best, top)) = best.map(|(index, place)| (index, place.log_odds.max(0.0))) else {
+        return Association::default();
+    };
+    // Chance has the odds of one.
+    let others: f64 = places.iter().map(|p| (p.log_odds - top).exp()).sum();
+    let likeliest = places.swap_remove(best);
+    let probability = (likeliest.log_odds - top).exp() / (others + (-top).exp());
+    accepted(problem, likeliest, probability, settings)
+}
+
+/// The pairs around the place of `start`, and the indices of all candidates that would fit there.
+fn gathered<'a>(
+    problem: &AssociationProblem<'_>,
+    all: &[Candidate],
+    start: impl Iterator<Item = &'a Candidate>,
+    settings: &AssociationSettings,
+) -> Option<(Hypothesis, Vec<usize>)> {
+    let gate = chi_square_quantile(settings.gate, 2.0);
+    let mut fit = SharedErrorFit::to(problem, start, true)?;
+    let mut around: Vec<(usize, f64, f64)> = Vec::new();
+    let mut chosen: Vec<usize> = Vec::new();
+    for _ in 0..ROUNDS {
+        around.clear();
+        for (index, pair) in all.iter().enumerate() {
+            let residual = fit.residual(problem, pair);
+            let covariance: Matrix2<f64> = pair.covariance + fit.spread(problem, pair);
+            let squared = (covariance.try_inverse()? * residual).dot(&residual);
+            if squared <= gate {
+                let density = (-0.5 * squared).exp() / (TAU * covariance.determinant().sqrt());
+                around.push((index, squared, density * pair.size_ratio));
+            }
+        }
+        around.sort_by(|a, b| b.2.total_cmp(&a.2));
+        let mut observed = vec![false; problem.observed.len()];
+        let mut possible = vec![false; problem.possible.len()];
+        let before = std::mem::take(&mut chosen);
+        for (place, (index, ..)) in around.iter().enumerate() {
+            let pair = &all[*index];
+            if !observed[pair.observed] && !possible[pair.possible] {
+                (observed[pair.observed], possible[pair.possible]) = (true, true);
+                chosen.push(place);
+            }
+        }
+        let pairs = chosen.iter().map(|place| &all[around[*place].0]);
+        fit = SharedErrorFit::to(problem, pairs, true)?;
+        if chosen == before {
+            break;
+        }
+    }
+    let pairs = weighed(problem, all, &around, &chosen, settings);
+    let mut log_odds =
+        log_prior(problem, &fit)? + log_unmatched(problem, &fit, chosen.len(), settings);
+    for place in &chosen {
+        let (index, _, weight) = around[*place];
+        let missed = 1.0 / problem.possible[all[index].possible].detection - 1.0;
+        log_odds += (weight / (missed * density(problem, &all[index]))).ln();
+    }
+    let indices = around.iter().map(|(index, ..)| *index).collect();
+    Some((Hypothesis { pairs, log_odds }, indices))
+}
+
+/// Number of observed landmarks per square metre of the class of a pair.
+fn density(problem: &AssociationProblem<'_>, pair: &Candidate) -> f64 {
+    let class = problem.observed[pair.observed].class;
+    let seen = problem.observed.iter().filter(|o| o.class == class);
+    seen.count() as f64 / problem.area()
+}
+
+/// Logarithm of the likelihood of what has no partner at the fitted place, over that where all that is observed is
+/// chance: landmarks in view that were missed, and observed ones that the table lacks, a Poisson process of a known
+/// share of what it would be by chance.
+fn log_unmatched(
+    problem: &AssociationProblem<'_>,
+    fit: &SharedErrorFit,
+    matched: usize,
+    settings: &AssociationSettings,
+) -> f64 {
+    let offset: Vector2<f64> = fit.state.fixed_rows::<2>(0).into();
+    let in_view = problem
+        .possible
+        .iter()
+        .filter(|possible| problem.is_in_view(possible.place - offset));
+    let missed: f64 = in_view
+        .map(|possible| (1.0 - possible.detection).ln())
+        .sum();
+    let count = problem.observed.len();
+    let fewer = (1.0 - settings.clutter) * count as f64;
+    missed + fewer + (count - matched) as f64 * settings.clutter.ln()
+}
+
+/// Logarithm of the probability of the fitted place before anything was observed: the belief there, over the area that
+/// the fit leaves open.
+fn log_prior(problem: &AssociationProblem<'_>, fit: &SharedErrorFit) -> Option<f64> {
+    let offset = fit.state.fixed_rows::<2>(0);
+    let shared = fit.state.fixed_rows::<4>(2);
+    let known = problem.common.position.try_inverse()?;
+    let pose = problem.common.pose.try_inverse()?;
+    let squared = (known * offset).dot(&offset) + (pose * shared).dot(&shared);
+    let determinants = fit.position().determinant() / problem.common.position.determinant();
+    Some(0.5 * determinants.ln() - 0.5 * squared)
+}
+
+/// The chosen pairs with their probabilities if the place is right: each against all that compete for its two
+/// landmarks, and against clutter.
+fn weighed(
+    problem: &AssociationProblem<'_>,
+    all: &[Candidate],
+    around: &[(usize, f64, f64)],
+    chosen: &[usize],
+    settings: &AssociationSettings,
+) -> Vec<(Candidate, AssociatedPair)> {
+    let mut by_observed = vec![0.0; problem.observed.len()];
+    let mut by_possible = vec![0.0; problem.possible.len()];
+    let detected =
+        |index: usize, weight: f64| weight * problem.possible[all[index].possible].detection;
+    for (index, _, weight) in around {
+        by_observed[all[*index].observed] += detected(*index, *weight);
+        by_possible[all[*index].possible] += detected(*index, *weight);
+    }
+    let mut pairs: Vec<(Candidate, AssociatedPair)> = chosen
+        .iter()
+        .map(|place| {
+            let (index, distance_squared, weight) = around[*place];
+            let pair = all[index];
+            let own = detected(index, weight);
+            let rivals = by_observed[pair.observed] + by_possible[pair.possible] - own;
+            // A wrong pair needs an observed landmark that the table lacks, and a possible one that was missed.
+            let missed = 1.0 - problem.possible[pair.possible].detection;
+            let chance = missed * settings.clutter * density(problem, &pair);
+            let told = AssociatedPair {
+                observed: pair.observed,
+                possible: pair.possible,
+                probability: own / (rivals + chance),
+                distance_squared,
+                accepted: false,
+            };
+            (pair, told)
+        })
+        .collect();
+    pairs.sort_by_key(|(_, told)| told.observed);
+    pairs
+}
+
+/// Accepts the pairs that are likely enough, if they are enough and fit together.
+fn accepted(
+    problem: &AssociationProblem<'_>,
+    mut likeliest: Hypothesis,
+    probability: f64,
+    settings: &AssociationSettings,
+) -> Association {
+    for (_, told) in &mut likeliest.pairs {
+        told.probability *= probability;
+        told.accepted = told.probability >= settings.least_probability;
+    }
+    let believed = likeliest.pairs.iter().filter(|(_, told)| told.accepted);
+    let believed = believed.map(|(pair, _)| pair);
+    let is_enough = believed.clone().count() >= settings.least_pairs;
+    let fix = JointFix::of(problem, believed).filter(|fix| {
+        let most = chi_square_quantile(settings.gate, fix.degrees.max(1) as f64);
+        is_enough && fix.chi_square <= most
+    });
+    if fix.is_none() {
+        for (_, told) in &mut likeliest.pairs {
+            told.accepted = false;
+        }
+    }
+    Association {
+        pairs: likeliest.pairs.into_iter().map(|(_, told)| told).collect(),
+        probability,
+        fix,
+    }
+}
