@@ -48,6 +48,7 @@ pub const ORDERS: [&Order; 8] = [
             "evidence",
             "texture",
             "geometry",
+            "ground_class",
             "landmark",
             "registration",
             "road",

@@ -3,6 +3,7 @@
 
 mod evidence;
 pub mod geometry;
+pub mod ground_class;
 pub mod landmark;
 pub mod registration;
 pub mod road;
