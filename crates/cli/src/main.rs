@@ -27,6 +27,7 @@ mod outcome;
 mod own_map;
 mod photo_picture;
 mod plan;
+mod reference_map;
 mod register;
 mod rehearse;
 mod replay;
@@ -72,6 +73,8 @@ enum CommandChoice {
     Train(train::Arguments),
     /// Judge trained detectors on pictures that they were not trained on.
     Evaluate(Box<evaluate::Arguments>),
+    /// Make a map into a table of generic landmarks.
+    ReferenceMap(reference_map::Arguments),
     /// Run a cascade over pictures.
     Detect(detect::Arguments),
     /// Lay photos on a map, of whatever date: where each was taken, how surely, or why not.
@@ -108,6 +111,7 @@ fn main() -> ExitCode {
         CommandChoice::Rehearse(arguments) => rehearse::run(&arguments),
         CommandChoice::Train(arguments) => train::run(&arguments),
         CommandChoice::Evaluate(arguments) => evaluate::run(&arguments),
+        CommandChoice::ReferenceMap(arguments) => reference_map::run(&arguments),
         CommandChoice::Detect(arguments) => detect::run(&arguments),
         CommandChoice::Register(arguments) => register::run(&arguments),
         CommandChoice::Roads(arguments) => roads::run(&arguments),

@@ -9,6 +9,7 @@ mod georef;
 mod map;
 mod own_map;
 mod plan;
+mod reference_map;
 mod register;
 mod rehearse;
 mod roads;

@@ -8,6 +8,7 @@ mod class;
 mod compact;
 mod landmark;
 mod pixel_table;
+pub mod seeing;
 mod table;
 
 pub use class::GenericClass;

@@ -1,0 +1,122 @@
+//! A map made into a table, tile by tile.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::landmarks_seen;
+use crate::{GenericLandmark, ReferenceTable};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground};
+
+/// Side of a tile, metres.
+const TILE: f64 = 384.0;
+/// Ground around a tile that is looked at with it, metres: the largest thing is whole there.
+const AROUND: f64 = 66.0;
+
+/// Things of a map, tile by tile, of the tiles that were asked for.
+#[derive(Clone)]
+pub struct SeenTiles {
+    map: Arc<dyn Imagery>,
+    network: CoverNetwork,
+    /// By row from the south and column from the west, counted from the origin.
+    tiles: BTreeMap<(i64, i64), Vec<GenericLandmark>>,
+}
+
+impl SeenTiles {
+    /// Nothing looked at yet of `map`.
+    pub fn of(map: Arc<dyn Imagery>, network: CoverNetwork) -> Self {
+        Self {
+            map,
+            network,
+            tiles: BTreeMap::new(),
+        }
+    }
+
+    /// Landmarks at most `reach` metres from `place`; tiles there that were not looked at yet are looked at now.
+    pub fn near(&mut self, place: GroundPoint, reach: f64) -> Vec<GenericLandmark> {
+        let mut found = Vec::new();
+        let rect = GroundRect::centered(place, 2.0 * reach, 2.0 * reach);
+        for number in tiles_of(&rect) {
+            let landmarks = self.tile(number).iter();
+            found.extend(landmarks.filter(|l| l.place.distance(&place) <= reach));
+        }
+        found
+    }
+
+    fn tile(&mut self, number: (i64, i64)) -> &[GenericLandmark] {
+        let (map, network) = (&self.map, &self.network);
+        let look = || look_at(map.as_ref(), network, number);
+        self.tiles.entry(number).or_insert_with(look)
+    }
+}
+
+/// Numbers of the tiles that touch `rect`.
+fn tiles_of(rect: &GroundRect) -> impl Iterator<Item = (i64, i64)> + use<> {
+    let number = |metres: f64| (metres / TILE).floor() as i64;
+    let rows = number(rect.south)..=number(rect.north);
+    let columns = number(rect.west)..=number(rect.east);
+    rows.flat_map(move |row| columns.clone().map(move |column| (row, column)))
+}
+
+/// Landmarks of a tile.
+fn look_at(map: &dyn Imagery, network: &CoverNetwork, number: (i64, i64)) -> Vec<GenericLandmark> {
+    let (south, west) = (number.0 as f64 * TILE, number.1 as f64 * TILE);
+    let tile = GroundRect {
+        south,
+        north: south + TILE,
+        west,
+        east: west + TILE,
+    };
+    if !tile.overlaps(&map.bounds()) {
+        return Vec::new();
+    }
+    let window = Window::covering(&tile.grown(AROUND), CLASS_GSD);
+    let picture = map.window(&window);
+    let mut seen = landmarks_seen(&classify_ground(&window, &picture, network));
+    // A place on the border of two tiles is in one of them.
+    seen.retain(|landmark| {
+        (tile.south..tile.north).contains(&landmark.place.north)
+            && (tile.west..tile.east).contains(&landmark.place.east)
+    });
+    seen
+}
+
+/// A map that is made into a table; memory does not grow with the map but for the landmarks.
+pub struct ReferenceMapping {
+    tiles: SeenTiles,
+    left: Vec<(i64, i64)>,
+    all: usize,
+}
+
+impl ReferenceMapping {
+    /// Nothing looked at yet of `map`.
+    pub fn of(map: Arc<dyn Imagery>, network: CoverNetwork) -> Self {
+        let left: Vec<(i64, i64)> = tiles_of(&map.bounds()).collect();
+        Self {
+            all: left.len(),
+            left,
+            tiles: SeenTiles::of(map, network),
+        }
+    }
+
+    /// Tiles that are done, and tiles in all.
+    pub fn progress(&self) -> (usize, usize) {
+        (self.all - self.left.len(), self.all)
+    }
+
+    /// Looks at the next tile; whether there was one.
+    pub fn advance(&mut self) -> bool {
+        let next = self.left.pop();
+        if let Some(number) = next {
+            self.tiles.tile(number);
+        }
+        next.is_some()
+    }
+
+    /// The table of what was found so far.
+    pub fn into_table(self) -> ReferenceTable {
+        let found = self.tiles.tiles.into_values().flatten();
+        ReferenceTable::new(found.collect(), Vec::new())
+    }
+}

@@ -1,0 +1,13 @@
+//! Generic landmarks seen in classes of the ground: in a picture from the air, or in the map.
+
+mod blobs;
+mod mapping;
+mod observed;
+mod precision;
+#[cfg(test)]
+mod tests;
+mod things;
+
+pub use mapping::{ReferenceMapping, SeenTiles};
+pub use observed::{observed, possible};
+pub use things::landmarks_seen;
