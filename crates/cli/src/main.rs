@@ -2,6 +2,7 @@
 
 mod align;
 mod bench;
+mod classes;
 mod columns;
 mod compare;
 mod convert;
@@ -73,6 +74,8 @@ enum CommandChoice {
     Train(train::Arguments),
     /// Judge trained detectors on pictures that they were not trained on.
     Evaluate(Box<evaluate::Arguments>),
+    /// Train and judge what tells classes of the ground.
+    Classes(classes::Arguments),
     /// Make a map into a table of generic landmarks.
     ReferenceMap(reference_map::Arguments),
     /// Run a cascade over pictures.
@@ -111,6 +114,7 @@ fn main() -> ExitCode {
         CommandChoice::Rehearse(arguments) => rehearse::run(&arguments),
         CommandChoice::Train(arguments) => train::run(&arguments),
         CommandChoice::Evaluate(arguments) => evaluate::run(&arguments),
+        CommandChoice::Classes(arguments) => classes::run(&arguments),
         CommandChoice::ReferenceMap(arguments) => reference_map::run(&arguments),
         CommandChoice::Detect(arguments) => detect::run(&arguments),
         CommandChoice::Register(arguments) => register::run(&arguments),

@@ -2,6 +2,7 @@
 
 mod envelope;
 pub mod evaluation;
+pub mod ground_classes;
 mod held_out;
 mod labelled;
 mod photo;
