@@ -35,4 +35,5 @@ aids! {
     barometric_height,
     ground_range,
     roads,
+    generic_landmarks,
 }

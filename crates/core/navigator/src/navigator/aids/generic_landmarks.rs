@@ -1,0 +1,140 @@
+//! Buildings, trees, waters and paved places that nobody picked, paired with those of the map.
+
+use nalgebra::{DMatrix, Matrix2, Matrix4, Vector2, Vector4, dvector};
+use std::sync::Arc;
+
+use super::super::engine::MeasurementModel;
+use super::super::observation::Observation;
+use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber};
+use super::error::AidError;
+use pilotage_base::frames::GroundPoint;
+use pilotage_mission::settings::{GENERIC_LANDMARKS, GENERIC_MAP_DEVIATION, MAP_DEVIATION};
+use pilotage_reference::association::{
+    AssociationProblem, AssociationSettings, CommonError, associate,
+};
+use pilotage_reference::seeing::{SeenTiles, landmarks_seen, observed, possible};
+use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground, ground_picture};
+
+/// Believed places of the aircraft in which landmarks are looked up, standard deviations.
+const REACH: f64 = 3.5;
+/// Farthest that landmarks are looked up from what the picture shows, metres.
+const FARTHEST: f64 = 400.0;
+
+/// Description for people.
+pub const INFO: AidInfo = AidInfo {
+    key: GENERIC_LANDMARKS,
+    label: "Generic landmarks",
+    description: "Buildings, trees, waters and paved places that the camera sees, paired with those of the map by \
+                  their arrangement. None is told from another by itself: pairs are believed that agree with each \
+                  other, and they give one place together.",
+    channels: &[],
+    components: &[("north", "m"), ("east", "m")],
+    numbers: &[
+        AidNumber {
+            key: "tilt",
+            label: "Error of the camera's roll and pitch",
+            unit: "rad",
+            usual: 0.0183,
+        },
+        AidNumber {
+            key: "yaw",
+            label: "Error of the camera's yaw",
+            unit: "rad",
+            usual: 0.0201,
+        },
+        AidNumber {
+            key: "height",
+            label: "Error of the height",
+            unit: "m",
+            usual: 0.6,
+        },
+        AidNumber {
+            key: MAP_DEVIATION,
+            label: "Error per axis that all landmarks share",
+            unit: "m",
+            usual: GENERIC_MAP_DEVIATION,
+        },
+    ],
+    begin: |numbers, ground| {
+        let ground = ground.ok_or_else(|| AidError::UnknownGround {
+            key: INFO.key.to_owned(),
+            what: "map".to_owned(),
+            remedy: "open one, or switch the aid off".to_owned(),
+        })?;
+        let deviations = Vector4::new(numbers[0], numbers[0], numbers[1], numbers[2]);
+        let network = CoverNetwork::usual();
+        Ok(Box::new(GenericLandmarks {
+            known: SeenTiles::of(Arc::clone(&ground.map), network.clone()),
+            network,
+            pose: Matrix4::from_diagonal(&deviations.component_mul(&deviations)),
+        }))
+    },
+};
+
+/// The aid.
+struct GenericLandmarks {
+    known: SeenTiles,
+    network: CoverNetwork,
+    /// Covariance of the camera's roll, pitch, yaw and height, but for the believed bias of the heading.
+    pose: Matrix4<f64>,
+}
+
+impl Aid for GenericLandmarks {
+    fn info(&self) -> &'static AidInfo {
+        &INFO
+    }
+
+    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
+        let look = moment.look.as_ref();
+        look.and_then(|look| self.fix(look)).into_iter().collect()
+    }
+}
+
+impl GenericLandmarks {
+    /// Place of the aircraft by what is seen in a picture.
+    fn fix(&mut self, look: &AidLook<'_>) -> Option<Observation<'static>> {
+        let (camera, ground_down) = (look.model.camera, look.model.ground_down);
+        let picture = ground_picture(camera, &look.pose, ground_down, look.picture, CLASS_GSD);
+        let (window, pixels) = picture?;
+        let seen = landmarks_seen(&classify_ground(&window, &pixels, &self.network));
+        let below = look.pose.position_in_world.xy().coords;
+        let in_picture: Vec<_> = seen
+            .iter()
+            .filter_map(|landmark| observed(landmark, camera, &look.pose, ground_down))
+            .collect();
+        let view: Vec<Vector2<f64>> = camera
+            .footprint(&look.pose, ground_down)
+            .iter()
+            .map(|corner| corner.to_vector() - below)
+            .collect();
+        let position: Matrix2<f64> = look.belief.covariance.fixed_view::<2, 2>(0, 0).into();
+        let farthest = view.iter().map(Vector2::norm).fold(0.0, f64::max);
+        let doubt = REACH * position.symmetric_eigenvalues().max().max(0.0).sqrt();
+        let reach = farthest + doubt.min(FARTHEST);
+        let in_table: Vec<_> = self
+            .known
+            .near(GroundPoint::from(below), reach)
+            .iter()
+            .map(|landmark| possible(landmark, GroundPoint::from(below)))
+            .collect();
+        let mut pose = self.pose;
+        pose[(2, 2)] += look.belief.covariance[(2, 2)];
+        let problem = AssociationProblem {
+            observed: &in_picture,
+            possible: &in_table,
+            common: CommonError { position, pose },
+            view: &view,
+        };
+        let fix = associate(&problem, &AssociationSettings::default()).fix?;
+        let place = below + fix.offset;
+        let covariance = fix.covariance;
+        Some(Observation {
+            measured: dvector![place.x, place.y],
+            noise: DMatrix::from_column_slice(2, 2, covariance.as_slice()),
+            model: MeasurementModel::of_pose(|seen| {
+                Some(dvector![seen.on_map.north, seen.on_map.east])
+            }),
+            degrees: 2,
+        })
+    }
+}
