@@ -19,7 +19,8 @@ use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_flight::Flight;
 use pilotage_mission::mission::{MapReference, Mission};
 use pilotage_mission::settings::{
-    ChosenAid, NavigatorSettings, ProcessNoise, ROAD_MAP, SensorNoise, StartError, VehicleChoice,
+    ChosenAid, GENERIC_LANDMARKS, NavigatorSettings, ProcessNoise, ROAD_MAP, SensorNoise,
+    StartError, VehicleChoice,
 };
 use pilotage_raster::camera::CameraModel;
 use pilotage_roads::RoadMap;
@@ -41,6 +42,16 @@ const DETECTOR_GROUND: f64 = 0.11;
 
 /// Error of the map of generated roads per axis, metres: verges and worn edges move their middle so far.
 const GENERATED_ROAD_ERROR: f64 = 0.3;
+
+/// An aid with the numbers that hold in the generated world.
+fn chosen_aid(key: &str) -> ChosenAid {
+    let aid = ChosenAid::usual(key);
+    if key == ROAD_MAP.aid {
+        aid.with(ROAD_MAP.number, GENERATED_ROAD_ERROR)
+    } else {
+        aid
+    }
+}
 
 /// Origin of the generated world on the globe: a place without a map, in the North Atlantic.
 pub fn world_origin() -> Geodetic {
@@ -94,8 +105,8 @@ pub struct Scenario {
     pub height: f64,
     /// Mean wind.
     pub wind: Wind,
-    /// Whether it is navigated by roads, without landmarks.
-    pub is_by_roads: bool,
+    /// Key of the aid by which it is flown in place of named landmarks, if it is.
+    pub by_aid: Option<&'static str>,
 }
 
 /// Values that the user wants otherwise than the scenario has them.
@@ -153,7 +164,7 @@ impl Scenario {
                 route: route::two_legs(),
                 height: feet(400.0),
                 wind: Wind::default(),
-                is_by_roads: false,
+                by_aid: None,
             },
             Self {
                 name: "distinct-400ft-wind",
@@ -166,7 +177,7 @@ impl Scenario {
                     from: 307.0_f64.to_radians(),
                     speed: knots(10.0),
                 },
-                is_by_roads: false,
+                by_aid: None,
             },
             Self {
                 name: "distinct-1000ft-extended",
@@ -176,7 +187,7 @@ impl Scenario {
                 route: route::extended(),
                 height: feet(1000.0),
                 wind: Wind::default(),
-                is_by_roads: false,
+                by_aid: None,
             },
             Self {
                 name: "roads-400ft",
@@ -186,7 +197,18 @@ impl Scenario {
                 route: route::road_leg(),
                 height: feet(400.0),
                 wind: Wind::default(),
-                is_by_roads: true,
+                by_aid: Some(ROAD_MAP.aid),
+            },
+            Self {
+                name: "generic-1000ft",
+                title: "Without named landmarks",
+                description: "The same S-turns without any picked landmark: buildings, trees, \
+                              waters and paved places are found in the map and in the pictures, \
+                              and told apart by their arrangement. Calm air.",
+                route: route::extended(),
+                height: feet(1000.0),
+                wind: Wind::default(),
+                by_aid: Some(GENERIC_LANDMARKS),
             },
         ]
     }
@@ -245,7 +267,7 @@ impl Scenario {
         Scenery::new(DEMO_SEED, Day::map_day())
     }
 
-    /// The ten landmarks and how to navigate the scenario with them.
+    /// The landmarks, or the aid, and how to navigate the scenario with them.
     pub fn mission(&self) -> Mission {
         self.mission_over(&Self::map())
     }
@@ -255,7 +277,7 @@ impl Scenario {
         let landmarks = map
             .distinct_features()
             .into_iter()
-            .take(if self.is_by_roads { 0 } else { LANDMARKS })
+            .take(if self.by_aid.is_none() { LANDMARKS } else { 0 })
             .zip(1..)
             .map(|(feature, id)| {
                 let bounds = picked(&feature);
@@ -270,7 +292,7 @@ impl Scenario {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
-            roads: if self.is_by_roads {
+            roads: if self.by_aid == Some(ROAD_MAP.aid) {
                 let (lines, joining) = map.roads();
                 RoadMap::new(lines, joining).lines().to_vec()
             } else {
@@ -322,13 +344,7 @@ impl Scenario {
                 pixel: DETECTOR_PIXEL,
                 ground: DETECTOR_GROUND,
             },
-            aids: if self.is_by_roads {
-                // The generated roads lie where the map has them.
-                let map = ROAD_MAP.number;
-                vec![ChosenAid::usual(ROAD_MAP.aid).with(map, GENERATED_ROAD_ERROR)]
-            } else {
-                Vec::new()
-            },
+            aids: self.by_aid.map(chosen_aid).into_iter().collect(),
             ..defaults
         }
     }
@@ -369,9 +385,13 @@ mod tests {
     }
 
     #[test]
-    fn every_scenario_by_landmarks_has_nine_buildings_and_a_pool_and_sees_them_all() {
-        for scenario in Scenario::all().iter().filter(|s| !s.is_by_roads) {
+    fn every_scenario_has_nine_buildings_and_a_pool_and_sees_them_all_or_an_aid_in_their_place() {
+        for scenario in Scenario::all() {
             let mission = scenario.mission();
+            if scenario.by_aid.is_some() {
+                assert!(mission.landmarks.is_empty() && mission.navigator.aids.len() == 1);
+                continue;
+            }
             assert_eq!(mission.landmarks.len(), 10);
             assert_eq!(mission.landmarks[9].name, "swimming pool");
             assert!(in_view(scenario).iter().filter(|n| **n > 0).count() > 60);
