@@ -5,6 +5,7 @@ mod brighton_flight;
 mod cut_with_landmarks;
 mod dead_reckoning;
 mod flights_as_logs;
+mod generic_landmarks;
 mod gps_wind;
 mod indoor_hall;
 mod recovery;
