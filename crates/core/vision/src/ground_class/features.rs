@@ -8,8 +8,8 @@ pub const FEATURES: usize = 33;
 
 /// Radii of squares over which channels are averaged, cells.
 const RADII: [usize; 3] = [1, 3, 8];
-/// Radii over which directions are averaged, cells.
-const DIRECTED: [usize; 2] = [1, 3];
+/// Number of the smaller ones of these squares over which directions are averaged, too.
+const DIRECTED: usize = 2;
 /// Distance of the cells around that are looked at, cells.
 const AWAY: isize = 4;
 /// Cells around: brightness is looked at in all, colour in the first four.
@@ -67,17 +67,16 @@ impl CoverFeatures {
         add(planes.red.get(column, row));
         add(planes.blue.get(column, row));
         add(planes.texture.get(column, row));
-        for radius in RADII {
-            let [mean, square, red, blue, texture] = planes.means(0, (column, row), radius);
+        let boxes = RADII.map(|radius| planes.means((column, row), radius));
+        for [mean, square, red, blue, texture, ..] in boxes {
             add(mean);
             add((square - mean * mean).max(0.0).sqrt());
             add(red);
             add(blue);
             add(texture);
         }
-        for radius in DIRECTED {
-            let [along, across, length] = planes.means(5, (column, row), radius);
-            add(along.hypot(across) / (length + 1e-4));
+        for [.., along, across, length] in &boxes[..DIRECTED] {
+            add(along.hypot(*across) / (*length + 1e-4));
         }
         let inside =
             |at: usize, step: isize, size: usize| at.saturating_add_signed(step).min(size - 1);

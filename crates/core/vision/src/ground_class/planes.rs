@@ -1,7 +1,7 @@
 //! Channels of a picture of the ground, averaged over cells, and their sums over squares.
 
 use super::CELL_PIXELS;
-use pilotage_raster::raster::{Gray, IntegralImage, Raster, Rgba, luminance};
+use pilotage_raster::raster::{Gray, Raster, Rgba, luminance};
 
 /// Number of channels with sums.
 pub const SUMS: usize = 8;
@@ -20,8 +20,9 @@ pub struct CoverPlanes {
     pub texture: Gray,
     /// Whether a cell was seen whole.
     pub seen: Vec<bool>,
-    /// Sums of brightness, its square, red, blue, texture, and of the two parts and the length of the squared gradient.
-    sums: [IntegralImage; SUMS],
+    /// Sums over all cells above and left of a corner, corner by corner: of brightness, its square, red, blue, texture,
+    /// and of the two parts and the length of the squared gradient. Beside each other, so that one look finds all.
+    sums: Vec<[f64; SUMS]>,
 }
 
 impl CoverPlanes {
@@ -74,16 +75,30 @@ impl CoverPlanes {
         }
         let [bright, red, blue, texture] = planes;
         let (along, across, length) = gradients(&bright);
-        let sums = [
-            IntegralImage::new(&bright),
-            IntegralImage::of_squares(&bright),
-            IntegralImage::new(&red),
-            IntegralImage::new(&blue),
-            IntegralImage::new(&texture),
-            IntegralImage::new(&along),
-            IntegralImage::new(&across),
-            IntegralImage::new(&length),
-        ];
+        let stride = width + 1;
+        let mut sums = vec![[0.0; SUMS]; stride * (height + 1)];
+        for row in 0..height {
+            let mut running = [0.0; SUMS];
+            for column in 0..width {
+                let value = bright.get(column, row);
+                let values = [
+                    value,
+                    value * value,
+                    red.get(column, row),
+                    blue.get(column, row),
+                    texture.get(column, row),
+                    along.get(column, row),
+                    across.get(column, row),
+                    length.get(column, row),
+                ];
+                let above = sums[row * stride + column + 1];
+                let below = &mut sums[(row + 1) * stride + column + 1];
+                for k in 0..SUMS {
+                    running[k] += f64::from(values[k]);
+                    below[k] = above[k] + running[k];
+                }
+            }
+        }
         Self {
             width,
             height,
@@ -96,19 +111,16 @@ impl CoverPlanes {
         }
     }
 
-    /// Means of the first `N` channels with sums over the cells at most `radius` away along each axis, as far as
-    /// there are any.
-    pub fn means<const N: usize>(
-        &self,
-        first: usize,
-        (column, row): (usize, usize),
-        radius: usize,
-    ) -> [f32; N] {
+    /// Means of the channels with sums over the cells at most `radius` away along each axis, as far as there are any.
+    pub fn means(&self, (column, row): (usize, usize), radius: usize) -> [f32; SUMS] {
         let (left, top) = (column.saturating_sub(radius), row.saturating_sub(radius));
-        let width = (column + radius + 1).min(self.width) - left;
-        let height = (row + radius + 1).min(self.height) - top;
-        let share = 1.0 / (width * height) as f64;
-        std::array::from_fn(|k| (self.sums[first + k].sum(left, top, width, height) * share) as f32)
+        let right = (column + radius + 1).min(self.width);
+        let bottom = (row + radius + 1).min(self.height);
+        let share = 1.0 / ((right - left) * (bottom - top)) as f64;
+        let corner = |column: usize, row: usize| &self.sums[row * (self.width + 1) + column];
+        let (a, b) = (corner(left, top), corner(right, top));
+        let (c, d) = (corner(left, bottom), corner(right, bottom));
+        std::array::from_fn(|k| ((d[k] - c[k] - b[k] + a[k]) * share) as f32)
     }
 }
 

@@ -50,6 +50,34 @@ fn brightness_alone_changes_no_feature_and_a_picture_turned_upside_down_turns_it
 }
 
 #[test]
+fn means_over_squares_are_those_of_their_cells_also_at_the_rim() {
+    let picture = Raster::<Rgba>::from_fn(60, 40, |c, r| {
+        let v = 40 + ((c * c + 31 * r) % 97) as u8;
+        [v, 200 - v, v / 3, 255]
+    });
+    let features = CoverFeatures::of(&picture);
+    for (column, row) in [(0, 0), (12, 9), (29, 19)] {
+        let own = features.cell(column, row);
+        for (first, radius) in [(4, 1), (9, 3), (14, 8)] {
+            let rows = row.saturating_sub(radius)..(row + radius + 1).min(20);
+            let cells = rows.flat_map(|r| {
+                let columns = column.saturating_sub(radius)..(column + radius + 1).min(30);
+                columns.map(move |c| (c, r))
+            });
+            let around: Vec<_> = cells.map(|(c, r)| features.cell(c, r)).collect();
+            let count = around.len() as f32;
+            let mean = |k: usize| around.iter().map(|f| f[k]).sum::<f32>() / count;
+            let squares = around.iter().map(|f| f[0] * f[0]).sum::<f32>() / count;
+            let spread = (squares - mean(0) * mean(0)).max(0.0).sqrt();
+            let expected = [mean(0), spread, mean(1), mean(2), mean(3)];
+            for (k, expected) in expected.into_iter().enumerate() {
+                assert!((own[first + k] - expected).abs() < 1e-3, "{radius} {k}");
+            }
+        }
+    }
+}
+
+#[test]
 fn unseen_ground_has_no_class() {
     let mut picture = Raster::<Rgba>::filled(40, 40, [90, 120, 60, 255]);
     for row in 0..40 {
@@ -89,4 +117,34 @@ fn a_picture_lies_north_up_on_the_ground_whatever_it_heads() {
     };
     assert_eq!(colour(10.0, 40.0), [200, 0, 0, 255]);
     assert_eq!(colour(10.0, 0.0), [0, 0, 200, 255]);
+}
+
+/// Prints the time of a whole picture; `cargo test -p pilotage-vision --lib -- --ignored --nocapture study_of_the_time`.
+#[test]
+#[ignore = "a study: times"]
+fn study_of_the_time_of_a_picture_of_1280_by_960() {
+    let mut state = 1_u32;
+    let picture = Raster::<Rgba>::from_fn(1280, 960, |_, _| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let [a, b, c, _] = state.to_be_bytes();
+        [a, b, c, 255]
+    });
+    let window = Window {
+        north_edge: 0.0,
+        west_edge: 0.0,
+        gsd: CLASS_GSD,
+        width: 1280,
+        height: 960,
+    };
+    let network = CoverNetwork::usual();
+    let mut times: Vec<f64> = (0..40)
+        .map(|_| {
+            let start = std::time::Instant::now();
+            let map = classify_ground(&window, &picture, &network);
+            assert_eq!(map.probabilities.len(), 640 * 480);
+            1e3 * start.elapsed().as_secs_f64()
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    println!("least {:.1} ms, median {:.1} ms", times[0], times[20]);
 }
