@@ -2,17 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Name in files of the aid by landmarks of the map that nobody picked.
-pub const GENERIC_LANDMARKS: &str = "generic-landmarks";
-
-/// Error per axis that all such landmarks share throughout a flight, metres: 0.43 m by which shadows of another day move
-/// all of them (`pilotage classes places --countries 8 --pictures 6`), and 0.80 m by a bias of 0.15° of roll or pitch from
-/// 1000 ft.
-pub const GENERIC_MAP_DEVIATION: f64 = 1.0;
-
-/// Name of the number that is such an error.
-pub const MAP_DEVIATION: &str = "map-deviation";
-
 /// An aid that is switched on.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ChosenAid {
@@ -29,16 +18,6 @@ impl ChosenAid {
         Self {
             key: key.to_owned(),
             numbers: Vec::new(),
-        }
-    }
-
-    /// Error per axis of the map that all its observations share throughout a flight, metres; 0 without any.
-    pub fn map_deviation(&self) -> f64 {
-        let set = self.numbers.iter().find(|(name, _)| name == MAP_DEVIATION);
-        match set {
-            Some((_, deviation)) => *deviation,
-            None if self.key == GENERIC_LANDMARKS => GENERIC_MAP_DEVIATION,
-            None => 0.0,
         }
     }
 
@@ -69,6 +48,18 @@ pub const ROAD_MAP: FilterAidNumber = FilterAidNumber {
     number: "map",
     usual: 2.0,
 };
+
+/// Error per axis that all landmarks that nobody picked share throughout a flight, metres: 0.43 m by which shadows of
+/// another day move all of them (`pilotage classes places --countries 8 --pictures 6`), and 0.80 m by a bias of 0.15° of
+/// roll or pitch from 1000 ft. It is taken for an error of the map.
+pub const GENERIC_LANDMARKS: FilterAidNumber = FilterAidNumber {
+    aid: "generic-landmarks",
+    number: "map-deviation",
+    usual: 1.0,
+};
+
+/// The errors of maps that aids look at.
+pub const MAP_ERRORS: [FilterAidNumber; 2] = [ROAD_MAP, GENERIC_LANDMARKS];
 
 impl FilterAidNumber {
     /// Its value if its aid is among `chosen`.

@@ -6,9 +6,7 @@ mod navigator;
 mod without_mission;
 
 pub use adjustment::CameraAdjustment;
-pub use aids::{
-    ChosenAid, FilterAidNumber, GENERIC_LANDMARKS, GENERIC_MAP_DEVIATION, MAP_DEVIATION, ROAD_MAP,
-};
+pub use aids::{ChosenAid, FilterAidNumber, GENERIC_LANDMARKS, MAP_ERRORS, ROAD_MAP};
 pub use pilotage_estimation::estimator::{EstimatorChoice, EstimatorSettings};
 
 pub use navigator::{

@@ -18,4 +18,4 @@ pub use fix::JointFix;
 pub use problem::{
     AssociationProblem, AssociationSettings, CommonError, ObservedLandmark, PossibleLandmark,
 };
-pub use scoreboard::{RoadLine, Scoreboard, ScoreboardRow, ScoreboardSettings, ScoreboardTerms};
+pub use scoreboard::{NearestRoad, Scoreboard, ScoreboardRow, ScoreboardSettings, ScoreboardTerms};

@@ -8,14 +8,14 @@ use crate::GenericClass;
 
 /// A straight road through two points, metres north and east.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoadLine {
+pub struct NearestRoad {
     /// A point of it.
     pub from: Vector2<f64>,
     /// Another one.
     pub to: Vector2<f64>,
 }
 
-impl RoadLine {
+impl NearestRoad {
     /// Distance of a place from it, metres, positive on the right of whoever goes from `from` to `to` (eqs 5-8, with
     /// the side by the cross product: the sign of one component fails where the road runs along the other).
     fn distance(&self, place: Vector2<f64>) -> f64 {
@@ -101,7 +101,7 @@ impl Scoreboard {
     pub fn of(
         observed: &[ObservedLandmark],
         possible: &[PossibleLandmark],
-        roads: Option<(RoadLine, RoadLine)>,
+        roads: Option<(NearestRoad, NearestRoad)>,
         settings: &ScoreboardSettings,
     ) -> Self {
         let seen: Vec<_> = observed.iter().map(|o| (o.class, o.place)).collect();

@@ -250,7 +250,7 @@ fn a_scoreboard_without_error_pairs_everything_with_itself() {
             by_pose: by_pose(possible.place),
         })
         .collect();
-    let road = RoadLine {
+    let road = NearestRoad {
         from: Vector2::new(-300.0, 10.0),
         to: Vector2::new(300.0, -20.0),
     };

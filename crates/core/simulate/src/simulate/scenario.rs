@@ -208,7 +208,7 @@ impl Scenario {
                 route: route::extended(),
                 height: feet(1000.0),
                 wind: Wind::default(),
-                by_aid: Some(GENERIC_LANDMARKS),
+                by_aid: Some(GENERIC_LANDMARKS.aid),
             },
         ]
     }
@@ -394,7 +394,7 @@ mod tests {
             }
             assert_eq!(mission.landmarks.len(), 10);
             assert_eq!(mission.landmarks[9].name, "swimming pool");
-            assert!(in_view(scenario).iter().filter(|n| **n > 0).count() > 60);
+            assert!(in_view(&scenario).iter().filter(|n| **n > 0).count() > 60);
         }
     }
 

@@ -8,7 +8,7 @@ use super::super::observation::Observation;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber};
 use super::error::AidError;
 use pilotage_base::frames::GroundPoint;
-use pilotage_mission::settings::{GENERIC_LANDMARKS, GENERIC_MAP_DEVIATION, MAP_DEVIATION};
+use pilotage_mission::settings::GENERIC_LANDMARKS;
 use pilotage_reference::association::{
     AssociationProblem, AssociationSettings, CommonError, associate,
 };
@@ -22,7 +22,7 @@ const FARTHEST: f64 = 400.0;
 
 /// Description for people.
 pub const INFO: AidInfo = AidInfo {
-    key: GENERIC_LANDMARKS,
+    key: GENERIC_LANDMARKS.aid,
     label: "Generic landmarks",
     description: "Buildings, trees, waters and paved places that the camera sees, paired with those of the map by \
                   their arrangement. None is told from another by itself: pairs are believed that agree with each \
@@ -49,10 +49,10 @@ pub const INFO: AidInfo = AidInfo {
             usual: 0.6,
         },
         AidNumber {
-            key: MAP_DEVIATION,
+            key: GENERIC_LANDMARKS.number,
             label: "Error per axis that all landmarks share",
             unit: "m",
-            usual: GENERIC_MAP_DEVIATION,
+            usual: GENERIC_LANDMARKS.usual,
         },
     ],
     begin: |numbers, ground| {
@@ -131,6 +131,7 @@ impl GenericLandmarks {
         Some(Observation {
             measured: dvector![place.x, place.y],
             noise: DMatrix::from_column_slice(2, 2, covariance.as_slice()),
+            weakened: None,
             model: MeasurementModel::of_pose(|seen| {
                 Some(dvector![seen.on_map.north, seen.on_map.east])
             }),

@@ -5,7 +5,7 @@ use pilotage_estimation::vehicle::{
     HeightModel, MapError, Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VehicleVisitor,
     VelocityDriven,
 };
-use pilotage_mission::settings::{ChosenAid, NavigatorSettings, ROAD_MAP, VehicleChoice};
+use pilotage_mission::settings::{MAP_ERRORS, NavigatorSettings, VehicleChoice};
 
 /// Works with the model that the filter of a run has: that of the vehicle, with its height where that is asked for, else with
 /// the error of the map where that is known to be off.
@@ -23,9 +23,10 @@ pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) 
 /// Model of the map's error, if that error is a state of the filter.
 pub fn map_error(settings: &NavigatorSettings) -> Option<MapError> {
     let of_frames = settings.whole_frames.map(|frames| frames.map_deviation);
-    let of_aids = settings.aids.iter().map(ChosenAid::map_deviation);
-    let of_all = of_aids.chain(ROAD_MAP.of(&settings.aids)).chain(of_frames);
-    let deviation = of_all.fold(0.0, f64::max);
+    let of_aids = MAP_ERRORS
+        .iter()
+        .filter_map(|error| error.of(&settings.aids));
+    let deviation = of_aids.chain(of_frames).fold(0.0, f64::max);
     (deviation > 0.0 && !settings.estimates_height).then(|| MapError::of(deviation))
 }
 
