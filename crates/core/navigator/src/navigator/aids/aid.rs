@@ -11,7 +11,7 @@ use super::super::observation::{GaussianState, Observation};
 use super::error::AidError;
 
 /// Makes an aid, with a value for each of its numbers, from what is known of the ground, if anything is.
-type BeginAid = fn(&[f64], Option<&KnownGround>) -> Result<Box<dyn Aid>, AidError>;
+pub type BeginAid = fn(&[f64], Option<&KnownGround>) -> Result<Box<dyn Aid>, AidError>;
 
 /// Description of an aid.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +29,6 @@ pub struct AidInfo {
     pub components: &'static [(&'static str, &'static str)],
     /// Numbers that people may set.
     pub numbers: &'static [AidNumber],
-    /// Makes the aid.
-    pub(super) begin: BeginAid,
 }
 
 impl AidInfo {

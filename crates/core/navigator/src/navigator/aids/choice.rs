@@ -61,7 +61,10 @@ pub fn chosen(
                 channel: name.key().to_owned(),
             });
         }
-        (info.begin)(&values, ground)
+        let mut makers = AidInfo::ALL.iter().zip(AidInfo::MAKERS);
+        let maker = makers.find(|(of, _)| of.key == info.key);
+        maker.map(|(_, begin)| begin(&values, ground)).transpose()
     };
-    choices.iter().map(begun).collect()
+    let begun: Result<Vec<_>, _> = choices.iter().map(begun).collect();
+    Ok(begun?.into_iter().flatten().collect())
 }

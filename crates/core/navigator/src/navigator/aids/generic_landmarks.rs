@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::super::engine::MeasurementModel;
 use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber};
+use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::GENERIC_LANDMARKS;
@@ -55,20 +55,22 @@ pub const INFO: AidInfo = AidInfo {
             usual: GENERIC_LANDMARKS.usual,
         },
     ],
-    begin: |numbers, ground| {
-        let ground = ground.ok_or_else(|| AidError::UnknownGround {
-            key: INFO.key.to_owned(),
-            what: "map".to_owned(),
-            remedy: "open one, or switch the aid off".to_owned(),
-        })?;
-        let deviations = Vector4::new(numbers[0], numbers[0], numbers[1], numbers[2]);
-        let network = CoverNetwork::usual();
-        Ok(Box::new(GenericLandmarks {
-            known: SeenTiles::of(Arc::clone(&ground.map), network.clone()),
-            network,
-            pose: Matrix4::from_diagonal(&deviations.component_mul(&deviations)),
-        }))
-    },
+};
+
+/// Makes the aid.
+pub const BEGIN: BeginAid = |numbers, ground| {
+    let ground = ground.ok_or_else(|| AidError::UnknownGround {
+        key: INFO.key.to_owned(),
+        what: "map".to_owned(),
+        remedy: "open one, or switch the aid off".to_owned(),
+    })?;
+    let deviations = Vector4::new(numbers[0], numbers[0], numbers[1], numbers[2]);
+    let network = CoverNetwork::usual();
+    Ok(Box::new(GenericLandmarks {
+        known: SeenTiles::of(Arc::clone(&ground.map), network.clone()),
+        network,
+        pose: Matrix4::from_diagonal(&deviations.component_mul(&deviations)),
+    }))
 };
 
 /// The aid.

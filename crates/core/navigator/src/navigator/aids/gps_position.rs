@@ -3,7 +3,7 @@
 use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::aid::{AidInfo, AidNumber};
+use super::aid::{AidInfo, AidNumber, BeginAid};
 use super::direct::DirectAid;
 use super::reading::APART;
 use pilotage_flight::ChannelName;
@@ -25,11 +25,11 @@ pub const INFO: AidInfo = AidInfo {
         },
         APART,
     ],
-    begin: |numbers, _| {
-        Ok(DirectAid::boxed(&INFO, numbers, |_| {
-            MeasurementModel::of_pose(|seen| {
-                Some(dvector![seen.position.north, seen.position.east])
-            })
-        }))
-    },
+};
+
+/// Makes the aid.
+pub const BEGIN: BeginAid = |numbers, _| {
+    Ok(DirectAid::boxed(&INFO, numbers, |_| {
+        MeasurementModel::of_pose(|seen| Some(dvector![seen.position.north, seen.position.east]))
+    }))
 };

@@ -3,7 +3,7 @@
 use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::aid::{AidInfo, AidNumber};
+use super::aid::{AidInfo, AidNumber, BeginAid};
 use super::direct::DirectAid;
 use super::reading::APART;
 use pilotage_flight::ChannelName;
@@ -25,13 +25,15 @@ pub const INFO: AidInfo = AidInfo {
         },
         APART,
     ],
-    // The error includes what the airspeed's reading errs at that moment.
-    begin: |numbers, _| {
-        Ok(DirectAid::boxed(&INFO, numbers, |_| {
-            MeasurementModel::of_motion(|seen| {
-                let velocity = seen.velocity?;
-                Some(dvector![velocity.x, velocity.y])
-            })
-        }))
-    },
+};
+
+/// Makes the aid.
+// The error includes what the airspeed's reading errs at that moment.
+pub const BEGIN: BeginAid = |numbers, _| {
+    Ok(DirectAid::boxed(&INFO, numbers, |_| {
+        MeasurementModel::of_motion(|seen| {
+            let velocity = seen.velocity?;
+            Some(dvector![velocity.x, velocity.y])
+        })
+    }))
 };

@@ -3,7 +3,7 @@
 use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::aid::{AidInfo, AidNumber};
+use super::aid::{AidInfo, AidNumber, BeginAid};
 use super::direct::DirectAid;
 use super::reading::APART;
 use pilotage_flight::ChannelName;
@@ -25,14 +25,16 @@ pub const INFO: AidInfo = AidInfo {
         },
         APART,
     ],
-    begin: |numbers, _| {
-        Ok(DirectAid::boxed(&INFO, numbers, |_| {
-            MeasurementModel::of_pose(|seen| {
-                // Along the axis of a tilted body the ground is farther away.
-                let down = seen.attitude.roll.cos() * seen.attitude.pitch.cos();
-                (down > 0.1).then_some(())?;
-                Some(dvector![seen.height? / down])
-            })
-        }))
-    },
+};
+
+/// Makes the aid.
+pub const BEGIN: BeginAid = |numbers, _| {
+    Ok(DirectAid::boxed(&INFO, numbers, |_| {
+        MeasurementModel::of_pose(|seen| {
+            // Along the axis of a tilted body the ground is farther away.
+            let down = seen.attitude.roll.cos() * seen.attitude.pitch.cos();
+            (down > 0.1).then_some(())?;
+            Some(dvector![seen.height? / down])
+        })
+    }))
 };

@@ -3,7 +3,7 @@
 use nalgebra::dvector;
 
 use super::super::engine::MeasurementModel;
-use super::aid::{AidInfo, AidNumber};
+use super::aid::{AidInfo, AidNumber, BeginAid};
 use super::direct::DirectAid;
 use pilotage_base::frames::wrap_pi;
 use pilotage_flight::ChannelName;
@@ -31,15 +31,17 @@ pub const INFO: AidInfo = AidInfo {
             usual: 20.0,
         },
     ],
-    // The error includes what the heading's own reading errs from one moment to the next.
-    begin: |numbers, _| {
-        Ok(DirectAid::boxed(&INFO, numbers, |measured| {
-            let read = measured[0];
-            MeasurementModel::of_pose(move |seen| {
-                seen.heading_bias?;
-                // Expectations near the reading differ from it by less than half a turn.
-                Some(dvector![read + wrap_pi(seen.attitude.yaw - read)])
-            })
-        }))
-    },
+};
+
+/// Makes the aid.
+// The error includes what the heading's own reading errs from one moment to the next.
+pub const BEGIN: BeginAid = |numbers, _| {
+    Ok(DirectAid::boxed(&INFO, numbers, |measured| {
+        let read = measured[0];
+        MeasurementModel::of_pose(move |seen| {
+            seen.heading_bias?;
+            // Expectations near the reading differ from it by less than half a turn.
+            Some(dvector![read + wrap_pi(seen.attitude.yaw - read)])
+        })
+    }))
 };

@@ -10,6 +10,7 @@ mod take;
 #[cfg(test)]
 mod tests;
 
+use aid::BeginAid;
 pub(super) use aid::{Aid, AidLook, AidMoment};
 pub use aid::{AidInfo, AidNumber};
 pub(super) use choice::chosen;
@@ -24,6 +25,9 @@ macro_rules! aids {
         impl AidInfo {
             /// Every aid.
             pub const ALL: &[&Self] = &[$(&$file::INFO),*];
+
+            /// The makers of all, in the same order: a program that only describes aids links none of them.
+            const MAKERS: &[BeginAid] = &[$($file::BEGIN),*];
         }
     };
 }

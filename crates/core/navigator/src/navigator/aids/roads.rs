@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector2, Vector3};
 
 use super::super::engine::MeasurementModel;
 use super::super::observation::Observation;
-use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber};
+use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::ROAD_MAP;
@@ -54,23 +54,25 @@ pub const INFO: AidInfo = AidInfo {
             usual: 0.5,
         },
     ],
-    begin: |numbers, ground| {
-        let lines = ground.map_or(&[][..], |ground| &ground.roads);
-        if lines.is_empty() {
-            return Err(AidError::UnknownGround {
-                key: ROAD_MAP.aid.to_owned(),
-                what: "road".to_owned(),
-                remedy: "add roads to the mission, or switch it off".to_owned(),
-            });
-        }
-        Ok(Box::new(Roads {
-            map: RoadMap::new(lines.to_vec(), RoadJoining::SHARED_POINTS),
-            of_map: numbers[0],
-            of_middle: numbers[1],
-            apart: numbers[2],
-            last: f64::NEG_INFINITY,
-        }))
-    },
+};
+
+/// Makes the aid.
+pub const BEGIN: BeginAid = |numbers, ground| {
+    let lines = ground.map_or(&[][..], |ground| &ground.roads);
+    if lines.is_empty() {
+        return Err(AidError::UnknownGround {
+            key: ROAD_MAP.aid.to_owned(),
+            what: "road".to_owned(),
+            remedy: "add roads to the mission, or switch it off".to_owned(),
+        });
+    }
+    Ok(Box::new(Roads {
+        map: RoadMap::new(lines.to_vec(), RoadJoining::SHARED_POINTS),
+        of_map: numbers[0],
+        of_middle: numbers[1],
+        apart: numbers[2],
+        last: f64::NEG_INFINITY,
+    }))
 };
 
 /// The aid over a road map.
@@ -349,7 +351,7 @@ mod tests {
     #[test]
     fn a_mission_without_roads_is_told_so() {
         let ground = KnownGround::new(Arc::new(Blank));
-        let refused = (INFO.begin)(&[1.0, 1.0, 1.0], Some(&ground)).err().unwrap();
+        let refused = BEGIN(&[1.0, 1.0, 1.0], Some(&ground)).err().unwrap();
         let words = NavigatorError::from(refused).to_string();
         assert!(words.contains("no road"), "{words}");
     }
