@@ -51,7 +51,7 @@ pub mod mission {
 pub mod navigator {
     pub use pilotage_mission::settings::{
         ChosenAid, Cruise, EstimatorChoice, EstimatorSettings, NavigatorSettings, ProcessNoise,
-        SensorNoise, StartError, VehicleChoice,
+        ROAD_MAP, SensorNoise, StartError, VehicleChoice,
     };
     pub use pilotage_navigator::navigator::*;
 }

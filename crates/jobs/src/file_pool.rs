@@ -74,6 +74,11 @@ pub fn has_ending(name: &str, endings: &[&str]) -> bool {
     })
 }
 
+/// Whether bytes have these words somewhere.
+pub fn contains(bytes: &[u8], words: &[u8]) -> bool {
+    bytes.windows(words.len()).any(|w| w == words)
+}
+
 impl FileSet for FilePool {
     fn names(&self) -> Vec<String> {
         let inner = self.inner.iter().flat_map(|files| files.names());

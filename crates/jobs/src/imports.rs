@@ -1,4 +1,4 @@
-//! Routes and landmarks of other programs among dropped files.
+//! Routes, landmarks and roads of other programs among dropped files.
 
 use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
 use pilotage_core::exchange::{Format, Imported, read_any};
@@ -8,11 +8,9 @@ use pilotage_core::flight::files::FileSet;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 
 use super::ImportedFile;
-use super::file_pool::{has_ending, names_ending_in};
-
-/// Farthest from the mission's origin that a file may lie, metres: beyond, the plane on which a
-/// mission is planned is no longer the ground.
-const FARTHEST: f64 = 100e3;
+use super::far_away::{FARTHEST, too_far};
+use super::file_pool::{contains, has_ending, names_ending_in};
+use super::road_files::{is_of_roads, roads_of};
 
 /// Whether a file is a mission of this program, which is opened instead of added.
 pub fn is_mission(name: &str, bytes: &[u8]) -> bool {
@@ -44,6 +42,8 @@ pub fn imports(
     let mut found = Vec::new();
     for name in names {
         let of_missions = [
+            "osm",
+            "pbf",
             "plan",
             "mission",
             "waypoints",
@@ -61,7 +61,14 @@ pub fn imports(
             continue;
         }
         let bytes = pool.read(&name).unwrap_or_default();
-        if is_mission(&name, &bytes) || !is_exchange(&name, &bytes) {
+        if is_mission(&name, &bytes) {
+            continue;
+        }
+        if is_of_roads(&name, &bytes) {
+            found.push(roads_of(name, &bytes, &LocalFrame::new(origin))?);
+            continue;
+        }
+        if !is_exchange(&name, &bytes) {
             continue;
         }
         match read_any(&name, &bytes, Some(LocalFrame::new(origin))) {
@@ -107,10 +114,6 @@ fn is_exchange(name: &str, bytes: &[u8]) -> bool {
     }
 }
 
-fn contains(bytes: &[u8], words: &[u8]) -> bool {
-    bytes.windows(words.len()).any(|w| w == words)
-}
-
 fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
     let origin = GroundPoint::default();
     let places = imported.routes.iter().flat_map(|r| &r.way_points);
@@ -127,11 +130,7 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
         .map(|p| p.distance(&origin))
         .fold(f64::INFINITY, f64::min);
     if nearest > FARTHEST {
-        return Err(format!(
-            "{name}: it lies over {:.0} km from the map that is open. Open a map of that place first, \
-             or drop both together",
-            FARTHEST / 1e3
-        ));
+        return Err(too_far(&name));
     }
     Ok(ImportedFile {
         name,
@@ -141,6 +140,7 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
         no_fly: imported.no_fly,
         rally: imported.rally,
         notes: imported.notes,
+        ..ImportedFile::default()
     })
 }
 

@@ -306,8 +306,8 @@ fn unknown(pool: &dyn FileSet) -> String {
         "{first}{more}: of no kind that opens here. These do: flight logs ({}), sentences of a receiver (.nmea), \
          MATLAB's variables (.mat), tables of a flight as CSV, a flight folder with its {FLIGHT_FILE}, a zip of any of \
          these, a film beside its log or its subtitles (.srt), a map picture with its world file, a GeoTIFF, PMTiles, \
-         an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, and routes \
-         and landmarks as {}.",
+         an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, roads of \
+         OpenStreetMap (.osm, .pbf), and routes and landmarks as {}.",
         log_endings().join(", "),
         exchange_names().join(", ")
     )

@@ -48,6 +48,8 @@ pub struct Tokens {
     pub refused: Color32,
     /// The previous run, shown for comparison.
     pub ghost: Color32,
+    /// Roads of the mission: sand.
+    pub road: Color32,
     /// Whether fingers press what is on screen, and not a pointer.
     pub touch: bool,
     /// The spacing unit, points; everything is a multiple.
@@ -86,6 +88,7 @@ impl Tokens {
             observed: Color32::from_rgb(90, 200, 250),
             refused: Color32::from_rgb(240, 120, 70),
             ghost: Color32::from_rgb(120, 130, 140),
+            road: Color32::from_rgb(246, 216, 158),
             touch: false,
             space: 8.0,
             text_sizes: [12.0, 14.0, 16.0, 20.0, 28.0],

@@ -1,11 +1,12 @@
-//! Routes, landmarks and areas out of files of other programs.
+//! Routes, landmarks, areas and roads out of files of other programs.
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, RallyPoint, Route};
+use pilotage_core::roads::RoadLine;
 use serde::{Deserialize, Serialize};
 
 /// Content of a file of another program, placed in the mission's world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ImportedFile {
     /// Name of the file.
     pub name: String,
@@ -19,6 +20,8 @@ pub struct ImportedFile {
     pub no_fly: Vec<NoFlyZone>,
     /// Places to land at when the aircraft cannot go on.
     pub rally: Vec<RallyPoint>,
+    /// Roads.
+    pub roads: Vec<RoadLine>,
     /// Assumptions, and things kept aside or left out, in sentences.
     pub notes: Vec<String>,
 }

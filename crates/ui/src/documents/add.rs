@@ -1,4 +1,4 @@
-//! Routes, landmarks, no-fly areas and rally points of files, added to the mission.
+//! Routes, landmarks, no-fly areas, rally points and roads of files, added to the mission.
 
 use super::{Brought, Documents};
 
@@ -29,6 +29,7 @@ impl Documents {
                 self.mission.landmarks.push(landmark);
             }
             self.mission.no_fly.extend(file.no_fly);
+            self.mission.roads.extend(file.roads);
             for mut point in file.rally {
                 point.name = self.mission.free_rally_name(&point.name);
                 self.mission.rally.push(point);
@@ -45,6 +46,7 @@ mod tests {
     use pilotage_core::frames::{GroundPoint, GroundRect};
     use pilotage_core::landmark::Landmark;
     use pilotage_core::mission::{NoFlyZone, RallyPoint, Route};
+    use pilotage_core::roads::RoadLine;
 
     #[test]
     fn what_two_files_brought_gets_free_identities_and_is_gone_after_one_undo() {
@@ -59,12 +61,14 @@ mod tests {
                 landmarks: vec![landmark],
                 no_fly: vec![NoFlyZone::default()],
                 rally: vec![RallyPoint::new(1, GroundPoint::default())],
+                roads: vec![RoadLine::default()],
             }
         };
         let added = documents.add_all(vec![file(), file()]);
         assert_eq!(added.routes, [1, 2]);
         assert_eq!(added.landmarks, [own + 1, own + 2]);
         assert_eq!(documents.mission.no_fly.len(), 2);
+        assert_eq!(documents.mission.roads.len(), 2);
         let names = documents.mission.rally.iter().map(|point| &point.name);
         assert_eq!(names.collect::<Vec<_>>(), ["Rally 1", "Rally 2"]);
         assert_eq!(documents.undo(), Some(true));

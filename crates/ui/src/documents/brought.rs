@@ -2,6 +2,7 @@
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, RallyPoint, Route};
+use pilotage_core::roads::RoadLine;
 
 use pilotage_jobs::ImportedFile;
 
@@ -16,6 +17,8 @@ pub struct Brought {
     pub no_fly: Vec<NoFlyZone>,
     /// Places to land at when the aircraft cannot go on.
     pub rally: Vec<RallyPoint>,
+    /// Roads.
+    pub roads: Vec<RoadLine>,
 }
 
 impl From<ImportedFile> for Brought {
@@ -25,6 +28,7 @@ impl From<ImportedFile> for Brought {
             landmarks: file.landmarks,
             no_fly: file.no_fly,
             rally: file.rally,
+            roads: file.roads,
         }
     }
 }

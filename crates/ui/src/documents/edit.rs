@@ -3,7 +3,7 @@
 use pilotage_core::calibration::CameraAdjustment;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::navigator::{NavigatorSettings, ROAD_MAP};
 
 use super::Documents;
 
@@ -111,10 +111,16 @@ impl Documents {
         Some(self.replace_mission(after))
     }
 
+    /// Whether the navigator looks for the mission's roads, so that the run depends on them.
+    pub fn uses_roads(&self) -> bool {
+        ROAD_MAP.of(&self.mission.navigator.aids).is_some()
+    }
+
     fn replace_mission(&mut self, mission: pilotage_core::mission::Mission) -> bool {
         let camera_differs = self.mission.camera_to_log != mission.camera_to_log;
         let affected = camera_differs
             || self.mission.navigator != mission.navigator
+            || self.uses_roads() && self.mission.roads != mission.roads
             || self.mission.landmarks.len() != mission.landmarks.len()
             || std::iter::zip(&self.mission.landmarks, &mission.landmarks).any(|(a, b)| {
                 let of = |l: &Landmark| (l.id, l.bounds, l.enabled, l.reference, l.height);
@@ -128,8 +134,11 @@ impl Documents {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::navigator::ChosenAid;
+    use pilotage_core::roads::RoadLine;
+
     use super::*;
-    use crate::documents::Session;
+    use crate::documents::{Brought, Session};
 
     fn box_of(size: f64) -> GroundRect {
         GroundRect::centered(
@@ -169,5 +178,24 @@ mod tests {
         documents.reshape_landmark(id, moved, true);
         let reference = documents.mission.landmark(id).map(|l| l.reference);
         assert_eq!(reference, Some(moved.center()));
+    }
+
+    #[test]
+    fn roads_affect_the_run_of_a_navigator_that_looks_for_them_alone() {
+        let mut documents = Documents::new(&Session::demo());
+        let roads = || {
+            let roads = vec![RoadLine::default()];
+            let file = Brought {
+                roads,
+                ..Brought::default()
+            };
+            vec![file]
+        };
+        documents.add_all(roads());
+        assert_eq!(documents.undo(), Some(false));
+        let aids = &mut documents.mission.navigator.aids;
+        aids.push(ChosenAid::usual(ROAD_MAP.aid));
+        documents.add_all(roads());
+        assert_eq!(documents.undo(), Some(true));
     }
 }

@@ -281,6 +281,7 @@ impl Documents {
                     landmarks: own.landmarks,
                     no_fly: own.no_fly,
                     rally: own.rally,
+                    roads: own.roads,
                 }]);
             }
         }

@@ -127,6 +127,7 @@ impl MapView {
             Layer::Recorded => has_recorded,
             Layer::Ghost => context.ghost.is_some(),
             Layer::Landmarks => !context.mission.landmarks.is_empty(),
+            Layer::Roads => !context.mission.roads.is_empty(),
             Layer::Route | Layer::Corridor => planning && !context.mission.routes.is_empty(),
             _ => context.run.is_some(),
         };

@@ -35,6 +35,8 @@ pub enum Layer {
     Landmarks,
     /// Lines to accepted matches.
     Matches,
+    /// Roads of the mission.
+    Roads,
     /// Routes of the plan.
     Route,
     /// The corridor predicted along a route.
@@ -43,7 +45,7 @@ pub enum Layer {
 
 impl Layer {
     /// Every layer, in the order of the legend.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Truth,
         Self::Recorded,
         Self::Estimate,
@@ -54,6 +56,7 @@ impl Layer {
         Self::Footprint,
         Self::Landmarks,
         Self::Matches,
+        Self::Roads,
         Self::Route,
         Self::Corridor,
     ];
@@ -71,6 +74,7 @@ impl Layer {
             Self::Footprint => "Camera footprint",
             Self::Landmarks => "Landmarks",
             Self::Matches => "Accepted matches",
+            Self::Roads => "Roads",
             Self::Route => "Routes",
             Self::Corridor => "95 % corridor",
         }
@@ -145,6 +149,10 @@ impl Layer {
             Self::Matches => {
                 line(left, right, tokens.observed, 1.5);
                 painter.circle_filled(left, 2.5, tokens.observed);
+            }
+            Self::Roads => {
+                line(left, right, tokens.outline(), 5.0);
+                line(left, right, tokens.road, 2.5);
             }
             Self::Route => {
                 line(left, right, tokens.accent, 2.5);

@@ -13,6 +13,7 @@ mod layers;
 mod other_world;
 mod picking;
 mod readouts;
+mod roads;
 mod symbols;
 mod thin_track;
 mod tiles;

@@ -15,6 +15,7 @@ use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
 use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
+use super::roads::DrawnRoads;
 use super::symbols::{
     paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
     paint_sigma,
@@ -94,6 +95,7 @@ pub struct MapView {
     unaided: DrawnTrack,
     truth: DrawnTrack,
     ghost: DrawnTrack,
+    roads: DrawnRoads,
     wants_fit: Option<GroundRect>,
     /// Whether something else than the flight is looked at.
     is_aside: bool,
@@ -250,6 +252,10 @@ impl MapView {
         let paint_tool =
             |map: &Self, stage| show_tools(map, &mut |tool, canvas| tool.paint(stage, canvas));
         paint_tool(self, MapStage::Ground);
+        if self.layers.shows(Layer::Roads) {
+            self.roads.follow(&mission.roads, view.metres_per_point);
+            self.roads.paint(&painter, &view, rect, tokens);
+        }
         self.paint_tracks(&painter, &view, rect, context, extra);
         paint_tool(self, MapStage::BelowMarks);
         let mut labels = Vec::new();

@@ -1,4 +1,4 @@
-//! Routes and landmarks from the files of other programs.
+//! Routes, landmarks, areas and roads from the files of other programs.
 
 use super::planner::Planner;
 use super::tab::PlanTab;
@@ -30,11 +30,14 @@ impl Planner {
         let landmarks: usize = files.iter().map(|f| f.landmarks.len()).sum();
         let no_fly: usize = files.iter().map(|f| f.no_fly.len()).sum();
         let rally: usize = files.iter().map(|f| f.rally.len()).sum();
+        let roads: usize = files.iter().map(|f| f.roads.len()).sum();
+        let adds_plan = routes + landmarks + no_fly + rally > 0;
         let what: Vec<String> = counted(routes, "route")
             .into_iter()
             .chain(counted(landmarks, "landmark"))
             .chain(counted(no_fly, "no-fly area"))
             .chain(counted(rally, "rally point"))
+            .chain(counted(roads, "road"))
             .collect();
         let names: Vec<String> = files
             .iter()
@@ -57,18 +60,21 @@ impl Planner {
             .collect();
         let documents = &mut *context.documents;
         let added = documents.add_all(files.into_iter().map(Brought::from).collect());
-        self.drawing = false;
-        self.fitted = false;
-        self.way_point = None;
-        self.tab = match (added.routes.is_empty(), added.landmarks.is_empty()) {
-            (false, _) => PlanTab::Route,
-            (true, false) => PlanTab::Landmarks,
-            (true, true) => PlanTab::Ground,
-        };
-        documents.route = added.routes.first().copied().or(documents.route);
-        context.show();
+        // Roads are seen in any workspace.
+        if adds_plan {
+            self.drawing = false;
+            self.fitted = false;
+            self.way_point = None;
+            self.tab = match (added.routes.is_empty(), added.landmarks.is_empty()) {
+                (false, _) => PlanTab::Route,
+                (true, false) => PlanTab::Landmarks,
+                (true, true) => PlanTab::Ground,
+            };
+            documents.route = added.routes.first().copied().or(documents.route);
+            context.show();
+        }
         context.document_changed();
-        if !added.landmarks.is_empty() {
+        if !added.landmarks.is_empty() || roads > 0 && context.documents.uses_roads() {
             context.run_is_stale();
         }
         let title = format!("Added {} from {}", what.join(" and "), names.join(", "));

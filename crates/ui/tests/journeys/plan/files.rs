@@ -3,10 +3,11 @@ use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
+use pilotage_core::roads::RoadLine;
 use pilotage_jobs::{ImportedFile, Job, OpenOrder, OpenedFiles};
 use pilotage_ui::host::OpenedFile;
 
-use super::super::support::{Rig, flight::mission};
+use super::super::support::{Rig, flight::mission, rig};
 use super::{draw, planning};
 
 fn opened(rig: &mut Rig, file: ImportedFile) {
@@ -52,6 +53,7 @@ fn file() -> ImportedFile {
         landmarks: vec![Landmark::new(1, "Silo", bounds)],
         no_fly: Vec::new(),
         rally: Vec::new(),
+        roads: Vec::new(),
         notes: vec!["1 command is kept but not understood: command 31000".into()],
     }
 }
@@ -74,6 +76,42 @@ fn an_opened_plan_is_added_to_the_mission_with_a_word_on_what_is_not_understood(
     let state = rig.state();
     assert_eq!(state["plan"]["routes"].as_array().map(Vec::len), Some(0));
     assert_eq!(landmarks(&rig), before, "one step back takes all of it");
+}
+
+#[test]
+fn opened_roads_are_added_with_a_word_on_their_classes_and_leave_people_where_they_are() {
+    let mut rig = rig();
+    let course = vec![GroundPoint::new(0.0, -200.0), GroundPoint::new(0.0, 200.0)];
+    let road = RoadLine {
+        width: 6.0,
+        course,
+        ..RoadLine::default()
+    };
+    let file = ImportedFile {
+        name: "town.osm".into(),
+        format: "OpenStreetMap".into(),
+        roads: vec![road; 2],
+        notes: vec!["By class: 2 residential".into()],
+        ..ImportedFile::default()
+    };
+    rig.harness.get_by_label("Legend").click();
+    rig.frames(3);
+    assert!(rig.harness.query_by_label("Roads").is_none());
+    opened(&mut rig, file);
+    let state = rig.state();
+    assert_eq!(state["workspace"], "Replay");
+    let toast = state["toasts"].as_array().and_then(|t| t.last()).cloned();
+    let toast = toast.expect("a word on it");
+    let text = format!("{} {}", toast["title"], toast["text"]);
+    assert!(
+        text.contains("Added 2 roads from town.osm (OpenStreetMap)"),
+        "{text}"
+    );
+    assert!(text.contains("By class: 2 residential"), "{text}");
+    assert!(rig.harness.query_by_label("Roads").is_some());
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
+    rig.frames(2);
+    assert!(rig.harness.query_by_label("Roads").is_none());
 }
 
 #[test]

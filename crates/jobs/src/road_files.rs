@@ -1,0 +1,151 @@
+//! Roads among dropped files: `OpenStreetMap`'s XML and PBF, and GeoJSON that names a `highway`.
+
+use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::roads::files::{RoadsRead, read_roads};
+use pilotage_core::roads::{RoadClass, RoadLine};
+
+use super::ImportedFile;
+use super::far_away::{FARTHEST, too_far};
+use super::file_pool::{contains, has_ending};
+
+/// Farthest from the mission's origin that roads are taken over, metres along each axis: an extract may be of a whole
+/// country, of which a flight sees little.
+const REACH: f64 = 30e3;
+
+/// Whether a file holds roads.
+pub fn is_of_roads(name: &str, bytes: &[u8]) -> bool {
+    has_ending(name, &["osm", "pbf"])
+        || has_ending(name, &["geojson", "json"])
+            && contains(bytes, b"\"FeatureCollection\"")
+            && contains(bytes, b"\"highway\"")
+}
+
+/// The roads of a file in the world of `frame`, with what was left out in sentences.
+///
+/// # Errors
+/// A file that cannot be read, without a road, or from far away, in words.
+pub fn roads_of(name: String, bytes: &[u8], frame: &LocalFrame) -> Result<ImportedFile, String> {
+    let read = read_roads(bytes).map_err(|cause| format!("{name}: {cause}"))?;
+    let all = read.in_world(frame);
+    let near = GroundRect::centered(GroundPoint::default(), 2.0 * REACH, 2.0 * REACH);
+    let is_near = |road: &RoadLine| road.course.iter().any(|point| near.contains(point));
+    let roads: Vec<RoadLine> = all.iter().filter(|road| is_near(road)).cloned().collect();
+    if all.is_empty() {
+        return Err(format!(
+            "{name}: no road is in it. Export an area with ways that have the tag highway"
+        ));
+    }
+    if roads.is_empty() {
+        let places = all.iter().flat_map(|road| &road.course);
+        let nearest = places.map(|p| p.distance(&GroundPoint::default()));
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        return Err(if nearest > FARTHEST {
+            too_far(&name)
+        } else {
+            format!(
+                "{name}: its roads lie over {:.0} km from here. Open a map of that place first",
+                REACH / 1e3
+            )
+        });
+    }
+    Ok(ImportedFile {
+        format: if has_ending(&name, &["osm", "pbf"]) {
+            "OpenStreetMap"
+        } else {
+            "GeoJSON"
+        }
+        .to_owned(),
+        name,
+        notes: notes(&roads, &read, all.len() - roads.len()),
+        roads,
+        ..ImportedFile::default()
+    })
+}
+
+/// Counts of the classes, and what was left out.
+fn notes(roads: &[RoadLine], read: &RoadsRead, far: usize) -> Vec<String> {
+    let classes = RoadClass::ALL.iter().rev().filter_map(|(class, key, _)| {
+        let count = roads.iter().filter(|road| road.class == *class).count();
+        (count > 0).then(|| format!("{count} {key}"))
+    });
+    let classes: Vec<String> = classes.collect();
+    let mut notes = vec![format!("By class: {}", classes.join(", "))];
+    if far > 0 {
+        let reach = REACH / 1e3;
+        notes.push(format!("{far} over {reach:.0} km from here were left out"));
+    }
+    if read.others > 0 {
+        notes.push(format!("{} that are no roads were left out", read.others));
+    }
+    if read.missing_points > 0 {
+        let missing = read.missing_points;
+        notes.push(format!(
+            "{missing} points of roads are not in the file, as at the edge of an extract; roads end there"
+        ));
+    }
+    notes
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::frames::Geodetic;
+
+    use super::*;
+
+    const TOWN: &str = r#"<osm version="0.6">
+        <node id="1" lat="47.0" lon="8.0"/><node id="2" lat="47.001" lon="8.0"/>
+        <node id="3" lat="47.001" lon="8.002"/><node id="4" lat="48.0" lon="8.0"/>
+        <node id="5" lat="48.0" lon="8.1"/>
+        <way id="9"><nd ref="1"/><nd ref="2"/><nd ref="99"/><tag k="highway" v="residential"/></way>
+        <way id="10"><nd ref="2"/><nd ref="3"/><tag k="highway" v="track"/></way>
+        <way id="11"><nd ref="4"/><nd ref="5"/><tag k="highway" v="primary"/></way>
+        <way id="12"><nd ref="1"/><nd ref="3"/><tag k="waterway" v="stream"/></way></osm>"#;
+
+    fn read(name: &str, text: &str, latitude: f64) -> Result<ImportedFile, String> {
+        assert!(is_of_roads(name, text.as_bytes()));
+        let frame = LocalFrame::new(Geodetic::from_degrees(latitude, 8.0, 0.0));
+        roads_of(name.to_owned(), text.as_bytes(), &frame)
+    }
+
+    #[test]
+    fn roads_near_the_mission_are_counted_by_class_and_the_rest_is_said_to_be_left_out() {
+        let file = read("town.osm", TOWN, 47.0).unwrap();
+        let classes: Vec<_> = file.roads.iter().map(|road| road.class).collect();
+        assert_eq!(classes, [RoadClass::Residential, RoadClass::Track]);
+        assert!((file.roads[0].course[1].north - 111.2).abs() < 0.3);
+        let said = file.notes.join(". ");
+        for part in [
+            "By class: 1 residential, 1 track",
+            "1 over 30 km",
+            "1 that are no roads",
+            "1 points",
+        ] {
+            assert!(said.contains(part), "{said}");
+        }
+    }
+
+    #[test]
+    fn roads_from_far_away_are_refused_with_what_helps() {
+        let cause = read("town.osm", TOWN, 10.0).unwrap_err();
+        assert!(cause.contains("Open a map of that place first"), "{cause}");
+        let cause = read("town.osm", TOWN, 47.5).unwrap_err();
+        assert!(cause.contains("over 30 km from here"), "{cause}");
+    }
+
+    #[test]
+    fn lines_of_geojson_with_a_highway_are_roads_and_no_routes() {
+        let text = r#"{"type": "FeatureCollection", "features": [{"type": "Feature",
+            "properties": {"highway": "tertiary", "name": "Mill Lane"},
+            "geometry": {"type": "LineString", "coordinates": [[8.0, 47.0], [8.001, 47.0]]}}]}"#;
+        let file = read("lanes.geojson", text, 47.0).unwrap();
+        assert_eq!(file.roads[0].name, "Mill Lane");
+        assert!(file.routes.is_empty());
+        assert!(!is_of_roads("lanes.geojson", b"{\"FeatureCollection\": 1}"));
+    }
+
+    #[test]
+    fn a_broken_file_is_named() {
+        let cause = read("town.osm", "<osm><node id='x'", 47.0).unwrap_err();
+        assert!(cause.starts_with("town.osm: "), "{cause}");
+    }
+}
