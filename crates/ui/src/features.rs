@@ -18,6 +18,7 @@ use crate::measure::Measure;
 use crate::outage::Outages;
 use crate::photos::PhotosFeature;
 use crate::plan::Planner;
+use crate::roads::Roads;
 use crate::screenshot::Screenshot;
 use crate::shell::catalog::{self, CommandEntry};
 use crate::web_map::WebMapFeature;
@@ -46,6 +47,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::<GoTo>::default(),
         Box::new(ColumnsFeature::default()),
         Box::<Measure>::default(),
+        Box::<Roads>::default(),
         Box::<Screenshot>::default(),
         Box::<Films>::default(),
     ]

@@ -30,6 +30,7 @@ pub mod measure;
 pub mod outage;
 pub mod photos;
 pub mod plan;
+pub mod roads;
 pub mod screenshot;
 pub mod shell;
 pub mod short_map;

@@ -149,6 +149,7 @@ const UI: Order = Order {
         "compare",
         "outage",
         "measure",
+        "roads",
         "screenshot",
         "film",
         "web_map",

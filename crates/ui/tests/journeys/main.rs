@@ -41,6 +41,7 @@ mod plan;
 mod reload;
 mod reopen;
 mod replay_film;
+mod roads;
 mod save;
 mod saved_files;
 mod screenshot;

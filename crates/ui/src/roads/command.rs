@@ -1,0 +1,103 @@
+//! Commands about roads, and their rows of the table of all commands.
+
+use egui::Key;
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::roads::RoadClass;
+
+use crate::command::Command;
+use crate::feature_command::{FeatureCommand, FeatureId};
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry, shift};
+
+/// Identity of the feature.
+pub const ID: FeatureId = "roads";
+
+/// Label of the command that begins the work on roads.
+pub const LABEL: &str = "Draw and edit roads";
+
+/// Change of a road.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RoadChange {
+    /// Another name.
+    Name(String),
+    /// Another class.
+    Class(RoadClass),
+    /// Another width, metres.
+    Width(f64),
+    /// Another place for a point.
+    Move(usize, GroundPoint),
+    /// A new point before the one of that index.
+    Insert(usize, GroundPoint),
+    /// A point less.
+    Remove(usize),
+}
+
+/// Something to do about roads.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RoadCommand {
+    /// Begin, or leave.
+    Toggle,
+    /// Begin a road, or end the one that is being drawn.
+    Draw,
+    /// Put a point of the road that is being drawn there, in the middle of the map if nowhere else.
+    Add(Option<GroundPoint>),
+    /// Leave what is under way, step by step.
+    Back,
+    /// Select a road, and one of its points.
+    Select(Option<usize>, Option<usize>),
+    /// Select the next road.
+    Next,
+    /// Select the next point of the selected road.
+    NextPoint,
+    /// Put the selected point into the middle of the map.
+    MoveHere,
+    /// Change the selected road.
+    Change {
+        /// Change.
+        change: RoadChange,
+        /// Whether it is over.
+        finished: bool,
+    },
+    /// Delete the selected point, else the road.
+    DeletePoint,
+    /// Delete the selected road.
+    Delete,
+    /// Split the selected road at its selected point.
+    Split,
+    /// Join the selected road with one that meets its end, or with the one that is clicked next.
+    Join,
+    /// Join the selected road with that one.
+    JoinWith(usize),
+}
+
+impl From<RoadCommand> for Command {
+    fn from(command: RoadCommand) -> Self {
+        Self::Feature(FeatureCommand::new(ID, command))
+    }
+}
+
+/// Rows of the table of all commands.
+pub fn commands() -> Vec<CommandEntry> {
+    let of = |label, command: RoadCommand| {
+        entry(CommandGroup::Edit, label, vec![], Command::from(command))
+    };
+    let toggle = RoadCommand::Toggle.into();
+    let toggle = entry(CommandGroup::Edit, LABEL, vec![shift(Key::Y)], toggle);
+    vec![
+        toggle.also("street centre line osm").under(BarMenu::View),
+        of("Begin a road, or end it", RoadCommand::Draw),
+        of(
+            "Point of a road in the middle of the map",
+            RoadCommand::Add(None),
+        ),
+        of("Select the next road", RoadCommand::Next),
+        of("Select the next point of the road", RoadCommand::NextPoint),
+        of(
+            "Put the point of the road into the middle of the map",
+            RoadCommand::MoveHere,
+        ),
+        of("Delete the point of the road", RoadCommand::DeletePoint),
+        of("Delete the road", RoadCommand::Delete),
+        of("Split the road at the point", RoadCommand::Split),
+        of("Join the road with one that meets it", RoadCommand::Join),
+    ]
+}

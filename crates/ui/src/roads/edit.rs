@@ -1,0 +1,176 @@
+//! Edits of roads, each one undo step; a drag is one.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::roads::{RoadClass, RoadLine};
+
+use super::command::RoadChange;
+use super::geometry::joined;
+use crate::documents::Documents;
+
+impl Documents {
+    /// Adds a road of the usual width of its class; its index.
+    pub fn add_road(&mut self, class: RoadClass, course: Vec<GroundPoint>) -> usize {
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        self.mission.roads.push(RoadLine {
+            class,
+            width: class.usual_width(),
+            course,
+            ..RoadLine::default()
+        });
+        self.mission.roads.len() - 1
+    }
+
+    /// Changes a road; `finished` says that a drag is over.
+    pub fn edit_road(&mut self, index: usize, change: RoadChange, finished: bool) {
+        let Some(old) = self.mission.roads.get(index) else {
+            return;
+        };
+        let mut road = old.clone();
+        match change {
+            RoadChange::Name(name) => road.name = name,
+            RoadChange::Class(class) => {
+                // A width that somebody measured stays.
+                if road.width == road.class.usual_width() {
+                    road.width = class.usual_width();
+                }
+                road.class = class;
+            }
+            RoadChange::Width(width) => road.width = width,
+            RoadChange::Move(point, to) => {
+                if let Some(place) = road.course.get_mut(point) {
+                    *place = to;
+                }
+            }
+            RoadChange::Insert(before, at) if before <= road.course.len() => {
+                road.course.insert(before, at);
+            }
+            RoadChange::Remove(point) if point < road.course.len() && road.course.len() > 2 => {
+                road.course.remove(point);
+            }
+            RoadChange::Insert(..) | RoadChange::Remove(_) => {}
+        }
+        if road != *old {
+            self.history.begin_drag(&self.mission);
+            self.mission.roads[index] = road;
+            self.mission_edited = true;
+        }
+        if finished {
+            self.history.finish_drag(&self.mission);
+        }
+    }
+
+    /// Deletes a road.
+    pub fn delete_road(&mut self, index: usize) {
+        if index < self.mission.roads.len() {
+            self.history.remember(&self.mission);
+            self.mission_edited = true;
+            self.mission.roads.remove(index);
+        }
+    }
+
+    /// Splits a road at a point between its ends, which both parts have then; whether there is one.
+    pub fn split_road(&mut self, index: usize, point: usize) -> bool {
+        let Some(road) = self.mission.roads.get(index) else {
+            return false;
+        };
+        if point == 0 || point + 1 >= road.course.len() {
+            return false;
+        }
+        let rest = RoadLine {
+            course: road.course[point..].to_vec(),
+            ..road.clone()
+        };
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        self.mission.roads[index].course.truncate(point + 1);
+        self.mission.roads.insert(index + 1, rest);
+        true
+    }
+
+    /// Joins two roads at the ends that are nearest to each other into one, like the first of them; its index.
+    pub fn join_roads(&mut self, first: usize, second: usize) -> Option<usize> {
+        let roads = &self.mission.roads;
+        let (one, other) = (roads.get(first)?, roads.get(second)?);
+        if first == second || one.course.is_empty() || other.course.is_empty() {
+            return None;
+        }
+        let course = joined(&one.course, &other.course);
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        self.mission.roads[first].course = course;
+        self.mission.roads.remove(second);
+        Some(first - usize::from(second < first))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::Session;
+
+    fn line(east: &[f64]) -> Vec<GroundPoint> {
+        east.iter()
+            .map(|east| GroundPoint::new(0.0, *east))
+            .collect()
+    }
+
+    fn with_road(east: &[f64]) -> Documents {
+        let mut documents = Documents::new(&Session::demo());
+        documents.mission.roads.clear();
+        documents.add_road(RoadClass::Track, line(east));
+        documents
+    }
+
+    #[test]
+    fn a_split_road_is_one_again_when_joined_and_every_step_is_undone_by_itself() {
+        let mut documents = with_road(&[0.0, 10.0, 30.0]);
+        assert!(!documents.split_road(0, 0) && !documents.split_road(0, 2));
+        assert!(documents.split_road(0, 1));
+        let courses: Vec<_> = documents
+            .mission
+            .roads
+            .iter()
+            .map(|road| road.course.clone())
+            .collect();
+        assert_eq!(courses, [line(&[0.0, 10.0]), line(&[10.0, 30.0])]);
+        assert_eq!(documents.join_roads(1, 0), Some(0));
+        let road = &documents.mission.roads[0];
+        assert_eq!(road.course.len(), 3);
+        assert_eq!(documents.mission.roads.len(), 1);
+        for count in [2, 1, 0] {
+            documents.undo();
+            assert_eq!(documents.mission.roads.len(), count);
+        }
+    }
+
+    #[test]
+    fn a_drag_is_one_step() {
+        let mut documents = with_road(&[0.0, 10.0]);
+        for east in [12.0, 14.0, 16.0] {
+            let to = GroundPoint::new(0.0, east);
+            documents.edit_road(0, RoadChange::Move(1, to), east == 16.0);
+        }
+        assert_eq!(documents.mission.roads[0].course, line(&[0.0, 16.0]));
+        documents.undo();
+        assert_eq!(documents.mission.roads[0].course, line(&[0.0, 10.0]));
+    }
+
+    #[test]
+    fn a_class_brings_its_usual_width_unless_another_was_given() {
+        let mut documents = with_road(&[0.0, 10.0]);
+        documents.edit_road(0, RoadChange::Class(RoadClass::Primary), true);
+        assert_eq!(documents.mission.roads[0].width, 8.0);
+        documents.edit_road(0, RoadChange::Width(7.1), true);
+        documents.edit_road(0, RoadChange::Class(RoadClass::Track), true);
+        assert_eq!(documents.mission.roads[0].width, 7.1);
+    }
+
+    #[test]
+    fn a_road_keeps_two_points() {
+        let mut documents = with_road(&[0.0, 5.0, 10.0]);
+        documents.edit_road(0, RoadChange::Remove(1), true);
+        documents.edit_road(0, RoadChange::Remove(1), true);
+        assert_eq!(documents.mission.roads[0].course, line(&[0.0, 10.0]));
+    }
+}

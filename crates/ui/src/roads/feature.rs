@@ -1,0 +1,279 @@
+//! Roads as a feature: commands carried out, and the state of the work on them.
+
+use egui::{Rect, Ui};
+use pilotage_core::roads::RoadClass;
+use serde_json::{Map, Value};
+
+use super::Roads;
+use super::command::{ID, LABEL, RoadChange, RoadCommand, commands};
+use super::geometry::meeting;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::map::{MapButton, MapTool};
+use crate::shell::icons::Icon;
+use crate::state_json::object;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: ID,
+    tab: "Roads",
+    place: FeaturePlace::Nowhere,
+    commands,
+};
+
+/// Buttons of the other tools that have the map now.
+fn tools_on<'a>(context: &'a FeatureContext<'_>) -> impl Iterator<Item = MapButton> + 'a {
+    let buttons = context.others().filter_map(Feature::map_button);
+    buttons.filter(|button| button.is_on)
+}
+
+impl Roads {
+    /// Takes the map, without a selected landmark: a drag over one would move it.
+    fn begin(&mut self, context: &mut FeatureContext<'_>) {
+        if !self.is_on {
+            self.is_on = true;
+            self.count = context.documents.mission.roads.len();
+            let others: Vec<Command> = tools_on(context).map(|it| it.command).collect();
+            for command in others {
+                context.ask(command);
+            }
+            (*context.selection, context.map.picking) = (None, false);
+        }
+    }
+
+    fn leave(&mut self) {
+        *self = Self {
+            class: self.class,
+            ..Self::default()
+        };
+    }
+
+    fn select(&mut self, road: Option<usize>, point: Option<usize>) {
+        (self.selected, self.point) = (road, point);
+        self.is_joining = false;
+    }
+
+    /// Says that roads are others than before, which may change the run.
+    fn changed(&mut self, context: &mut FeatureContext<'_>) {
+        self.count = context.documents.mission.roads.len();
+        context.document_changed();
+        if context.documents.uses_roads() {
+            context.run_is_stale();
+        }
+    }
+
+    /// Begins a road, or ends the one that is being drawn, which is none with less than two points.
+    fn draw(&mut self, context: &mut FeatureContext<'_>) {
+        let Some(course) = self.drawing.take() else {
+            self.drawing = Some(Vec::new());
+            self.select(None, None);
+            return;
+        };
+        if course.len() > 1 {
+            let road = context.documents.add_road(self.class, course);
+            self.select(Some(road), None);
+            self.changed(context);
+        }
+    }
+
+    fn back(&mut self) {
+        match &mut self.drawing {
+            Some(points) if !points.is_empty() => points.clear(),
+            Some(_) => self.drawing = None,
+            None if self.is_joining => self.is_joining = false,
+            None if self.point.is_some() => self.point = None,
+            None if self.selected.is_some() => self.select(None, None),
+            None => self.leave(),
+        }
+    }
+
+    fn carry_out(&mut self, command: RoadCommand, context: &mut FeatureContext<'_>) {
+        if command == RoadCommand::Toggle && self.is_on {
+            self.leave();
+            return;
+        }
+        self.begin(context);
+        let roads = &context.documents.mission.roads;
+        match command {
+            RoadCommand::Toggle if roads.is_empty() => self.draw(context),
+            RoadCommand::Toggle => {}
+            RoadCommand::Draw => self.draw(context),
+            RoadCommand::Add(place) => {
+                let place = place.unwrap_or(context.map.camera.center);
+                self.drawing.get_or_insert_default().push(place);
+                self.select(None, None);
+            }
+            RoadCommand::Back => self.back(),
+            RoadCommand::Select(road, point) => self.select(road, point),
+            RoadCommand::Next => {
+                self.drawing = None;
+                let next = self.selected.map_or(0, |road| road + 1);
+                let next = (!roads.is_empty()).then(|| next % roads.len());
+                self.select(next, None);
+            }
+            RoadCommand::NextPoint => {
+                let road = self.selected.and_then(|road| roads.get(road));
+                let next = self.point.map_or(0, |point| point + 1);
+                self.point = road.map(|road| next % road.course.len().max(1));
+            }
+            other => {
+                if let Some(road) = self.selected {
+                    self.edit(road, other, context);
+                }
+            }
+        }
+    }
+
+    /// Does something to the selected road.
+    fn edit(&mut self, road: usize, command: RoadCommand, context: &mut FeatureContext<'_>) {
+        let here = context.map.camera.center;
+        let documents = &mut *context.documents;
+        let mut is_over = true;
+        match command {
+            RoadCommand::Change { change, finished } => {
+                if let RoadChange::Class(class) = change {
+                    self.class = class;
+                }
+                // No name matters for the run.
+                is_over = finished && !matches!(change, RoadChange::Name(_));
+                documents.edit_road(road, change, finished);
+            }
+            RoadCommand::MoveHere => {
+                if let Some(point) = self.point {
+                    documents.edit_road(road, RoadChange::Move(point, here), true);
+                }
+            }
+            RoadCommand::DeletePoint => {
+                let length = documents.mission.roads.get(road);
+                let length = length.map_or(0, |road| road.course.len());
+                if let Some(point) = self.point.take().filter(|_| length > 2) {
+                    documents.edit_road(road, RoadChange::Remove(point), true);
+                } else {
+                    documents.delete_road(road);
+                    self.select(None, None);
+                }
+            }
+            RoadCommand::Delete => {
+                documents.delete_road(road);
+                self.select(None, None);
+            }
+            RoadCommand::Split => {
+                let point = self.point.take();
+                is_over = point.is_some_and(|point| documents.split_road(road, point));
+                if !is_over {
+                    let text = "Click the point first: one between the ends of the road.";
+                    context.note("The road is split at a selected point", text);
+                }
+            }
+            RoadCommand::Join => {
+                if let Some(other) = meeting(&documents.mission.roads, road) {
+                    let joined = documents.join_roads(road, other);
+                    self.select(joined, None);
+                } else {
+                    (self.is_joining, is_over) = (true, false);
+                }
+            }
+            RoadCommand::JoinWith(other) => {
+                let joined = documents.join_roads(road, other);
+                self.select(joined.or(Some(road)), None);
+            }
+            _ => is_over = false,
+        }
+        context.document_changed();
+        if is_over {
+            self.changed(context);
+        }
+    }
+}
+
+impl Feature for Roads {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let command = command.action::<RoadCommand>().cloned();
+        let is_known = command.is_some();
+        if let Some(command) = command {
+            self.carry_out(command, context);
+        }
+        is_known
+    }
+
+    /// Leaves the map to whoever draws a landmark.
+    fn intercept(&mut self, command: &Command, _context: &mut FeatureContext<'_>) -> bool {
+        if *command == Command::TogglePickTool {
+            self.leave();
+        }
+        false
+    }
+
+    /// Selects nothing any more once roads came or went by other hands, for their numbers are those of other roads, and
+    /// leaves the map to a tool that was taken up since.
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        let count = context.documents.mission.roads.len();
+        if self.is_on && self.count != count {
+            self.select(None, None);
+            self.count = count;
+        }
+        if self.is_on && tools_on(context).next().is_some() {
+            self.leave();
+        }
+    }
+
+    fn on_flight_changed(&mut self, _context: &mut FeatureContext<'_>) {
+        self.leave();
+    }
+
+    fn tool(&mut self) -> Option<&mut dyn MapTool> {
+        if self.is_on { Some(self) } else { None }
+    }
+
+    fn over_map(&self, ui: &mut Ui, rect: Rect, context: &mut ViewContext<'_>) -> Vec<Rect> {
+        let card = self.is_on.then(|| self.card(ui, rect, context));
+        card.into_iter().collect()
+    }
+
+    fn is_open_over(&self) -> bool {
+        self.is_on
+    }
+
+    fn map_button(&self) -> Option<MapButton> {
+        Some(MapButton {
+            icon: Icon::Road,
+            label: LABEL,
+            command: RoadCommand::Toggle.into(),
+            is_on: self.is_on,
+        })
+    }
+
+    fn needs_no_advice(&self) -> bool {
+        self.is_on
+    }
+
+    fn state(&self, documents: &Documents) -> Value {
+        let roads = &documents.mission.roads;
+        let classes = RoadClass::ALL.iter().map(|(class, key, _)| {
+            let count = roads.iter().filter(|road| road.class == *class).count();
+            ((*key).to_owned(), Value::from(count))
+        });
+        let classes: Map<String, Value> = classes.filter(|it| it.1 != 0).collect();
+        let selected = self.selected.and_then(|index| roads.get(index));
+        object!({
+            "count": roads.len(),
+            "classes": classes,
+            "on": self.is_on,
+            "drawing": self.drawing.as_ref().map(Vec::len),
+            "joining": self.is_joining,
+            "point": self.point,
+            "selected": selected.map(|road| object!({
+                "name": road.name,
+                "class": road.class.key(),
+                "width": road.width,
+                "course": road.course.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
+            })),
+        })
+    }
+}

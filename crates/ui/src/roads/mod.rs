@@ -1,0 +1,33 @@
+//! Roads of the mission, drawn and edited on the map, whatever workspace shows it.
+
+mod card;
+mod command;
+mod edit;
+mod feature;
+mod geometry;
+mod keyboard;
+mod on_map;
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::roads::RoadClass;
+
+/// Work on the roads of the mission.
+#[derive(Debug, Default)]
+pub struct Roads {
+    /// Whether clicks on the map are for it.
+    is_on: bool,
+    /// Points of the road that is being drawn, if one is.
+    drawing: Option<Vec<GroundPoint>>,
+    /// Index of the selected road.
+    selected: Option<usize>,
+    /// Index of its selected point.
+    point: Option<usize>,
+    /// Whether the next click says with which road the selected one is joined.
+    is_joining: bool,
+    /// Point that is dragged, of the selected road.
+    dragged: Option<usize>,
+    /// Class of the road that was drawn or chosen last, and of the next one.
+    class: RoadClass,
+    /// Number of roads as it was left.
+    count: usize,
+}

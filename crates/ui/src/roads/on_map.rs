@@ -1,0 +1,183 @@
+//! Roads as a tool of the map.
+
+use egui::{CursorIcon, PointerButton, Pos2, Response, Shape, Stroke, Ui};
+use pilotage_core::frames::GroundPoint;
+
+use super::Roads;
+use super::command::{RoadChange, RoadCommand};
+use super::geometry::{point_at, road_at, snapped};
+use crate::context::ViewContext;
+use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, paint_lifted_line};
+
+/// Distance from a point or a road that still counts as on it, points of the screen.
+const HIT: f64 = 10.0;
+/// Shortest piece on the screen that has a handle in its middle, points.
+const SHORTEST_WITH_HANDLE: f32 = 48.0;
+
+fn change(change: RoadChange, finished: bool) -> RoadCommand {
+    RoadCommand::Change { change, finished }
+}
+
+/// Middles of the pieces that are long enough on the screen to be taken there; their indices.
+fn middles(view: &ScreenFromWorld, course: &[GroundPoint]) -> Vec<(usize, GroundPoint)> {
+    let pieces = course.windows(2).enumerate();
+    let long = pieces.filter(|(_, ends)| {
+        view.apply(&ends[0]).distance(view.apply(&ends[1])) >= SHORTEST_WITH_HANDLE
+    });
+    let middle = |[a, b]: [GroundPoint; 2]| {
+        GroundPoint::new(0.5 * (a.north + b.north), 0.5 * (a.east + b.east))
+    };
+    long.map(|(index, ends)| (index, middle([ends[0], ends[1]])))
+        .collect()
+}
+
+impl Roads {
+    /// Course of the selected road.
+    fn course<'a>(&self, roads: &'a [pilotage_core::roads::RoadLine]) -> &'a [GroundPoint] {
+        let road = self.selected.and_then(|index| roads.get(index));
+        road.map_or(&[][..], |road| &road.course)
+    }
+
+    /// Takes hold of a point of the selected road, or makes one of the middle of a piece.
+    fn grasp(&mut self, view: &ScreenFromWorld, at: Pos2, context: &mut ViewContext<'_>) {
+        let course = self.course(&context.mission.roads);
+        let (place, reach) = (view.inverse(at), HIT * view.metres_per_point);
+        self.dragged = point_at(course, place, reach);
+        if self.dragged.is_none() {
+            let middles = middles(view, course);
+            let places: Vec<GroundPoint> = middles.iter().map(|it| it.1).collect();
+            if let Some(handle) = point_at(&places, place, reach) {
+                let index = middles[handle].0 + 1;
+                let insert = RoadChange::Insert(index, place);
+                context.commands.push(change(insert, false).into());
+                self.dragged = Some(index);
+            }
+        }
+        if let Some(point) = self.dragged {
+            self.point = Some(point);
+        }
+    }
+
+    /// Does what a click asks for.
+    fn click(&mut self, view: &ScreenFromWorld, at: Pos2, context: &mut ViewContext<'_>) {
+        let roads = &context.mission.roads;
+        let (place, reach) = (view.inverse(at), HIT * view.metres_per_point);
+        if let Some(points) = &self.drawing {
+            let is_last = points.last().is_some_and(|it| it.distance(&place) <= reach);
+            let command = if is_last {
+                // So the second click of two that are one ends the road.
+                (points.len() > 1).then_some(RoadCommand::Draw)
+            } else {
+                let place = snapped(roads, None, place, reach).unwrap_or(place);
+                Some(RoadCommand::Add(Some(place)))
+            };
+            context.commands.extend(command.map(Into::into));
+            return;
+        }
+        let road = road_at(roads, place, reach).map(|it| it.road);
+        let command = match road {
+            Some(other) if self.is_joining && Some(other) != self.selected => {
+                RoadCommand::JoinWith(other)
+            }
+            _ => {
+                let point = point_at(self.course(roads), place, reach);
+                let road = if point.is_some() { self.selected } else { road };
+                RoadCommand::Select(road, point)
+            }
+        };
+        context.commands.push(command.into());
+    }
+}
+
+impl MapTool for Roads {
+    fn interact(
+        &mut self,
+        ui: &Ui,
+        view: &ScreenFromWorld,
+        response: &Response,
+        context: &mut ViewContext<'_>,
+    ) -> bool {
+        self.keyboard(ui, response, context);
+        let at = response.interact_pointer_pos();
+        if response.drag_started_by(PointerButton::Primary) && self.drawing.is_none() {
+            // Where the button went down, not where egui was sure that it is a drag.
+            let origin = ui.input(|input| input.pointer.press_origin()).or(at);
+            if let Some(origin) = origin {
+                self.grasp(view, origin, context);
+            }
+        }
+        if let Some(point) = self.dragged {
+            let is_over = !response.dragged();
+            let roads = &context.mission.roads;
+            let reach = HIT * view.metres_per_point;
+            let place = at.map(|at| {
+                let place = view.inverse(at);
+                snapped(roads, self.selected, place, reach).unwrap_or(place)
+            });
+            let place = place.or_else(|| self.course(roads).get(point).copied());
+            if let Some(place) = place {
+                let change = change(RoadChange::Move(point, place), is_over);
+                context.commands.push(change.into());
+            }
+            if is_over {
+                self.dragged = None;
+            }
+            ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+            return true;
+        }
+        if response.clicked()
+            && let Some(at) = at
+        {
+            self.click(view, at, context);
+            return true;
+        }
+        if response.hovered() && self.drawing.is_some() {
+            ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+        }
+        // A drag moves the map.
+        false
+    }
+
+    fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {
+        if stage != MapStage::Last {
+            return;
+        }
+        let MapCanvas {
+            painter,
+            view,
+            tokens,
+            mission,
+            ..
+        } = *canvas;
+        let course = self.drawing.as_deref();
+        let course = course.unwrap_or_else(|| self.course(&mission.roads));
+        let line: Vec<Pos2> = course.iter().map(|point| view.apply(point)).collect();
+        for ends in line.windows(2) {
+            paint_lifted_line(painter, [ends[0], ends[1]], 2.5, tokens.accent, tokens);
+        }
+        let edge = Stroke::new(1.0, tokens.outline());
+        if self.drawing.is_none() {
+            for (_, middle) in middles(view, course) {
+                painter.circle(view.apply(&middle), 3.5, tokens.surface, edge);
+            }
+        }
+        for (index, at) in line.iter().enumerate() {
+            let is_chosen = self.point == Some(index);
+            let radius = if is_chosen { 6.5 } else { 4.5 };
+            painter.circle(*at, radius, tokens.accent, edge);
+        }
+        let Some((pointer, last)) = canvas.pointer.zip(line.last()) else {
+            return;
+        };
+        if self.drawing.is_some() {
+            let reach = HIT * view.metres_per_point;
+            let place = snapped(&mission.roads, None, view.inverse(pointer), reach);
+            let to = place.map_or(pointer, |place| view.apply(&place));
+            let next = Shape::dashed_line(&[*last, to], Stroke::new(2.0, tokens.accent), 6.0, 5.0);
+            painter.extend(next);
+            if place.is_some() {
+                painter.circle_stroke(to, 8.0, Stroke::new(2.0, tokens.accent));
+            }
+        }
+    }
+}
