@@ -28,7 +28,7 @@ mod registration_refusal;
 mod report;
 mod run;
 mod run_file;
-mod run_file_6;
+mod run_files_before;
 mod see;
 mod smooth;
 mod summary;

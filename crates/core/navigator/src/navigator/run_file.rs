@@ -1,10 +1,10 @@
 //! A run as a file: a short header with a version, then the run in postcard.
 
 use super::Run;
-use super::run_file_6::{self, RunOfVersion6};
+use super::run_files_before::{HEADER_6, HEADER_7, RunOfVersion6, RunOfVersion7};
 
 /// The first bytes of every run file; the last is the version.
-const HEADER: &[u8] = b"PILOTAGE RUN 7\n";
+const HEADER: &[u8] = b"PILOTAGE RUN 8\n";
 const MARK: &[u8] = b"PILOTAGE RUN ";
 
 /// Why bytes are not a run.
@@ -89,7 +89,9 @@ pub fn decode_run(file: &str, bytes: &[u8]) -> Result<Run, RunFileError> {
     }
     let read = if let Some(body) = bytes.strip_prefix(HEADER) {
         postcard::from_bytes(body)
-    } else if let Some(body) = bytes.strip_prefix(run_file_6::HEADER) {
+    } else if let Some(body) = bytes.strip_prefix(HEADER_7) {
+        postcard::from_bytes::<RunOfVersion7>(body).map(Run::from)
+    } else if let Some(body) = bytes.strip_prefix(HEADER_6) {
         postcard::from_bytes::<RunOfVersion6>(body).map(Run::from)
     } else {
         return Err(RunFileError::OtherVersion { file });
@@ -107,11 +109,12 @@ mod tests {
     use super::*;
     use crate::navigator::{Control, Estimate, SigmaSets, StepReport, StepTiming};
     use pilotage_base::frames::GroundPoint;
+    use pilotage_mission::settings::{ChosenAid, NavigatorSettings};
 
     fn run() -> Run {
         Run {
             name: "a run".into(),
-            settings: pilotage_mission::settings::NavigatorSettings::default(),
+            settings: NavigatorSettings::default(),
             landmarks: Vec::new(),
             state_names: vec![("north".into(), "m".into())],
             steps: Vec::new(),
@@ -124,16 +127,26 @@ mod tests {
         assert_eq!(decode_run("a.run", &bytes).expect("reads"), run());
     }
 
-    /// Bytes of what ends with `count` empty lists and switches that are off, and had none of them in the version before.
-    fn without_last(count: usize, value: &impl serde::Serialize) -> Vec<u8> {
-        let mut bytes = postcard::to_stdvec(value).expect("writes");
+    /// Bytes of settings as versions before 8 had them, of which the error on the ground is zero.
+    fn settings_before(settings: &NavigatorSettings) -> Vec<u8> {
+        let mut marked = settings.clone();
+        marked.sensors.ground = 1.234_567e300;
+        let mark = marked.sensors.ground.to_le_bytes();
+        let bytes = postcard::to_stdvec(&marked).expect("writes");
+        let place = bytes.windows(mark.len()).position(|bytes| bytes == mark);
+        let place = place.expect("it is in the bytes");
+        [&bytes[..place], &bytes[place + mark.len()..]].concat()
+    }
+
+    /// `bytes` without the last `count`, which are empty lists and switches that are off.
+    fn without_last(count: usize, mut bytes: Vec<u8>) -> Vec<u8> {
         let last = bytes.split_off(bytes.len() - count);
         assert!(last.iter().all(|byte| *byte == 0), "each is a zero");
         bytes
     }
 
     #[test]
-    fn a_run_of_the_version_before_opens_without_aids() {
+    fn runs_of_the_versions_before_open() {
         let estimate = Estimate {
             mean: dvector![3.0, -4.0],
             covariance: DMatrix::identity(2, 2),
@@ -165,13 +178,31 @@ mod tests {
         };
         let mut run = run();
         run.steps = vec![step(0.5), step(1.0)];
-        let mut bytes = run_file_6::HEADER.to_vec();
-        bytes.extend(postcard::to_stdvec(&run.name).expect("writes"));
-        bytes.extend(without_last(2, &run.settings));
-        bytes.extend(postcard::to_stdvec(&(&run.landmarks, &run.state_names)).expect("writes"));
-        bytes.push(2);
-        bytes.extend(run.steps.iter().flat_map(|step| without_last(1, step)));
-        assert_eq!(decode_run("old.run", &bytes).expect("reads"), run);
+        let step_bytes = |step| postcard::to_stdvec(step).expect("writes");
+        let file = |header: &[u8], settings: Vec<u8>, steps: Vec<u8>| {
+            let name = postcard::to_stdvec(&run.name).expect("writes");
+            let lists = postcard::to_stdvec(&(&run.landmarks, &run.state_names)).expect("writes");
+            let count = [run.steps.len() as u8];
+            [header, &name, &settings, &lists, &count, &steps].concat()
+        };
+        let sixth = file(
+            HEADER_6,
+            without_last(2, settings_before(&run.settings)),
+            run.steps
+                .iter()
+                .flat_map(|step| without_last(1, step_bytes(step)))
+                .collect(),
+        );
+        assert_eq!(decode_run("old.run", &sixth).expect("reads"), run);
+        let mut aided = run.clone();
+        aided.settings.aids = vec![ChosenAid::usual("gps-position").with("noise", 3.0)];
+        aided.settings.estimates_height = true;
+        let seventh = file(
+            HEADER_7,
+            settings_before(&aided.settings),
+            run.steps.iter().flat_map(step_bytes).collect(),
+        );
+        assert_eq!(decode_run("newer.run", &seventh).expect("reads"), aided);
     }
 
     #[test]

@@ -1,0 +1,166 @@
+//! Runs as versions 6 and 7 of their files have them: without errors of detectors on the ground, and version 6 without
+//! aids beside pictures.
+
+use serde::Deserialize;
+
+use super::{Control, Doubt, Estimate, FrameReport, Run, SigmaSets, StepReport, StepTiming};
+use pilotage_base::frames::GroundPoint;
+use pilotage_mission::settings::{
+    ChosenAid, EstimatorSettings, NavigatorSettings, ProcessNoise, SensorNoise, StartError,
+    VehicleChoice,
+};
+use pilotage_vision::landmark::{Landmark, TemplateSettings};
+use pilotage_vision::registration::FollowSettings;
+
+/// The first bytes of a file of version 6.
+pub const HEADER_6: &[u8] = b"PILOTAGE RUN 6\n";
+/// The first bytes of a file of version 7.
+pub const HEADER_7: &[u8] = b"PILOTAGE RUN 7\n";
+
+/// A run of version 7.
+#[derive(Deserialize)]
+pub struct RunOfVersion7 {
+    name: String,
+    settings: SettingsWithAids,
+    landmarks: Vec<Landmark>,
+    state_names: Vec<(String, String)>,
+    steps: Vec<StepReport>,
+}
+
+#[derive(Deserialize)]
+struct SettingsWithAids {
+    settings: Settings,
+    aids: Vec<ChosenAid>,
+    estimates_height: bool,
+}
+
+#[derive(Deserialize)]
+struct Sensors {
+    roll: f64,
+    pitch: f64,
+    yaw: f64,
+    height: f64,
+    pixel: f64,
+}
+
+/// A run of version 6.
+#[derive(Deserialize)]
+pub struct RunOfVersion6 {
+    name: String,
+    settings: Settings,
+    landmarks: Vec<Landmark>,
+    state_names: Vec<(String, String)>,
+    steps: Vec<Step>,
+}
+
+#[derive(Deserialize)]
+struct Settings {
+    vehicle: VehicleChoice,
+    alpha: f64,
+    beta: f64,
+    redraw: bool,
+    gate_confidence: f64,
+    start: StartError,
+    process: ProcessNoise,
+    sensors: Sensors,
+    measurement_scale: f64,
+    detector: TemplateSettings,
+    most_landmarks: usize,
+    shortest_step: f64,
+    estimator: EstimatorSettings,
+    whole_frames: Option<FollowSettings>,
+}
+
+#[derive(Deserialize)]
+struct Step {
+    time: f64,
+    dt: f64,
+    control: Control,
+    before: Estimate,
+    predicted: Estimate,
+    after: Estimate,
+    sigma: SigmaSets,
+    dead_reckoned: GroundPoint,
+    doubts: Vec<Doubt>,
+    frame: Option<FrameReport>,
+    timing: StepTiming,
+}
+
+impl From<Settings> for NavigatorSettings {
+    fn from(of: Settings) -> Self {
+        let sensors = of.sensors;
+        Self {
+            vehicle: of.vehicle,
+            alpha: of.alpha,
+            beta: of.beta,
+            redraw: of.redraw,
+            gate_confidence: of.gate_confidence,
+            start: of.start,
+            process: of.process,
+            sensors: SensorNoise {
+                roll: sensors.roll,
+                pitch: sensors.pitch,
+                yaw: sensors.yaw,
+                height: sensors.height,
+                pixel: sensors.pixel,
+                ground: 0.0,
+            },
+            measurement_scale: of.measurement_scale,
+            detector: of.detector,
+            most_landmarks: of.most_landmarks,
+            shortest_step: of.shortest_step,
+            estimator: of.estimator,
+            whole_frames: of.whole_frames,
+            aids: Vec::new(),
+            estimates_height: false,
+        }
+    }
+}
+
+impl From<RunOfVersion6> for Run {
+    fn from(run: RunOfVersion6) -> Self {
+        Self {
+            name: run.name,
+            settings: run.settings.into(),
+            landmarks: run.landmarks,
+            state_names: run.state_names,
+            steps: run.steps.into_iter().map(StepReport::from).collect(),
+        }
+    }
+}
+
+impl From<RunOfVersion7> for Run {
+    fn from(run: RunOfVersion7) -> Self {
+        let of = run.settings;
+        Self {
+            name: run.name,
+            settings: NavigatorSettings {
+                aids: of.aids,
+                estimates_height: of.estimates_height,
+                ..of.settings.into()
+            },
+            landmarks: run.landmarks,
+            state_names: run.state_names,
+            steps: run.steps,
+        }
+    }
+}
+
+impl From<Step> for StepReport {
+    fn from(step: Step) -> Self {
+        Self {
+            time: step.time,
+            dt: step.dt,
+            control: step.control,
+            before: step.before,
+            predicted: step.predicted,
+            after: step.after,
+            sigma: step.sigma,
+            dead_reckoned: step.dead_reckoned,
+            doubts: step.doubts,
+            frame: step.frame,
+            timing: step.timing,
+            updates: Vec::new(),
+        }
+    }
+}
