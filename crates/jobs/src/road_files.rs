@@ -75,12 +75,15 @@ fn notes(roads: &[RoadLine], read: &RoadsRead, far: usize) -> Vec<String> {
         notes.push(format!("{far} over {reach:.0} km from here were left out"));
     }
     if read.others > 0 {
-        notes.push(format!("{} that are no roads were left out", read.others));
+        notes.push(format!(
+            "Left out because they are no roads: {}",
+            read.others
+        ));
     }
     if read.missing_points > 0 {
         let missing = read.missing_points;
         notes.push(format!(
-            "{missing} points of roads are not in the file, as at the edge of an extract; roads end there"
+            "Points of roads that the file lacks, as at the edge of an extract: {missing}; roads end there"
         ));
     }
     notes
@@ -117,8 +120,8 @@ mod tests {
         for part in [
             "By class: 1 residential, 1 track",
             "1 over 30 km",
-            "1 that are no roads",
-            "1 points",
+            "no roads: 1",
+            "edge of an extract: 1",
         ] {
             assert!(said.contains(part), "{said}");
         }
