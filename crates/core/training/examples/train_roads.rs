@@ -1,9 +1,10 @@
 //! Trains the network that sees roads.
 //!
-//! `cargo run --release -p pilotage-training --example train_roads -- OUT SECONDS [PICTURE MASK METRES_X METRES_Y]`
-//! writes the weights, goes on from those that OUT has, and prints how they do on pictures that were not learned from. PICTURE and MASK are a real one
-//! and the middles of its roads (white), of so many metres per pixel; that of the repository's weights is `SpaceNet`'s
-//! road chip of Las Vegas (CC BY-SA 4.0, imagery courtesy of Maxar).
+//! `cargo run --release -p pilotage-training --example train_roads -- OUT STEPS SEED [PICTURE MASK METRES_X METRES_Y]`
+//! writes the weights, goes on from those that OUT has, and prints how they do on pictures that were not learned from.
+//! Steps and seed settle what comes out. PICTURE and MASK are a real one and the middles of its roads (white), of so many
+//! metres per pixel; that of the repository's weights is `SpaceNet`'s road chip of Las Vegas (CC BY-SA 4.0, imagery
+//! courtesy of Maxar). They were trained for a time on seeds of the clock, so that they cannot be made again to the bit.
 //!
 //! `… -- judge` prints how thresholds do on pictures that were not learned from, in changed colours, blur and noise.
 //! `… -- look FOLDER` writes examples as pictures.
@@ -48,14 +49,14 @@ fn main() -> Outcome<()> {
             Ok(())
         }
         ["look", folder] => look(Path::new(folder)),
-        [out, seconds] => train(out, seconds.parse()?, Vec::new()),
-        [out, seconds, picture, mask, x, y] => {
+        [out, steps, seed] => train(out, steps.parse()?, seed.parse()?, Vec::new()),
+        [out, steps, seed, picture, mask, x, y] => {
             let real = real(picture, mask, [x.parse()?, y.parse()?])?;
-            train(out, seconds.parse()?, vec![real])
+            train(out, steps.parse()?, seed.parse()?, vec![real])
         }
-        _ => {
-            Err("usage: OUT SECONDS [PICTURE MASK METRES_X METRES_Y], judge, or look FOLDER".into())
-        }
+        _ => Err(
+            "usage: OUT STEPS SEED [PICTURE MASK METRES_X METRES_Y], judge, or look FOLDER".into(),
+        ),
     }
 }
 
@@ -203,7 +204,7 @@ impl Pool {
     }
 }
 
-fn train(out: &str, seconds: f64, real: Vec<RoadExample>) -> Outcome<()> {
+fn train(out: &str, steps: u64, seed: u64, real: Vec<RoadExample>) -> Outcome<()> {
     let started = Instant::now();
     let pool = Pool::new(0..320, 1000..1010, real);
     let judge = Pool::new(900_000..900_024, 2000..2002, Vec::new());
@@ -213,26 +214,19 @@ fn train(out: &str, seconds: f64, real: Vec<RoadExample>) -> Outcome<()> {
         started.elapsed().as_secs_f64()
     );
     let started = Instant::now();
-    let first_seed = std::time::SystemTime::now()
-        .duration_since(std::time::UNIX_EPOCH)?
-        .as_secs()
-        << 20;
     let begun = std::fs::read(out)
         .ok()
         .and_then(|bytes| RoadNetwork::from_bytes(&bytes));
     let begun_anew = begun.is_none();
     let first = begun.map_or_else(|| first_weights(26), |network| network.weights().to_vec());
     let most = if begun_anew { 0.004 } else { 0.0025 };
-    let mut steps = GradientSteps::new(first);
+    let mut descent = GradientSteps::new(first);
     let mut sum = 0.0;
-    for step in 0_u64.. {
-        let share = started.elapsed().as_secs_f64() / seconds;
-        if share >= 1.0 {
-            break;
-        }
-        let network = steps.network().ok_or("not a network")?;
+    for step in 0..steps {
+        let share = step as f64 / steps as f64;
+        let network = descent.network().ok_or("not a network")?;
         let results = many(0..BATCH as u64, |i| {
-            let mut random = ChaCha8Rng::seed_from_u64(first_seed + step * BATCH as u64 + i);
+            let mut random = ChaCha8Rng::seed_from_u64((seed << 32) + step * BATCH as u64 + i);
             loss_gradient(&network, &pool.example(&mut random))
         });
         let mut gradient = vec![0.0; network.weights().len()];
@@ -249,7 +243,7 @@ fn train(out: &str, seconds: f64, real: Vec<RoadExample>) -> Outcome<()> {
         }
         let warm = (step as f64 / 100.0).min(1.0);
         let rate = warm * most * (0.5 + 0.5 * (std::f64::consts::PI * share).cos()) + 2e-5;
-        steps.step(&gradient, rate as f32, 1e-4);
+        descent.step(&gradient, rate as f32, 1e-4);
         if step % 100 == 99 {
             println!(
                 "{:6.0} s, step {}, loss {:.4}",
@@ -263,7 +257,7 @@ fn train(out: &str, seconds: f64, real: Vec<RoadExample>) -> Outcome<()> {
             std::fs::write(out, network.to_bytes())?;
         }
     }
-    let network = steps.network().ok_or("not a network")?;
+    let network = descent.network().ok_or("not a network")?;
     std::fs::write(out, network.to_bytes())?;
     for (name, examples) in [("drawn", &judge.drawn), ("generated world", &judge.scenery)] {
         report(name, &network, examples);
