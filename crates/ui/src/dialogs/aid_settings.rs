@@ -7,6 +7,7 @@ use pilotage_core::navigator::{AidInfo, ChosenAid, NavigatorSettings};
 use super::setting_rows::{meaning, scaled};
 use crate::shell::caption;
 use crate::tokens::Tokens;
+use crate::units::Units;
 
 /// Range of a number that is offered, as factors on its usual value.
 const RANGE: (f64, f64) = (0.02, 50.0);
@@ -18,6 +19,7 @@ pub(super) fn aids(
     tokens: &Tokens,
     settings: &mut NavigatorSettings,
     flight: Option<&Flight>,
+    units: Units,
 ) {
     caption(ui, tokens, "Aids beside pictures");
     ui.checkbox(&mut settings.estimates_height, "Estimate the height");
@@ -51,16 +53,22 @@ pub(super) fn aids(
         };
         meaning(ui, tokens, &text);
         if let Some(aid) = chosen.iter_mut().find(|aid| aid.key == info.key) {
-            numbers(ui, info, aid);
+            numbers(ui, info, aid, units);
         }
     }
 }
 
-fn numbers(ui: &mut Ui, info: &AidInfo, aid: &mut ChosenAid) {
+fn numbers(ui: &mut Ui, info: &AidInfo, aid: &mut ChosenAid, units: Units) {
     let Ok(values) = info.values(aid) else { return };
     for (number, mut value) in info.numbers.iter().zip(values) {
         let range = RANGE.0 * number.usual..=RANGE.1 * number.usual;
-        if scaled(ui, number.label, number.unit, &mut value, 1.0, range) {
+        let (factor, unit) = match number.unit {
+            "rad" => (1.0_f64.to_degrees(), "°"),
+            "m" => units.length(),
+            "m/s" => units.speed(),
+            unit => (1.0, unit),
+        };
+        if scaled(ui, number.label, unit, &mut value, factor, range) {
             *aid = std::mem::take(aid).with(number.key, value);
         }
     }

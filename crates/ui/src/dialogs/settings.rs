@@ -41,7 +41,7 @@ pub fn settings_sheet(
             process(ui, tokens, &mut settings, context.units);
             measurement(ui, tokens, &mut settings, context.units);
             start(ui, tokens, &mut settings, context.units);
-            aids(ui, tokens, &mut settings, context.flight);
+            aids(ui, tokens, &mut settings, context.flight, context.units);
             ui.add_space(tokens.space);
             if text_button(ui, tokens, Some(Icon::Undo), "Reset to default", false).clicked() {
                 settings = usual();
