@@ -88,8 +88,7 @@ export async function run(page, tools) {
   await time.fill(String(span[0] + 3));
   await tools.waitFor((s) => Math.abs(s.time - span[0] - 3) < 0.5, "the time that was set");
   const before = (await tools.state()).time;
-  await time.focus();
-  await page.keyboard.press("ArrowUp");
+  await time.press("ArrowUp");
   await tools.waitFor((s) => s.time > before, "the next frame");
 
   // A number is written into its field.
