@@ -240,7 +240,10 @@ impl Feature for Compare {
         });
         json!({
             "kept": kept.collect::<Vec<_>>(),
-            "contest": self.contest.found.as_ref().map(|found| found.rows.len()),
+            "contest": self.contest.found.as_ref().map(|found| {
+                let errors = found.rows.iter().map(|row| row.position_error_m);
+                errors.map(|error| error.map(|error| error.rms)).collect::<Vec<_>>()
+            }),
             "errors": errors.collect::<Vec<_>>(),
         })
     }
