@@ -37,6 +37,7 @@ mod roads;
 mod scenario;
 mod simulate;
 mod statistics;
+mod study;
 mod train;
 mod workers;
 
@@ -78,6 +79,8 @@ enum CommandChoice {
     Classes(classes::Arguments),
     /// Make a map into a table of generic landmarks.
     ReferenceMap(reference_map::Arguments),
+    /// Ask a question over many flights.
+    Study(study::Arguments),
     /// Run a cascade over pictures.
     Detect(detect::Arguments),
     /// Lay photos on a map, of whatever date: where each was taken, how surely, or why not.
@@ -116,6 +119,7 @@ fn main() -> ExitCode {
         CommandChoice::Evaluate(arguments) => evaluate::run(&arguments),
         CommandChoice::Classes(arguments) => classes::run(&arguments),
         CommandChoice::ReferenceMap(arguments) => reference_map::run(&arguments),
+        CommandChoice::Study(arguments) => study::run(&arguments),
         CommandChoice::Detect(arguments) => detect::run(&arguments),
         CommandChoice::Register(arguments) => register::run(&arguments),
         CommandChoice::Roads(arguments) => roads::run(&arguments),
