@@ -6,6 +6,7 @@ export const flies = true;
 export async function run(page, tools) {
   await tools.waitReady();
   await tools.openRun();
+  await tools.waitFor((s) => s.toasts.length === 0, "the notices to go, which lie over the buttons", 30_000);
   await page.keyboard.press("Shift+C");
   await tools.waitFor((s) => s.side_tab === "compare", "the comparison");
   const rows = (s) => s.compare.errors;
