@@ -68,3 +68,22 @@ impl Order for SensitivityOrder {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::running::figures;
+
+    #[test]
+    fn every_run_has_its_error_and_the_same_one_whenever_it_is_flown() {
+        let order = SensitivityOrder {
+            instrument: TestedInstrument::Yaw,
+            deviation: 0.01,
+            runs: 2,
+        };
+        let row: SensitivityRow = figures(order);
+        assert_eq!(row.rms.len(), 2);
+        assert_ne!(row.rms[0], row.rms[1]);
+        assert_eq!(row.rms[1], rms_with_walk(TestedInstrument::Yaw, 0.01, 2));
+    }
+}
