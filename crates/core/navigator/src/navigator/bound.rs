@@ -18,13 +18,15 @@ use pilotage_vision::landmark::Landmark;
 /// the same detections can do better.
 ///
 /// `true_noise` describes the real process and sensors; the noise of the detections is what the
-/// detector reported. `None` where the truth is not known.
+/// detector reported. `None` where the truth is not known, and where aids beside landmarks corrected the run, which are
+/// not in it.
 pub fn position_bound(
     flight: &Flight,
     run: &Run,
     true_noise: &NavigatorSettings,
 ) -> Option<Result<f64, FilterError>> {
     flight.truth.as_ref().filter(|t| !t.states.is_empty())?;
+    run.settings.aids.is_empty().then_some(())?;
     Some(vehicle(true_noise).visit(Bound {
         flight,
         run,
