@@ -11,17 +11,22 @@ fn keys() -> String {
     keys.join(", ")
 }
 
+/// Place of the aid of that name in the list of all.
+fn place(key: &str) -> Result<usize, AidError> {
+    let found = AidInfo::ALL.iter().position(|info| info.key == key);
+    found.ok_or_else(|| AidError::Unknown {
+        key: key.to_owned(),
+        known: keys(),
+    })
+}
+
 impl AidInfo {
     /// The aid of that name.
     ///
     /// # Errors
     /// There is none.
     pub fn named(key: &str) -> Result<&'static Self, AidError> {
-        let found = Self::ALL.iter().find(|info| info.key == key);
-        found.copied().ok_or_else(|| AidError::Unknown {
-            key: key.to_owned(),
-            known: keys(),
-        })
+        place(key).map(|place| Self::ALL[place])
     }
 
     /// Values of its numbers as `chosen` says, or the usual ones.
@@ -52,7 +57,8 @@ pub fn chosen(
     ground: Option<&KnownGround>,
 ) -> Result<Vec<Box<dyn Aid>>, AidError> {
     let begun = |choice: &ChosenAid| {
-        let info = AidInfo::named(&choice.key)?;
+        let place = place(&choice.key)?;
+        let info = AidInfo::ALL[place];
         let values = info.values(choice)?;
         let is_missing = |name: &_| flight.channel(*name).is_none_or(|c| c.times.is_empty());
         if let Some(name) = info.channels.iter().copied().find(|name| is_missing(name)) {
@@ -61,10 +67,7 @@ pub fn chosen(
                 channel: name.key().to_owned(),
             });
         }
-        let mut makers = AidInfo::ALL.iter().zip(AidInfo::MAKERS);
-        let maker = makers.find(|(of, _)| of.key == info.key);
-        maker.map(|(_, begin)| begin(&values, ground)).transpose()
+        AidInfo::MAKERS[place](&values, ground)
     };
-    let begun: Result<Vec<_>, _> = choices.iter().map(begun).collect();
-    Ok(begun?.into_iter().flatten().collect())
+    choices.iter().map(begun).collect()
 }
