@@ -35,11 +35,12 @@ impl Navigator {
         report: &mut StepReport,
     ) -> Result<(), FilterError> {
         let flight = Arc::clone(&self.flight);
-        let camera = flight.camera_of_frame(seen.map_or(0, |(index, _)| index));
-        let look = match seen {
-            Some((index, picture)) if self.aids_see() => {
+        let seen = seen.filter(|_| self.aids_see());
+        let camera = seen.map(|(index, _)| flight.camera_of_frame(index));
+        let look = match (seen, &camera) {
+            (Some((index, picture)), Some(camera)) => {
                 self.look_back(index);
-                Some(self.aid_look(index, picture, self.appearance_model(&camera))?)
+                Some(self.aid_look(index, picture, self.appearance_model(camera))?)
             }
             _ => None,
         };
@@ -59,21 +60,20 @@ impl Navigator {
         let observed: Vec<Vec<(&AidInfo, Observation<'static>)>> =
             self.aids.iter_mut().map(observed).collect();
         let input = self.inputs.between(&flight, self.time, self.time);
-        let onlooker = Onlooker {
+        let onlooker = camera.as_ref().map(|camera| Onlooker {
             flight: &flight,
             inputs: &self.inputs,
-            camera: &camera,
+            camera,
             time: self.time,
-        };
+        });
         let gate = Gate {
             confidence: self.settings.gate_confidence,
         };
         let lag_of_pictures = self.lag.as_ref().map_or(0.0, PictureLag::assumed);
         for (aid, observation) in observed.into_iter().flatten() {
-            let at = if aid.sees() {
-                ObservedAt::Picture(onlooker)
-            } else {
-                ObservedAt::Now(&input)
+            let at = match onlooker {
+                Some(onlooker) if aid.sees() => ObservedAt::Picture(onlooker),
+                _ => ObservedAt::Now(&input),
             };
             at.turn(self.engine.as_mut(), lag_of_pictures);
             let Some(taken) = take(self.engine.as_mut(), &observation, gate)? else {
