@@ -43,6 +43,7 @@ const UNLIKELY: f64 = 0.01;
 /// Most evidence of one landmark, whenever it is seen alone, as odds: it may be drawn, or found, in a wrong place every
 /// time, and must not lead the belief astray.
 const ODDS_OF_ONE: f64 = 100.0;
+
 /// A filter that assumes another lag.
 struct Hypothesis {
     lag: f64,

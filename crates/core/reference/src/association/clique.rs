@@ -11,8 +11,8 @@ impl AgreementGraph {
     /// A set of pairs each of which agrees with every other, the densest as far as the principal eigenvector of the
     /// graph tells; pairs that `is_left` denies are left out.
     ///
-    /// The vector that a power iteration converges to is large at the pairs of the densest part (CLIPPER, Lusk and
-    /// How 2021, without its penalty: the rounding sees to it that all of the set agree).
+    /// The vector that a power iteration converges to is large at the pairs of the densest part (CLIPPER of Lusk and How
+    /// 2021, without its penalty: the rounding sees to it that all of the set agree).
     pub fn densest(&self, is_left: &[bool]) -> Vec<usize> {
         let count = self.neighbours.len();
         let mut weights: Vec<f32> = is_left
