@@ -64,9 +64,6 @@ pub struct AidMoment<'a> {
 
 /// A picture that an aid may look at, and what is believed of the camera that took it.
 pub struct AidLook<'a> {
-    /// Number of the picture's frame.
-    #[expect(dead_code, reason = "the aids at hand remember no picture")]
-    pub index: usize,
     pub picture: &'a Picture,
     /// Camera, attitude and heights as measured when the picture was taken; the heading's bias is still in it.
     pub model: AppearanceModel<'a>,

@@ -297,7 +297,6 @@ mod tests {
             };
             let mean = Vector3::from_column_slice(belief.mean.as_slice());
             let look = AidLook {
-                index: 0,
                 picture: &picture,
                 pose: model.pose(GroundPoint::new(mean.x, mean.y), mean.z),
                 model,

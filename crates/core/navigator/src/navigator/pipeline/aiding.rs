@@ -40,7 +40,7 @@ impl Navigator {
         let look = match (seen, &camera) {
             (Some((index, picture)), Some(camera)) => {
                 self.look_back(index);
-                Some(self.aid_look(index, picture, self.appearance_model(camera))?)
+                Some(self.aid_look(picture, self.appearance_model(camera))?)
             }
             _ => None,
         };
@@ -100,10 +100,9 @@ impl Navigator {
         Ok(())
     }
 
-    /// Look of aids at the picture of frame `index`, from the belief that was turned to it.
+    /// Look of aids at `picture`, from the belief that was turned to it.
     fn aid_look<'a>(
         &self,
-        index: usize,
         picture: &'a Picture,
         model: AppearanceModel<'a>,
     ) -> Result<AidLook<'a>, FilterError> {
@@ -116,7 +115,6 @@ impl Navigator {
         let belief = self.engine.expect(&place_and_bias, &least)?;
         let mean = Vector3::from_column_slice(belief.mean.as_slice());
         Ok(AidLook {
-            index,
             picture,
             pose: model.pose(GroundPoint::new(mean.x, mean.y), mean.z),
             model,
