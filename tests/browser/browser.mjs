@@ -26,17 +26,20 @@ function program() {
 /** Pixels of the canvas for one of the page's, each way, where nobody asked for pictures to look at: filling them is
  * a third of what journeys cost without a graphics card. */
 const coarse = 0.5;
-/** Frames a second of journeys that do not judge how smoothly the page moves: without a graphics card every frame
- * is painted by the cores that the program computes with. */
+/** Frames a second of journeys that do not judge how smoothly the page moves. */
 const calm = 8;
-/** Steps after which the demo's flight rests in journeys that need no more of it: some 12 s of it. */
-const enough = 400;
+/** Milliseconds for which a frame that nobody looks at stays on the screen: the program makes all of its frames, but
+ * without a graphics card the cores that it computes with fill their pixels, which was a third of what journeys cost. */
+const unseen = 2000;
+/** Steps after which the demo's flight rests in journeys that do not say how many they need. */
+const enough = 60;
 
 /** Launches the browser; `close` ends it and throws its profile away. `smooth` pages paint as often and as finely as
- * they do for people, the demo is flown to its end unless it may `rest`, and what nobody asks for is left undone unless
- * it is to be done `ahead`; `screen` is what is not usual about it: `width`, `height`, whether it is for `touch`, and
+ * they do for people, others only what a screenshot shows or a frame now and then, unless every frame is to be `painted`;
+ * the demo is flown until it `flies` that many steps, all of them if that is true, and what nobody asks for is left undone unless it is to be done
+ * `ahead`; `screen` is what is not usual about it: `width`, `height`, whether it is for `touch`, and
  * pixels for each of the page's, `sharpness`. */
-export async function launch({ smooth = false, rest = true, ahead = false, screen = {} } = {}) {
+export async function launch({ smooth = false, flies = enough, ahead = false, painted = false, screen = {} } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "pilotage-"));
   const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   try {
@@ -46,9 +49,10 @@ export async function launch({ smooth = false, rest = true, ahead = false, scree
       executablePath: program(), headless: true, viewport: { width, height }, deviceScaleFactor, args: switches, colorScheme: "dark",
       hasTouch: touch, isMobile: touch,
     });
-    if (!smooth) await context.addInitScript(paintSeldom, calm);
+    if (!smooth) await context.addInitScript(paintSeldom, { rate: calm, unseen: painted ? 0 : unseen });
+    if (!smooth && !painted) context.on("page", paintForPictures).pages().forEach(paintForPictures);
     if (deviceScaleFactor !== 1) await context.addInitScript(measureByRatio);
-    if (rest) await context.addInitScript(restFlight, enough);
+    if (flies !== true) await context.addInitScript(restFlight, flies);
     if (!ahead) await context.addInitScript(leaveAhead);
     const close = async () => { await context.close(); remove(); };
     return { context, page: context.pages()[0] ?? await context.newPage(), close };
@@ -64,8 +68,30 @@ function measureByRatio() {
   delete ResizeObserverEntry.prototype.devicePixelContentBoxSize;
 }
 
-/** Runs in the page before anything else of it: lets it paint no more than `rate` times a second. */
-function paintSeldom(rate) {
+/** Has `page` paint what it shows before a screenshot is taken of it. */
+function paintForPictures(page) {
+  const screenshot = page.screenshot.bind(page);
+  page.screenshot = async (options) => {
+    await page.evaluate(() => window.paintNow?.());
+    return screenshot(options);
+  };
+}
+
+/** Runs in the page before anything else of it: lets it make no more than `rate` frames a second, and paint one only
+ * if the last is on the screen for `unseen` milliseconds or `window.paintNow` is asked for it. */
+function paintSeldom({ rate, unseen }) {
+  let painted = -Infinity; // when
+  let paints = true; // in the frame that is made
+  let looking = 0; // frames that somebody waits to see painted
+  const { prototype } = window.WebGL2RenderingContext;
+  for (const name of ["clear", "drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced"]) {
+    const draw = prototype[name];
+    prototype[name] = function drawSeldom(...what) { if (paints) draw.apply(this, what); };
+  }
+  const begin = (now) => {
+    paints = looking > 0 || now - painted >= unseen;
+    if (paints) painted = now;
+  };
   const own = { request: window.requestAnimationFrame.bind(window), cancel: window.cancelAnimationFrame.bind(window) };
   const pending = new Map(); // what is asked for, by number: how to call it off
   let numbers = 0;
@@ -76,6 +102,7 @@ function paintSeldom(rate) {
       const frame = own.request((now) => {
         pending.delete(number);
         last = performance.now();
+        begin(last);
         callback(now);
       });
       pending.set(number, () => own.cancel(frame));
@@ -92,6 +119,12 @@ function paintSeldom(rate) {
   window.cancelAnimationFrame = (number) => {
     pending.get(number)?.();
     pending.delete(number);
+  };
+  window.paintNow = async () => {
+    looking += 1;
+    window.dispatchEvent(new Event("pageshow")); // what the program takes for a reason to show itself anew
+    for (let frames = 0; frames < 3; frames += 1) await new Promise((done) => { window.requestAnimationFrame(done); });
+    looking -= 1;
   };
 }
 

@@ -1,5 +1,6 @@
 // What a newcomer sees: the built-in flight, playing by itself.
 export const name = "the demo plays on load: time advances, steps and pictures stream, landmarks are matched";
+export const flies = 210; // steps of the demo
 
 export async function run(page, tools) {
   await tools.waitReady();

@@ -2,6 +2,7 @@
 import { drop } from "./drop.mjs";
 
 export const name = "pictures are labelled, an undone label is gone, and labels come back after a reload and from their file";
+export const flies = 210; // steps of the demo
 export const tags = ["readers", "training"];
 
 const boxes = (s) => s.labels.flatMap((l) => l.boxes);

@@ -8,6 +8,7 @@ import { repeatingGeotiff } from "./geotiff.mjs";
 import { rendererMemory } from "./memory.mjs";
 
 export const name = "a GeoTIFF of half a billion pixels opens, pans and stays small";
+export const flies = 310; // steps of the demo
 export const tags = ["maps"];
 export const alone = true; // it judges time and the memory of the one page that there is
 

@@ -2,8 +2,9 @@
 // profile. `node run.mjs [WORD]` takes those whose file name contains the word; without a word those
 // that judge something, which leaves out the figures. A journey exports the `tags` of the parts of the program
 // that it walks through; PILOTAGE_TAGS names those that changed. Two walk at a time; one that exports `alone` has the
-// machine for itself and paints as often as it can, only those that export `flies` have the demo flown to its end, and
-// only those that export `ahead` have what nobody asked for done; `screen` is another window than the usual one.
+// machine for itself and paints as often as it can; one that exports `painted` has every frame painted, one that exports
+// `flies` more of the demo flown than its beginning (that many steps, or true: all of it), one that exports `ahead` what
+// nobody asked for done; `screen` is another window than the usual one.
 // If a single journey of several fails, it is walked once more by itself, and both walks are told.
 import { mkdirSync, readdirSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
@@ -102,7 +103,7 @@ function spent(before, after) {
 /** Makes one journey, which may have something `said`; fails with its own complaint or with what the page did wrong. */
 async function walk(journey, shortName, said) {
   const atEnd = [];
-  const { page, close } = await launch({ smooth: journey.alone, rest: !journey.flies, ahead: journey.ahead, screen: journey.screen });
+  const { page, close } = await launch({ smooth: journey.alone, flies: journey.flies, ahead: journey.ahead, painted: journey.painted, screen: journey.screen });
   atEnd.push(close);
   try {
     const watched = watch(page, server.url);

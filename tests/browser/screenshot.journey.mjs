@@ -1,5 +1,6 @@
 // A picture of the view: a PNG file of as many pixels as the canvas has, with the map in it. Then a film of the replay.
 export const name = "a picture of the view is saved as it is on the screen, and the replay is filmed";
+export const painted = true;
 
 export async function run(page, tools) {
   await tools.waitReady();

@@ -1,5 +1,6 @@
 // Dragging the time moves whatever shows a time.
 export const name = "scrubbing moves every view";
+export const flies = 210; // steps of the demo
 
 export async function run(page, tools) {
   await tools.waitReady();
