@@ -115,6 +115,7 @@ mod tests {
                 threshold: 8.8,
                 gain,
             }],
+            sightings: Vec::new(),
         }
     }
 

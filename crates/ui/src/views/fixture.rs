@@ -12,10 +12,12 @@ use pilotage_core::frames::{Attitude, Geodetic, GroundPoint, GroundRect, Pose};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{
-    CandidateReport, Control, Estimate, FrameReport, JointReport, NavigatorSettings, Outcome,
-    Refusal, Run, SigmaSets, StepReport, StepTiming, UpdateReport,
+    CandidateReport, Control, Estimate, FrameReport, JointReport, KnownReport, NavigatorSettings,
+    Outcome, PairReport, Refusal, Run, SeenReport, SightedKind, SightingReport, SigmaSets,
+    StepReport, StepTiming, UpdateReport,
 };
 use pilotage_core::raster::Gray;
+use pilotage_core::reference::GenericClass;
 
 use pilotage_jobs::MatchPictures;
 
@@ -97,6 +99,42 @@ pub(crate) fn reading_of_gps(nis: f64, gain: Option<DMatrix<f64>>) -> UpdateRepo
         degrees_of_freedom: 2,
         threshold: 11.6,
         gain,
+    }
+}
+
+/// Report of an aid: a building that was used, a tree that is too unsure, and two things without a partner.
+pub(crate) fn sighting() -> SightingReport {
+    let kind = |class| SightedKind::Landmark(class);
+    let seen = |class, at: f64, size, similar, pair: Option<(usize, f64)>| SeenReport {
+        kind: kind(class),
+        pixel: nalgebra::Point2::new(10.0 * at, 100.0),
+        place: GroundPoint::new(at, 2.0),
+        size,
+        similar,
+        pair: pair.map(|(known, probability)| PairReport {
+            known,
+            probability: Some(probability),
+            accepted: probability > 0.9,
+        }),
+    };
+    let known = |class, at: f64, size| KnownReport {
+        kind: kind(class),
+        place: GroundPoint::new(at, 0.0),
+        size,
+    };
+    SightingReport {
+        aid: "generic-landmarks".to_owned(),
+        seen: vec![
+            seen(GenericClass::Building, 10.0, 14.0, 2, Some((0, 0.98))),
+            seen(GenericClass::Tree, 20.0, 6.0, 5, Some((1, 0.41))),
+            seen(GenericClass::Water, 30.0, 30.0, 3, None),
+            seen(GenericClass::Parking, 40.0, 20.0, 0, None),
+        ],
+        known: vec![
+            known(GenericClass::Building, 11.0, 14.5),
+            known(GenericClass::Tree, 21.0, 6.5),
+        ],
+        probability: Some(0.997),
     }
 }
 
@@ -401,6 +439,7 @@ impl Flier {
                 update: 0.03,
             },
             updates: Vec::new(),
+            sightings: Vec::new(),
         }
     }
 

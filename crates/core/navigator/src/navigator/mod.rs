@@ -30,6 +30,7 @@ mod run;
 mod run_file;
 mod run_files_before;
 mod see;
+mod sighting;
 mod smooth;
 mod summary;
 mod ticks;
@@ -51,6 +52,7 @@ pub use report::{
 };
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};
+pub use sighting::{KnownReport, PairReport, SeenReport, SightedKind, SightingReport};
 pub use smooth::smooth;
 pub use summary::{
     ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, place_error, summarize,

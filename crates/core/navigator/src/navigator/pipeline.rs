@@ -359,6 +359,7 @@ impl Navigator {
                 update: 0.0,
             },
             updates: Vec::new(),
+            sightings: Vec::new(),
         };
         let seen = self.take_frame(tick, frames, &mut report, stopwatch)?;
         if !self.aids.is_empty() {

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Matrix6, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::engine::{CorrectedStep, PredictedStep};
-use super::{Doubt, Estimate, RegistrationRefusal};
+use super::{Doubt, Estimate, RegistrationRefusal, SightingReport};
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_vision::landmark::Refusal;
@@ -281,6 +281,9 @@ pub struct StepReport {
     /// Aids beside pictures that had a reading, in the order in which they were asked.
     #[serde(default)]
     pub updates: Vec<UpdateReport>,
+    /// Reports of what aids saw in the picture of this step.
+    #[serde(default)]
+    pub sightings: Vec<SightingReport>,
 }
 
 impl StepReport {

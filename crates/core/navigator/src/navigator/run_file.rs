@@ -1,10 +1,12 @@
 //! A run as a file: a short header with a version, then the run in postcard.
 
 use super::Run;
-use super::run_files_before::{HEADER_6, HEADER_7, RunOfVersion6, RunOfVersion7};
+use super::run_files_before::{
+    HEADER_6, HEADER_7, HEADER_8, RunOfVersion6, RunOfVersion7, RunOfVersion8,
+};
 
 /// The first bytes of every run file; the last is the version.
-const HEADER: &[u8] = b"PILOTAGE RUN 8\n";
+const HEADER: &[u8] = b"PILOTAGE RUN 9\n";
 const MARK: &[u8] = b"PILOTAGE RUN ";
 
 /// Why bytes are not a run.
@@ -89,6 +91,8 @@ pub fn decode_run(file: &str, bytes: &[u8]) -> Result<Run, RunFileError> {
     }
     let read = if let Some(body) = bytes.strip_prefix(HEADER) {
         postcard::from_bytes(body)
+    } else if let Some(body) = bytes.strip_prefix(HEADER_8) {
+        postcard::from_bytes::<RunOfVersion8>(body).map(Run::from)
     } else if let Some(body) = bytes.strip_prefix(HEADER_7) {
         postcard::from_bytes::<RunOfVersion7>(body).map(Run::from)
     } else if let Some(body) = bytes.strip_prefix(HEADER_6) {
@@ -175,6 +179,7 @@ mod tests {
             frame: None,
             timing: StepTiming::default(),
             updates: Vec::new(),
+            sightings: Vec::new(),
         };
         let mut run = run();
         run.steps = vec![step(0.5), step(1.0)];
@@ -190,19 +195,23 @@ mod tests {
             without_last(2, settings_before(&run.settings)),
             run.steps
                 .iter()
-                .flat_map(|step| without_last(1, step_bytes(step)))
+                .flat_map(|step| without_last(2, step_bytes(step)))
                 .collect(),
         );
         assert_eq!(decode_run("old.run", &sixth).expect("reads"), run);
         let mut aided = run.clone();
         aided.settings.aids = vec![ChosenAid::usual("gps-position").with("noise", 3.0)];
         aided.settings.estimates_height = true;
-        let seventh = file(
-            HEADER_7,
-            settings_before(&aided.settings),
-            run.steps.iter().flat_map(step_bytes).collect(),
-        );
+        let steps = run.steps.iter();
+        let steps: Vec<u8> = steps
+            .flat_map(|step| without_last(1, step_bytes(step)))
+            .collect();
+        let seventh = file(HEADER_7, settings_before(&aided.settings), steps.clone());
         assert_eq!(decode_run("newer.run", &seventh).expect("reads"), aided);
+        aided.settings.sensors.ground = 0.11;
+        let settings = postcard::to_stdvec(&aided.settings).expect("writes");
+        let eighth = file(HEADER_8, settings, steps);
+        assert_eq!(decode_run("newest.run", &eighth).expect("reads"), aided);
     }
 
     #[test]

@@ -1,9 +1,11 @@
-//! Runs as versions 6 and 7 of their files have them: without errors of detectors on the ground, and version 6 without
-//! aids beside pictures.
+//! Runs as versions 6 to 8 of their files have them: without what aids saw, those before 8 without errors of detectors on
+//! the ground, and version 6 without aids beside pictures.
 
 use serde::Deserialize;
 
-use super::{Control, Doubt, Estimate, FrameReport, Run, SigmaSets, StepReport, StepTiming};
+use super::{
+    Control, Doubt, Estimate, FrameReport, Run, SigmaSets, StepReport, StepTiming, UpdateReport,
+};
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::{
     ChosenAid, EstimatorSettings, NavigatorSettings, ProcessNoise, SensorNoise, StartError,
@@ -17,6 +19,19 @@ pub const HEADER_6: &[u8] = b"PILOTAGE RUN 6\n";
 /// The first bytes of a file of version 7.
 pub const HEADER_7: &[u8] = b"PILOTAGE RUN 7\n";
 
+/// The first bytes of a file of version 8.
+pub const HEADER_8: &[u8] = b"PILOTAGE RUN 8\n";
+
+/// A run of version 8.
+#[derive(Deserialize)]
+pub struct RunOfVersion8 {
+    name: String,
+    settings: NavigatorSettings,
+    landmarks: Vec<Landmark>,
+    state_names: Vec<(String, String)>,
+    steps: Vec<StepWithUpdates>,
+}
+
 /// A run of version 7.
 #[derive(Deserialize)]
 pub struct RunOfVersion7 {
@@ -24,7 +39,7 @@ pub struct RunOfVersion7 {
     settings: SettingsWithAids,
     landmarks: Vec<Landmark>,
     state_names: Vec<(String, String)>,
-    steps: Vec<StepReport>,
+    steps: Vec<StepWithUpdates>,
 }
 
 #[derive(Deserialize)]
@@ -86,6 +101,12 @@ struct Step {
     timing: StepTiming,
 }
 
+#[derive(Deserialize)]
+struct StepWithUpdates {
+    step: Step,
+    updates: Vec<UpdateReport>,
+}
+
 impl From<Settings> for NavigatorSettings {
     fn from(of: Settings) -> Self {
         let sensors = of.sensors;
@@ -141,7 +162,28 @@ impl From<RunOfVersion7> for Run {
             },
             landmarks: run.landmarks,
             state_names: run.state_names,
-            steps: run.steps,
+            steps: run.steps.into_iter().map(StepReport::from).collect(),
+        }
+    }
+}
+
+impl From<RunOfVersion8> for Run {
+    fn from(run: RunOfVersion8) -> Self {
+        Self {
+            name: run.name,
+            settings: run.settings,
+            landmarks: run.landmarks,
+            state_names: run.state_names,
+            steps: run.steps.into_iter().map(StepReport::from).collect(),
+        }
+    }
+}
+
+impl From<StepWithUpdates> for StepReport {
+    fn from(of: StepWithUpdates) -> Self {
+        Self {
+            updates: of.updates,
+            ..of.step.into()
         }
     }
 }
@@ -161,6 +203,7 @@ impl From<Step> for StepReport {
             frame: step.frame,
             timing: step.timing,
             updates: Vec::new(),
+            sightings: Vec::new(),
         }
     }
 }

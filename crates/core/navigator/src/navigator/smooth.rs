@@ -154,6 +154,7 @@ mod tests {
                 frame: None,
                 timing: StepTiming::default(),
                 updates: Vec::new(),
+                sightings: Vec::new(),
             });
             truths.push(truth.clone());
         }

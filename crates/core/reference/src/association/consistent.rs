@@ -38,6 +38,8 @@ pub struct Association {
     pub probability: f64,
     /// Fix by the accepted pairs, if they are enough and fit together.
     pub fix: Option<JointFix>,
+    /// Number of possible landmarks that each observed one may be by class, size and place.
+    pub similar: Vec<usize>,
 }
 
 /// A place of the aircraft, with what speaks for it.
@@ -55,6 +57,10 @@ struct Hypothesis {
 /// chi-square is inside its gate.
 pub fn associate(problem: &AssociationProblem<'_>, settings: &AssociationSettings) -> Association {
     let all = candidates(problem, settings);
+    let mut similar = vec![0; problem.observed.len()];
+    for pair in &all {
+        similar[pair.observed] += 1;
+    }
     let graph = AgreementGraph::of(problem, &all, settings);
     let mut is_left = vec![true; all.len()];
     let mut places = Vec::new();
@@ -80,13 +86,19 @@ pub fn associate(problem: &AssociationProblem<'_>, settings: &AssociationSetting
         .enumerate()
         .max_by(|a, b| a.1.log_odds.total_cmp(&b.1.log_odds));
     let Some((best, top)) = best.map(|(index, place)| (index, place.log_odds.max(0.0))) else {
-        return Association::default();
+        return Association {
+            similar,
+            ..Association::default()
+        };
     };
     // Chance has the odds of one.
     let others: f64 = places.iter().map(|p| (p.log_odds - top).exp()).sum();
     let likeliest = places.swap_remove(best);
     let probability = (likeliest.log_odds - top).exp() / (others + (-top).exp());
-    accepted(problem, likeliest, probability, settings)
+    Association {
+        similar,
+        ..accepted(problem, likeliest, probability, settings)
+    }
 }
 
 /// The pairs around the place of `start`, and the indices of all candidates that would fit there.
@@ -249,5 +261,6 @@ fn accepted(
         pairs: likeliest.pairs.into_iter().map(|(_, told)| told).collect(),
         probability,
         fix,
+        similar: Vec::new(),
     }
 }

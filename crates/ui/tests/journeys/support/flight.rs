@@ -195,6 +195,7 @@ fn step_report(
         frame,
         timing: StepTiming::default(),
         updates: Vec::new(),
+        sightings: Vec::new(),
     }
 }
 

@@ -1,10 +1,12 @@
 //! Description of an aid for people, and what an aid does.
 
-use pilotage_base::frames::Pose;
+use nalgebra::{Point2, Point3};
+use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::raster::Picture;
 
+use super::super::SightingReport;
 use super::super::expected::AppearanceModel;
 use super::super::known_ground::KnownGround;
 use super::super::observation::{GaussianState, Observation};
@@ -77,6 +79,20 @@ pub struct AidLook<'a> {
     pub map_deviation: f64,
 }
 
+impl AidLook<'_> {
+    /// Ground below the believed camera.
+    pub fn below(&self) -> GroundPoint {
+        let position = self.pose.position_in_world;
+        GroundPoint::new(position.x, position.y)
+    }
+
+    /// Pixel of a place on the ground by the believed pose; `None` behind the camera.
+    pub fn pixel_of(&self, place: GroundPoint) -> Option<Point2<f64>> {
+        let on_ground = Point3::new(place.north, place.east, self.model.ground_down);
+        self.model.camera.project(&self.pose, &on_ground)
+    }
+}
+
 /// A source of corrections.
 pub trait Aid: Send {
     /// Its description.
@@ -86,4 +102,9 @@ pub trait Aid: Send {
     /// The attitude in the kinematics that their models are shown is that of the instruments at the end; that of the
     /// picture is the look's.
     fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>>;
+
+    /// Report of what it saw in the picture of the last moment, told once.
+    fn sighting(&mut self) -> Option<SightingReport> {
+        None
+    }
 }

@@ -5,8 +5,10 @@ use std::sync::Arc;
 
 use super::super::engine::MeasurementModel;
 use super::super::observation::Observation;
+use super::super::sighting::SightingReport;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
+use super::generic_sighting;
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::GENERIC_LANDMARKS;
 use pilotage_reference::association::{
@@ -70,6 +72,7 @@ pub const BEGIN: BeginAid = |numbers, ground| {
         known: SeenTiles::of(Arc::clone(&ground.map), network.clone()),
         network,
         pose: Matrix4::from_diagonal(&deviations.component_mul(&deviations)),
+        sighting: None,
     }))
 };
 
@@ -79,6 +82,8 @@ struct GenericLandmarks {
     network: CoverNetwork,
     /// Covariance of the camera's roll, pitch, yaw and height, but for the believed bias of the heading.
     pose: Matrix4<f64>,
+    /// Report of what it saw last, until that is told.
+    sighting: Option<SightingReport>,
 }
 
 impl Aid for GenericLandmarks {
@@ -89,6 +94,10 @@ impl Aid for GenericLandmarks {
     fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
         let look = moment.look.as_ref();
         look.and_then(|look| self.fix(look)).into_iter().collect()
+    }
+
+    fn sighting(&mut self) -> Option<SightingReport> {
+        self.sighting.take()
     }
 }
 
@@ -127,7 +136,9 @@ impl GenericLandmarks {
             common: CommonError { position, pose },
             view: &view,
         };
-        let fix = associate(&problem, &AssociationSettings::default()).fix?;
+        let association = associate(&problem, &AssociationSettings::default());
+        self.sighting = Some(generic_sighting::report(&problem, &association, look, farthest));
+        let fix = association.fix?;
         let place = below + fix.offset;
         let covariance = fix.covariance;
         Some(Observation {

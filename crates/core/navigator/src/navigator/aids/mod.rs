@@ -5,7 +5,9 @@ mod aid;
 mod choice;
 mod direct;
 mod error;
+mod generic_sighting;
 mod reading;
+mod road_sighting;
 mod take;
 #[cfg(test)]
 mod tests;

@@ -4,9 +4,10 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector2, Vector3};
 
 use super::super::engine::MeasurementModel;
 use super::super::observation::Observation;
+use super::super::sighting::SightingReport;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
-use pilotage_base::frames::GroundPoint;
+use super::road_sighting;
 use pilotage_mission::settings::ROAD_MAP;
 use pilotage_raster::imagery::Window;
 use pilotage_roads::{RoadFix, RoadFixSettings, RoadJoining, RoadMap, RoadSighting, fix_on_roads};
@@ -72,6 +73,7 @@ pub const BEGIN: BeginAid = |numbers, ground| {
         of_middle: numbers[1],
         apart: numbers[2],
         last: f64::NEG_INFINITY,
+        sighting: None,
     }))
 };
 
@@ -84,6 +86,8 @@ struct Roads {
     /// Least time between looks, and the last one, seconds.
     apart: f64,
     last: f64,
+    /// Report of what it saw last, until that is told.
+    sighting: Option<SightingReport>,
 }
 
 impl Aid for Roads {
@@ -99,25 +103,36 @@ impl Aid for Roads {
             return Vec::new();
         }
         self.last = moment.until;
-        let sightings = sightings(look);
+        let points = road_points(look);
+        let sightings: Vec<RoadSighting> = points.iter().map(|(sighting, _)| *sighting).collect();
         let fix = self.fix(look, &sightings);
+        let settings = self.fix_settings(look);
+        let fixed = fix.as_ref();
+        self.sighting = Some(road_sighting::report(look, &points, fixed, &self.map, &settings));
         fix.map(|fix| observation(look, &fix)).into_iter().collect()
+    }
+
+    fn sighting(&mut self) -> Option<SightingReport> {
+        self.sighting.take()
     }
 }
 
 impl Roads {
     /// Correction of the look's pose by what was sighted.
     fn fix(&self, look: &AidLook<'_>, sightings: &[RoadSighting]) -> Option<RoadFix> {
+        fix_on_roads(&self.map, sightings, look.below(), &self.fix_settings(look))
+    }
+
+    fn fix_settings(&self, look: &AidLook<'_>) -> RoadFixSettings {
         let place = look.belief.covariance.fixed_view::<2, 2>(0, 0).into_owned();
         let believed = place.symmetric_eigenvalues().max().max(0.0).sqrt();
         let beyond_state = (self.of_map.powi(2) - look.map_deviation.powi(2)).max(0.0);
-        let settings = RoadFixSettings {
+        RoadFixSettings {
             reach: (REACH.0 + BELIEVED * believed).min(REACH.1),
             shared: (self.of_middle.powi(2) + beyond_state).sqrt(),
             scale: look.noise.height / height(look),
             ..RoadFixSettings::default()
-        };
-        fix_on_roads(&self.map, sightings, below(look), &settings)
+        }
     }
 }
 
@@ -126,14 +141,8 @@ fn height(look: &AidLook<'_>) -> f64 {
     (look.model.ground_down - look.model.camera_down).max(1.0)
 }
 
-/// Ground below the believed camera.
-fn below(look: &AidLook<'_>) -> GroundPoint {
-    let position = look.pose.position_in_world;
-    GroundPoint::new(position.x, position.y)
-}
-
-/// Points on roads in the look's picture, on the ground under its pose.
-fn sightings(look: &AidLook<'_>) -> Vec<RoadSighting> {
+/// Points on roads in the look's picture, on the ground under its pose, with the width of the road, metres.
+fn road_points(look: &AidLook<'_>) -> Vec<(RoadSighting, f64)> {
     let farthest = FARTHEST_HEIGHTS * height(look);
     let model = &look.model;
     let ground = NorthUpPicture::of(
@@ -148,12 +157,13 @@ fn sightings(look: &AidLook<'_>) -> Vec<RoadSighting> {
         return Vec::new();
     };
     let seen = RoadDetection::Network.roads_seen(&pixels, GSD);
-    let mut kept: Vec<RoadSighting> = Vec::new();
+    let mut kept: Vec<(RoadSighting, f64)> = Vec::new();
     for point in &seen.points {
         let new = sighting(&window, point);
-        let is_apart = |other: &RoadSighting| other.place.distance(&new.place) >= SPACING;
+        let is_apart =
+            |other: &(RoadSighting, f64)| other.0.place.distance(&new.place) >= SPACING;
         if point.probability >= LEAST_PROBABILITY && kept.iter().all(is_apart) {
-            kept.push(new);
+            kept.push((new, GSD * point.width));
         }
     }
     kept
@@ -225,7 +235,7 @@ mod tests {
     use super::super::super::{KnownGround, NavigatorError};
     use super::super::take;
     use super::*;
-    use pilotage_base::frames::Attitude;
+    use pilotage_base::frames::{Attitude, GroundPoint};
     use pilotage_estimation::filter::Gate;
     use pilotage_mission::settings::{ChosenAid, NavigatorSettings, SensorNoise};
     use pilotage_raster::camera::CameraModel;
@@ -252,6 +262,7 @@ mod tests {
             of_middle: 0.3,
             apart: 0.5,
             last: f64::NEG_INFINITY,
+            sighting: None,
         }
     }
 
@@ -321,6 +332,7 @@ mod tests {
             });
             let seen: Vec<_> = seen.collect();
             let fix = aid.fix(&look, &seen).unwrap();
+            check_report(&aid, &look, &seen, &fix);
             let observed = observation(&look, &fix);
             let taken = take(engine.as_mut(), &observed, Gate { confidence: 0.999 });
             assert!(taken.unwrap().unwrap().verdict.accepted);
@@ -328,6 +340,24 @@ mod tests {
         let state = engine.state();
         let error = 2.0_f64.sqrt() * across.dot(&state.position().to_vector());
         (before, variances(state.position_covariance()), error)
+    }
+
+    /// All points lie on the centre line, and one of a road that crosses it lies on none.
+    fn check_report(aid: &Roads, look: &AidLook<'_>, seen: &[RoadSighting], fix: &RoadFix) {
+        let crossing = RoadSighting {
+            direction: seen[0].direction + std::f64::consts::FRAC_PI_2,
+            ..seen[0]
+        };
+        let points = seen.iter().chain([&crossing]).map(|seen| (*seen, 7.0));
+        let points: Vec<_> = points.collect();
+        let settings = aid.fix_settings(look);
+        let report = road_sighting::report(look, &points, Some(fix), &aid.map, &settings);
+        assert_eq!(report.accepted(), seen.len());
+        assert!(
+            (report.known.iter()).all(|known| (known.place.north - known.place.east).abs() < 1e-6)
+        );
+        let last = report.seen.last().unwrap();
+        assert_eq!((last.pair, last.similar), (None, 0));
     }
 
     #[test]

@@ -59,6 +59,9 @@ impl Navigator {
         };
         let observed: Vec<Vec<(&AidInfo, Observation<'static>)>> =
             self.aids.iter_mut().map(observed).collect();
+        report.sightings = (self.aids.iter_mut())
+            .filter_map(|aid| aid.sighting())
+            .collect();
         let input = self.inputs.between(&flight, self.time, self.time);
         let onlooker = camera.as_ref().map(|camera| Onlooker {
             flight: &flight,
