@@ -33,7 +33,7 @@ pub fn shown_belief(run: &Run, step: &StepReport, time: f64, motion: f64) -> Sho
         sigma: sigma_points(step).clone(),
         share: 1.0,
     };
-    let corrected = run.frame_step_at(time).filter(|it| it.corrected());
+    let corrected = run.frame_step_at(time).filter(|it| it.is_placed());
     let Some(corrected) = corrected.filter(|_| motion > 0.0) else {
         return shown;
     };

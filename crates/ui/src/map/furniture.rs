@@ -140,7 +140,7 @@ pub fn paint_lens(
         belief,
         truth,
     } = *scene;
-    let color = if step.corrected() {
+    let color = if step.is_placed() {
         tokens.corrected
     } else {
         tokens.dead_reckoning

@@ -11,7 +11,7 @@ pub struct ThinnedPoint {
     pub time: f64,
     /// Place of the point.
     pub place: GroundPoint,
-    /// Whether a landmark corrected the estimate in the latest camera frame.
+    /// Whether anything told the place in the latest camera frame.
     pub corrected: bool,
 }
 
@@ -161,8 +161,8 @@ impl ThinTrack {
             run.steps.len(),
         );
         for step in &run.steps[self.used..] {
-            if let Some(frame) = &step.frame {
-                self.corrected = frame.joint.is_some();
+            if step.frame.is_some() {
+                self.corrected = step.is_placed();
             }
             self.push(ThinnedPoint {
                 time: step.time,

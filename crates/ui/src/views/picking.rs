@@ -37,12 +37,12 @@ pub(crate) fn candidate_to_explain(
         .or_else(|| best(false))
 }
 
-/// Index of the last step at or before `index` that a landmark corrected.
+/// Index of the last step at or before `index` in which anything told the place.
 pub(crate) fn last_correction(run: &Run, index: usize) -> Option<usize> {
     run.steps
         .get(..=index)?
         .iter()
-        .rposition(StepReport::corrected)
+        .rposition(StepReport::is_placed)
 }
 
 /// The second-best score as a fraction of the best; infinite where the best is not positive.

@@ -21,6 +21,7 @@ mod observed_at;
 mod onlooker;
 mod picture_lag;
 mod pipeline;
+mod placed;
 mod possible_places;
 mod recovery;
 mod region;

@@ -309,7 +309,7 @@ impl StepReport {
         self.sigma.after_correct = Some(step.sigma_after);
     }
 
-    /// Whether a picture corrected the estimate in this step.
+    /// Whether landmarks or a whole picture corrected the estimate in this step.
     pub fn corrected(&self) -> bool {
         self.frame.as_ref().is_some_and(|f| f.joint.is_some())
     }

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use nalgebra::Vector2;
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::navigator::{
-    CandidateReport, Doubt, Estimate, FrameReport, Instrument, Outcome, RegistrationReport, Run,
-    SensorFault, StepReport,
+    AidInfo, CandidateReport, Doubt, Estimate, FrameReport, Instrument, Outcome,
+    RegistrationReport, Run, SensorFault, StepReport,
 };
 use pilotage_core::registration::RegistrationMethod;
 
@@ -69,10 +69,32 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
         }
         if !frame.candidates.is_empty() {
             let verdicts = refusals(run, frame);
-            return format!("{verdicts} The estimate stays as predicted.");
+            let then = if step.placed_by().next().is_some() {
+                by_aids(step, units)
+            } else {
+                "The estimate stays as predicted.".to_owned()
+            };
+            return format!("{verdicts} {then}");
         }
     }
+    if step.placed_by().next().is_some() {
+        return by_aids(step, units);
+    }
     dead_reckoning(run, index, step, units)
+}
+
+/// Aids that told the place, and what that did to the estimate, in words.
+fn by_aids(step: &StepReport, units: Units) -> String {
+    let (factor, unit) = units.length();
+    let names: Vec<&str> = step.placed_by().map(|aid| aid.label).collect();
+    let moved = step.after.position().distance(&step.predicted.position());
+    format!(
+        "{} moved the estimate by {} {unit}: its 1σ goes from {} to {} {unit}.",
+        names.join(" and "),
+        figures(factor * moved),
+        figures(factor * sigma(&step.predicted)),
+        figures(factor * sigma(&step.after))
+    )
 }
 
 /// Place of a whole picture, and its correction of the estimate, in words.
@@ -245,10 +267,17 @@ fn dead_reckoning(run: &Run, index: usize, step: &StepReport, units: Units) -> S
         );
     }
     let rate = growth / elapsed;
-    let start = if last.is_some() {
-        format!("No landmark for {elapsed:.1} s")
+    let mut aids = run.settings.aids.iter();
+    let other = aids.any(|aid| AidInfo::named(&aid.key).is_ok_and(|info| info.tells_place));
+    let nothing = if other {
+        "Nothing told the place"
     } else {
-        format!("No landmark yet, {elapsed:.1} s into the run")
+        "No landmark"
+    };
+    let start = if last.is_some() {
+        format!("{nothing} for {elapsed:.1} s")
+    } else {
+        format!("{nothing} yet, {elapsed:.1} s into the run")
     };
     let trend = if rate > 0.005 {
         format!(
@@ -307,7 +336,7 @@ fn compass(vector: &Vector2<f64>) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixture::Fixture;
+    use super::super::super::fixture::{Fixture, reading_of_gps};
     use super::*;
     use pilotage_core::navigator::Refusal;
 
@@ -323,6 +352,27 @@ mod tests {
         let told = "Airspeed is stuck since 1.2 s and not believed: what it usually flies is assumed in its place.";
         assert!(text.ends_with(told), "{text}");
         assert!(!text.contains(" m/s on heading"), "{text}");
+    }
+
+    #[test]
+    fn a_flight_by_aids_is_not_told_to_be_dead_reckoning() {
+        let mut fixture = Fixture::lasting(15.0);
+        let index = 3;
+        assert!(!fixture.run.steps[index].is_placed());
+        let gain = || Some(nalgebra::DMatrix::zeros(4, 2));
+        let mut reading = reading_of_gps(1.0, gain());
+        fixture.run.steps[index].updates.push(reading.clone());
+        let text = of(&fixture, index);
+        assert!(
+            text.starts_with("GPS position moved the estimate by"),
+            "{text}"
+        );
+        // Of a heading, the place is as little known as before; of what was refused, too.
+        reading.aid = "magnetic-heading".to_owned();
+        fixture.run.steps[index].updates = vec![reading, reading_of_gps(30.0, None)];
+        assert!(!fixture.run.steps[index].is_placed());
+        let text = of(&fixture, index);
+        assert!(!text.contains("moved the estimate"), "{text}");
     }
 
     #[test]

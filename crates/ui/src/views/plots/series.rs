@@ -276,7 +276,7 @@ impl RunSeries {
 
     fn add_gap(&mut self, step: &StepReport) {
         let since = *self.last_correction.get_or_insert(step.time);
-        if step.corrected() {
+        if step.is_placed() {
             self.last_correction = Some(step.time);
         } else if step.time - since > DEAD_RECKONING_AFTER {
             match self.gaps.last_mut() {

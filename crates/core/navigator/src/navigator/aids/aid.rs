@@ -29,6 +29,8 @@ pub struct AidInfo {
     pub channels: &'static [ChannelName],
     /// Components of what it measures, each with its SI unit.
     pub components: &'static [(&'static str, &'static str)],
+    /// Whether it tells the place of the aircraft, so that who flies by it flies by more than dead reckoning.
+    pub tells_place: bool,
     /// Numbers that people may set.
     pub numbers: &'static [AidNumber],
 }

@@ -16,6 +16,7 @@ pub const INFO: AidInfo = AidInfo {
                   The vehicle model has to estimate the height, and does so with the barometer's bias.",
     channels: &[ChannelName::BarometricHeight],
     components: &[("height", "m")],
+    tells_place: false,
     numbers: &[
         AidNumber {
             key: "noise",

@@ -31,6 +31,7 @@ pub const INFO: AidInfo = AidInfo {
                   other, and they give one place together.",
     channels: &[],
     components: &[("north", "m"), ("east", "m")],
+    tells_place: true,
     numbers: &[
         AidNumber {
             key: "tilt",

@@ -16,6 +16,7 @@ pub const INFO: AidInfo = AidInfo {
                   near each other tell the same thing again.",
     channels: &[ChannelName::GpsNorth, ChannelName::GpsEast],
     components: &[("north", "m"), ("east", "m")],
+    tells_place: true,
     numbers: &[
         AidNumber {
             key: "noise",

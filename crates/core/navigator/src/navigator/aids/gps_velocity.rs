@@ -16,6 +16,7 @@ pub const INFO: AidInfo = AidInfo {
                   signals. An airplane that knows its airspeed and heading learns the wind from it.",
     channels: &[ChannelName::GpsVelocityNorth, ChannelName::GpsVelocityEast],
     components: &[("north", "m/s"), ("east", "m/s")],
+    tells_place: false,
     numbers: &[
         AidNumber {
             key: "noise",

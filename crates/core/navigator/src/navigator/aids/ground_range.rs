@@ -16,6 +16,7 @@ pub const INFO: AidInfo = AidInfo {
                   vehicle model has to estimate the height; with a barometer beside it, both are told apart.",
     channels: &[ChannelName::GroundRange],
     components: &[("range", "m")],
+    tells_place: false,
     numbers: &[
         AidNumber {
             key: "noise",

@@ -17,6 +17,7 @@ pub const INFO: AidInfo = AidInfo {
                   model that has one.",
     channels: &[ChannelName::MagneticHeading],
     components: &[("heading", "rad")],
+    tells_place: false,
     numbers: &[
         AidNumber {
             key: "noise",

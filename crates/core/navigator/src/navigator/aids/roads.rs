@@ -35,6 +35,7 @@ pub const INFO: AidInfo = AidInfo {
                   dead reckoning. No number of looks is surer than the map of the roads.",
     channels: &[],
     components: &[("best known", "m"), ("second", "m"), ("third", "m")],
+    tells_place: true,
     numbers: &[
         AidNumber {
             key: ROAD_MAP.number,
