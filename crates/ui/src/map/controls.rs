@@ -128,6 +128,7 @@ impl MapView {
             Layer::Ghost => context.ghost.is_some(),
             Layer::Landmarks => !context.mission.landmarks.is_empty(),
             Layer::Roads => !context.mission.roads.is_empty(),
+            Layer::Sighted => context.run.is_some_and(super::sightings::has_aids_that_see),
             Layer::Route | Layer::Corridor => planning && !context.mission.routes.is_empty(),
             _ => context.run.is_some(),
         };

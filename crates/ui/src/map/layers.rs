@@ -4,8 +4,12 @@ use egui::{
     Color32, Frame, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
+use pilotage_core::navigator::SightedKind;
+use pilotage_core::reference::GenericClass;
+
 use crate::shell::icons::Icon;
 use crate::tokens::Tokens;
+use crate::views::sighted::mark;
 
 /// Colour of the track of that number, of those beside the flight's.
 pub(crate) fn track_colour(tokens: &Tokens, number: usize) -> Color32 {
@@ -35,6 +39,8 @@ pub enum Layer {
     Landmarks,
     /// Lines to accepted matches.
     Matches,
+    /// Things that aids saw in the last picture, and those of the map that they took them for.
+    Sighted,
     /// Roads of the mission.
     Roads,
     /// Routes of the plan.
@@ -45,7 +51,7 @@ pub enum Layer {
 
 impl Layer {
     /// Every layer, in the order of the legend.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Truth,
         Self::Recorded,
         Self::Estimate,
@@ -56,6 +62,7 @@ impl Layer {
         Self::Footprint,
         Self::Landmarks,
         Self::Matches,
+        Self::Sighted,
         Self::Roads,
         Self::Route,
         Self::Corridor,
@@ -74,6 +81,7 @@ impl Layer {
             Self::Footprint => "Camera footprint",
             Self::Landmarks => "Landmarks",
             Self::Matches => "Accepted matches",
+            Self::Sighted => "Seen by aids",
             Self::Roads => "Roads",
             Self::Route => "Routes",
             Self::Corridor => "95 % corridor",
@@ -150,6 +158,7 @@ impl Layer {
                 line(left, right, tokens.observed, 1.5);
                 painter.circle_filled(left, 2.5, tokens.observed);
             }
+            Self::Sighted => pair(painter, rect, tokens),
             Self::Roads => {
                 line(left, right, tokens.outline(), 5.0);
                 line(left, right, tokens.road, 2.5);
@@ -174,6 +183,18 @@ impl Layer {
             }
         }
     }
+}
+
+/// A building that was seen, joined with that of the map.
+fn pair(painter: &Painter, rect: Rect, tokens: &Tokens) {
+    let seen = rect.left_center() + vec2(6.0, 2.0);
+    let known = rect.right_center() - vec2(6.0, 2.0);
+    painter.line_segment([seen, known], Stroke::new(1.5, tokens.observed));
+    let kind = SightedKind::Landmark(GenericClass::Building);
+    let (full, empty) = (tokens.observed, Color32::TRANSPARENT);
+    mark(painter, seen, kind, Stroke::new(1.5, full), full, tokens);
+    let line = Stroke::new(1.0, tokens.text);
+    mark(painter, known, kind, line, empty, tokens);
 }
 
 /// Three ellipses in one another.

@@ -14,6 +14,7 @@ mod other_world;
 mod picking;
 mod readouts;
 mod roads;
+mod sightings;
 mod symbols;
 mod thin_track;
 mod tiles;

@@ -407,6 +407,10 @@ impl MapView {
         {
             paint_footprint(painter, view, &frame.footprint, tokens);
         }
+        if let Some(run) = context.run.filter(|_| shows(Layer::Sighted)) {
+            let sightings = crate::views::sighted::last(run, context.time);
+            super::sightings::paint(painter, view, rect, sightings, tokens);
+        }
         let aircraft = belief.map(|(belief, _)| view.apply(&belief.position));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
         let shows_landmarks = shows(Layer::Landmarks);
@@ -571,7 +575,7 @@ fn truth_at(context: &ViewContext<'_>, time: f64) -> Option<GroundPoint> {
 
 /// Red when the latest frame corrected the estimate, blue while dead reckoning.
 fn status_color(frame_step: Option<&StepReport>, tokens: &Tokens) -> egui::Color32 {
-    if frame_step.is_some_and(StepReport::corrected) {
+    if frame_step.is_some_and(StepReport::is_placed) {
         tokens.corrected
     } else {
         tokens.dead_reckoning

@@ -18,6 +18,7 @@ pub(crate) mod picking;
 #[cfg(test)]
 pub(crate) mod pictures;
 mod plots;
+pub(crate) mod sighted;
 pub(crate) mod sights;
 pub(crate) mod table;
 mod time_axis;

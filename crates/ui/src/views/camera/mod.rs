@@ -4,11 +4,12 @@ mod attitude;
 mod overlay;
 mod picture;
 mod placement;
+mod sightings;
 
 use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
-use pilotage_core::navigator::{FrameReport, Run};
+use pilotage_core::navigator::{FrameReport, Run, SightingReport};
 
-use super::{parts, picking};
+use super::{parts, picking, sighted};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
 use crate::tokens::Tokens;
@@ -130,14 +131,16 @@ impl CameraView {
         };
         let report = context
             .run
-            .and_then(|run| Some((run, picking::frame_at(run, time)?.1)))
-            .filter(|(_, report)| report.index == index);
+            .and_then(|run| Some((run, picking::frame_at(run, time)?)))
+            .filter(|(_, (_, report))| report.index == index);
+        let seen = report.map_or(&[][..], |(_, (step, _))| &step.sightings);
+        let report = report.map(|(run, (_, report))| (run, report));
 
         let outer = ui.available_rect_before_wrap();
         let response = ui.allocate_rect(outer, Sense::click_and_drag());
         parts::name(
             &response,
-            describe(report, flight.frames[index].name.as_str()),
+            describe(report, seen, flight.frames[index].name.as_str()),
         );
         let size = vec2(flight.camera.width as f32, flight.camera.height as f32);
         self.navigate(ui, &response, outer, size);
@@ -169,6 +172,7 @@ impl CameraView {
             let pointer = response.hover_pos();
             let near = nearest(report, &placement, pointer);
             let theme = std::mem::replace(&mut context.tokens, Tokens::over_imagery());
+            sightings::draw(&painter, context, seen, &placement);
             overlay::draw(&painter, context, run, report, &placement, near, &mut taken);
             context.tokens = theme;
             if response.clicked() {
@@ -176,6 +180,10 @@ impl CameraView {
             }
             if let Some(candidate) = report.candidates.iter().find(|c| Some(c.landmark) == near) {
                 let text = overlay::explain(run, candidate);
+                response.on_hover_text_at_pointer(text);
+            } else if let Some(text) =
+                pointer.and_then(|at| sightings::explain(seen, &placement, at, context))
+            {
                 response.on_hover_text_at_pointer(text);
             }
             attitude::draw(
@@ -246,7 +254,11 @@ fn nearest(
 }
 
 /// Description of the picture in a line, for those who do not see it.
-fn describe(report: Option<(&Run, &FrameReport)>, name: &str) -> String {
+fn describe(
+    report: Option<(&Run, &FrameReport)>,
+    sightings: &[SightingReport],
+    name: &str,
+) -> String {
     let Some((run, report)) = report else {
         return format!("Camera picture {name}");
     };
@@ -255,6 +267,10 @@ fn describe(report: Option<(&Run, &FrameReport)>, name: &str) -> String {
         .map(|c| picking::landmark_name(run, c.landmark))
         .collect();
     let refused = report.candidates.len() - accepted.len();
+    if !sightings.is_empty() && report.candidates.is_empty() {
+        let told: Vec<String> = sightings.iter().map(sighted::summary).collect();
+        return format!("Camera picture {name}: {}", told.join("; "));
+    }
     if accepted.is_empty() {
         format!("Camera picture {name}: no landmark used, {refused} refused")
     } else {

@@ -1,7 +1,7 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
-use super::super::fixture::Fixture;
+use super::super::fixture::{Fixture, sighting};
 use super::*;
 
 struct State {
@@ -43,6 +43,28 @@ fn telling_time(fixture: &Fixture) -> (f64, u32) {
             Some((s.time, candidate.landmark))
         })
         .expect("the fixture sees a landmark in its first seconds")
+}
+
+#[test]
+fn a_thing_that_an_aid_saw_says_under_the_pointer_what_became_of_it() {
+    let (time, _) = telling_time(&Fixture::lasting(20.0));
+    let mut harness = harness(time);
+    {
+        let run = &mut harness.state_mut().fixture.run;
+        let step = run.steps.iter_mut().find(|step| step.time == time).unwrap();
+        step.frame.as_mut().unwrap().candidates.clear();
+        step.sightings = vec![sighting()];
+    }
+    harness.run();
+    let view = harness.get_by_label_contains("1 of 4 things paired with the map");
+    let tree = harness
+        .state()
+        .view
+        .placement(view.rect(), vec2(640.0, 480.0))
+        .at(&sighting().seen[1].pixel);
+    harness.hover_at(tree);
+    harness.run();
+    harness.get_by_label_contains("Tree, 6.00 m across: not used");
 }
 
 #[test]

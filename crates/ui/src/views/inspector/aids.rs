@@ -4,6 +4,7 @@ use egui::{RichText, Ui};
 use pilotage_core::navigator::{AidInfo, Run, UpdateReport};
 
 use super::super::parts::{self, NumberReadout, figures};
+use super::super::sighted;
 use crate::context::ViewContext;
 
 /// Steps in which the last reading of an aid is looked for.
@@ -12,14 +13,23 @@ const LOOKED_BACK: usize = 2000;
 /// Draws a section for the last readings up to step `index`, if the run has any.
 pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, index: usize) {
     let tokens = context.tokens;
+    let sightings = sighted::last(run, run.steps[index].time);
     for chosen in &run.settings.aids {
         let Ok(info) = AidInfo::named(&chosen.key) else {
             continue;
         };
-        let Some((time, update)) = last_of(run, index, info.key) else {
+        let update = last_of(run, index, info.key);
+        let seen = sightings.iter().find(|sighting| sighting.aid == info.key);
+        if update.is_none() && seen.is_none() {
             continue;
-        };
+        }
         parts::section(ui, tokens, &info.label.to_uppercase(), true, |ui| {
+            if let Some(seen) = seen {
+                sighted::show(ui, context, seen);
+            }
+            let Some((time, update)) = update else {
+                return;
+            };
             let verdict = if update.is_accepted() {
                 "accepted"
             } else {

@@ -8,7 +8,7 @@ use egui::{RichText, ScrollArea, Ui};
 use pilotage_core::navigator::{CandidateReport, Outcome, Refusal, Run, StepReport};
 
 use super::sights::Sights;
-use super::{parts, picking};
+use super::{parts, picking, sighted};
 use crate::command::Command;
 use crate::context::{DrawnTimes, ViewContext};
 use crate::units::clock;
@@ -142,7 +142,12 @@ fn waiting(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>
             "Without a camera there is nothing to look for; see what it finds by airspeed under GPS cut.",
         )
     };
-    parts::empty(ui, context.tokens, title, hint);
+    let sightings = (context.run).map_or(&[][..], |run| sighted::last(run, context.time));
+    if sightings.is_empty() {
+        parts::empty(ui, context.tokens, title, hint);
+    } else {
+        sighted::show_all(ui, context, sightings);
+    }
     ui.add_space(context.tokens.space);
     ui.vertical_centered(|ui| upcoming(ui, context, next));
 }
