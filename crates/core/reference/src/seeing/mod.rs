@@ -3,11 +3,12 @@
 mod blobs;
 mod mapping;
 mod observed;
+mod picture_view;
 mod precision;
 #[cfg(test)]
 mod tests;
 mod things;
 
 pub use mapping::{ReferenceMapping, SeenTiles};
-pub use observed::{observed, possible};
+pub use picture_view::PictureView;
 pub use things::landmarks_seen;

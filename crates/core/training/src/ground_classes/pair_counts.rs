@@ -2,16 +2,14 @@
 
 use std::fmt;
 
-use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
+use nalgebra::{Matrix2, Matrix4, Point3, Vector2, Vector4};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::looks::GeneratedLooks;
 use pilotage_base::frames::{GroundPoint, Pose};
-use pilotage_reference::association::{
-    AssociationProblem, AssociationSettings, CommonError, associate,
-};
-use pilotage_reference::seeing::{landmarks_seen, observed, possible};
-use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground, ground_picture};
+use pilotage_reference::association::CommonError;
+use pilotage_reference::seeing::PictureView;
+use pilotage_vision::ground_class::CoverNetwork;
 
 /// Distance of the two landmarks of a right pair at the true pose, at most, metres.
 const SAME: f64 = 8.0;
@@ -65,47 +63,25 @@ impl PairCounts {
             believed.attitude.yaw += errors[2];
             let model = looks.camera.model().clone();
             self.pictures += 1;
-            let ground = ground_picture(&model, &believed, 0.0, &picture, CLASS_GSD);
-            let Some((window, pixels)) = ground else {
+            let Some(view) = PictureView::of(&model, &believed, 0.0, &picture, network) else {
                 continue;
             };
-            let seen = landmarks_seen(&classify_ground(&window, &pixels, network));
-            self.seen += seen.len();
-            let told: Vec<_> = seen
-                .iter()
-                .filter_map(|landmark| {
-                    let told = observed(landmark, &model, &believed, 0.0)?;
-                    // Where it lies by the true pose.
-                    let point =
-                        nalgebra::Point3::new(landmark.place.north, landmark.place.east, 0.0);
-                    let pixel = model.project(&believed, &point)?;
-                    Some((told, model.ground_at(&pose, &pixel, 0.0)?))
-                })
-                .collect();
-            let (landmarks, places): (Vec<_>, Vec<GroundPoint>) = told.into_iter().unzip();
-            let below = believed.position_in_world.xy().coords;
-            let view: Vec<Vector2<f64>> = model
-                .footprint(&believed, 0.0)
-                .iter()
-                .map(|corner| corner.to_vector() - below)
-                .collect();
-            let around = looks
-                .known
-                .near(GroundPoint::from(below), 230.0 + 3.5 * deviation);
-            let table: Vec<_> = around
-                .iter()
-                .map(|landmark| possible(landmark, GroundPoint::from(below)))
-                .collect();
-            let problem = AssociationProblem {
-                observed: &landmarks,
-                possible: &table,
-                common: CommonError {
-                    position: Matrix2::identity() * deviation * deviation,
-                    pose: Matrix4::from_diagonal(&variances),
-                },
-                view: &view,
+            self.seen += view.seen.len();
+            let seen = view.seen.iter();
+            let told = seen.filter_map(|landmark| {
+                let told = view.observed(landmark)?;
+                // Where it lies by the true pose.
+                let point = Point3::new(landmark.place.north, landmark.place.east, 0.0);
+                let pixel = model.project(&believed, &point)?;
+                Some((told, model.ground_at(&pose, &pixel, 0.0)?))
+            });
+            let (observed, places): (Vec<_>, Vec<GroundPoint>) = told.unzip();
+            let around = view.around(&mut looks.known, 230.0 + 3.5 * deviation);
+            let common = CommonError {
+                position: Matrix2::identity() * deviation * deviation,
+                pose: Matrix4::from_diagonal(&variances),
             };
-            let found = associate(&problem, &AssociationSettings::default());
+            let found = view.associated(&observed, &around, common);
             for pair in found.pairs.iter().filter(|pair| pair.accepted) {
                 self.accepted += 1;
                 self.stated += pair.probability;

@@ -5,10 +5,10 @@ use std::fmt;
 use nalgebra::Point3;
 
 use super::looks::GeneratedLooks;
-use pilotage_base::frames::{GroundPoint, GroundRect};
-use pilotage_reference::seeing::landmarks_seen;
+use pilotage_base::frames::GroundRect;
+use pilotage_reference::seeing::PictureView;
 use pilotage_reference::{GenericClass, GenericLandmark};
-use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground, ground_picture};
+use pilotage_vision::ground_class::CoverNetwork;
 
 /// Sizes that divide landmarks into groups, metres.
 const SIZES: [f64; 4] = [6.5, 9.0, 13.0, 20.0];
@@ -45,11 +45,10 @@ impl PlaceErrors {
         for _ in 0..pictures {
             let (pose, picture) = looks.take();
             let model = looks.camera.model();
-            let Some((window, pixels)) = ground_picture(model, &pose, 0.0, &picture, CLASS_GSD)
-            else {
+            let Some(view) = PictureView::of(model, &pose, 0.0, &picture, network) else {
                 continue;
             };
-            let seen = landmarks_seen(&classify_ground(&window, &pixels, network));
+            let seen = &view.seen;
             let is_in_view = |landmark: &GenericLandmark| {
                 let half = 0.5 * landmark.size + 3.0;
                 let rect = GroundRect::centered(landmark.place, 2.0 * half, 2.0 * half);
@@ -59,10 +58,9 @@ impl PlaceErrors {
                     pixel.is_some_and(|pixel| model.in_picture(&pixel, 2.0))
                 })
             };
-            let below = GroundPoint::from(pose.position_in_world.xy().coords);
-            let around = looks.known.near(below, 260.0);
+            let around = view.around(&mut looks.known, 260.0);
             let in_view: Vec<GenericLandmark> = around.into_iter().filter(is_in_view).collect();
-            for landmark in &seen {
+            for landmark in seen {
                 self.group(landmark).seen += 1;
             }
             for landmark in &in_view {

@@ -9,13 +9,10 @@ use super::super::sighting::SightingReport;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use super::generic_sighting;
-use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::GENERIC_LANDMARKS;
-use pilotage_reference::association::{
-    AssociationProblem, AssociationSettings, CommonError, associate,
-};
-use pilotage_reference::seeing::{SeenTiles, landmarks_seen, observed, possible};
-use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground, ground_picture};
+use pilotage_reference::association::CommonError;
+use pilotage_reference::seeing::{PictureView, SeenTiles};
+use pilotage_vision::ground_class::CoverNetwork;
 
 /// Believed places of the aircraft in which landmarks are looked up, standard deviations.
 const REACH: f64 = 3.5;
@@ -106,41 +103,21 @@ impl GenericLandmarks {
     /// Place of the aircraft by what is seen in a picture.
     fn fix(&mut self, look: &AidLook<'_>) -> Option<Observation<'static>> {
         let (camera, ground_down) = (look.model.camera, look.model.ground_down);
-        let picture = ground_picture(camera, &look.pose, ground_down, look.picture, CLASS_GSD);
-        let (window, pixels) = picture?;
-        let seen = landmarks_seen(&classify_ground(&window, &pixels, &self.network));
-        let below = look.pose.position_in_world.xy().coords;
-        let in_picture: Vec<_> = seen
-            .iter()
-            .filter_map(|landmark| observed(landmark, camera, &look.pose, ground_down))
-            .collect();
-        let view: Vec<Vector2<f64>> = camera
-            .footprint(&look.pose, ground_down)
-            .iter()
-            .map(|corner| corner.to_vector() - below)
-            .collect();
+        let network = &self.network;
+        let view = PictureView::of(camera, &look.pose, ground_down, look.picture, network)?;
+        let observed: Vec<_> = view.seen.iter().filter_map(|l| view.observed(l)).collect();
         let position: Matrix2<f64> = look.belief.covariance.fixed_view::<2, 2>(0, 0).into();
-        let farthest = view.iter().map(Vector2::norm).fold(0.0, f64::max);
+        let farthest = view.corners().iter().map(Vector2::norm).fold(0.0, f64::max);
         let doubt = REACH * position.symmetric_eigenvalues().max().max(0.0).sqrt();
-        let reach = farthest + doubt.min(FARTHEST);
-        let in_table: Vec<_> = self
-            .known
-            .near(GroundPoint::from(below), reach)
-            .iter()
-            .map(|landmark| possible(landmark, GroundPoint::from(below)))
-            .collect();
+        let around = view.around(&mut self.known, farthest + doubt.min(FARTHEST));
         let mut pose = self.pose;
         pose[(2, 2)] += look.belief.covariance[(2, 2)];
-        let problem = AssociationProblem {
-            observed: &in_picture,
-            possible: &in_table,
-            common: CommonError { position, pose },
-            view: &view,
-        };
-        let association = associate(&problem, &AssociationSettings::default());
-        self.sighting = Some(generic_sighting::report(&problem, &association, look, farthest));
+        let common = CommonError { position, pose };
+        let association = view.associated(&observed, &around, common);
+        let sets = (observed.as_slice(), around.as_slice());
+        self.sighting = Some(generic_sighting::report(sets, &association, look, farthest));
         let fix = association.fix?;
-        let place = below + fix.offset;
+        let place = view.below().to_vector() + fix.offset;
         let covariance = fix.covariance;
         Some(Observation {
             measured: dvector![place.x, place.y],

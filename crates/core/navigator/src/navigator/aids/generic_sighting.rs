@@ -4,7 +4,8 @@ use super::super::sighting::{KnownReport, PairReport, SeenReport, SightedKind, S
 use super::aid::AidLook;
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::GENERIC_LANDMARKS;
-use pilotage_reference::association::{Association, AssociationProblem};
+use pilotage_reference::GenericLandmark;
+use pilotage_reference::association::{Association, ObservedLandmark};
 
 /// Landmarks of the map that are told of lie within so many metres of what the picture shows.
 const TOLD_AROUND: f64 = 40.0;
@@ -12,16 +13,16 @@ const TOLD_AROUND: f64 = 40.0;
 /// Report of what was seen, of the landmarks of the map within the `farthest` distance of the view and a little beyond,
 /// metres, and of the pairs.
 pub fn report(
-    problem: &AssociationProblem<'_>,
+    (observed, around): (&[ObservedLandmark], &[GenericLandmark]),
     association: &Association,
     look: &AidLook<'_>,
     farthest: f64,
 ) -> SightingReport {
-    let below = look.pose.position_in_world.xy().coords;
+    let below = look.below();
     let is_paired = |index: usize| association.pairs.iter().any(|p| p.possible == index);
-    let told: Vec<usize> = (0..problem.possible.len())
+    let told: Vec<usize> = (0..around.len())
         .filter(|index| {
-            let distance = problem.possible[*index].place.norm();
+            let distance = around[*index].place.distance(&below);
             distance <= farthest + TOLD_AROUND || is_paired(*index)
         })
         .collect();
@@ -33,13 +34,13 @@ pub fn report(
             accepted: pair.accepted,
         })
     };
-    let seen = problem.observed.iter().enumerate();
+    let seen = observed.iter().enumerate();
     let seen = seen.filter_map(|(index, landmark)| {
-        let place = below + landmark.place;
+        let place = GroundPoint::from(below.to_vector() + landmark.place);
         Some(SeenReport {
             kind: SightedKind::Landmark(landmark.class),
-            pixel: look.pixel_of(GroundPoint::from(place))?,
-            place: GroundPoint::from(place),
+            pixel: look.pixel_of(place)?,
+            place,
             size: landmark.size,
             similar: association.similar[index],
             pair: pair_of(index),
@@ -49,10 +50,10 @@ pub fn report(
         aid: GENERIC_LANDMARKS.aid.to_owned(),
         seen: seen.collect(),
         known: (told.iter())
-            .map(|index| &problem.possible[*index])
+            .map(|index| &around[*index])
             .map(|landmark| KnownReport {
                 kind: SightedKind::Landmark(landmark.class),
-                place: GroundPoint::from(below + landmark.place),
+                place: landmark.place,
                 size: landmark.size,
             })
             .collect(),
