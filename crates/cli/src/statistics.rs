@@ -1,5 +1,6 @@
 //! Many runs in one table.
 
+use pilotage_core::filter::quantile;
 use pilotage_core::navigator::Summary;
 use serde::Serialize;
 
@@ -24,22 +25,14 @@ pub struct Quantiles {
 
 fn quantiles(figure: &'static str, mut values: Vec<f64>) -> Option<Quantiles> {
     values.sort_by(f64::total_cmp);
-    let last = values.len().checked_sub(1)?;
-    let at = |q: f64| {
-        let place = q * last as f64;
-        let (low, high) = (
-            values[place.floor() as usize],
-            values[place.ceil() as usize],
-        );
-        low + place.fract() * (high - low)
-    };
+    let at = |share: f64| quantile(&values, share);
     Some(Quantiles {
         figure,
-        min: values[0],
-        q25: at(0.25),
-        median: at(0.5),
-        q75: at(0.75),
-        max: values[last],
+        min: *values.first()?,
+        q25: at(0.25)?,
+        median: at(0.5)?,
+        q75: at(0.75)?,
+        max: *values.last()?,
         mean: values.iter().sum::<f64>() / values.len() as f64,
     })
 }

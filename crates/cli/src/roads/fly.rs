@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::Vector2;
-use pilotage_core::filter::Consistency;
+use pilotage_core::filter::{Consistency, nearest_sample};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::navigator::{KnownGround, Navigator, Run};
@@ -209,7 +209,7 @@ fn tell(table: &[RoadFlight], nis: &Consistency) {
     let of = |value: fn(&RoadFlight) -> f64| {
         let mut values: Vec<f64> = table.iter().map(value).collect();
         values.sort_by(f64::total_cmp);
-        let at = |share: f64| values[(share * (values.len() - 1) as f64).round() as usize];
+        let at = |share: f64| nearest_sample(&values, share).unwrap_or(f64::NAN);
         format!(
             "median {:.3}, least {:.3}, greatest {:.3}",
             at(0.5),

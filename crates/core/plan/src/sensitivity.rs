@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
 use pilotage_base::frames::units::feet;
 use pilotage_base::frames::wrap_pi;
+use pilotage_base::statistics::nearest_sample;
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_navigator::navigator::{Navigator, summarize};
 use pilotage_simulate::simulate::{Overrides, Scenario, SensorSpec};
@@ -198,8 +199,8 @@ impl SensitivityRow {
         });
         let mut medians: Vec<f64> = medians.collect::<Option<_>>()?;
         medians.sort_by(f64::total_cmp);
-        let at = |share: f64| medians[(share * (RESAMPLES - 1) as f64).round() as usize];
-        Some([at(0.025), at(0.975)])
+        let at = |share: f64| nearest_sample(&medians, share);
+        Some([at(0.025)?, at(0.975)?])
     }
 }
 

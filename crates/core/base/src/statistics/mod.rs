@@ -1,9 +1,11 @@
-//! Distributions behind gates and intervals.
+//! Distributions behind gates and intervals, and quantiles of samples.
 
 mod chi_square;
 mod circle;
+mod quantile;
 mod words;
 
 pub use chi_square::{chi_square_probability, chi_square_quantile, normal_probability};
 pub use circle::circle_radius;
+pub use quantile::{nearest_sample, quantile};
 pub use words::probability_words;

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bound::position_bound;
 use super::{CandidateReport, Outcome, RegistrationRefusal, Run, StepReport};
+use pilotage_base::statistics::quantile;
 use pilotage_estimation::filter::Consistency;
 use pilotage_estimation::vehicle::StateComponent;
 use pilotage_flight::Flight;
@@ -46,21 +47,12 @@ impl ErrorFigures {
     /// ```
     pub fn of(mut errors: Vec<f64>) -> Option<Self> {
         errors.sort_by(f64::total_cmp);
-        let last = errors.len().checked_sub(1)?;
-        let quantile = |q: f64| {
-            let place = q * last as f64;
-            let (low, high) = (
-                errors[place.floor() as usize],
-                errors[place.ceil() as usize],
-            );
-            low + place.fract() * (high - low)
-        };
         let mean_square = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
         Some(Self {
             rms: mean_square.sqrt(),
-            median: quantile(0.5),
-            p95: quantile(0.95),
-            max: errors[last],
+            median: quantile(&errors, 0.5)?,
+            p95: quantile(&errors, 0.95)?,
+            max: *errors.last()?,
         })
     }
 }

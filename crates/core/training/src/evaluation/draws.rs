@@ -5,6 +5,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::EvaluatedLook;
 use super::rate::{NORMAL_95, wilson};
+use pilotage_base::statistics::quantile;
 
 /// Days from which on whole days are drawn.
 const ENOUGH_DAYS: usize = 5;
@@ -98,12 +99,7 @@ fn student_over_normal(dof: f64) -> f64 {
 /// The 2.5 % and 97.5 % quantiles of samples, which are put into another order.
 fn middle_95(values: &mut [f64]) -> (f64, f64) {
     values.sort_by(f64::total_cmp);
-    let at = |share: f64| {
-        let place = share * (values.len() - 1) as f64;
-        let (below, part) = (place.floor() as usize, place.fract());
-        let above = (below + 1).min(values.len() - 1);
-        values[below] + part * (values[above] - values[below])
-    };
+    let at = |share: f64| quantile(values, share).unwrap_or(f64::NAN);
     (at(0.025), at(0.975))
 }
 
