@@ -16,7 +16,7 @@ use pilotage_core::frames::{GroundPoint, Pose};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::navigator::{FrameReport, Run};
 use pilotage_core::registration::FollowSettings;
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario};
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SensorSpec};
 use pilotage_tests::studies::either;
 use pilotage_tests::whole_frames::{
     MANOEUVRES, caliterra_unaided, flight, laid, map, navigate, settings,
@@ -274,7 +274,7 @@ fn a_simulated_airplane_is_navigated_by_whole_frames_with_an_honest_covariance()
     flight
         .frames
         .retain(|frame| frame.time < begin + either(15.0, 30.0));
-    let mut settings = scenario.navigator();
+    let mut settings = scenario.navigator(&SensorSpec::default());
     settings.whole_frames = Some(FollowSettings::default());
     let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), 128));
     let frames = flight.frames.len();

@@ -10,7 +10,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{
     KnownGround, Navigator, NavigatorSettings, Run, Summary, summarize,
 };
-use pilotage_core::simulate::{Overrides, Scenario};
+use pilotage_core::simulate::{Overrides, Scenario, SensorSpec};
 use pilotage_jobs::{JobEvent, MapSource, SummaryOrder};
 use serde::Serialize;
 
@@ -158,7 +158,7 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> CommandResult 
         flight: flown(scenario, seed, arguments.day),
         map: MapSource::world("countryside"),
         mission: mission.clone(),
-        true_noise: Some(scenario.navigator()),
+        true_noise: Some(scenario.navigator(&SensorSpec::default())),
     };
     let orders = (first..end).map(order).collect();
     let lent = scenery(scenario, arguments.day);
@@ -212,7 +212,8 @@ fn replay_seed(scenario: &Scenario, mission: &Mission, arguments: &Arguments) ->
         &mut simulated.frames,
     )
     .map_err(|e| format!("seed {}: {e}", arguments.seed))?;
-    let summary = summarize(&flight, &run, Some(&scenario.navigator()));
+    let true_noise = scenario.navigator(&SensorSpec::default());
+    let summary = summarize(&flight, &run, Some(&true_noise));
     report(arguments, &flight, &run, &summary)
 }
 

@@ -175,9 +175,9 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
     use crate::{Share, SuggestOrder};
     use pilotage_core::frames::GroundPoint;
     use pilotage_core::plan::{FieldView, Proposal};
-    use pilotage_core::simulate::Scenario;
+    use pilotage_core::simulate::{Scenario, SensorSpec};
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
-    let navigator = scenario.navigator();
+    let navigator = scenario.navigator(&SensorSpec::default());
     let order = Box::new(SuggestOrder {
         map: MapSource::world("countryside"),
         view: FieldView {

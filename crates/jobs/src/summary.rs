@@ -107,7 +107,7 @@ impl Order for SummaryOrder {
 #[cfg(test)]
 mod tests {
     use pilotage_core::navigator::Summary;
-    use pilotage_core::simulate::Scenario;
+    use pilotage_core::simulate::{Scenario, SensorSpec};
 
     use super::*;
     use crate::SimulationOptions;
@@ -128,7 +128,7 @@ mod tests {
             }),
             map: MapSource::world("countryside"),
             mission,
-            true_noise: Some(scenario.navigator()),
+            true_noise: Some(scenario.navigator(&SensorSpec::default())),
         }
     }
 

@@ -109,12 +109,12 @@ impl PredictionRequest<'_> {
     ///
     /// ```
     /// # use pilotage_base::frames::GroundPoint;
-    /// # use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario};
+    /// # use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
     /// use pilotage_plan::PredictionRequest;
     /// # let scenario = Scenario::named("distinct-400ft-wind").ok_or("no such scenario")?;
     /// # let way_points = vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 300.0)];
     /// # let plan = FlightPlan { way_points, ..scenario.plan(&Overrides::default()) };
-    /// # let settings = scenario.navigator();
+    /// # let settings = scenario.navigator(&SensorSpec::default());
     ///
     /// // Without a landmark, in a wind of which 4 m/s on each axis are unknown to the filter.
     /// let (plan, settings) = (&plan, &settings);
@@ -337,7 +337,7 @@ mod tests {
     use super::*;
     use crate::ExpectedDetection;
     use nalgebra::{Matrix4, Vector4};
-    use pilotage_simulate::simulate::{Overrides, Scenario};
+    use pilotage_simulate::simulate::{Overrides, Scenario, SensorSpec};
 
     fn landmarks(scenario: &Scenario, probability: f64) -> Vec<PlannedLandmark> {
         let spread = Vector4::new(0.1, 0.1, 0.005, 0.005).map(|sd: f64| sd * sd);
@@ -361,7 +361,7 @@ mod tests {
         let scenario = Scenario::named("distinct-400ft-wind").unwrap();
         let request = PredictionRequest {
             plan: &scenario.plan(&Overrides::default()),
-            settings: &scenario.navigator(),
+            settings: &scenario.navigator(&SensorSpec::default()),
             landmarks,
             wind_deviation: 0.0,
             worlds,

@@ -138,7 +138,7 @@ mod tests {
     };
     use pilotage_base::frames::GroundRect;
     use pilotage_navigator::navigator::Navigator;
-    use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario};
+    use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
     use pilotage_vision::landmark::Landmark;
 
     const SPREAD: [f64; 4] = [0.1, 0.1, 0.004, 0.004];
@@ -164,7 +164,7 @@ mod tests {
 
     fn verified(route_seed: u64, flights: u64) -> Verification {
         let scenario = &Scenario::all()[1];
-        let settings = scenario.navigator();
+        let settings = scenario.navigator(&SensorSpec::default());
         let (plan, landmarks) = route(route_seed);
         let expected = ExpectedDetection {
             recognised: 0.8,

@@ -131,11 +131,8 @@ pub fn rms_with_walk(instrument: TestedInstrument, deviation: f64, run: u64) -> 
     };
     let flight = with_walk(scenario.fly(run, &overrides), instrument, deviation, run);
     let mission = scenario.mission();
-    let mut settings = mission.navigator;
     // Nobody tells the filter of the walk, but it knows that the mount does not shake.
-    let tilt = spec.attitude.noise.hypot(spec.attitude.bias);
-    (settings.sensors.roll, settings.sensors.pitch) = (tilt, tilt);
-    settings.sensors.yaw = spec.heading.noise.hypot(spec.heading.bias);
+    let settings = scenario.navigator(&spec);
     let (place, turn) = FOUND;
     let expected = ExpectedDetection {
         recognised: 1.0,

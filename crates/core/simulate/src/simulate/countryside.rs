@@ -6,6 +6,7 @@ use super::flight_day::FlightDay;
 use super::flight_frames::SimulatedFlight;
 use super::scenario::{Overrides, Scenario};
 use super::scenery::Scenery;
+use super::sensors::SensorSpec;
 use super::world::{LaidWorld, LayOut, SimulationChoice, World};
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::mission::Mission;
@@ -33,7 +34,9 @@ impl World for Countryside {
     }
 
     fn navigator(&self, flight: &str) -> NavigatorSettings {
-        Scenario::named(flight).map_or_else(NavigatorSettings::default, |s| s.navigator())
+        let sensors = SensorSpec::default();
+        let settings = Scenario::named(flight).map(|scenario| scenario.navigator(&sensors));
+        settings.unwrap_or_default()
     }
 
     fn route(&self, flight: &str) -> Option<Vec<GroundPoint>> {

@@ -301,46 +301,45 @@ impl Scenario {
             labels: Vec::new(),
             camera: Some(Self::camera()),
             camera_to_log: None,
-            navigator: self.navigator(),
+            navigator: self.navigator(&SensorSpec::default()),
             properties: BTreeMap::new(),
         }
     }
 
-    /// Settings that know the sensors and the turbulence to be expected at the scenario's height.
-    pub fn navigator(&self) -> NavigatorSettings {
-        let spec = SensorSpec::default();
+    /// Settings that know the errors of the `sensors` and the turbulence to be expected at the scenario's height.
+    pub fn navigator(&self, sensors: &SensorSpec) -> NavigatorSettings {
         let airframe = Airframe::sig_kadet_senior();
         let turbulence = Turbulence::low_altitude(self.height, 0.0);
-        let step = 1.0 / spec.rate;
+        let step = 1.0 / sensors.rate;
         let camera_angle = |error: SensorError| {
-            (spec.mount_vibration.powi(2) + error.noise.powi(2) + error.bias.powi(2)).sqrt()
+            (sensors.mount_vibration.powi(2) + error.noise.powi(2) + error.bias.powi(2)).sqrt()
         };
         let defaults = NavigatorSettings::default();
         NavigatorSettings {
             vehicle: VehicleChoice::AirplaneFull,
             start: StartError {
-                position: spec.start_position,
+                position: sensors.start_position,
                 wind: if self.wind.speed > 0.0 { 4.0 } else { 1.0 },
                 offset: [0.0, 0.0],
             },
             process: ProcessNoise {
                 // White noise per sample, held for one step, as a density.
-                airspeed: spec.airspeed.noise * step.sqrt(),
-                heading: spec.heading.noise * step.sqrt(),
+                airspeed: sensors.airspeed.noise * step.sqrt(),
+                heading: sensors.heading.noise * step.sqrt(),
                 position: 0.02,
                 wind: 0.01,
                 gust: turbulence.intensity.x,
                 gust_per_wind: Turbulence::per_wind(self.height),
                 gust_time: turbulence.correlation_time(airframe.cruise),
-                airspeed_bias: spec.airspeed.bias,
-                heading_bias: spec.heading.bias,
+                airspeed_bias: sensors.airspeed.bias,
+                heading_bias: sensors.heading.bias,
                 ..defaults.process
             },
             sensors: SensorNoise {
-                roll: camera_angle(spec.attitude),
-                pitch: camera_angle(spec.attitude),
-                yaw: camera_angle(spec.heading),
-                height: spec.height.noise.hypot(spec.height.bias),
+                roll: camera_angle(sensors.attitude),
+                pitch: camera_angle(sensors.attitude),
+                yaw: camera_angle(sensors.heading),
+                height: sensors.height.noise.hypot(sensors.height.bias),
                 pixel: DETECTOR_PIXEL,
                 ground: DETECTOR_GROUND,
             },
