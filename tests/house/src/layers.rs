@@ -31,6 +31,7 @@ pub const ORDERS: [&Order; 8] = [
             "place_text",
             "text",
             "tiff_entry",
+            "varint",
             "viridis",
         ],
     },

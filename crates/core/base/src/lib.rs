@@ -14,4 +14,5 @@ pub mod sorting;
 pub mod statistics;
 pub mod text;
 pub mod tiff_entry;
+pub mod varint;
 pub mod viridis;

@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 
 use crate::{GenericClass, GenericLandmark, ReferenceTable};
 use pilotage_base::frames::GroundPoint;
+use pilotage_base::varint::{VarintError, put_varint, take_varint, unzigzag, zigzag};
 
 /// First bytes: the format and its version.
 const MAGIC: [u8; 4] = *b"PGT1";
@@ -27,6 +28,8 @@ const STABILITIES: f64 = 31.0;
 const CONFIDENCES: f64 = 15.0;
 /// Bytes of a landmark.
 const RECORD: usize = 6;
+/// Most bytes of a number of variable length.
+const LONGEST_NUMBER: usize = 9;
 /// Most that a cell may lie from the origin, in cells: more than the globe has.
 const FURTHEST: i64 = 1 << 20;
 
@@ -55,18 +58,18 @@ impl ReferenceTable {
             self.landmarks().iter().filter_map(packed).collect();
         placed.sort_unstable();
         let mut bytes = MAGIC.to_vec();
-        write_number(&mut bytes, self.others().len() as u64);
+        put_varint(&mut bytes, self.others().len() as u64);
         for name in self.others() {
-            write_number(&mut bytes, name.len() as u64);
+            put_varint(&mut bytes, name.len() as u64);
             bytes.extend_from_slice(name.as_bytes());
         }
         let cells: Vec<&[((i64, i64), u64)]> = placed.chunk_by(|a, b| a.0 == b.0).collect();
-        write_number(&mut bytes, cells.len() as u64);
+        put_varint(&mut bytes, cells.len() as u64);
         for cell in cells {
             let (row, column) = cell[0].0;
-            write_number(&mut bytes, zigzag(row));
-            write_number(&mut bytes, zigzag(column));
-            write_number(&mut bytes, cell.len() as u64);
+            put_varint(&mut bytes, zigzag(row));
+            put_varint(&mut bytes, zigzag(column));
+            put_varint(&mut bytes, cell.len() as u64);
             for (_, record) in cell {
                 bytes.extend_from_slice(&record.to_le_bytes()[..RECORD]);
             }
@@ -164,23 +167,6 @@ fn unpacked(cell: (i64, i64), mut record: u64) -> Option<GenericLandmark> {
     })
 }
 
-fn zigzag(value: i64) -> u64 {
-    ((value << 1) ^ (value >> 63)) as u64
-}
-
-fn unzigzag(value: u64) -> i64 {
-    (value >> 1) as i64 ^ -((value & 1) as i64)
-}
-
-/// Appends a number of variable length, seven bits in a byte.
-fn write_number(bytes: &mut Vec<u8>, mut value: u64) {
-    while value >= 0x80 {
-        bytes.push(value as u8 | 0x80);
-        value >>= 7;
-    }
-    bytes.push(value as u8);
-}
-
 /// Reads from the front.
 struct Reader<'a> {
     bytes: &'a [u8],
@@ -196,15 +182,13 @@ impl<'a> Reader<'a> {
     }
 
     fn number(&mut self) -> Result<u64, CompactTableError> {
-        let mut value = 0;
-        for shift in (0..63).step_by(7) {
-            let byte = self.take(1)?[0];
-            value |= u64::from(byte & 0x7f) << shift;
-            if byte < 0x80 {
-                return Ok(value);
-            }
-        }
-        Err(self.damaged())
+        let mut rest = self.bytes.get(self.at..).unwrap_or_default();
+        let number = take_varint(&mut rest, LONGEST_NUMBER);
+        self.at = self.bytes.len() - rest.len();
+        number.map_err(|cause| match cause {
+            VarintError::EndsEarly => CompactTableError::EndsEarly,
+            VarintError::TooLong => self.damaged(),
+        })
     }
 
     fn damaged(&self) -> CompactTableError {

@@ -7,7 +7,8 @@ use flate2::read::ZlibDecoder;
 use super::error::RoadFileError;
 use super::globe_road::RoadsRead;
 use super::open_street_map::{OsmData, OsmWay};
-use super::protobuf::{ProtobufMessage, deltas, packed, zigzag};
+use super::protobuf::{ProtobufMessage, deltas, packed};
+use pilotage_base::varint::unzigzag;
 
 /// Largest block by the format's own rule, bytes.
 const LARGEST_BLOCK: u64 = 32 << 20;
@@ -148,7 +149,7 @@ fn node(bytes: &[u8], grid: &Grid) -> Result<(i64, f64, f64), RoadFileError> {
     let mut message = ProtobufMessage::new(bytes);
     let (mut number, mut latitude, mut longitude) = (0, 0, 0);
     while let Some((field, value)) = message.next()? {
-        let signed = zigzag(value.number().cast_unsigned());
+        let signed = unzigzag(value.number().cast_unsigned());
         match field {
             1 => number = signed,
             8 => latitude = signed,

@@ -1,6 +1,7 @@
 //! Messages of Protocol Buffers, field by field.
 
 use super::error::RoadFileError;
+use pilotage_base::varint::{LONGEST, VarintError, take_varint, unzigzag};
 
 /// Rest of a message; `place` is its first byte's in the file or block.
 #[derive(Clone, Copy)]
@@ -52,15 +53,13 @@ impl<'a> ProtobufMessage<'a> {
     }
 
     fn varint(&mut self) -> Result<u64, RoadFileError> {
-        let mut value = 0;
-        for shift in (0..64).step_by(7) {
-            let byte = self.take(1)?[0];
-            value |= u64::from(byte & 0x7f) << shift;
-            if byte < 0x80 {
-                return Ok(value);
-            }
-        }
-        Err(RoadFileError::broken(self.place, "a number has no end"))
+        let before = self.bytes.len();
+        let number = take_varint(&mut self.bytes, LONGEST);
+        self.place += before - self.bytes.len();
+        number.map_err(|cause| match cause {
+            VarintError::EndsEarly => self.broken(),
+            VarintError::TooLong => RoadFileError::broken(self.place, "a number has no end"),
+        })
     }
 
     /// Number of the next field, and its value; `None` at the end.
@@ -96,16 +95,11 @@ pub fn packed(bytes: &[u8]) -> Result<Vec<u64>, RoadFileError> {
     Ok(numbers)
 }
 
-/// Signed number that is written so that small ones are short.
-pub fn zigzag(number: u64) -> i64 {
-    (number >> 1).cast_signed() ^ -(number & 1).cast_signed()
-}
-
 /// Numbers of a packed field of which each is the difference from the one before.
 pub fn deltas(bytes: &[u8]) -> Result<Vec<i64>, RoadFileError> {
     let mut sum = 0_i64;
     let numbers = packed(bytes)?.into_iter().map(|number| {
-        sum = sum.wrapping_add(zigzag(number));
+        sum = sum.wrapping_add(unzigzag(number));
         sum
     });
     Ok(numbers.collect())

@@ -15,6 +15,7 @@ use super::CascadeError;
 use super::check::{NO_AREA, empty};
 use super::model::{Area, Cascade, CascadeFeature, CascadeKind, HaarFeature, TreeNode};
 use super::write::leaves;
+use pilotage_base::varint::{VarintError, put_varint, take_varint, unzigzag, zigzag};
 
 /// First bytes of the format.
 const MAGIC: [u8; 4] = *b"PCAS";
@@ -23,30 +24,19 @@ const VERSION: u8 = 1;
 /// Bytes of the check at the end.
 const CHECK: usize = 4;
 
+/// Most bytes of a whole number.
+const LONGEST_NUMBER: usize = 5;
+const ENDS_EARLY: &str = "it ends too early";
+
 /// FNV-1a, 32 bits (Fowler, Noll and Vo).
 fn check_sum(bytes: &[u8]) -> u32 {
     let step = |hash: u32, byte: &u8| (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193);
     bytes.iter().fold(0x811c_9dc5, step)
 }
 
-fn put_whole(out: &mut Vec<u8>, mut value: u64) {
-    while value >= 0x80 {
-        out.push(value as u8 | 0x80);
-        value >>= 7;
-    }
-    out.push(value as u8);
-}
-
-fn put_folded(out: &mut Vec<u8>, value: i32) {
-    put_whole(
-        out,
-        u64::from(((value << 1) ^ (value >> 31)).cast_unsigned()),
-    );
-}
-
 fn put_area(out: &mut Vec<u8>, area: &Area) {
     for side in area {
-        put_whole(out, u64::from(side.unsigned_abs()));
+        put_varint(out, u64::from(side.unsigned_abs()));
     }
 }
 
@@ -54,7 +44,7 @@ fn put_feature(out: &mut Vec<u8>, feature: &CascadeFeature) {
     match feature {
         CascadeFeature::Haar(haar) => {
             let areas = haar.areas.iter().filter(|(_, weight)| *weight != 0.0);
-            put_whole(
+            put_varint(
                 out,
                 areas.clone().count() as u64 + 4 * u64::from(haar.tilted),
             );
@@ -82,22 +72,22 @@ impl Cascade {
             CascadeKind::Hog => 2,
         });
         for count in [self.width, self.height, self.features.len()] {
-            put_whole(&mut out, count as u64);
+            put_varint(&mut out, count as u64);
         }
         for feature in &self.features {
             put_feature(&mut out, feature);
         }
-        put_whole(&mut out, self.stages.len() as u64);
+        put_varint(&mut out, self.stages.len() as u64);
         for stage in &self.stages {
             out.extend(stage.threshold.to_le_bytes());
-            put_whole(&mut out, stage.trees.len() as u64);
+            put_varint(&mut out, stage.trees.len() as u64);
             for tree in &self.trees[stage.trees.clone()] {
-                put_whole(&mut out, tree.nodes.len() as u64);
+                put_varint(&mut out, tree.nodes.len() as u64);
                 for index in tree.nodes.clone() {
                     let node = &self.nodes[index];
-                    put_whole(&mut out, u64::from(node.feature));
-                    put_folded(&mut out, node.left);
-                    put_folded(&mut out, node.right);
+                    put_varint(&mut out, u64::from(node.feature));
+                    put_varint(&mut out, zigzag(node.left.into()));
+                    put_varint(&mut out, zigzag(node.right.into()));
                     match self.subsets.get(index) {
                         Some(words) => words.iter().for_each(|w| out.extend(w.to_le_bytes())),
                         None => out.extend(node.threshold.to_le_bytes()),
@@ -142,25 +132,23 @@ impl ByteCursor<'_> {
                 self.at += N;
                 Ok(*taken)
             }
-            None => Err("it ends too early".to_owned()),
+            None => Err(ENDS_EARLY.to_owned()),
         }
     }
 
     fn whole(&mut self) -> Result<u32, String> {
-        let mut value = 0_u64;
-        for shift in (0..35).step_by(7) {
-            let [byte] = self.take()?;
-            value |= u64::from(byte & 0x7f) << shift;
-            if byte < 0x80 {
-                return u32::try_from(value).map_err(|_| format!("a number of {value}"));
-            }
-        }
-        Err("a number of over five bytes".to_owned())
+        let mut rest = self.bytes.get(self.at..).unwrap_or_default();
+        let number = take_varint(&mut rest, LONGEST_NUMBER);
+        self.at = self.bytes.len() - rest.len();
+        let value = number.map_err(|cause| match cause {
+            VarintError::EndsEarly => ENDS_EARLY.to_owned(),
+            VarintError::TooLong => "a number of over five bytes".to_owned(),
+        })?;
+        u32::try_from(value).map_err(|_| format!("a number of {value}"))
     }
 
     fn folded(&mut self) -> Result<i32, String> {
-        let value = self.whole()?;
-        Ok((value >> 1).cast_signed() ^ -(value & 1).cast_signed())
+        Ok(unzigzag(self.whole()?.into()) as i32)
     }
 
     fn real(&mut self) -> Result<f32, String> {
@@ -273,7 +261,7 @@ mod tests {
     fn numbers_come_back() {
         for value in [0, 1, -1, 63, -64, 64, 70_000, i32::MAX, i32::MIN] {
             let mut bytes = Vec::new();
-            put_folded(&mut bytes, value);
+            put_varint(&mut bytes, zigzag(value.into()));
             let mut source = ByteCursor {
                 bytes: &bytes,
                 at: 0,

@@ -1,5 +1,7 @@
 //! Fields of Protocol Buffers one after another, whatever they mean.
 
+use pilotage_base::varint::{LONGEST, take_varint};
+
 /// Groups within groups within groups…
 const DEEPEST: usize = 16;
 const CUT: &str = "a field is cut off";
@@ -87,15 +89,7 @@ impl<'a> Iterator for Fields<'a> {
 }
 
 fn number(bytes: &mut &[u8]) -> Option<u64> {
-    let mut number = 0_u64;
-    for (i, byte) in bytes.iter().enumerate().take(10) {
-        number |= u64::from(byte & 0x7f) << (7 * i);
-        if byte & 0x80 == 0 {
-            *bytes = &bytes[i + 1..];
-            return Some(number);
-        }
-    }
-    None
+    take_varint(bytes, LONGEST).ok()
 }
 
 fn bytes<'a>(rest: &mut &'a [u8]) -> Option<&'a [u8]> {
