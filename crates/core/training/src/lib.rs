@@ -7,6 +7,7 @@ mod held_out;
 mod labelled;
 mod photo;
 mod plan;
+mod polygon;
 mod precision;
 pub mod road;
 mod sample;

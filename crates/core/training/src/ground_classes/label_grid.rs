@@ -1,6 +1,6 @@
 //! Labels of the generated country on a grid of cells.
 
-use pilotage_base::frames::GroundPoint;
+use crate::polygon::for_spans_inside;
 use pilotage_raster::imagery::Window;
 use pilotage_simulate::simulate::scenery::{SceneKind, SceneLabel};
 use pilotage_vision::ground_class::GroundCover;
@@ -36,42 +36,10 @@ pub fn label_grid(labels: &[SceneLabel], grid: &Window) -> Vec<Option<GroundCove
     let mut ordered: Vec<&SceneLabel> = labels.iter().filter(is_thing).collect();
     ordered.sort_by_key(|label| layer(label.kind).0);
     for label in ordered {
-        fill(&mut cells, grid, &label.polygon, layer(label.kind).1);
+        let cover = layer(label.kind).1;
+        for_spans_inside(&label.polygon, grid, &mut |row, columns| {
+            cells[row * grid.width..][columns].fill(cover);
+        });
     }
     cells
-}
-
-/// Sets the cells whose middle lies in a polygon, by the crossings of its edges with each row.
-fn fill(
-    cells: &mut [Option<GroundCover>],
-    grid: &Window,
-    polygon: &[GroundPoint],
-    cover: Option<GroundCover>,
-) {
-    let corners: Vec<(f64, f64)> = polygon.iter().map(|corner| grid.pixel_at(corner)).collect();
-    let rows = corners.iter().map(|corner| corner.1);
-    let (top, bottom) = rows.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
-        (low.min(y), high.max(y))
-    });
-    let first = top.floor().max(0.0) as usize;
-    let last = (bottom.ceil().max(0.0) as usize).min(grid.height);
-    let mut crossings = Vec::new();
-    for row in first..last {
-        let y = row as f64 + 0.5;
-        crossings.clear();
-        for (k, a) in corners.iter().enumerate() {
-            let b = corners[(k + 1) % corners.len()];
-            if (a.1 <= y) != (b.1 <= y) {
-                crossings.push(a.0 + (y - a.1) / (b.1 - a.1) * (b.0 - a.0));
-            }
-        }
-        crossings.sort_by(f64::total_cmp);
-        for inside in crossings.chunks_exact(2) {
-            let cut = |x: f64| ((x - 0.5).ceil().max(0.0) as usize).min(grid.width);
-            let (left, right) = (cut(inside[0]), cut(inside[1]));
-            if left < right {
-                cells[row * grid.width..][left..right].fill(cover);
-            }
-        }
-    }
 }
