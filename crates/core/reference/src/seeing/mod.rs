@@ -11,4 +11,5 @@ mod things;
 
 pub use mapping::{ReferenceMapping, SeenTiles};
 pub use picture_view::PictureView;
+pub use precision::{GROUP_SIZES, size_group};
 pub use things::landmarks_seen;

@@ -6,11 +6,11 @@
 
 use crate::{GenericClass, GenericLandmark};
 
-/// Sizes that divide landmarks into groups, metres.
-const SIZES: [f64; 4] = [6.5, 9.0, 13.0, 20.0];
+/// Sizes that divide landmarks into the groups for which errors are measured, metres.
+pub const GROUP_SIZES: [f64; 4] = [6.5, 9.0, 13.0, 20.0];
 
 /// Error of a place per axis (RMS, metres), and share of the landmarks in view that are seen, by size.
-type Measured = [(f64, f64); SIZES.len() + 1];
+type Measured = [(f64, f64); GROUP_SIZES.len() + 1];
 
 /// Of 981 buildings in view.
 const BUILDINGS: Measured = [
@@ -29,7 +29,7 @@ const TREES: Measured = [
     (2.26, 0.29),
 ];
 /// Of what was in view too seldom to be measured: as bad as a large tree.
-const OTHERS: Measured = [(2.6, 0.5); SIZES.len() + 1];
+const OTHERS: Measured = [(2.6, 0.5); GROUP_SIZES.len() + 1];
 
 /// Deviation of the place of a landmark in a picture from that in the map, metres per axis.
 pub fn place_deviation(landmark: &GenericLandmark) -> f64 {
@@ -47,5 +47,10 @@ fn measured(landmark: &GenericLandmark) -> (f64, f64) {
         GenericClass::Tree => &TREES,
         _ => &OTHERS,
     };
-    of_class[SIZES.partition_point(|size| *size < landmark.size)]
+    of_class[size_group(landmark.size)]
+}
+
+/// Group of landmarks of this size (metres): how many of [`GROUP_SIZES`] are smaller.
+pub fn size_group(size: f64) -> usize {
+    GROUP_SIZES.partition_point(|least| *least < size)
 }

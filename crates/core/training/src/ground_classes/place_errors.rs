@@ -6,12 +6,10 @@ use nalgebra::Point3;
 
 use super::looks::GeneratedLooks;
 use pilotage_base::frames::GroundRect;
-use pilotage_reference::seeing::PictureView;
+use pilotage_reference::seeing::{GROUP_SIZES, PictureView, size_group};
 use pilotage_reference::{GenericClass, GenericLandmark};
 use pilotage_vision::ground_class::CoverNetwork;
 
-/// Sizes that divide landmarks into groups, metres.
-const SIZES: [f64; 4] = [6.5, 9.0, 13.0, 20.0];
 /// Farthest that the same thing lies from itself, metres.
 const FARTHEST: f64 = 8.0;
 /// Largest ratio of its two sizes.
@@ -31,7 +29,7 @@ struct PlaceGroup {
 /// Errors of places by class and size.
 #[derive(Clone, Debug, Default)]
 pub struct PlaceErrors {
-    groups: Vec<(GenericClass, [PlaceGroup; SIZES.len() + 1])>,
+    groups: Vec<(GenericClass, [PlaceGroup; GROUP_SIZES.len() + 1])>,
     /// Mean error of each day's landmarks, metres north and east, and their number.
     shifts: Vec<([f64; 2], usize)>,
 }
@@ -91,13 +89,12 @@ impl PlaceErrors {
     }
 
     fn group(&mut self, landmark: &GenericLandmark) -> &mut PlaceGroup {
-        let size = SIZES.partition_point(|size| *size < landmark.size);
         let known = self.groups.iter().position(|(c, _)| *c == landmark.class);
         let index = known.unwrap_or_else(|| {
             self.groups.push((landmark.class, Default::default()));
             self.groups.len() - 1
         });
-        &mut self.groups[index].1[size]
+        &mut self.groups[index].1[size_group(landmark.size)]
     }
 }
 
@@ -109,7 +106,11 @@ impl fmt::Display for PlaceErrors {
         )?;
         for (class, groups) in &self.groups {
             for (number, group) in groups.iter().enumerate() {
-                let from = if number == 0 { 0.0 } else { SIZES[number - 1] };
+                let from = if number == 0 {
+                    0.0
+                } else {
+                    GROUP_SIZES[number - 1]
+                };
                 let count = group.errors.len().max(1) as f64;
                 let squares = |axis: usize| group.errors.iter().map(move |e| e[axis] * e[axis]);
                 let rms =
