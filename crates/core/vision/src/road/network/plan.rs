@@ -114,3 +114,19 @@ impl NetworkStep {
 pub fn weight_count() -> usize {
     NETWORK_STEPS.iter().map(|step| step.weights()).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The network at work makes them row by row for that matrix.
+    #[test]
+    fn a_matrix_follows_each_fold_and_each_correlation() {
+        for (index, step) in NETWORK_STEPS.iter().enumerate() {
+            if matches!(step, Fold | Depthwise { .. }) {
+                let next = NETWORK_STEPS.get(index + 1);
+                assert!(matches!(next, Some(Matrix { .. })), "step {index}");
+            }
+        }
+    }
+}

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::plan::{NETWORK_STEPS, NetworkStep, weight_count};
-use super::simd::{depthwise, depthwise_row, matrix_product};
+use super::simd::{depthwise_row, matrix_product};
 use super::tensor::ChannelGrid;
 
 /// A network with its weights.
@@ -52,67 +52,21 @@ impl RoadNetwork {
     pub fn log_odds(&self, input: ChannelGrid) -> ChannelGrid {
         let mut kept: [Option<Rc<ChannelGrid>>; 2] = [None, None];
         let mut grid = Rc::new(input);
+        let mut waiting = None;
         let mut left = self.weights.as_slice();
-        let mut steps = NETWORK_STEPS.iter().peekable();
-        while let Some(step) = steps.next() {
+        for step in NETWORK_STEPS {
             let (weights, rest) = left.split_at(step.weights());
             left = rest;
-            // What a matrix is applied to next is made row by row: it never leaves the cache.
-            let is_by_rows = matches!(step, NetworkStep::Fold | NetworkStep::Depthwise { .. });
-            let next =
-                steps.next_if(|next| is_by_rows && matches!(next, NetworkStep::Matrix { .. }));
-            if let Some(NetworkStep::Matrix {
-                inputs,
-                outputs,
-                cut,
-            }) = next
-            {
-                let (matrix, rest) = left.split_at((inputs + 1) * outputs);
-                left = rest;
-                let (matrix, offsets) = matrix.split_at(inputs * outputs);
-                let half = if *step == NetworkStep::Fold { 2 } else { 1 };
-                let (width, height) = (grid.width / half, grid.height / half);
-                let mut out = ChannelGrid::zeros(width, height, *outputs);
-                let mut line = vec![0.0; width * inputs];
-                let rows = out.values.chunks_exact_mut((width * outputs).max(1));
-                for (row, out) in rows.enumerate() {
-                    match step {
-                        NetworkStep::Depthwise {
-                            channels,
-                            apart,
-                            cut,
-                        } => {
-                            let (taps, offsets) = weights.split_at(9 * channels);
-                            depthwise_row(&grid, row, taps, offsets, *apart, *cut, &mut line);
-                        }
-                        _ => grid.fold_row(row, &mut line),
-                    }
-                    matrix_product(&line, matrix, offsets, *cut, out);
+            match step {
+                // Made row by row for the matrix that comes next: it never leaves the cache.
+                NetworkStep::Fold | NetworkStep::Depthwise { .. } => {
+                    waiting = Some((step, weights));
                 }
-                grid = Rc::new(out);
-                continue;
-            }
-            match *step {
-                NetworkStep::Fold => grid = Rc::new(grid.folded()),
-                NetworkStep::Unfold => grid = Rc::new(grid.unfolded()),
-                NetworkStep::Matrix {
-                    inputs,
-                    outputs,
-                    cut,
-                } => {
-                    let (matrix, offsets) = weights.split_at(inputs * outputs);
-                    let mut out = ChannelGrid::zeros(grid.width, grid.height, outputs);
-                    matrix_product(&grid.values, matrix, offsets, cut, &mut out.values);
+                NetworkStep::Matrix { outputs, cut, .. } => {
+                    let out = product(&grid, waiting.take(), weights, outputs, cut);
                     grid = Rc::new(out);
                 }
-                NetworkStep::Depthwise {
-                    channels,
-                    apart,
-                    cut,
-                } => {
-                    let (taps, offsets) = weights.split_at(9 * channels);
-                    grid = Rc::new(depthwise(&grid, taps, offsets, apart, cut));
-                }
+                NetworkStep::Unfold => grid = Rc::new(grid.unfolded()),
                 NetworkStep::Keep(slot) => kept[slot] = Some(Rc::clone(&grid)),
                 NetworkStep::Add(slot, cut) => {
                     if let Some(other) = kept[slot].take() {
@@ -123,6 +77,47 @@ impl RoadNetwork {
         }
         quarters(&grid)
     }
+}
+
+/// Each pixel of a grid, or of what the step `before` with its weights makes of it, times a matrix with `outputs` columns
+/// and its offsets; below zero cut if `cut`.
+fn product(
+    grid: &ChannelGrid,
+    before: Option<(NetworkStep, &[f32])>,
+    weights: &[f32],
+    outputs: usize,
+    cut: bool,
+) -> ChannelGrid {
+    let (matrix, offsets) = weights.split_at(weights.len() - outputs);
+    let is_fold = matches!(before, Some((NetworkStep::Fold, _)));
+    let half = if is_fold { 2 } else { 1 };
+    let (width, height) = (grid.width / half, grid.height / half);
+    let mut out = ChannelGrid::zeros(width, height, outputs);
+    let mut made = vec![0.0; width * (matrix.len() / outputs)];
+    let rows = out.values.chunks_exact_mut((width * outputs).max(1));
+    for (row, out) in rows.enumerate() {
+        let line = match before {
+            Some((
+                NetworkStep::Depthwise {
+                    channels,
+                    apart,
+                    cut,
+                },
+                weights,
+            )) => {
+                let (taps, offsets) = weights.split_at(9 * channels);
+                depthwise_row(grid, row, taps, offsets, apart, cut, &mut made);
+                &made
+            }
+            Some(_) => {
+                grid.fold_row(row, &mut made);
+                &made
+            }
+            None => &grid.values[row * made.len()..][..made.len()],
+        };
+        matrix_product(line, matrix, offsets, cut, out);
+    }
+    out
 }
 
 /// The first four channels as the quarters of each pixel.
