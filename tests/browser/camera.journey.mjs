@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { zip } from "./zip.mjs";
 
 export const name = "a camera that is late and turned is put beside its log: estimated, tried by hand, applied";
+export const long = true;
 export const tags = ["readers"];
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));

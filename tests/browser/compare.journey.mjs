@@ -1,5 +1,6 @@
 // A run is kept, another flight is flown, and both are compared from take-off on.
 export const name = "a kept run is compared with the run of another flight, on the map and in numbers";
+export const long = true;
 export const tags = ["readers"];
 export const flies = true;
 

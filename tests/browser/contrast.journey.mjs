@@ -2,6 +2,7 @@
 import { geotiff } from "./geotiff.mjs";
 
 export const name = "words have a contrast of 4.5 to 1 on panels and over five maps, in dark and light";
+export const long = true;
 export const flies = 110; // steps of the demo
 export const tags = ["maps", "plan"];
 export const screen = { sharpness: 2 };

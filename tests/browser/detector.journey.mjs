@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { drop } from "./drop.mjs";
 
 export const name = "what a trained detector saw is shown stage by stage, with its features, its score and the edges of its patch";
+export const long = true;
 export const tags = ["training"];
 
 const mission = new URL("./trained.geojson", import.meta.url);

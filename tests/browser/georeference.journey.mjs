@@ -4,6 +4,7 @@ import { country, geotiff } from "./geotiff.mjs";
 import { png } from "./png.mjs";
 
 export const name = "a picture without a place is put on the ground by points, saved, and becomes the map";
+export const long = true;
 export const tags = ["maps"];
 
 // The map: half-metre pixels. The picture: the same from its corner on, in pixels of a metre.

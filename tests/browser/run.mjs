@@ -4,7 +4,7 @@
 // that it walks through; PILOTAGE_TAGS names those that changed. Two walk at a time; one that exports `alone` has the
 // machine for itself and paints as often as it can; one that exports `painted` has every frame painted, one that exports
 // `flies` more of the demo flown than its beginning (that many steps, or true: all of it), one that exports `ahead` what
-// nobody asked for done; `screen` is another window than the usual one.
+// nobody asked for done; those that are `long` begin first; `screen` is another window than the usual one.
 // If a single journey of several fails, it is walked once more by itself, and both walks are told.
 import { mkdirSync, readdirSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
@@ -43,6 +43,7 @@ for (const file of files) {
   if (tags.length > 0 && !(journey.tags ?? []).some((tag) => tags.includes(tag))) leftOut += 1;
   else (journey.alone ? alone : together).push({ file, journey });
 }
+together.sort((a, b) => Number(b.journey.long ?? false) - Number(a.journey.long ?? false)); // so that none is left for the end
 const begun = Date.now();
 const atBegin = coreTimes();
 await Promise.all(Array.from({ length: abreast }, () => walkAll(together)));

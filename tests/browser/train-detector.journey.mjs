@@ -1,6 +1,7 @@
 // A detector trained for a landmark: the table of stages grows, a reload in the middle, resumed to the end,
 // chosen, flown with; then all are trained side by side, paused and cancelled.
 export const name = "a detector is trained in the page, goes on after a reload, and the flight flies with it";
+export const long = true;
 export const tags = ["training"];
 
 const idle = (page) => page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 30_000 });

@@ -1,5 +1,6 @@
 // Landmarks that nobody asked to have tested: the demo's, which come tested, then boxes that are drawn on fields.
 export const name = "the demo's landmarks come tested, and boxes drawn on fields are tested by themselves and called weak";
+export const long = true;
 export const tags = ["plan"];
 export const ahead = true;
 
