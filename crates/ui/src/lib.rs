@@ -20,6 +20,7 @@ pub mod georeference;
 pub mod go_to;
 pub mod host;
 pub mod kept_mesh;
+pub mod kept_tree;
 pub mod labelling;
 pub mod learn;
 pub mod link;

@@ -7,11 +7,11 @@ use js_sys::{Array, Uint8Array};
 use pilotage_jobs::FileContent;
 use pilotage_ui::host::OpenedFile;
 use pilotage_ui::kept_mesh::install;
+use pilotage_ui::kept_tree::{KeptTree, tree_json};
 use pilotage_ui::short_map::ShortMap;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-use crate::accessibility::{KeptTree, tree_json};
 use crate::app::PageApp;
 use crate::browser::Shell;
 use crate::graphics::Graphics;

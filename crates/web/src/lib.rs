@@ -3,7 +3,6 @@
 //! `www/main.js` makes a `WebHandle`.
 #![cfg(target_arch = "wasm32")]
 
-mod accessibility;
 mod app;
 mod browser;
 mod fetched;
