@@ -99,7 +99,6 @@ function mirrorOf(app, canvas, page) {
   const shown = new Map(); // by id: { line, node, element }
   const rowsShown = new Map(); // by the id of its first node: the element around a row
   const nodes = new WeakMap(); // by element: its node
-  const asked = { focus: null, at: -Infinity };
   let focused = null;
   const act = (node, action, text, number) => {
     if (!node.disabled) app.act(BigInt(node.id), action, text, number);
@@ -175,10 +174,9 @@ function mirrorOf(app, canvas, page) {
   }
 
   /** Has the page's focus follow the app's where it is among the mirrored elements or on the bare canvas, never from
-   * the field that takes what is typed into the canvas. */
+   * the field that takes what is typed into the canvas. What the page asks for is told back at once, however late the
+   * app's next frame is. */
   function followFocus(focus, had) {
-    if (asked.focus !== null && focus !== asked.focus && performance.now() - asked.at < 1500) return; // not there yet
-    asked.focus = null;
     const active = document.activeElement;
     const moved = focus !== focused;
     focused = focus;
@@ -192,7 +190,6 @@ function mirrorOf(app, canvas, page) {
   page.addEventListener("focusin", ({ target }) => {
     const node = nodes.get(target);
     if (!node || node.id === focused) return;
-    Object.assign(asked, { focus: node.id, at: performance.now() });
     focused = node.id;
     act(node, "Focus");
   });

@@ -43,7 +43,18 @@ impl KeptTree {
         self.is_fresh = self.update.is_some();
     }
 
-    /// The tree for `www/mirror.js`: on the first line the node that has the keyboard, then a JSON list for each node
+    /// Node that is to have the keyboard from the next frame on, if one was asked to.
+    fn asked_focus(&self) -> Option<NodeId> {
+        let mut asked = self.asked.iter().rev();
+        asked.find_map(|event| match event {
+            Event::AccessKitActionRequest(request) if request.action == Action::Focus => {
+                Some(request.target_node)
+            }
+            _ => None,
+        })
+    }
+
+    /// The tree for `www/mirror.js`: on the first line the node that has the keyboard or was asked to have it, then a JSON list for each node
     /// that can be named or used, in the tree's order. Empty if nothing changed since the last call. `zoom` is CSS
     /// pixels per point.
     pub fn changed_lines(&mut self, zoom: f64) -> String {
@@ -51,7 +62,7 @@ impl KeptTree {
         let Some(TreeUpdate { nodes, focus, .. }) = self.update.as_ref().filter(|_| fresh) else {
             return String::new();
         };
-        let mut lines = focus.0.to_string();
+        let mut lines = self.asked_focus().unwrap_or(*focus).0.to_string();
         let mut waiting = vec![(egui::accesskit_root_id().accesskit_id(), 0)];
         while let Some((id, depth)) = waiting.pop() {
             let Some(node) = node_of(nodes, id) else {
@@ -195,4 +206,39 @@ pub fn tree_json(context: &egui::Context) -> String {
         list.collect()
     });
     Value::Array(list.unwrap_or_default()).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_keyboard_is_told_where_it_was_asked_to_be_before_the_frame_that_moves_it() {
+        let context = egui::Context::default();
+        context.add_plugin(KeptTree::default());
+        context.enable_accesskit();
+        let frame = || {
+            let mut second = None;
+            let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+                let _ = ui.button("one");
+                second = Some(ui.button("two").id.accesskit_id());
+            });
+            output.textures_delta.clear();
+            second.expect("it was drawn").0
+        };
+        let second = frame();
+        let told = || {
+            let lines = context.with_plugin(|tree: &mut KeptTree| tree.changed_lines(1.0));
+            let lines = lines.expect("the plugin is there");
+            lines.lines().next().map(str::to_owned)
+        };
+        let before = told().expect("a tree");
+        assert_ne!(before, second.to_string());
+        frame();
+        context.with_plugin(|tree: &mut KeptTree| tree.ask(second, "Focus", None, None));
+        assert_eq!(told(), Some(second.to_string()));
+        frame();
+        // It is there by now, so that nothing has changed.
+        assert_eq!(told(), None);
+    }
 }
