@@ -2,6 +2,7 @@
 //! the flight and the landmarks on it.
 
 mod button;
+mod card;
 mod controls;
 mod correction;
 mod furniture;
@@ -24,6 +25,7 @@ mod transform;
 mod view;
 
 pub use button::MapButton;
+pub(crate) use card::MapCard;
 pub use labels::LandmarkLabel;
 pub use layer::MapLayer;
 pub(crate) use layers::track_colour;
@@ -32,5 +34,6 @@ pub(crate) use other_world::{carry, distance_over_ground, is_in_reach, world_rea
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line, paint_tried_footprint};
 pub use tiles::{TILES_AT_A_TIME, TileCache, TileKey};
 pub use tool::{MapCanvas, MapStage, MapTool};
+pub(crate) use tool::{drag_origin, tool_keys};
 pub use transform::{MapCamera, ScreenFromWorld};
 pub use view::{MapExtra, MapView};

@@ -1,6 +1,6 @@
 //! Tools with which people work on the map: they take the pointer first, and draw what they work on.
 
-use egui::{Painter, Pos2, Rect, Response, Ui};
+use egui::{Key, Modifiers, Painter, PointerButton, Popup, Pos2, Rect, Response, Ui};
 use pilotage_core::mission::Mission;
 
 use super::labels::LandmarkLabel;
@@ -65,4 +65,26 @@ pub trait MapTool {
 
     /// Draws what belongs to a stage.
     fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>);
+}
+
+/// Keys of `keys` that are pressed and taken for a tool of the map that `response` is of: none while they are for somebody
+/// else, who writes, asks or lets choose, and Enter only where no button has it.
+pub(crate) fn tool_keys<const N: usize>(ui: &Ui, response: &Response, keys: [Key; N]) -> [bool; N] {
+    let (focused, dialog) = ui.memory(|it| (it.focused(), it.top_modal_layer()));
+    if ui.ctx().text_edit_focused() || dialog.is_some() || Popup::is_any_open(ui.ctx()) {
+        return [false; N];
+    }
+    let takes_enter = focused.is_none_or(|id| id == response.id);
+    ui.input_mut(|input| {
+        keys.map(|key| {
+            (takes_enter || key != Key::Enter) && input.consume_key(Modifiers::NONE, key)
+        })
+    })
+}
+
+/// Place of the screen at which a drag begins: where the button went down, not where egui was sure that it is a drag.
+pub(crate) fn drag_origin(ui: &Ui, response: &Response) -> Option<Pos2> {
+    let begins = response.drag_started_by(PointerButton::Primary);
+    let origin = begins.then(|| ui.input(|input| input.pointer.press_origin()))?;
+    origin.or(response.interact_pointer_pos())
 }

@@ -1,16 +1,14 @@
 //! The line as a tool of the map.
 
-use egui::{
-    Align2, CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui,
-    vec2,
-};
+use egui::{Align2, CursorIcon, Key, Pos2, Rect, Response, Shape, Stroke, Ui, vec2};
 use pilotage_core::frames::GroundPoint;
 
 use super::line::{Leg, Stage};
 use super::{Measure, MeasureCommand};
 use crate::context::ViewContext;
 use crate::map::{
-    MapCanvas, MapStage, MapTool, ScreenFromWorld, paint_halo_text, paint_lifted_line,
+    MapCanvas, MapStage, MapTool, ScreenFromWorld, drag_origin, paint_halo_text, paint_lifted_line,
+    tool_keys,
 };
 
 /// Distance from a point that still counts as on it, points of the screen.
@@ -35,19 +33,8 @@ impl Measure {
 
     /// Takes Enter, Backspace and Escape, unless they are for somebody else: what is selected is not deleted meanwhile.
     fn keyboard(&mut self, ui: &Ui, response: &Response, context: &mut ViewContext<'_>) {
-        let (focused, dialog) = ui.memory(|it| (it.focused(), it.top_modal_layer()));
-        if ui.ctx().text_edit_focused() || dialog.is_some() || egui::Popup::is_any_open(ui.ctx()) {
-            return;
-        }
-        let takes_enter = focused.is_none_or(|id| id == response.id);
-        let [enter, back, escape] = ui.input_mut(|input| {
-            let mut take = |key| input.consume_key(Modifiers::NONE, key);
-            [
-                takes_enter && take(Key::Enter),
-                take(Key::Backspace),
-                take(Key::Escape),
-            ]
-        });
+        let keys = [Key::Enter, Key::Backspace, Key::Escape];
+        let [enter, back, escape] = tool_keys(ui, response, keys);
         if enter {
             self.line.end();
         }
@@ -96,10 +83,8 @@ impl MapTool for Measure {
     ) -> bool {
         self.keyboard(ui, response, context);
         let at = response.interact_pointer_pos();
-        if response.drag_started_by(PointerButton::Primary) {
-            // Where the button went down, not where egui was sure that it is a drag.
-            let origin = ui.input(|input| input.pointer.press_origin()).or(at);
-            self.dragged = origin.and_then(|origin| self.hit(view, origin));
+        if let Some(origin) = drag_origin(ui, response) {
+            self.dragged = self.hit(view, origin);
         }
         if let Some(index) = self.dragged {
             if let (Some(point), Some(at)) = (self.line.points.get_mut(index), at) {

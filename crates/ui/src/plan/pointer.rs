@@ -1,6 +1,6 @@
 //! Pointer on routes of the map.
 
-use egui::{CursorIcon, Key, PointerButton, Pos2, Response, Ui};
+use egui::{CursorIcon, Key, Pos2, Response, Ui};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route};
@@ -13,7 +13,7 @@ use super::tab::PlanTab;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::landmarks::LandmarkChange;
-use crate::map::ScreenFromWorld;
+use crate::map::{ScreenFromWorld, drag_origin};
 
 /// Distance from a way-point that still counts as on it, points.
 const HIT_RADIUS: f32 = 14.0;
@@ -133,9 +133,7 @@ impl PlanPointer {
             return response.clicked() || response.double_clicked();
         }
         keyboard(ui, planner, context.selection, &mut say);
-        if response.drag_started_by(PointerButton::Primary)
-            && let Some(origin) = ui.input(|i| i.pointer.press_origin()).or(at)
-        {
+        if let Some(origin) = drag_origin(ui, response) {
             match under(origin) {
                 Some(Hit::WayPoint(index)) => {
                     self.dragged = Some(index);

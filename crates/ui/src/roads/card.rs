@@ -1,59 +1,38 @@
 //! The selected road, or how many there are of each class, on a card over the map.
 
-use egui::{ComboBox, DragValue, Frame, Label, Rect, RichText, Stroke, TextEdit, Ui, UiBuilder};
-use egui::{Sense, pos2, vec2};
+use egui::{ComboBox, DragValue, Label, Rect, RichText, TextEdit, Ui};
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::Roads;
-use super::command::{RoadChange, RoadCommand};
+use super::command::{RoadChange, RoadCommand, change};
 use crate::context::ViewContext;
-use crate::shell::icons::Icon;
-use crate::shell::{BELOW_HUD, icon_button, muted, text_button};
+use crate::map::MapCard;
+use crate::shell::{muted, text_button};
 
-/// Width of what is on the card, points.
-const WIDTH: f32 = 224.0;
+/// The card.
+const CARD: MapCard = MapCard {
+    id: "roads",
+    title: "Roads",
+    close: "Stop editing roads",
+    width: 224.0,
+};
 /// Widths of roads that can be set, metres.
 const WIDTHS: (f64, f64) = (0.5, 60.0);
-
-fn change(change: RoadChange, finished: bool) -> RoadCommand {
-    RoadCommand::Change { change, finished }
-}
 
 impl Roads {
     /// Draws the card beside the map's controls; the part of the map that it covers.
     pub(super) fn card(&self, ui: &mut Ui, map: Rect, context: &mut ViewContext<'_>) -> Rect {
         let tokens = context.tokens;
-        let left = (map.right() - 84.0 - WIDTH).max(map.left() + 8.0);
-        let corner = pos2(left, map.top() + BELOW_HUD);
-        let room = Rect::from_min_max(corner, map.max.max(corner + vec2(WIDTH, 160.0)));
-        // Clicks between the fields are none on the map.
-        let builder = UiBuilder::new()
-            .max_rect(room)
-            .sense(Sense::click_and_drag());
-        let mut ui = ui.new_child(builder.id_salt("roads"));
-        let frame = Frame::new()
-            .fill(tokens.over_map())
-            .stroke(Stroke::new(1.0, tokens.line))
-            .corner_radius(tokens.radius)
-            .inner_margin(8);
-        let card = frame.show(&mut ui, |ui| {
-            ui.set_width(WIDTH);
-            self.content(ui, context);
-        });
-        card.response.rect
+        let mut content = |ui: &mut Ui, _| self.content(ui, context);
+        let (rect, is_closed) = CARD.show(ui, map, tokens, &mut content);
+        if is_closed {
+            context.commands.push(RoadCommand::Toggle.into());
+        }
+        rect
     }
 
     fn content(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
-        ui.horizontal(|ui| {
-            let title = RichText::new("Roads").color(tokens.text);
-            ui.label(title.font(tokens.heading()));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if icon_button(ui, tokens, Icon::Close, "Stop editing roads").clicked() {
-                    context.commands.push(RoadCommand::Toggle.into());
-                }
-            });
-        });
         let roads = &context.mission.roads;
         let selected = self
             .selected
@@ -88,7 +67,7 @@ impl Roads {
         let mut said = Vec::new();
         let mut name = road.name.clone();
         let field = TextEdit::singleline(&mut name).hint_text("Name");
-        let field = ui.add(field.desired_width(WIDTH - 8.0));
+        let field = ui.add(field.desired_width(CARD.width - 8.0));
         let field = field.accessible_name("Name of the road");
         if field.changed() {
             said.push(change(RoadChange::Name(name.clone()), false));

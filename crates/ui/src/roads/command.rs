@@ -69,6 +69,11 @@ pub enum RoadCommand {
     JoinWith(usize),
 }
 
+/// Command that changes the selected road; `finished` at the end of a drag or of typing.
+pub fn change(change: RoadChange, finished: bool) -> RoadCommand {
+    RoadCommand::Change { change, finished }
+}
+
 impl From<RoadCommand> for Command {
     fn from(command: RoadCommand) -> Self {
         Self::Feature(FeatureCommand::new(ID, command))

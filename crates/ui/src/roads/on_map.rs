@@ -1,22 +1,18 @@
 //! Roads as a tool of the map.
 
-use egui::{CursorIcon, PointerButton, Pos2, Response, Shape, Stroke, Ui};
+use egui::{CursorIcon, Pos2, Response, Shape, Stroke, Ui};
 use pilotage_core::frames::GroundPoint;
 
 use super::Roads;
-use super::command::{RoadChange, RoadCommand};
+use super::command::{RoadChange, RoadCommand, change};
 use super::geometry::{point_at, road_at, snapped};
 use crate::context::ViewContext;
-use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, paint_lifted_line};
+use crate::map::{MapCanvas, MapStage, MapTool, ScreenFromWorld, drag_origin, paint_lifted_line};
 
 /// Distance from a point or a road that still counts as on it, points of the screen.
 const HIT: f64 = 10.0;
 /// Shortest piece on the screen that has a handle in its middle, points.
 const SHORTEST_WITH_HANDLE: f32 = 48.0;
-
-fn change(change: RoadChange, finished: bool) -> RoadCommand {
-    RoadCommand::Change { change, finished }
-}
 
 /// Middles of the pieces that are long enough on the screen to be taken there; their indices.
 fn middles(view: &ScreenFromWorld, course: &[GroundPoint]) -> Vec<(usize, GroundPoint)> {
@@ -99,12 +95,9 @@ impl MapTool for Roads {
     ) -> bool {
         self.keyboard(ui, response, context);
         let at = response.interact_pointer_pos();
-        if response.drag_started_by(PointerButton::Primary) && self.drawing.is_none() {
-            // Where the button went down, not where egui was sure that it is a drag.
-            let origin = ui.input(|input| input.pointer.press_origin()).or(at);
-            if let Some(origin) = origin {
-                self.grasp(view, origin, context);
-            }
+        let origin = drag_origin(ui, response).filter(|_| self.drawing.is_none());
+        if let Some(origin) = origin {
+            self.grasp(view, origin, context);
         }
         if let Some(point) = self.dragged {
             let is_over = !response.dragged();
