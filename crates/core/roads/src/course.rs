@@ -32,7 +32,7 @@ pub(crate) fn between(from: GroundPoint, to: GroundPoint, share: f64) -> GroundP
 }
 
 /// Share of the way from `from` to `to`, 0 to 1, at which the straight line between them comes nearest to `point`.
-pub(crate) fn nearest_share(from: GroundPoint, to: GroundPoint, point: GroundPoint) -> f64 {
+pub fn nearest_share(from: GroundPoint, to: GroundPoint, point: GroundPoint) -> f64 {
     let way = to.to_vector() - from.to_vector();
     let squared = way.norm_squared();
     if squared == 0.0 {

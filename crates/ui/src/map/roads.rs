@@ -2,7 +2,7 @@
 
 use egui::{Painter, Pos2, Rect, Shape, Stroke};
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::roads::{RoadClass, RoadLine};
+use pilotage_core::roads::{RoadClass, RoadLine, nearest_share};
 
 use super::transform::ScreenFromWorld;
 use crate::tokens::Tokens;
@@ -180,12 +180,7 @@ fn distance_to_segment(point: &GroundPoint, from: &GroundPoint, to: &GroundPoint
         to.to_vector() - from.to_vector(),
         point.to_vector() - from.to_vector(),
     );
-    let length = way.norm_squared();
-    let share = if length > 0.0 {
-        (off.dot(&way) / length).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let share = nearest_share(*from, *to, *point);
     (off - way * share).norm()
 }
 

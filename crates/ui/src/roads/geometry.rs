@@ -1,7 +1,7 @@
 //! Places on roads: what lies at a place, and how two of them are joined.
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::roads::RoadLine;
+use pilotage_core::roads::{RoadLine, place_near};
 
 /// Place on a road.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,14 +26,16 @@ pub fn road_at(roads: &[RoadLine], at: GroundPoint, reach: f64) -> Option<OnRoad
             if is_far(from.north, to.north, at.north) || is_far(from.east, to.east, at.east) {
                 continue;
             }
-            let place = nearest_between(from, to, at);
-            let distance = place.distance(&at);
+            let Some(near) = place_near(ends, at) else {
+                continue;
+            };
+            let distance = near.point.distance(&at);
             let best = nearest.map_or(reach, |it| it.distance);
             if distance <= best {
                 nearest = Some(OnRoad {
                     road,
                     piece,
-                    place,
+                    place: near.point,
                     distance,
                 });
             }
@@ -104,20 +106,6 @@ pub fn joined(one: &[GroundPoint], other: &[GroundPoint]) -> Vec<GroundPoint> {
     let is_shared = line.last() == rest.first();
     line.extend(rest.into_iter().skip(usize::from(is_shared)));
     line
-}
-
-fn nearest_between(from: GroundPoint, to: GroundPoint, at: GroundPoint) -> GroundPoint {
-    let way = to.to_vector() - from.to_vector();
-    let along = (at.to_vector() - from.to_vector()).dot(&way);
-    let share = if along > 0.0 {
-        (along / way.norm_squared()).min(1.0)
-    } else {
-        0.0
-    };
-    GroundPoint::new(
-        from.north + share * (to.north - from.north),
-        from.east + share * (to.east - from.east),
-    )
 }
 
 #[cfg(test)]
