@@ -19,8 +19,7 @@ impl RoadSource {
     /// Opens the file, or the scenario of that name.
     pub fn open(name: &str) -> Result<Self, String> {
         if !Path::new(name).exists() && Scenario::named(name).is_some() {
-            let (lines, joining) = Scenario::map().roads();
-            return Ok(Self::World(RoadMap::new(lines, joining).lines().to_vec()));
+            return Ok(Self::World(Scenario::map().road_map().lines().to_vec()));
         }
         let bytes = std::fs::read(name).map_err(|e| format!("{name}: {e}"))?;
         let read = read_roads(&bytes).map_err(|e| format!("{name}: {e}"))?;

@@ -23,7 +23,6 @@ use pilotage_mission::settings::{
     StartError, VehicleChoice,
 };
 use pilotage_raster::camera::CameraModel;
-use pilotage_roads::RoadMap;
 use pilotage_vision::landmark::Landmark;
 
 /// Landmarks of the scenarios: nine buildings and a pool.
@@ -293,8 +292,7 @@ impl Scenario {
             no_fly: Vec::new(),
             rally: Vec::new(),
             roads: if self.by_aid == Some(ROAD_MAP.aid) {
-                let (lines, joining) = map.roads();
-                RoadMap::new(lines, joining).lines().to_vec()
+                map.road_map().lines().to_vec()
             } else {
                 Vec::new()
             },
@@ -364,7 +362,7 @@ impl Scenario {
 mod tests {
     use super::*;
     use pilotage_flight::FrameTruth;
-    use pilotage_roads::RoadJoining;
+    use pilotage_roads::{RoadJoining, RoadMap};
 
     /// For every frame, how many of the mission's landmarks lie in it.
     fn in_view(scenario: &Scenario) -> Vec<usize> {

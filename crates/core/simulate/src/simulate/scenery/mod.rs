@@ -55,7 +55,7 @@ use land::Land;
 use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Raster, Rgba};
-use pilotage_roads::{RoadJoining, RoadLine};
+use pilotage_roads::{RoadJoining, RoadLine, RoadMap};
 use world::SceneryWorld;
 
 /// The seed of the built-in demo.
@@ -138,6 +138,12 @@ impl Scenery {
             centre_lines::centre_lines(roads, &self.bounds()),
             ROAD_JOINING,
         )
+    }
+
+    /// Map of its roads and tracks.
+    pub fn road_map(&self) -> RoadMap {
+        let (lines, joining) = self.roads();
+        RoadMap::new(lines, joining)
     }
 
     /// Outlines of everything labelled that touches `rect`.

@@ -2,7 +2,6 @@
 
 use super::*;
 use pilotage_base::frames::GroundPoint;
-use pilotage_roads::RoadMap;
 
 fn scenery() -> Scenery {
     Scenery::new(DEMO_SEED, Day::map_day())
@@ -204,8 +203,7 @@ fn outside_the_square_there_is_no_data() {
 
 #[test]
 fn the_road_map_of_the_scenery_has_its_main_road_straight_and_its_roundabout_met_by_four() {
-    let (lines, joining) = Scenery::new(DEMO_SEED, Day::map_day()).roads();
-    let map = RoadMap::new(lines, joining);
+    let map = Scenery::new(DEMO_SEED, Day::map_day()).road_map();
     // South Road under the second leg, 7.2 m wide, straight for a kilometre: north-east and through there.
     let middle = GroundPoint::new(400.0, 130.0);
     let near = map.nearest(middle, 5.0).unwrap();
