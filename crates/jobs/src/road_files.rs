@@ -1,7 +1,7 @@
-//! Roads among dropped files: `OpenStreetMap`'s XML and PBF, and GeoJSON that names a `highway`.
+//! Roads among dropped files: `OpenStreetMap`'s XML and PBF, and GeoJSON with lines that name a `highway`.
 
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
-use pilotage_core::roads::files::{RoadsRead, read_roads};
+use pilotage_core::roads::files::{RoadsRead, names_roads, read_roads};
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::ImportedFile;
@@ -18,6 +18,7 @@ pub fn is_of_roads(name: &str, bytes: &[u8]) -> bool {
         || has_ending(name, &["geojson", "json"])
             && contains(bytes, b"\"FeatureCollection\"")
             && contains(bytes, b"\"highway\"")
+            && names_roads(bytes)
 }
 
 /// The roads of a file in the world of `frame`, with what was left out in sentences.
@@ -147,7 +148,33 @@ mod tests {
     }
 
     #[test]
+    fn points_with_a_highway_are_no_roads_whatever_lines_are_beside_them() {
+        let feature = |kind: &str, properties: &str, coordinates: &str| {
+            format!(
+                r#"{{"type": "Feature", "properties": {properties},
+                    "geometry": {{"type": "{kind}", "coordinates": {coordinates}}}}}"#
+            )
+        };
+        let file = |features: &[&str]| {
+            let features = features.join(",");
+            format!(r#"{{"type": "FeatureCollection", "features": [{features}]}}"#)
+        };
+        let line = "[[8.0, 47.0], [8.001, 47.0]]";
+        let stop = feature("Point", r#"{"highway": "bus_stop"}"#, "[8.0, 47.0]");
+        let route = feature("LineString", r#"{"name": "Flight"}"#, line);
+        let roads = format!("[{line}]");
+        let roads = feature("MultiLineString", r#"{"highway": "track"}"#, &roads);
+        let is_of_roads = |text: String| is_of_roads("stops.geojson", text.as_bytes());
+        assert!(!is_of_roads(file(&[&stop])));
+        assert!(!is_of_roads(file(&[&stop, &route])));
+        assert!(is_of_roads(file(&[&stop, &roads])));
+    }
+
+    #[test]
     fn a_broken_file_is_named() {
+        let broken = r#"{"type": "FeatureCollection", "features": [{"highway": "#;
+        let cause = read("lanes.geojson", broken, 47.0).unwrap_err();
+        assert!(cause.starts_with("lanes.geojson: "), "{cause}");
         let cause = read("town.osm", "<osm><node id='x'", 47.0).unwrap_err();
         assert!(cause.starts_with("town.osm: "), "{cause}");
     }

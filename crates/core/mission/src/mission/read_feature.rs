@@ -9,13 +9,14 @@ use serde_json::value::RawValue;
 use super::found::{
     FoundLandmark, FoundNoFly, FoundRally, LandmarkExtent, LonLat, ReadRoute, on_globe,
 };
-use super::road::{FoundRoad, HIGHWAY, WIDTH};
+use super::road::FoundRoad;
 use super::text::{ObjectMembers, Text};
 use super::way_point_file::{USUAL_ALTITUDE, kept, read_altitude, read_way_point};
 use super::{
     FEATURE_MEMBER, MissionError, NO_FLY_MARK, RALLY_MARK, RETURNS, ROAD_MARK, ROUTE_MARK, WayPoint,
 };
 use pilotage_base::frames::GroundPoint;
+use pilotage_roads::files::{HIGHWAY, WIDTH};
 
 /// Kind of a feature, with its contents.
 pub(super) enum GeoJsonFeature {

@@ -7,12 +7,6 @@ use super::globe;
 use pilotage_base::frames::LocalFrame;
 use pilotage_roads::{RoadClass, RoadLine};
 
-/// Property with the class of a road, by the names of OpenStreetMap.
-pub(crate) const HIGHWAY: &str = "highway";
-
-/// Property with the width of a road, metres.
-pub(crate) const WIDTH: &str = "width_m";
-
 /// A road of a file.
 #[derive(Default)]
 pub(crate) struct FoundRoad {

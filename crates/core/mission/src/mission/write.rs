@@ -6,7 +6,6 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::globe;
-use super::road::{HIGHWAY, WIDTH};
 use super::way_point_file::{altitude_members, write_way_point};
 use super::{
     CAMERA_TO_LOG, FEATURE_MEMBER, LABELS, MapReference, Mission, NO_FLY_MARK, NoFlyZone,
@@ -15,6 +14,7 @@ use super::{
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_flight::{CameraFile, OriginFile};
 use pilotage_roads::RoadLine;
+use pilotage_roads::files::{HIGHWAY, WIDTH};
 use pilotage_vision::landmark::Landmark;
 use pilotage_vision::landmark::annotations::{HOLES, OUTLINE};
 

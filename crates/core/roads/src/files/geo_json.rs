@@ -4,7 +4,36 @@ use serde_json::Value;
 
 use super::error::RoadFileError;
 use super::globe_road::{GlobeRoad, RoadsRead};
+use super::property::{HIGHWAY, WIDTH};
 use crate::line::RoadClass;
+
+/// Whether a line says that it is a road.
+pub fn names_roads(bytes: &[u8]) -> bool {
+    let Ok(file) = serde_json::from_slice::<Value>(bytes) else {
+        return true;
+    };
+    let features = file["features"].as_array().map_or(&[][..], Vec::as_slice);
+    features
+        .iter()
+        .any(|feature| says_highway(feature) && !lines(feature).is_empty())
+}
+
+fn says_highway(feature: &Value) -> bool {
+    feature["properties"][HIGHWAY].is_string()
+}
+
+/// Coordinates of the lines of a feature.
+fn lines(feature: &Value) -> Vec<&Value> {
+    let geometry = &feature["geometry"];
+    match geometry["type"].as_str() {
+        Some("LineString") => vec![&geometry["coordinates"]],
+        Some("MultiLineString") => {
+            let lines = geometry["coordinates"].as_array();
+            lines.map_or_else(Vec::new, |lines| lines.iter().collect())
+        }
+        _ => Vec::new(),
+    }
+}
 
 /// Reads the roads of a file.
 pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
@@ -15,9 +44,7 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
     })?;
     let no_features = || RoadFileError::Unread("no features of GeoJSON".to_owned());
     let features = file["features"].as_array().ok_or_else(no_features)?;
-    let says_so = features
-        .iter()
-        .any(|feature| feature["properties"]["highway"].is_string());
+    let says_so = features.iter().any(says_highway);
     let mut read = RoadsRead::default();
     for feature in features {
         let properties = &feature["properties"];
@@ -25,20 +52,12 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
         let is_other = properties["pilotage"]
             .as_str()
             .is_some_and(|mark| mark != "road");
-        let class = match properties["highway"].as_str() {
+        let class = match properties[HIGHWAY].as_str() {
             _ if is_other => None,
             Some(highway) => RoadClass::of_highway(highway),
             None => (!says_so).then(RoadClass::default),
         };
-        let geometry = &feature["geometry"];
-        let lines: Vec<&Value> = match geometry["type"].as_str() {
-            Some("LineString") => vec![&geometry["coordinates"]],
-            Some("MultiLineString") => {
-                let lines = geometry["coordinates"].as_array();
-                lines.map_or_else(Vec::new, |lines| lines.iter().collect())
-            }
-            _ => Vec::new(),
-        };
+        let lines = lines(feature);
         let (Some(class), false) = (class, lines.is_empty()) else {
             read.others += 1;
             continue;
@@ -48,7 +67,7 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
             Value::Number(number) => Some(number.to_string()),
             _ => None,
         };
-        let width = text("width_m").or_else(|| text("width"));
+        let width = text(WIDTH).or_else(|| text("width"));
         for line in lines {
             let points = line.as_array().map_or(&[][..], Vec::as_slice);
             let place = |point: &Value| {

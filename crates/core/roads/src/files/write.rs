@@ -3,6 +3,7 @@
 use pilotage_base::frames::LocalFrame;
 use serde_json::{Value, json};
 
+use super::property::{HIGHWAY, WIDTH};
 use crate::line::RoadLine;
 
 /// Roads as a collection of GeoJSON's lines with `highway`, `name` and `width_m`, marked as missions mark them; degrees
@@ -20,8 +21,8 @@ pub fn write_roads(lines: &[RoadLine], frame: &LocalFrame) -> String {
             "properties": {
                 "pilotage": "road",
                 "name": line.name,
-                "highway": line.class.key(),
-                "width_m": line.width,
+                HIGHWAY: line.class.key(),
+                WIDTH: line.width,
             },
         })
     };
