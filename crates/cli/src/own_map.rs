@@ -81,7 +81,7 @@ pub fn fly(
     let flight = flight.ok_or("the route needs two way-points in different places")?;
     let seen: Arc<dyn Imagery> = match day {
         FlightDay::Same => map,
-        FlightDay::Other => days.drawn(seed),
+        FlightDay::Other | FlightDay::LateWinter | FlightDay::EarlySpring => days.drawn(seed),
     };
     let seen = Arc::new(CachedImagery::new(seen, MAP_CACHE));
     Ok(SimulatedFlight {

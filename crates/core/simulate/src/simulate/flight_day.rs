@@ -12,6 +12,10 @@ pub enum FlightDay {
     /// Another season, light and haze, other cars and crops.
     #[default]
     Other,
+    /// Late winter: bare trees, pale grass, a low sun.
+    LateWinter,
+    /// Early spring: first leaves, young crops.
+    EarlySpring,
 }
 
 impl FlightDay {
@@ -20,12 +24,14 @@ impl FlightDay {
         match self {
             Self::Same => "same",
             Self::Other => "other",
+            Self::LateWinter => "late-winter",
+            Self::EarlySpring => "early-spring",
         }
     }
 
     /// The day of that name.
     pub fn named(name: &str) -> Option<Self> {
-        [Self::Same, Self::Other]
+        [Self::Same, Self::Other, Self::LateWinter, Self::EarlySpring]
             .into_iter()
             .find(|day| day.key() == name)
     }
@@ -35,6 +41,8 @@ impl FlightDay {
         match self {
             Self::Same => Day::map_day(),
             Self::Other => Day::other_day(),
+            Self::LateWinter => Day::late_winter(),
+            Self::EarlySpring => Day::early_spring(),
         }
     }
 }

@@ -58,3 +58,44 @@ pub(super) fn extended() -> Vec<GroundPoint> {
         (150.0, -130.0),
     ])
 }
+
+/// From the east along the main road, turns in the west, and back east north of it, away from the road.
+pub(super) fn winter() -> Vec<GroundPoint> {
+    route([
+        // Along the road.
+        (-590.0, 700.0),
+        (-650.0, 340.0),
+        (-640.0, 0.0),
+        (-470.0, -340.0),
+        (-430.0, -560.0),
+        // Turns in the west.
+        (-230.0, -680.0),
+        (-30.0, -560.0),
+        (-160.0, -360.0),
+        (-360.0, -300.0),
+        (-340.0, -100.0),
+        (-120.0, -80.0),
+        // Back east, without the road.
+        (60.0, 160.0),
+        (-20.0, 640.0),
+    ])
+}
+
+/// Right-hand circuits as around an airfield: over the village on the heading of its runway, out to each corner of the
+/// country, and back.
+pub(super) fn spring() -> Vec<GroundPoint> {
+    route([
+        (-350.0, -500.0),
+        (100.0, 100.0),
+        (440.0, 520.0),
+        (-120.0, 600.0),
+        (-560.0, 420.0),
+        (-480.0, -420.0),
+        (-40.0, -620.0),
+        (500.0, -480.0),
+        (560.0, 60.0),
+        (300.0, 460.0),
+        (-160.0, 240.0),
+        (-420.0, -300.0),
+    ])
+}

@@ -52,6 +52,14 @@ fn chosen_aid(key: &str) -> ChosenAid {
     }
 }
 
+/// Width of the pictures of most scenarios, pixels.
+const PICTURE_WIDTH: usize = 640;
+
+/// A camera with pictures of `width` pixels, 60° across, looking down.
+fn camera_of(width: usize) -> CameraModel {
+    CameraModel::pinhole(width, width * 3 / 4, 60.0_f64.to_radians())
+}
+
 /// Origin of the generated world on the globe: a place without a map, in the North Atlantic.
 pub fn world_origin() -> Geodetic {
     Geodetic::from_degrees(45.0, -30.0, 0.0)
@@ -104,8 +112,14 @@ pub struct Scenario {
     pub height: f64,
     /// Mean wind.
     pub wind: Wind,
-    /// Key of the aid by which it is flown in place of named landmarks, if it is.
-    pub by_aid: Option<&'static str>,
+    /// Whether it is flown by named landmarks.
+    pub by_landmarks: bool,
+    /// Keys of the aids by which it is flown, beside landmarks or in their place.
+    pub aids: &'static [&'static str],
+    /// The day on which its camera sees the ground where that is not the map's.
+    pub other_day: FlightDay,
+    /// Width of its pictures, pixels; they are three quarters as high.
+    pub picture_width: usize,
 }
 
 /// Values that the user wants otherwise than the scenario has them.
@@ -153,7 +167,19 @@ pub(super) fn picked(feature: &DistinctFeature) -> GroundRect {
 impl Scenario {
     /// Every scenario, in the order in which people read them.
     pub fn all() -> Vec<Self> {
-        vec![
+        let usual = Self {
+            name: "",
+            title: "",
+            description: "",
+            route: Vec::new(),
+            height: feet(1000.0),
+            wind: Wind::default(),
+            by_landmarks: true,
+            aids: &[],
+            other_day: FlightDay::Other,
+            picture_width: PICTURE_WIDTH,
+        };
+        let mut all = vec![
             Self {
                 name: "distinct-400ft-calm",
                 title: "Village, calm",
@@ -162,8 +188,7 @@ impl Scenario {
                               end. Calm air.",
                 route: route::two_legs(),
                 height: feet(400.0),
-                wind: Wind::default(),
-                by_aid: None,
+                ..usual.clone()
             },
             Self {
                 name: "distinct-400ft-wind",
@@ -176,7 +201,7 @@ impl Scenario {
                     from: 307.0_f64.to_radians(),
                     speed: knots(10.0),
                 },
-                by_aid: None,
+                ..usual.clone()
             },
             Self {
                 name: "distinct-1000ft-extended",
@@ -184,9 +209,7 @@ impl Scenario {
                 description: "Over three minutes of S-turns in several directions over the \
                               same ten landmarks, with gaps in which none is in view. Calm air.",
                 route: route::extended(),
-                height: feet(1000.0),
-                wind: Wind::default(),
-                by_aid: None,
+                ..usual.clone()
             },
             Self {
                 name: "roads-400ft",
@@ -195,8 +218,9 @@ impl Scenario {
                               tells the place across it, and nothing along it. Calm air.",
                 route: route::road_leg(),
                 height: feet(400.0),
-                wind: Wind::default(),
-                by_aid: Some(ROAD_MAP.aid),
+                by_landmarks: false,
+                aids: &[ROAD_MAP.aid],
+                ..usual.clone()
             },
             Self {
                 name: "generic-1000ft",
@@ -205,9 +229,60 @@ impl Scenario {
                               waters and paved places are found in the map and in the pictures, \
                               and told apart by their arrangement. Calm air.",
                 route: route::extended(),
-                height: feet(1000.0),
-                wind: Wind::default(),
-                by_aid: Some(GENERIC_LANDMARKS.aid),
+                by_landmarks: false,
+                aids: &[GENERIC_LANDMARKS.aid],
+                ..usual.clone()
+            },
+            Self {
+                name: "blended-1000ft",
+                title: "Everything that helps",
+                description: "The same S-turns by the ten landmarks, by what nobody picked and by \
+                              roads together. Calm air.",
+                route: route::extended(),
+                aids: &[ROAD_MAP.aid, GENERIC_LANDMARKS.aid],
+                ..usual
+            },
+        ];
+        all.extend(Self::high());
+        all
+    }
+
+    /// The scenarios from so high that a picture shows half the country, as wide as the pictures of the thesis.
+    fn high() -> [Self; 2] {
+        [
+            Self {
+                name: "generic-2500ft-winter",
+                title: "High over late winter",
+                description: "From the east along a road, turns, and back east without it, in a wind \
+                              from the south. The map is of summer, the camera sees bare trees \
+                              and pale grass.",
+                route: route::winter(),
+                height: feet(2500.0),
+                wind: Wind {
+                    from: 180.0_f64.to_radians(),
+                    speed: knots(5.0),
+                },
+                by_landmarks: false,
+                aids: &[GENERIC_LANDMARKS.aid],
+                other_day: FlightDay::LateWinter,
+                picture_width: 2 * PICTURE_WIDTH,
+            },
+            Self {
+                name: "generic-3500ft-spring",
+                title: "Higher over early spring",
+                description: "A circuit as around an airfield, over the village and out to the four \
+                              corners of the country, where landmarks are few, in a wind from \
+                              the south-west.",
+                route: route::spring(),
+                height: feet(3500.0),
+                wind: Wind {
+                    from: 230.0_f64.to_radians(),
+                    speed: knots(4.0),
+                },
+                by_landmarks: false,
+                aids: &[GENERIC_LANDMARKS.aid],
+                other_day: FlightDay::EarlySpring,
+                picture_width: 2 * PICTURE_WIDTH,
             },
         ]
     }
@@ -227,9 +302,9 @@ impl Scenario {
         Self::all().into_iter().find(|s| s.name == name)
     }
 
-    /// The camera of every scenario: 640×480, 60° across, fixed to the airframe, looking down.
+    /// The camera of most scenarios: 640×480, 60° across, fixed to the airframe, looking down.
     pub fn camera() -> CameraModel {
-        CameraModel::pinhole(640, 480, 60.0_f64.to_radians())
+        camera_of(PICTURE_WIDTH)
     }
 
     /// Plan of the flight.
@@ -243,7 +318,7 @@ impl Scenario {
             longest: 900.0,
             airframe: Airframe::sig_kadet_senior(),
             sensors: overrides.sensors.unwrap_or_default(),
-            camera: Self::camera(),
+            camera: camera_of(self.picture_width),
             frame_on_globe: LocalFrame::new(world_origin()),
             ground_down: 0.0,
         }
@@ -253,8 +328,12 @@ impl Scenario {
     pub fn simulate(&self, seed: u64, overrides: &Overrides) -> SimulatedFlight {
         let flight = self.fly(seed, overrides);
         let day = overrides.day.unwrap_or_default();
+        let seen_on = match day {
+            FlightDay::Other => self.other_day,
+            day => day,
+        };
         SimulatedFlight {
-            frames: SimulatedFrames::new(&flight, day, seed),
+            frames: SimulatedFrames::new(&flight, seen_on, seed),
             seed,
             day,
             flight,
@@ -266,7 +345,7 @@ impl Scenario {
         Scenery::new(DEMO_SEED, Day::map_day())
     }
 
-    /// The landmarks, or the aid, and how to navigate the scenario with them.
+    /// The landmarks, or the aids, and how to navigate the scenario with them.
     pub fn mission(&self) -> Mission {
         self.mission_over(&Self::map())
     }
@@ -276,7 +355,7 @@ impl Scenario {
         let landmarks = map
             .distinct_features()
             .into_iter()
-            .take(if self.by_aid.is_none() { LANDMARKS } else { 0 })
+            .take(if self.by_landmarks { LANDMARKS } else { 0 })
             .zip(1..)
             .map(|(feature, id)| {
                 let bounds = picked(&feature);
@@ -291,13 +370,13 @@ impl Scenario {
             routes: Vec::new(),
             no_fly: Vec::new(),
             rally: Vec::new(),
-            roads: if self.by_aid == Some(ROAD_MAP.aid) {
+            roads: if self.aids.contains(&ROAD_MAP.aid) {
                 map.road_map().lines().to_vec()
             } else {
                 Vec::new()
             },
             labels: Vec::new(),
-            camera: Some(Self::camera()),
+            camera: Some(camera_of(self.picture_width)),
             camera_to_log: None,
             navigator: self.navigator(&SensorSpec::default()),
             properties: BTreeMap::new(),
@@ -341,7 +420,7 @@ impl Scenario {
                 pixel: DETECTOR_PIXEL,
                 ground: DETECTOR_GROUND,
             },
-            aids: self.by_aid.map(chosen_aid).into_iter().collect(),
+            aids: self.aids.iter().map(|key| chosen_aid(key)).collect(),
             ..defaults
         }
     }
@@ -382,11 +461,12 @@ mod tests {
     }
 
     #[test]
-    fn every_scenario_has_nine_buildings_and_a_pool_and_sees_them_all_or_an_aid_in_their_place() {
+    fn every_scenario_has_nine_buildings_and_a_pool_and_sees_them_all_or_aids_in_their_place() {
         for scenario in Scenario::all() {
             let mission = scenario.mission();
-            if scenario.by_aid.is_some() {
-                assert!(mission.landmarks.is_empty() && mission.navigator.aids.len() == 1);
+            assert_eq!(mission.navigator.aids.len(), scenario.aids.len());
+            if !scenario.by_landmarks {
+                assert!(mission.landmarks.is_empty() && !scenario.aids.is_empty());
                 continue;
             }
             assert_eq!(mission.landmarks.len(), 10);

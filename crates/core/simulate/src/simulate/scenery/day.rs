@@ -64,4 +64,32 @@ impl Day {
             growth_seed: 2,
         }
     }
+
+    /// A day of late winter, early in March: bare trees, pale grass, a low sun of the forenoon, other cars and fields.
+    pub fn late_winter() -> Self {
+        Self {
+            season: Season::LateWinter,
+            sun_azimuth: 148_f64.to_radians(),
+            sun_elevation: 38_f64.to_radians(),
+            haze: 0.1,
+            exposure: 0.97,
+            tint: [1.02, 1.0, 0.98],
+            cars_seed: 3,
+            growth_seed: 3,
+        }
+    }
+
+    /// A day of early spring, early in April: first leaves, young crops, the sun of the afternoon, other cars and fields.
+    pub fn early_spring() -> Self {
+        Self {
+            season: Season::Spring,
+            sun_azimuth: 205_f64.to_radians(),
+            sun_elevation: 46_f64.to_radians(),
+            haze: 0.11,
+            exposure: 1.02,
+            tint: [0.98, 1.0, 1.02],
+            cars_seed: 4,
+            growth_seed: 4,
+        }
+    }
 }
