@@ -3,7 +3,7 @@
 use nalgebra::{Dyn, Matrix4, OVector, SVector};
 
 use super::engine::vehicle;
-use super::expected::{Anchor, AppearanceModel};
+use super::expected::{Anchor, AppearanceModel, appearances};
 use super::inputs::Inputs;
 use super::{Run, StepReport};
 use pilotage_base::frames::{Attitude, GroundPoint};
@@ -12,7 +12,6 @@ use pilotage_estimation::vehicle::{StateComponent, VehicleModel, VehicleVisitor}
 use pilotage_flight::Flight;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::geometry::joint_noise;
-use pilotage_vision::landmark::Landmark;
 
 /// Root mean square over the run of the bound on the position error, metres: no estimator that gets
 /// the same detections can do better.
@@ -111,7 +110,7 @@ impl Bound<'_> {
             ground_down: self.flight.ground_down,
         };
         let pose = appearance.pose(GroundPoint::new(state[0], state[1]), 0.0);
-        let mut landmarks: Vec<(&Landmark, Anchor)> = Vec::new();
+        let mut places: Vec<(GroundPoint, Anchor)> = Vec::new();
         let (mut own, mut jacobians): (Vec<Matrix4<f64>>, Vec<Matrix4<f64>>) = (vec![], vec![]);
         for candidate in frame.accepted() {
             let Some(landmark) = self
@@ -129,12 +128,12 @@ impl Bound<'_> {
             if let Some(((anchor, jacobian), covariance)) =
                 seen.zip(candidate.measurement_covariance)
             {
-                landmarks.push((landmark, anchor));
+                places.push((landmark.reference, anchor));
                 jacobians.push(jacobian);
                 own.push(covariance);
             }
         }
-        if landmarks.is_empty() {
+        if places.is_empty() {
             return Ok(());
         }
         let bias = model.index_of(StateComponent::HeadingBias);
@@ -142,7 +141,13 @@ impl Bound<'_> {
             |x| -> Option<OVector<f64, Dyn>> {
                 let position = GroundPoint::new(x[0], x[1]);
                 let bias = bias.map_or(0.0, |i| x[i]);
-                Some(appearance.appearances(&landmarks, &pose, position, bias))
+                Some(appearances(
+                    &appearance.attitude,
+                    &places,
+                    &pose,
+                    position,
+                    bias,
+                ))
             },
             state,
         );

@@ -13,7 +13,6 @@ use pilotage_base::frames::{Attitude, GroundPoint, Pose};
 use pilotage_flight::Flight;
 use pilotage_raster::camera::CameraModel;
 use pilotage_vision::geometry::{COMPONENTS, ground_jacobian, pose_jacobian};
-use pilotage_vision::landmark::Landmark;
 
 /// A place in the picture, and how the ground around it maps into the picture.
 #[derive(Clone, Copy, Debug)]
@@ -123,32 +122,32 @@ impl<'a> AppearanceModel<'a> {
             },
         }
     }
+}
 
-    /// Appearances (pixel x, pixel y, rotation, log scale) of landmarks for a state, stacked, to somebody
-    /// who assumes `assumed`, each in pixels about its anchor. They exist for every state.
-    pub fn appearances(
-        &self,
-        landmarks: &[(&Landmark, Anchor)],
-        assumed: &Pose,
-        position: GroundPoint,
-        heading_bias: f64,
-    ) -> DVector<f64> {
-        // A camera turned less than assumed sees the ground turned on about the place below it.
-        let turned = assumed.attitude.yaw - (self.attitude.yaw - heading_bias);
-        let (sin, cos) = turned.sin_cos();
-        let below = assumed.position_in_world.xy().coords;
-        let mut stacked = DVector::zeros(COMPONENTS * landmarks.len());
-        for (i, (landmark, anchor)) in landmarks.iter().enumerate() {
-            let arm = landmark.reference.to_vector() - position.to_vector();
-            let turned_arm = Vector2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
-            let pixel = anchor.pixel_of(&(below + turned_arm).into());
-            let scale = 0.0;
-            for (row, value) in [pixel.x, pixel.y, turned, scale].into_iter().enumerate() {
-                stacked[COMPONENTS * i + row] = value;
-            }
+/// Appearances (pixel x, pixel y, rotation, log scale) of landmarks at `places` for a state, stacked, when the instruments
+/// measure `attitude`, to somebody who assumes `assumed`, each in pixels about its anchor. They exist for every state.
+pub fn appearances(
+    attitude: &Attitude,
+    places: &[(GroundPoint, Anchor)],
+    assumed: &Pose,
+    position: GroundPoint,
+    heading_bias: f64,
+) -> DVector<f64> {
+    // A camera turned less than assumed sees the ground turned on about the place below it.
+    let turned = assumed.attitude.yaw - (attitude.yaw - heading_bias);
+    let (sin, cos) = turned.sin_cos();
+    let below = assumed.position_in_world.xy().coords;
+    let mut stacked = DVector::zeros(COMPONENTS * places.len());
+    for (i, (place, anchor)) in places.iter().enumerate() {
+        let arm = place.to_vector() - position.to_vector();
+        let turned_arm = Vector2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
+        let pixel = anchor.pixel_of(&(below + turned_arm).into());
+        let scale = 0.0;
+        for (row, value) in [pixel.x, pixel.y, turned, scale].into_iter().enumerate() {
+            stacked[COMPONENTS * i + row] = value;
         }
-        stacked
     }
+    stacked
 }
 
 #[cfg(test)]
@@ -156,6 +155,7 @@ mod tests {
     use super::*;
     use pilotage_base::frames::GroundRect;
     use pilotage_vision::geometry::appearance;
+    use pilotage_vision::landmark::Landmark;
 
     fn model(camera: &CameraModel, roll: f64) -> AppearanceModel<'_> {
         AppearanceModel {
@@ -186,7 +186,8 @@ mod tests {
         let seen = appearance(&camera, &model.pose(at, bias), &assumed, &point).unwrap();
         // About the very pixel the slope does not matter.
         let anchor = Anchor::at(&camera, &assumed, &Point2::new(seen.x, seen.y), 0.0).unwrap();
-        let said = model.appearances(&[(&landmark, anchor)], &assumed, at, bias);
+        let places = [(landmark.reference, anchor)];
+        let said = appearances(&model.attitude, &places, &assumed, at, bias);
         let off = (said.fixed_rows::<COMPONENTS>(0) - seen).norm();
         assert!(off < 1e-6, "{said} {seen}");
     }

@@ -229,6 +229,7 @@ impl SeenPlace {
             weakened: None,
             model: MeasurementModel::of_pose(on_map),
             degrees: COMPONENTS,
+            in_picture: None,
         };
         let innovation = observation.innovation(engine)?;
         let gate = Gate {

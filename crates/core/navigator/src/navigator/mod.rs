@@ -19,6 +19,7 @@ mod looks;
 mod observation;
 mod observed_at;
 mod onlooker;
+mod picture_errors;
 mod picture_lag;
 mod pipeline;
 mod placed;

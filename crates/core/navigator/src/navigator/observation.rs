@@ -1,6 +1,6 @@
 //! Observations: what was measured, and what a filter makes of it.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SMatrix, SVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, MatrixXx4, SMatrix, SVector};
 
 use super::JointReport;
 use super::engine::{CorrectedStep, Engine, MeasurementModel};
@@ -19,6 +19,17 @@ pub struct Observation<'a> {
     pub model: MeasurementModel<'a>,
     /// Degrees of freedom of its normalized innovation squared: m, less what the measurement leaves open.
     pub degrees: usize,
+    /// Part that the errors of a picture's pose have in it, if it was seen in one.
+    pub in_picture: Option<PicturePart>,
+}
+
+/// Part that the errors of a picture's pose have in an observation of m components.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PicturePart {
+    /// Change of what is measured with the errors of roll, pitch, yaw (radians) and height (metres), true less assumed.
+    pub by_pose: MatrixXx4<f64>,
+    /// Covariance of the noise without them, m × m.
+    pub own: DMatrix<f64>,
 }
 
 /// A normal distribution of `N` components.

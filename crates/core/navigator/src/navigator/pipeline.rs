@@ -17,6 +17,7 @@ use super::heading_doubt::HeadingDoubt;
 use super::inputs::Inputs;
 use super::known_ground::KnownGround;
 use super::looks::LooksAtLandmarks;
+use super::observation::Observation;
 use super::onlooker::Onlooker;
 use super::picture_lag::PictureLag;
 use super::possible_places::PossiblePlaces;
@@ -60,6 +61,9 @@ pub enum NavigatorError {
         cause: FilterError,
     },
 }
+
+/// A picture that was looked at, with what of its landmarks corrected the estimate.
+type SeenPicture = (Picture, Option<Observation<'static>>);
 
 /// Runs a flight through the estimator, one step a call.
 pub struct Navigator {
@@ -364,22 +368,22 @@ impl Navigator {
         let seen = self.take_frame(tick, frames, &mut report, stopwatch)?;
         if !self.aids.is_empty() {
             let begun = stopwatch();
-            let seen = tick.frame.zip(seen.as_ref());
-            self.take_aids(time - dt, seen, &mut report)?;
+            self.take_aids(time - dt, tick.frame.zip(seen), &mut report)?;
             report.timing.update += stopwatch() - begun;
         }
         self.conclude(&mut report);
         Ok(report)
     }
 
-    /// Looks at the frame of a step, if it has one; its picture, if that could be looked at.
+    /// Looks at the frame of a step, if it has one; its picture, if that could be looked at, with what of its landmarks
+    /// corrected the estimate.
     fn take_frame(
         &mut self,
         tick: Tick,
         frames: &mut dyn FrameSource,
         report: &mut StepReport,
         stopwatch: &dyn Fn() -> f64,
-    ) -> Result<Option<Picture>, FilterError> {
+    ) -> Result<Option<SeenPicture>, FilterError> {
         let time = tick.time;
         if let Some(index) = tick.frame {
             self.looks.forget(time);
@@ -390,8 +394,10 @@ impl Navigator {
             } else if !self.sparing || self.is_laying() || self.aids_see() || self.may_see(index) {
                 match frames.picture(index) {
                     Ok(picture) => {
-                        self.look(index, &picture, report, stopwatch)?;
-                        return Ok(Some(picture));
+                        let landmarks = self.look(index, &picture, report, stopwatch)?;
+                        // Where the frame was laid after all, the estimate may have begun anew.
+                        let is_laid = report.frame.as_ref().is_some_and(|f| f.laid.is_some());
+                        return Ok(Some((picture, landmarks.filter(|_| !is_laid))));
                     }
                     Err(trouble) => Some(trouble.to_string()),
                 }
@@ -447,18 +453,18 @@ impl Navigator {
         }
     }
 
-    /// See, associate, gate, update.
+    /// See, associate, gate, update; the observation by which it did.
     fn look(
         &mut self,
         index: usize,
         picture: &Picture,
         report: &mut StepReport,
         stopwatch: &dyn Fn() -> f64,
-    ) -> Result<(), FilterError> {
+    ) -> Result<Option<Observation<'static>>, FilterError> {
         let begun = stopwatch();
         let luminance = LazyCell::new(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
         if self.whole_frames.is_some() && self.lay(index, &luminance, report, begun, stopwatch)? {
-            return Ok(());
+            return Ok(None);
         }
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera);
@@ -521,7 +527,7 @@ impl Navigator {
             self.second = None;
         }
         let (agreed, nis, threshold) = agreed;
-        let mut joint = None;
+        let (mut joint, mut taken) = (None, None);
         if !agreed.is_empty() {
             let seen = observation(&self.settings, &agreed, &model, &pose);
             let step = seen.correct(self.engine.as_mut())?;
@@ -537,8 +543,8 @@ impl Navigator {
             self.looks
                 .note(agreed.iter().map(|seen| seen.landmark.id), self.time);
             report.corrected_by(report.predicted.clone(), step);
+            taken = Some(seen);
         }
-        let laid = report.frame.take().and_then(|frame| frame.laid);
         let is_looked_for = !reports.is_empty();
         report.frame = Some(FrameReport {
             index,
@@ -546,7 +552,7 @@ impl Navigator {
             footprint: footprint(&model, &pose),
             candidates: reports,
             joint,
-            laid,
+            laid: report.frame.take().and_then(|frame| frame.laid),
             trouble: None,
         });
         report.timing.see = seen - begun;
@@ -554,7 +560,7 @@ impl Navigator {
         if is_looked_for || self.is_laying() {
             self.try_heading(index, &luminance, report)?;
         }
-        Ok(())
+        Ok(taken)
     }
 }
 

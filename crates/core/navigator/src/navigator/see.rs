@@ -1,12 +1,12 @@
 //! See, associate, gate: from a picture to the measurements that may correct the estimate.
 
-use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector4};
+use nalgebra::{DMatrix, DVector, Matrix4, MatrixXx4, Point2, Point3, Vector4};
 
 use super::attention::{attended, probability_of_view};
 use super::engine::{Engine, MeasurementModel};
-use super::expected::{Anchor, AppearanceModel};
+use super::expected::{Anchor, AppearanceModel, appearances};
 use super::looks::{LooksAtLandmarks, variance_of_look};
-use super::observation::{GaussianInnovation, Observation};
+use super::observation::{GaussianInnovation, Observation, PicturePart};
 use super::region::{may_be_in_view, reach};
 use super::{CandidateReport, Outcome};
 use pilotage_base::frames::{GroundPoint, Pose};
@@ -84,12 +84,12 @@ pub struct Associator<'a> {
 
 /// Several landmarks of a frame as one observation of 4m components with their joint noise, as a camera of `model`
 /// at the assumed `pose` saw them.
-pub fn observation<'a>(
+pub fn observation(
     settings: &NavigatorSettings,
-    measurements: &[Measurement<'a>],
-    model: &AppearanceModel<'a>,
+    measurements: &[Measurement<'_>],
+    model: &AppearanceModel<'_>,
     pose: &Pose,
-) -> Observation<'a> {
+) -> Observation<'static> {
     let mut measured = DVector::zeros(COMPONENTS * measurements.len());
     for (i, m) in measurements.iter().enumerate() {
         measured
@@ -105,25 +105,45 @@ pub fn observation<'a>(
         noise(settings, &own, &jacobians)
     });
     let landmarks = measurements.iter().map(|m| (m.landmark, m.anchor));
+    let scale = settings.measurement_scale;
+    let mut part = PicturePart {
+        by_pose: MatrixXx4::zeros(measured.len()),
+        own: DMatrix::zeros(measured.len(), measured.len()),
+    };
+    for (i, m) in measurements.iter().enumerate() {
+        let row = COMPONENTS * i;
+        let by_pose = m.jacobian * scale.sqrt();
+        part.by_pose
+            .fixed_rows_mut::<COMPONENTS>(row)
+            .copy_from(&by_pose);
+        part.own
+            .fixed_view_mut::<COMPONENTS, COMPONENTS>(row, row)
+            .copy_from(&(m.covariance * scale));
+    }
     Observation {
         measured,
         noise: noise(settings, &own, &jacobians),
         weakened,
         model: expected(landmarks.collect(), model, pose),
         degrees: degrees(measurements),
+        in_picture: Some(part),
     }
 }
 
 /// Appearances of landmarks to a camera of `model` at the assumed `pose`.
-fn expected<'a>(
-    landmarks: Vec<(&'a Landmark, Anchor)>,
-    model: &AppearanceModel<'a>,
+fn expected(
+    landmarks: Vec<(&Landmark, Anchor)>,
+    model: &AppearanceModel<'_>,
     pose: &Pose,
-) -> MeasurementModel<'a> {
-    let (model, pose) = (*model, *pose);
+) -> MeasurementModel<'static> {
+    let (attitude, pose) = (model.attitude, *pose);
+    let places: Vec<(GroundPoint, Anchor)> = landmarks
+        .into_iter()
+        .map(|(landmark, anchor)| (landmark.reference, anchor))
+        .collect();
     MeasurementModel::of_pose(move |seen: &Kinematics| {
         let bias = seen.heading_bias.unwrap_or(0.0);
-        Some(model.appearances(&landmarks, &pose, seen.on_map, bias))
+        Some(appearances(&attitude, &places, &pose, seen.on_map, bias))
     })
 }
 

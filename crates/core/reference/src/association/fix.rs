@@ -1,6 +1,6 @@
 //! The error of the believed position that a set of pairs tells of.
 
-use nalgebra::{Matrix2, Matrix2x6, Matrix6, Vector2, Vector6};
+use nalgebra::{Matrix2, Matrix2x4, Matrix2x6, Matrix6, Vector2, Vector6};
 
 use super::AssociationProblem;
 use super::candidates::Candidate;
@@ -12,6 +12,9 @@ pub struct JointFix {
     pub offset: Vector2<f64>,
     /// Its covariance, square metres, by the pairs and what is known of the attitude, but not by the belief.
     pub covariance: Matrix2<f64>,
+    /// Change of the offset with the errors of roll, pitch, yaw (radians) and height (metres), true less assumed: their
+    /// part of its covariance is in common with whatever else is seen in the picture.
+    pub by_pose: Matrix2x4<f64>,
     /// Sum of the squares of what is left, normalized.
     pub chi_square: f64,
     /// Degrees of freedom of that sum.
@@ -92,8 +95,10 @@ impl JointFix {
             chi_square += (pair.covariance.try_inverse()? * residual).dot(&residual);
         }
         let shared = fit.state.fixed_rows::<4>(2);
-        chi_square += (problem.common.pose.try_inverse()? * shared).dot(&shared);
+        let known = problem.common.pose.try_inverse()?;
+        chi_square += (known * shared).dot(&shared);
         Some(Self {
+            by_pose: fit.covariance.fixed_view::<2, 4>(0, 2) * known,
             offset: fit.state.fixed_rows::<2>(0).into(),
             covariance: fit.position(),
             chi_square,

@@ -44,6 +44,7 @@ impl Aid for DirectAid {
             model: (self.model)(&measured),
             measured,
             degrees: size,
+            in_picture: None,
         };
         let next = self.readings.next(moment);
         next.map(observation).into_iter().collect()

@@ -1,10 +1,10 @@
 //! Buildings, trees, waters and paved places that nobody picked, paired with those of the map.
 
-use nalgebra::{DMatrix, Matrix2, Matrix4, Vector2, Vector4, dvector};
+use nalgebra::{DMatrix, Matrix2, Matrix4, MatrixXx4, Vector2, Vector4, dvector};
 use std::sync::Arc;
 
 use super::super::engine::MeasurementModel;
-use super::super::observation::Observation;
+use super::super::observation::{Observation, PicturePart};
 use super::super::sighting::SightingReport;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
@@ -119,6 +119,8 @@ impl GenericLandmarks {
         let fix = association.fix?;
         let place = view.below().to_vector() + fix.offset;
         let covariance = fix.covariance;
+        let by_pose = &fix.by_pose;
+        let own = covariance - by_pose * pose * by_pose.transpose();
         Some(Observation {
             measured: dvector![place.x, place.y],
             noise: DMatrix::from_column_slice(2, 2, covariance.as_slice()),
@@ -127,6 +129,10 @@ impl GenericLandmarks {
                 Some(dvector![seen.on_map.north, seen.on_map.east])
             }),
             degrees: 2,
+            in_picture: Some(PicturePart {
+                by_pose: MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]),
+                own: DMatrix::from_column_slice(2, 2, own.as_slice()),
+            }),
         })
     }
 }

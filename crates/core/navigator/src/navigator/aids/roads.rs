@@ -1,9 +1,9 @@
 //! Roads in pictures, laid on the roads of a map.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Vector2, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3x4, MatrixXx4, Vector2, Vector3};
 
 use super::super::engine::MeasurementModel;
-use super::super::observation::Observation;
+use super::super::observation::{Observation, PicturePart};
 use super::super::sighting::SightingReport;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
@@ -182,15 +182,24 @@ fn sighting(window: &Window, point: &RoadPoint) -> RoadSighting {
 fn observation(look: &AidLook<'_>, fix: &RoadFix) -> Observation<'static> {
     let weights: Vec<Vector3<f64>> = fix.components.iter().map(|c| c.weights).collect();
     let size = weights.len();
-    let of_attitude = attitude_noise(look);
-    let noise = DMatrix::from_fn(size, size, |i, j| {
-        let own = if i == j {
+    let by_pose = attitude_effect(look);
+    let noise = look.noise.pose_covariance();
+    let of_attitude = by_pose * noise * by_pose.transpose();
+    let own = DMatrix::from_fn(size, size, |i, j| {
+        if i == j {
             fix.components[i].variance
         } else {
             0.0
-        };
-        own + weights[i].dot(&(of_attitude * weights[j]))
+        }
     });
+    let noise = DMatrix::from_fn(size, size, |i, j| {
+        own[(i, j)] + weights[i].dot(&(of_attitude * weights[j]))
+    });
+    let rows: Vec<_> = weights.iter().map(|w| w.transpose() * by_pose).collect();
+    let in_picture = PicturePart {
+        by_pose: MatrixXx4::from_rows(&rows),
+        own,
+    };
     let measured = fix.components.iter().map(|component| component.value);
     // North, east and heading that were believed; a bias that is larger is a heading that is smaller.
     let believed = look.belief.mean;
@@ -209,21 +218,23 @@ fn observation(look: &AidLook<'_>, fix: &RoadFix) -> Observation<'static> {
         }),
         weakened: None,
         degrees: size,
+        in_picture: Some(in_picture),
     }
 }
 
-/// Covariance of the camera's place (north, east, metres) and heading (radians) as its picture tells them by the errors
-/// of its attitude.
-fn attitude_noise(look: &AidLook<'_>) -> Matrix3<f64> {
+/// Change of the camera's place (north, east, metres) and heading (radians) as its picture tells them with the errors of
+/// roll, pitch and yaw; that of the height is in the fix.
+fn attitude_effect(look: &AidLook<'_>) -> Matrix3x4<f64> {
     let (sin, cos) = look.pose.attitude.yaw.sin_cos();
     let (ahead, right) = (Vector2::new(cos, sin), Vector2::new(-sin, cos));
-    let shift = |angle: f64| (height(look) * angle).powi(2);
-    let place = shift(look.noise.pitch) * ahead * ahead.transpose()
-        + shift(look.noise.roll) * right * right.transpose();
-    let mut noise = Matrix3::zeros();
-    noise.fixed_view_mut::<2, 2>(0, 0).copy_from(&place);
-    noise[(2, 2)] = look.noise.yaw.powi(2);
-    noise
+    let mut effect = Matrix3x4::zeros();
+    let mut column = |axis, shift: Vector2<f64>| {
+        effect.fixed_view_mut::<2, 1>(0, axis).copy_from(&shift);
+    };
+    column(0, -height(look) * right);
+    column(1, height(look) * ahead);
+    effect[(2, 2)] = 1.0;
+    effect
 }
 
 #[cfg(test)]
@@ -236,6 +247,7 @@ mod tests {
     use super::super::super::{KnownGround, NavigatorError};
     use super::super::take;
     use super::*;
+    use nalgebra::Matrix3;
     use pilotage_base::frames::{Attitude, GroundPoint};
     use pilotage_estimation::filter::Gate;
     use pilotage_mission::settings::{ChosenAid, NavigatorSettings, SensorNoise};

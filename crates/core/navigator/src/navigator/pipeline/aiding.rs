@@ -10,9 +10,10 @@ use super::super::expected::AppearanceModel;
 use super::super::observation::{GaussianState, Observation};
 use super::super::observed_at::ObservedAt;
 use super::super::onlooker::Onlooker;
+use super::super::picture_errors::PictureErrors;
 use super::super::picture_lag::PictureLag;
 use super::super::{AidInfo, StepReport, UpdateReport};
-use super::Navigator;
+use super::{Navigator, SeenPicture};
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::{FilterError, Gate};
 use pilotage_raster::raster::Picture;
@@ -31,15 +32,20 @@ impl Navigator {
     pub(super) fn take_aids(
         &mut self,
         from: f64,
-        seen: Option<(usize, &Picture)>,
+        seen: Option<(usize, SeenPicture)>,
         report: &mut StepReport,
     ) -> Result<(), FilterError> {
         let flight = Arc::clone(&self.flight);
-        let seen = seen.filter(|_| self.aids_see());
-        let camera = seen.map(|(index, _)| flight.camera_of_frame(index));
-        let look = match (seen, &camera) {
+        let (seen, landmarks) = match seen.filter(|_| self.aids_see()) {
+            Some((index, (picture, landmarks))) => (Some((index, picture)), landmarks),
+            None => (None, None),
+        };
+        let camera = seen
+            .as_ref()
+            .map(|(index, _)| flight.camera_of_frame(*index));
+        let look = match (&seen, &camera) {
             (Some((index, picture)), Some(camera)) => {
-                self.look_back(index);
+                self.look_back(*index);
                 Some(self.aid_look(picture, self.appearance_model(camera))?)
             }
             _ => None,
@@ -62,6 +68,10 @@ impl Navigator {
         report.sightings = (self.aids.iter_mut())
             .filter_map(|aid| aid.sighting())
             .collect();
+        let mut shared = PictureErrors::new(self.settings.sensors.pose_covariance());
+        if let Some(landmarks) = landmarks {
+            shared.note(landmarks);
+        }
         let input = self.inputs.between(&flight, self.time, self.time);
         let onlooker = camera.as_ref().map(|camera| Onlooker {
             flight: &flight,
@@ -79,22 +89,24 @@ impl Navigator {
                 _ => ObservedAt::Now(&input),
             };
             at.turn(self.engine.as_mut(), lag_of_pictures);
-            let Some(taken) = take(self.engine.as_mut(), &observation, gate)? else {
+            let given = shared.given(&observation);
+            let told = given.as_ref().unwrap_or(&observation);
+            let Some(taken) = take(self.engine.as_mut(), told, gate)? else {
                 continue;
             };
             let own = taken.log_likelihood;
             if let Some(lag) = &mut self.lag {
-                lag.take(&observation, (&at, gate, own))?;
+                lag.take(told, (&at, gate, own))?;
             }
             if let Some(second) = &mut self.second {
-                second.take(&observation, (&at, lag_of_pictures, gate))?;
+                second.take(told, (&at, lag_of_pictures, gate))?;
             }
-            self.possible.take(&observation, (&at, gate, own))?;
-            report
-                .updates
-                .push(UpdateReport::of(aid.key, &observation, &taken));
+            self.possible.take(told, (&at, gate, own))?;
+            report.updates.push(UpdateReport::of(aid.key, told, &taken));
+            drop(given);
             if let Some(step) = taken.step {
                 report.aided_by(step);
+                shared.note(observation);
             }
         }
         if let Some(likeliest) = self.possible.are_open().then(|| self.engine.state()) {
