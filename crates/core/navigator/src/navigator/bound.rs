@@ -1,8 +1,8 @@
 //! The posterior Cramér-Rao bound of a run: the same geometry, the same detections, the true noise.
 
-use nalgebra::{Dyn, Matrix4, OVector, SVector};
+use nalgebra::{Const, Dyn, Matrix4, OMatrix, OVector, SVector};
 
-use super::engine::vehicle;
+use super::engine::{vehicle, visit_model};
 use super::expected::{Anchor, AppearanceModel, appearances};
 use super::inputs::Inputs;
 use super::{Run, StepReport};
@@ -17,20 +17,42 @@ use pilotage_vision::geometry::joint_noise;
 /// the same detections can do better.
 ///
 /// `true_noise` describes the real process and sensors; the noise of the detections is what the
-/// detector reported. `None` where the truth is not known, and where aids beside landmarks corrected the run, which are
-/// not in it.
+/// detector reported, and that of aids what they stated. `None` where the truth is not known, and where aids corrected
+/// a filter whose state is not that of `true_noise` with those aids.
 pub fn position_bound(
     flight: &Flight,
     run: &Run,
     true_noise: &NavigatorSettings,
 ) -> Option<Result<f64, FilterError>> {
     flight.truth.as_ref().filter(|t| !t.states.is_empty())?;
-    run.settings.aids.is_empty().then_some(())?;
-    Some(vehicle(true_noise).visit(Bound {
+    let bound = Bound {
         flight,
         run,
         true_noise,
-    }))
+    };
+    if run.settings.aids.is_empty() {
+        return Some(vehicle(true_noise).visit(bound));
+    }
+    let with_aids = NavigatorSettings {
+        aids: run.settings.aids.clone(),
+        ..true_noise.clone()
+    };
+    let is_same = visit_model(&with_aids, Components) == run.state_names;
+    is_same.then(|| visit_model(&with_aids, bound))
+}
+
+/// Names and units of the components of a vehicle's state.
+struct Components;
+
+impl VehicleVisitor for Components {
+    type Output = Vec<(String, String)>;
+
+    fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
+        let layout = model.layout().into_iter();
+        layout
+            .map(|component| (component.key().to_owned(), component.unit().to_owned()))
+            .collect()
+    }
 }
 
 struct Bound<'a> {
@@ -79,6 +101,7 @@ impl VehicleVisitor for Bound<'_> {
             })?;
             bound.predict(&transition, &model.process_noise(&state, &input, step.dt))?;
             self.update(&mut bound, &model, step, &state)?;
+            update_by_aids(&mut bound, step)?;
             sum += bound.position_covariance()?.trace();
             count += 1;
         }
@@ -137,9 +160,11 @@ impl Bound<'_> {
             return Ok(());
         }
         let bias = model.index_of(StateComponent::HeadingBias);
+        let map_error = model.index_of(StateComponent::MapErrorNorth);
         let slope = numerical_jacobian::<N, Dyn>(
             |x| -> Option<OVector<f64, Dyn>> {
-                let position = GroundPoint::new(x[0], x[1]);
+                let [north, east] = map_error.map_or([0.0; 2], |i| [x[i], x[i + 1]]);
+                let position = GroundPoint::new(x[0] + north, x[1] + east);
                 let bias = bias.map_or(0.0, |i| x[i]);
                 Some(appearances(
                     &appearance.attitude,
@@ -159,5 +184,119 @@ impl Bound<'_> {
             1.0,
         );
         bound.update(&slope, &noise)
+    }
+}
+
+/// Adds the information of what aids observed and the filter took in.
+///
+/// The slope of an observation is that which the filter gained by: with the covariance P before it, its gain K and the
+/// innovation's covariance S, H = S Kᵀ P⁻¹, and its noise is what H P Hᵀ leaves of S.
+fn update_by_aids<const N: usize>(
+    bound: &mut CramerRao<N>,
+    step: &StepReport,
+) -> Result<(), FilterError> {
+    if step.updates.is_empty() {
+        return Ok(());
+    }
+    let mut before = step.predicted.covariance.clone();
+    let joint = step.frame.as_ref().and_then(|frame| frame.joint.as_ref());
+    if let Some(joint) = joint {
+        before -= &joint.gain * &joint.innovation_covariance * joint.gain.transpose();
+    }
+    for update in &step.updates {
+        let Some(gain) = &update.gain else { continue };
+        let of_innovation = &update.innovation_covariance;
+        let together = gain * of_innovation;
+        let root = before.clone().cholesky().ok_or(FilterError::NotFinite {
+            place: "covariance before an aid",
+        })?;
+        let slope = root.solve(&together).transpose();
+        let noise = of_innovation - &slope * &together;
+        let slope = OMatrix::<f64, Dyn, Const<N>>::from_fn(slope.nrows(), |i, j| slope[(i, j)]);
+        bound.update(&slope, &noise)?;
+        before -= &together * gain.transpose();
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use nalgebra::Point3;
+
+    use super::super::{KnownGround, Navigator};
+    use super::*;
+    use pilotage_flight::{Channel, ChannelName, NoPictures, StartFix, Truth, TruthState};
+    use pilotage_mission::settings::{ChosenAid, VehicleChoice};
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::imagery::Blank;
+
+    /// Twenty seconds to the east, with satellite navigation each second.
+    fn flight() -> Flight {
+        let at = |time: f64| TruthState {
+            time,
+            position: Point3::new(0.0, 20.0 * time, -100.0),
+            attitude: None,
+            wind: None,
+        };
+        let channel = |name, count: u32, of: fn(f64) -> f64| Channel {
+            name,
+            times: (1..=count)
+                .map(|i| 20.0 * f64::from(i) / f64::from(count))
+                .collect(),
+            values: (1..=count).map(|i| of(f64::from(i))).collect(),
+        };
+        Flight {
+            name: "eastward".to_owned(),
+            frame_on_globe: None,
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            ground_down: 0.0,
+            channels: vec![
+                channel(ChannelName::Heading, 100, |i| 1.57 + 0.001 * i.sin()),
+                channel(ChannelName::Airspeed, 100, |i| 20.0 + 0.1 * i.sin()),
+                channel(ChannelName::GpsNorth, 20, f64::sin),
+                channel(ChannelName::GpsEast, 20, |i| 20.0 * i + i.cos()),
+            ],
+            frames: Vec::new(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::new(1.0, -1.0),
+                standard_deviation: 3.0,
+            },
+            truth: Some(Truth {
+                states: (0..=20).map(|i| at(f64::from(i))).collect(),
+                frames: Vec::new(),
+            }),
+        }
+    }
+
+    #[test]
+    fn where_all_is_linear_the_bound_with_an_aid_is_the_covariance_of_the_filter() {
+        let mut settings = NavigatorSettings {
+            vehicle: VehicleChoice::ConstantVelocity,
+            aids: vec![ChosenAid::usual("gps-position")],
+            ..NavigatorSettings::default()
+        };
+        settings.start.wind = 30.0;
+        let flight = Arc::new(flight());
+        let ground = KnownGround::new(Arc::new(Blank));
+        let navigator = Navigator::new(Arc::clone(&flight), &ground, &settings).unwrap();
+        let run = navigator.fly(&mut NoPictures, &|| 0.0).unwrap();
+        let updates = run.steps.iter().flat_map(|step| &step.updates);
+        let accepted = updates.filter(|update| update.is_accepted()).count();
+        assert!(accepted >= 19, "{accepted}");
+        let bound = position_bound(&flight, &run, &settings).unwrap().unwrap();
+        let traces = run
+            .steps
+            .iter()
+            .map(|step| step.after.position_covariance().trace());
+        let stated = (traces.sum::<f64>() / run.steps.len() as f64).sqrt();
+        assert!((bound / stated - 1.0).abs() < 0.01, "{bound} {stated}");
+        let other = NavigatorSettings {
+            vehicle: VehicleChoice::RandomWalk,
+            ..settings
+        };
+        assert!(position_bound(&flight, &run, &other).is_none());
     }
 }
