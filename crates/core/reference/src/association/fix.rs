@@ -1,6 +1,6 @@
 //! The error of the believed position that a set of pairs tells of.
 
-use nalgebra::{Matrix2, Matrix2x4, Matrix2x6, Matrix6, Vector2, Vector6};
+use nalgebra::{Matrix2, Matrix2x4, Matrix2x6, Matrix6, Vector2, Vector4, Vector6};
 
 use super::AssociationProblem;
 use super::candidates::Candidate;
@@ -19,6 +19,10 @@ pub struct JointFix {
     pub chi_square: f64,
     /// Degrees of freedom of that sum.
     pub degrees: usize,
+    /// Errors of the assumed roll, pitch, yaw (radians) and height (metres): assumed less true.
+    pub pose: Vector4<f64>,
+    /// Covariance of `offset` and `pose` together.
+    pub joint: Matrix6<f64>,
 }
 
 /// Least squares over the position's error (north, east) and the shared errors of roll, pitch, yaw and height.
@@ -103,6 +107,17 @@ impl JointFix {
             covariance: fit.position(),
             chi_square,
             degrees: 2 * count - 2,
+            pose: fit.state.fixed_rows::<4>(2).into(),
+            joint: fit.covariance,
         })
+    }
+
+    /// Distance of a place on the ground from where the assumed pose has it, with its covariance: metres north and
+    /// east, of which `by_pose` is the change with the assumed roll, pitch, yaw and height.
+    pub fn shift(&self, by_pose: &Matrix2x4<f64>) -> (Vector2<f64>, Matrix2<f64>) {
+        let mut rows = Matrix2x6::identity();
+        rows.fixed_view_mut::<2, 4>(0, 2).copy_from(&-by_pose);
+        let shift = self.offset - by_pose * self.pose;
+        (shift, rows * self.joint * rows.transpose())
     }
 }

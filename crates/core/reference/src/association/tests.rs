@@ -29,6 +29,8 @@ struct Drawn {
     truth: Vec<Option<usize>>,
     /// True error of the believed position.
     offset: Vector2<f64>,
+    /// True errors of roll, pitch, yaw and height.
+    pose: Vector4<f64>,
 }
 
 impl Drawn {
@@ -120,6 +122,7 @@ fn drawn(seed: u64) -> Drawn {
         },
         truth,
         offset,
+        pose,
     }
 }
 
@@ -207,6 +210,23 @@ fn pairs_that_agree_are_found_sixty_metres_off_among_clutter_and_few_are_wrong()
     // The mean of chi-square over its degrees, 120 of them: three standard deviations.
     let nis = counts.squares / (2.0 * counts.with_fix as f64);
     assert!((0.6..1.4).contains(&nis), "{nis}");
+}
+
+#[test]
+fn the_ground_in_a_corner_lies_where_the_fix_has_it_within_its_covariance() {
+    let by_pose = by_pose(CORNERS[0]);
+    let (mut squares, mut fixes) = (0.0, 0);
+    for picture in (0..60).map(drawn) {
+        let found = associate(&picture.problem(), &AssociationSettings::default());
+        let Some(fix) = found.fix else { continue };
+        let (shift, covariance) = fix.shift(&by_pose);
+        let error = shift - (picture.offset - by_pose * picture.pose);
+        assert!(covariance.trace() < 0.5 * fix.covariance.trace());
+        squares += (covariance.try_inverse().unwrap() * error).dot(&error);
+        fixes += 1;
+    }
+    let nis = squares / f64::from(2 * fixes);
+    assert!(fixes > 50 && (0.6..1.4).contains(&nis), "{nis} of {fixes}");
 }
 
 #[test]
