@@ -49,6 +49,7 @@ pub const ORDERS: [&Order; 8] = [
             "evidence",
             "texture",
             "geometry",
+            "straight_edge",
             "ground_class",
             "landmark",
             "registration",

@@ -6,6 +6,7 @@
 pub mod association;
 mod class;
 mod compact;
+pub mod edges;
 mod landmark;
 mod pixel_table;
 pub mod seeing;

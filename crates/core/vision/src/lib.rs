@@ -7,4 +7,5 @@ pub mod ground_class;
 pub mod landmark;
 pub mod registration;
 pub mod road;
+pub mod straight_edge;
 mod texture;

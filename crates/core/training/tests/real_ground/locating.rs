@@ -25,12 +25,12 @@ pub const LOG_HEIGHT: f64 = 0.05;
 /// Farthest that the ground of a photo is from below the aircraft, metres.
 const IN_PHOTO: f64 = 150.0;
 
-/// The pose that is believed of a photo: as wrong as is said.
-pub fn believed_pose(photo: &RealPhoto, random: &mut ChaCha8Rng) -> Pose {
+/// The pose that is believed of a photo: as wrong as is said, its position by `deviation` metres per axis.
+pub fn believed_pose(photo: &RealPhoto, deviation: f64, random: &mut ChaCha8Rng) -> Pose {
     let mut normal = || -> f64 { StandardNormal.sample(random) };
     let mut believed = photo.pose;
-    believed.position_in_world.x += POSITION * normal();
-    believed.position_in_world.y += POSITION * normal();
+    believed.position_in_world.x += deviation * normal();
+    believed.position_in_world.y += deviation * normal();
     believed.position_in_world.z *= 1.0 + LOG_HEIGHT * normal();
     believed.attitude.yaw += random.random_range(-15.0_f64..15.0).to_radians();
     believed
@@ -110,7 +110,7 @@ pub fn locate(site: &RealSite, table: &ReferenceTable, network: &CoverNetwork) -
     let mut tally = FixTally::default();
     let (mut all, mut there) = (0, 0);
     for photo in &site.photos {
-        let believed = believed_pose(photo, &mut random);
+        let believed = believed_pose(photo, POSITION, &mut random);
         let seen = seen_in(photo, &believed, network);
         let found = associated(photo, &believed, &seen, table);
         all += seen.len();

@@ -7,6 +7,7 @@
     reason = "a test stops where something is missing"
 )]
 
+mod by_edges;
 mod locating;
 mod patches;
 mod photos;
@@ -85,4 +86,31 @@ fn photos_by_the_table() {
     for site in photographed() {
         locating::locate(&site, &table_of(&site, &network), &network);
     }
+}
+
+#[test]
+#[ignore = "a study of real pictures"]
+fn photos_by_edges() {
+    for site in photographed() {
+        let table = by_edges::table_of(site.map.as_ref());
+        by_edges::locate(&site, &table, 1, (10.0, 0.0));
+        // The others' maps reach farther than the photos.
+        if site.name != "caliterra" {
+            by_edges::locate(&site, &table, 1, (10.0, 200.0));
+        }
+        if site.name == "fengyuan" {
+            by_edges::locate(&site, &table, 1, (40.0, 0.0));
+        }
+    }
+}
+
+#[test]
+#[ignore = "a study of real pictures"]
+fn photos_of_the_tuned_place_by_edges() {
+    let Some(site) = photos::adm("map_january") else {
+        return;
+    };
+    let table = by_edges::table_of(site.map.as_ref());
+    by_edges::locate(&site, &table, 2, (10.0, 0.0));
+    by_edges::locate(&site, &table, 2, (10.0, 200.0));
 }

@@ -1,0 +1,14 @@
+//! Straight edges as generic landmarks: ends of roofs, roads and fields of which no class is told.
+//!
+//! One edge says nothing, and neither end of it is sure; dozens of a picture fit in one place of the map's table.
+//! What they say is a soft sum over all of them ([`place_by_edges`]), not a set of pairs.
+
+mod field;
+mod place;
+mod seen;
+#[cfg(test)]
+mod tests;
+
+pub use field::EdgeField;
+pub use place::{EdgePlace, EdgePrior, place_by_edges};
+pub use seen::{EDGE, EDGE_GSD, edges_in_map, edges_seen};

@@ -1,0 +1,66 @@
+//! Straight edges of pictures and maps as landmarks.
+
+use pilotage_base::frames::GroundRect;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Gray, Raster, Rgba};
+use pilotage_vision::straight_edge::straight_edges;
+
+use crate::{GenericClass, GenericLandmark};
+
+/// Name of their class in a table.
+pub const EDGE: &str = "edge";
+/// Ground in a pixel of pictures in which edges are sought, metres.
+pub const EDGE_GSD: f64 = 0.5;
+/// Length of the shortest edges, metres.
+const LEAST: f64 = 5.0;
+/// Side of a tile of a map, metres, and the ground around that is looked at with it.
+const TILE: f64 = 256.0;
+const AROUND: f64 = 48.0;
+
+/// Straight edges of `picture`, which shows `window`, north up, as landmarks of `class`: the place is the middle, the
+/// size the length and the orientation the direction.
+pub fn edges_seen(
+    window: &Window,
+    picture: &Raster<Rgba>,
+    class: GenericClass,
+) -> Vec<GenericLandmark> {
+    let covered: Gray = picture.map(|pixel| f32::from(u8::from(pixel[3] == u8::MAX)));
+    let edges = straight_edges(&picture.to_gray(), &covered, LEAST / window.gsd);
+    let on_ground = edges.iter().map(|edge| GenericLandmark {
+        place: window.ground_at(edge.middle[0], edge.middle[1]),
+        class,
+        size: edge.length * window.gsd,
+        orientation: edge.direction,
+        confidence: 1.0,
+        stability: 1.0,
+    });
+    on_ground.collect()
+}
+
+/// Straight edges of a map, tile by tile: memory grows with the edges alone.
+pub fn edges_in_map(map: &dyn Imagery, class: GenericClass) -> Vec<GenericLandmark> {
+    let bounds = map.bounds();
+    let along = |size: f64| 0..(size / TILE).ceil() as usize;
+    let tiles = along(bounds.height()).flat_map(|row| along(bounds.width()).map(move |c| (row, c)));
+    let of_tile = tiles.flat_map(|(row, column)| {
+        let (south, west) = (
+            bounds.south + row as f64 * TILE,
+            bounds.west + column as f64 * TILE,
+        );
+        let tile = GroundRect {
+            south,
+            north: south + TILE,
+            west,
+            east: west + TILE,
+        };
+        let window = Window::covering(&tile.grown(AROUND), EDGE_GSD);
+        let mut edges = edges_seen(&window, &map.window(&window), class);
+        // An edge on the border of two tiles is in one of them.
+        edges.retain(|edge| {
+            (tile.south..tile.north).contains(&edge.place.north)
+                && (tile.west..tile.east).contains(&edge.place.east)
+        });
+        edges
+    });
+    of_tile.collect()
+}
