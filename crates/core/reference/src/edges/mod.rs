@@ -4,11 +4,13 @@
 //! What they say is a soft sum over all of them ([`place_by_edges`]), not a set of pairs.
 
 mod field;
+mod photo;
 mod place;
 mod seen;
 #[cfg(test)]
 mod tests;
 
 pub use field::EdgeField;
+pub use photo::{PhotoBelief, place_photo};
 pub use place::{EdgePlace, EdgePrior, place_by_edges};
 pub use seen::{EDGE, EDGE_GSD, edges_in_map, edges_seen};

@@ -40,7 +40,7 @@ const TURN: f64 = 0.03;
 /// Logarithms of scales that are tried to each side.
 const SCALES: i32 = 4;
 /// Farthest place and scale that are tried, standard deviations.
-const FARTHEST: f64 = 2.8;
+pub(super) const FARTHEST: f64 = 2.8;
 /// Edges of a roof are not independent, nor are roofs: what they say together is so many times weaker than their sum.
 const TEMPERATURE: f64 = 3.0;
 /// Length of an edge that counts as one, metres; others count as the root of their length over that.

@@ -4,29 +4,20 @@ use nalgebra::Point2;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use crate::locating::{LOG_HEIGHT, believed_pose};
+use crate::locating::{LOG_HEIGHT, TILT, believed_pose};
 use crate::photos::{RealPhoto, RealSite};
 use crate::tally::FixTally;
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_raster::imagery::Imagery;
-use pilotage_reference::edges::{
-    EDGE, EDGE_GSD, EdgeField, EdgePlace, EdgePrior, edges_in_map, edges_seen, place_by_edges,
-};
+use pilotage_reference::edges::{EDGE, EdgePlace, PhotoBelief, edges_in_map, place_photo};
 use pilotage_reference::{GenericClass, ReferenceTable};
-use pilotage_vision::ground_class::ground_picture;
 
 /// Class of edges in these tables.
 const CLASS: GenericClass = GenericClass::Other(0);
 /// Probability from which on a place is a fix.
 const BELIEVED: f64 = 0.9;
-/// Deviation that a tilt of 2° gives the middle of a picture, over the height.
-const BY_TILT: f64 = 0.035;
 /// Deviation of the map's own places, metres, as of photos laid on maps of other dates.
 const MAP: f64 = 3.0;
-/// Farthest ground that a photo shows from its middle, metres; deviations of its place beyond that are looked at, too.
-const REACH: f64 = 130.0;
-const DEVIATIONS: f64 = 2.8;
-
 /// The table of the straight edges of a map, as it comes back from its file.
 pub fn table_of(map: &dyn Imagery) -> ReferenceTable {
     let edges = edges_in_map(map, CLASS);
@@ -52,23 +43,19 @@ fn middle(photo: &RealPhoto, pose: &Pose) -> GroundPoint {
 
 fn placed(
     photo: &RealPhoto,
-    believed: &Pose,
+    believed: Pose,
     deviation: f64,
     table: &ReferenceTable,
 ) -> Option<EdgePlace> {
-    let (camera, picture) = (&photo.camera, &photo.picture);
-    let (window, pixels) = ground_picture(camera, believed, 0.0, picture, EDGE_GSD)?;
-    let middle = middle(photo, believed);
-    let prior = EdgePrior {
-        middle,
-        deviation: deviation.hypot(BY_TILT * believed.position_in_world.z),
+    let belief = PhotoBelief {
+        pose: believed,
+        deviation,
+        tilt: TILT,
         turn: 15_f64.to_radians(),
         log_height: LOG_HEIGHT,
         map_deviation: MAP,
     };
-    let reach = REACH + DEVIATIONS * prior.deviation;
-    let field = EdgeField::around(middle, reach, table);
-    place_by_edges(&edges_seen(&window, &pixels, CLASS), &prior, &field)
+    place_photo(&photo.camera, &photo.picture, &belief, table)
 }
 
 /// Every `each`-th photo of a place by the edges of its map, its position off by `deviation` metres per axis; looked
@@ -90,7 +77,7 @@ pub fn locate(
         let mut believed = believed_pose(photo, deviation, &mut random);
         before += usize::from(middle(photo, &believed).distance(&photo.middle) <= 15.0);
         believed.position_in_world.x += away(&photo.middle);
-        let Some(found) = placed(photo, &believed, deviation, table) else {
+        let Some(found) = placed(photo, believed, deviation, table) else {
             tally.add(&photo.name, 0.0, None);
             continue;
         };
