@@ -15,6 +15,7 @@ mod sample;
 mod tests;
 mod trainer;
 mod training_error;
+pub mod words;
 
 pub use envelope::FlightEnvelope;
 pub use held_out::TrainingPhotos;

@@ -8,57 +8,94 @@
 )]
 
 mod by_edges;
+mod by_network;
+mod by_words;
 mod locating;
 mod patches;
 mod photos;
 mod tally;
 mod three_classes;
 
-use patches::PatchSite;
 use photos::RealSite;
 use pilotage_reference::ReferenceTable;
 use pilotage_reference::seeing::ReferenceMapping;
-use pilotage_vision::ground_class::{CELL_PIXELS, CoverFeatures, CoverNetwork, FEATURES};
-use three_classes::{THREE, ThreeClasses};
+use pilotage_vision::ground_class::CoverNetwork;
+use three_classes::ThreeClasses;
 
-/// Features of the cell at a point.
-fn features_at(features: &CoverFeatures, [x, y]: [f64; 2]) -> Option<[f32; FEATURES]> {
-    let cell = |pixels: f64| (pixels / CELL_PIXELS as f64) as usize;
-    let (column, row) = (cell(x), cell(y));
-    let is_seen = column < features.width()
-        && row < features.height()
-        && features.seen()[row * features.width() + column];
-    is_seen.then(|| features.cell(column, row))
-}
-
-/// The points of a place as the network tells them.
-fn by_network(site: &PatchSite, network: &CoverNetwork) -> ThreeClasses {
-    let features = CoverFeatures::of(&site.picture);
-    let mut counts = ThreeClasses::default();
-    for patch in &site.patches {
-        let Some(own) = features_at(&features, patch.pixel) else {
-            continue;
-        };
-        let told = network.probabilities(&own);
-        counts.add(
-            patch.cover,
-            THREE.map(|class| f64::from(told[class.index()])),
-        );
+/// Of all places together, and of each, those that `tell` tells of it.
+fn held_out(name: &str, count: usize, tell: &dyn Fn(usize) -> (&'static str, ThreeClasses)) {
+    let mut all = ThreeClasses::default();
+    for number in 0..count {
+        let (site, counts) = tell(number);
+        println!("{name}, {site}: {counts}");
+        all.join(&counts);
     }
-    counts
+    println!("{name}, all: {all}");
 }
 
 #[test]
 #[ignore = "a study of real pictures"]
 fn classes_of_traced_points() {
+    let sites = patches::sites();
     let network = CoverNetwork::usual();
-    let mut all = ThreeClasses::default();
-    for site in patches::sites() {
-        let counts = by_network(&site, &network);
-        println!("{}: {counts}", site.name);
-        all.join(&counts);
+    held_out("the program's network", sites.len(), &|site| {
+        (sites[site].name, by_network::told(&sites[site], &network))
+    });
+}
+
+#[test]
+#[ignore = "a study of real pictures"]
+fn classes_of_traced_points_learned_otherwise() {
+    let sites = patches::sites();
+    let mut examples = by_network::generated(0);
+    for name in ["generated ground", "generated ground in other colours"] {
+        let network = by_network::trained(&examples);
+        held_out(name, sites.len(), &|site| {
+            (sites[site].name, by_network::told(&sites[site], &network))
+        });
+        examples = by_network::generated(3);
     }
-    println!("all: {all}");
+    held_out("the same and the other places", sites.len(), &|site| {
+        let mut examples = examples.clone();
+        for (number, other) in sites.iter().enumerate() {
+            if number != site {
+                by_network::add(&mut examples, other);
+            }
+        }
+        let network = by_network::trained(&examples);
+        (sites[site].name, by_network::told(&sites[site], &network))
+    });
+}
+
+#[test]
+#[ignore = "a study of real pictures"]
+fn words_of_traced_points() {
+    let sites = patches::sites();
+    let generated = by_words::generated();
+    let real: Vec<_> = sites.iter().map(by_words::of_site).collect();
+    println!("{} windows of generated ground", generated.len());
+    let classifier = by_words::trained(&generated);
+    held_out("words of generated ground", sites.len(), &|site| {
+        (sites[site].name, by_words::told(&real[site], &classifier))
+    });
+    let others = |site: usize| {
+        let others = real.iter().enumerate().filter(move |(i, _)| *i != site);
+        others.flat_map(|(_, windows)| windows.iter().cloned())
+    };
+    held_out("words of the other places", sites.len(), &|site| {
+        let learned: Vec<_> = others(site).collect();
+        (
+            sites[site].name,
+            by_words::told(&real[site], &by_words::trained(&learned)),
+        )
+    });
+    held_out("words of both", sites.len(), &|site| {
+        let learned: Vec<_> = others(site).chain(generated.iter().cloned()).collect();
+        (
+            sites[site].name,
+            by_words::told(&real[site], &by_words::trained(&learned)),
+        )
+    });
 }
 
 /// The table of a map, as it comes back from its file.

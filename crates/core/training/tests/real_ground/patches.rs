@@ -3,12 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use pilotage_raster::imagery::decode_map;
-use pilotage_raster::raster::{Raster, Rgba};
+use pilotage_raster::raster::{Gray, Raster, Rgba};
 use pilotage_vision::ground_class::{CLASS_GSD, GroundCover};
 use serde_json::Value;
 
 /// Ground in a pixel of the grid on which places were traced, metres.
 const TRACED_GSD: f64 = 0.5;
+
+/// Ground in a pixel of windows whose words are told, metres, and their side, pixels: 24 m, in which most points show
+/// one class.
+pub const FINE_GSD: f64 = 0.3;
+pub const WINDOW: usize = 80;
 
 /// A point and its class.
 pub struct Patch {
@@ -23,6 +28,8 @@ pub struct PatchSite {
     pub name: &'static str,
     /// North up, [`CLASS_GSD`] metres per pixel.
     pub picture: Raster<Rgba>,
+    /// The same in [`FINE_GSD`].
+    pub fine: Gray,
     pub patches: Vec<Patch>,
 }
 
@@ -45,6 +52,22 @@ const SITES: [(&str, &str, Option<[usize; 4]>); 4] = [
 /// All places of which the pictures are at hand.
 pub fn sites() -> Vec<PatchSite> {
     SITES.into_iter().filter_map(site).collect()
+}
+
+impl PatchSite {
+    /// The window around a point, as far as the picture goes.
+    pub fn window(&self, patch: &Patch) -> Gray {
+        let corner = [0, 1].map(|i| {
+            let size = [self.fine.width(), self.fine.height()][i];
+            let middle = patch.pixel[i] * CLASS_GSD / FINE_GSD;
+            (middle as usize)
+                .saturating_sub(WINDOW / 2)
+                .min(size - WINDOW)
+        });
+        self.fine
+            .crop(corner[0], corner[1], WINDOW, WINDOW)
+            .unwrap()
+    }
 }
 
 fn beside(name: &str) -> Option<PathBuf> {
@@ -75,7 +98,7 @@ fn site((name, picture, part): (&'static str, &str, Option<[usize; 4]>)) -> Opti
     let pair = |value: &Value| [0, 1].map(|i| value[i].as_f64().unwrap());
     let grid = &json["picture"];
     let (corner, step) = (pair(&grid["corner"]), pair(&grid["pixel_deg"]));
-    let size = pair(&grid["size"]).map(|pixels| (pixels * TRACED_GSD / CLASS_GSD) as usize);
+    let size = |gsd: f64| pair(&grid["size"]).map(|pixels| (pixels * TRACED_GSD / gsd) as usize);
     let features = json["features"].as_array().unwrap();
     let patches = features.iter().filter_map(|feature| {
         let told = &feature["properties"];
@@ -90,7 +113,8 @@ fn site((name, picture, part): (&'static str, &str, Option<[usize; 4]>)) -> Opti
     Some(PatchSite {
         name,
         patches: patches.collect(),
-        picture: averaged(&native, size),
+        picture: averaged(&native, size(CLASS_GSD)),
+        fine: averaged(&native, size(FINE_GSD)).to_gray(),
     })
 }
 
