@@ -1,19 +1,17 @@
 //! Photos placed by the table of a map.
 
-use nalgebra::{Matrix2, Matrix4, Point2, Point3, Vector2, Vector4};
+use nalgebra::{Matrix2, Matrix4, Point2, Point3, Vector4};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use crate::photos::{RealPhoto, RealSite};
 use crate::tally::FixTally;
-use pilotage_base::frames::{GroundPoint, Pose};
-use pilotage_reference::association::{
-    Association, AssociationProblem, AssociationSettings, CommonError, associate,
-};
-use pilotage_reference::seeing::{landmarks_seen, observed, possible};
+use pilotage_base::frames::Pose;
+use pilotage_reference::association::CommonError;
+use pilotage_reference::seeing::PictureView;
 use pilotage_reference::{GenericClass, GenericLandmark, ReferenceTable};
-use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground, ground_picture};
+use pilotage_vision::ground_class::CoverNetwork;
 
 /// Error of the believed position per axis, metres.
 pub const POSITION: f64 = 10.0;
@@ -46,44 +44,6 @@ pub fn common(believed: &Pose) -> CommonError {
     }
 }
 
-/// Landmarks that are seen in a photo from the believed pose.
-fn seen_in(photo: &RealPhoto, believed: &Pose, network: &CoverNetwork) -> Vec<GenericLandmark> {
-    let ground = ground_picture(&photo.camera, believed, 0.0, &photo.picture, CLASS_GSD);
-    ground.map_or_else(Vec::new, |(window, pixels)| {
-        landmarks_seen(&classify_ground(&window, &pixels, network))
-    })
-}
-
-fn associated(
-    photo: &RealPhoto,
-    believed: &Pose,
-    seen: &[GenericLandmark],
-    table: &ReferenceTable,
-) -> Association {
-    let below = GroundPoint::from(believed.position_in_world.xy().coords);
-    let told: Vec<_> = seen
-        .iter()
-        .filter_map(|landmark| observed(landmark, &photo.camera, believed, 0.0))
-        .collect();
-    let view: Vec<Vector2<f64>> = photo
-        .camera
-        .footprint(believed, 0.0)
-        .iter()
-        .map(|corner| corner.to_vector() - below.to_vector())
-        .collect();
-    let around: Vec<_> = table
-        .near(below, IN_PHOTO + 3.5 * POSITION)
-        .map(|landmark| possible(landmark, below))
-        .collect();
-    let problem = AssociationProblem {
-        observed: &told,
-        possible: &around,
-        common: common(believed),
-        view: &view,
-    };
-    associate(&problem, &AssociationSettings::default())
-}
-
 /// Number of landmarks that lie by the photo's own pose where the table has one like them.
 fn in_table(
     photo: &RealPhoto,
@@ -111,10 +71,13 @@ pub fn locate(site: &RealSite, table: &ReferenceTable, network: &CoverNetwork) -
     let (mut all, mut there) = (0, 0);
     for photo in &site.photos {
         let believed = believed_pose(photo, POSITION, &mut random);
-        let seen = seen_in(photo, &believed, network);
-        let found = associated(photo, &believed, &seen, table);
-        all += seen.len();
-        there += in_table(photo, &believed, &seen, table);
+        let view = PictureView::of(&photo.camera, &believed, 0.0, &photo.picture, network).unwrap();
+        let told: Vec<_> = view.seen.iter().filter_map(|l| view.observed(l)).collect();
+        let around = table.near(view.below(), IN_PHOTO + 3.5 * POSITION);
+        let around: Vec<_> = around.copied().collect();
+        let found = view.associated(&told, &around, common(&believed));
+        all += view.seen.len();
+        there += in_table(photo, &believed, &view.seen, table);
         let half = |pixels: usize| 0.5 * pixels as f64;
         let middle = Point2::new(half(photo.picture.width()), half(photo.picture.height()));
         let assumed = photo.camera.ground_at(&believed, &middle, 0.0).unwrap();
@@ -126,7 +89,7 @@ pub fn locate(site: &RealSite, table: &ReferenceTable, network: &CoverNetwork) -
             confidence: 1.0,
             stability: 1.0,
         };
-        let by_pose = observed(&in_middle, &photo.camera, &believed, 0.0).unwrap();
+        let by_pose = view.observed(&in_middle).unwrap();
         let fix = found.fix.map(|fix| {
             let (shift, covariance) = fix.shift(&by_pose.by_pose);
             let error = assumed.to_vector() + shift - photo.middle.to_vector();
