@@ -125,6 +125,7 @@ const UI: Order = Order {
         "tokens",
         "units",
         "kept_mesh",
+        "kept_tree",
         "state_json",
         "still",
         "short_map",
