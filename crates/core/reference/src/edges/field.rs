@@ -20,9 +20,9 @@ const SHARED: f64 = 0.5;
 /// Distance between places along an edge that are entered, metres.
 const ENTERED: f64 = 0.5;
 /// Distance of the corners of a square over half its side.
-const CORNER: f64 = std::f64::consts::SQRT_2;
+pub(super) const CORNER: f64 = std::f64::consts::SQRT_2;
 /// Half the length of the longest edges that reach into a field from beyond, metres.
-const LONGEST: f64 = 50.0;
+pub(super) const LONGEST: f64 = 50.0;
 
 /// Logarithm of how much likelier an edge is at each place in each direction if the table is right there than
 /// anywhere.

@@ -6,16 +6,18 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::Picture;
 use pilotage_vision::ground_class::ground_picture;
 
-use super::field::EdgeField;
+use super::field::{CORNER, EdgeField, LONGEST};
 use super::place::{EdgePlace, EdgePrior, FARTHEST, place_by_edges};
-use super::seen::{EDGE_GSD, edges_seen};
-use crate::{GenericClass, ReferenceTable};
+use super::seen::{EDGE_GSD, EDGES, edges_seen};
+use crate::{GenericLandmark, ReferenceTable};
 
 /// Belief about the pose of a photo over level ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhotoBelief {
-    /// Assumed pose; the ground is at zero.
+    /// Assumed pose.
     pub pose: Pose,
+    /// Height of the ground, metres below the world's origin.
+    pub ground_down: f64,
     /// Standard deviation of its position, metres per axis.
     pub deviation: f64,
     /// Standard deviation of roll and pitch, radians.
@@ -28,30 +30,53 @@ pub struct PhotoBelief {
     pub map_deviation: f64,
 }
 
-/// Place of a photo by the edges of `table`; `None` where the camera looks past the horizon or shows no edge.
-pub fn place_photo(
-    camera: &CameraModel,
-    picture: &Picture,
-    belief: &PhotoBelief,
-    table: &ReferenceTable,
-) -> Option<EdgePlace> {
-    let (window, pixels) = ground_picture(camera, &belief.pose, 0.0, picture, EDGE_GSD)?;
-    let half = |pixels: usize| 0.5 * pixels as f64;
-    let pixel = Point2::new(half(picture.width()), half(picture.height()));
-    let middle = camera.ground_at(&belief.pose, &pixel, 0.0)?;
-    let height = belief.pose.position_in_world.z;
-    let prior = EdgePrior {
-        middle,
-        deviation: belief.deviation.hypot(belief.tilt * height),
-        turn: belief.turn,
-        log_height: belief.log_height,
-        map_deviation: belief.map_deviation,
-    };
-    let corners = window.rect().corners();
-    let away = corners.iter().map(|corner| corner.distance(&middle));
-    let grown = (FARTHEST * prior.log_height).exp();
-    let reach = grown * away.fold(0.0, f64::max) + FARTHEST * prior.deviation;
-    let field = EdgeField::around(middle, reach, table);
-    let seen = edges_seen(&window, &pixels, GenericClass::Other(0));
-    place_by_edges(&seen, &prior, &field)
+/// Edges of a photo, and what is believed of it.
+pub struct PhotoEdges {
+    /// Edges where they lie by the assumed pose.
+    pub seen: Vec<GenericLandmark>,
+    prior: EdgePrior,
+    reach: f64,
+}
+
+impl PhotoEdges {
+    /// Edges of `picture`, which `camera` took; `None` where it looks past the horizon.
+    pub fn of(camera: &CameraModel, picture: &Picture, belief: &PhotoBelief) -> Option<Self> {
+        let (pose, ground) = (&belief.pose, belief.ground_down);
+        let (window, pixels) = ground_picture(camera, pose, ground, picture, EDGE_GSD)?;
+        let half = |pixels: usize| 0.5 * pixels as f64;
+        let pixel = Point2::new(half(picture.width()), half(picture.height()));
+        let middle = camera.ground_at(pose, &pixel, ground)?;
+        let height = ground - pose.position_in_world.z;
+        let prior = EdgePrior {
+            middle,
+            deviation: belief.deviation.hypot(belief.tilt * height),
+            turn: belief.turn,
+            log_height: belief.log_height,
+            map_deviation: belief.map_deviation,
+        };
+        let corners = window.rect().corners();
+        let away = corners.iter().map(|corner| corner.distance(&middle));
+        let grown = (FARTHEST * prior.log_height).exp();
+        Some(Self {
+            seen: edges_seen(&window, &pixels, EDGES),
+            reach: grown * away.fold(0.0, f64::max) + FARTHEST * prior.deviation,
+            prior,
+        })
+    }
+
+    /// Belief about the middle of the photo.
+    pub fn prior(&self) -> &EdgePrior {
+        &self.prior
+    }
+
+    /// Farthest from the believed middle that edges of a table can tell of the place, metres.
+    pub fn reach(&self) -> f64 {
+        CORNER * self.reach + LONGEST
+    }
+
+    /// Place by the edges of `table`; `None` of a photo without edges.
+    pub fn place(&self, table: &ReferenceTable) -> Option<EdgePlace> {
+        let field = EdgeField::around(self.prior.middle, self.reach, table);
+        place_by_edges(&self.seen, &self.prior, &field)
+    }
 }

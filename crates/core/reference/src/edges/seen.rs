@@ -9,6 +9,8 @@ use crate::{GenericClass, GenericLandmark};
 
 /// Name of their class in a table.
 pub const EDGE: &str = "edge";
+/// Their class in a table that names nothing else.
+pub const EDGES: GenericClass = GenericClass::Other(0);
 /// Ground in a pixel of pictures in which edges are sought, metres.
 pub const EDGE_GSD: f64 = 0.5;
 /// Length of the shortest edges, metres.
@@ -37,6 +39,16 @@ pub fn edges_seen(
     on_ground.collect()
 }
 
+/// Straight edges in and around a `tile` of a map.
+pub fn edges_of_tile(
+    map: &dyn Imagery,
+    tile: &GroundRect,
+    class: GenericClass,
+) -> Vec<GenericLandmark> {
+    let window = Window::covering(&tile.grown(AROUND), EDGE_GSD);
+    edges_seen(&window, &map.window(&window), class)
+}
+
 /// Straight edges of a map, tile by tile: memory grows with the edges alone.
 pub fn edges_in_map(map: &dyn Imagery, class: GenericClass) -> Vec<GenericLandmark> {
     let bounds = map.bounds();
@@ -53,8 +65,7 @@ pub fn edges_in_map(map: &dyn Imagery, class: GenericClass) -> Vec<GenericLandma
             west,
             east: west + TILE,
         };
-        let window = Window::covering(&tile.grown(AROUND), EDGE_GSD);
-        let mut edges = edges_seen(&window, &map.window(&window), class);
+        let mut edges = edges_of_tile(map, &tile, class);
         // An edge on the border of two tiles is in one of them.
         edges.retain(|edge| {
             (tile.south..tile.north).contains(&edge.place.north)

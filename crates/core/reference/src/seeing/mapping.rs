@@ -14,21 +14,34 @@ const TILE: f64 = 384.0;
 /// Ground around a tile that is looked at with it, metres: the largest thing is whole there.
 const AROUND: f64 = 66.0;
 
-/// Things of a map, tile by tile, of the tiles that were asked for.
+/// Looks at a tile of a map for landmarks; those beyond its border are left out afterwards.
+pub type LookAtTile = Arc<dyn Fn(&dyn Imagery, &GroundRect) -> Vec<GenericLandmark> + Send + Sync>;
+
+/// Landmarks of a map, tile by tile, of the tiles that were asked for.
 #[derive(Clone)]
 pub struct SeenTiles {
     map: Arc<dyn Imagery>,
-    network: CoverNetwork,
+    look: LookAtTile,
     /// By row from the south and column from the west, counted from the origin.
     tiles: BTreeMap<(i64, i64), Vec<GenericLandmark>>,
 }
 
 impl SeenTiles {
-    /// Nothing looked at yet of `map`.
+    /// Nothing looked at yet of `map`, of which `network` tells the classes.
     pub fn of(map: Arc<dyn Imagery>, network: CoverNetwork) -> Self {
+        let look = move |map: &dyn Imagery, tile: &GroundRect| {
+            let window = Window::covering(&tile.grown(AROUND), CLASS_GSD);
+            let picture = map.window(&window);
+            landmarks_seen(&classify_ground(&window, &picture, &network))
+        };
+        Self::by(map, Arc::new(look))
+    }
+
+    /// Nothing looked at yet of `map`, in the tiles of which `look` finds landmarks.
+    pub fn by(map: Arc<dyn Imagery>, look: LookAtTile) -> Self {
         Self {
             map,
-            network,
+            look,
             tiles: BTreeMap::new(),
         }
     }
@@ -45,8 +58,8 @@ impl SeenTiles {
     }
 
     fn tile(&mut self, number: (i64, i64)) -> &[GenericLandmark] {
-        let (map, network) = (&self.map, &self.network);
-        let look = || look_at(map.as_ref(), network, number);
+        let (map, look) = (&self.map, &self.look);
+        let look = || look_at(map.as_ref(), look, number);
         self.tiles.entry(number).or_insert_with(look)
     }
 }
@@ -60,7 +73,7 @@ fn tiles_of(rect: &GroundRect) -> impl Iterator<Item = (i64, i64)> + use<> {
 }
 
 /// Landmarks of a tile.
-fn look_at(map: &dyn Imagery, network: &CoverNetwork, number: (i64, i64)) -> Vec<GenericLandmark> {
+fn look_at(map: &dyn Imagery, look: &LookAtTile, number: (i64, i64)) -> Vec<GenericLandmark> {
     let (south, west) = (number.0 as f64 * TILE, number.1 as f64 * TILE);
     let tile = GroundRect {
         south,
@@ -71,9 +84,7 @@ fn look_at(map: &dyn Imagery, network: &CoverNetwork, number: (i64, i64)) -> Vec
     if !tile.overlaps(&map.bounds()) {
         return Vec::new();
     }
-    let window = Window::covering(&tile.grown(AROUND), CLASS_GSD);
-    let picture = map.window(&window);
-    let mut seen = landmarks_seen(&classify_ground(&window, &picture, network));
+    let mut seen = look(map, &tile);
     // A place on the border of two tiles is in one of them.
     seen.retain(|landmark| {
         (tile.south..tile.north).contains(&landmark.place.north)

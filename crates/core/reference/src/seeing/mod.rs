@@ -9,7 +9,8 @@ mod precision;
 mod tests;
 mod things;
 
-pub use mapping::{ReferenceMapping, SeenTiles};
+pub use mapping::{LookAtTile, ReferenceMapping, SeenTiles};
+pub use observed::ground_by_pose;
 pub use picture_view::PictureView;
 pub use precision::{GROUP_SIZES, size_group};
 pub use things::landmarks_seen;

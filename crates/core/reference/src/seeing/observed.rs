@@ -20,7 +20,7 @@ pub fn observed(
         place: landmark.place.to_vector() - pose.position_in_world.xy().coords,
         covariance: Matrix2::identity() * place_deviation(landmark).powi(2),
         size: landmark.size,
-        by_pose: by_pose(landmark.place, camera, pose, ground_down)?,
+        by_pose: ground_by_pose(landmark.place, camera, pose, ground_down)?,
     })
 }
 
@@ -37,7 +37,7 @@ pub fn possible(landmark: &GenericLandmark, below: GroundPoint) -> PossibleLandm
 }
 
 /// Change of the ground seen at the pixel of `place` with the assumed roll, pitch, yaw (radians) and height (metres).
-fn by_pose(
+pub fn ground_by_pose(
     place: GroundPoint,
     camera: &CameraModel,
     pose: &Pose,

@@ -9,18 +9,16 @@ use crate::photos::{RealPhoto, RealSite};
 use crate::tally::FixTally;
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_raster::imagery::Imagery;
-use pilotage_reference::edges::{EDGE, EdgePlace, PhotoBelief, edges_in_map, place_photo};
-use pilotage_reference::{GenericClass, ReferenceTable};
+use pilotage_reference::ReferenceTable;
+use pilotage_reference::edges::{EDGE, EDGES, EdgePlace, PhotoBelief, PhotoEdges, edges_in_map};
 
-/// Class of edges in these tables.
-const CLASS: GenericClass = GenericClass::Other(0);
 /// Probability from which on a place is a fix.
 const BELIEVED: f64 = 0.9;
 /// Deviation of the map's own places, metres, as of photos laid on maps of other dates.
 const MAP: f64 = 3.0;
 /// The table of the straight edges of a map, as it comes back from its file.
 pub fn table_of(map: &dyn Imagery) -> ReferenceTable {
-    let edges = edges_in_map(map, CLASS);
+    let edges = edges_in_map(map, EDGES);
     let bytes = ReferenceTable::new(edges, vec![EDGE.to_owned()]).to_bytes();
     let table = ReferenceTable::from_bytes(&bytes).unwrap();
     let bounds = map.bounds();
@@ -49,13 +47,14 @@ fn placed(
 ) -> Option<EdgePlace> {
     let belief = PhotoBelief {
         pose: believed,
+        ground_down: 0.0,
         deviation,
         tilt: TILT,
         turn: 15_f64.to_radians(),
         log_height: LOG_HEIGHT,
         map_deviation: MAP,
     };
-    place_photo(&photo.camera, &photo.picture, &belief, table)
+    PhotoEdges::of(&photo.camera, &photo.picture, &belief)?.place(table)
 }
 
 /// Every `each`-th photo of a place by the edges of its map, its position off by `deviation` metres per axis; looked
