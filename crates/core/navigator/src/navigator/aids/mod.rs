@@ -42,4 +42,5 @@ aids! {
     ground_range,
     roads,
     generic_landmarks,
+    map_edges,
 }

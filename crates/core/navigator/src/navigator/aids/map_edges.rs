@@ -1,0 +1,202 @@
+//! Straight ends of roofs, roads and fields, put in the one place of the map where they fit together.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, Matrix2, Matrix4, MatrixXx4, SymmetricEigen, Vector2, Vector4, dvector};
+
+use super::super::engine::MeasurementModel;
+use super::super::observation::{Observation, PicturePart};
+use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
+use super::error::AidError;
+use pilotage_reference::ReferenceTable;
+use pilotage_reference::edges::{
+    EDGE, EDGES, EdgePlace, EdgePrior, PhotoBelief, PhotoEdges, edges_of_tile,
+};
+use pilotage_reference::seeing::{SeenTiles, ground_by_pose};
+
+/// Least standard deviation per axis within which places are tried, metres: what the belief says is taken out of the
+/// answer again, which is the more exact the less of it was in.
+const LEAST_TRIED: f64 = 10.0;
+/// Greatest, metres: the time that a look takes goes by its square.
+const MOST_TRIED: f64 = 60.0;
+/// Standard deviations of the heading within which it is tried.
+const TURNED: f64 = 2.5;
+/// Probability from which on a place is believed.
+const BELIEVED: f64 = 0.9;
+/// Greatest standard deviation of a place that tells anything, as a share of what was tried.
+const TELLING: f64 = 0.7;
+
+/// Description for people.
+pub const INFO: AidInfo = AidInfo {
+    key: "map-edges",
+    label: "Edges of the map",
+    description: "Straight ends of roofs, roads and fields in the picture, put in the place of the map where they fit \
+                  together. They are the same on any day and for any camera, and no two are told apart: every place \
+                  that the belief allows is weighed by what all of them say.",
+    channels: &[],
+    components: &[("north", "m"), ("east", "m")],
+    tells_place: true,
+    numbers: &[
+        AidNumber {
+            key: "map",
+            label: "Error of the map per axis",
+            unit: "m",
+            usual: 1.0,
+        },
+        AidNumber {
+            key: "apart",
+            label: "Time between looks",
+            unit: "s",
+            usual: 0.5,
+        },
+    ],
+};
+
+/// Makes the aid.
+pub const BEGIN: BeginAid = |numbers, ground| {
+    let ground = ground.ok_or_else(|| AidError::UnknownGround {
+        key: INFO.key.to_owned(),
+        what: "map".to_owned(),
+        remedy: "open one, or switch the aid off".to_owned(),
+    })?;
+    Ok(Box::new(MapEdges {
+        known: SeenTiles::by(
+            Arc::clone(&ground.map),
+            Arc::new(|map, tile| edges_of_tile(map, tile, EDGES)),
+        ),
+        of_map: numbers[0],
+        apart: numbers[1],
+        last: f64::NEG_INFINITY,
+    }))
+};
+
+/// The aid.
+struct MapEdges {
+    known: SeenTiles,
+    /// Standard deviation of the map per axis, metres.
+    of_map: f64,
+    /// Least time between looks, and the last one, seconds.
+    apart: f64,
+    last: f64,
+}
+
+impl Aid for MapEdges {
+    fn info(&self) -> &'static AidInfo {
+        &INFO
+    }
+
+    fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
+        let Some(look) = &moment.look else {
+            return Vec::new();
+        };
+        if moment.until < self.last + self.apart - 1e-6 {
+            return Vec::new();
+        }
+        self.last = moment.until;
+        self.fix(look).into_iter().collect()
+    }
+}
+
+impl MapEdges {
+    /// Place of the aircraft by the edges of a picture.
+    fn fix(&mut self, look: &AidLook<'_>) -> Option<Observation<'static>> {
+        let place: Matrix2<f64> = look.belief.covariance.fixed_view::<2, 2>(0, 0).into();
+        let deviation = place.symmetric_eigenvalues().max().max(0.0).sqrt();
+        let height = (look.model.ground_down - look.model.camera_down).max(1.0);
+        let yaw = look.belief.covariance[(2, 2)].max(0.0).sqrt();
+        let belief = PhotoBelief {
+            pose: look.pose,
+            ground_down: look.model.ground_down,
+            deviation: deviation.clamp(LEAST_TRIED, MOST_TRIED),
+            tilt: look.noise.roll.hypot(look.noise.pitch),
+            turn: TURNED * yaw.hypot(look.noise.yaw),
+            log_height: look.noise.height / height,
+            map_deviation: 0.0,
+        };
+        let edges = PhotoEdges::of(look.model.camera, look.picture, &belief)?;
+        let prior = *edges.prior();
+        let around = self.known.near(prior.middle, edges.reach());
+        let table = ReferenceTable::new(around, vec![EDGE.to_owned()]);
+        let found = edges.place(&table)?;
+        let (shift, own) = (found.probability >= BELIEVED)
+            .then(|| without_belief(&prior, &found))
+            .flatten()?;
+        let beyond_state = (self.of_map.powi(2) - look.map_deviation.powi(2)).max(0.0);
+        let own = own + Matrix2::identity() * beyond_state;
+        let by_pose = ground_by_pose(
+            prior.middle,
+            look.model.camera,
+            &look.pose,
+            look.model.ground_down,
+        )?;
+        let deviations = Vector4::new(
+            look.noise.roll,
+            look.noise.pitch,
+            look.noise.yaw.hypot(yaw),
+            look.noise.height,
+        );
+        let pose = Matrix4::from_diagonal(&deviations.component_mul(&deviations));
+        let noise = own + by_pose * pose * by_pose.transpose();
+        let place = look.below().to_vector() + shift;
+        Some(Observation {
+            measured: dvector![place.x, place.y],
+            noise: DMatrix::from_column_slice(2, 2, noise.as_slice()),
+            weakened: None,
+            model: MeasurementModel::of_pose(|seen| {
+                Some(dvector![seen.on_map.north, seen.on_map.east])
+            }),
+            degrees: 2,
+            in_picture: Some(PicturePart {
+                by_pose: MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]),
+                own: DMatrix::from_column_slice(2, 2, own.as_slice()),
+            }),
+        })
+    }
+}
+
+/// Shift of the middle from the believed place, metres, and its covariance by the edges alone: the place that was found is
+/// that of the belief and the edges together, of normal distributions. `None` where the edges tell next to nothing in
+/// some direction.
+fn without_belief(prior: &EdgePrior, found: &EdgePlace) -> Option<(Vector2<f64>, Matrix2<f64>)> {
+    let shift = found.middle.to_vector() - prior.middle.to_vector();
+    let variance = prior.deviation.powi(2);
+    let most = SymmetricEigen::new(found.covariance).eigenvalues.max();
+    if most > (TELLING * TELLING) * variance {
+        return None;
+    }
+    let together = found.covariance.try_inverse()?;
+    let covariance = (together - Matrix2::identity() / variance).try_inverse()?;
+    Some((covariance * together * shift, covariance))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_base::frames::GroundPoint;
+
+    #[test]
+    fn the_belief_is_taken_out_of_what_it_and_the_edges_say_together() {
+        let prior = EdgePrior {
+            middle: GroundPoint::new(100.0, 200.0),
+            deviation: 10.0,
+            turn: 0.1,
+            log_height: 0.0,
+            map_deviation: 0.0,
+        };
+        // Edges that say 6 m north at 2 m, 3 m east at 5 m.
+        let weight = |of_edges: f64| 100.0 / (100.0 + of_edges * of_edges);
+        let found = EdgePlace {
+            middle: GroundPoint::new(100.0 + 6.0 * weight(2.0), 200.0 + 3.0 * weight(5.0)),
+            covariance: Matrix2::new(4.0 * weight(2.0), 0.0, 0.0, 25.0 * weight(5.0)),
+            probability: 1.0,
+        };
+        let (shift, covariance) = without_belief(&prior, &found).unwrap();
+        assert!((shift - Vector2::new(6.0, 3.0)).norm() < 1e-9, "{shift}");
+        assert!((covariance - Matrix2::new(4.0, 0.0, 0.0, 25.0)).norm() < 1e-9, "{covariance}");
+        let nothing = EdgePlace {
+            covariance: Matrix2::new(4.0, 0.0, 0.0, 90.0),
+            ..found
+        };
+        assert!(without_belief(&prior, &nothing).is_none());
+    }
+}
