@@ -1,7 +1,7 @@
 //! Association by agreement: cliques of pairs, weighed against each other and against chance.
 
 use nalgebra::{Matrix2, Vector2};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::candidates::{Candidate, candidates};
 use super::fix::{JointFix, SharedErrorFit};
@@ -13,6 +13,9 @@ use pilotage_base::statistics::chi_square_quantile;
 const HYPOTHESES: usize = 4;
 /// Rounds in which pairs are gathered around a place and the place is fitted to them.
 const ROUNDS: usize = 3;
+
+/// Neighbours by which it is told how densely landmarks stand about one.
+const NEIGHBOURS: usize = 4;
 
 /// A pair that fits the likeliest place, accepted or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,11 +155,25 @@ fn gathered<'a>(
     Some((Hypothesis { pairs, log_odds }, indices))
 }
 
-/// Number of observed landmarks per square metre of the class of a pair.
+/// Number of observed landmarks of the class of a pair per square metre around it, by the distance of its neighbours, at
+/// least that of the whole picture.
+///
+/// Trees stand by trees and houses by houses: beside a landmark, something else of its class is likelier than anywhere.
 fn density(problem: &AssociationProblem<'_>, pair: &Candidate) -> f64 {
-    let class = problem.observed[pair.observed].class;
-    let seen = problem.observed.iter().filter(|o| o.class == class);
-    seen.count() as f64 / problem.area()
+    let own = &problem.observed[pair.observed];
+    let others = problem.observed.iter().filter(|o| o.class == own.class);
+    let mut squares: Vec<f64> = others
+        .map(|other| (other.place - own.place).norm_squared())
+        .collect();
+    let overall = squares.len() as f64 / problem.area();
+    if squares.len() <= NEIGHBOURS {
+        return overall;
+    }
+    // The landmark itself is the nearest.
+    let (_, farthest, _) = squares.select_nth_unstable_by(NEIGHBOURS, f64::total_cmp);
+    // Of a Poisson process the last of k neighbours has k - 1 others in its circle, without bias.
+    let around = (NEIGHBOURS - 1) as f64 / (PI * *farthest);
+    around.max(overall)
 }
 
 /// Logarithm of the likelihood of what has no partner at the fitted place, over that where all that is observed is

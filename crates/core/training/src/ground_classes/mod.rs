@@ -15,6 +15,6 @@ pub use examples::{ClassExamples, LabelledTile};
 pub use generated::{GeneratedTiles, generated_tile};
 pub use judge::CoverJudgement;
 pub use looks::GeneratedLooks;
-pub use pair_counts::PairCounts;
+pub use pair_counts::{PairCounts, RightPairs};
 pub use place_errors::PlaceErrors;
 pub use train::{ClassTraining, ClassTrainingError};

@@ -7,6 +7,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::looks::GeneratedLooks;
 use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_reference::GenericClass;
 use pilotage_reference::association::CommonError;
 use pilotage_reference::seeing::PictureView;
 use pilotage_vision::ground_class::CoverNetwork;
@@ -33,8 +34,25 @@ pub struct PairCounts {
     pub stated: f64,
     /// Sum of the normalized squares of the fixes' errors, two degrees of freedom each.
     pub squares: f64,
+    /// Sum of what the pairs of the fixes leave, normalized, and its degrees of freedom.
+    pub left: (f64, usize),
+    /// Right ones of the accepted pairs, by class and by the error that is stated of their place.
+    pub right: Vec<RightPairs>,
     /// Fixes whose error is not explained by its covariance at one in a million.
     pub wild: usize,
+}
+
+/// Right pairs of a class whose places are stated to be equally sure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RightPairs {
+    /// Their class.
+    pub class: GenericClass,
+    /// Stated error of their place per axis, metres.
+    pub stated: f64,
+    /// Number of them.
+    pub count: usize,
+    /// Sum of the squares of their distances at the true pose, square metres.
+    pub squares: f64,
 }
 
 impl PairCounts {
@@ -86,10 +104,17 @@ impl PairCounts {
                 self.accepted += 1;
                 self.stated += pair.probability;
                 let apart = places[pair.observed].distance(&around[pair.possible].place);
-                self.wrong += usize::from(apart > SAME);
+                if apart > SAME {
+                    self.wrong += 1;
+                } else {
+                    let seen = &observed[pair.observed];
+                    self.note_right(seen.class, seen.covariance[(0, 0)].sqrt(), apart);
+                }
             }
             if let Some(fix) = found.fix {
                 self.fixes += 1;
+                self.left.0 += fix.chi_square;
+                self.left.1 += fix.degrees;
                 let error = fix.offset + off;
                 let weight = fix.covariance.try_inverse().unwrap_or_default();
                 let squared = (weight * error).dot(&error);
@@ -97,6 +122,21 @@ impl PairCounts {
                 self.wild += usize::from(squared > 27.6);
             }
         }
+    }
+
+    fn note_right(&mut self, class: GenericClass, stated: f64, apart: f64) {
+        let is_alike = |pairs: &RightPairs| pairs.class == class && pairs.stated == stated;
+        let index = self.right.iter().position(is_alike).unwrap_or_else(|| {
+            self.right.push(RightPairs {
+                class,
+                stated,
+                count: 0,
+                squares: 0.0,
+            });
+            self.right.len() - 1
+        });
+        self.right[index].count += 1;
+        self.right[index].squares += apart * apart;
     }
 }
 
@@ -118,6 +158,26 @@ impl fmt::Display for PairCounts {
             self.wrong,
             self.wrong as f64 / self.accepted.max(1) as f64,
             self.accepted as f64 - self.stated
-        )
+        )?;
+        writeln!(
+            to,
+            "squares that the pairs of a fix leave, per degree {:.3}",
+            self.left.0 / self.left.1.max(1) as f64
+        )?;
+        for pairs in &self.right {
+            let measured = (pairs.squares / (2 * pairs.count) as f64).sqrt();
+            let RightPairs {
+                class,
+                stated,
+                count,
+                ..
+            } = pairs;
+            let class = format!("{class:?}");
+            writeln!(
+                to,
+                "{class:<9} {count:5} right pairs, place per axis {measured:.2} m, stated {stated:.2} m"
+            )?;
+        }
+        Ok(())
     }
 }
