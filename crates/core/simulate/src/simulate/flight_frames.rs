@@ -10,9 +10,10 @@ use pilotage_flight::{Flight, FrameError, FrameSource};
 use pilotage_raster::imagery::CachedImagery;
 use pilotage_raster::raster::{Picture, encode_png};
 
-/// Memory for tiles of the scenery: some ten times the ground of a picture, as flights go on and seldom
-/// come back.
+/// Memory for tiles of the scenery where pictures are 640 pixels wide: some ten times the ground of a picture, as flights
+/// go on and seldom come back. Larger pictures show as much more.
 const CACHE_MEGABYTES: usize = 32;
+const CACHED_WIDTH: usize = 640;
 
 /// A flight that did not happen, and its pictures.
 #[derive(Clone)]
@@ -86,12 +87,14 @@ impl SimulatedFrames {
     pub fn imagery(&mut self) -> Arc<CachedImagery> {
         let day = self.day.day();
         let ground = &self.ground;
+        let wider = self.camera.model().width.div_ceil(CACHED_WIDTH).max(1);
+        let megabytes = CACHE_MEGABYTES * wider * wider;
         Arc::clone(self.imagery.get_or_insert_with(|| {
             let scenery = match ground {
                 Some(ground) => ground.on_day(day),
                 None => Scenery::new(DEMO_SEED, day),
             };
-            Arc::new(CachedImagery::new(Arc::new(scenery), CACHE_MEGABYTES))
+            Arc::new(CachedImagery::new(Arc::new(scenery), megabytes))
         }))
     }
 

@@ -42,11 +42,19 @@ const DETECTOR_GROUND: f64 = 0.11;
 /// Error of the map of generated roads per axis, metres: verges and worn edges move their middle so far.
 const GENERATED_ROAD_ERROR: f64 = 0.3;
 
-/// An aid with the numbers that hold in the generated world.
-fn chosen_aid(key: &str) -> ChosenAid {
+/// Error per axis that generic landmarks share by the shadows of another day, metres: as measured
+/// (`pilotage classes places --countries 8 --pictures 6`).
+const SHARED_BY_SHADOWS: f64 = 0.43;
+
+/// An aid with the numbers that hold in the generated world for whoever flies at `height`, metres, with sensors of `spec`.
+fn chosen_aid(key: &str, height: f64, spec: &SensorSpec) -> ChosenAid {
     let aid = ChosenAid::usual(key);
     if key == ROAD_MAP.aid {
         aid.with(ROAD_MAP.number, GENERATED_ROAD_ERROR)
+    } else if key == GENERIC_LANDMARKS.aid {
+        // A bias of roll or pitch moves all that is seen.
+        let shared = SHARED_BY_SHADOWS.hypot(height * spec.attitude.bias);
+        aid.with(GENERIC_LANDMARKS.number, shared)
     } else {
         aid
     }
@@ -420,7 +428,11 @@ impl Scenario {
                 pixel: DETECTOR_PIXEL,
                 ground: DETECTOR_GROUND,
             },
-            aids: self.aids.iter().map(|key| chosen_aid(key)).collect(),
+            aids: self
+                .aids
+                .iter()
+                .map(|key| chosen_aid(key, self.height, &spec))
+                .collect(),
             ..defaults
         }
     }
@@ -500,6 +512,25 @@ mod tests {
             let below = GroundPoint::new(state.position.x, state.position.y);
             let near = roads.nearest(below, 30.0).unwrap();
             assert_eq!(roads.line_of(near.edge).name, "South Road");
+        }
+    }
+
+    #[test]
+    fn the_high_flights_take_large_pictures_and_know_that_a_bias_of_the_attitude_moves_all_of_them()
+    {
+        let shared = |scenario: &Scenario| {
+            let aids = scenario.mission().navigator.aids;
+            GENERIC_LANDMARKS.of(&aids).unwrap()
+        };
+        let low = shared(&Scenario::named("generic-1000ft").unwrap());
+        for name in ["generic-2500ft-winter", "generic-3500ft-spring"] {
+            let scenario = Scenario::named(name).unwrap();
+            let flight = scenario.fly(1, &Overrides::default());
+            assert_eq!(scenario.mission().camera, Some(flight.camera.clone()));
+            assert_eq!((flight.camera.width, flight.camera.height), (1280, 960));
+            // 0.15° of roll from so high.
+            let moved = scenario.height * 0.15_f64.to_radians();
+            assert!(shared(&scenario) >= moved && moved > low, "{name}");
         }
     }
 
