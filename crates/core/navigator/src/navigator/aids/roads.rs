@@ -1,6 +1,6 @@
 //! Roads in pictures, laid on the roads of a map.
 
-use nalgebra::{DMatrix, DVector, Matrix3x4, MatrixXx4, Vector2, Vector3};
+use nalgebra::{DMatrix, DVector, MatrixXx4, Point3, Vector3};
 
 use super::super::engine::MeasurementModel;
 use super::super::observation::{Observation, PicturePart};
@@ -25,6 +25,9 @@ const SPACING: f64 = 4.0;
 const BELIEVED: f64 = 3.0;
 /// Least and greatest reach, metres.
 const REACH: (f64, f64) = (15.0, 60.0);
+
+/// Change of an angle by which its effect is found, radians.
+const SMALL_ANGLE: f64 = 1e-3;
 
 /// Description for people.
 pub const INFO: AidInfo = AidInfo {
@@ -110,7 +113,9 @@ impl Aid for Roads {
         let settings = self.fix_settings(look);
         let fixed = fix.as_ref();
         self.sighting = Some(road_sighting::report(look, &points, fixed, &self.map, &settings));
-        fix.map(|fix| observation(look, &fix)).into_iter().collect()
+        fix.and_then(|fix| self.observation(look, &sightings, &fix))
+            .into_iter()
+            .collect()
     }
 
     fn sighting(&mut self) -> Option<SightingReport> {
@@ -135,6 +140,78 @@ impl Roads {
             ..RoadFixSettings::default()
         }
     }
+
+    /// Measurement of each component of a fix, with the errors of the camera's attitude; `None` where a little of them
+    /// would undo it.
+    fn observation(
+        &self,
+        look: &AidLook<'_>,
+        sightings: &[RoadSighting],
+        fix: &RoadFix,
+    ) -> Option<Observation<'static>> {
+        let weights: Vec<Vector3<f64>> = fix.components.iter().map(|c| c.weights).collect();
+        let size = weights.len();
+        let mut by_pose = MatrixXx4::zeros(size);
+        for axis in 0..3 {
+            let moved = assumed_otherwise(look, sightings, axis)?;
+            let change = (self.fix(look, &moved)?.correction - fix.correction) / SMALL_ANGLE;
+            for (row, weights) in weights.iter().enumerate() {
+                by_pose[(row, axis)] = weights.dot(&change);
+            }
+        }
+        let own = fix.components.iter().map(|component| component.variance);
+        let own = DMatrix::from_diagonal(&DVector::from_iterator(size, own));
+        let noise = &own + &by_pose * look.noise.pose_covariance() * by_pose.transpose();
+        let measured = fix.components.iter().map(|component| component.value);
+        // North, east and heading that were believed; a bias that is larger is a heading that is smaller.
+        let believed = look.belief.mean;
+        Some(Observation {
+            measured: DVector::from_iterator(size, measured),
+            noise,
+            model: MeasurementModel::of_pose(move |seen| {
+                let bias = seen.heading_bias.unwrap_or(0.0);
+                let change = Vector3::new(
+                    seen.on_map.north - believed.x,
+                    seen.on_map.east - believed.y,
+                    believed.z - bias,
+                );
+                let values = weights.iter().map(|weights| weights.dot(&change));
+                Some(DVector::from_iterator(size, values))
+            }),
+            weakened: None,
+            degrees: size,
+            in_picture: Some(PicturePart { by_pose, own }),
+        })
+    }
+}
+
+/// The sightings where they would lie if the roll, pitch or yaw (0, 1, 2) were assumed a little smaller than it is.
+fn assumed_otherwise(
+    look: &AidLook<'_>,
+    sightings: &[RoadSighting],
+    axis: usize,
+) -> Option<Vec<RoadSighting>> {
+    let (camera, ground_down) = (look.model.camera, look.model.ground_down);
+    let mut moved = look.pose;
+    let attitude = &mut moved.attitude;
+    let mut turned = 0.0;
+    match axis {
+        0 => attitude.roll -= SMALL_ANGLE,
+        1 => attitude.pitch -= SMALL_ANGLE,
+        _ => {
+            attitude.yaw -= SMALL_ANGLE;
+            turned = SMALL_ANGLE;
+        }
+    }
+    let otherwise = |sighting: &RoadSighting| {
+        let point = Point3::new(sighting.place.north, sighting.place.east, ground_down);
+        let pixel = camera.project(&look.pose, &point)?;
+        Some(RoadSighting {
+            place: camera.ground_at(&moved, &pixel, ground_down)?,
+            direction: sighting.direction - turned,
+        })
+    };
+    sightings.iter().map(otherwise).collect()
 }
 
 /// Height of the camera above the ground, metres.
@@ -178,65 +255,6 @@ fn sighting(window: &Window, point: &RoadPoint) -> RoadSighting {
     }
 }
 
-/// Measurement of each component of a fix, with the errors of the camera's attitude.
-fn observation(look: &AidLook<'_>, fix: &RoadFix) -> Observation<'static> {
-    let weights: Vec<Vector3<f64>> = fix.components.iter().map(|c| c.weights).collect();
-    let size = weights.len();
-    let by_pose = attitude_effect(look);
-    let noise = look.noise.pose_covariance();
-    let of_attitude = by_pose * noise * by_pose.transpose();
-    let own = DMatrix::from_fn(size, size, |i, j| {
-        if i == j {
-            fix.components[i].variance
-        } else {
-            0.0
-        }
-    });
-    let noise = DMatrix::from_fn(size, size, |i, j| {
-        own[(i, j)] + weights[i].dot(&(of_attitude * weights[j]))
-    });
-    let rows: Vec<_> = weights.iter().map(|w| w.transpose() * by_pose).collect();
-    let in_picture = PicturePart {
-        by_pose: MatrixXx4::from_rows(&rows),
-        own,
-    };
-    let measured = fix.components.iter().map(|component| component.value);
-    // North, east and heading that were believed; a bias that is larger is a heading that is smaller.
-    let believed = look.belief.mean;
-    Observation {
-        measured: DVector::from_iterator(size, measured),
-        noise,
-        model: MeasurementModel::of_pose(move |seen| {
-            let bias = seen.heading_bias.unwrap_or(0.0);
-            let change = Vector3::new(
-                seen.on_map.north - believed.x,
-                seen.on_map.east - believed.y,
-                believed.z - bias,
-            );
-            let values = weights.iter().map(|weights| weights.dot(&change));
-            Some(DVector::from_iterator(size, values))
-        }),
-        weakened: None,
-        degrees: size,
-        in_picture: Some(in_picture),
-    }
-}
-
-/// Change of the camera's place (north, east, metres) and heading (radians) as its picture tells them with the errors of
-/// roll, pitch and yaw; that of the height is in the fix.
-fn attitude_effect(look: &AidLook<'_>) -> Matrix3x4<f64> {
-    let (sin, cos) = look.pose.attitude.yaw.sin_cos();
-    let (ahead, right) = (Vector2::new(cos, sin), Vector2::new(-sin, cos));
-    let mut effect = Matrix3x4::zeros();
-    let mut column = |axis, shift: Vector2<f64>| {
-        effect.fixed_view_mut::<2, 1>(0, axis).copy_from(&shift);
-    };
-    column(0, -height(look) * right);
-    column(1, height(look) * ahead);
-    effect[(2, 2)] = 1.0;
-    effect
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
@@ -247,7 +265,7 @@ mod tests {
     use super::super::super::{KnownGround, NavigatorError};
     use super::super::take;
     use super::*;
-    use nalgebra::Matrix3;
+    use nalgebra::{Matrix3, Vector2};
     use pilotage_base::frames::{Attitude, GroundPoint};
     use pilotage_estimation::filter::Gate;
     use pilotage_mission::settings::{ChosenAid, NavigatorSettings, SensorNoise};
@@ -346,7 +364,7 @@ mod tests {
             let seen: Vec<_> = seen.collect();
             let fix = aid.fix(&look, &seen).unwrap();
             check_report(&aid, &look, &seen, &fix);
-            let observed = observation(&look, &fix);
+            let observed = aid.observation(&look, &seen, &fix).unwrap();
             let taken = take(engine.as_mut(), &observed, Gate { confidence: 0.999 });
             assert!(taken.unwrap().unwrap().verdict.accepted);
         }
