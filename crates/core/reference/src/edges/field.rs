@@ -54,13 +54,27 @@ impl EdgeField {
             gaussian_blur(&sums, ACROSS / CELL)
         };
         let mut log_ratios: Vec<Gray> = (0..DIRECTIONS).map(channel).collect();
-        let all = log_ratios.iter().flat_map(Gray::pixels);
-        let sum: f64 = all.map(|value| f64::from(*value)).sum();
-        let mean = sum / (DIRECTIONS * window.width * window.height) as f64;
-        let share = SHARED / mean.max(1e-9);
+        // Beyond what the table covers nothing is known, which is not the same as that nothing is there.
+        let bounds = table.bounds();
+        let is_known = |index: usize| {
+            let (column, row) = (index % window.width, index / window.width);
+            let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+            bounds.is_some_and(|bounds| bounds.contains(&place))
+        };
+        let known: Vec<bool> = (0..window.width * window.height).map(is_known).collect();
+        let all = log_ratios
+            .iter()
+            .flat_map(|channel| channel.pixels().iter().zip(&known));
+        let sum: f64 = all
+            .filter(|(_, known)| **known)
+            .map(|(value, _)| f64::from(*value))
+            .sum();
+        let count = known.iter().filter(|known| **known).count();
+        let share = SHARED * (DIRECTIONS * count) as f64 / sum.max(1e-9);
         for channel in &mut log_ratios {
-            for value in channel.pixels_mut() {
-                *value = (1.0 - SHARED + share * f64::from(*value)).ln() as f32;
+            for (value, known) in channel.pixels_mut().iter_mut().zip(&known) {
+                let ratio = 1.0 - SHARED + share * f64::from(*value);
+                *value = if *known { ratio.ln() as f32 } else { 0.0 };
             }
         }
         Self { window, log_ratios }

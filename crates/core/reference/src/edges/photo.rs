@@ -8,7 +8,7 @@ use pilotage_vision::ground_class::ground_picture;
 
 use super::field::{CORNER, EdgeField, LONGEST};
 use super::place::{EdgePlace, EdgePrior, FARTHEST, place_by_edges};
-use super::seen::{EDGE_GSD, EDGES, edges_seen};
+use super::seen::{EDGES, edges_seen};
 use crate::{GenericLandmark, ReferenceTable};
 
 /// Belief about the pose of a photo over level ground.
@@ -28,6 +28,8 @@ pub struct PhotoBelief {
     pub log_height: f64,
     /// Standard deviation of the map's own places, metres per axis.
     pub map_deviation: f64,
+    /// Ground in a pixel in which the table's edges were sought, metres: those of the photo are sought alike.
+    pub gsd: f64,
 }
 
 /// Edges of a photo, and what is believed of it.
@@ -42,7 +44,7 @@ impl PhotoEdges {
     /// Edges of `picture`, which `camera` took; `None` where it looks past the horizon.
     pub fn of(camera: &CameraModel, picture: &Picture, belief: &PhotoBelief) -> Option<Self> {
         let (pose, ground) = (&belief.pose, belief.ground_down);
-        let (window, pixels) = ground_picture(camera, pose, ground, picture, EDGE_GSD)?;
+        let (window, pixels) = ground_picture(camera, pose, ground, picture, belief.gsd)?;
         let half = |pixels: usize| 0.5 * pixels as f64;
         let pixel = Point2::new(half(picture.width()), half(picture.height()));
         let middle = camera.ground_at(pose, &pixel, ground)?;

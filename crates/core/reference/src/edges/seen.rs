@@ -11,10 +11,10 @@ use crate::{GenericClass, GenericLandmark};
 pub const EDGE: &str = "edge";
 /// Their class in a table that names nothing else.
 pub const EDGES: GenericClass = GenericClass::Other(0);
-/// Ground in a pixel of pictures in which edges are sought, metres.
+/// Ground in a pixel of pictures in which edges are sought, metres, from 100 m above it.
 pub const EDGE_GSD: f64 = 0.5;
-/// Length of the shortest edges, metres.
-const LEAST: f64 = 5.0;
+/// Length of the shortest edges, pixels.
+const LEAST: f64 = 10.0;
 /// Side of a tile of a map, metres, and the ground around that is looked at with it.
 const TILE: f64 = 256.0;
 const AROUND: f64 = 48.0;
@@ -27,7 +27,7 @@ pub fn edges_seen(
     class: GenericClass,
 ) -> Vec<GenericLandmark> {
     let covered: Gray = picture.map(|pixel| f32::from(u8::from(pixel[3] == u8::MAX)));
-    let edges = straight_edges(&picture.to_gray(), &covered, LEAST / window.gsd);
+    let edges = straight_edges(&picture.to_gray(), &covered, LEAST);
     let on_ground = edges.iter().map(|edge| GenericLandmark {
         place: window.ground_at(edge.middle[0], edge.middle[1]),
         class,
@@ -39,18 +39,19 @@ pub fn edges_seen(
     on_ground.collect()
 }
 
-/// Straight edges in and around a `tile` of a map.
+/// Straight edges in and around a `tile` of a map, sought in pixels of `gsd` metres.
 pub fn edges_of_tile(
     map: &dyn Imagery,
     tile: &GroundRect,
+    gsd: f64,
     class: GenericClass,
 ) -> Vec<GenericLandmark> {
-    let window = Window::covering(&tile.grown(AROUND), EDGE_GSD);
+    let window = Window::covering(&tile.grown(AROUND), gsd);
     edges_seen(&window, &map.window(&window), class)
 }
 
-/// Straight edges of a map, tile by tile: memory grows with the edges alone.
-pub fn edges_in_map(map: &dyn Imagery, class: GenericClass) -> Vec<GenericLandmark> {
+/// Straight edges of a map, sought in pixels of `gsd` metres, tile by tile: memory grows with the edges alone.
+pub fn edges_in_map(map: &dyn Imagery, gsd: f64, class: GenericClass) -> Vec<GenericLandmark> {
     let bounds = map.bounds();
     let along = |size: f64| 0..(size / TILE).ceil() as usize;
     let tiles = along(bounds.height()).flat_map(|row| along(bounds.width()).map(move |c| (row, c)));
@@ -65,7 +66,7 @@ pub fn edges_in_map(map: &dyn Imagery, class: GenericClass) -> Vec<GenericLandma
             west,
             east: west + TILE,
         };
-        let mut edges = edges_of_tile(map, &tile, class);
+        let mut edges = edges_of_tile(map, &tile, gsd, class);
         // An edge on the border of two tiles is in one of them.
         edges.retain(|edge| {
             (tile.south..tile.north).contains(&edge.place.north)

@@ -115,7 +115,7 @@ fn a_map_has_each_edge_of_a_roof_once_wherever_its_tiles_end() {
     });
     let place = pilotage_base::georeference::GroundFromPixel::north_up(GroundPoint::default(), 0.5);
     let map = GeoreferencedPicture::new("roofs", picture, place).unwrap();
-    let edges = edges_in_map(&map, CLASS);
+    let edges = edges_in_map(&map, EDGE_GSD, CLASS);
     let inside = GroundRect {
         south: map.bounds().south + 40.0,
         north: map.bounds().north - 2.0,
@@ -130,4 +130,27 @@ fn a_map_has_each_edge_of_a_roof_once_wherever_its_tiles_end() {
         .count();
     assert_eq!(count, 6 * 6 * 4);
     assert!(edges.iter().all(|edge| (edge.size - 20.0).abs() < 3.0));
+}
+
+#[test]
+fn nothing_is_known_beyond_a_table_and_its_mean_is_that_of_its_own_ground() {
+    let (edges, _) = drawn(1);
+    let table = ReferenceTable::new(edges, vec![EDGE.to_owned()]);
+    let inside = EdgeField::around(GroundPoint::default(), 100.0, &table);
+    let beyond = EdgeField::around(GroundPoint::new(0.0, 260.0), 100.0, &table);
+    let mean = |field: &EdgeField| {
+        let all = field.log_ratios.iter().flat_map(Raster::pixels);
+        let known: Vec<f64> = all
+            .filter(|v| **v != 0.0)
+            .map(|v| f64::from(v.exp()))
+            .collect();
+        (known.iter().sum::<f64>() / known.len() as f64, known.len())
+    };
+    let (of_inside, whole) = mean(&inside);
+    let (of_beyond, part) = mean(&beyond);
+    assert!((of_inside - 1.0).abs() < 1e-3 && (of_beyond - 1.0).abs() < 1e-3);
+    assert!(
+        (0.15..0.25).contains(&(part as f64 / whole as f64)),
+        "{part} of {whole}"
+    );
 }

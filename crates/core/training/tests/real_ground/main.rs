@@ -18,6 +18,7 @@ mod three_classes;
 
 use photos::RealSite;
 use pilotage_reference::ReferenceTable;
+use pilotage_reference::edges::EDGE_GSD;
 use pilotage_reference::seeing::ReferenceMapping;
 use pilotage_vision::ground_class::CoverNetwork;
 use three_classes::ThreeClasses;
@@ -129,14 +130,30 @@ fn photos_by_the_table() {
 #[ignore = "a study of real pictures"]
 fn photos_by_edges() {
     for site in photographed() {
-        let table = by_edges::table_of(site.map.as_ref());
-        by_edges::locate(&site, &table, 1, (10.0, 0.0));
+        let table = by_edges::table_of(site.map.as_ref(), EDGE_GSD);
+        let every = (1, EDGE_GSD);
+        by_edges::locate(&site, &table, every, (10.0, 0.0));
         // The others' maps reach farther than the photos.
         if site.name != "caliterra" {
-            by_edges::locate(&site, &table, 1, (10.0, 200.0));
+            by_edges::locate(&site, &table, every, (10.0, 200.0));
         }
         if site.name == "fengyuan" {
-            by_edges::locate(&site, &table, 1, (40.0, 0.0));
+            by_edges::locate(&site, &table, every, (40.0, 0.0));
+        }
+    }
+}
+
+#[test]
+#[ignore = "a study of real pictures"]
+fn photos_from_forty_metres_by_edges() {
+    let Some((shore, works)) = photos::brighton_beach().zip(photos::caliterra()) else {
+        return;
+    };
+    for (site, other) in [(&shore, &works), (&works, &shore)] {
+        for gsd in [EDGE_GSD, 0.35, 0.25] {
+            let table = by_edges::table_of(site.map.as_ref(), gsd);
+            by_edges::locate(site, &table, (1, gsd), (10.0, 0.0));
+            by_edges::believed_elsewhere(other, site, &table, gsd);
         }
     }
 }
@@ -147,7 +164,7 @@ fn photos_of_the_tuned_place_by_edges() {
     let Some(site) = photos::adm("map_january") else {
         return;
     };
-    let table = by_edges::table_of(site.map.as_ref());
-    by_edges::locate(&site, &table, 2, (10.0, 0.0));
-    by_edges::locate(&site, &table, 2, (10.0, 200.0));
+    let table = by_edges::table_of(site.map.as_ref(), EDGE_GSD);
+    by_edges::locate(&site, &table, (2, EDGE_GSD), (10.0, 0.0));
+    by_edges::locate(&site, &table, (2, EDGE_GSD), (10.0, 200.0));
 }

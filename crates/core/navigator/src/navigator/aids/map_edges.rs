@@ -10,7 +10,7 @@ use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use pilotage_reference::ReferenceTable;
 use pilotage_reference::edges::{
-    EDGE, EDGES, EdgePlace, EdgePrior, PhotoBelief, PhotoEdges, edges_of_tile,
+    EDGE, EDGE_GSD, EDGES, EdgePlace, EdgePrior, PhotoBelief, PhotoEdges, edges_of_tile,
 };
 use pilotage_reference::seeing::{SeenTiles, ground_by_pose};
 
@@ -62,7 +62,7 @@ pub const BEGIN: BeginAid = |numbers, ground| {
     Ok(Box::new(MapEdges {
         known: SeenTiles::by(
             Arc::clone(&ground.map),
-            Arc::new(|map, tile| edges_of_tile(map, tile, EDGES)),
+            Arc::new(|map, tile| edges_of_tile(map, tile, EDGE_GSD, EDGES)),
         ),
         of_map: numbers[0],
         apart: numbers[1],
@@ -112,6 +112,7 @@ impl MapEdges {
             turn: TURNED * yaw.hypot(look.noise.yaw),
             log_height: look.noise.height / height,
             map_deviation: 0.0,
+            gsd: EDGE_GSD,
         };
         let edges = PhotoEdges::of(look.model.camera, look.picture, &belief)?;
         let prior = *edges.prior();
