@@ -10,8 +10,8 @@ use pilotage_core::training::ground_classes::{
     PlaceErrors,
 };
 
-use crate::CommandResult;
 use crate::files::write_whole;
+use crate::{CommandResult, class_words};
 
 /// Arguments of `pilotage classes`.
 #[derive(clap::Args)]
@@ -37,6 +37,10 @@ struct Train {
     /// Folder of labelled tiles of 0.75 m per pixel: in it one folder per class (field, tree, building, paved, water) with
     /// JPEG or PNG pictures. The generated country if absent.
     folder: Option<PathBuf>,
+    /// Way by which classes are told. The network tells every metre or two, of these five classes. Words tell a whole
+    /// tile, of any classes: one folder for each in FOLDER, named as one likes (bag of words, DeAngelo 2016).
+    #[arg(long, value_enum, default_value_t)]
+    by: Way,
     /// Generated countries to learn from, each on days of its own.
     #[arg(long, default_value_t = 14)]
     countries: u64,
@@ -52,6 +56,14 @@ struct Train {
     /// File for the weights.
     #[arg(long)]
     out: PathBuf,
+}
+
+/// Way by which classes are told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Way {
+    #[default]
+    Network,
+    Words,
 }
 
 #[derive(clap::Args)]
@@ -83,6 +95,9 @@ struct Pairs {
 struct Judge {
     /// Folder of labelled tiles, as for training. Generated countries that the weights at hand did not learn from if absent.
     folder: Option<PathBuf>,
+    /// Way by which classes are told, as in training; words need FOLDER and weights.
+    #[arg(long, value_enum, default_value_t)]
+    by: Way,
     /// Weights; those of the program if absent.
     #[arg(long)]
     weights: Option<PathBuf>,
@@ -112,6 +127,10 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 }
 
 fn train(arguments: &Train) -> CommandResult {
+    if arguments.by == Way::Words {
+        let folder = arguments.folder.as_deref().ok_or("words need FOLDER")?;
+        return class_words::train(folder, arguments.seed, &arguments.out);
+    }
     let mut examples = ClassExamples::drawn_by(arguments.seed);
     if let Some(folder) = &arguments.folder {
         for tile in labelled_tiles(folder)? {
@@ -142,6 +161,14 @@ fn train(arguments: &Train) -> CommandResult {
 }
 
 fn judge(arguments: &Judge) -> CommandResult {
+    if arguments.by == Way::Words {
+        let both = arguments
+            .folder
+            .as_deref()
+            .zip(arguments.weights.as_deref());
+        let (folder, weights) = both.ok_or("words need FOLDER and --weights")?;
+        return class_words::judge(folder, weights);
+    }
     let network = network(arguments.weights.as_deref())?;
     let mut judgement = CoverJudgement::default();
     if let Some(folder) = &arguments.folder {

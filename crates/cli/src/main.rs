@@ -2,6 +2,7 @@
 
 mod align;
 mod bench;
+mod class_words;
 mod classes;
 mod columns;
 mod compare;
@@ -19,6 +20,7 @@ mod inspect;
 mod inspect_log;
 mod inspect_wind;
 mod labels;
+mod locate_photo;
 mod map;
 mod mission_file;
 mod numbers;

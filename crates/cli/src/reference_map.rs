@@ -1,32 +1,63 @@
 //! `pilotage reference-map`: a map made into a table of generic landmarks.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pilotage_core::imagery::Window;
+use pilotage_core::reference::edges::EDGE_GSD;
 use pilotage_core::reference::{GenericClass, ReferenceTable};
 use pilotage_jobs::{JobEvent, ReferenceMapOrder};
 
-use crate::CommandResult;
 use crate::files::{MAP_CACHE, open_map_with_frame, write_whole};
 use crate::workers::{self, Lent};
+use crate::{CommandResult, locate_photo};
 
 /// Arguments of `pilotage reference-map`.
 #[derive(clap::Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Arguments {
+    #[command(subcommand)]
+    job: Option<Job>,
     /// The map: `GeoTIFF`, `PMTiles`, or a picture with its georeference beside it.
-    map: PathBuf,
+    #[arg(required = true)]
+    map: Option<PathBuf>,
     /// File for the table.
-    #[arg(long, short)]
-    out: PathBuf,
+    #[arg(long, short, required = true)]
+    out: Option<PathBuf>,
+    /// Make a table of straight edges alone, by which `locate` places photos.
+    #[arg(long)]
+    edges: bool,
+    /// Metres in a pixel in which edges are sought: less than half a metre for flights below 100 m.
+    #[arg(long, value_name = "METRES", default_value_t = EDGE_GSD, requires = "edges")]
+    gsd: f64,
     /// File for the rows of DeAngelo 2016, 3.4, as CSV: pixel x, pixel y, class (1 building, 2 field, 3 tree, 4 crossing,
     /// 5 water, 6 parking).
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "edges")]
     pixel_rows: Option<PathBuf>,
 }
 
-/// Makes the table that the arguments ask for.
+#[derive(clap::Subcommand)]
+enum Job {
+    /// Place a photo by a table of straight edges, without its map.
+    Locate(locate_photo::Arguments),
+}
+
+/// Does what the arguments ask for.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let (map, _) = open_map_with_frame(&arguments.map, MAP_CACHE)?;
+    if let Some(Job::Locate(arguments)) = &arguments.job {
+        return locate_photo::run(arguments);
+    }
+    match (&arguments.map, &arguments.out) {
+        (Some(map), Some(out)) if arguments.edges => {
+            locate_photo::make_table(map, out, arguments.gsd)
+        }
+        (Some(map), Some(out)) => make_table(map, out, arguments.pixel_rows.as_deref()),
+        _ => Err("there is no map, or no file for its table".into()),
+    }
+}
+
+/// Makes the table of a map.
+fn make_table(map: &Path, out: &Path, pixel_rows: Option<&Path>) -> CommandResult {
+    let (map, _) = open_map_with_frame(map, MAP_CACHE)?;
     let picture = Window::covering(&map.bounds(), map.native_gsd());
     let lent = Lent::default().with_map(Lent::map_of_file(), map);
     let mut bytes: Vec<u8> = Vec::new();
@@ -48,8 +79,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         Ok(())
     })?;
     let table = ReferenceTable::from_bytes(&bytes)?;
-    write_whole(&arguments.out, &bytes)?;
-    if let Some(path) = &arguments.pixel_rows {
+    write_whole(out, &bytes)?;
+    if let Some(path) = pixel_rows {
         let rows = table.pixel_rows(&picture);
         let lines = rows
             .iter()
@@ -65,7 +96,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     };
     println!(
         "wrote {} ({} bytes): {} landmarks, of them {} buildings, {} trees, {} waters, {} paved places",
-        arguments.out.display(),
+        out.display(),
         bytes.len(),
         table.landmarks().len(),
         count(GenericClass::Building),

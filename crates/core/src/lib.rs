@@ -13,7 +13,7 @@ pub use pilotage_reference as reference;
 pub use pilotage_roads as roads;
 pub use pilotage_simulate::simulate;
 pub use pilotage_training as training;
-pub use pilotage_vision::{ground_class, landmark, registration, road};
+pub use pilotage_vision::{ground_class, landmark, registration, road, straight_edge};
 
 /// Estimators, gates, consistency, and the distributions behind them.
 pub mod filter {

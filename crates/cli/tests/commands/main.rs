@@ -1,5 +1,6 @@
 //! Commands of the terminal as a user calls them, each in a file.
 
+mod classes;
 mod closed_pipe;
 mod columns;
 mod convert;

@@ -41,3 +41,48 @@ fn a_map_becomes_a_table_and_the_rows_of_the_thesis() {
             .is_err()
     );
 }
+
+#[test]
+fn a_photo_is_placed_by_the_edges_of_a_table_without_the_map() {
+    let folder = Folder::new("locate_photo");
+    // Roofs of several sizes and places, none like another.
+    let ground = Picture::from_fn(500, 500, |x, y| {
+        let (column, row) = (x / 50, y / 50);
+        let drawn = (column * 7919 + row * 104_729 + column * row * 31) % 97;
+        let (left, top) = (5 + drawn % 11, 4 + drawn % 13);
+        let (width, height) = (14 + drawn % 9, 12 + drawn % 17);
+        let is_roof = (left..left + width).contains(&(x % 50))
+            && (top..top + height).contains(&(y % 50))
+            && drawn % 3 > 0;
+        if is_roof {
+            [180, 160, 150]
+        } else {
+            [70, 92, 48]
+        }
+    });
+    folder.write("map.png", encode_png(&ground).unwrap());
+    folder.write("map.pgw", b"0.5\n0\n0\n-0.5\n0.25\n249.75\n");
+    let photo = ground.crop(140, 170, 240, 180).unwrap();
+    folder.write("photo.png", encode_png(&photo).unwrap());
+    let out = folder
+        .run(&["reference-map", "map.png", "--edges", "-o", "map.table"])
+        .unwrap();
+    assert!(out.contains("straight edges"), "{out}");
+    // The middle of the photo, 130 m from the west and 120 m from the south; the focal length is that of 0.5 m a pixel.
+    let words = |at: &'static str| {
+        let all = "reference-map locate map.table photo.png --height 100 --heading 0 --focal 200";
+        let words = all.split(' ').chain(["--at", at]);
+        folder.run(&words.collect::<Vec<_>>()).unwrap()
+    };
+    let found = words("131,118");
+    println!("{found}");
+    assert!(found.contains("middle of the picture"), "{found}");
+    let number = |word: &str| -> f64 {
+        let before = found.split(word).next().unwrap();
+        before.split_whitespace().last().unwrap().parse().unwrap()
+    };
+    let place = [number(" m north"), number(" m east")];
+    let off = [place[0] - 120.0, place[1] - 130.0];
+    assert!(off[0].hypot(off[1]) < 2.0, "{found}");
+    assert!(folder.run(&["reference-map"]).is_err());
+}
