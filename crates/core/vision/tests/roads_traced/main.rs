@@ -3,12 +3,14 @@
 //! The everyday run looks at one of them; `PILOTAGE_STUDIES=1 cargo test -p pilotage-vision --test roads_traced --
 //! --nocapture` prints the tables of docs/results.md. Nothing here may be trained or tuned on.
 
+mod calibration;
 mod sites;
 #[path = "../../../../../tests/src/studies.rs"]
 mod studies;
 
 use std::time::Instant;
 
+use calibration::{LogOddsChange, RoadCounts};
 use pilotage_raster::raster::{Gray, Picture, Raster, encode_png};
 use pilotage_vision::road::network::{RoadNetwork, network_input};
 use pilotage_vision::road::yellow::YellowLineRule;
@@ -283,4 +285,36 @@ fn time_of_a_picture() {
         "points and crossings {:.1} ms",
         best(&|| drop(seen.roads()))
     );
+}
+
+#[test]
+#[ignore = "a study of real pictures"]
+fn probabilities_over_a_temperature_of_other_places() {
+    let network = RoadNetwork::built_in();
+    let counts: Vec<(&str, RoadCounts)> = sites::all(&ALL)
+        .iter()
+        .filter_map(|site| {
+            let seen = probability_by(&network, &site.grid, sites::GSD);
+            Some((site.name, RoadCounts::of(site, &seen.probability)?))
+        })
+        .collect();
+    let offsets: Vec<f64> = (-30..=10).map(|step| 0.1 * f64::from(step)).collect();
+    for (name, own) in &counts {
+        let others = counts.iter().filter(|(other, _)| other != name);
+        let others = RoadCounts::joined(others.map(|(_, counts)| counts));
+        let [sure, on_roads] = own.surest();
+        print!(
+            "{name}: {on_roads} of {sure} pixels from 0.9 on are road; calibration error {:.3}",
+            own.calibration_error(LogOddsChange::NONE)
+        );
+        for (what, offsets) in [("temperature", &[0.0][..]), ("with an offset", &offsets)] {
+            let change = others.fitted(offsets);
+            let error = own.calibration_error(change);
+            print!(
+                "; {what} {:.2}, {:.1}: {error:.3}",
+                change.temperature, change.offset
+            );
+        }
+        println!();
+    }
 }
