@@ -431,7 +431,7 @@ impl Scenario {
             aids: self
                 .aids
                 .iter()
-                .map(|key| chosen_aid(key, self.height, &spec))
+                .map(|key| chosen_aid(key, self.height, sensors))
                 .collect(),
             ..defaults
         }
