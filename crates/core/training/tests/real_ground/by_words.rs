@@ -15,8 +15,8 @@ use pilotage_vision::ground_class::{CELL_PIXELS, CLASS_GSD};
 
 /// Pixels along a side of a tile whose cells are labelled; windows of a class that are taken of it; tiles.
 const TILE: usize = 320;
-const OF_TILE: usize = 3;
-const TILES: u64 = 40;
+const OF_TILE: usize = 6;
+const TILES: u64 = 100;
 /// Cells to each side of the middle of a window that are of its class.
 const AROUND: usize = 5;
 
