@@ -193,7 +193,10 @@ mod tests {
         };
         let (shift, covariance) = without_belief(&prior, &found).unwrap();
         assert!((shift - Vector2::new(6.0, 3.0)).norm() < 1e-9, "{shift}");
-        assert!((covariance - Matrix2::new(4.0, 0.0, 0.0, 25.0)).norm() < 1e-9, "{covariance}");
+        assert!(
+            (covariance - Matrix2::new(4.0, 0.0, 0.0, 25.0)).norm() < 1e-9,
+            "{covariance}"
+        );
         let nothing = EdgePlace {
             covariance: Matrix2::new(4.0, 0.0, 0.0, 90.0),
             ..found

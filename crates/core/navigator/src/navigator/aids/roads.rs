@@ -112,7 +112,9 @@ impl Aid for Roads {
         let fix = self.fix(look, &sightings);
         let settings = self.fix_settings(look);
         let fixed = fix.as_ref();
-        self.sighting = Some(road_sighting::report(look, &points, fixed, &self.map, &settings));
+        self.sighting = Some(road_sighting::report(
+            look, &points, fixed, &self.map, &settings,
+        ));
         fix.and_then(|fix| self.observation(look, &sightings, &fix))
             .into_iter()
             .collect()
@@ -238,8 +240,7 @@ fn road_points(look: &AidLook<'_>) -> Vec<(RoadSighting, f64)> {
     let mut kept: Vec<(RoadSighting, f64)> = Vec::new();
     for point in &seen.points {
         let new = sighting(&window, point);
-        let is_apart =
-            |other: &(RoadSighting, f64)| other.0.place.distance(&new.place) >= SPACING;
+        let is_apart = |other: &(RoadSighting, f64)| other.0.place.distance(&new.place) >= SPACING;
         if point.probability >= LEAST_PROBABILITY && kept.iter().all(is_apart) {
             kept.push((new, GSD * point.width));
         }
