@@ -86,8 +86,7 @@ export async function run(page, tools) {
   const { span } = await tools.waitFor((s) => !s.playing && s.span, "a flight at rest");
   const time = page.getByRole("slider", { name: "Time", exact: true });
   await time.fill(String(span[0] + 3));
-  await tools.waitFor((s) => Math.abs(s.time - span[0] - 3) < 0.5, "the time that was set");
-  const before = (await tools.state()).time;
+  const { time: before } = await tools.waitFor((s) => Math.abs(s.time - span[0] - 3) < 1e-3, "the time that was set");
   await time.press("ArrowUp");
   await tools.waitFor((s) => s.time > before, "the next frame");
 

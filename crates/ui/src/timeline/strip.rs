@@ -321,7 +321,7 @@ fn paint_label(painter: &Painter, scale: &TimeScale, x: f32, text: String, token
 
 /// Tells screen readers how far the time cursor goes, and goes where they set it.
 fn seek_by_value(ui: &Ui, id: egui::Id, span: (f64, f64), context: &mut ViewContext<'_>) {
-    use egui::accesskit::{Action, ActionData};
+    use egui::accesskit::Action;
     let since = |time: f64| clock(time, span.0);
     ui.ctx().accesskit_node_builder(id, |node| {
         node.set_min_numeric_value(span.0);
@@ -331,18 +331,28 @@ fn seek_by_value(ui: &Ui, id: egui::Id, span: (f64, f64), context: &mut ViewCont
             node.add_action(action);
         }
     });
-    ui.input(|input| {
-        let count = |action| input.num_accesskit_action_requests(id, action) as i32;
-        let steps = count(Action::Increment) - count(Action::Decrement);
-        if steps != 0 {
-            context.commands.push(Command::StepFrames(steps));
-        }
-        for request in input.accesskit_action_requests(id, Action::SetValue) {
-            if let Some(ActionData::NumericValue(time)) = request.data {
-                context.commands.push(Command::SeekTo(time));
+    ui.input(|input| context.commands.extend(asked(&input.events, id)));
+}
+
+/// Moves of the time cursor that a screen reader asked of the widget `id`, in the order in which it did: on a busy machine
+/// several come in one frame.
+fn asked(events: &[egui::Event], id: egui::Id) -> impl Iterator<Item = Command> + '_ {
+    use egui::accesskit::{Action, ActionData};
+    events.iter().filter_map(move |event| {
+        let egui::Event::AccessKitActionRequest(request) = event else {
+            return None;
+        };
+        let is_own = request.target_node == id.accesskit_id();
+        match (request.action, &request.data) {
+            _ if !is_own => None,
+            (Action::Increment, _) => Some(Command::StepFrames(1)),
+            (Action::Decrement, _) => Some(Command::StepFrames(-1)),
+            (Action::SetValue, Some(ActionData::NumericValue(time))) => {
+                Some(Command::SeekTo(*time))
             }
+            _ => None,
         }
-    });
+    })
 }
 
 fn transport(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'_>, narrow: bool) {
@@ -437,7 +447,34 @@ mod tests {
     use super::*;
 
     #[test]
-    fn clocks_show_minutes_seconds_and_tenths() {}
+    fn what_a_screen_reader_asks_in_one_frame_is_done_in_its_order() {
+        use egui::accesskit::{Action, ActionData, ActionRequest, TreeId};
+        let (own, other) = (egui::Id::unique("time"), egui::Id::unique("other"));
+        let request = |id: egui::Id, action, data| {
+            egui::Event::AccessKitActionRequest(ActionRequest {
+                action,
+                target_tree: TreeId::ROOT,
+                target_node: id.accesskit_id(),
+                data,
+            })
+        };
+        let events = [
+            request(own, Action::SetValue, Some(ActionData::NumericValue(3.0))),
+            request(other, Action::Increment, None),
+            request(own, Action::Increment, None),
+            request(own, Action::Decrement, None),
+            request(own, Action::Focus, None),
+        ];
+        let commands: Vec<Command> = asked(&events, own).collect();
+        assert_eq!(
+            commands,
+            [
+                Command::SeekTo(3.0),
+                Command::StepFrames(1),
+                Command::StepFrames(-1)
+            ]
+        );
+    }
 
     #[test]
     fn speeds_are_short() {
