@@ -12,7 +12,7 @@ use pilotage_reference::ReferenceTable;
 use pilotage_reference::edges::{
     EDGE, EDGE_GSD, EDGES, EdgePlace, EdgePrior, PhotoBelief, PhotoEdges, edges_of_tile,
 };
-use pilotage_reference::seeing::{SeenTiles, ground_by_pose};
+use pilotage_reference::seeing::{LookAtTile, SeenTiles, ground_by_pose};
 
 /// Least standard deviation per axis within which places are tried, metres: what the belief says is taken out of the
 /// answer again, which is the more exact the less of it was in.
@@ -49,6 +49,12 @@ pub const INFO: AidInfo = AidInfo {
             unit: "s",
             usual: 0.5,
         },
+        AidNumber {
+            key: "pixel",
+            label: "Ground in a pixel in which edges are sought",
+            unit: "m",
+            usual: EDGE_GSD,
+        },
     ],
 };
 
@@ -59,11 +65,11 @@ pub const BEGIN: BeginAid = |numbers, ground| {
         what: "map".to_owned(),
         remedy: "open one, or switch the aid off".to_owned(),
     })?;
+    let gsd = numbers[2];
+    let look: LookAtTile = Arc::new(move |map, tile| edges_of_tile(map, tile, gsd, EDGES));
     Ok(Box::new(MapEdges {
-        known: SeenTiles::by(
-            Arc::clone(&ground.map),
-            Arc::new(|map, tile| edges_of_tile(map, tile, EDGE_GSD, EDGES)),
-        ),
+        known: SeenTiles::by(Arc::clone(&ground.map), look),
+        gsd,
         of_map: numbers[0],
         apart: numbers[1],
         last: f64::NEG_INFINITY,
@@ -73,6 +79,8 @@ pub const BEGIN: BeginAid = |numbers, ground| {
 /// The aid.
 struct MapEdges {
     known: SeenTiles,
+    /// Ground in a pixel in which edges are sought, metres: a flight below 100 m needs finer ones.
+    gsd: f64,
     /// Standard deviation of the map per axis, metres.
     of_map: f64,
     /// Least time between looks, and the last one, seconds.
@@ -112,7 +120,7 @@ impl MapEdges {
             turn: TURNED * yaw.hypot(look.noise.yaw),
             log_height: look.noise.height / height,
             map_deviation: 0.0,
-            gsd: EDGE_GSD,
+            gsd: self.gsd,
         };
         let edges = PhotoEdges::of(look.model.camera, look.picture, &belief)?;
         let prior = *edges.prior();
