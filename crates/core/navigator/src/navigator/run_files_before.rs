@@ -18,32 +18,29 @@ use pilotage_vision::registration::FollowSettings;
 pub const HEADER_6: &[u8] = b"PILOTAGE RUN 6\n";
 /// The first bytes of a file of version 7.
 pub const HEADER_7: &[u8] = b"PILOTAGE RUN 7\n";
-
 /// The first bytes of a file of version 8.
 pub const HEADER_8: &[u8] = b"PILOTAGE RUN 8\n";
 
+/// A run whose settings and steps have the forms of their version.
+#[derive(Deserialize)]
+pub struct RunBefore<S, T> {
+    name: String,
+    settings: S,
+    landmarks: Vec<Landmark>,
+    state_names: Vec<(String, String)>,
+    steps: Vec<T>,
+}
+
 /// A run of version 8.
-#[derive(Deserialize)]
-pub struct RunOfVersion8 {
-    name: String,
-    settings: NavigatorSettings,
-    landmarks: Vec<Landmark>,
-    state_names: Vec<(String, String)>,
-    steps: Vec<StepWithUpdates>,
-}
-
+pub type RunOfVersion8 = RunBefore<NavigatorSettings, StepWithUpdates>;
 /// A run of version 7.
-#[derive(Deserialize)]
-pub struct RunOfVersion7 {
-    name: String,
-    settings: SettingsWithAids,
-    landmarks: Vec<Landmark>,
-    state_names: Vec<(String, String)>,
-    steps: Vec<StepWithUpdates>,
-}
+pub type RunOfVersion7 = RunBefore<SettingsWithAids, StepWithUpdates>;
+/// A run of version 6.
+pub type RunOfVersion6 = RunBefore<Settings, Step>;
 
+/// Settings of version 7.
 #[derive(Deserialize)]
-struct SettingsWithAids {
+pub struct SettingsWithAids {
     settings: Settings,
     aids: Vec<ChosenAid>,
     estimates_height: bool,
@@ -58,18 +55,9 @@ struct Sensors {
     pixel: f64,
 }
 
-/// A run of version 6.
+/// Settings of version 6.
 #[derive(Deserialize)]
-pub struct RunOfVersion6 {
-    name: String,
-    settings: Settings,
-    landmarks: Vec<Landmark>,
-    state_names: Vec<(String, String)>,
-    steps: Vec<Step>,
-}
-
-#[derive(Deserialize)]
-struct Settings {
+pub struct Settings {
     vehicle: VehicleChoice,
     alpha: f64,
     beta: f64,
@@ -86,8 +74,9 @@ struct Settings {
     whole_frames: Option<FollowSettings>,
 }
 
+/// A step of version 6.
 #[derive(Deserialize)]
-struct Step {
+pub struct Step {
     time: f64,
     dt: f64,
     control: Control,
@@ -101,8 +90,9 @@ struct Step {
     timing: StepTiming,
 }
 
+/// A step of versions 7 and 8.
 #[derive(Deserialize)]
-struct StepWithUpdates {
+pub struct StepWithUpdates {
     step: Step,
     updates: Vec<UpdateReport>,
 }
@@ -138,43 +128,28 @@ impl From<Settings> for NavigatorSettings {
     }
 }
 
-impl From<RunOfVersion6> for Run {
-    fn from(run: RunOfVersion6) -> Self {
+impl From<SettingsWithAids> for NavigatorSettings {
+    fn from(of: SettingsWithAids) -> Self {
+        Self {
+            aids: of.aids,
+            estimates_height: of.estimates_height,
+            ..of.settings.into()
+        }
+    }
+}
+
+impl<S, T> From<RunBefore<S, T>> for Run
+where
+    S: Into<NavigatorSettings>,
+    T: Into<StepReport>,
+{
+    fn from(run: RunBefore<S, T>) -> Self {
         Self {
             name: run.name,
             settings: run.settings.into(),
             landmarks: run.landmarks,
             state_names: run.state_names,
-            steps: run.steps.into_iter().map(StepReport::from).collect(),
-        }
-    }
-}
-
-impl From<RunOfVersion7> for Run {
-    fn from(run: RunOfVersion7) -> Self {
-        let of = run.settings;
-        Self {
-            name: run.name,
-            settings: NavigatorSettings {
-                aids: of.aids,
-                estimates_height: of.estimates_height,
-                ..of.settings.into()
-            },
-            landmarks: run.landmarks,
-            state_names: run.state_names,
-            steps: run.steps.into_iter().map(StepReport::from).collect(),
-        }
-    }
-}
-
-impl From<RunOfVersion8> for Run {
-    fn from(run: RunOfVersion8) -> Self {
-        Self {
-            name: run.name,
-            settings: run.settings,
-            landmarks: run.landmarks,
-            state_names: run.state_names,
-            steps: run.steps.into_iter().map(StepReport::from).collect(),
+            steps: run.steps.into_iter().map(Into::into).collect(),
         }
     }
 }
