@@ -1,6 +1,9 @@
 //! Observations: what was measured, and what a filter makes of it.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn, MatrixXx4, SMatrix, SVector};
+use nalgebra::{
+    Cholesky, DMatrix, DVector, Dyn, Matrix2, Matrix2x4, MatrixXx4, SMatrix, SVector, Vector2,
+    dvector,
+};
 
 use super::JointReport;
 use super::engine::{CorrectedStep, Engine, MeasurementModel};
@@ -30,6 +33,31 @@ pub struct PicturePart {
     pub by_pose: MatrixXx4<f64>,
     /// Covariance of the noise without them, m × m.
     pub own: DMatrix<f64>,
+}
+
+impl Observation<'static> {
+    /// The place of the aircraft on the map (north, east, metres) as a picture tells it: `noise` is its covariance, `own`
+    /// that without the errors of the picture's pose, and `by_pose` its change with those.
+    pub fn of_place(
+        place: Vector2<f64>,
+        noise: &Matrix2<f64>,
+        by_pose: &Matrix2x4<f64>,
+        own: &Matrix2<f64>,
+    ) -> Self {
+        Self {
+            measured: dvector![place.x, place.y],
+            noise: DMatrix::from_column_slice(2, 2, noise.as_slice()),
+            weakened: None,
+            model: MeasurementModel::of_pose(|seen| {
+                Some(dvector![seen.on_map.north, seen.on_map.east])
+            }),
+            degrees: 2,
+            in_picture: Some(PicturePart {
+                by_pose: MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]),
+                own: DMatrix::from_column_slice(2, 2, own.as_slice()),
+            }),
+        }
+    }
 }
 
 /// A normal distribution of `N` components.

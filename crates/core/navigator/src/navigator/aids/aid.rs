@@ -1,6 +1,6 @@
 //! Description of an aid for people, and what an aid does.
 
-use nalgebra::{Point2, Point3};
+use nalgebra::{Matrix2, Point2, Point3};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_mission::settings::SensorNoise;
@@ -82,6 +82,22 @@ pub struct AidLook<'a> {
 }
 
 impl AidLook<'_> {
+    /// Height of the camera above the ground, metres, at least one.
+    pub fn height(&self) -> f64 {
+        (self.model.ground_down - self.model.camera_down).max(1.0)
+    }
+
+    /// Standard deviation of the believed place in the direction in which it is greatest, metres.
+    pub fn deviation(&self) -> f64 {
+        let place: Matrix2<f64> = self.belief.covariance.fixed_view::<2, 2>(0, 0).into();
+        place.symmetric_eigenvalues().max().max(0.0).sqrt()
+    }
+
+    /// Variance per axis of a map that is good to `of_map`, metres, beyond that of the state for its error, m².
+    pub fn beyond_state(&self, of_map: f64) -> f64 {
+        (of_map.powi(2) - self.map_deviation.powi(2)).max(0.0)
+    }
+
     /// Ground below the believed camera.
     pub fn below(&self) -> GroundPoint {
         let position = self.pose.position_in_world;

@@ -1,10 +1,9 @@
 //! Buildings, trees, waters and paved places that nobody picked, paired with those of the map.
 
-use nalgebra::{DMatrix, Matrix2, Matrix4, MatrixXx4, Vector2, Vector4, dvector};
+use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 use std::sync::Arc;
 
-use super::super::engine::MeasurementModel;
-use super::super::observation::{Observation, PicturePart};
+use super::super::observation::Observation;
 use super::super::sighting::SightingReport;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
@@ -108,7 +107,7 @@ impl GenericLandmarks {
         let observed: Vec<_> = view.seen.iter().filter_map(|l| view.observed(l)).collect();
         let position: Matrix2<f64> = look.belief.covariance.fixed_view::<2, 2>(0, 0).into();
         let farthest = view.corners().iter().map(Vector2::norm).fold(0.0, f64::max);
-        let doubt = REACH * position.symmetric_eigenvalues().max().max(0.0).sqrt();
+        let doubt = REACH * look.deviation();
         let around = view.around(&mut self.known, farthest + doubt.min(FARTHEST));
         let mut pose = self.pose;
         pose[(2, 2)] += look.belief.covariance[(2, 2)];
@@ -118,21 +117,8 @@ impl GenericLandmarks {
         self.sighting = Some(generic_sighting::report(sets, &association, look, farthest));
         let fix = association.fix?;
         let place = view.below().to_vector() + fix.offset;
-        let covariance = fix.covariance;
         let by_pose = &fix.by_pose;
-        let own = covariance - by_pose * pose * by_pose.transpose();
-        Some(Observation {
-            measured: dvector![place.x, place.y],
-            noise: DMatrix::from_column_slice(2, 2, covariance.as_slice()),
-            weakened: None,
-            model: MeasurementModel::of_pose(|seen| {
-                Some(dvector![seen.on_map.north, seen.on_map.east])
-            }),
-            degrees: 2,
-            in_picture: Some(PicturePart {
-                by_pose: MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]),
-                own: DMatrix::from_column_slice(2, 2, own.as_slice()),
-            }),
-        })
+        let own = fix.covariance - by_pose * pose * by_pose.transpose();
+        Some(Observation::of_place(place, &fix.covariance, by_pose, &own))
     }
 }

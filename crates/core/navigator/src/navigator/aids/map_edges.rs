@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, Matrix2, Matrix4, MatrixXx4, SymmetricEigen, Vector2, Vector4, dvector};
+use nalgebra::{Matrix2, Matrix4, SymmetricEigen, Vector2, Vector4};
 
-use super::super::engine::MeasurementModel;
-use super::super::observation::{Observation, PicturePart};
+use super::super::observation::Observation;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
+use super::reading::Spacing;
 use pilotage_reference::ReferenceTable;
 use pilotage_reference::edges::{
     EDGE, EDGE_GSD, EDGES, EdgePlace, EdgePrior, PhotoBelief, PhotoEdges, edges_of_tile,
@@ -71,8 +71,7 @@ pub const BEGIN: BeginAid = |numbers, ground| {
         known: SeenTiles::by(Arc::clone(&ground.map), look),
         gsd,
         of_map: numbers[0],
-        apart: numbers[1],
-        last: f64::NEG_INFINITY,
+        spacing: Spacing::of(numbers[1]),
     }))
 };
 
@@ -83,9 +82,7 @@ struct MapEdges {
     gsd: f64,
     /// Standard deviation of the map per axis, metres.
     of_map: f64,
-    /// Least time between looks, and the last one, seconds.
-    apart: f64,
-    last: f64,
+    spacing: Spacing,
 }
 
 impl Aid for MapEdges {
@@ -94,31 +91,22 @@ impl Aid for MapEdges {
     }
 
     fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
-        let Some(look) = &moment.look else {
-            return Vec::new();
-        };
-        if moment.until < self.last + self.apart - 1e-6 {
-            return Vec::new();
-        }
-        self.last = moment.until;
-        self.fix(look).into_iter().collect()
+        let look = self.spacing.look(moment);
+        look.and_then(|look| self.fix(look)).into_iter().collect()
     }
 }
 
 impl MapEdges {
     /// Place of the aircraft by the edges of a picture.
     fn fix(&mut self, look: &AidLook<'_>) -> Option<Observation<'static>> {
-        let place: Matrix2<f64> = look.belief.covariance.fixed_view::<2, 2>(0, 0).into();
-        let deviation = place.symmetric_eigenvalues().max().max(0.0).sqrt();
-        let height = (look.model.ground_down - look.model.camera_down).max(1.0);
         let yaw = look.belief.covariance[(2, 2)].max(0.0).sqrt();
         let belief = PhotoBelief {
             pose: look.pose,
             ground_down: look.model.ground_down,
-            deviation: deviation.clamp(LEAST_TRIED, MOST_TRIED),
+            deviation: look.deviation().clamp(LEAST_TRIED, MOST_TRIED),
             tilt: look.noise.roll.hypot(look.noise.pitch),
             turn: TURNED * yaw.hypot(look.noise.yaw),
-            log_height: look.noise.height / height,
+            log_height: look.noise.height / look.height(),
             map_deviation: 0.0,
             gsd: self.gsd,
         };
@@ -130,8 +118,7 @@ impl MapEdges {
         let (shift, own) = (found.probability >= BELIEVED)
             .then(|| without_belief(&prior, &found))
             .flatten()?;
-        let beyond_state = (self.of_map.powi(2) - look.map_deviation.powi(2)).max(0.0);
-        let own = own + Matrix2::identity() * beyond_state;
+        let own = own + Matrix2::identity() * look.beyond_state(self.of_map);
         let by_pose = ground_by_pose(
             prior.middle,
             look.model.camera,
@@ -147,19 +134,7 @@ impl MapEdges {
         let pose = Matrix4::from_diagonal(&deviations.component_mul(&deviations));
         let noise = own + by_pose * pose * by_pose.transpose();
         let place = look.below().to_vector() + shift;
-        Some(Observation {
-            measured: dvector![place.x, place.y],
-            noise: DMatrix::from_column_slice(2, 2, noise.as_slice()),
-            weakened: None,
-            model: MeasurementModel::of_pose(|seen| {
-                Some(dvector![seen.on_map.north, seen.on_map.east])
-            }),
-            degrees: 2,
-            in_picture: Some(PicturePart {
-                by_pose: MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]),
-                own: DMatrix::from_column_slice(2, 2, own.as_slice()),
-            }),
-        })
+        Some(Observation::of_place(place, &noise, &by_pose, &own))
     }
 }
 

@@ -1,12 +1,13 @@
 //! Roads in pictures, laid on the roads of a map.
 
-use nalgebra::{DMatrix, DVector, MatrixXx4, Point3, Vector3};
+use nalgebra::{DMatrix, DVector, MatrixXx4, Vector3};
 
 use super::super::engine::MeasurementModel;
 use super::super::observation::{Observation, PicturePart};
 use super::super::sighting::SightingReport;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
+use super::reading::Spacing;
 use super::road_sighting;
 use pilotage_mission::settings::ROAD_MAP;
 use pilotage_raster::imagery::Window;
@@ -75,8 +76,7 @@ pub const BEGIN: BeginAid = |numbers, ground| {
         map: RoadMap::new(lines.to_vec(), RoadJoining::SHARED_POINTS),
         of_map: numbers[0],
         of_middle: numbers[1],
-        apart: numbers[2],
-        last: f64::NEG_INFINITY,
+        spacing: Spacing::of(numbers[2]),
         sighting: None,
     }))
 };
@@ -87,9 +87,7 @@ struct Roads {
     /// Standard deviations of the map and of a road's middle in one look, metres.
     of_map: f64,
     of_middle: f64,
-    /// Least time between looks, and the last one, seconds.
-    apart: f64,
-    last: f64,
+    spacing: Spacing,
     /// Report of what it saw last, until that is told.
     sighting: Option<SightingReport>,
 }
@@ -100,13 +98,9 @@ impl Aid for Roads {
     }
 
     fn observe(&mut self, moment: &AidMoment<'_>) -> Vec<Observation<'static>> {
-        let Some(look) = &moment.look else {
+        let Some(look) = self.spacing.look(moment) else {
             return Vec::new();
         };
-        if moment.until < self.last + self.apart - 1e-6 {
-            return Vec::new();
-        }
-        self.last = moment.until;
         let points = road_points(look);
         let sightings: Vec<RoadSighting> = points.iter().map(|(sighting, _)| *sighting).collect();
         let fix = self.fix(look, &sightings);
@@ -132,13 +126,10 @@ impl Roads {
     }
 
     fn fix_settings(&self, look: &AidLook<'_>) -> RoadFixSettings {
-        let place = look.belief.covariance.fixed_view::<2, 2>(0, 0).into_owned();
-        let believed = place.symmetric_eigenvalues().max().max(0.0).sqrt();
-        let beyond_state = (self.of_map.powi(2) - look.map_deviation.powi(2)).max(0.0);
         RoadFixSettings {
-            reach: (REACH.0 + BELIEVED * believed).min(REACH.1),
-            shared: (self.of_middle.powi(2) + beyond_state).sqrt(),
-            scale: look.noise.height / height(look),
+            reach: (REACH.0 + BELIEVED * look.deviation()).min(REACH.1),
+            shared: (self.of_middle.powi(2) + look.beyond_state(self.of_map)).sqrt(),
+            scale: look.noise.height / look.height(),
             ..RoadFixSettings::default()
         }
     }
@@ -206,8 +197,7 @@ fn assumed_otherwise(
         }
     }
     let otherwise = |sighting: &RoadSighting| {
-        let point = Point3::new(sighting.place.north, sighting.place.east, ground_down);
-        let pixel = camera.project(&look.pose, &point)?;
+        let pixel = look.pixel_of(sighting.place)?;
         Some(RoadSighting {
             place: camera.ground_at(&moved, &pixel, ground_down)?,
             direction: sighting.direction - turned,
@@ -216,14 +206,9 @@ fn assumed_otherwise(
     sightings.iter().map(otherwise).collect()
 }
 
-/// Height of the camera above the ground, metres.
-fn height(look: &AidLook<'_>) -> f64 {
-    (look.model.ground_down - look.model.camera_down).max(1.0)
-}
-
 /// Points on roads in the look's picture, on the ground under its pose, with the width of the road, metres.
 fn road_points(look: &AidLook<'_>) -> Vec<(RoadSighting, f64)> {
-    let farthest = FARTHEST_HEIGHTS * height(look);
+    let farthest = FARTHEST_HEIGHTS * look.height();
     let model = &look.model;
     let ground = NorthUpPicture::of(
         model.camera,
@@ -292,8 +277,7 @@ mod tests {
             map: RoadMap::new(vec![road()], RoadJoining::SHARED_POINTS),
             of_map,
             of_middle: 0.3,
-            apart: 0.5,
-            last: f64::NEG_INFINITY,
+            spacing: Spacing::of(0.5),
             sighting: None,
         }
     }
