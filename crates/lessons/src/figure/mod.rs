@@ -1,0 +1,10 @@
+//! Figures as SVG: drawn by a few shapes, in the colours of the page.
+
+mod axis;
+mod plot;
+mod svg;
+
+pub use axis::Axis;
+pub use plot::Plot;
+pub(crate) use svg::escaped;
+pub use svg::{Anchor, STYLE, Svg};

@@ -1,0 +1,27 @@
+//! All lessons by course: another one is a file of this folder with its text, and a line in the list below.
+
+use crate::course::{Course, Courses};
+
+/// Declares the files of the lessons, and makes the list of their courses.
+macro_rules! courses {
+    ($($course:literal { $($file:ident,)* })*) => {
+        $($(mod $file;)*)*
+
+        const ALL: &[Course] = &[$(Course {
+            name: $course,
+            text: include_str!(concat!("../../texts/en/courses/", $course, ".md")),
+            lessons: &[$(&$file::LESSON),*],
+        }),*];
+    };
+}
+
+courses! {
+    "finding-ones-way" {
+        landmark_corrects,
+    }
+}
+
+/// Every course in the order in which they are read.
+pub fn all() -> Courses {
+    Courses(ALL)
+}
