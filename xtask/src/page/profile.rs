@@ -5,8 +5,13 @@ use crate::failure::Failure;
 /// The package of the page itself.
 const PAGE: &str = "pilotage-web";
 
-/// The packages that become programs: the page, and what its workers run, the first of them at once.
-pub const PROGRAMS: [&str; 3] = [PAGE, "pilotage-worker-flying", "pilotage-worker-whole"];
+/// The packages that become programs: the page, what its workers run, the first of them at once, and the page of lessons.
+pub const PROGRAMS: [&str; 4] = [
+    PAGE,
+    "pilotage-worker-flying",
+    "pilotage-worker-whole",
+    "pilotage-lesson-page",
+];
 
 /// Name of a package's program in `pkg/`, without its endings.
 pub fn module_name(package: &str) -> String {
