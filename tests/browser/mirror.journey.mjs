@@ -1,25 +1,8 @@
 // Screen reader support is turned on by keyboard; then every control is found by role and name outside of the canvas,
 // used there, and in step with the app, and axe finds nothing serious.
-import { readFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
+import { inspect } from "./axe.mjs";
 
 export const name = "a screen reader finds and uses every control";
-
-const axe = readFileSync(fileURLToPath(import.meta.resolve("axe-core/axe.min.js")), "utf8");
-
-/** Fails if axe finds anything serious or critical on the page. */
-async function inspect(page, tools, where) {
-  const found = await page.evaluate(async () => {
-    const { violations, passes } = await window.axe.run(document);
-    const named = passes.find(({ id }) => id === "button-name")?.nodes.length ?? 0;
-    const buttons = document.querySelectorAll("#mirror button:not([role])").length;
-    if (named < buttons) throw new Error(`axe saw ${named} buttons of ${buttons}`);
-    return violations.map(({ id, impact, help, nodes }) => ({ id, impact, help, nodes: nodes.map(({ html }) => html.slice(0, 200)) }));
-  });
-  for (const { id, impact, help, nodes } of found) tools.say(`axe, ${where}: ${impact} ${id}: ${help} (${nodes.map((html) => html.slice(0, 60)).join(", ")})`);
-  const grave = found.filter(({ impact }) => impact === "serious" || impact === "critical");
-  tools.check(grave.length === 0, `axe, ${where}: ${JSON.stringify(grave, null, 1).slice(0, 3000)}`);
-}
 
 /** Waits until the mirror has an element for each named node and no element that nothing stands for. */
 async function waitInStep(page, tools, where) {
@@ -48,7 +31,6 @@ const click = (locator) => locator.evaluate((element) => element.click());
 
 export async function run(page, tools) {
   await tools.waitReady();
-  await page.evaluate(axe);
   await tools.waitFor((s) => s.workspace === "Replay" && s.run_steps > 40, "the demo", 150_000);
   tools.check(await page.locator("#mirror *").count() === 0, "there are elements before anybody asked for them");
 

@@ -4,6 +4,9 @@ use std::collections::BTreeSet;
 
 use pilotage_jobs::{FileContent, Job, JobEvent, JobId};
 
+/// Key under which the page gives the fragment of its address to the app.
+pub const LINK_KEY: &str = "link";
+
 /// A file that the user chose or dropped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenedFile {

@@ -11,6 +11,8 @@ pub(super) const ID: FeatureId = "tour";
 pub(super) enum LearnCommand {
     /// Start the guided tour, or leave it.
     Toggle,
+    /// Open the page of lessons, in a tab of its own.
+    OpenLessons,
     /// Show the line of advice over the map no more.
     DismissAdvice,
 }

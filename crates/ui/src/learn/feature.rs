@@ -6,11 +6,13 @@ use serde_json::Value;
 
 use super::advice::advice;
 use super::command::{ID, LearnCommand};
-use super::tour::Tour;
+use super::lessons;
+use super::tour::{LESSONS, Tour};
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::host::LINK_KEY;
 use crate::shell::NextStep;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
 use crate::shell::icons::Icon;
@@ -31,8 +33,15 @@ fn commands() -> Vec<CommandEntry> {
         vec![],
         LearnCommand::Toggle.into(),
     );
-    let learn = learn.also("help tutorial lesson teach course explain how");
-    vec![learn.under(BarMenu::Help)]
+    let learn = learn.also("help tutorial teach explain how");
+    let lessons = entry(
+        CommandGroup::View,
+        "Open the lessons: courses on the method",
+        vec![],
+        LearnCommand::OpenLessons.into(),
+    );
+    let lessons = lessons.also("help tutorial lesson teach course explain how learn presenter");
+    vec![learn.under(BarMenu::Help), lessons.under(BarMenu::Help)]
 }
 
 /// The tour, and the line of advice that leads to it.
@@ -64,6 +73,9 @@ impl Feature for LearnFeature {
                 context.view.workspace = Workspace::Replay;
             }
             Some(LearnCommand::Toggle) => context.show(),
+            Some(LearnCommand::OpenLessons) => {
+                context.egui.open_url(egui::OpenUrl::new_tab(LESSONS));
+            }
             Some(LearnCommand::DismissAdvice) => context.view.advice_dismissed = true,
             None => return false,
         }
@@ -108,7 +120,17 @@ impl Feature for LearnFeature {
         })
     }
 
+    /// Shows the stop that the page was opened with, `#tour=gate`.
     fn start(&mut self, context: &mut FeatureContext<'_>) {
+        let fragment = context.host.recall(LINK_KEY);
+        let fragment = fragment.and_then(|bytes| String::from_utf8(bytes).ok());
+        let stop = fragment
+            .as_deref()
+            .and_then(|text| text.strip_prefix("tour="));
+        if let Some(number) = stop.and_then(lessons::linked) {
+            self.tour.go_to(number);
+            context.view.workspace = Workspace::Learn;
+        }
         self.look(context);
     }
 

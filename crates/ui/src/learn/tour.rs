@@ -13,6 +13,9 @@ use crate::context::ViewContext;
 use crate::tokens::Tokens;
 use crate::views::parts;
 
+/// Page of the lessons, beside that of the app.
+pub(super) const LESSONS: &str = "./learn.html";
+
 /// The tour's own state: at which stop it is.
 pub(super) struct Tour {
     /// The stops.
@@ -158,12 +161,18 @@ impl Tour {
                 .size(tokens.text_sizes[1])
                 .color(tokens.text),
         );
-        let controls = 6.5 + lesson.control_height();
+        let controls = 9.5 + lesson.control_height();
         let left = room - (ui.cursor().top() - top) - controls * tokens.space;
         figure::place(ui, context, lesson.title(), &moment, left, &|figure| {
             lesson.draw(figure);
         });
         lesson.control(ui);
+        let (_, more) = lessons::LINKS[self.number];
+        let link = egui::Hyperlink::from_label_and_url(
+            "Read the lesson behind this",
+            format!("{LESSONS}#{more}"),
+        );
+        ui.add(link.open_in_new_tab(true));
         let trial = lesson.trial(&moment, &context.mission.navigator);
         ui.horizontal_wrapped(|ui| {
             let text = RichText::new(format!("Try: {}", trial.text))

@@ -8,8 +8,6 @@ use pilotage_core::simulate::SimulationChoice;
 use crate::command::Workspace;
 use pilotage_jobs::SimulationOptions;
 
-/// Key under which the page gives the fragment of its address to the app.
-pub const LINK_KEY: &str = "link";
 /// Key under which the storage keeps what was open before a link was followed.
 pub const BEFORE_LINK_KEY: &str = "session before the link";
 

@@ -3,5 +3,7 @@
 mod content;
 mod feature;
 
-pub use content::{BEFORE_LINK_KEY, LINK_KEY, Link};
+pub use content::{BEFORE_LINK_KEY, Link};
 pub use feature::LinkFeature;
+
+pub use crate::host::LINK_KEY;

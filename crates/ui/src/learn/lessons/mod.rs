@@ -1,31 +1,41 @@
-//! All lessons, in the order of the tour: another one is a file of this folder, and a line in the list below.
+//! All stops of the tour, in its order: another one is a file of this folder, and a line in the list below with the
+//! lesson of the page of lessons that tells more.
 
 use super::lesson::Lesson;
 
-/// Declares the files of the lessons, and makes their list.
+/// Declares the files of the stops, and makes their list.
 macro_rules! lessons {
-    ($($file:ident::$lesson:ident,)*) => {
+    ($($file:ident::$lesson:ident: $more:literal,)*) => {
         $(mod $file;)*
 
-        /// Every lesson, as it is when the tour begins.
+        /// Every stop, as it is when the tour begins.
         pub(super) fn all() -> Vec<Box<dyn Lesson>> {
             vec![$(Box::<$file::$lesson>::default()),*]
         }
+
+        /// Name of each stop in links, as its file has it, and the lesson that tells more.
+        pub(super) const LINKS: &[(&str, &str)] = &[$((stringify!($file), $more)),*];
     };
 }
 
+/// Number of the stop that a link names: `your-turn`.
+pub(super) fn linked(name: &str) -> Option<usize> {
+    let file = name.replace('-', "_");
+    LINKS.iter().position(|(own, _)| *own == file)
+}
+
 lessons! {
-    first_landmark::FirstLandmark,
-    shrinking::Shrinking,
-    gate::Gate,
-    refused::Refused,
-    wind::Wind,
-    dead_reckoning::DeadReckoning,
-    growing::Growing,
-    reacquired::Reacquired,
-    alpha::Alpha,
-    consistency::Consistency,
-    your_turn::YourTurn,
+    first_landmark::FirstLandmark: "landmark-corrects",
+    shrinking::Shrinking: "landmark-corrects",
+    gate::Gate: "landmark-corrects",
+    refused::Refused: "landmark-corrects",
+    wind::Wind: "landmark-corrects",
+    dead_reckoning::DeadReckoning: "landmark-corrects",
+    growing::Growing: "landmark-corrects",
+    reacquired::Reacquired: "landmark-corrects",
+    alpha::Alpha: "landmark-corrects",
+    consistency::Consistency: "landmark-corrects",
+    your_turn::YourTurn: "landmark-corrects",
 }
 
 #[cfg(test)]
@@ -33,6 +43,26 @@ mod tests {
     use super::*;
     use crate::units::Units;
     use crate::views::fixture::Fixture;
+
+    #[test]
+    fn stops_and_lessons_lead_to_each_other() {
+        use pilotage_lessons::text::{Directive, LessonText};
+
+        for (stop, more) in LINKS {
+            assert!(
+                pilotage_lessons::all().find(more).is_some(),
+                "{stop}: {more}"
+            );
+        }
+        for lesson in pilotage_lessons::all().lessons() {
+            let text = LessonText::read(lesson.text).unwrap();
+            for (_, directive) in text.directives().unwrap() {
+                if let Directive::Flight(stop, _) = directive {
+                    assert!(linked(stop).is_some(), "{}: {stop}", lesson.name);
+                }
+            }
+        }
+    }
 
     #[test]
     fn every_lesson_finds_its_moment_in_a_whole_flight() {
