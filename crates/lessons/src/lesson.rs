@@ -2,7 +2,7 @@
 
 use crate::figure::Svg;
 use crate::setting::{Control, Setting};
-use crate::text::Words;
+use crate::words::Words;
 
 /// Lesson of one question. Its words are those of its text, in the language that is read.
 #[derive(Clone, Copy)]
@@ -11,19 +11,19 @@ pub struct Lesson {
     pub name: &'static str,
     /// Text in English: see `texts/README.md`.
     pub text: &'static str,
-    /// What its reader can set.
+    /// Controls that its reader has.
     pub controls: &'static [Control],
     /// Computes what is shown at a setting; the same for the same setting. Takes less than 16 ms.
     pub compute: fn(&Setting, &Words) -> Outcome,
 }
 
-/// What a lesson shows at one setting.
+/// Figure and numbers that a lesson shows at one setting.
 pub struct Outcome {
     /// The figure.
     pub figure: Svg,
     /// Numbers that the text names.
     pub values: Vec<Value>,
-    /// What the reader's own setting is judged by.
+    /// Checks that judge the reader's own setting.
     pub checks: Vec<Check>,
 }
 

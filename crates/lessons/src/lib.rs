@@ -14,6 +14,7 @@ mod lessons;
 mod number;
 mod setting;
 mod shown;
+mod words;
 
 pub use course::{Course, Courses};
 pub use lesson::{Check, Lesson, Outcome, Value};

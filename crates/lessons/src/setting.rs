@@ -1,4 +1,4 @@
-//! What the reader of a lesson sets.
+//! Controls of a lesson, and the numbers to which its reader set them.
 
 /// Control of a lesson: a slider, steps of it, or a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]

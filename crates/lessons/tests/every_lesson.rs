@@ -1,4 +1,4 @@
-//! What holds for every lesson and every course.
+//! Rules that every lesson and every course keeps.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,7 @@ use pilotage_lessons::{Lesson, Outcome, Reader, Setting, Written, all};
 /// Minutes of a lesson.
 const LONGEST: f64 = 5.0;
 
-/// What a lesson shows at the start's setting with some controls set otherwise.
+/// Outcome of a lesson at the start's setting with some controls set otherwise.
 fn outcome(lesson: &Lesson, numbers: &[(&str, f64)]) -> Outcome {
     let words = LessonText::read(lesson.text).unwrap().words().unwrap();
     let mut setting = Setting::usual(lesson.controls);

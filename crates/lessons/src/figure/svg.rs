@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use nalgebra::{Matrix2, Vector2};
 
-/// Where a text stands beside its point.
+/// Side of its point on which a text stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
     /// To the right of it.

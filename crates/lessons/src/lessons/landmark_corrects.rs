@@ -9,9 +9,9 @@ use crate::models::bell;
 use crate::setting::{Control, Setting};
 use crate::text::Words;
 
-/// Where dead reckoning has the aircraft along the road, and its deviation, metres.
+/// Place at which dead reckoning has the aircraft along the road, and its deviation, metres.
 const RECKONED: (f64, f64) = (0.0, 10.0);
-/// Where the look has it, metres.
+/// Place at which the look has it, metres.
 const LOOKED: f64 = 12.0;
 
 /// The lesson.

@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::Reader;
+use super::opened::OpenLesson;
 use crate::text::{CourseText, Renderer, Section, TextError};
 
 /// The whole lesson.
-pub(super) fn article(reader: &Reader) -> Result<String, TextError> {
+pub(super) fn article(reader: &OpenLesson) -> Result<String, TextError> {
     let symbols = reader.text.symbols()?;
     let renderer = reader.renderer(&symbols);
     let page = |key: &str| reader.page.get(key);
@@ -59,7 +59,7 @@ pub(super) fn article(reader: &Reader) -> Result<String, TextError> {
     Ok(made)
 }
 
-fn guess(reader: &Reader, renderer: &Renderer<'_>, made: &mut String) -> Result<(), TextError> {
+fn guess(reader: &OpenLesson, renderer: &Renderer<'_>, made: &mut String) -> Result<(), TextError> {
     let guess = reader.text.guess()?;
     let page = |key: &str| reader.page.get(key);
     let _ = write!(
@@ -88,7 +88,11 @@ fn guess(reader: &Reader, renderer: &Renderer<'_>, made: &mut String) -> Result<
     Ok(())
 }
 
-fn legend(reader: &Reader, renderer: &Renderer<'_>, made: &mut String) -> Result<(), TextError> {
+fn legend(
+    reader: &OpenLesson,
+    renderer: &Renderer<'_>,
+    made: &mut String,
+) -> Result<(), TextError> {
     let symbols = reader.text.symbols()?;
     if symbols.is_empty() {
         return Ok(());

@@ -7,7 +7,7 @@ use super::error::TextError;
 pub enum Piece<'a> {
     /// Markdown.
     Markdown(&'a str),
-    /// What stood in double braces.
+    /// Content of double braces.
     Directive(Directive<'a>),
 }
 

@@ -47,7 +47,7 @@ pub(super) fn mathml(
     Ok(made)
 }
 
-/// What stands inside the outermost element.
+/// Content of the outermost element.
 fn content(mathml: &str) -> Option<&str> {
     let begin = mathml.find('>')? + 1;
     let end = mathml.rfind("</math>")?;

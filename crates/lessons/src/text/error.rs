@@ -1,4 +1,4 @@
-//! What is wrong with a text.
+//! Faults of texts.
 
 use super::section::Section;
 

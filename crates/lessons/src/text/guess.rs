@@ -5,7 +5,7 @@ use super::error::TextError;
 /// Question with options, one of them right.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Guess<'a> {
-    /// What is asked, as Markdown.
+    /// Question, as Markdown.
     pub question: &'a str,
     /// Options, as Markdown of one line.
     pub options: Vec<&'a str>,

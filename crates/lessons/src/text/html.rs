@@ -8,15 +8,15 @@ use super::directive::{Directive, Piece, pieces};
 use super::equation::mathml;
 use super::error::TextError;
 use super::symbol::Symbol;
-use super::words::Words;
 use crate::figure::escaped;
 use crate::lesson::Outcome;
 use crate::number::significant;
 use crate::setting::{Control, Setting};
+use crate::words::Words;
 
-/// What the texts of a lesson are made into HTML with.
+/// Maker of HTML from the texts of a lesson.
 pub struct Renderer<'a> {
-    /// What the lesson computed at the reader's setting; nothing for texts of courses.
+    /// Outcome of the lesson at the reader's setting; nothing for texts of courses.
     pub outcome: Option<&'a Outcome>,
     /// The reader's setting.
     pub setting: Option<&'a Setting>,

@@ -5,7 +5,7 @@ use super::error::TextError;
 use super::guess::Guess;
 use super::section::Section;
 use super::symbol::Symbol;
-use super::words::Words;
+use crate::words::Words;
 
 /// Words a minute that people read.
 const PACE: f64 = 200.0;
@@ -79,7 +79,7 @@ impl<'a> LessonText<'a> {
 
     /// Words of its figure and controls.
     pub fn words(&self) -> Result<Words, TextError> {
-        Words::read(self.section(Section::Labels))
+        Words::read(self.section(Section::Labels)).map_err(TextError::Line)
     }
 
     /// Symbols of its equations.
@@ -91,7 +91,7 @@ impl<'a> LessonText<'a> {
             .collect()
     }
 
-    /// What its sections ask of the lesson.
+    /// Requests of its sections to the lesson.
     pub fn directives(&self) -> Result<Vec<(Section, Directive<'a>)>, TextError> {
         let mut found = Vec::new();
         for (section, body) in &self.sections {

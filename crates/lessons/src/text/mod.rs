@@ -10,8 +10,8 @@ mod lesson_text;
 mod questions;
 mod section;
 mod symbol;
-mod words;
 
+pub use crate::words::{Words, glossary, page_words};
 pub use directive::{Directive, Piece, pieces};
 pub use error::TextError;
 pub use guess::Guess;
@@ -21,4 +21,3 @@ pub use lesson_text::LessonText;
 pub use questions::{CourseText, Question};
 pub use section::Section;
 pub use symbol::Symbol;
-pub use words::{Words, glossary, page_words};

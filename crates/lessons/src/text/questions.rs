@@ -7,7 +7,7 @@ use super::error::TextError;
 pub struct CourseText<'a> {
     /// Title.
     pub title: &'a str,
-    /// What it is about, as Markdown.
+    /// Subject, as Markdown.
     pub about: &'a str,
     /// Questions that it answers.
     pub questions: Vec<Question<'a>>,
@@ -16,7 +16,7 @@ pub struct CourseText<'a> {
 /// Question that a course answers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Question<'a> {
-    /// What is asked.
+    /// Question as people ask it.
     pub question: &'a str,
     /// Name of the lesson that answers it.
     pub lesson: &'a str,

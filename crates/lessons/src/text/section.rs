@@ -5,7 +5,7 @@
 pub enum Section {
     /// A guess that the reader commits to.
     Guess,
-    /// What is so, in words.
+    /// Explanation in words.
     Story,
     /// The same by its equations.
     Mathematics,
@@ -19,13 +19,13 @@ pub enum Section {
     YourTurn,
     /// The same in the flight on screen.
     InTheFlight,
-    /// What the presenter says.
+    /// Words for the presenter.
     Notes,
     /// Symbols of the equations.
     Symbols,
     /// Words of the figure and of the controls.
     Labels,
-    /// Where it comes from.
+    /// Origin of what it says.
     Sources,
 }
 

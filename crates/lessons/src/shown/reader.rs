@@ -1,18 +1,13 @@
-//! A lesson as it is read: its HTML, and what changes when its reader sets something.
-
-mod article;
-mod contents;
+//! The reader of a lesson: opens it, sets its controls.
 
 use serde::Serialize;
 
-use crate::course::{Course, Courses};
-use crate::lesson::{Lesson, Outcome};
-use crate::setting::Setting;
-use crate::text::{LessonText, Renderer, Symbol, TextError, Words, glossary, page_words};
+use super::article::article;
+use super::opened::OpenLesson;
+use crate::course::Courses;
+use crate::text::{TextError, quantity};
 
-pub use contents::{contents, plan};
-
-/// What a change of a control changes on the page.
+/// Change of the page that a change of a control makes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Patch {
     /// The figure.
@@ -27,44 +22,14 @@ pub struct Patch {
 
 /// Lesson that somebody reads.
 pub struct Reader {
-    course: &'static Course,
-    place: usize,
-    lesson: &'static Lesson,
-    text: LessonText<'static>,
-    words: Words,
-    page: Words,
-    glossary: Words,
-    setting: Setting,
-    outcome: Outcome,
+    open: OpenLesson,
 }
 
 impl Reader {
     /// Opens the lesson of that name as it is at the start; `None` where there is none.
     pub fn open(courses: Courses, name: &str) -> Option<Result<Self, TextError>> {
         let (course, place, lesson) = courses.find(name)?;
-        Some(Self::of(course, place, lesson))
-    }
-
-    fn of(
-        course: &'static Course,
-        place: usize,
-        lesson: &'static Lesson,
-    ) -> Result<Self, TextError> {
-        let text = LessonText::read(lesson.text)?;
-        let words = text.words()?;
-        let setting = Setting::usual(lesson.controls);
-        let outcome = (lesson.compute)(&setting, &words);
-        Ok(Self {
-            course,
-            place,
-            lesson,
-            text,
-            words,
-            page: page_words(),
-            glossary: glossary(),
-            setting,
-            outcome,
-        })
+        Some(OpenLesson::new(course, place, lesson).map(|open| Self { open }))
     }
 
     /// Sets a control, and says what that changes.
@@ -75,18 +40,17 @@ impl Reader {
     /// Sets several controls at once.
     pub fn set_all(&mut self, numbers: &[(&str, f64)]) -> Result<Patch, TextError> {
         for (control, number) in numbers {
-            self.setting.set(control, *number);
+            self.open.setting.set(control, *number);
         }
-        self.outcome = (self.lesson.compute)(&self.setting, &self.words);
+        self.open.outcome = (self.open.lesson.compute)(&self.open.setting, &self.open.words);
         self.patch()
     }
 
-    /// What is shown at the reader's setting.
+    /// Figure, numbers and checks at the reader's setting.
     pub fn patch(&self) -> Result<Patch, TextError> {
-        let symbols = self.text.symbols()?;
-        let renderer = self.renderer(&symbols);
-        let quantity = crate::text::quantity;
-        let outcome = &self.outcome;
+        let symbols = self.open.text.symbols()?;
+        let renderer = self.open.renderer(&symbols);
+        let outcome = &self.open.outcome;
         Ok(Patch {
             figure: self.figure(false)?,
             values: outcome
@@ -106,6 +70,7 @@ impl Reader {
                 })
                 .collect(),
             controls: self
+                .open
                 .setting
                 .iter()
                 .map(|(control, number)| {
@@ -122,26 +87,19 @@ impl Reader {
     /// The figure as SVG; `alone` with all that it needs to be a file.
     pub fn figure(&self, alone: bool) -> Result<String, TextError> {
         let symbols = Vec::new();
-        let described = self.renderer(&symbols).plain(&self.words.get("figure"))?;
+        let described = self
+            .open
+            .renderer(&symbols)
+            .plain(&self.open.words.get("figure"))?;
         Ok(self
+            .open
             .outcome
             .figure
-            .document(self.text.title, &described, alone))
+            .document(self.open.text.title, &described, alone))
     }
 
     /// The whole lesson as HTML.
     pub fn html(&self) -> Result<String, TextError> {
-        article::article(self)
-    }
-
-    fn renderer<'a>(&'a self, symbols: &'a [Symbol<'a>]) -> Renderer<'a> {
-        Renderer {
-            outcome: Some(&self.outcome),
-            setting: Some(&self.setting),
-            words: &self.words,
-            page: &self.page,
-            glossary: &self.glossary,
-            symbols,
-        }
+        article(&self.open)
     }
 }

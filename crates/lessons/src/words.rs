@@ -2,23 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use super::error::TextError;
-
 /// Words by key.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Words(BTreeMap<String, String>);
 
 impl Words {
-    /// Reads lines `- key: words`.
-    pub fn read(text: &str) -> Result<Self, TextError> {
+    /// Reads lines `- key: words`; what is wrong is the line that has no key.
+    pub fn read(text: &str) -> Result<Self, String> {
         let lines = text.lines().filter(|line| line.starts_with("- "));
         let pairs = lines.map(|line| {
-            let (key, words) = line[2..]
-                .split_once(": ")
-                .ok_or_else(|| TextError::Line(line.to_owned()))?;
-            Ok((key.trim().to_owned(), words.trim().to_owned()))
+            let (key, words) = line[2..].split_once(": ").ok_or_else(|| line.to_owned())?;
+            Ok::<_, String>((key.trim().to_owned(), words.trim().to_owned()))
         });
-        Ok(Self(pairs.collect::<Result<_, _>>()?))
+        Ok(Self(pairs.collect::<Result<_, String>>()?))
     }
 
     /// Words of a key; the key in brackets where there are none, which no test lets through.
@@ -42,12 +38,12 @@ impl Words {
 
 /// Words of the page around lessons.
 pub fn page_words() -> Words {
-    Words::read(include_str!("../../texts/en/page.md")).unwrap_or_default()
+    Words::read(include_str!("../texts/en/page.md")).unwrap_or_default()
 }
 
 /// Terms and what they mean.
 pub fn glossary() -> Words {
-    Words::read(include_str!("../../texts/en/glossary.md")).unwrap_or_default()
+    Words::read(include_str!("../texts/en/glossary.md")).unwrap_or_default()
 }
 
 #[cfg(test)]
