@@ -12,15 +12,16 @@ use crate::{
 
 /// Packages whose part of the page some journeys walk through: those journeys export its name among their
 /// tags. Whatever else the page is made of, all journeys can notice.
-const TAGS: [&str; 4] = ["readers", "maps", "plan", "training"];
+const TAGS: [&str; 5] = ["readers", "maps", "plan", "training", "lessons"];
 /// The packages that the page is.
-const PAGE: [&str; 6] = [
+const PAGE: [&str; 7] = [
     "pilotage-jobs",
     "pilotage-ui",
     "pilotage-web",
     "pilotage-worker",
     "pilotage-worker-flying",
     "pilotage-worker-whole",
+    "pilotage-lesson-page",
 ];
 
 /// Packages, page and journeys that are worth checking after a change.
