@@ -25,17 +25,17 @@ pub(super) fn linked(name: &str) -> Option<usize> {
 }
 
 lessons! {
-    first_landmark::FirstLandmark: "landmark-corrects",
+    first_landmark::FirstLandmark: "look-corrects-wind",
     shrinking::Shrinking: "landmark-corrects",
-    gate::Gate: "landmark-corrects",
-    refused::Refused: "landmark-corrects",
-    wind::Wind: "landmark-corrects",
-    dead_reckoning::DeadReckoning: "landmark-corrects",
-    growing::Growing: "landmark-corrects",
-    reacquired::Reacquired: "landmark-corrects",
-    alpha::Alpha: "landmark-corrects",
-    consistency::Consistency: "landmark-corrects",
-    your_turn::YourTurn: "landmark-corrects",
+    gate::Gate: "gate-and-nis",
+    refused::Refused: "twin-landmark",
+    wind::Wind: "wind-on-turns",
+    dead_reckoning::DeadReckoning: "dead-reckoning-drifts",
+    growing::Growing: "cloud-grows",
+    reacquired::Reacquired: "how-often-to-look",
+    alpha::Alpha: "alpha-beta-kappa",
+    consistency::Consistency: "nees-honest",
+    your_turn::YourTurn: "tuning-noise",
 }
 
 #[cfg(test)]
