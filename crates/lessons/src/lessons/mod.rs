@@ -17,7 +17,13 @@ macro_rules! courses {
 
 courses! {
     "finding-ones-way" {
+        why_gps_fails,
+        dead_reckoning_drifts,
+        wind_carries,
         landmark_corrects,
+        how_well_known,
+        several_landmarks,
+        look_from_above,
     }
 }
 
