@@ -25,6 +25,14 @@ courses! {
         several_landmarks,
         look_from_above,
     }
+    "planning" {
+        what_a_corridor_means,
+        distinct_landmarks,
+        landmark_to_add,
+        the_way_round,
+        how_often_to_look,
+        how_high_to_fly,
+    }
 }
 
 /// Every course in the order in which they are read.
