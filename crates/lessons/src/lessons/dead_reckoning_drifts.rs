@@ -1,11 +1,11 @@
 //! Dead reckoning drifts: what grows with the root of the time and what with the time.
 
-use nalgebra::Vector4;
+use nalgebra::{Vector4, vector};
 use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Ukf, UnscentedSettings};
 use pilotage_estimation::vehicle::{AirplaneWind, ControlInput, VehicleModel};
 
-use crate::figure::{Axis, Plot, Svg};
+use crate::figure::{Anchor, Axis, Plot, Svg};
 use crate::lesson::{Check, Lesson, Outcome, Value};
 use crate::models::normal_numbers;
 use crate::setting::{Control, Setting};
@@ -147,16 +147,22 @@ fn draw(stated: &[f64], wind: f64, turned: f64, minutes: f64, words: &Words) -> 
         };
         plot.line(svg, &[[0.0, 0.0], [far, turned * 60.0 * far]], "estimate");
     });
-    plot.line(&mut svg, &[[minutes, -REACH], [minutes, REACH]], "limit");
-    plot.key(
-        &mut svg,
-        &[
-            (&words.get("stated"), "word-reckoning"),
-            (&words.get("flights"), ""),
-            (&words.get("turned"), "word-estimate"),
-            (&words.get("now"), "word-limit"),
-        ],
-    );
+    let index = ((60.0 * minutes / STEP).round() as usize).min(STEPS);
+    let ends = [-2.0, 2.0].map(|side| [minutes, side * stated[index].max(40.0)]);
+    plot.line(&mut svg, &ends, "limit");
+    // Flights that a turned compass carries off leave this corner free.
+    for (row, (key, class)) in [
+        ("stated", "word-reckoning"),
+        ("flights", ""),
+        ("turned", "word-estimate"),
+        ("now", "word-limit"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let at = plot.at(0.15, -0.68 * REACH) + vector![0.0, 17.0 * row as f64];
+        svg.text(at, Anchor::Start, class, &words.get(key));
+    }
     svg
 }
 

@@ -88,7 +88,7 @@ fn other_day(map: &Gray, change: f64) -> Gray {
     map.map(|shade| shade + (0.3 * change * numbers.next().unwrap_or(0.0)) as f32)
 }
 
-/// Where a piece of the map is found in a picture, and what else looks like it.
+/// Place at which a piece of the map is found in a picture, and the next that looks like it.
 struct Found {
     /// Corner of the piece on the map, pixels.
     own: Vector2<f64>,

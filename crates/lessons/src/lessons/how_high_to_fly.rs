@@ -1,4 +1,4 @@
-//! How high to fly: good looks that are rare, or poor ones that are many.
+//! The height to fly at: good looks that are rare, or poor ones that are many.
 
 use pilotage_raster::camera::CameraModel;
 
@@ -30,7 +30,7 @@ pub(super) const LESSON: Lesson = Lesson {
     compute,
 };
 
-/// What is had of looks from one height.
+/// Looks from one height, and what is had of them.
 #[derive(Clone, Copy)]
 struct Looks {
     /// Deviation of one look on each axis, metres.

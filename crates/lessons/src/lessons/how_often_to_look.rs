@@ -1,4 +1,4 @@
-//! How often to look: twice as many looks are not twice as good.
+//! The number of looks: twice as many looks are not twice as good.
 
 use nalgebra::{Matrix2, Vector2};
 use pilotage_base::frames::{Attitude, GroundPoint};

@@ -1,4 +1,4 @@
-//! How well a place is known: one standard deviation is not 95 %.
+//! Deviations and confidence: one standard deviation is not 95 %.
 
 use nalgebra::{Matrix2, Rotation2, Vector2, vector};
 use pilotage_base::statistics::{chi_square_probability, normal_probability};
@@ -36,7 +36,7 @@ fn belief() -> Gaussian<2> {
     Gaussian::new(Vector2::zeros(), turn * own * turn.transpose())
 }
 
-/// Where the aircraft was in cases of this belief, if errors are `factor` times as large as it says.
+/// Places of the aircraft in cases of this belief, if errors are `factor` times as large as it says.
 fn places(factor: f64) -> Vec<Vector2<f64>> {
     let turn = Rotation2::new(DIRECTION);
     let mut numbers = normal_numbers(SEED);

@@ -1,4 +1,4 @@
-//! Which landmark to add: where one more look helps, and what it is to help.
+//! A landmark to add: where one more look helps, and what it is to help.
 
 use nalgebra::vector;
 

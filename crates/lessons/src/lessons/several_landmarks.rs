@@ -52,7 +52,7 @@ fn bound(angle: f64) -> Option<Matrix2<f64>> {
     bound.covariance().ok()
 }
 
-/// Where the filter has the aircraft if the compass is turned, north and east: the truth is (0, 0).
+/// Place that the filter has if the compass is turned, north and east: the truth is (0, 0).
 fn estimate(angle: f64, compass: f64) -> Option<Vector2<f64>> {
     let mut mean = Vector2::zeros();
     // A direction is no linear measurement: the filter begins again around its own answer until that stays.

@@ -34,7 +34,7 @@ pub(super) const LESSON: Lesson = Lesson {
     compute,
 };
 
-/// What is expected of a way.
+/// Length, looks and error that are expected of a way.
 struct Expected {
     length: f64,
     /// Probability that each landmark comes into the picture.

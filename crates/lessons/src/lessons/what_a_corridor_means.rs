@@ -1,4 +1,4 @@
-//! What a corridor means: 95 % at each moment, not all the way.
+//! The meaning of a corridor: 95 % at each moment, not all the way.
 
 use nalgebra::{Matrix2, Vector2, matrix, vector};
 use pilotage_base::statistics::chi_square_quantile;
@@ -32,7 +32,7 @@ pub(super) const LESSON: Lesson = Lesson {
     compute,
 };
 
-/// One step of the corridor: what was done, and the deviation across the route after it.
+/// Step of the corridor: what was done, and the deviation across the route after it.
 struct Moment {
     seconds: f64,
     gain: Option<Vector2<f64>>,

@@ -32,7 +32,7 @@ pub(super) const LESSON: Lesson = Lesson {
     compute,
 };
 
-/// What became of the flight.
+/// Flight as it was flown, and what it taught of the wind.
 struct Flown {
     /// Places at the looks, north and east.
     way: Vec<Vector2<f64>>,

@@ -1,4 +1,4 @@
-//! How well a flight knows its place along a route, before it is flown.
+//! The belief of a flight along a route, before it is flown.
 
 use nalgebra::{Matrix2, Matrix4, SMatrix, vector};
 use pilotage_base::frames::{Attitude, GroundPoint};
