@@ -23,7 +23,7 @@ export async function run(page, tools) {
   await tabTo(`a[data-lesson="${lessons[0]}"]`);
   await page.keyboard.press("Enter");
   for (const [index, lesson] of lessons.entries()) {
-    await page.waitForFunction((wanted) => location.hash === `#${wanted}` && document.querySelector("#figure svg"), lesson);
+    await page.waitForFunction((wanted) => document.getElementById("article").dataset.lesson === wanted, lesson);
     tools.check(await page.evaluate(() => document.querySelector("#figure").classList.contains("veiled")), `${lesson}: the figure tells the answer before the guess`);
     await tabTo("fieldset.guess input");
     await page.keyboard.press("Space");

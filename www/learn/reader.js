@@ -25,6 +25,7 @@ export class Reader {
     this.figure = figure;
     this.touched = false;
     article.innerHTML = this.program.open(name);
+    article.dataset.lesson = name;
     this.apply("");
     const { guess, shown } = readProgress()[name] ?? {};
     this.veil(guess === undefined && !shown);
