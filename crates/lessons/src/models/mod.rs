@@ -1,9 +1,19 @@
 //! Small simulations behind lessons: what several of them share.
 
 mod bell;
+mod drawn_ground;
 mod normal_numbers;
+mod picture;
 mod route_belief;
+mod symptoms;
+mod watched_flight;
 
 pub use bell::bell;
+pub use drawn_ground::{DrawnDay, DrawnGround, House, pictured};
 pub use normal_numbers::normal_numbers;
+pub use picture::{draw_box, draw_picture};
 pub use route_belief::{RouteBelief, SPEED};
+pub use symptoms::draw_symptoms;
+pub use watched_flight::{
+    AIRSPEED, Flown, FlownMoment, LOOK, Look, SEED, WatchedFlight, Way, gate_of_looks,
+};
