@@ -25,6 +25,10 @@ courses! {
         several_landmarks,
         look_from_above,
     }
+    "seeing" {
+        look_alikes,
+        score_surface,
+    }
     "planning" {
         what_a_corridor_means,
         distinct_landmarks,
