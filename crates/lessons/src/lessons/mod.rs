@@ -28,6 +28,8 @@ courses! {
     "seeing" {
         look_alikes,
         score_surface,
+        laying_flat,
+        another_date,
     }
     "planning" {
         what_a_corridor_means,
