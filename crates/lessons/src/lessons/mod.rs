@@ -30,6 +30,8 @@ courses! {
         score_surface,
         laying_flat,
         another_date,
+        cascade_stages,
+        straight_road,
     }
     "planning" {
         what_a_corridor_means,
