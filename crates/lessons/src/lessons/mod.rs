@@ -32,6 +32,8 @@ courses! {
         another_date,
         cascade_stages,
         straight_road,
+        bag_of_words,
+        which_is_which,
     }
     "planning" {
         what_a_corridor_means,
