@@ -43,6 +43,10 @@ courses! {
         how_often_to_look,
         how_high_to_fly,
     }
+    "when-things-go-wrong" {
+        compass_off,
+        camera_late,
+    }
 }
 
 /// Every course in the order in which they are read.
