@@ -46,6 +46,8 @@ courses! {
     "when-things-go-wrong" {
         compass_off,
         camera_late,
+        airspeed_stuck,
+        twin_landmark,
     }
 }
 
