@@ -48,6 +48,8 @@ courses! {
         camera_late,
         airspeed_stuck,
         twin_landmark,
+        wrong_wind,
+        night_and_snow,
     }
 }
 
