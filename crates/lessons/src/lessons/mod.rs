@@ -51,6 +51,11 @@ courses! {
         wrong_wind,
         night_and_snow,
     }
+    "the-filter" {
+        gaussian_by_hand,
+        bent_function,
+        alpha_beta_kappa,
+    }
 }
 
 /// Every course in the order in which they are read.

@@ -17,3 +17,7 @@ pub use symptoms::draw_symptoms;
 pub use watched_flight::{
     AIRSPEED, Flown, FlownMoment, LOOK, Look, SEED, WatchedFlight, Way, gate_of_looks,
 };
+mod normal_draws;
+
+pub use bell::bell;
+pub use normal_draws::NormalDraws;
