@@ -55,6 +55,9 @@ courses! {
         gaussian_by_hand,
         bent_function,
         alpha_beta_kappa,
+        cloud_grows,
+        look_corrects_wind,
+        joint_update,
     }
 }
 

@@ -17,7 +17,9 @@ pub use symptoms::draw_symptoms;
 pub use watched_flight::{
     AIRSPEED, Flown, FlownMoment, LOOK, Look, SEED, WatchedFlight, Way, gate_of_looks,
 };
+mod looked_flight;
 mod normal_draws;
 
 pub use bell::bell;
+pub use looked_flight::{CRUISE, LookedFlight, LookedStep, START};
 pub use normal_draws::NormalDraws;
