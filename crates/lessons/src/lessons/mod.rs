@@ -56,6 +56,8 @@ courses! {
         bent_function,
         alpha_beta_kappa,
         cloud_grows,
+        camera_chain,
+        camera_picture,
         look_corrects_wind,
         joint_update,
     }

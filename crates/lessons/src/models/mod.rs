@@ -19,7 +19,9 @@ pub use watched_flight::{
 };
 mod looked_flight;
 mod normal_draws;
+mod thesis_view;
 
 pub use bell::bell;
 pub use looked_flight::{CRUISE, LookedFlight, LookedStep, START};
 pub use normal_draws::NormalDraws;
+pub use thesis_view::{AIRCRAFT, HEIGHT, LANDMARK, pose_at, seen_from};
