@@ -60,6 +60,8 @@ courses! {
         camera_picture,
         look_corrects_wind,
         joint_update,
+        covariance_positive,
+        gate_and_nis,
     }
 }
 
