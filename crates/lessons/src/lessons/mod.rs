@@ -62,6 +62,10 @@ courses! {
         joint_update,
         covariance_positive,
         gate_and_nis,
+        nees_honest,
+        tuning_noise,
+        wind_on_turns,
+        smoothing,
     }
 }
 
