@@ -94,7 +94,13 @@ fn draw(judged: &[Judged], spread: f64, threshold: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 460.0);
     let corners = [Vector2::zeros(), vector![640.0, 460.0]];
     let (east, north) = (words.get("east"), words.get("north"));
-    let plot = Plot::map(&mut svg, corners, vector![25.0, 0.0], 90.0, [&east, &north]);
+    let plot = Plot::map(
+        &mut svg,
+        corners,
+        vector![25.0, 0.0],
+        135.0,
+        [&east, &north],
+    );
     for (part, twin, class) in [
         ("good", false, "dot-truth"),
         ("wrong", true, "dot-estimate"),

@@ -66,6 +66,7 @@ courses! {
         tuning_noise,
         wind_on_turns,
         smoothing,
+        late_look,
     }
 }
 

@@ -1,9 +1,10 @@
 //! Smoothing: what later looks say of an earlier time.
 
+use nalgebra::vector;
 use pilotage_estimation::filter::{Gaussian, SmootherLink, smooth};
 use pilotage_estimation::vehicle::AirplaneWind;
 
-use crate::figure::{Axis, Plot, Svg};
+use crate::figure::{Anchor, Axis, Plot, Svg};
 use crate::lesson::{Check, Lesson, Outcome, Value};
 use crate::models::{LookedFlight, LookedStep};
 use crate::setting::{Control, Setting};
@@ -97,7 +98,7 @@ fn smoothed(steps: &[LookedStep]) -> Vec<Gaussian<4>> {
 
 fn draw(steps: &[LookedStep], [filtered, smoothed]: [&[Gaussian<4>]; 2], words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 420.0);
-    let most = 110.0;
+    let most = 180.0;
     let plot = Plot::whole(
         &mut svg,
         Axis::new([0.0, STEPS as f64], words.get("time")),
@@ -131,21 +132,23 @@ fn draw(steps: &[LookedStep], [filtered, smoothed]: [&[Gaussian<4>]; 2], words: 
     svg.part("looks", |svg| {
         for step in steps.iter().filter(|step| step.nis.is_some()) {
             svg.circle(
-                plot.at(step.time, -most) - nalgebra::vector![0.0, 6.0],
+                plot.at(step.time, -most) - vector![0.0, 6.0],
                 3.0,
                 "dot-look",
             );
         }
     });
-    plot.key(
-        &mut svg,
-        &[
-            (&words.get("truth"), "word-truth"),
-            (&words.get("filter"), "word-reckoning"),
-            (&words.get("smooth"), "word-estimate"),
-            (&words.get("looks"), "word-look"),
-        ],
-    );
+    // At the left, where the bands are narrow.
+    let key = [
+        ("truth", "word-truth"),
+        ("filter", "word-reckoning"),
+        ("smooth", "word-estimate"),
+        ("looks", "word-look"),
+    ];
+    for (line, (name, class)) in key.into_iter().enumerate() {
+        let at = vector![64.0, 30.0 + 17.0 * line as f64];
+        svg.text(at, Anchor::Start, class, &words.get(name));
+    }
     svg
 }
 
