@@ -1,7 +1,7 @@
 //! A lesson: what it computes of what its reader set, and the figure of that.
 
 use crate::figure::Svg;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::words::Words;
 
 /// Lesson of one question. Its words are those of its text, in the language that is read.
@@ -12,13 +12,13 @@ pub struct Lesson {
     /// Text in English: see `texts/README.md`.
     pub text: &'static str,
     /// Controls that its reader has.
-    pub controls: &'static [Control],
+    pub controls: &'static [LessonControl],
     /// Computes what is shown at a setting; the same for the same setting. Takes less than 16 ms.
-    pub compute: fn(&Setting, &Words) -> Outcome,
+    pub compute: fn(&Setting, &Words) -> LessonOutcome,
 }
 
 /// Figure and numbers that a lesson shows at one setting.
-pub struct Outcome {
+pub struct LessonOutcome {
     /// The figure.
     pub figure: Svg,
     /// Numbers that the text names.
@@ -27,7 +27,7 @@ pub struct Outcome {
     pub checks: Vec<Check>,
 }
 
-impl Outcome {
+impl LessonOutcome {
     /// Number of that name.
     pub fn value(&self, name: &str) -> Option<&Value> {
         self.values.iter().find(|value| value.name == name)
@@ -80,7 +80,7 @@ impl Check {
     }
 
     /// Whether what was computed passes.
-    pub fn passes(&self, outcome: &Outcome) -> bool {
+    pub fn passes(&self, outcome: &LessonOutcome) -> bool {
         outcome
             .value(self.value)
             .is_some_and(|value| (self.low..=self.high).contains(&value.number))

@@ -17,8 +17,8 @@ mod shown;
 mod words;
 
 pub use course::{Course, Courses};
-pub use lesson::{Check, Lesson, Outcome, Value};
+pub use lesson::{Check, Lesson, LessonOutcome, Value};
 pub use lessons::all;
 pub use number::{Written, significant};
-pub use setting::{Control, Setting};
-pub use shown::{Patch, Reader, contents, plan};
+pub use setting::{LessonControl, Setting};
+pub use shown::{LessonPatch, Reader, contents, plan};

@@ -2,7 +2,7 @@
 
 /// Control of a lesson: a slider, steps of it, or a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Control {
+pub struct LessonControl {
     /// Name in the text, whose labels have its words.
     pub name: &'static str,
     /// Least number.
@@ -19,7 +19,7 @@ pub struct Control {
     pub choice: bool,
 }
 
-impl Control {
+impl LessonControl {
     /// Slider over a range.
     pub const fn slider(
         name: &'static str,
@@ -65,13 +65,13 @@ impl Control {
 /// Numbers to which the controls of a lesson are set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    controls: &'static [Control],
+    controls: &'static [LessonControl],
     numbers: Vec<f64>,
 }
 
 impl Setting {
     /// Every control as it is at the start.
-    pub fn usual(controls: &'static [Control]) -> Self {
+    pub fn usual(controls: &'static [LessonControl]) -> Self {
         let numbers = controls.iter().map(|control| control.usual).collect();
         Self { controls, numbers }
     }
@@ -100,7 +100,7 @@ impl Setting {
     }
 
     /// Controls with their numbers.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static Control, f64)> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = (&'static LessonControl, f64)> + '_ {
         self.controls.iter().zip(self.numbers.iter().copied())
     }
 }
@@ -109,9 +109,9 @@ impl Setting {
 mod tests {
     use super::*;
 
-    const CONTROLS: &[Control] = &[
-        Control::slider("wind", [0.0, 12.0], 0.5, 4.0, "m/s"),
-        Control::choice("filter", 3),
+    const CONTROLS: &[LessonControl] = &[
+        LessonControl::slider("wind", [0.0, 12.0], 0.5, 4.0, "m/s"),
+        LessonControl::choice("filter", 3),
     ];
 
     #[test]

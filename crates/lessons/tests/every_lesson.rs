@@ -3,14 +3,15 @@
 use std::collections::BTreeSet;
 
 use pilotage_lessons::text::{CourseText, Directive, LessonText, Section};
-use pilotage_lessons::{Lesson, Outcome, Reader, Setting, Written, all};
+use pilotage_lessons::{Lesson, LessonOutcome, Reader, Setting, Written, all};
 
 /// Minutes of a lesson.
 const LONGEST: f64 = 5.0;
 
 /// Outcome of a lesson at the start's setting with some controls set otherwise.
-fn outcome(lesson: &Lesson, numbers: &[(&str, f64)]) -> Outcome {
-    let words = LessonText::read(lesson.text).unwrap().words().unwrap();
+fn outcome(lesson: &Lesson, numbers: &[(&str, f64)]) -> LessonOutcome {
+    let text = LessonText::read(lesson.text).expect("a text with all sections");
+    let words = text.words().expect("labels with their keys");
     let mut setting = Setting::usual(lesson.controls);
     for (name, number) in numbers {
         assert!(

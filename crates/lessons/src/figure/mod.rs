@@ -5,6 +5,6 @@ mod plot;
 mod svg;
 
 pub use axis::Axis;
-pub use plot::Plot;
+pub use plot::FigurePlot;
 pub(crate) use svg::escaped;
-pub use svg::{Anchor, STYLE, Svg};
+pub use svg::{STYLE, Svg, TextAnchor};

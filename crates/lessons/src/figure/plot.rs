@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Vector2, vector};
 
 use super::axis::Axis;
-use super::svg::{Anchor, Svg};
+use super::svg::{Svg, TextAnchor};
 
 /// Room at the left of a plot for its numbers and words, and below it.
 const LEFT: f64 = 56.0;
@@ -15,7 +15,7 @@ const BETWEEN: f64 = 80.0;
 
 /// Plot with an axis to the right and one upwards.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plot {
+pub struct FigurePlot {
     x: Axis,
     y: Axis,
     // The axes' area: its low corner (left, bottom) and its size, both positive.
@@ -23,7 +23,7 @@ pub struct Plot {
     size: Vector2<f64>,
 }
 
-impl Plot {
+impl FigurePlot {
     /// Plot in the part of a drawing between two corners, its axes drawn.
     pub fn new(svg: &mut Svg, [corner, other]: [Vector2<f64>; 2], x: Axis, y: Axis) -> Self {
         let (low, high) = (corner.inf(&other), corner.sup(&other));
@@ -116,7 +116,14 @@ impl Plot {
     }
 
     /// Words at two numbers.
-    pub fn text(&self, svg: &mut Svg, [x, y]: [f64; 2], anchor: Anchor, class: &str, words: &str) {
+    pub fn text(
+        &self,
+        svg: &mut Svg,
+        [x, y]: [f64; 2],
+        anchor: TextAnchor,
+        class: &str,
+        words: &str,
+    ) {
         svg.text(self.at(x, y), anchor, class, words);
     }
 
@@ -127,7 +134,7 @@ impl Plot {
         for (index, (words, class)) in entries.iter().enumerate() {
             svg.text(
                 vector![right, top + 17.0 * index as f64],
-                Anchor::End,
+                TextAnchor::End,
                 class,
                 words,
             );
@@ -146,14 +153,14 @@ impl Plot {
             let at = self.at(tick, self.y.from);
             svg.line(at, vector![at.x, far.y], "grid");
             let words = format!("{tick:.decimals$}").replace('-', "\u{2212}");
-            svg.text(at + vector![0.0, 18.0], Anchor::Middle, "small", &words);
+            svg.text(at + vector![0.0, 18.0], TextAnchor::Middle, "small", &words);
         }
         let (ticks, decimals) = self.y.ticks((self.size.y / BETWEEN * 1.4) as usize);
         for tick in ticks {
             let at = self.at(self.x.from, tick);
             svg.line(at, vector![far.x, at.y], "grid");
             let words = format!("{tick:.decimals$}").replace('-', "\u{2212}");
-            svg.text(at + vector![-6.0, 4.0], Anchor::End, "small", &words);
+            svg.text(at + vector![-6.0, 4.0], TextAnchor::End, "small", &words);
         }
         let corner = vector![self.origin.x, far.y];
         svg.path(
@@ -164,7 +171,7 @@ impl Plot {
         let middle = (self.origin + far) / 2.0;
         svg.text(
             vector![middle.x, self.origin.y + 38.0],
-            Anchor::Middle,
+            TextAnchor::Middle,
             "small",
             &self.x.label,
         );
@@ -184,7 +191,7 @@ mod tests {
     #[test]
     fn numbers_lie_where_their_axes_say() {
         let mut svg = Svg::new(300.0, 200.0);
-        let plot = Plot::whole(
+        let plot = FigurePlot::whole(
             &mut svg,
             Axis::new([0.0, 10.0], "s"),
             Axis::new([0.0, 1.0], "m"),
@@ -199,7 +206,7 @@ mod tests {
     fn a_map_has_one_scale() {
         let mut svg = Svg::new(400.0, 200.0);
         let corners = [Vector2::zeros(), vector![400.0, 200.0]];
-        let plot = Plot::map(
+        let plot = FigurePlot::map(
             &mut svg,
             corners,
             vector![5.0, -3.0],

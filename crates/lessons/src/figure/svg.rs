@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Vector2};
 
 /// Side of its point on which a text stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Anchor {
+pub enum TextAnchor {
     /// To the right of it.
     Start,
     /// Around it.
@@ -15,7 +15,7 @@ pub enum Anchor {
     End,
 }
 
-impl Anchor {
+impl TextAnchor {
     fn word(self) -> &'static str {
         match self {
             Self::Start => "start",
@@ -130,7 +130,7 @@ impl Svg {
     }
 
     /// Words at a point, their base line there.
-    pub fn text(&mut self, at: Vector2<f64>, anchor: Anchor, class: &str, words: &str) {
+    pub fn text(&mut self, at: Vector2<f64>, anchor: TextAnchor, class: &str, words: &str) {
         let [x, y] = [at.x, at.y].map(short);
         let (anchor, words) = (anchor.word(), escaped(words));
         let _ = write!(
@@ -217,7 +217,7 @@ mod tests {
     #[test]
     fn words_are_no_markup() {
         let mut svg = Svg::new(1.0, 1.0);
-        svg.text(vector![0.0, 0.0], Anchor::Start, "", "a < b & c");
+        svg.text(vector![0.0, 0.0], TextAnchor::Start, "", "a < b & c");
         assert!(svg.body().contains("a &lt; b &amp; c"));
     }
 }

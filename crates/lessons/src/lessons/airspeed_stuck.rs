@@ -1,8 +1,8 @@
 //! The airspeed's reading freezes: found from innovations ahead and behind.
 
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{AIRSPEED, WatchedFlight, draw_symptoms};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Moment from which the pilot flies faster, and the reading does not show it, s; true airspeed then, m/s.
@@ -14,11 +14,11 @@ const BETWEEN: f64 = 5.0;
 pub(super) const LESSON: Lesson = Lesson {
     name: "airspeed-stuck",
     text: include_str!("../../texts/en/airspeed-stuck.md"),
-    controls: &[Control::slider("from", [0.0, 300.0], 5.0, 300.0, "s")],
+    controls: &[LessonControl::slider("from", [0.0, 300.0], 5.0, 300.0, "s")],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let from = setting.get("from");
     let flight = WatchedFlight {
         faster: Some(FASTER),
@@ -34,7 +34,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .filter(|moment| moment.time > 30.0 && moment.time <= 100.0)
         .map(|moment| moment.deviation)
         .collect();
-    Outcome {
+    LessonOutcome {
         figure: draw_symptoms(&flown, 50.0, 100.0, words),
         values: vec![
             Value::new("from", from, "s"),

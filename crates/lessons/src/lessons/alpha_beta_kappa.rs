@@ -3,9 +3,9 @@
 use nalgebra::{Matrix1, Vector1, vector};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Wind and its deviation, m/s.
@@ -22,10 +22,10 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "alpha-beta-kappa",
     text: include_str!("../../texts/en/alpha-beta-kappa.md"),
     controls: &[
-        Control::choice("function", 2),
-        Control::slider("beta", [0.0, 4.0], 0.5, 0.0, ""),
-        Control::slider("alpha", [0.05, 1.0], 0.05, 1.0, ""),
-        Control::slider("kappa", [0.0, 3.0], 0.5, 0.0, ""),
+        LessonControl::choice("function", 2),
+        LessonControl::slider("beta", [0.0, 4.0], 0.5, 0.0, ""),
+        LessonControl::slider("alpha", [0.05, 1.0], 0.05, 1.0, ""),
+        LessonControl::slider("kappa", [0.0, 3.0], 0.5, 0.0, ""),
     ],
     compute,
 };
@@ -77,7 +77,7 @@ fn way() -> Bend {
     }
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let bend = if setting.chosen("function") == 0 {
         pressure()
     } else {
@@ -98,7 +98,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     });
     let Ok((after, weights, places)) = sent else {
         // Every setting of the controls is allowed.
-        return Outcome {
+        return LessonOutcome {
             figure: Svg::new(640.0, 420.0),
             values: Vec::new(),
             checks: Vec::new(),
@@ -106,7 +106,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     };
     let deviation = after.standard_deviations()[0];
     let (true_mean, true_deviation) = bend.truth;
-    Outcome {
+    LessonOutcome {
         figure: draw(&bend, &after, &places, words),
         values: vec![
             Value::new("eta", weights.eta, ""),
@@ -131,7 +131,7 @@ fn draw(bend: &Bend, after: &Gaussian<1>, places: &[f64], words: &Words) -> Svg 
     let (mean, deviation) = (bend.prior.mean[0], bend.prior.standard_deviations()[0]);
     let ends = [mean - 2.6 * deviation, mean + 4.0 * deviation].map(|end| end * bend.shown);
     let [x, y] = bend.axes.map(|axis| words.get(axis));
-    let plot = Plot::whole(&mut svg, Axis::new(ends, x), Axis::new(bend.range, y));
+    let plot = FigurePlot::whole(&mut svg, Axis::new(ends, x), Axis::new(bend.range, y));
     let end = mean + 2.6 * deviation;
     svg.part("function", |svg| {
         let from = mean - 2.6 * deviation;

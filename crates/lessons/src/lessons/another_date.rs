@@ -5,10 +5,10 @@ use pilotage_raster::raster::{
     ChannelSearch, ChannelTemplate, Gray, OrientationField, Peak, Template, highest_peak,
 };
 
-use crate::figure::{Anchor, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{DrawnDay, DrawnGround, House, draw_box, draw_picture, pictured};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Size of map and picture, pixels of a metre; side of the patch and its corner.
@@ -25,9 +25,9 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "another-date",
     text: include_str!("../../texts/en/another-date.md"),
     controls: &[
-        Control::choice("features", 2),
-        Control::slider("snow", [0.0, 100.0], 10.0, 100.0, "%"),
-        Control::slider("shadow", [0.0, 8.0], 1.0, 1.0, "m"),
+        LessonControl::choice("features", 2),
+        LessonControl::slider("snow", [0.0, 100.0], 10.0, 100.0, "%"),
+        LessonControl::slider("shadow", [0.0, 8.0], 1.0, 1.0, "m"),
     ],
     compute,
 };
@@ -76,7 +76,7 @@ fn by_directions(map: &Gray, picture: &Gray) -> Option<Gray> {
     Some(search.correlate(&template)?.score)
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let ground = village();
     let length = setting.get("shadow");
     let day = DrawnDay {
@@ -102,7 +102,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         peak.map_or(0.0, off)
     });
     let chosen = setting.chosen("features");
-    Outcome {
+    LessonOutcome {
         figure: draw(&map, &picture, peaks[chosen].as_ref(), words),
         values: vec![
             Value::new("snow", setting.get("snow"), "%"),
@@ -125,13 +125,13 @@ fn draw(map: &Gray, picture: &Gray, peak: Option<&Peak>, words: &Words) -> Svg {
     let places = [vector![16.0, 60.0], vector![336.0, 60.0]];
     svg.text(
         vector![16.0, 44.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small",
         &words.get("map"),
     );
     svg.text(
         vector![336.0, 44.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small",
         &words.get("picture"),
     );
@@ -164,7 +164,7 @@ fn draw(map: &Gray, picture: &Gray, peak: Option<&Peak>, words: &Words) -> Svg {
     ];
     for (name, x, y, colour) in lines {
         let class = format!("small word-{colour}");
-        svg.text(vector![x, y], Anchor::Start, &class, &words.get(name));
+        svg.text(vector![x, y], TextAnchor::Start, &class, &words.get(name));
     }
     svg
 }

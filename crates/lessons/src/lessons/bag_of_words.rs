@@ -7,10 +7,10 @@ use pilotage_raster::raster::{Gradient, Gray};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{DrawnDay, DrawnGround, House, draw_picture, pictured};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Side of a window and of a cell, pixels.
@@ -32,8 +32,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "bag-of-words",
     text: include_str!("../../texts/en/bag-of-words.md"),
     controls: &[
-        Control::slider("words", [1.0, MOST as f64], 1.0, 2.0, ""),
-        Control::choice("order", 2),
+        LessonControl::slider("words", [1.0, MOST as f64], 1.0, 2.0, ""),
+        LessonControl::choice("order", 2),
     ],
     compute,
 };
@@ -186,7 +186,7 @@ fn class_of(means: &[Vec<f64>; CLASSES], own: &[f64]) -> usize {
         .unwrap_or(0)
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let vocabulary = vocabulary(setting.chosen("words"));
     let means = learned(&vocabulary);
     let mut right = [0.0; CLASSES];
@@ -196,7 +196,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     }
     let judged = (CLASSES as u64 * EACH) as f64;
     let all: f64 = right.iter().sum();
-    Outcome {
+    LessonOutcome {
         figure: draw(&vocabulary, &means, setting.chosen("order") == 1, words),
         values: vec![
             Value::new("words", vocabulary.len() as f64, ""),
@@ -236,7 +236,7 @@ fn draw(
             .map(|index| if is_mixed { mixed_from(index) } else { index })
             .collect();
         let title = corner + vector![84.0, -10.0];
-        svg.text(title, Anchor::Middle, "small", &names[class]);
+        svg.text(title, TextAnchor::Middle, "small", &names[class]);
         svg.part("window", |svg| {
             draw_picture(svg, &shown.halved(), corner, PIXEL, [40.0, 210.0]);
         });
@@ -249,11 +249,16 @@ fn draw(
                 let number = (nearest(vocabulary, own) + 1).to_string();
                 let middle = low + vector![32.0, 32.0];
                 svg.circle(middle, 9.0, "sigma");
-                svg.text(middle + vector![0.0, 4.0], Anchor::Middle, "small", &number);
+                svg.text(
+                    middle + vector![0.0, 4.0],
+                    TextAnchor::Middle,
+                    "small",
+                    &number,
+                );
             }
         });
         let own = histogram(vocabulary, seen);
-        let plot = Plot::new(
+        let plot = FigurePlot::new(
             &mut svg,
             [
                 vector![200.0 * class as f64 + 4.0, 215.0],
@@ -273,7 +278,7 @@ fn draw(
             for (word, share) in own.iter().enumerate() {
                 let at = word as f64 + 1.0;
                 let below = plot.at(at, 0.0) + vector![0.0, 18.0];
-                svg.text(below, Anchor::Middle, "small", &(word + 1).to_string());
+                svg.text(below, TextAnchor::Middle, "small", &(word + 1).to_string());
                 svg.rect(
                     plot.at(at - 0.35, 0.0),
                     plot.at(at + 0.35, *share),

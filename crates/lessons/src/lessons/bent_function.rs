@@ -5,10 +5,10 @@ use pilotage_estimation::filter::{
     Ekf, Gaussian, ParticleFilter, ParticleSettings, Ukf, UnscentedSettings, numerical_jacobian,
 };
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::NormalDraws;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Way flown and its deviation, metres.
@@ -22,13 +22,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "bent-function",
     text: include_str!("../../texts/en/bent-function.md"),
     controls: &[
-        Control::slider("heading", [1.0, 60.0], 1.0, 20.0, "°"),
-        Control::choice("filter", 3),
+        LessonControl::slider("heading", [1.0, 60.0], 1.0, 20.0, "°"),
+        LessonControl::choice("filter", 3),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let angle = setting.get("heading").to_radians();
     let deviations = vector![WAY.1, angle];
     let prior = Gaussian::from_standard_deviations(vector![WAY.0, 0.0], &deviations);
@@ -40,7 +40,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let claimed = claimed.unwrap_or(prior);
     let truth = truly(angle);
     let [north, true_north] = [claimed, truth].map(|belief| belief.standard_deviations()[0]);
-    Outcome {
+    LessonOutcome {
         figure: draw(prior, &claimed, &truth, words),
         values: vec![
             Value::new("mean", claimed.mean[0], "m"),
@@ -99,7 +99,7 @@ fn truly(angle: f64) -> Gaussian<2> {
 
 fn draw(prior: Gaussian<2>, claimed: &Gaussian<2>, truth: &Gaussian<2>, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 420.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([-1250.0, 1250.0], words.get("east")),
         Axis::new([-100.0, 1500.0], words.get("north")),

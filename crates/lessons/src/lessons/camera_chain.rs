@@ -3,10 +3,10 @@
 use nalgebra::{Point3, Vector3, vector};
 use pilotage_base::frames::Attitude;
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{HEIGHT, LANDMARK, pose_at, seen_from};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// The lesson.
@@ -14,15 +14,15 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "camera-chain",
     text: include_str!("../../texts/en/camera-chain.md"),
     controls: &[
-        Control::choice("step", 5),
-        Control::slider("yaw", [0.0, 350.0], 10.0, 50.0, "°"),
-        Control::slider("pitch", [-20.0, 20.0], 1.0, 5.0, "°"),
-        Control::slider("roll", [-30.0, 30.0], 1.0, 10.0, "°"),
+        LessonControl::choice("step", 5),
+        LessonControl::slider("yaw", [0.0, 350.0], 10.0, 50.0, "°"),
+        LessonControl::slider("pitch", [-20.0, 20.0], 1.0, 5.0, "°"),
+        LessonControl::slider("roll", [-30.0, 30.0], 1.0, 10.0, "°"),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let step = setting.chosen("step");
     let frame = Frame::at(
         step,
@@ -30,7 +30,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     );
     let [north, east, down] = LANDMARK;
     let landmark = frame.of(Point3::new(north, east, down));
-    Outcome {
+    LessonOutcome {
         figure: draw(&frame, step, words),
         values: vec![
             Value::new("first", landmark.x, "m"),
@@ -75,7 +75,7 @@ fn draw(frame: &Frame, step: usize, words: &Words) -> Svg {
     let names = |axis: &str| words.get(&format!("{axis}.{}", step.min(2)));
     let (first, second, third) = (names("first"), names("second"), names("third"));
     let square = [vector![0.0, 24.0], vector![330.0, 460.0]];
-    let above = Plot::map(
+    let above = FigurePlot::map(
         &mut svg,
         square,
         vector![0.0, 0.0],
@@ -83,14 +83,14 @@ fn draw(frame: &Frame, step: usize, words: &Words) -> Svg {
         [&second, &first],
     );
     let ends = [above_span(&above, -1.0), above_span(&above, 1.0)];
-    let behind = Plot::new(
+    let behind = FigurePlot::new(
         &mut svg,
         [vector![325.0, 24.0], vector![640.0, 460.0]],
         Axis::new(ends, second),
         Axis::new([420.0, -340.0], third),
     );
     for (key, x) in [("above", 190.0), ("behind", 515.0)] {
-        svg.text(vector![x, 20.0], Anchor::Middle, "", &words.get(key));
+        svg.text(vector![x, 20.0], TextAnchor::Middle, "", &words.get(key));
     }
     let from_above = |v: Vector3<f64>| [v.y, v.x];
     let from_behind = |v: Vector3<f64>| [v.y, v.z];
@@ -135,13 +135,13 @@ fn draw(frame: &Frame, step: usize, words: &Words) -> Svg {
     ];
     for (line, (words_of, class)) in key.into_iter().enumerate() {
         let at = vector![62.0, 376.0 + 17.0 * line as f64];
-        svg.text(at, Anchor::Start, class, &words.get(words_of));
+        svg.text(at, TextAnchor::Start, class, &words.get(words_of));
     }
     svg
 }
 
 /// Metres at the left (-1) or right (1) end of the map's axis to the right.
-fn above_span(above: &Plot, side: f64) -> f64 {
+fn above_span(above: &FigurePlot, side: f64) -> f64 {
     let width = 330.0 - 56.0 - 14.0;
     side * 0.5 * width / above.length(1.0)
 }

@@ -1,8 +1,8 @@
 //! Pictures come late: found from innovations in turns that no wind explains.
 
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{AIRSPEED, WatchedFlight, Way, draw_symptoms};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 use nalgebra::Vector2;
 
@@ -14,13 +14,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "camera-late",
     text: include_str!("../../texts/en/camera-late.md"),
     controls: &[
-        Control::slider("assumed", [0.0, 3.0], 0.25, 0.0, "s"),
-        Control::choice("way", 2),
+        LessonControl::slider("assumed", [0.0, 3.0], 0.25, 0.0, "s"),
+        LessonControl::choice("way", 2),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let assumed = setting.get("assumed");
     let flight = WatchedFlight {
         way: [Way::Turns, Way::Straight][setting.chosen("way")],
@@ -38,7 +38,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .filter(|moment| moment.time > 200.0)
         .map(|moment| moment.error)
         .collect();
-    Outcome {
+    LessonOutcome {
         figure: draw_symptoms(&flown, 50.0, 50.0, words),
         values: vec![
             Value::new("assumed", assumed, "s"),

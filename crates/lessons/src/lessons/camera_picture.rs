@@ -4,10 +4,10 @@ use nalgebra::{Point2, Point3, Vector2, vector};
 use pilotage_base::frames::Pose;
 use pilotage_raster::camera::{CameraModel, Lens};
 
-use crate::figure::{Anchor, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{HEIGHT, LANDMARK, pose_at};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Roll, pitch, yaw, degrees.
@@ -23,14 +23,14 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "camera-picture",
     text: include_str!("../../texts/en/camera-picture.md"),
     controls: &[
-        Control::slider("height", [250.0, 600.0], 10.0, HEIGHT, "m"),
-        Control::slider("view", [30.0, 100.0], 5.0, 60.0, "°"),
-        Control::choice("lens", 3),
+        LessonControl::slider("height", [250.0, 600.0], 10.0, HEIGHT, "m"),
+        LessonControl::slider("view", [30.0, 100.0], 5.0, 60.0, "°"),
+        LessonControl::choice("lens", 3),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let height = setting.get("height");
     let pinhole = CameraModel::pinhole(SIZE[0], SIZE[1], setting.get("view").to_radians());
     let focal = pinhole.focal;
@@ -54,7 +54,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let ideal = pinhole.project(&pose, &landmark).unwrap_or(middle);
     let [wide, high] = SIZE.map(|size| size as f64);
     let edge = [pixel.x, wide - pixel.x, pixel.y, high - pixel.y];
-    Outcome {
+    LessonOutcome {
         figure: draw(&camera, &pose, [pixel, ideal], words),
         values: vec![
             Value::new("right", seen.x, "m"),
@@ -90,7 +90,7 @@ fn draw(camera: &CameraModel, pose: &Pose, pixels: [Point2<f64>; 2], words: &Wor
         svg.circle(zero, 5.0, "sigma");
         svg.text(
             zero + vector![8.0, -10.0],
-            Anchor::Start,
+            TextAnchor::Start,
             "small",
             &words.get("corner"),
         );
@@ -99,13 +99,13 @@ fn draw(camera: &CameraModel, pose: &Pose, pixels: [Point2<f64>; 2], words: &Wor
             let at = drawn(Point2::new(x, ends[1]));
             svg.text(
                 at + vector![0.0, 16.0],
-                Anchor::Middle,
+                TextAnchor::Middle,
                 "small",
                 &format!("{x}"),
             );
             if step <= 4 {
                 let at = drawn(Point2::new(0.0, x)) + vector![-5.0, 4.0];
-                svg.text(at, Anchor::End, "small", &format!("{x}"));
+                svg.text(at, TextAnchor::End, "small", &format!("{x}"));
             }
         }
     });
@@ -128,7 +128,7 @@ fn draw(camera: &CameraModel, pose: &Pose, pixels: [Point2<f64>; 2], words: &Wor
         }
     });
     let below = drawn(Point2::new(ends[0], 0.0)) + vector![0.0, -10.0];
-    svg.text(below, Anchor::End, "small", &words.get("key"));
+    svg.text(below, TextAnchor::End, "small", &words.get("key"));
     svg
 }
 

@@ -9,10 +9,10 @@ use pilotage_vision::landmark::cascade::train::{
 };
 use pilotage_vision::landmark::cascade::{Cascade, Patch, responses, stage_features, trace};
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{DrawnDay, DrawnGround, House, draw_box, draw_picture, pictured};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Side of the cascade's window, pixels.
@@ -37,7 +37,7 @@ const SEED: u64 = 7;
 pub(super) const LESSON: Lesson = Lesson {
     name: "cascade-stages",
     text: include_str!("../../texts/en/cascade-stages.md"),
-    controls: &[Control::slider(
+    controls: &[LessonControl::slider(
         "stages",
         [1.0, STAGES as f64],
         1.0,
@@ -195,11 +195,11 @@ fn trained() -> Option<Vec<Cascade>> {
 
 static CASCADES: LazyLock<Vec<Cascade>> = LazyLock::new(|| trained().unwrap_or_default());
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let stages = setting.chosen("stages").clamp(1, CASCADES.len().max(1));
     let picture = bytes(SIZE, SEED + 40, &searched());
     let Some(cascade) = CASCADES.get(stages - 1) else {
-        return Outcome {
+        return LessonOutcome {
             figure: Svg::new(640.0, 400.0),
             values: Vec::new(),
             checks: Vec::new(),
@@ -223,7 +223,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .filter(|(column, row)| usize::from(traced.ended.get(*column, *row)) == stages)
         .filter(|(column, row)| is_right(*column, *row))
         .count();
-    Outcome {
+    LessonOutcome {
         figure: draw(&picture, &traced, stages, words),
         values: vec![
             Value::new("stages", stages as f64, ""),
@@ -287,18 +287,18 @@ fn draw(
     });
     svg.text(
         vector![10.0, 18.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small word-estimate",
         &words.get("left"),
     );
     svg.text(
         vector![10.0, 36.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small word-truth",
         &words.get("landmark"),
     );
     let most = traced.left.first().copied().unwrap_or(1) as f64;
-    let plot = Plot::new(
+    let plot = FigurePlot::new(
         &mut svg,
         [vector![400.0, 30.0], vector![640.0, 390.0]],
         Axis::new([-0.5, STAGES as f64 + 0.5], words.get("stage")),
@@ -306,7 +306,7 @@ fn draw(
     );
     for stage in 1..=STAGES {
         let below = plot.at(stage as f64, 0.0) + vector![0.0, 18.0];
-        svg.text(below, Anchor::Middle, "small", &stage.to_string());
+        svg.text(below, TextAnchor::Middle, "small", &stage.to_string());
     }
     svg.part("bars", |svg| {
         for (stage, left) in traced.left.iter().enumerate() {
@@ -320,7 +320,7 @@ fn draw(
             plot.text(
                 svg,
                 [stage as f64, height + 0.06],
-                Anchor::Middle,
+                TextAnchor::Middle,
                 "small",
                 &left.to_string(),
             );

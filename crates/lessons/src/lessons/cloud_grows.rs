@@ -5,10 +5,10 @@ use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 use pilotage_estimation::vehicle::{AirData, AirplaneWind, ControlInput, VehicleModel};
 
-use crate::figure::{Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{CRUISE, START};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Seconds between two ellipses.
@@ -19,13 +19,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "cloud-grows",
     text: include_str!("../../texts/en/cloud-grows.md"),
     controls: &[
-        Control::slider("time", [0.0, 60.0], STEP, 60.0, "s"),
-        Control::slider("wind", [0.0, 4.0], 0.5, 2.0, "m/s"),
+        LessonControl::slider("time", [0.0, 60.0], STEP, 60.0, "s"),
+        LessonControl::slider("wind", [0.0, 4.0], 0.5, 2.0, "m/s"),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (time, wind) = (setting.get("time"), setting.get("wind"));
     let still = AirplaneWind {
         air_data: AirData {
@@ -62,7 +62,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         })
     };
     let [along, across] = deviation(whole, START);
-    Outcome {
+    LessonOutcome {
         figure: draw(&carried(whole, START, time), words),
         values: vec![
             Value::new("time", time, "s"),
@@ -107,7 +107,7 @@ fn draw(beliefs: &[(Gaussian<4>, Vec<[f64; 2]>)], words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 480.0);
     let corners = [Vector2::zeros(), vector![640.0, 480.0]];
     let (east, north) = (words.get("east"), words.get("north"));
-    let plot = Plot::map(
+    let plot = FigurePlot::map(
         &mut svg,
         corners,
         vector![0.0, 640.0],

@@ -2,9 +2,9 @@
 
 use nalgebra::Vector2;
 
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{AIRSPEED, WatchedFlight, Way, draw_symptoms};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Compass reading less the true heading, degrees.
@@ -17,13 +17,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "compass-off",
     text: include_str!("../../texts/en/compass-off.md"),
     controls: &[
-        Control::slider("subtracted", [-12.0, 12.0], 0.5, 0.0, "°"),
-        Control::choice("way", 2),
+        LessonControl::slider("subtracted", [-12.0, 12.0], 0.5, 0.0, "°"),
+        LessonControl::choice("way", 2),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let subtracted = setting.get("subtracted");
     let flight = WatchedFlight {
         way: [Way::Turns, Way::Straight][setting.chosen("way")],
@@ -38,7 +38,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let wind = |time: f64| flown.at(time).map_or_else(Vector2::zeros, |it| it.wind);
     let [before, after] = BEFORE_AND_AFTER.map(wind);
     let turns = if flight.way == Way::Turns { 3.0 } else { 0.0 };
-    Outcome {
+    LessonOutcome {
         figure: draw_symptoms(&flown, 50.0, 50.0, words),
         values: vec![
             Value::new("subtracted", subtracted, "°"),

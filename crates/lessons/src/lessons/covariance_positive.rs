@@ -3,9 +3,9 @@
 use nalgebra::{Matrix1, Vector1};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Deviation of the place before the look, metres.
@@ -16,14 +16,14 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "covariance-positive",
     text: include_str!("../../texts/en/covariance-positive.md"),
     controls: &[
-        Control::choice("form", 2),
-        Control::slider("gain", [0.5, 1.1], 0.01, 0.9, ""),
-        Control::slider("look", [1.0, 20.0], 0.5, 5.0, "m"),
+        LessonControl::choice("form", 2),
+        LessonControl::slider("gain", [0.5, 1.1], 0.01, 0.9, ""),
+        LessonControl::slider("look", [1.0, 20.0], 0.5, 5.0, "m"),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (gain, look) = (setting.get("gain"), setting.get("look"));
     let (best, least) = filtered(look).unwrap_or((0.0, PRIOR * PRIOR));
     let (short, joseph) = (short(gain, look), joseph(gain, look));
@@ -32,7 +32,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     } else {
         joseph
     };
-    Outcome {
+    LessonOutcome {
         figure: draw(gain, look, [best, least], words),
         values: vec![
             Value::new("gain", gain, ""),
@@ -69,7 +69,7 @@ fn joseph(gain: f64, look: f64) -> f64 {
 
 fn draw(gain: f64, look: f64, [best, least]: [f64; 2], words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.5, 1.1], words.get("gain")),
         Axis::new([-60.0, 120.0], words.get("variance")),

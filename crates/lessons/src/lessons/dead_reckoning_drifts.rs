@@ -5,10 +5,10 @@ use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Ukf, UnscentedSettings};
 use pilotage_estimation::vehicle::{AirplaneWind, ControlInput, VehicleModel};
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::normal_numbers;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Airspeed, m/s; the nose points north.
@@ -26,14 +26,14 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "dead-reckoning-drifts",
     text: include_str!("../../texts/en/dead-reckoning-drifts.md"),
     controls: &[
-        Control::slider("minutes", [1.0, 10.0], 1.0, 4.0, "min"),
-        Control::slider("wind", [0.0, 2.0], 0.1, 0.5, "m/s"),
-        Control::slider("compass", [0.0, 10.0], 0.5, 0.0, "°"),
+        LessonControl::slider("minutes", [1.0, 10.0], 1.0, 4.0, "min"),
+        LessonControl::slider("wind", [0.0, 2.0], 0.1, 0.5, "m/s"),
+        LessonControl::slider("compass", [0.0, 10.0], 0.5, 0.0, "°"),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (minutes, wind, compass) = (
         setting.get("minutes"),
         setting.get("wind"),
@@ -43,7 +43,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let at = ((60.0 * minutes / STEP).round() as usize).min(STEPS);
     let turned = AIRSPEED * compass.sin();
     let noise = stated_by_noise(60.0 * minutes);
-    Outcome {
+    LessonOutcome {
         figure: draw(&stated, wind, turned, minutes, words),
         values: vec![
             Value::new("minutes", minutes, "min"),
@@ -112,7 +112,7 @@ fn flights(wind: f64, turned: f64) -> Vec<Vec<f64>> {
 fn draw(stated: &[f64], wind: f64, turned: f64, minutes: f64, words: &Words) -> Svg {
     const REACH: f64 = 800.0;
     let mut svg = Svg::new(640.0, 420.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, 10.0], words.get("time")),
         Axis::new([-REACH, REACH], words.get("across")),
@@ -161,7 +161,7 @@ fn draw(stated: &[f64], wind: f64, turned: f64, minutes: f64, words: &Words) -> 
     .enumerate()
     {
         let at = plot.at(0.15, -0.68 * REACH) + vector![0.0, 17.0 * row as f64];
-        svg.text(at, Anchor::Start, class, &words.get(key));
+        svg.text(at, TextAnchor::Start, class, &words.get(key));
     }
     svg
 }

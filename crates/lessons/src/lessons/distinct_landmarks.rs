@@ -3,10 +3,10 @@
 use nalgebra::{Vector2, vector};
 use pilotage_raster::raster::{Gray, Peak, Raster, Template, highest_peak, rival_peak};
 
-use crate::figure::{Anchor, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::normal_numbers;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Columns and rows of the map, and metres of a pixel.
@@ -28,9 +28,9 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "distinct-landmarks",
     text: include_str!("../../texts/en/distinct-landmarks.md"),
     controls: &[
-        Control::slider("side", [15.0, 45.0], 6.0, 15.0, "m"),
-        Control::slider("change", [0.0, 100.0], 10.0, 0.0, "%"),
-        Control::choice("landmark", 3),
+        LessonControl::slider("side", [15.0, 45.0], 6.0, 15.0, "m"),
+        LessonControl::slider("change", [0.0, 100.0], 10.0, 0.0, "%"),
+        LessonControl::choice("landmark", 3),
     ],
     compute,
 };
@@ -116,7 +116,7 @@ fn find(map: &Gray, picture: &Gray, place: [usize; 2], side: usize) -> Option<Fo
     })
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let side = (setting.get("side") / PIXEL).round() as usize;
     let place = PLACES[setting.chosen("landmark").min(2)];
     let map = map();
@@ -126,7 +126,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         let off = (it.best.0 - it.own).norm() * PIXEL;
         [it.best.1, it.rival.1, it.best.1 - it.rival.1, off]
     });
-    Outcome {
+    LessonOutcome {
         figure: draw(&picture, found.as_ref(), side, words),
         values: vec![
             Value::new("side", setting.get("side"), "m"),
@@ -169,9 +169,9 @@ fn draw(picture: &Gray, found: Option<&Found>, side: usize, words: &Words) -> Sv
         frame("best", found.best.0, "estimate", 0.0);
     }
     let names = [
-        ("own", "word-truth", 20.0, Anchor::Start),
-        ("best", "word-estimate", 320.0, Anchor::Middle),
-        ("rival", "word-limit", 620.0, Anchor::End),
+        ("own", "word-truth", 20.0, TextAnchor::Start),
+        ("best", "word-estimate", 320.0, TextAnchor::Middle),
+        ("rival", "word-limit", 620.0, TextAnchor::End),
     ];
     for (key, class, x, anchor) in names {
         svg.text(vector![x, 444.0], anchor, class, &words.get(key));

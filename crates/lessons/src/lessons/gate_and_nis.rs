@@ -3,10 +3,10 @@
 use nalgebra::{Matrix2, Vector2, vector};
 use pilotage_estimation::filter::{Gate, Gaussian, Ukf, UnscentedSettings};
 
-use crate::figure::{Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::NormalDraws;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Deviation of a look, metres on each axis.
@@ -22,13 +22,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "gate-and-nis",
     text: include_str!("../../texts/en/gate-and-nis.md"),
     controls: &[
-        Control::slider("confidence", [50.0, 99.9], 0.1, 99.9, "%"),
-        Control::slider("belief", [2.0, 40.0], 1.0, 10.0, "m"),
+        LessonControl::slider("confidence", [50.0, 99.9], 0.1, 99.9, "%"),
+        LessonControl::slider("belief", [2.0, 40.0], 1.0, 10.0, "m"),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let belief = setting.get("belief");
     let gate = Gate {
         confidence: setting.get("confidence") / 100.0,
@@ -41,7 +41,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         let count = of.clone().count().max(1) as f64;
         100.0 * of.filter(|look| look.accepted == accepted).count() as f64 / count
     };
-    Outcome {
+    LessonOutcome {
         figure: draw(&judged, spread, threshold, words),
         values: vec![
             Value::new("confidence", setting.get("confidence"), "%"),
@@ -94,7 +94,7 @@ fn draw(judged: &[Judged], spread: f64, threshold: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 460.0);
     let corners = [Vector2::zeros(), vector![640.0, 460.0]];
     let (east, north) = (words.get("east"), words.get("north"));
-    let plot = Plot::map(
+    let plot = FigurePlot::map(
         &mut svg,
         corners,
         vector![25.0, 0.0],

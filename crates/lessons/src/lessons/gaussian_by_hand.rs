@@ -4,10 +4,10 @@ use nalgebra::{Vector2, matrix, vector};
 use pilotage_base::statistics::chi_square_probability;
 use pilotage_estimation::filter::Gaussian;
 
-use crate::figure::{Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::NormalDraws;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Four errors, metres east and north; their mean is zero.
@@ -22,13 +22,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "gaussian-by-hand",
     text: include_str!("../../texts/en/gaussian-by-hand.md"),
     controls: &[
-        Control::slider("correlation", [-0.95, 0.95], 0.05, 0.6, ""),
-        Control::slider("size", [0.5, 3.5], 0.05, 1.0, ""),
+        LessonControl::slider("correlation", [-0.95, 0.95], 0.05, 0.6, ""),
+        LessonControl::slider("size", [0.5, 3.5], 0.05, 1.0, ""),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (correlation, size) = (setting.get("correlation"), setting.get("size"));
     let shared = correlation * DEVIATION * DEVIATION;
     let variance = DEVIATION * DEVIATION;
@@ -46,7 +46,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .filter(|point| distance(**point) <= size * size);
     let drawn = 100.0 * within.count() as f64 / DRAWN as f64;
     let axis = |sign: f64| DEVIATION * (1.0 + sign * correlation.abs()).sqrt();
-    Outcome {
+    LessonOutcome {
         figure: draw(&belief, size, &points, words),
         values: vec![
             Value::new("variance", by_hand(0, 0), "m²"),
@@ -79,7 +79,7 @@ fn draw(belief: &Gaussian<2>, size: f64, points: &[Vector2<f64>], words: &Words)
     let mut svg = Svg::new(640.0, 480.0);
     let corners = [Vector2::zeros(), vector![640.0, 480.0]];
     let (east, north) = (words.get("east"), words.get("north"));
-    let plot = Plot::map(&mut svg, corners, Vector2::zeros(), 45.0, [&east, &north]);
+    let plot = FigurePlot::map(&mut svg, corners, Vector2::zeros(), 45.0, [&east, &north]);
     svg.part("points", |svg| {
         for point in points {
             plot.dot(svg, [point.x, point.y], 2.0, "dot");

@@ -2,10 +2,10 @@
 
 use pilotage_raster::camera::CameraModel;
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{RouteBelief, SPEED};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Deviation with which roll and pitch are known, degrees.
@@ -24,8 +24,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "how-high-to-fly",
     text: include_str!("../../texts/en/how-high-to-fly.md"),
     controls: &[
-        Control::slider("height", HEIGHTS, 50.0, 50.0, "m"),
-        Control::slider("landmarks", [0.5, 8.0], 0.5, 2.0, "/km²"),
+        LessonControl::slider("height", HEIGHTS, 50.0, 50.0, "m"),
+        LessonControl::slider("landmarks", [0.5, 8.0], 0.5, 2.0, "/km²"),
     ],
     compute,
 };
@@ -75,7 +75,7 @@ fn looks(height: f64, density: f64) -> Option<Looks> {
     })
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (height, per_km) = (setting.get("height"), setting.get("landmarks"));
     let density = per_km / 1e6;
     let nothing = Looks {
@@ -85,7 +85,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         error: f64::NAN,
     };
     let own = looks(height, density).unwrap_or(nothing);
-    Outcome {
+    LessonOutcome {
         figure: draw(height, density, words),
         values: vec![
             Value::new("height", height, "m"),
@@ -102,7 +102,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 
 fn draw(height: f64, density: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, HEIGHTS[1]], words.get("height")),
         Axis::new([0.0, 80.0], words.get("error")),

@@ -5,9 +5,9 @@ use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Ukf, UnscentedSettings};
 use pilotage_estimation::vehicle::{ControlInput, RandomWalk, VehicleModel};
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Walk of the place that nobody measures, m/√s on each axis, and deviation of a look, metres.
@@ -23,8 +23,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "how-often-to-look",
     text: include_str!("../../texts/en/how-often-to-look.md"),
     controls: &[
-        Control::slider("interval", [1.0, LONGEST], 1.0, 10.0, "s"),
-        Control::slider("shared", [0.0, 15.0], 1.0, 0.0, "m"),
+        LessonControl::slider("interval", [1.0, LONGEST], 1.0, 10.0, "s"),
+        LessonControl::slider("shared", [0.0, 15.0], 1.0, 0.0, "m"),
     ],
     compute,
 };
@@ -52,10 +52,10 @@ fn settled(interval: f64) -> Option<[f64; 2]> {
     Some(found)
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (interval, shared) = (setting.get("interval"), setting.get("shared"));
     let [before, after] = settled(interval).unwrap_or([f64::NAN; 2]);
-    Outcome {
+    LessonOutcome {
         figure: draw(interval, shared, words),
         values: vec![
             Value::new("interval", interval, "s"),
@@ -72,7 +72,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 
 fn draw(interval: f64, shared: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, LONGEST], words.get("interval")),
         Axis::new([0.0, 28.0], words.get("error")),

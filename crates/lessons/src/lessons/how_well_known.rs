@@ -4,10 +4,10 @@ use nalgebra::{Matrix2, Rotation2, Vector2, vector};
 use pilotage_base::statistics::{chi_square_probability, normal_probability};
 use pilotage_estimation::filter::Gaussian;
 
-use crate::figure::{Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::normal_numbers;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Deviations of the belief along and across its longer axis, metres, and that axis' direction from east.
@@ -23,8 +23,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "how-well-known",
     text: include_str!("../../texts/en/how-well-known.md"),
     controls: &[
-        Control::slider("deviations", [0.5, 4.0], 0.05, 1.0, ""),
-        Control::slider("errors", [0.5, 3.0], 0.25, 1.0, ""),
+        LessonControl::slider("deviations", [0.5, 4.0], 0.05, 1.0, ""),
+        LessonControl::slider("errors", [0.5, 3.0], 0.25, 1.0, ""),
     ],
     compute,
 };
@@ -46,7 +46,7 @@ fn places(factor: f64) -> Vec<Vector2<f64>> {
         .collect()
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (deviations, factor) = (setting.get("deviations"), setting.get("errors"));
     let belief = belief();
     let places = places(factor);
@@ -58,7 +58,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let counted = places.iter().filter(|at| inside(at)).count();
     let share = chi_square_probability((deviations / factor).powi(2), 2.0);
     let one = 2.0 * normal_probability(deviations / factor) - 1.0;
-    Outcome {
+    LessonOutcome {
         figure: draw(&belief, &places, [deviations, factor], inside, words),
         values: vec![
             Value::new("deviations", deviations, ""),
@@ -81,7 +81,7 @@ fn draw(
 ) -> Svg {
     let mut svg = Svg::new(640.0, 440.0);
     let corner = vector![svg.width(), svg.height()];
-    let plot = Plot::map(
+    let plot = FigurePlot::map(
         &mut svg,
         [Vector2::zeros(), corner],
         Vector2::zeros(),

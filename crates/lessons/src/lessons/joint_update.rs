@@ -3,9 +3,9 @@
 use nalgebra::{Matrix1, Matrix2, Vector1, vector};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Deviation of the place before the picture, metres.
@@ -16,9 +16,9 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "joint-update",
     text: include_str!("../../texts/en/joint-update.md"),
     controls: &[
-        Control::choice("way", 2),
-        Control::slider("common", [0.0, 10.0], 0.5, 4.0, "m"),
-        Control::slider("own", [0.5, 10.0], 0.5, 3.0, "m"),
+        LessonControl::choice("way", 2),
+        LessonControl::slider("common", [0.0, 10.0], 0.5, 4.0, "m"),
+        LessonControl::slider("own", [0.5, 10.0], 0.5, 3.0, "m"),
     ],
     compute,
 };
@@ -30,7 +30,7 @@ struct Sureness {
     real: f64,
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (common, own) = (setting.get("common"), setting.get("own"));
     let together = setting.chosen("way") == 1;
     let none = Sureness {
@@ -43,7 +43,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     };
     let shown = update(common);
     let gain = jointly_gain(common, own).unwrap_or(0.0);
-    Outcome {
+    LessonOutcome {
         figure: draw(&update, common, words),
         values: vec![
             Value::new("single", own.hypot(common), "m"),
@@ -110,7 +110,7 @@ fn one_by_one(common: f64, own: f64) -> Option<Sureness> {
 
 fn draw(update: &impl Fn(f64) -> Sureness, common: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, 10.0], words.get("common")),
         Axis::new([0.0, 14.0], words.get("deviation")),

@@ -3,10 +3,10 @@
 use nalgebra::{Matrix1, Vector1, vector};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::bell;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Place at which dead reckoning has the aircraft along the road, and its deviation, metres.
@@ -18,17 +18,17 @@ const LOOKED: f64 = 12.0;
 pub(super) const LESSON: Lesson = Lesson {
     name: "landmark-corrects",
     text: include_str!("../../texts/en/landmark-corrects.md"),
-    controls: &[Control::slider("look", [1.0, 40.0], 0.5, 5.0, "m")],
+    controls: &[LessonControl::slider("look", [1.0, 40.0], 0.5, 5.0, "m")],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let look = setting.get("look");
     let prior =
         Gaussian::from_standard_deviations(Vector1::new(RECKONED.0), &Vector1::new(RECKONED.1));
     let (after, gain, nis) = corrected(prior, look).unwrap_or((prior, 0.0, f64::NAN));
     let deviation = after.standard_deviations()[0];
-    Outcome {
+    LessonOutcome {
         figure: draw(&after, look, words),
         values: vec![
             Value::new("reckoned", RECKONED.1, "m"),
@@ -63,7 +63,7 @@ fn corrected(prior: Gaussian<1>, look: f64) -> Option<(Gaussian<1>, f64, f64)> {
 fn draw(after: &Gaussian<1>, look: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
     let span = [-35.0, 45.0];
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new(span, words.get("place")),
         Axis::new([0.0, 0.15], words.get("density")),
@@ -78,7 +78,7 @@ fn draw(after: &Gaussian<1>, look: f64, words: &Words) -> Svg {
     svg.part("prior", |svg| curve(svg, RECKONED.0, RECKONED.1, "prior"));
     svg.part("look", |svg| curve(svg, LOOKED, look, "likelihood"));
     svg.part("after", |svg| {
-        curve(svg, after.mean[0], after.standard_deviations()[0], "belief")
+        curve(svg, after.mean[0], after.standard_deviations()[0], "belief");
     });
     let moved = [plot.at(RECKONED.0, 0.004), plot.at(after.mean[0], 0.004)];
     svg.part("gain", |svg| {

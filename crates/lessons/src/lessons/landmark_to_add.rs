@@ -2,10 +2,10 @@
 
 use nalgebra::vector;
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{RouteBelief, SPEED};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Length of the route, and where it has landmarks, metres.
@@ -22,8 +22,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "landmark-to-add",
     text: include_str!("../../texts/en/landmark-to-add.md"),
     controls: &[
-        Control::slider("place", [0.5, 10.0], 0.5, 2.5, "km"),
-        Control::slider("found", [10.0, 100.0], 10.0, 100.0, "%"),
+        LessonControl::slider("place", [0.5, 10.0], 0.5, 2.5, "km"),
+        LessonControl::slider("found", [10.0, 100.0], 10.0, 100.0, "%"),
     ],
     compute,
 };
@@ -70,12 +70,12 @@ fn worst(errors: &[[f64; 2]]) -> f64 {
     errors.iter().map(|it| it[1]).fold(0.0, f64::max)
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (place, found) = (1000.0 * setting.get("place"), setting.get("found") / 100.0);
     let without = errors(place, false);
     let shown = mixed(&errors(place, true), &without, found);
     let last = |errors: &[[f64; 2]]| errors.last().map_or(f64::NAN, |it| it[1]);
-    Outcome {
+    LessonOutcome {
         figure: draw(&without, &shown, place, words),
         values: vec![
             Value::new("place", place / 1000.0, "km"),
@@ -93,7 +93,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 
 fn draw(without: &[[f64; 2]], with: &[[f64; 2]], place: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, 10.5], words.get("along")),
         Axis::new([0.0, 400.0], words.get("error")),

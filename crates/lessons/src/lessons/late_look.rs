@@ -7,10 +7,10 @@ use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 use pilotage_estimation::vehicle::{AirplaneWind, ControlInput, VehicleModel};
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{CRUISE, NormalDraws};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 const SEED: u64 = 3;
@@ -28,8 +28,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "late-look",
     text: include_str!("../../texts/en/late-look.md"),
     controls: &[
-        Control::slider("lag", [0.0, 2.0], 0.1, 0.5, "s"),
-        Control::choice("told", 2),
+        LessonControl::slider("lag", [0.0, 2.0], 0.1, 0.5, "s"),
+        LessonControl::choice("told", 2),
     ],
     compute,
 };
@@ -44,7 +44,7 @@ struct Moment {
     nis: Option<f64>,
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let lag = setting.get("lag");
     let flown = flown(lag, setting.chosen("told") == 1).unwrap_or_default();
     let straight = || {
@@ -57,7 +57,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let turned = flown.iter().filter(|it| it.time > TIMES[1]);
     let after = turned.filter_map(|it| it.nis).take(3).fold(0.0, f64::max);
     let last = flown.iter().rfind(|it| it.time < TIMES[1]);
-    Outcome {
+    LessonOutcome {
         figure: draw(&flown, lag, words),
         values: vec![
             Value::new("lag", lag, "s"),
@@ -122,7 +122,7 @@ fn flown(lag: f64, told: bool) -> Option<Vec<Moment>> {
 
 fn draw(flown: &[Moment], lag: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, TIMES[2]], words.get("time")),
         Axis::new([-60.0, 60.0], words.get("error")),

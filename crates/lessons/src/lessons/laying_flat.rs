@@ -7,10 +7,10 @@ use pilotage_raster::imagery::Window;
 use pilotage_raster::raster::{Gray, Peak, Pyramid, Template, highest_peak};
 use pilotage_vision::landmark::{FrameView, GroundView, rectify};
 
-use crate::figure::{Anchor, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{DrawnDay, DrawnGround, House, draw_box, draw_picture, pictured};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Size of the camera's picture, pixels, and its horizontal angle of view, degrees.
@@ -28,8 +28,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "laying-flat",
     text: include_str!("../../texts/en/laying-flat.md"),
     controls: &[
-        Control::slider("tilt", [0.0, 40.0], 5.0, 30.0, "°"),
-        Control::slider("assumed", [0.0, 40.0], 2.5, 0.0, "°"),
+        LessonControl::slider("tilt", [0.0, 40.0], 5.0, 30.0, "°"),
+        LessonControl::slider("assumed", [0.0, 40.0], 2.5, 0.0, "°"),
     ],
     compute,
 };
@@ -111,7 +111,7 @@ fn searched(flat: &Gray) -> Option<Peak> {
     highest_peak(&template.correlate(flat))
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let [tilt, assumed] = ["tilt", "assumed"].map(|name| setting.get(name).to_radians());
     let picture = taken(tilt);
     let flat = laid_flat(picture.clone(), assumed);
@@ -120,7 +120,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let off = peak.map_or(0.0, |peak| {
         (peak.x - left as f64).hypot(peak.y - top as f64)
     });
-    Outcome {
+    LessonOutcome {
         figure: draw(&picture, &flat.luminance, peak.as_ref(), words),
         values: vec![
             Value::new("tilt", setting.get("tilt"), "°"),
@@ -142,13 +142,13 @@ fn draw(picture: &Gray, flat: &Gray, peak: Option<&Peak>, words: &Words) -> Svg 
     let corner = |x: f64| -> Vector2<f64> { vector![x, 60.0] };
     svg.text(
         vector![10.0, 44.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small",
         &words.get("picture"),
     );
     svg.text(
         vector![342.0, 44.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small",
         &words.get("flat"),
     );
@@ -176,13 +176,13 @@ fn draw(picture: &Gray, flat: &Gray, peak: Option<&Peak>, words: &Words) -> Svg 
     });
     svg.text(
         vector![342.0, 330.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small word-truth",
         &words.get("true"),
     );
     svg.text(
         vector![342.0, 350.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small word-estimate",
         &words.get("found"),
     );

@@ -4,10 +4,10 @@ use nalgebra::vector;
 use pilotage_raster::raster::{Gray, Peak, Template, highest_peak, rival_peak};
 use pilotage_vision::landmark::TemplateSettings;
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{DrawnDay, DrawnGround, House, draw_box, draw_picture, pictured};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Size of the picture, pixels of a metre.
@@ -26,8 +26,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "look-alikes",
     text: include_str!("../../texts/en/look-alikes.md"),
     controls: &[
-        Control::slider("side", [7.0, 17.0], 2.0, 7.0, "m"),
-        Control::choice("street", 2),
+        LessonControl::slider("side", [7.0, 17.0], 2.0, 7.0, "m"),
+        LessonControl::choice("street", 2),
     ],
     compute,
 };
@@ -83,7 +83,7 @@ fn found(ground: &DrawnGround, side: usize) -> Option<Found> {
     })
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let side = setting.chosen("side");
     let ground = street(setting.chosen("street") == 1);
     let found = found(&ground, side);
@@ -91,7 +91,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let rival = found.as_ref().and_then(|found| found.rival);
     let rival = rival.map_or(0.0, |rival| rival.value);
     let middle = found.as_ref().map_or(0.0, |found| found.best.x) + side as f64 / 2.0;
-    Outcome {
+    LessonOutcome {
         figure: draw(found.as_ref(), side as f64, words),
         values: vec![
             Value::new("side", side as f64, "m"),
@@ -111,7 +111,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 fn draw(found: Option<&Found>, side: f64, words: &Words) -> Svg {
     const PIXEL: f64 = 12.0;
     let mut svg = Svg::new(640.0, 440.0);
-    let plot = Plot::new(
+    let plot = FigurePlot::new(
         &mut svg,
         [vector![0.0, 226.0], vector![640.0, 440.0]],
         Axis::new([0.0, 47.5], words.get("along")),

@@ -5,10 +5,10 @@ use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 use pilotage_estimation::vehicle::{AirData, AirplaneWind, ControlInput, VehicleModel};
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{CRUISE, START};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Innovation to the north, metres.
@@ -19,20 +19,20 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "look-corrects-wind",
     text: include_str!("../../texts/en/look-corrects-wind.md"),
     controls: &[
-        Control::slider("wait", [0.0, 60.0], 5.0, 30.0, "s"),
-        Control::slider("look", [1.0, 40.0], 1.0, 5.0, "m"),
+        LessonControl::slider("wait", [0.0, 60.0], 5.0, 30.0, "s"),
+        LessonControl::slider("look", [1.0, 40.0], 1.0, 5.0, "m"),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (wait, look) = (setting.get("wait"), setting.get("look"));
     let (before, after, gain) = corrected(wait, look).unwrap_or_else(|| {
         let none = Gaussian::new(Vector2::zeros(), Matrix2::identity());
         (none, none, Vector2::zeros())
     });
     let [had, has] = [before, after].map(|belief| belief.standard_deviations());
-    Outcome {
+    LessonOutcome {
         figure: draw(&before, &after, look, words),
         values: vec![
             Value::new("wait", wait, "s"),
@@ -96,7 +96,7 @@ fn corrected(wait: f64, look: f64) -> Option<(Gaussian<2>, Gaussian<2>, Vector2<
 
 fn draw(before: &Gaussian<2>, after: &Gaussian<2>, look: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 420.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([-300.0, 300.0], words.get("place")),
         Axis::new([-6.0, 10.0], words.get("wind")),

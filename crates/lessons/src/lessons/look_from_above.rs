@@ -4,9 +4,9 @@ use nalgebra::{Point2, Point3, Vector2, vector};
 use pilotage_base::frames::{Attitude, Pose};
 use pilotage_raster::camera::CameraModel;
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Columns and rows of the picture, and its angle of view from left to right, degrees.
@@ -18,8 +18,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "look-from-above",
     text: include_str!("../../texts/en/look-from-above.md"),
     controls: &[
-        Control::slider("height", [50.0, 600.0], 10.0, 300.0, "m"),
-        Control::slider("tilt", [0.0, 12.0], 0.5, 1.0, "°"),
+        LessonControl::slider("height", [50.0, 600.0], 10.0, 300.0, "m"),
+        LessonControl::slider("tilt", [0.0, 12.0], 0.5, 1.0, "°"),
     ],
     compute,
 };
@@ -44,7 +44,7 @@ fn right_of(camera: &CameraModel, height: f64, roll: f64, column: f64) -> f64 {
         .map_or(f64::NAN, |ground| ground.east)
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (height, tilt) = (setting.get("height"), setting.get("tilt").to_radians());
     let camera = camera();
     let middle = camera.principal.x;
@@ -52,7 +52,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     // A landmark is seen in the middle of the picture. It is believed to lie straight below; the left wing is up by the
     // tilt, so that it lies to the left.
     let moved = level(middle) - right_of(&camera, height, tilt, middle);
-    Outcome {
+    LessonOutcome {
         figure: draw(&camera, height, tilt, words),
         values: vec![
             Value::new("height", height, "m"),
@@ -70,7 +70,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 
 fn draw(camera: &CameraModel, height: f64, tilt: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 440.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([-500.0, 500.0], words.get("right")),
         Axis::new([0.0, 660.0], words.get("above")),
@@ -117,7 +117,7 @@ fn draw(camera: &CameraModel, height: f64, tilt: f64, words: &Words) -> Svg {
     .enumerate()
     {
         let at = vector![616.0, 32.0 + 17.0 * row as f64];
-        svg.text(at, Anchor::End, class, &words.get(key));
+        svg.text(at, TextAnchor::End, class, &words.get(key));
     }
     svg
 }

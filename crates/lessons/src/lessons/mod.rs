@@ -25,6 +25,23 @@ courses! {
         several_landmarks,
         look_from_above,
     }
+    "the-filter" {
+        gaussian_by_hand,
+        bent_function,
+        alpha_beta_kappa,
+        cloud_grows,
+        camera_chain,
+        camera_picture,
+        look_corrects_wind,
+        joint_update,
+        covariance_positive,
+        gate_and_nis,
+        nees_honest,
+        tuning_noise,
+        wind_on_turns,
+        smoothing,
+        late_look,
+    }
     "seeing" {
         look_alikes,
         score_surface,
@@ -50,23 +67,6 @@ courses! {
         twin_landmark,
         wrong_wind,
         night_and_snow,
-    }
-    "the-filter" {
-        gaussian_by_hand,
-        bent_function,
-        alpha_beta_kappa,
-        cloud_grows,
-        camera_chain,
-        camera_picture,
-        look_corrects_wind,
-        joint_update,
-        covariance_positive,
-        gate_and_nis,
-        nees_honest,
-        tuning_noise,
-        wind_on_turns,
-        smoothing,
-        late_look,
     }
 }
 

@@ -3,10 +3,10 @@
 use pilotage_estimation::filter::{Consistency, mean_interval};
 use pilotage_estimation::vehicle::AirplaneWind;
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{LookedFlight, LookedStep};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 const SEED: u64 = 100;
@@ -18,7 +18,7 @@ const REAL: f64 = 0.2;
 pub(super) const LESSON: Lesson = Lesson {
     name: "nees-honest",
     text: include_str!("../../texts/en/nees-honest.md"),
-    controls: &[Control::slider(
+    controls: &[LessonControl::slider(
         "believed",
         [0.0, 1.0],
         0.02,
@@ -28,7 +28,7 @@ pub(super) const LESSON: Lesson = Lesson {
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let believed = setting.get("believed");
     let flights: Vec<_> = (0..FLIGHTS)
         .map(|number| flight(number, believed))
@@ -51,7 +51,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .summary_of_runs(FLIGHTS)
         .map_or(f64::MAX, |summary| summary.mean);
     let ended = last.summary().map_or(f64::MAX, |summary| summary.mean);
-    Outcome {
+    LessonOutcome {
         figure: draw(&flights, [low, high], words),
         values: vec![
             Value::new("believed", believed, "m/s/√s"),
@@ -92,7 +92,7 @@ fn nees(step: &LookedStep) -> f64 {
 fn draw(flights: &[Vec<LookedStep>], [low, high]: [f64; 2], words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
     let most = 20.0;
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, 120.0], words.get("time")),
         Axis::new([0.0, most], words.get("nees")),

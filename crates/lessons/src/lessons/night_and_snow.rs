@@ -1,8 +1,8 @@
 //! Few landmarks are found at night and in snow: nothing is wrong with the filter, and what it says grows.
 
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{LOOK, WatchedFlight, draw_symptoms};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Probability that a landmark is found by day, and at night over snow.
@@ -15,13 +15,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "night-and-snow",
     text: include_str!("../../texts/en/night-and-snow.md"),
     controls: &[
-        Control::slider("between", [4.0, 40.0], 2.0, 30.0, "s"),
-        Control::choice("answers", 3),
+        LessonControl::slider("between", [4.0, 40.0], 2.0, 30.0, "s"),
+        LessonControl::choice("answers", 3),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let between = setting.get("between");
     let (found, wrong) = match setting.chosen("answers") {
         0 => (FOUND[1], (0.0, 0.0)),
@@ -37,7 +37,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let flown = flight.fly();
     let nis = flown.consistency();
     let (low, high) = nis.map_or((0.0, 0.0), |nis| (nis.lower_95, nis.upper_95));
-    Outcome {
+    LessonOutcome {
         figure: draw_symptoms(&flown, 100.0, 200.0, words),
         values: vec![
             Value::new("between", between, "s"),

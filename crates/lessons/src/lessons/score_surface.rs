@@ -3,10 +3,10 @@
 use nalgebra::vector;
 use pilotage_raster::raster::{Gray, Peak, Template, highest_peak};
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{draw_picture, pictured};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Sides of the searched picture and of the patch, pixels.
@@ -21,8 +21,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "score-surface",
     text: include_str!("../../texts/en/score-surface.md"),
     controls: &[
-        Control::slider("shift", [-0.5, 0.5], 0.05, 0.3, "px"),
-        Control::slider("noise", [0.0, 40.0], 2.0, 0.0, "grey levels"),
+        LessonControl::slider("shift", [-0.5, 0.5], 0.05, 0.3, "px"),
+        LessonControl::slider("noise", [0.0, 40.0], 2.0, 0.0, "grey levels"),
     ],
     compute,
 };
@@ -51,7 +51,7 @@ fn moved(peak: &Peak) -> f64 {
     peak.x - ((SEARCH - PATCH) / 2) as f64
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (shift, noise) = (setting.get("shift"), setting.get("noise"));
     let shown = surface(shift, (noise, SEED));
     let peak = shown.as_ref().and_then(highest_peak);
@@ -65,7 +65,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .sum();
     let found = peak.as_ref().map_or(0.0, moved);
     let sample = peak.map_or(0.0, |peak| peak.sample.0 as f64 - 4.0);
-    Outcome {
+    LessonOutcome {
         figure: draw(shown.as_ref(), peak.as_ref(), shift, words),
         values: vec![
             Value::new("shift", shift, "px"),
@@ -103,7 +103,7 @@ fn means(surface: &Gray, peak: &Peak) -> [f64; 3] {
 fn draw(surface: Option<&Gray>, peak: Option<&Peak>, shift: f64, words: &Words) -> Svg {
     const SIDE: f64 = 28.0;
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::new(
+    let plot = FigurePlot::new(
         &mut svg,
         [vector![290.0, 0.0], vector![640.0, 400.0]],
         Axis::new([-3.0, 3.0], words.get("place")),
@@ -136,7 +136,7 @@ fn draw(surface: Option<&Gray>, peak: Option<&Peak>, shift: f64, words: &Words) 
     });
     svg.text(
         vector![20.0, 44.0],
-        Anchor::Start,
+        TextAnchor::Start,
         "small",
         &words.get("surface"),
     );

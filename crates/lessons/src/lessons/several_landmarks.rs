@@ -4,9 +4,9 @@ use nalgebra::{Matrix1, Matrix1x2, Matrix2, Vector1, Vector2, vector};
 use pilotage_base::frames::wrap_pi;
 use pilotage_estimation::filter::{CramerRao, Gaussian, Ukf, UnscentedSettings};
 
-use crate::figure::{Anchor, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Distance of both landmarks, metres.
@@ -21,8 +21,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "several-landmarks",
     text: include_str!("../../texts/en/several-landmarks.md"),
     controls: &[
-        Control::slider("angle", [10.0, 170.0], 5.0, 10.0, "°"),
-        Control::slider("compass", [0.0, 5.0], 0.5, 0.0, "°"),
+        LessonControl::slider("angle", [10.0, 170.0], 5.0, 10.0, "°"),
+        LessonControl::slider("compass", [0.0, 5.0], 0.5, 0.0, "°"),
     ],
     compute,
 };
@@ -74,7 +74,7 @@ fn estimate(angle: f64, compass: f64) -> Option<Vector2<f64>> {
     Some(mean)
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (angle, compass) = (
         setting.get("angle").to_radians(),
         setting.get("compass").to_radians(),
@@ -82,7 +82,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let covariance = bound(angle).unwrap_or_else(|| Matrix2::repeat(f64::NAN));
     let axes = covariance.symmetric_eigenvalues().map(f64::sqrt);
     let found = estimate(angle, compass).unwrap_or_else(|| Vector2::repeat(f64::NAN));
-    Outcome {
+    LessonOutcome {
         figure: draw(angle, compass, &covariance, &found, words),
         values: vec![
             Value::new("angle", setting.get("angle"), "°"),
@@ -106,7 +106,7 @@ fn draw(
 ) -> Svg {
     let mut svg = Svg::new(640.0, 440.0);
     let corner = vector![svg.width(), svg.height()];
-    let plot = Plot::map(
+    let plot = FigurePlot::map(
         &mut svg,
         [Vector2::zeros(), corner],
         vector![0.0, 210.0],
@@ -146,7 +146,7 @@ fn draw(
     ];
     for (row, (key, class)) in names.into_iter().enumerate() {
         let at = vector![614.0, 314.0 + 17.0 * row as f64];
-        svg.text(at, Anchor::End, class, &words.get(key));
+        svg.text(at, TextAnchor::End, class, &words.get(key));
     }
     svg
 }

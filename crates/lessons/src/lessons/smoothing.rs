@@ -4,10 +4,10 @@ use nalgebra::vector;
 use pilotage_estimation::filter::{Gaussian, SmootherLink, smooth};
 use pilotage_estimation::vehicle::AirplaneWind;
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{LookedFlight, LookedStep};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 const SEED: u64 = 4;
@@ -19,13 +19,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "smoothing",
     text: include_str!("../../texts/en/smoothing.md"),
     controls: &[
-        Control::slider("gap", [10.0, 80.0], 10.0, 60.0, "s"),
-        Control::choice("estimate", 2),
+        LessonControl::slider("gap", [10.0, 80.0], 10.0, 60.0, "s"),
+        LessonControl::choice("estimate", 2),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let gap = setting.get("gap").round() as usize;
     let from = (STEPS - gap) / 2;
     let flight = LookedFlight {
@@ -63,7 +63,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     } else {
         smooth_most
     };
-    Outcome {
+    LessonOutcome {
         figure: draw(&steps, [&filtered, &smoothed], words),
         values: vec![
             Value::new("gap", setting.get("gap"), "s"),
@@ -99,7 +99,7 @@ fn smoothed(steps: &[LookedStep]) -> Vec<Gaussian<4>> {
 fn draw(steps: &[LookedStep], [filtered, smoothed]: [&[Gaussian<4>]; 2], words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 420.0);
     let most = 180.0;
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, STEPS as f64], words.get("time")),
         Axis::new([-most, most], words.get("error")),
@@ -147,7 +147,7 @@ fn draw(steps: &[LookedStep], [filtered, smoothed]: [&[Gaussian<4>]; 2], words: 
     ];
     for (line, (name, class)) in key.into_iter().enumerate() {
         let at = vector![64.0, 30.0 + 17.0 * line as f64];
-        svg.text(at, Anchor::Start, class, &words.get(name));
+        svg.text(at, TextAnchor::Start, class, &words.get(name));
     }
     svg
 }

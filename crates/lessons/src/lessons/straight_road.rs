@@ -12,9 +12,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use crate::figure::{Anchor, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Belief before the look: metres north and east, degrees of heading.
@@ -34,8 +34,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "straight-road",
     text: include_str!("../../texts/en/straight-road.md"),
     controls: &[
-        Control::slider("bend", [0.0, 60.0], 5.0, 0.0, "°"),
-        Control::slider("shared", [0.0, 4.0], 0.5, 1.0, "m"),
+        LessonControl::slider("bend", [0.0, 60.0], 5.0, 0.0, "°"),
+        LessonControl::slider("shared", [0.0, 4.0], 0.5, 1.0, "m"),
     ],
     compute,
 };
@@ -118,7 +118,7 @@ fn in_the_picture() -> Option<f64> {
     Some(road.distance.abs())
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (bend, shared) = (setting.get("bend").to_radians(), setting.get("shared"));
     let (after, points, scatter) = looked(bend, shared).unwrap_or_else(|| {
         let deviations = Vector3::from(BEFORE);
@@ -130,7 +130,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     });
     let deviations = after.standard_deviations();
     let count = points.max(1) as f64;
-    Outcome {
+    LessonOutcome {
         figure: draw(bend, shared, &after, words),
         values: vec![
             Value::new("bend", setting.get("bend"), "°"),
@@ -150,7 +150,7 @@ fn draw(bend: f64, shared: f64, after: &Gaussian<3>, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 440.0);
     let corners = [vector![0.0, 0.0], vector![640.0, 440.0]];
     let labels = [words.get("east"), words.get("north")];
-    let plot = Plot::map(
+    let plot = FigurePlot::map(
         &mut svg,
         corners,
         vector![20.0, 0.0],
@@ -195,7 +195,7 @@ fn draw(bend: f64, shared: f64, after: &Gaussian<3>, words: &Words) -> Svg {
     {
         let at = vector![64.0, 30.0 + 17.0 * row as f64];
         let class = format!("small word-{colour}");
-        svg.text(at, Anchor::Start, &class, &words.get(name));
+        svg.text(at, TextAnchor::Start, &class, &words.get(name));
     }
     svg
 }

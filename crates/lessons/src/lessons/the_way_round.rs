@@ -3,10 +3,10 @@
 use nalgebra::{Vector2, vector};
 use pilotage_base::statistics::normal_probability;
 
-use crate::figure::{Anchor, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{RouteBelief, SPEED};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Metres from start to goal, which lies to the east.
@@ -28,8 +28,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "the-way-round",
     text: include_str!("../../texts/en/the-way-round.md"),
     controls: &[
-        Control::slider("aside", [0.0, 2500.0], 100.0, 0.0, "m"),
-        Control::slider("wind", [0.5, 4.0], 0.5, 0.5, "m/s"),
+        LessonControl::slider("aside", [0.0, 2500.0], 100.0, 0.0, "m"),
+        LessonControl::slider("wind", [0.5, 4.0], 0.5, 0.5, "m/s"),
     ],
     compute,
 };
@@ -98,7 +98,7 @@ fn expected(aside: f64, wind: f64) -> Option<Expected> {
     })
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (aside, wind) = (setting.get("aside"), setting.get("wind"));
     let nothing = || Expected {
         length: f64::NAN,
@@ -107,7 +107,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     };
     let own = expected(aside, wind).unwrap_or_else(nothing);
     let straight = expected(0.0, wind).unwrap_or_else(nothing);
-    Outcome {
+    LessonOutcome {
         figure: draw(aside, &own, words),
         values: vec![
             Value::new("aside", aside, "m"),
@@ -125,7 +125,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 fn draw(aside: f64, own: &Expected, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 340.0);
     let corner = vector![svg.width(), svg.height()];
-    let plot = Plot::map(
+    let plot = FigurePlot::map(
         &mut svg,
         [Vector2::zeros(), corner],
         vector![5200.0, 800.0],
@@ -152,7 +152,12 @@ fn draw(aside: f64, own: &Expected, words: &Words) -> Svg {
             let at = plot.at(landmark.x, landmark.y);
             svg.circle(at, 6.0, "landmark");
             let words = format!("{:.0} %", 100.0 * chance);
-            svg.text(at - vector![0.0, 14.0], Anchor::Middle, "word-look", &words);
+            svg.text(
+                at - vector![0.0, 14.0],
+                TextAnchor::Middle,
+                "word-look",
+                &words,
+            );
         }
     });
     svg.part("goal", |svg| {

@@ -3,10 +3,10 @@
 use pilotage_estimation::filter::Consistency;
 use pilotage_estimation::vehicle::AirplaneWind;
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{LookedFlight, LookedStep};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 const SEED: u64 = 31;
@@ -19,11 +19,17 @@ const WINDS: [f64; 2] = [-10.0, 10.0];
 pub(super) const LESSON: Lesson = Lesson {
     name: "tuning-noise",
     text: include_str!("../../texts/en/tuning-noise.md"),
-    controls: &[Control::slider("believed", [0.0, 3.0], 0.02, 0.0, "m/s/√s")],
+    controls: &[LessonControl::slider(
+        "believed",
+        [0.0, 3.0],
+        0.02,
+        0.0,
+        "m/s/√s",
+    )],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let believed = setting.get("believed");
     let steps = flown(believed);
     let mut consistency = Consistency::default();
@@ -35,7 +41,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         (it.mean, it.lower_95, it.upper_95)
     });
     let count = consistency.count() as f64;
-    Outcome {
+    LessonOutcome {
         figure: draw(&steps, words),
         values: vec![
             Value::new("believed", believed, "m/s/√s"),
@@ -74,7 +80,7 @@ fn wind_error(steps: &[LookedStep]) -> f64 {
 
 fn draw(steps: &[LookedStep], words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, 300.0], words.get("time")),
         Axis::new(WINDS, words.get("wind")),

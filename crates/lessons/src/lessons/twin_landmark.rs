@@ -2,9 +2,9 @@
 
 use nalgebra::Vector2;
 
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{WatchedFlight, draw_symptoms, gate_of_looks};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Moment of the look at the twin, s, and where it stands beside the landmark, metres north and east.
@@ -19,13 +19,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "twin-landmark",
     text: include_str!("../../texts/en/twin-landmark.md"),
     controls: &[
-        Control::slider("left-out", [115.0, 175.0], 5.0, 115.0, "s"),
-        Control::choice("gate", 2),
+        LessonControl::slider("left-out", [115.0, 175.0], 5.0, 115.0, "s"),
+        LessonControl::choice("gate", 2),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let flight = WatchedFlight {
         between: BETWEEN,
         blind: BLIND,
@@ -48,7 +48,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .iter()
         .filter(|look| look.nis > gate_of_looks())
         .count();
-    Outcome {
+    LessonOutcome {
         figure: draw_symptoms(&flown, 100.0, 100.0, words),
         values: vec![
             Value::new("left-out", setting.get("left-out"), "s"),

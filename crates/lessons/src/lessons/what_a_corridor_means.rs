@@ -3,10 +3,10 @@
 use nalgebra::{Matrix2, Vector2, matrix, vector};
 use pilotage_base::statistics::chi_square_quantile;
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{RouteBelief, SPEED, normal_numbers};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Seconds of a step; steps of the flight of 8 km.
@@ -26,8 +26,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "what-a-corridor-means",
     text: include_str!("../../texts/en/what-a-corridor-means.md"),
     controls: &[
-        Control::slider("spacing", [0.5, 4.0], 0.5, 2.0, "km"),
-        Control::slider("gusts", [1.0, 4.0], 0.5, 1.0, ""),
+        LessonControl::slider("spacing", [0.5, 4.0], 0.5, 2.0, "km"),
+        LessonControl::slider("gusts", [1.0, 4.0], 0.5, 1.0, ""),
     ],
     compute,
 };
@@ -106,7 +106,7 @@ fn flights(moments: &[Moment], gusts: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (spacing, gusts) = (1000.0 * setting.get("spacing"), setting.get("gusts"));
     // 95 % of a Gaussian of one number.
     let scale = chi_square_quantile(0.95, 1.0).sqrt();
@@ -123,7 +123,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         .sum();
     let widest = moments.iter().map(|it| it.across).fold(0.0, f64::max);
     let kept: Vec<bool> = flights.iter().map(always).collect();
-    Outcome {
+    LessonOutcome {
         figure: draw(&moments, &flights, &kept, scale, words),
         values: vec![
             Value::new("spacing", spacing / 1000.0, "km"),
@@ -145,7 +145,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 fn draw(moments: &[Moment], flights: &[Vec<f64>], kept: &[bool], scale: f64, words: &Words) -> Svg {
     const REACH: f64 = 190.0;
     let mut svg = Svg::new(640.0, 420.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, 8.0], words.get("along")),
         Axis::new([-REACH, REACH], words.get("across")),

@@ -7,9 +7,9 @@ use pilotage_reference::association::{
     Scoreboard, ScoreboardSettings, associate,
 };
 
-use crate::figure::{Anchor, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Height above ground, metres: 1000 feet.
@@ -55,10 +55,10 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "which-is-which",
     text: include_str!("../../texts/en/which-is-which.md"),
     controls: &[
-        Control::choice("a", 6),
-        Control::choice("b", 6),
-        Control::choice("c", 6),
-        Control::slider("off", [0.0, 45.0], 5.0, 30.0, "m"),
+        LessonControl::choice("a", 6),
+        LessonControl::choice("b", 6),
+        LessonControl::choice("c", 6),
+        LessonControl::slider("off", [0.0, 45.0], 5.0, 30.0, "m"),
     ],
     compute,
 };
@@ -149,7 +149,7 @@ fn right(pairs: &[Option<usize>]) -> f64 {
     pairs.filter(|(own, truth)| **own == Some(**truth)).count() as f64
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let off = setting.get("off");
     let map = all_of_map();
     let seen = all_seen(&map, off);
@@ -157,7 +157,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     // The first choice is none, the others are the buildings 1 to 5.
     let own = ["a", "b", "c"].map(|name| setting.chosen(name).checked_sub(1));
     let board_wrong = pairs.scoreboard.iter().flatten().count() as f64 - right(&pairs.scoreboard);
-    Outcome {
+    LessonOutcome {
         figure: draw(&map, &seen, &own, words),
         values: vec![
             Value::new("off", off, "m"),
@@ -182,7 +182,7 @@ fn draw(
     let mut svg = Svg::new(640.0, 440.0);
     let corners = [vector![0.0, 0.0], vector![640.0, 440.0]];
     let labels = [words.get("east"), words.get("north")];
-    let plot = Plot::map(
+    let plot = FigurePlot::map(
         &mut svg,
         corners,
         vector![-5.0, 8.0],
@@ -207,7 +207,7 @@ fn draw(
                 let at = plot.at(thing.place.y, thing.place.x) + vector![0.0, -16.0];
                 svg.text(
                     at,
-                    Anchor::Middle,
+                    TextAnchor::Middle,
                     "small word-reckoning",
                     &(index + 1).to_string(),
                 );
@@ -218,7 +218,7 @@ fn draw(
         for (thing, letter) in seen.iter().zip(["A", "B", "C", "D", "E", "", ""]) {
             mark(svg, thing.class, thing.place, "belief");
             let at = plot.at(thing.place.y, thing.place.x) + vector![0.0, 27.0];
-            svg.text(at, Anchor::Middle, "small word-estimate", letter);
+            svg.text(at, TextAnchor::Middle, "small word-estimate", letter);
         }
     });
     svg.part("pairs", |svg| {

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use nalgebra::vector;
 
-use crate::figure::{Anchor, Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
-use crate::setting::{Control, Setting};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Wavelength of the civil signal at 1575.42 MHz, metres.
@@ -25,8 +25,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "why-gps-fails",
     text: include_str!("../../texts/en/why-gps-fails.md"),
     controls: &[
-        Control::slider("distance", [0.5, 60.0], 0.5, 5.0, "km"),
-        Control::slider("power", [10.0, 2000.0], 10.0, 100.0, "mW"),
+        LessonControl::slider("distance", [0.5, 60.0], 0.5, 5.0, "km"),
+        LessonControl::slider("power", [10.0, 2000.0], 10.0, 100.0, "mW"),
     ],
     compute,
 };
@@ -56,12 +56,12 @@ fn reach(watts: f64) -> f64 {
     WAVELENGTH / (4.0 * PI) * factor((decibels(watts) - allowed) / 2.0)
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (distance, watts) = (setting.get("distance"), setting.get("power") / 1000.0);
     let jammer = received(watts, 1000.0 * distance);
     let over = jammer - SATELLITE;
     let left = disturbed(over);
-    Outcome {
+    LessonOutcome {
         figure: draw(distance, watts, words),
         values: vec![
             Value::new("distance", distance, "km"),
@@ -78,7 +78,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
 
 fn draw(distance: f64, watts: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, 60.0], words.get("away")),
         Axis::new([0.0, 55.0], words.get("strength")),
@@ -100,10 +100,10 @@ fn draw(distance: f64, watts: f64, words: &Words) -> Svg {
     });
     for (level, class, key) in [(CLEAR, "word-truth", "clear"), (LOST, "word-limit", "lost")] {
         let place = plot.at(59.0, level) + vector![0.0, if level == LOST { 17.0 } else { -7.0 }];
-        svg.text(place, Anchor::End, class, &words.get(key));
+        svg.text(place, TextAnchor::End, class, &words.get(key));
     }
     let place = plot.at(59.0, 3.0);
-    svg.text(place, Anchor::End, "word-estimate", &words.get("left"));
+    svg.text(place, TextAnchor::End, "word-estimate", &words.get("left"));
     svg
 }
 

@@ -5,10 +5,10 @@ use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
 use pilotage_estimation::vehicle::{AirDataBiases, AirplaneWindBias, ControlInput, VehicleModel};
 
-use crate::figure::{Anchor, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{FigurePlot, Svg, TextAnchor};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::normal_numbers;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// True airspeed and what the instrument adds to it, m/s.
@@ -25,9 +25,9 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "wind-carries",
     text: include_str!("../../texts/en/wind-carries.md"),
     controls: &[
-        Control::slider("turn", [0.0, 180.0], 15.0, 0.0, "°"),
-        Control::slider("wind", [0.0, 12.0], 1.0, 6.0, "m/s"),
-        Control::slider("leg", [60.0, 300.0], 30.0, 60.0, "s"),
+        LessonControl::slider("turn", [0.0, 180.0], 15.0, 0.0, "°"),
+        LessonControl::slider("wind", [0.0, 12.0], 1.0, 6.0, "m/s"),
+        LessonControl::slider("leg", [60.0, 300.0], 30.0, 60.0, "s"),
     ],
     compute,
 };
@@ -93,7 +93,7 @@ fn fly(turn: f64, wind: f64, leg: f64) -> Option<Flown> {
     Some(Flown { way, before, after })
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (turn, wind, leg) = (
         setting.get("turn").to_radians(),
         setting.get("wind"),
@@ -112,7 +112,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
         let error = (it.after.mean - vector![0.0, wind]).norm();
         (it.after.standard_deviations()[0], longest, error)
     });
-    Outcome {
+    LessonOutcome {
         figure: flown.map_or_else(|| Svg::new(640.0, 400.0), |it| draw(&it, wind, words)),
         values: vec![
             Value::new("wind", wind, "m/s"),
@@ -136,7 +136,7 @@ fn draw(flown: &Flown, wind: f64, words: &Words) -> Svg {
         .fold((last, last), |(low, high), at| (low.inf(at), high.sup(at)));
     let middle = (low + high) / 2.0;
     let reach = 0.62 * (high - low).max().max(1000.0);
-    let map = Plot::map(
+    let map = FigurePlot::map(
         &mut svg,
         [vector![0.0, 0.0], vector![310.0, 400.0]],
         vector![middle.y, middle.x],
@@ -157,7 +157,7 @@ fn draw(flown: &Flown, wind: f64, words: &Words) -> Svg {
             (&words.get("looks"), "word-look"),
         ],
     );
-    let winds = Plot::map(
+    let winds = FigurePlot::map(
         &mut svg,
         [vector![330.0, 0.0], vector![640.0, 400.0]],
         vector![2.0, 0.0],
@@ -192,7 +192,7 @@ fn draw(flown: &Flown, wind: f64, words: &Words) -> Svg {
     .enumerate()
     {
         let at = vector![620.0, 30.0 + 17.0 * row as f64];
-        svg.text(at, Anchor::End, class, &words.get(key));
+        svg.text(at, TextAnchor::End, class, &words.get(key));
     }
     svg
 }

@@ -7,10 +7,10 @@ use pilotage_estimation::vehicle::{
     AirData, AirDataBiases, AirplaneWindBias, ControlInput, VehicleModel,
 };
 
-use crate::figure::{Axis, Plot, Svg};
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::figure::{Axis, FigurePlot, Svg};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{CRUISE, START};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// Seconds between two looks, and their deviation, metres.
@@ -23,8 +23,8 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "wind-on-turns",
     text: include_str!("../../texts/en/wind-on-turns.md"),
     controls: &[
-        Control::slider("turn", [0.0, 180.0], 5.0, 0.0, "°"),
-        Control::slider("bias", [0.0, 4.0], 0.5, 2.0, "m/s"),
+        LessonControl::slider("turn", [0.0, 180.0], 5.0, 0.0, "°"),
+        LessonControl::slider("bias", [0.0, 4.0], 0.5, 2.0, "m/s"),
     ],
     compute,
 };
@@ -36,7 +36,7 @@ struct Moment {
     bias: f64,
 }
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (turn, bias) = (setting.get("turn"), setting.get("bias"));
     let (moments, last) = flown(turn.to_radians(), bias).unwrap_or_default();
     let before = moments.iter().rfind(|moment| moment.time <= TIMES.1);
@@ -45,7 +45,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let both = (p[(2, 2)] * p[(4, 4)]).sqrt();
     let correlation = if both > 0.0 { p[(2, 4)] / both } else { 0.0 };
     let sum = (p[(2, 2)] + p[(4, 4)] - 2.0 * p[(2, 4)]).max(0.0).sqrt();
-    Outcome {
+    LessonOutcome {
         figure: draw(&moments, turn, words),
         values: vec![
             Value::new("turn", turn, "°"),
@@ -103,7 +103,7 @@ fn flown(turn: f64, bias: f64) -> Option<(Vec<Moment>, Option<Gaussian<6>>)> {
 
 fn draw(moments: &[Moment], turn: f64, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
-    let plot = Plot::whole(
+    let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([0.0, TIMES.0], words.get("time")),
         Axis::new([0.0, 4.0], words.get("deviation")),

@@ -2,9 +2,9 @@
 
 use nalgebra::Vector2;
 
-use crate::lesson::{Check, Lesson, Outcome, Value};
+use crate::lesson::{Check, Lesson, LessonOutcome, Value};
 use crate::models::{WatchedFlight, draw_symptoms};
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
 /// True wind less the forecast, m/s north and east.
@@ -17,13 +17,13 @@ pub(super) const LESSON: Lesson = Lesson {
     name: "wrong-wind",
     text: include_str!("../../texts/en/wrong-wind.md"),
     controls: &[
-        Control::slider("claimed", [0.25, 8.0], 0.25, 0.25, "m/s"),
-        Control::choice("gate", 2),
+        LessonControl::slider("claimed", [0.25, 8.0], 0.25, 0.25, "m/s"),
+        LessonControl::choice("gate", 2),
     ],
     compute,
 };
 
-fn compute(setting: &Setting, words: &Words) -> Outcome {
+fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let claimed = setting.get("claimed");
     let flight = WatchedFlight {
         wind: Vector2::from(WRONG),
@@ -36,7 +36,7 @@ fn compute(setting: &Setting, words: &Words) -> Outcome {
     let nis = flown.consistency();
     let (low, high) = nis.map_or((0.0, 0.0), |nis| (nis.lower_95, nis.upper_95));
     let wrong = Vector2::from(WRONG).norm();
-    Outcome {
+    LessonOutcome {
         figure: draw_symptoms(&flown, 100.0, 100.0, words),
         values: vec![
             Value::new("claimed", claimed, "m/s"),

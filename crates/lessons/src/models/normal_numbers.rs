@@ -1,8 +1,6 @@
 //! Numbers of a normal distribution, the same each time.
 
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
+use super::normal_draws::NormalDraws;
 
 /// Numbers of a normal distribution of mean 0 and deviation 1, drawn from a seed without end.
 ///
@@ -12,6 +10,6 @@ use rand_distr::{Distribution, StandardNormal};
 /// assert_eq!(first, normal_numbers(7).take(3).collect::<Vec<f64>>());
 /// ```
 pub fn normal_numbers(seed: u64) -> impl Iterator<Item = f64> {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    std::iter::repeat_with(move || StandardNormal.sample(&mut random))
+    let mut draws = NormalDraws::seeded(seed);
+    std::iter::repeat_with(move || draws.number())
 }

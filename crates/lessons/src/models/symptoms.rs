@@ -3,7 +3,7 @@
 use nalgebra::vector;
 
 use super::watched_flight::{Flown, gate_of_looks};
-use crate::figure::{Anchor, Axis, Plot, Svg};
+use crate::figure::{Axis, FigurePlot, Svg, TextAnchor};
 use crate::text::Words;
 
 /// Seconds that are drawn.
@@ -19,7 +19,7 @@ pub fn draw_symptoms(flown: &Flown, reach: f64, error: f64, words: &Words) -> Sv
     let mut svg = Svg::new(640.0, 480.0);
     let time = || Axis::new(SECONDS, words.get("time"));
     let panel = |from: f64, to: f64| [vector![0.0, from], vector![640.0, to]];
-    let upper = Plot::new(
+    let upper = FigurePlot::new(
         &mut svg,
         panel(6.0, 188.0),
         time(),
@@ -42,7 +42,7 @@ pub fn draw_symptoms(flown: &Flown, reach: f64, error: f64, words: &Words) -> Sv
             upper.line(svg, &line, "limit");
         }
     });
-    let middle = Plot::new(
+    let middle = FigurePlot::new(
         &mut svg,
         panel(176.0, 332.0),
         time(),
@@ -59,7 +59,7 @@ pub fn draw_symptoms(flown: &Flown, reach: f64, error: f64, words: &Words) -> Sv
             }
         }
     });
-    let lower = Plot::new(
+    let lower = FigurePlot::new(
         &mut svg,
         panel(320.0, 480.0),
         time(),
@@ -77,12 +77,12 @@ pub fn draw_symptoms(flown: &Flown, reach: f64, error: f64, words: &Words) -> Sv
     });
     // What is drawn is said above each plot, where nothing is drawn.
     for (x, y, anchor, name, colour) in [
-        (60.0, 14.0, Anchor::Start, "ahead", "estimate"),
-        (110.0, 14.0, Anchor::Start, "right", "look"),
-        (626.0, 14.0, Anchor::End, "limits", "limit"),
-        (626.0, 182.0, Anchor::End, "gate", "limit"),
-        (60.0, 326.0, Anchor::Start, "off", "truth"),
-        (626.0, 326.0, Anchor::End, "stated", "limit"),
+        (60.0, 14.0, TextAnchor::Start, "ahead", "estimate"),
+        (110.0, 14.0, TextAnchor::Start, "right", "look"),
+        (626.0, 14.0, TextAnchor::End, "limits", "limit"),
+        (626.0, 182.0, TextAnchor::End, "gate", "limit"),
+        (60.0, 326.0, TextAnchor::Start, "off", "truth"),
+        (626.0, 326.0, TextAnchor::End, "stated", "limit"),
     ] {
         let class = format!("small word-{colour}");
         svg.text(vector![x, y], anchor, &class, &words.get(name));

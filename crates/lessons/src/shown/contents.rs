@@ -30,7 +30,7 @@ fn listed(course: &Course, page: &Words) -> Result<String, TextError> {
     let text = CourseText::read(course.text)?;
     let name = course.name;
     let mut made = format!(
-        r##"<section class="course-list" id="{name}"><h2>{}</h2>{}<ol>"##,
+        r#"<section class="course-list" id="{name}"><h2>{}</h2>{}<ol>"#,
         text.title,
         renderer(page, &glossary()).block(text.about)?
     );

@@ -6,4 +6,4 @@ mod opened;
 mod reader;
 
 pub use contents::{contents, plan};
-pub use reader::{Patch, Reader};
+pub use reader::{LessonPatch, Reader};

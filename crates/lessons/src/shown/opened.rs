@@ -1,7 +1,7 @@
 //! An open lesson: its text and what it computed.
 
 use crate::course::Course;
-use crate::lesson::{Lesson, Outcome};
+use crate::lesson::{Lesson, LessonOutcome};
 use crate::setting::Setting;
 use crate::text::{LessonText, Renderer, Symbol, TextError, Words, glossary, page_words};
 
@@ -24,7 +24,7 @@ pub(super) struct OpenLesson {
     /// The reader's setting.
     pub setting: Setting,
     /// Figure and numbers at that setting.
-    pub outcome: Outcome,
+    pub outcome: LessonOutcome,
 }
 
 impl OpenLesson {

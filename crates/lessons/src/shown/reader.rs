@@ -9,7 +9,7 @@ use crate::text::{TextError, quantity};
 
 /// Change of the page that a change of a control makes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Patch {
+pub struct LessonPatch {
     /// The figure.
     pub figure: String,
     /// Numbers by name, as they are shown.
@@ -33,12 +33,12 @@ impl Reader {
     }
 
     /// Sets a control, and says what that changes.
-    pub fn set(&mut self, control: &str, number: f64) -> Result<Patch, TextError> {
+    pub fn set(&mut self, control: &str, number: f64) -> Result<LessonPatch, TextError> {
         self.set_all(&[(control, number)])
     }
 
     /// Sets several controls at once.
-    pub fn set_all(&mut self, numbers: &[(&str, f64)]) -> Result<Patch, TextError> {
+    pub fn set_all(&mut self, numbers: &[(&str, f64)]) -> Result<LessonPatch, TextError> {
         for (control, number) in numbers {
             self.open.setting.set(control, *number);
         }
@@ -47,11 +47,11 @@ impl Reader {
     }
 
     /// Figure, numbers and checks at the reader's setting.
-    pub fn patch(&self) -> Result<Patch, TextError> {
+    pub fn patch(&self) -> Result<LessonPatch, TextError> {
         let symbols = self.open.text.symbols()?;
         let renderer = self.open.renderer(&symbols);
         let outcome = &self.open.outcome;
-        Ok(Patch {
+        Ok(LessonPatch {
             figure: self.figure(false)?,
             values: outcome
                 .values

@@ -1,4 +1,4 @@
-//! Equations in LaTeX, as MathML.
+//! Equations in `LaTeX`, as `MathML`.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 use super::error::TextError;
 use super::symbol::Symbol;
 
-/// MathML of an equation, its symbols marked with the parts of the figure that show them.
+/// `MathML` of an equation, its symbols marked with the parts of the figure that show them.
 pub(super) fn mathml(
     equation: &str,
     display: bool,

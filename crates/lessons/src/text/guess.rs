@@ -27,11 +27,11 @@ impl<'a> Guess<'a> {
         let after = options
             .last()
             .and_then(|last| text[begin..].find(last).map(|at| begin + at + last.len()));
-        let marked = |line: &&str| line.starts_with("- [x]");
+        let marked = |line: &str| line.starts_with("- [x]");
         let answer = text[after.ok_or(TextError::Guess)?..].trim();
         let right = options
             .iter()
-            .position(|line| marked(&line))
+            .position(|line| marked(line))
             .ok_or(TextError::Guess)?;
         if options.len() < 2
             || options.iter().filter(|line| marked(line)).count() != 1

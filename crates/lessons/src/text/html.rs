@@ -9,15 +9,15 @@ use super::equation::mathml;
 use super::error::TextError;
 use super::symbol::Symbol;
 use crate::figure::escaped;
-use crate::lesson::Outcome;
+use crate::lesson::LessonOutcome;
 use crate::number::significant;
-use crate::setting::{Control, Setting};
+use crate::setting::{LessonControl, Setting};
 use crate::words::Words;
 
 /// Maker of HTML from the texts of a lesson.
 pub struct Renderer<'a> {
     /// Outcome of the lesson at the reader's setting; nothing for texts of courses.
-    pub outcome: Option<&'a Outcome>,
+    pub outcome: Option<&'a LessonOutcome>,
     /// The reader's setting.
     pub setting: Option<&'a Setting>,
     /// Words of the lesson.
@@ -174,7 +174,7 @@ impl Renderer<'_> {
         if control.choice {
             return self.choice(control, number, &label);
         }
-        let Control {
+        let LessonControl {
             least, most, step, ..
         } = control;
         let text = escaped(&quantity(number, control.unit));
@@ -183,7 +183,7 @@ impl Renderer<'_> {
         )
     }
 
-    fn choice(&self, control: &Control, number: f64, label: &str) -> String {
+    fn choice(&self, control: &LessonControl, number: f64, label: &str) -> String {
         let name = control.name;
         let mut made = format!(r#"<fieldset class="control"><legend>{label}</legend>"#);
         for index in 0..=control.most as usize {
