@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix2, Matrix4, Point2, Point3, Vector2, Vector4};
 
 use pilotage_base::frames::{GroundPoint, Pose};
-use pilotage_raster::camera::CameraModel;
+use pilotage_raster::camera::{CameraModel, PosedCamera};
 
 /// Components of what is measured of one landmark: pixel x, pixel y, rotation, log scale.
 pub const COMPONENTS: usize = 4;
@@ -17,13 +17,22 @@ pub fn appearance(
     assumed: &Pose,
     point: &Point3<f64>,
 ) -> Option<Vector4<f64>> {
+    appearance_to(&camera.posed(pose), &camera.posed(assumed), point)
+}
+
+/// The same of a camera at both poses.
+fn appearance_to(
+    camera: &PosedCamera<'_>,
+    assumed: &PosedCamera<'_>,
+    point: &Point3<f64>,
+) -> Option<Vector4<f64>> {
     /// Half the size of the surroundings, metres; the plane is flat, so that it hardly matters.
     const ARM: f64 = 5.0;
-    let pixel = camera.project(pose, point)?;
+    let pixel = camera.project(point)?;
     let seen = |north: f64, east: f64| {
-        let pixel = camera.project(pose, &(point + nalgebra::Vector3::new(north, east, 0.0)))?;
-        camera
-            .ground_at(assumed, &pixel, point.z)
+        let pixel = camera.project(&(point + nalgebra::Vector3::new(north, east, 0.0)))?;
+        assumed
+            .ground_at(&pixel, point.z)
             .map(GroundPoint::to_vector)
     };
     let along_north = (seen(ARM, 0.0)? - seen(-ARM, 0.0)?) / (2.0 * ARM);
@@ -45,13 +54,14 @@ pub fn pose_jacobian(
     pose: &Pose,
     point: &Point3<f64>,
 ) -> Option<Matrix4<f64>> {
+    let assumed = camera.posed(pose);
     let moved = |step: Vector4<f64>| {
         let mut moved = *pose;
         moved.attitude.roll += step[0];
         moved.attitude.pitch += step[1];
         moved.attitude.yaw += step[2];
         moved.position_in_world.z -= step[3];
-        appearance(camera, &moved, pose, point)
+        appearance_to(&camera.posed(&moved), &assumed, point)
     };
     let steps = [1e-4, 1e-4, 1e-4, 1e-2];
     let mut jacobian = Matrix4::zeros();
@@ -154,9 +164,10 @@ pub fn ground_jacobian(
     pixel: &Point2<f64>,
     ground_down: f64,
 ) -> Option<Matrix2<f64>> {
+    let posed = camera.posed(pose);
     let at = |dx: f64, dy: f64| {
-        camera
-            .ground_at(pose, &Point2::new(pixel.x + dx, pixel.y + dy), ground_down)
+        posed
+            .ground_at(&Point2::new(pixel.x + dx, pixel.y + dy), ground_down)
             .map(GroundPoint::to_vector)
     };
     let along_x: Vector2<f64> = at(0.5, 0.0)? - at(-0.5, 0.0)?;

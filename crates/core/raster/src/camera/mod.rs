@@ -4,6 +4,7 @@ mod distortion;
 mod footprint;
 mod jacobian;
 mod model;
+mod posed;
 mod rays;
 #[cfg(test)]
 mod tests;
@@ -11,4 +12,5 @@ mod tests;
 pub use distortion::Distortion;
 pub use footprint::FARTHEST_HEIGHTS;
 pub use model::{CameraModel, Lens, Mount};
+pub use posed::PosedCamera;
 pub use rays::RayTable;

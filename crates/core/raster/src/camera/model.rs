@@ -140,8 +140,7 @@ impl CameraModel {
     /// # Ok::<(), &str>(())
     /// ```
     pub fn project(&self, pose: &Pose, point_in_world: &Point3<f64>) -> Option<Point2<f64>> {
-        let p = self.camera_from_world(pose) * (point_in_world - pose.position_in_world);
-        self.pixel_from_camera(&p)
+        self.posed(pose).project(point_in_world)
     }
 
     /// Pixel of a point in camera coordinates (metres); `None` as in [`Self::project`].
@@ -190,7 +189,7 @@ impl CameraModel {
     }
 
     /// Centre of the lens in camera coordinates, metres along the axis.
-    fn centre_along_axis(&self) -> f64 {
+    pub(super) fn centre_along_axis(&self) -> f64 {
         match self.lens {
             Lens::Lambda { lambda } => lambda,
             Lens::Pinhole | Lens::Angular => 0.0,
@@ -212,8 +211,7 @@ impl CameraModel {
 
     /// Centre of the lens in the world, metres.
     pub fn lens_in_world(&self, pose: &Pose) -> Point3<f64> {
-        let axis = self.camera_from_world(pose).inverse() * Vector3::z();
-        pose.position_in_world + self.centre_along_axis() * axis
+        self.posed(pose).lens_in_world()
     }
 
     /// Ground point at which the ray through `pixel` meets the horizontal plane `ground_down` metres below
@@ -224,13 +222,7 @@ impl CameraModel {
         pixel: &Point2<f64>,
         ground_down: f64,
     ) -> Option<GroundPoint> {
-        let ray = self.camera_from_world(pose).inverse() * self.ray_in_camera(pixel);
-        let lens = self.lens_in_world(pose);
-        let height = ground_down - lens.z;
-        (ray.z > 1e-6 * ray.norm() && height > 0.0).then(|| {
-            let scale = height / ray.z;
-            GroundPoint::new(lens.x + scale * ray.x, lens.y + scale * ray.y)
-        })
+        self.posed(pose).ground_at(pixel, ground_down)
     }
 
     /// Whether the pixel lies in the picture, at least `margin` pixels from its edge.
