@@ -1,5 +1,6 @@
 //! The chi-square distribution and its inverse, for any number of degrees of freedom, and the normal one.
 
+use std::cell::RefCell;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// Rounds of the series and of the continued fraction; both need a few times √dof.
@@ -24,6 +25,17 @@ pub fn chi_square_probability(value: f64, dof: f64) -> f64 {
     if lower <= upper { lower } else { 1.0 - upper }
 }
 
+/// Most quantiles that are remembered.
+const MOST_KNOWN: usize = 32;
+
+/// Questions, as bits, and their answers.
+type KnownQuantiles = Vec<((u64, u64), f64)>;
+
+thread_local! {
+    /// Quantiles that were asked for: gates ask for the same few again and again.
+    static KNOWN: RefCell<KnownQuantiles> = const { RefCell::new(Vec::new()) };
+}
+
 /// Value that a chi-square variable with `dof` degrees of freedom stays below with `probability`.
 ///
 /// `probability` in [0, 1]; 1 gives infinity. NaN outside, and for `dof` that is not positive.
@@ -44,6 +56,22 @@ pub fn chi_square_quantile(probability: f64, dof: f64) -> f64 {
     if probability == 1.0 {
         return f64::INFINITY;
     }
+    KNOWN.with_borrow_mut(|known| {
+        let asked = (probability.to_bits(), dof.to_bits());
+        if let Some((_, value)) = known.iter().find(|(before, _)| *before == asked) {
+            return *value;
+        }
+        let value = searched_quantile(probability, dof);
+        if known.len() == MOST_KNOWN {
+            known.clear();
+        }
+        known.push((asked, value));
+        value
+    })
+}
+
+/// The quantile by a search, for a probability within (0, 1).
+fn searched_quantile(probability: f64, dof: f64) -> f64 {
     let a = 0.5 * dof;
     let upper_probability = 1.0 - probability;
     // Bracket, then Newton steps on the smaller tail, halving whenever one leaves the bracket.
