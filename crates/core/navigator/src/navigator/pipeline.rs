@@ -260,6 +260,15 @@ impl Navigator {
         self
     }
 
+    /// Takes all instruments for sound: thinks neither of late pictures nor of a turned compass. For studies of many
+    /// flights whose instruments are known to be.
+    #[must_use]
+    pub fn trusting(mut self) -> Self {
+        self.lag = None;
+        self.heading = None;
+        self
+    }
+
     /// The run without its steps.
     pub fn run_head(&self) -> Run {
         Run {
