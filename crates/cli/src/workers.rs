@@ -107,11 +107,19 @@ pub fn run<O: Order + Send>(
     lent: &Lent,
     hear: &mut dyn FnMut(usize, JobEvent) -> Result<(), String>,
 ) -> Result<(), String> {
-    let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    run_on(processors, orders, lent, hear)
+    run_on(processors(), orders, lent, hear)
 }
 
-fn run_on<O: Order + Send>(
+/// Number of processors.
+pub fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+/// As [`run`], on so many threads.
+///
+/// # Errors
+/// Whatever `hear` says; the orders that are left are not done then.
+pub fn run_on<O: Order + Send>(
     threads: usize,
     orders: Vec<O>,
     lent: &Lent,

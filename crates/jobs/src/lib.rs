@@ -59,6 +59,7 @@ mod share;
 mod shared;
 mod simulated;
 mod smooth;
+mod study_shard;
 mod suggest;
 mod summary;
 mod tables;
@@ -117,6 +118,7 @@ pub use sensitivity::SensitivityOrder;
 pub use share::{ShareOrder, Shareable};
 pub use simulated::scenario_wind;
 pub use smooth::SmoothOrder;
+pub use study_shard::StudyShardOrder;
 pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;
 pub use tables::{

@@ -14,4 +14,5 @@ mod reference_map;
 mod register;
 mod rehearse;
 mod roads;
+mod study;
 mod vehicles;

@@ -1,4 +1,4 @@
-//! `pilotage study`: questions over many flights.
+//! `pilotage study sensitivity`: errors that walk at random, added to one instrument at a time.
 
 use std::path::PathBuf;
 
@@ -9,29 +9,20 @@ use crate::CommandResult;
 use crate::files::write_whole;
 use crate::workers::{self, Lent};
 
-/// Arguments of `pilotage study`.
+/// Arguments of `pilotage study sensitivity`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    #[command(subcommand)]
-    study: Study,
-}
-
-#[derive(clap::Subcommand)]
-enum Study {
-    /// Errors that walk at random, added to one instrument at a time (`DeAngelo` 2016, figures 5-36 to 5-43).
-    Sensitivity {
-        /// Flights for each deviation of each instrument.
-        #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..))]
-        runs: u64,
-        /// File for the errors of all runs, as JSON.
-        #[arg(long, value_name = "FILE")]
-        out: Option<PathBuf>,
-    },
+    /// Flights for each deviation of each instrument.
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..))]
+    runs: u64,
+    /// File for the errors of all runs, as JSON.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
 }
 
 /// Makes the study that the arguments ask for.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let Study::Sensitivity { runs, out } = &arguments.study;
+    let Arguments { runs, out } = arguments;
     let orders: Vec<SensitivityOrder> = TestedInstrument::ALL
         .into_iter()
         .flat_map(|instrument| {

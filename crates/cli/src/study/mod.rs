@@ -1,0 +1,53 @@
+//! `pilotage study`: questions over many flights.
+
+mod carry_out;
+mod folder;
+mod progress;
+mod rows;
+mod sensitivity;
+
+use pilotage_study::{MeasureKind, StudySetting};
+
+use crate::CommandResult;
+
+/// Arguments of `pilotage study`.
+#[derive(clap::Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    other: Option<Other>,
+    #[command(flatten)]
+    plan: Option<carry_out::Arguments>,
+}
+
+#[derive(clap::Subcommand)]
+enum Other {
+    /// Errors that walk at random, added to one instrument at a time (`DeAngelo` 2016, figures 5-36 to 5-43).
+    Sensitivity(sensitivity::Arguments),
+    /// List what a plan can set and measure.
+    Settings,
+}
+
+/// Makes the study that the arguments ask for.
+pub fn run(arguments: &Arguments) -> CommandResult {
+    match (&arguments.other, &arguments.plan) {
+        (Some(Other::Sensitivity(of_sensitivity)), _) => sensitivity::run(of_sensitivity),
+        (Some(Other::Settings), _) => {
+            list();
+            Ok(())
+        }
+        (None, Some(plan)) => carry_out::run(plan),
+        (None, None) => Err("give the plan of a study, or see pilotage study --help".into()),
+    }
+}
+
+fn list() {
+    println!("Settings:");
+    for setting in StudySetting::ALL {
+        println!("  {:18} {:5} {}", setting.key, setting.unit, setting.about);
+    }
+    println!("Measures:");
+    for kind in MeasureKind::ALL {
+        println!("  {:18} {}", kind.key(), kind.unit());
+    }
+}

@@ -1,0 +1,179 @@
+//! `pilotage study` as a user calls it: alone, shared out, killed and run again.
+
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use pilotage_study::StudyPlan;
+use pilotage_tests::data::repository;
+use serde_json::Value;
+
+use super::folder::Folder;
+
+/// 28 flights of eight seconds.
+const PLAN: &str = r#"
+    name = "small"
+    question = "Is it the same?"
+    seed = 3
+    draws = 14
+    fixed = { seconds = 8, step = 0.25, scenario = "distinct-400ft-calm" }
+    cross.vehicle = ["airplane-wind", "airplane-full"]
+    draw.wind-speed = { uniform = [0, 6] }
+    measure = [{ of = "error-rms" }, { of = "error-max", name = "near", at_most = 6 }]
+"#;
+
+impl Folder {
+    fn with_plan(name: &str, plan: &str) -> Self {
+        let folder = Self::new(&format!("study-{name}"));
+        folder.write("plan.toml", plan);
+        folder
+    }
+
+    fn study(&self, words: &[&str]) -> Result<String, String> {
+        self.run(&[&["study", "plan.toml"], words].concat())
+    }
+
+    /// Outcome of the study in the folder `out`: rows, summary, table.
+    fn outcome(&self, out: &str) -> [Vec<u8>; 3] {
+        ["rows.parquet", "summary.json", "summary.txt"].map(|name| {
+            let path = self.0.join(out).join(name);
+            std::fs::read(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
+        })
+    }
+
+    fn shards(&self, out: &str) -> usize {
+        let there = std::fs::read_dir(self.0.join(out).join("shards"));
+        let names = there.into_iter().flatten().flatten();
+        let names = names.map(|entry| entry.file_name().to_string_lossy().into_owned());
+        names
+            .filter(|name| name.ends_with(".parquet") && !name.starts_with('.'))
+            .count()
+    }
+}
+
+#[test]
+fn one_two_and_seven_shards_and_a_study_that_was_killed_are_equal_to_the_bit() {
+    let folder = Folder::with_plan("bits", PLAN);
+    let table = folder.study(&["--out", "one", "--runs-per-shard", "28", "--threads", "1"]);
+    let one = folder.outcome("one");
+    assert_eq!(table.map(String::into_bytes), Ok(one[2].clone()));
+
+    folder
+        .study(&["--out", "two", "--runs-per-shard", "14", "--quiet"])
+        .unwrap();
+    assert!(folder.outcome("two") == one && folder.shards("two") == 2);
+
+    // Seven shards by three programs, the last of which comes first; then they are merged.
+    for share in ["2", "0", "1"] {
+        let words = [
+            "--out",
+            "seven",
+            "--runs-per-shard",
+            "4",
+            "--shares",
+            "3",
+            "--share",
+            share,
+        ];
+        assert_eq!(folder.study(&words), Ok(String::new()));
+    }
+    folder
+        .study(&["--out", "seven", "--runs-per-shard", "4", "--merge"])
+        .unwrap();
+    assert!(folder.outcome("seven") == one && folder.shards("seven") == 7);
+
+    // Killed while it flies.
+    let words = [
+        "study",
+        "plan.toml",
+        "--out",
+        "killed",
+        "--runs-per-shard",
+        "2",
+    ];
+    let mut program = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+        .current_dir(&folder.0)
+        .args(words)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let begun = Instant::now();
+    while folder.shards("killed") < 3 && begun.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    program.kill().unwrap();
+    program.wait().unwrap();
+    let left = folder.shards("killed");
+    assert!((3..14).contains(&left), "{left} shards");
+    assert!(!folder.0.join("killed/rows.parquet").exists());
+    folder.run(&words).unwrap();
+    assert!(folder.outcome("killed") == one);
+}
+
+#[test]
+fn a_study_that_may_stop_does_so_at_the_same_flight_however_it_is_cut() {
+    let plan = format!("{PLAN}\nstop = {{ measure = \"near\", half_width = 0.3, every = 4 }}\n");
+    let folder = Folder::with_plan("stop", &plan);
+    folder
+        .study(&["--out", "one", "--runs-per-shard", "28"])
+        .unwrap();
+    let one = folder.outcome("one");
+    let summary: Value = serde_json::from_slice(&one[1]).unwrap();
+    assert_eq!(summary["is_stopped"], true);
+    let draws = summary["draws"].as_u64().unwrap();
+    assert!(draws < 14 && draws.is_multiple_of(4), "{draws}");
+    folder
+        .study(&["--out", "many", "--runs-per-shard", "3", "--threads", "2"])
+        .unwrap();
+    assert!(folder.outcome("many") == one);
+    // What is not needed is not flown.
+    assert!(folder.shards("many") < 10);
+    let said = folder
+        .study(&["--out", "many", "--runs-per-shard", "3", "--describe"])
+        .unwrap();
+    let said: Value = serde_json::from_str(&said).unwrap();
+    assert_eq!(
+        (&said["is_complete"], &said["missing"]),
+        (&true.into(), &Vec::<u64>::new().into())
+    );
+}
+
+#[test]
+fn what_cannot_be_done_is_told_with_a_remedy() {
+    let folder = Folder::with_plan("refused", &PLAN.replace("airplane-wind", "zeppelin"));
+    let why = folder.study(&[]).unwrap_err();
+    assert!(
+        why.contains("plan.toml: cross.vehicle") && why.contains("airplane-gust"),
+        "{why}"
+    );
+    folder.write("plan.toml", PLAN);
+    let why = folder.study(&["--merge"]).unwrap_err();
+    assert!(
+        why.contains("1 of 1 shards are missing in small.study"),
+        "{why}"
+    );
+    let why = folder.study(&["--runs-per-shard", "9"]).unwrap_err();
+    assert!(
+        why.contains("was begun with another plan") && why.contains("--out"),
+        "{why}"
+    );
+    let why = folder
+        .study(&["--shares", "3", "--share", "3"])
+        .unwrap_err();
+    assert!(why.contains("3 shares, from 0"), "{why}");
+    let settings = folder.run(&["study", "settings"]).unwrap();
+    assert!(settings.contains("wind-speed") && settings.contains("error-rms"));
+}
+
+#[test]
+fn every_plan_of_the_repository_can_be_followed_and_is_named_as_its_file() {
+    let plans = std::fs::read_dir(repository().join("studies")).unwrap();
+    let mut count = 0;
+    for file in plans.map(|entry| entry.unwrap().path()) {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let plan = StudyPlan::read(&text).unwrap_or_else(|why| panic!("{}: {why}", file.display()));
+        assert_eq!(file.file_stem(), Some(plan.name.as_ref()));
+        count += 1;
+    }
+    assert!(count >= 5, "{count} plans");
+}

@@ -1,0 +1,35 @@
+//! Studies over very many flights without pictures: what varies and how, what is measured, and what came of it with its
+//! intervals.
+//!
+//! Run number `n` of a plan depends on the plan and on `n` alone: random numbers come by counter. Whoever flies the runs,
+//! in whatever order and pieces, finds the same rows to the bit; the summary is made of the rows in the order of their
+//! numbers. Reaches no screen, clock, file or thread.
+
+mod design;
+mod fault;
+mod fault_kind;
+mod fly;
+mod measure;
+mod measured;
+mod observed;
+mod philox;
+mod plan;
+mod resampled;
+mod run_settings;
+mod settings;
+mod sobol;
+mod summary;
+mod value;
+
+pub use design::{StudyDesign, StudyRun};
+pub use fault_kind::FaultKind;
+pub use fly::{Study, StudyRow};
+pub use measure::MeasureKind;
+pub use measured::{IntervalBy, MeanSummary, QuantileSummary};
+pub use philox::Philox;
+pub use plan::{DrawBy, StopRule, StudyError, StudyMeasure, StudyPlan};
+pub use run_settings::RunSettings;
+pub use settings::StudySetting;
+pub use sobol::SobolPoints;
+pub use summary::{CellSummary, MeasureSummary, StudySummary, StudyTally};
+pub use value::{SettingDistribution, SettingValue};

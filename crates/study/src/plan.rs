@@ -1,0 +1,373 @@
+//! Plans of studies: what varies and how, what is measured, when it is enough. Files of TOML.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::{Deserialize, Serialize};
+
+use super::measure::MeasureKind;
+use super::run_settings::RunSettings;
+use super::sobol::SobolPoints;
+use super::value::{SettingDistribution, SettingValue};
+
+/// Fewest scrambles whose scatter tells an error.
+const FEWEST_SCRAMBLES: u64 = 8;
+/// Most flights of a study.
+const MOST_RUNS: u64 = 1 << 40;
+
+/// Way of drawing the settings that are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DrawBy {
+    /// Each by itself.
+    #[default]
+    Random,
+    /// By Sobol's points, in several independent scrambles.
+    Sobol,
+}
+
+/// Measure of a study: a number of each flight, or whether it lies on one side of a limit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StudyMeasure {
+    /// Kind of number.
+    pub of: MeasureKind,
+    /// Name in tables, if another than that of the number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Limit up to which the number counts as one and beyond as zero, in its unit; so does a flight that the filter gave
+    /// up.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
+}
+
+impl StudyMeasure {
+    /// Name in tables.
+    pub fn name(&self) -> &str {
+        self.name.as_deref().unwrap_or(self.of.key())
+    }
+
+    /// Whether it is the share of flights for which something holds.
+    pub fn is_share(&self) -> bool {
+        self.at_most.is_some() || self.of.is_share()
+    }
+}
+
+/// Rule by which a study ends before all its flights are flown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StopRule {
+    /// Name of the measure that is looked at.
+    pub measure: String,
+    /// Half width of its 95 % interval that is narrow enough in every cell, in its unit.
+    pub half_width: f64,
+    /// Number of draws after which it is looked at, again and again.
+    pub every: u64,
+}
+
+/// Plan of a study.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StudyPlan {
+    /// Name, of letters, digits and hyphens.
+    pub name: String,
+    /// Question that it answers.
+    pub question: String,
+    /// Seed of all that is drawn.
+    #[serde(default)]
+    pub seed: u64,
+    /// Number of draws; each is flown once in every cell of what is crossed, with the same random numbers.
+    pub draws: u64,
+    /// Way of drawing.
+    #[serde(default)]
+    pub draw_by: DrawBy,
+    /// Number of independent scrambles that share the draws, by Sobol's points.
+    #[serde(default = "usual_scrambles")]
+    pub scrambles: u64,
+    /// Settings of all flights.
+    #[serde(default)]
+    pub fixed: BTreeMap<String, SettingValue>,
+    /// Settings of which every value is flown with every value of the others: the cells that are compared.
+    #[serde(default)]
+    pub cross: BTreeMap<String, Vec<SettingValue>>,
+    /// Settings that are drawn.
+    #[serde(default)]
+    pub draw: BTreeMap<String, SettingDistribution>,
+    /// Measures, in the order of the tables.
+    pub measure: Vec<StudyMeasure>,
+    /// When it is enough, if before the end.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stop: Option<StopRule>,
+}
+
+fn usual_scrambles() -> u64 {
+    16
+}
+
+/// Why a plan cannot be followed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StudyError {
+    /// It is no plan.
+    #[error("the plan cannot be read: {0}")]
+    NoPlan(String),
+    /// Something in it makes no sense.
+    #[error("{place}: {why}")]
+    Plan {
+        /// Place in the plan.
+        place: String,
+        /// Why, and what to do.
+        why: String,
+    },
+}
+
+/// Refusal of what stands at `place`.
+pub(crate) fn refusal(place: impl Into<String>, why: impl Into<String>) -> StudyError {
+    StudyError::Plan {
+        place: place.into(),
+        why: why.into(),
+    }
+}
+
+impl StudyPlan {
+    /// The plan in a file of TOML.
+    ///
+    /// # Errors
+    /// In words, with the line where it is no TOML or no plan, and with what stands in it that makes no sense.
+    ///
+    /// ```
+    /// use pilotage_study::StudyPlan;
+    ///
+    /// let plan = StudyPlan::read(
+    ///     r#"
+    ///     name = "vehicles"
+    ///     question = "Does a gust in the state pay?"
+    ///     draws = 100
+    ///     cross.vehicle = ["airplane-wind", "airplane-gust"]
+    ///     draw.wind-speed = { uniform = [0, 8] }
+    ///     [[measure]]
+    ///     of = "error-rms"
+    ///     "#,
+    /// )?;
+    /// assert_eq!(plan.runs(), 200);
+    /// # Ok::<(), pilotage_study::StudyError>(())
+    /// ```
+    pub fn read(text: &str) -> Result<Self, StudyError> {
+        let plan: Self = toml::from_str(text).map_err(|why| StudyError::NoPlan(why.to_string()))?;
+        plan.check()?;
+        Ok(plan)
+    }
+
+    /// Number of cells that are compared.
+    pub fn cells(&self) -> u64 {
+        let sizes = self.cross.values().map(|values| values.len() as u64);
+        sizes.fold(1, u64::saturating_mul)
+    }
+
+    /// Number of flights, if none are left out in the end.
+    pub fn runs(&self) -> u64 {
+        self.draws.saturating_mul(self.cells())
+    }
+
+    fn check(&self) -> Result<(), StudyError> {
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        if self.name.is_empty() || !self.name.chars().all(is_plain) {
+            return Err(refusal(
+                "name",
+                "give a word of letters, digits and hyphens",
+            ));
+        }
+        for (place, values) in &self.cross {
+            if values.is_empty() {
+                return Err(refusal(format!("cross.{place}"), "give at least one value"));
+            }
+        }
+        if self.draws == 0 || self.runs() > MOST_RUNS {
+            return Err(refusal(
+                "draws",
+                format!("give 1 to {MOST_RUNS} flights in all"),
+            ));
+        }
+        if self.draw_by == DrawBy::Sobol {
+            self.check_sobol()?;
+        }
+        self.check_settings()?;
+        self.check_measures()
+    }
+
+    fn check_sobol(&self) -> Result<(), StudyError> {
+        let most = SobolPoints::MOST_DIMENSIONS;
+        if self.draw.is_empty() || self.draw.len() > most {
+            let why = format!("Sobol's points are here for 1 to {most} drawn settings");
+            return Err(refusal("draw", why));
+        }
+        if self.scrambles < FEWEST_SCRAMBLES {
+            let why = format!("give at least {FEWEST_SCRAMBLES}, whose scatter tells the error");
+            return Err(refusal("scrambles", why));
+        }
+        let points = self.draws / self.scrambles;
+        if !self.draws.is_multiple_of(self.scrambles) || points > u64::from(u32::MAX) {
+            let why = "give a multiple of the scrambles; best a power of two of each";
+            return Err(refusal("draws", why));
+        }
+        Ok(())
+    }
+
+    fn check_settings(&self) -> Result<(), StudyError> {
+        let keys = |place: &'static str, keys: Vec<&String>| -> Vec<(&'static str, String)> {
+            keys.into_iter().map(|key| (place, key.clone())).collect()
+        };
+        let all = [
+            keys("fixed", self.fixed.keys().collect()),
+            keys("cross", self.cross.keys().collect()),
+            keys("draw", self.draw.keys().collect()),
+        ];
+        let mut seen = BTreeSet::new();
+        for (place, key) in all.concat() {
+            if !seen.insert(key.clone()) {
+                let why = "it is set twice; keep it fixed, crossed or drawn";
+                return Err(refusal(format!("{place}.{key}"), why));
+            }
+        }
+        // Every value is tried: a study must not fail after an hour.
+        let try_out = |place: &str, key: &str, value: &SettingValue| {
+            let set = RunSettings::default().set(key, value);
+            set.map_err(|why| refusal(format!("{place}.{key}"), why))
+        };
+        for (key, value) in &self.fixed {
+            try_out("fixed", key, value)?;
+        }
+        for (key, values) in &self.cross {
+            for value in values {
+                try_out("cross", key, value)?;
+            }
+        }
+        for (key, distribution) in &self.draw {
+            let place = format!("draw.{key}");
+            if let Some(why) = distribution.trouble() {
+                return Err(refusal(place, why));
+            }
+            if let SettingDistribution::Choice(values) = distribution {
+                for value in values {
+                    try_out("draw", key, value)?;
+                }
+            } else {
+                // The tails of a normal distribution are cut where they would make no sense.
+                try_out("draw", key, &distribution.at(0.5))?;
+                if !matches!(distribution, SettingDistribution::Normal(_)) {
+                    try_out("draw", key, &distribution.at(1e-9))?;
+                    try_out("draw", key, &distribution.at(1.0 - 1e-9))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_measures(&self) -> Result<(), StudyError> {
+        let mut names = BTreeSet::new();
+        for measure in &self.measure {
+            if !names.insert(measure.name()) {
+                let why = format!("\"{}\" is there twice; give them names", measure.name());
+                return Err(refusal("measure", why));
+            }
+            let is_taken = ["run", "draw", "cell"].contains(&measure.name())
+                || RunSettings::has(measure.name());
+            if is_taken {
+                let why = format!("\"{}\" is the name of another column", measure.name());
+                return Err(refusal("measure", why));
+            }
+        }
+        if names.is_empty() {
+            return Err(refusal("measure", "say what to measure"));
+        }
+        let Some(stop) = &self.stop else {
+            return Ok(());
+        };
+        if !names.contains(stop.measure.as_str()) {
+            let why = format!("\"{}\" is not measured", stop.measure);
+            return Err(refusal("stop.measure", why));
+        }
+        if stop.every == 0 || stop.half_width.is_nan() || stop.half_width <= 0.0 {
+            return Err(refusal(
+                "stop",
+                "give a half width and a number of draws above zero",
+            ));
+        }
+        if self.draw_by == DrawBy::Sobol && !stop.every.is_multiple_of(self.scrambles) {
+            return Err(refusal("stop.every", "give a multiple of the scrambles"));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAN: &str = r#"
+        name = "two"
+        question = "Which?"
+        draws = 32
+        draw_by = "sobol"
+        [fixed]
+        seconds = 20
+        [cross]
+        vehicle = ["airplane-wind", "airplane-full"]
+        bias-heading = [0, 1, 2]
+        [draw]
+        wind-speed = { uniform = [0, 8] }
+        [[measure]]
+        of = "error-rms"
+        [[measure]]
+        of = "error-max"
+        name = "within 20 m"
+        at_most = 20
+        [stop]
+        measure = "within 20 m"
+        half_width = 0.01
+        every = 16
+    "#;
+
+    #[test]
+    fn a_plan_counts_its_cells_and_flights_and_survives_being_written() {
+        let plan = StudyPlan::read(PLAN).unwrap();
+        assert_eq!((plan.cells(), plan.runs(), plan.scrambles), (6, 192, 16));
+        assert!(plan.measure[1].is_share() && !plan.measure[0].is_share());
+        let again = StudyPlan::read(&toml::to_string(&plan).unwrap()).unwrap();
+        assert_eq!(again, plan);
+    }
+
+    #[test]
+    fn a_plan_that_makes_no_sense_is_refused_with_the_place_and_a_remedy() {
+        let broken = [
+            ("draws = 32", "draws = 33", "draws"),
+            ("draws = 32", "draws = 0", "draws"),
+            (
+                "vehicle = [\"airplane-wind\"",
+                "vehicle = [\"zeppelin\"",
+                "cross.vehicle",
+            ),
+            ("seconds = 20", "wind-speed = 20", "draw.wind-speed"),
+            ("seconds = 20", "second = 20", "fixed.second"),
+            ("uniform = [0, 8]", "uniform = [8, 0]", "draw.wind-speed"),
+            ("uniform = [0, 8]", "uniform = [-8, 0]", "draw.wind-speed"),
+            (
+                "measure = \"within 20 m\"",
+                "measure = \"x\"",
+                "stop.measure",
+            ),
+            ("every = 16", "every = 15", "stop.every"),
+            ("name = \"within 20 m\"", "name = \"error-rms\"", "measure"),
+            ("name = \"two\"", "name = \"../two\"", "name"),
+            ("[0, 1, 2]", "[]", "cross.bias-heading"),
+        ];
+        for (what, instead, place) in broken {
+            let text = PLAN.replace(what, instead);
+            assert_ne!(text, PLAN, "{what}");
+            let Err(StudyError::Plan { place: told, .. }) = StudyPlan::read(&text) else {
+                panic!("{instead} is accepted");
+            };
+            assert_eq!(told, place, "{instead}");
+        }
+        let unknown = StudyPlan::read(&PLAN.replace("draws = 32", "drawz = 32"));
+        assert!(matches!(unknown, Err(StudyError::NoPlan(why)) if why.contains("drawz")));
+    }
+}
