@@ -19,6 +19,7 @@ mod photos;
 mod places;
 mod pmtiles;
 mod roads;
+mod sobol;
 mod systems;
 mod terrain;
 mod tlog;

@@ -1,4 +1,5 @@
 //! Files that commands write, read by other people's programs.
 
 mod export;
+mod study;
 mod tracks;

@@ -1,0 +1,89 @@
+"""Shards on a Dask cluster."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import cloudpickle
+from distributed import Client, as_completed
+from distributed.scheduler import KilledWorker
+
+from .program import Program, keep
+
+# Tasks for each thread of the cluster, if not more: a worker that joins late or is slow finds something to do.
+TASKS_EACH = 6
+# Most shards of a task, so that little is lost with a worker.
+MOST_SHARDS = 25
+# Rounds of tasks that are given out before it is asked whether it is enough, where the plan has a rule to stop.
+ROUNDS = 2
+
+
+def _fly(program: Program, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> dict[str, bytes]:
+    return program.fly(plan, shards, runs_per_shard)
+
+
+def _pieces(missing: tuple[int, ...], threads: int) -> Iterator[tuple[int, ...]]:
+    each = max(1, min(MOST_SHARDS, len(missing) // (TASKS_EACH * max(1, threads))))
+    for first in range(0, len(missing), each):
+        yield missing[first : first + each]
+
+
+def run_study(
+    plan: Path,
+    out: Path,
+    client: Client,
+    *,
+    program: Program | None = None,
+    runs_per_shard: int = 200,
+    tries: int = 5,
+    tell: Callable[[int, int], None] | None = None,
+) -> str:
+    """Carries out what is missing of a study, merges, and gives its table.
+
+    Shards of a worker that is lost are given to another, `tries` times at most. `tell` hears how many shards
+    are there and how many there are.
+    """
+    # Workers of a cluster in use need not have this package.
+    cloudpickle.register_pickle_by_value(sys.modules[__package__])
+    program = program or Program()
+    text = plan.read_text(encoding="utf-8")
+    description = program.describe(plan, out, runs_per_shard)
+    while not description.is_complete:
+        _fly_round(text, out, client, program, runs_per_shard, tries, description, tell)
+        description = program.describe(plan, out, runs_per_shard)
+    return program.merge(plan, out, runs_per_shard)
+
+
+def _fly_round(text, out, client, program, runs_per_shard, tries, description, tell) -> None:
+    threads = sum(client.nthreads().values())
+    pieces = list(_pieces(description.missing, threads))
+    if "stop" in text:
+        # It may be enough before the end: no more is given out than a few rounds.
+        pieces = pieces[: ROUNDS * max(1, threads)]
+
+    def submit(shards: tuple[int, ...]):
+        return client.submit(
+            _fly, program, text, shards, runs_per_shard, pure=False, priority=-shards[0]
+        )
+
+    left = {}
+    for shards in pieces:
+        left[submit(shards)] = (shards, 1)
+    there = description.shards - len(description.missing)
+    flown = as_completed(list(left))
+    for future in flown:
+        shards, tried = left.pop(future)
+        try:
+            keep(out, future.result())
+        except KilledWorker:
+            if tried >= tries:
+                raise
+            again = submit(shards)
+            left[again] = (shards, tried + 1)
+            flown.add(again)
+            continue
+        there += len(shards)
+        if tell is not None:
+            tell(there, description.shards)

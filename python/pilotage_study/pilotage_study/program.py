@@ -1,0 +1,84 @@
+"""The program `pilotage` and its shards."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+
+class StudyFailure(RuntimeError):
+    """What the program said when it failed."""
+
+
+@dataclass(frozen=True)
+class Description:
+    """A study and how far its folder is."""
+
+    name: str
+    flights: int
+    shards: int
+    missing: tuple[int, ...]
+    is_complete: bool
+
+
+@dataclass(frozen=True)
+class Program:
+    """The program `pilotage`, by its path or by its name on the path of whoever runs it."""
+
+    path: str = "pilotage"
+
+    def _call(self, words: list[str]) -> str:
+        found = shutil.which(self.path)
+        if found is None:
+            raise StudyFailure(f"there is no program {self.path}; give its path with --program")
+        done = subprocess.run([found, "study", *words], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise StudyFailure(done.stderr.strip() or f"{self.path} ended with {done.returncode}")
+        return done.stdout
+
+    def describe(self, plan: Path, out: Path, runs_per_shard: int) -> Description:
+        """What there is to fly, and what is missing."""
+        words = [str(plan), "--out", str(out), "--runs-per-shard", str(runs_per_shard), "--describe"]
+        said = json.loads(self._call(words))
+        return Description(
+            name=said["name"],
+            flights=said["flights"],
+            shards=said["shards"],
+            missing=tuple(said["missing"]),
+            is_complete=said["is_complete"],
+        )
+
+    def fly(self, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> dict[str, bytes]:
+        """Bytes of the files of these shards of the plan with this text, by their names."""
+        with tempfile.TemporaryDirectory(prefix="pilotage-study-") as folder:
+            file = Path(folder, "plan.toml")
+            file.write_text(plan, encoding="utf-8")
+            out = Path(folder, "out")
+            only = ",".join(str(shard) for shard in shards)
+            words = [str(file), "--out", str(out), "--runs-per-shard", str(runs_per_shard)]
+            self._call([*words, "--only", only, "--threads", "1", "--quiet"])
+            files = sorted(Path(out, "shards").glob("*.parquet"))
+            if len(files) != len(shards):
+                raise StudyFailure(f"{len(files)} of {len(shards)} shards came")
+            return {file.name: file.read_bytes() for file in files}
+
+    def merge(self, plan: Path, out: Path, runs_per_shard: int) -> str:
+        """The table of the study, which is written beside its shards."""
+        words = [str(plan), "--out", str(out), "--runs-per-shard", str(runs_per_shard), "--merge"]
+        return self._call(words)
+
+
+def keep(out: Path, files: dict[str, bytes]) -> None:
+    """Puts files of shards into the folder of a study, each whole or not at all."""
+    for name, content in files.items():
+        fresh = Path(out, "shards", f".{name}.{os.getpid()}.unfinished")
+        with fresh.open("wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        fresh.replace(Path(out, "shards", name))

@@ -1,0 +1,107 @@
+"""Studies on a cluster of this machine are those of the plain program, to the bit."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import duckdb
+from distributed import Client, LocalCluster
+
+from pilotage_study import Program, run_study
+
+PLAN = """
+name = "small"
+question = "Is it the same?"
+seed = 3
+draws = 24
+fixed = { seconds = 8, step = 0.25, scenario = "distinct-400ft-calm" }
+cross.vehicle = ["airplane-wind", "airplane-full"]
+draw.wind-speed = { uniform = [0, 6] }
+measure = [{ of = "error-rms" }, { of = "error-max", name = "near", at_most = 6 }]
+"""
+RUNS_PER_SHARD = 4
+RESULTS = ["rows.parquet", "summary.json", "summary.txt"]
+
+
+def results(folder: Path) -> list[bytes]:
+    return [Path(folder, name).read_bytes() for name in RESULTS]
+
+
+class OnACluster(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.root = Path(cls.folder.name)
+        cls.plan = Path(cls.root, "plan.toml")
+        cls.plan.write_text(PLAN, encoding="utf-8")
+        cls.program = Program(os.environ["PILOTAGE"])
+        words = [cls.program.path, "study", str(cls.plan), "--quiet", "--out", str(cls.root / "plain")]
+        subprocess.run(words, check=True)
+        cls.plain = results(cls.root / "plain")
+        cls.cluster = LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None)
+        cls.addClassCleanup(cls.cluster.close)
+
+    def test_another_reader_finds_in_the_rows_what_the_summary_says_of_them(self):
+        summary = json.loads(self.plain[1])
+        rows = str(self.root / "plain" / "rows.parquet")
+        for number, cell in enumerate(summary["cells"]):
+            said = cell["measures"][0]["mean"]
+            count, mean, deviation, vehicle = duckdb.execute(
+                'select count("error-rms"), avg("error-rms"), stddev_samp("error-rms"), min(vehicle)'
+                " from read_parquet(?) where cell = ?",
+                [rows, number],
+            ).fetchone()
+            self.assertEqual((count, vehicle), (said["count"], cell["settings"]["vehicle"]))
+            self.assertAlmostEqual(mean, said["mean"], delta=1e-9)
+            self.assertAlmostEqual(deviation, said["deviation"], delta=1e-9)
+
+    def test_a_worker_that_is_killed_in_the_middle_changes_nothing(self):
+        out = self.root / "killed"
+        victim = next(iter(self.cluster.workers.values())).pid
+        was_killed = threading.Event()
+
+        def tell(there, _):
+            if there >= 3 and not was_killed.is_set():
+                os.kill(victim, signal.SIGKILL)
+                was_killed.set()
+
+        with Client(self.cluster) as client:
+            run_study(
+                self.plan, out, client, program=self.program, runs_per_shard=RUNS_PER_SHARD, tell=tell
+            )
+        self.assertTrue(was_killed.is_set())
+        self.assertEqual(results(out), self.plain)
+
+    def test_a_driver_that_is_killed_in_the_middle_goes_on_when_it_is_started_again(self):
+        out = self.root / "driver"
+        words = [sys.executable, "-m", "pilotage_study", "run", str(self.plan), "--out", str(out)]
+        words += ["--program", self.program.path, "--runs-per-shard", str(RUNS_PER_SHARD)]
+        words += ["--scheduler", self.cluster.scheduler_address]
+
+        def shards() -> list[Path]:
+            return list(Path(out, "shards").glob("*.parquet"))
+
+        with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as driver:
+            deadline = time.monotonic() + 60
+            while len(shards()) < 2 and time.monotonic() < deadline:
+                time.sleep(0.01)
+            driver.kill()
+        before = {shard: shard.stat().st_mtime_ns for shard in shards()}
+        self.assertTrue(0 < len(before) < 12, before)
+        again = subprocess.run(words, check=True, capture_output=True, text=True)
+        self.assertEqual(again.stdout.encode(), self.plain[2])
+        self.assertEqual(results(out), self.plain)
+        after = {shard: shard.stat().st_mtime_ns for shard in before}
+        self.assertEqual(after, before, "what was there was flown again")
+
+
+if __name__ == "__main__":
+    unittest.main()
