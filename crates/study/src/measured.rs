@@ -166,7 +166,12 @@ impl MeasureTally {
         let Some(sketch) = self.sketch.as_ref().filter(|_| self.count > 0) else {
             return Vec::new();
         };
-        let at = |share: f64| sketch.quantile(share.clamp(0.0, 1.0)).ok().flatten();
+        let ends = self.ends();
+        let at = |share: f64| {
+            let value = sketch.quantile(share.clamp(0.0, 1.0)).ok().flatten()?;
+            // The middle of a bin may lie beyond the last number in it.
+            ends.map(|[least, greatest]| value.clamp(least, greatest))
+        };
         let of = |share: f64| {
             let margin = NORMAL * (share * (1.0 - share) / self.count as f64).sqrt();
             let interval = at(share - margin).zip(at(share + margin));
@@ -258,6 +263,13 @@ mod tests {
             let [low, high] = told.interval.unwrap();
             assert!(low <= told.value && told.value <= high);
         }
+        let all_alike = |value: f64| {
+            let mut tally = MeasureTally::new(false, None, true);
+            tally.push(Some(value), &DrawPlace::Own(&[1.0]));
+            tally.quantiles()
+        };
+        // Never beyond the numbers themselves.
+        assert!(all_alike(0.973).iter().all(|told| told.value == 0.973));
         let small = values.iter().filter(|value| **value < 1.0).count() as f64;
         let summary = share.mean().unwrap();
         let (low, high) = wilson(small, 5000.0);
