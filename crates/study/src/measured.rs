@@ -248,7 +248,7 @@ mod tests {
             // Of many sizes, from 0.02 to 50.
             let value = 50.0 * random.unit(Stream::Setting, draw, 0).powi(4) + 0.02;
             values.push(value);
-            let weights = weights(&random, draw);
+            let weights = weights(random, draw);
             tally.push(Some(value), &DrawPlace::Own(&weights));
             let is_small = f64::from(u8::from(value < 1.0));
             share.push(Some(is_small), &DrawPlace::Own(&weights));

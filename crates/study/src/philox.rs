@@ -57,7 +57,7 @@ impl Philox {
     ///
     /// assert_eq!(Philox::new(0).block([0; 4])[0], 0x6627_e8d5);
     /// ```
-    pub fn block(&self, counter: [u32; 4]) -> [u32; 4] {
+    pub fn block(self, counter: [u32; 4]) -> [u32; 4] {
         let (mut words, mut key) = (counter, self.key);
         for _ in 0..ROUNDS {
             let [first, second] = [(0, 0), (1, 2)]
@@ -74,18 +74,18 @@ impl Philox {
     }
 
     /// The block number `index` of what is drawn for `number` in a stream.
-    pub(crate) fn of(&self, stream: Stream, number: u64, index: u32) -> [u32; 4] {
+    pub(crate) fn of(self, stream: Stream, number: u64, index: u32) -> [u32; 4] {
         self.block([number as u32, (number >> 32) as u32, index, stream as u32])
     }
 
     /// A whole number of 64 bits.
-    pub(crate) fn word(&self, stream: Stream, number: u64, index: u32) -> u64 {
+    pub(crate) fn word(self, stream: Stream, number: u64, index: u32) -> u64 {
         let [low, high, ..] = self.of(stream, number, index);
         u64::from(high) << 32 | u64::from(low)
     }
 
     /// A number in (0, 1), never an end.
-    pub(crate) fn unit(&self, stream: Stream, number: u64, index: u32) -> f64 {
+    pub(crate) fn unit(self, stream: Stream, number: u64, index: u32) -> f64 {
         ((self.word(stream, number, index) >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
     }
 }

@@ -12,7 +12,7 @@ pub const RESAMPLES: usize = 400;
 const TAIL: f64 = 0.025;
 
 /// Poisson weights of one draw in all resamples.
-pub fn weights(random: &Philox, draw: u64) -> Vec<f64> {
+pub fn weights(random: Philox, draw: u64) -> Vec<f64> {
     let blocks = RESAMPLES.div_ceil(4) as u32;
     let words = (0..blocks).flat_map(|block| random.of(Stream::Weight, draw, block));
     words.take(RESAMPLES).map(poisson).collect()
@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn weights_have_the_shares_of_a_poisson_number() {
         let random = Philox::new(3);
-        let all: Vec<f64> = (0..100).flat_map(|draw| weights(&random, draw)).collect();
+        let all: Vec<f64> = (0..100).flat_map(|draw| weights(random, draw)).collect();
         let share = |count: f64| {
             let such = all.iter().filter(|weight| **weight == count).count();
             such as f64 / all.len() as f64
@@ -102,7 +102,7 @@ mod tests {
             let mut resampled = Resampled::new();
             for draw in 0..draws {
                 let value = random.unit(Stream::Setting, draw, 0);
-                resampled.push(value, &weights(&random, draw));
+                resampled.push(value, &weights(random, draw));
             }
             let [low, high] = resampled.interval().unwrap();
             held += u32::from(low <= 0.5 && 0.5 <= high);

@@ -90,8 +90,8 @@ fn turned(dimension: usize, polynomial: u32, first: &[u32]) -> [u32; BITS] {
     }
     let degree = polynomial.ilog2() as usize;
     for bit in 0..BITS {
-        turned[bit] = if bit < degree {
-            first[bit] << (BITS - 1 - bit)
+        turned[bit] = if let Some(first) = first.get(bit) {
+            first << (BITS - 1 - bit)
         } else {
             let before = turned[bit - degree];
             (1..degree)

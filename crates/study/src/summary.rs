@@ -143,7 +143,7 @@ impl<'a> StudyTally<'a> {
 
     fn take_draw(&mut self) {
         let plan = self.design.plan();
-        let own = (plan.draw_by == DrawBy::Random).then(|| weights(&self.random, self.draws));
+        let own = (plan.draw_by == DrawBy::Random).then(|| weights(self.random, self.draws));
         let place = match &own {
             Some(weights) => DrawPlace::Own(weights),
             None => DrawPlace::Scramble(self.design.cluster(self.draws) as usize),

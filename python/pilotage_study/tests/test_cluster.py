@@ -90,7 +90,7 @@ class OnACluster(unittest.TestCase):
             return list(Path(out, "shards").glob("*.parquet"))
 
         with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as driver:
-            deadline = time.monotonic() + 60
+            deadline = time.monotonic() + 300
             while len(shards()) < 2 and time.monotonic() < deadline:
                 time.sleep(0.01)
             driver.kill()

@@ -1,4 +1,4 @@
-//! Sobol's points against SciPy's.
+//! Sobol's points against those of `SciPy`.
 
 use pilotage_study::SobolPoints;
 use pilotage_tests::oracle::ask;

@@ -118,7 +118,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let is_part = arguments.share.is_some() || !arguments.only.is_empty();
     if !arguments.merge && !front.is_complete() {
         let wanted = wanted(arguments, &folder)?;
-        fly(arguments, &study, &mut front, wanted)?;
+        fly(arguments, &study, &mut front, &wanted)?;
     }
     if is_part {
         return Ok(());
@@ -174,7 +174,7 @@ fn fly(
     arguments: &Arguments,
     study: &Arc<Study>,
     front: &mut Front<'_>,
-    wanted: Vec<u64>,
+    wanted: &[u64],
 ) -> Result<(), String> {
     let folder = front.folder;
     let orders: Vec<StudyShardOrder> = wanted
