@@ -19,7 +19,6 @@ mod photos;
 mod places;
 mod pmtiles;
 mod roads;
-mod sobol;
 mod systems;
 mod terrain;
 mod tlog;
