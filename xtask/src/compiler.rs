@@ -3,18 +3,21 @@
 //! than they themselves.
 //!
 //! Natively it is the linter that compiles, and rustdoc runs after it. The page is compiled by the compiler, since the
-//! linter's code is another one, and linted after it. What cargo builds in this way it keeps apart from what it builds
+//! linter's code is another one, and may not say a word; the linter looks after it at what the page has in another
+//! form than the native programs (`page_form.rs`). What cargo builds in this way it keeps apart from what it builds
 //! else: who edits and tests a crate by hand shall find that built by the compiler already.
 
 use std::{
     ffi::OsString,
     fs,
+    io::ErrorKind,
     path::{Path, PathBuf},
     process::{Command, ExitCode},
 };
 
 use crate::{
     failure::Failure,
+    page_form::has_own_form,
     places,
     process::{CARGO_ADVICE, capture, cargo, is_automatic, program, run, succeed, succeeds},
 };
@@ -43,6 +46,15 @@ impl Pass {
     /// Text that it said of a crate when that was compiled last; `None` of one that was not.
     pub fn said(self, name: &str) -> Option<String> {
         fs::read_to_string(self.folder().join(format!("{name}.txt"))).ok()
+    }
+
+    /// Forgets what it said of a crate that it has nothing to say about any more.
+    fn forget(self, name: &str) -> Result<(), Failure> {
+        let file = self.folder().join(format!("{name}.txt"));
+        match fs::remove_file(&file) {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::file(&file)(error)),
+            _ => Ok(()),
+        }
     }
 
     /// Texts that it said of all crates that were compiled.
@@ -90,7 +102,10 @@ fn linter() -> Result<PathBuf, Failure> {
 pub fn compile(linter: &OsString, arguments: &[OsString]) -> ExitCode {
     let is_page = arguments.iter().any(|argument| argument == "--target");
     let compiled = match arguments.split_first() {
-        Some((compiler, others)) if is_page => Command::new(compiler).args(others).status(),
+        Some((compiler, others)) if is_page => {
+            let mut compiler = Command::new(compiler);
+            compiler.args(others).args(["-D", "warnings"]).status()
+        }
         _ => Command::new(linter).args(arguments).status(),
     };
     if !compiled.is_ok_and(|status| status.success()) {
@@ -104,7 +119,11 @@ pub fn compile(linter: &OsString, arguments: &[OsString]) -> ExitCode {
         if !is_page {
             return document(&name, &options);
         }
-        lint_page(linter, &name, &options)?;
+        if has_own_form(&options)? {
+            lint_page(linter, &name, &options)?;
+        } else {
+            Pass::PageLints.forget(&name)?;
+        }
         // Programs of the page are compiled for it only.
         if is_of_type(&options, "cdylib") {
             return document(&name, &options);

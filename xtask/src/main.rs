@@ -5,6 +5,7 @@ mod compiler;
 mod failure;
 mod metadata;
 mod page;
+mod page_form;
 mod places;
 mod process;
 mod progress;
