@@ -1,5 +1,6 @@
 //! Grid of the objects that can matter at a place: square cells with lists of object numbers.
 
+use super::noise::floor;
 use super::shape::Spot;
 
 /// Half the side of the scenery, metres.
@@ -17,10 +18,22 @@ pub(super) struct CellLists {
 /// Number of the cell of a place, if it lies inside the scenery.
 #[inline]
 pub(super) fn cell_of(p: Spot) -> Option<usize> {
-    let row = ((p.n + REACH) * (1.0 / CELL)).floor() as i32;
-    let column = ((p.e + REACH) * (1.0 / CELL)).floor() as i32;
+    let row = floor((p.n + REACH) * (1.0 / CELL));
+    let column = floor((p.e + REACH) * (1.0 / CELL));
     ((0..SIDE).contains(&row) && (0..SIDE).contains(&column))
         .then_some((row * SIDE + column) as usize)
+}
+
+/// Centres of all cells in the order of their numbers, and how far the places of a cell are from its centre at most,
+/// metres.
+pub(super) fn cells() -> impl Iterator<Item = (Spot, f32)> {
+    let middle = |i: i32| (i as f32 + 0.5) * CELL - REACH;
+    let centers = (0..SIDE * SIDE).map(move |i| Spot {
+        n: middle(i / SIDE),
+        e: middle(i % SIDE),
+    });
+    // A little more than half the diagonal, as places are rounded.
+    centers.map(|center| (center, 0.7072 * CELL + 0.05))
 }
 
 impl CellLists {

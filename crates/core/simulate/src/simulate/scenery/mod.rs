@@ -24,6 +24,7 @@ mod light;
 mod network;
 pub(super) mod noise;
 mod paint;
+mod parcel_tree;
 mod parcels;
 mod plan;
 mod render;

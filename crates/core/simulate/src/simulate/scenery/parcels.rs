@@ -1,7 +1,10 @@
 //! The mosaic of fields and woods: the land cut again and again by slightly slanted lines.
 
+use std::sync::Arc;
+
 use super::day::{Day, Season};
 use super::noise::{Dice, hash2, unit};
+use super::parcel_tree::{Located, ParcelNode, ParcelTree};
 use super::shape::{Spot, spot};
 
 /// Use of a parcel.
@@ -43,93 +46,26 @@ pub(super) struct Parcel {
     pub(super) hedged: bool,
 }
 
-/// A cutting line or a leaf.
-#[derive(Clone, Copy, Debug)]
-enum ParcelNode {
-    /// `normal · p - offset`: negative goes to the first child, else to the second.
-    Cut {
-        normal: Spot,
-        offset: f32,
-        children: [u32; 2],
-        track: bool,
-    },
-    Leaf(u32),
-}
-
 /// All parcels with the tree that finds them.
 #[derive(Clone, Debug)]
 pub(super) struct Parcels {
-    nodes: Vec<ParcelNode>,
+    tree: Arc<ParcelTree>,
     pub(super) parcels: Vec<Parcel>,
-}
-
-/// Location of a place among the parcels.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Located {
-    pub(super) parcel: u32,
-    /// Distance to the parcel's nearest edge, metres.
-    pub(super) edge: f32,
-    /// Distance to the nearest cutting line that carries a track, metres.
-    pub(super) track: f32,
-    /// Unit vector along that nearest edge.
-    pub(super) along: Spot,
 }
 
 impl Parcels {
     pub(super) fn new(seed: u64) -> Self {
         let mut dice = Dice::new(seed, 11);
-        let mut parcels = Self {
-            nodes: Vec::new(),
-            parcels: Vec::new(),
-        };
+        let mut cutting = Cutting::default();
         let r = 1320.0;
         let square = vec![spot(-r, -r), spot(r, -r), spot(r, r), spot(-r, r)];
-        parcels.cut(square, 0, &mut dice);
+        cutting.cut(square, 0, &mut dice);
+        let mut parcels = Self {
+            tree: Arc::new(ParcelTree::new(cutting.nodes)),
+            parcels: cutting.parcels,
+        };
         parcels.assign(seed);
         parcels
-    }
-
-    fn cut(&mut self, corners: Vec<Spot>, depth: u32, dice: &mut Dice) -> u32 {
-        let area = area_of(&corners);
-        let target = dice.range(9_000.0, 42_000.0);
-        let number = self.nodes.len() as u32;
-        if area < target || depth > 12 {
-            self.nodes.push(ParcelNode::Leaf(self.parcels.len() as u32));
-            self.parcels.push(Parcel {
-                use_: Use::Cereal,
-                cover: FieldCover::Green,
-                axis: longest_side(&corners),
-                variant: dice.bits() as u32,
-                corners,
-                hedged: dice.chance(0.55),
-            });
-            return number;
-        }
-        let axis = longest_side(&corners);
-        let slant = dice.range(-0.16, 0.16) + if depth == 0 { 0.3 } else { 0.0 };
-        let (sin, cos) = slant.sin_cos();
-        let normal = axis * cos + axis.right() * sin;
-        let reach = |f: fn(f32, f32) -> f32| {
-            corners
-                .iter()
-                .map(|c| c.dot(normal))
-                .reduce(f)
-                .unwrap_or(0.0)
-        };
-        let (low, high) = (reach(f32::min), reach(f32::max));
-        let offset = low + (high - low) * dice.range(0.36, 0.64);
-        let (first, second) = split(&corners, normal, offset);
-        self.nodes.push(ParcelNode::Leaf(0));
-        let track = (2..6).contains(&depth) && dice.chance(0.3);
-        let a = self.cut(first, depth + 1, dice);
-        let b = self.cut(second, depth + 1, dice);
-        self.nodes[number as usize] = ParcelNode::Cut {
-            normal,
-            offset,
-            children: [a, b],
-            track,
-        };
-        number
     }
 
     /// The same parcels with what they bear on `day`.
@@ -175,37 +111,59 @@ impl Parcels {
     /// The parcel at a place.
     #[inline]
     pub(super) fn locate(&self, p: Spot) -> Located {
-        let mut number = 0;
-        let mut located = Located {
-            parcel: 0,
-            edge: 1e9,
-            track: 1e9,
-            along: spot(1.0, 0.0),
-        };
-        loop {
-            match self.nodes[number as usize] {
-                ParcelNode::Leaf(parcel) => {
-                    located.parcel = parcel;
-                    return located;
-                }
-                ParcelNode::Cut {
-                    normal,
-                    offset,
-                    children,
-                    track,
-                } => {
-                    let d = normal.dot(p) - offset;
-                    if d.abs() < located.edge {
-                        located.edge = d.abs();
-                        located.along = normal;
-                    }
-                    if track {
-                        located.track = located.track.min(d.abs());
-                    }
-                    number = children[usize::from(d >= 0.0)];
-                }
-            }
+        self.tree.locate(p)
+    }
+}
+
+/// Nodes and parcels while the land is being cut.
+#[derive(Default)]
+struct Cutting {
+    nodes: Vec<ParcelNode>,
+    parcels: Vec<Parcel>,
+}
+
+impl Cutting {
+    fn cut(&mut self, corners: Vec<Spot>, depth: u32, dice: &mut Dice) -> u32 {
+        let area = area_of(&corners);
+        let target = dice.range(9_000.0, 42_000.0);
+        let number = self.nodes.len() as u32;
+        if area < target || depth > 12 {
+            self.nodes.push(ParcelNode::Leaf(self.parcels.len() as u32));
+            self.parcels.push(Parcel {
+                use_: Use::Cereal,
+                cover: FieldCover::Green,
+                axis: longest_side(&corners),
+                variant: dice.bits() as u32,
+                corners,
+                hedged: dice.chance(0.55),
+            });
+            return number;
         }
+        let axis = longest_side(&corners);
+        let slant = dice.range(-0.16, 0.16) + if depth == 0 { 0.3 } else { 0.0 };
+        let (sin, cos) = slant.sin_cos();
+        let normal = axis * cos + axis.right() * sin;
+        let reach = |f: fn(f32, f32) -> f32| {
+            corners
+                .iter()
+                .map(|c| c.dot(normal))
+                .reduce(f)
+                .unwrap_or(0.0)
+        };
+        let (low, high) = (reach(f32::min), reach(f32::max));
+        let offset = low + (high - low) * dice.range(0.36, 0.64);
+        let (first, second) = split(&corners, normal, offset);
+        self.nodes.push(ParcelNode::Leaf(0));
+        let track = (2..6).contains(&depth) && dice.chance(0.3);
+        let a = self.cut(first, depth + 1, dice);
+        let b = self.cut(second, depth + 1, dice);
+        self.nodes[number as usize] = ParcelNode::Cut {
+            normal,
+            offset,
+            children: [a, b],
+            track,
+        };
+        number
     }
 }
 
