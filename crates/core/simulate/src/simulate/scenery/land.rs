@@ -1,5 +1,7 @@
 //! Parts of the countryside that are the same on every day, with the grids that find them.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use super::grid::{CellLists, REACH};
 use super::parcels::Parcels;
 use super::plan::{SceneryPlan, Segment, segment_grid};
@@ -22,9 +24,27 @@ pub(super) struct Land {
     pub(super) textures: PeriodicTextures,
 }
 
+/// Land that was laid out last: its seed, whether it is settled, and itself. It takes as long to lay out as
+/// a picture to draw, and most programs know a single seed.
+type LastLand = Mutex<Option<(u64, bool, Arc<Land>)>>;
+
 impl Land {
+    /// The land of a seed, which is kept until that of another is asked for.
+    pub(super) fn of(seed: u64, settled: bool) -> Arc<Self> {
+        static LAST: LastLand = Mutex::new(None);
+        let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((of, is_settled, land)) = &*last
+            && (*of, *is_settled) == (seed, settled)
+        {
+            return Arc::clone(land);
+        }
+        let land = Arc::new(Self::new(seed, settled));
+        *last = Some((seed, settled, Arc::clone(&land)));
+        land
+    }
+
     /// With the village and its roads, or open country without them.
-    pub(super) fn new(seed: u64, settled: bool) -> Self {
+    fn new(seed: u64, settled: bool) -> Self {
         let textures = PeriodicTextures::new(seed);
         let mut plan = SceneryPlan::default();
         if settled {

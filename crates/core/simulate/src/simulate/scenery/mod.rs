@@ -95,10 +95,7 @@ impl Scenery {
 
     fn laid_out(seed: u64, day: Day, settled: bool) -> Self {
         Self {
-            world: Arc::new(SceneryWorld::new(
-                Arc::new(Land::new(seed, settled)),
-                &in_plan(day),
-            )),
+            world: Arc::new(SceneryWorld::new(Land::of(seed, settled), &in_plan(day))),
             day,
         }
     }

@@ -62,8 +62,9 @@ fn around(north: f64, east: f64, gsd: f64, side: usize) -> Window {
 fn the_same_seed_and_day_give_the_same_picture_and_another_seed_another() {
     let window = around(100.0, -50.0, 0.5, 120);
     let one = scenery().window(&window);
-    assert_eq!(one, scenery().window(&window));
+    // The land that was laid out last is kept: the next is laid out anew after another's.
     let other = Scenery::new(DEMO_SEED + 1, Day::map_day()).window(&window);
+    assert_eq!(one, scenery().window(&window));
     assert_ne!(one, other);
 }
 
