@@ -172,14 +172,8 @@ impl TileCache {
             self.empty.insert(key);
             return;
         }
-        let image = ColorImage::new(
-            [pixels.width(), pixels.height()],
-            pixels
-                .pixels()
-                .iter()
-                .map(|[r, g, b, a]| Color32::from_rgba_unmultiplied(*r, *g, *b, *a))
-                .collect(),
-        );
+        let size = [pixels.width(), pixels.height()];
+        let image = ColorImage::from_rgba_unmultiplied(size, pixels.pixels().as_flattened());
         let name = format!("tile {} {} {}", key.level, key.north, key.east);
         let texture = context.load_texture(name, image, TextureOptions::LINEAR);
         let last_used = self.frame;

@@ -7,7 +7,6 @@ use pilotage_core::flight::interpret::log_of_flight;
 use pilotage_core::flight::log::{Log, LogFormat, LogOutline};
 use pilotage_core::flight::overview::overview;
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::imagery::Window;
 use pilotage_core::imagery::terrain::{HeightDatum, HeightGrid, Terrain};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::EstimatorChoice;
@@ -28,6 +27,7 @@ use pilotage_ui::host::{Host, OpenedFile};
 
 use super::flight::{flight, mission, run, run_head};
 use super::laid::{Laying, early_flight, lay_frames};
+use super::tile::tile;
 
 /// Fate of work that nobody asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -468,21 +468,6 @@ fn fields(order: &FieldOrder) -> [Localizability; 2] {
     let mut whole = half.clone();
     whole.values[north..].fill(0.0);
     [half, whole]
-}
-
-/// Pixels of invented ground.
-fn tile(window: Window) -> JobEvent {
-    let shade = |c: usize, r: usize| {
-        let ground = window.ground_at(c as f64 + 0.5, r as f64 + 0.5);
-        let field = (ground.north / 60.0).floor() + (ground.east / 85.0).floor();
-        let green = 88 + (13.0 * field.rem_euclid(3.0)) as u8;
-        [74, green, 52, 255]
-    };
-    JobEvent::Tile {
-        window,
-        pixels: Raster::from_fn(window.width, window.height, shade),
-        whole: true,
-    }
 }
 
 /// A box with one look-alike to the north of it.
