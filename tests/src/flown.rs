@@ -1,13 +1,18 @@
 //! Built-in flights that are flown after something went wrong with them.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::{Matrix4, Vector4};
 use pilotage_core::flight::{Flight, FrameSource};
+use pilotage_core::imagery::CachedImagery;
 use pilotage_core::navigator::{Doubt, KnownGround, Navigator, Run};
 use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
+use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
+
+/// Memory for the ground below a whole flight on a day, megabytes.
+const GROUND_MEGABYTES: usize = 256;
 
 /// The first built-in flight by its landmarks, with its real pictures, after `damage`.
 pub struct Flown {
@@ -34,10 +39,9 @@ pub fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight
         ..Overrides::default()
     };
     let SimulatedFlight {
-        mut flight,
-        mut frames,
-        ..
+        mut flight, frames, ..
     } = scenario.simulate(seed, &overrides);
+    let mut frames = frames.over(ground(&scenario, day));
     damage(&mut flight);
     let mission = scenario.mission();
     let map = Arc::new(Scenario::map());
@@ -45,6 +49,23 @@ pub fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight
     let navigator = Navigator::new(given, &KnownGround::of(&mission, map), &mission.navigator)
         .expect("the flight has what it takes");
     Flown::by(navigator, &mut frames, flight)
+}
+
+/// Ground on the day of a flight, drawn once for all flights of this program over it.
+fn ground(scenario: &Scenario, day: FlightDay) -> Arc<CachedImagery> {
+    static DRAWN: Mutex<Vec<(FlightDay, Arc<CachedImagery>)>> = Mutex::new(Vec::new());
+    let day = match day {
+        FlightDay::Other => scenario.other_day,
+        day => day,
+    };
+    let mut drawn = DRAWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, imagery)) = drawn.iter().find(|(of, _)| *of == day) {
+        return Arc::clone(imagery);
+    }
+    let scenery = Arc::new(Scenery::new(DEMO_SEED, day.day()));
+    let imagery = Arc::new(CachedImagery::new(scenery, GROUND_MEGABYTES));
+    drawn.push((day, Arc::clone(&imagery)));
+    imagery
 }
 
 /// The same without pictures: four landmarks of five can be recognised, in seven frames of ten.
