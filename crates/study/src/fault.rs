@@ -87,7 +87,7 @@ pub fn as_seen(flight: &Flight, run: &RunSettings) -> Option<Flight> {
     if let (Some(truth), Some(seen)) = truth {
         for (index, frame) in flight.frames.iter().enumerate() {
             if frame.time >= from {
-                seen.frames[index] = truth.frames[index.saturating_sub(late)].clone();
+                seen.frames[index] = truth.frames[index.saturating_sub(late)];
             }
         }
     }

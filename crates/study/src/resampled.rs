@@ -1,4 +1,4 @@
-//! Resampled means in constant memory: the Poisson bootstrap (Hanley and MacGibbon 2006; Chamandy et al. 2012).
+//! Resampled means in constant memory: the Poisson bootstrap (Hanley and `MacGibbon` 2006; Chamandy et al. 2012).
 //!
 //! In each resample a draw counts a Poisson number of times, which is what drawing with replacement comes to for many
 //! draws. The number depends on the draw and the resample alone, so that rows are seen once and none is kept; all cells
