@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
-use crate::replay::navigate;
+use crate::replaying::navigate;
 
 /// Arguments of `pilotage align`: a flight and the map beside it.
 #[derive(clap::Args)]

@@ -12,7 +12,7 @@ use pilotage_jobs::{AssessmentOrder, EvaluationOrder, JobEvent, JudgedDetector};
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, write_whole};
-use crate::plan::{PlanSource, PlannedFlight};
+use crate::plan::{PlannedFlight, SourceArguments};
 use crate::workers::{self, Lent};
 
 /// Time between two words on a judging.
@@ -22,7 +22,7 @@ const TOLD_EVERY: Duration = Duration::from_secs(2);
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    source: PlanSource,
+    source: SourceArguments,
     /// Landmark whose detector is evaluated, by its name or its id; may be said again. Every landmark with
     /// a detector if absent.
     #[arg(long, value_name = "NAME")]
@@ -59,7 +59,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         let stated = arguments.false_alarms;
         return Err(format!("--false-alarms: {stated} is no rate").into());
     }
-    let ground = PlannedFlight::at(&arguments.source)?;
+    let ground = PlannedFlight::at(&arguments.source.to_source())?;
     let landmarks = with_detector(&ground.mission.landmarks, &arguments.landmark)?;
     let folder = match &arguments.frames {
         Some(path) => Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?),

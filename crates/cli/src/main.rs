@@ -13,8 +13,6 @@ mod export;
 mod export_parquet;
 mod export_track;
 mod export_value;
-mod files;
-mod filter_options;
 mod georef;
 mod inspect;
 mod inspect_log;
@@ -22,9 +20,7 @@ mod inspect_wind;
 mod labels;
 mod locate_photo;
 mod map;
-mod mission_file;
 mod numbers;
-mod opening;
 mod outage;
 mod outcome;
 mod own_map;
@@ -41,13 +37,13 @@ mod simulate;
 mod statistics;
 mod study;
 mod train;
-mod workers;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
 use outcome::CommandResult;
+use pilotage_disk::{files, filter_options, mission_file, opening, replaying, workers};
 
 /// Navigate aircraft by what can be seen on the ground.
 #[derive(Parser)]

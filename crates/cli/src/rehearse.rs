@@ -5,14 +5,14 @@ use pilotage_jobs::{PredictionOrder, Rehearsed};
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::plan::{PlanSource, PlannedFlight, fly, predict};
+use crate::plan::{PlannedFlight, SourceArguments, fly, predict};
 use crate::scenario::seed_range;
 
 /// Arguments of `pilotage rehearse`.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    source: PlanSource,
+    source: SourceArguments,
     /// Name of the route that is flown in place of the mission's first.
     #[arg(long, value_name = "NAME", requires = "mission")]
     route: Option<String>,
@@ -70,7 +70,7 @@ struct RehearsalSummary {
 /// Rehearses the route that the arguments name.
 pub fn run(arguments: &Arguments) -> CommandResult {
     let seeds = seed_range(&arguments.seeds)?;
-    let ground = PlannedFlight::along(&arguments.source, arguments.route.as_deref())?;
+    let ground = PlannedFlight::along(&arguments.source.to_source(), arguments.route.as_deref())?;
     let seed = PredictionOrder::SEED;
     let say = |line: &str| eprintln!("{line}");
     let (plan, prediction) = predict(&ground, seed, f64::INFINITY, say)?;

@@ -2,24 +2,20 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
 
-use pilotage_core::flight::{Flight, FrameSource};
+use pilotage_core::flight::Flight;
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{
-    KnownGround, Navigator, NavigatorSettings, Run, Summary, summarize,
-};
+use pilotage_core::navigator::{KnownGround, Run, Summary, summarize};
 use pilotage_core::simulate::{Overrides, Scenario, SensorSpec};
 use pilotage_jobs::{JobEvent, MapSource, SummaryOrder};
 use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::MAP_CACHE;
-use crate::files::open_map;
 use crate::mission_file::OpenMission;
-use crate::opening::{OpenedPath, no_flight, open};
 use crate::replay_frames::{print_frames, print_refusals};
+use crate::replaying::{flight_at, navigate, over_map};
 use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 use crate::workers;
@@ -96,12 +92,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let Some(path) = arguments.path.as_ref().or(arguments.flight.as_ref()) else {
         return Err("say what was flown, or --scenario NAME".into());
     };
-    let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
-    if let OpenedPath::Nothing(told) = &opened {
-        return Err(no_flight(path, told).into());
-    }
-    let found = opened.into_flight()?;
-    let (open, notes) = found.ok_or_else(|| no_flight(path, ""))?;
+    let (open, notes) = flight_at(path, arguments.columns.as_deref(), arguments.vehicle)?;
     let (flight, mut frames) = (open.flight, open.frames);
     for note in &notes {
         eprintln!("note: {note}");
@@ -109,39 +100,16 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let Some(map) = &arguments.map else {
         return crate::outage::study(&flight, arguments.outage);
     };
-    if flight.frames.is_empty() {
-        return Err(format!(
-            "{}: it has no pictures to be found on the map; leave out --map to navigate by instruments",
-            path.display()
-        )
-        .into());
-    }
-    let imagery = open_map(map, flight.frame_on_globe, MAP_CACHE)?;
-    let (flight, ground, mut settings) = if let Some(path) = &arguments.mission {
-        let mission = OpenMission::read(path)?.package.mission;
-        let ground = KnownGround::of(&mission, imagery);
-        (mission.flown(&flight), ground, mission.navigator)
-    } else {
-        let settings = NavigatorSettings::without_mission(&flight, true);
-        (flight, KnownGround::new(imagery), settings)
-    };
-    crate::filter_options::apply(&mut settings, &arguments.filter)?;
-    let run = navigate(&flight, &ground, &settings, &mut frames)?;
-    let summary = summarize(&flight, &run, None);
-    report(arguments, &flight, &run, &summary)
-}
-
-/// Navigates a flight to its end.
-pub fn navigate(
-    flight: &Arc<Flight>,
-    ground: &KnownGround,
-    settings: &NavigatorSettings,
-    frames: &mut dyn FrameSource,
-) -> Result<Run, Box<dyn std::error::Error>> {
-    let begun = Instant::now();
-    let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
-    let navigator = Navigator::new(Arc::clone(flight), ground, settings)?;
-    Ok(navigator.fly(frames, &stopwatch)?)
+    let over = over_map(
+        path,
+        flight,
+        map,
+        arguments.mission.as_deref(),
+        &arguments.filter,
+    )?;
+    let run = navigate(&over.flight, &over.ground, &over.settings, &mut frames)?;
+    let summary = summarize(&over.flight, &run, None);
+    report(arguments, &over.flight, &run, &summary)
 }
 
 fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> CommandResult {

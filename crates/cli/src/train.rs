@@ -14,14 +14,14 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, write_whole};
-use crate::plan::{PlanSource, PlannedFlight};
+use crate::plan::{PlannedFlight, SourceArguments};
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage train`.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    source: PlanSource,
+    source: SourceArguments,
     /// Only the landmarks with these names; all that are switched on if none is named.
     #[arg(long)]
     landmark: Vec<String>,
@@ -95,7 +95,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             arguments.detector
         )
     })?;
-    let mut ground = PlannedFlight::at(&arguments.source)?;
+    let mut ground = PlannedFlight::at(&arguments.source.to_source())?;
     for name in &arguments.landmark {
         if !ground.mission.landmarks.iter().any(|l| l.name == *name) {
             return Err(format!("--landmark: the mission has none called \"{name}\"").into());

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use pilotage_core::plan::Proposal;
 
-use super::source::PlanSource;
+use super::source::SourceArguments;
 
 /// Measurements beside those that a prediction needs.
 #[derive(Args)]
@@ -22,7 +22,7 @@ pub struct MeasureArguments {
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
-    pub source: PlanSource,
+    pub source: SourceArguments,
     /// Propose that many landmarks from the map alone.
     #[arg(long, value_name = "N")]
     pub suggest: Option<usize>,

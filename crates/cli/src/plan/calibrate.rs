@@ -6,7 +6,7 @@ use pilotage_core::plan::{Pass, Reliability, random_places};
 use pilotage_jobs::{JobEvent, ReliabilityOrder};
 
 use super::arguments::Arguments;
-use super::ground::PlannedFlight;
+use super::planned_flight::PlannedFlight;
 use crate::workers;
 
 /// Flies about `passes` passes over places of every quality and compares what was found with what

@@ -17,8 +17,9 @@ use pilotage_jobs::{
 use serde::Serialize;
 
 use super::arguments::{Arguments, FindArguments, Least, Of, Over};
-use super::ground::{PlannedFlight, way_points};
+use super::ground::way_points;
 use super::landmarks::expected;
+use super::planned_flight::PlannedFlight;
 use crate::files::DiskFile;
 use crate::workers;
 

@@ -2,11 +2,10 @@
 
 mod arguments;
 mod calibrate;
+mod envelopes;
 mod find;
 mod ground;
-mod landmarks;
 mod no_fly;
-mod predict;
 mod propose;
 mod source;
 mod untested;
@@ -18,11 +17,13 @@ use pilotage_core::plan::{Envelope, Reliability, Suggestion, UntestedDetection, 
 use serde::Serialize;
 
 pub use arguments::Arguments;
-pub use ground::PlannedFlight;
-use landmarks::envelopes;
-pub use predict::predict;
+use envelopes::envelopes;
+use ground::ground_of;
+pub use pilotage_disk::planned_flight::{PlanSource, PlannedFlight};
+pub use pilotage_disk::predict::predict;
+use pilotage_disk::{landmarks, planned_flight};
 use propose::suggest;
-pub use source::PlanSource;
+pub use source::SourceArguments;
 pub use verify::fly;
 
 use crate::CommandResult;
@@ -56,7 +57,7 @@ struct PlanSummary {
 
 /// Plans what the arguments say.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let mut ground = PlannedFlight::of(arguments)?;
+    let mut ground = ground_of(arguments)?;
     let mut summary = PlanSummary {
         landmarks: Vec::new(),
         suggestions: Vec::new(),

@@ -2,7 +2,7 @@
 
 use pilotage_core::plan::{RoutePrediction, incursions, reached_zones};
 
-use super::ground::PlannedFlight;
+use super::planned_flight::PlannedFlight;
 
 fn metres(distance: f64) -> String {
     format!("{distance:.0} m")

@@ -5,7 +5,7 @@ use pilotage_core::plan::{FieldView, Suggestion};
 use pilotage_jobs::{JobEvent, ProposeOrder, Share, ShareOrder, SuggestOrder};
 
 use super::arguments::Arguments;
-use super::ground::PlannedFlight;
+use super::planned_flight::PlannedFlight;
 use crate::workers;
 
 /// Shares in which places are rehearsed: as many as most machines have processors.

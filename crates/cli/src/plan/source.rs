@@ -1,10 +1,12 @@
-//! Source of the map, the mission on it and the camera.
+//! Arguments that name the map, the mission on it and the camera.
 
 use std::path::PathBuf;
 
-/// Source of the map, the mission on it and the camera.
+use super::planned_flight::PlanSource;
+
+/// Arguments that name the map, the mission on it and the camera.
 #[derive(clap::Args)]
-pub struct PlanSource {
+pub struct SourceArguments {
     /// A built-in scenario: its map, aircraft, camera and route.
     #[arg(long, conflicts_with_all = ["mission", "map"])]
     pub scenario: Option<String>,
@@ -20,4 +22,17 @@ pub struct PlanSource {
     /// Height above ground, metres, where neither route nor scenario states one.
     #[arg(long)]
     pub height: Option<f64>,
+}
+
+impl SourceArguments {
+    /// The source that they name.
+    pub fn to_source(&self) -> PlanSource {
+        PlanSource {
+            scenario: self.scenario.clone(),
+            mission: self.mission.clone(),
+            map: self.map.clone(),
+            flight: self.flight.clone(),
+            height: self.height,
+        }
+    }
 }

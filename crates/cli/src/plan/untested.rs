@@ -6,7 +6,7 @@ use pilotage_core::plan::{Proposal, UntestedDetection};
 use pilotage_jobs::{JobEvent, UntestedOrder};
 
 use super::arguments::Arguments;
-use super::ground::PlannedFlight;
+use super::planned_flight::PlannedFlight;
 use super::propose::view;
 use crate::workers;
 

@@ -3,7 +3,7 @@
 use pilotage_core::plan::{RoutePrediction, Verification};
 use pilotage_jobs::{JobEvent, PredictionOrder, RehearseOrder, Rehearsed};
 
-use super::ground::PlannedFlight;
+use super::planned_flight::PlannedFlight;
 use crate::workers;
 
 /// Flies seeds `first..end` beside `prediction`, with pictures or as stated; `hear` is told each flight in the order of

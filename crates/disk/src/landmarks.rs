@@ -1,56 +1,19 @@
 //! Detection of landmarks over the map of a plan.
 
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{DetectionStatistics, Envelope, EnvelopeSurvey, Rehearsal};
-use pilotage_jobs::{EnvelopeOrder, JobEvent};
+use pilotage_core::plan::{DetectionStatistics, Rehearsal};
+use pilotage_jobs::JobEvent;
 
-use super::arguments::Arguments;
-use super::ground::PlannedFlight;
+use crate::planned_flight::PlannedFlight;
 use crate::workers;
 
 /// Printer of lines about a plan.
 pub type Say = fn(&str);
 
-fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
+/// The landmarks that are switched on.
+pub fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
     let landmarks = ground.mission.landmarks.iter();
     landmarks.filter(|landmark| landmark.enabled).collect()
-}
-
-/// From which heights and with which tilts each landmark is found.
-pub fn envelopes(arguments: &Arguments, ground: &PlannedFlight) -> Result<Vec<Envelope>, String> {
-    let landmarks = enabled(ground);
-    let order = |l: &&Landmark| EnvelopeOrder(Box::new(ground.assessment(l, arguments.seed)));
-    let orders = landmarks.iter().map(order).collect();
-    let mut envelopes: Vec<Envelope> = Vec::new();
-    workers::run(orders, &ground.lent(), &mut |number, event| {
-        match event {
-            JobEvent::Envelope(known) => {
-                envelopes.truncate(number);
-                envelopes.push(*known);
-            }
-            JobEvent::Finished => {
-                if let Some(envelope) = envelopes.get(number) {
-                    print(&landmarks[number].name, envelope);
-                }
-            }
-            JobEvent::Failed(why) => return Err(why),
-            _ => {}
-        }
-        Ok(())
-    })?;
-    Ok(envelopes)
-}
-
-fn print(name: &str, envelope: &Envelope) {
-    println!(
-        "{name}: height, then found of looks at tilts of {:?} degrees",
-        EnvelopeSurvey::TILTS
-    );
-    for (row, height) in envelope.heights.iter().enumerate() {
-        let cells = (0..envelope.tilts.len()).filter_map(|tilt| envelope.at(row, tilt));
-        let cells: Vec<String> = cells.map(|c| format!("{}/{}", c.found, c.looks)).collect();
-        println!("{height:8.0} m  {}", cells.join("  "));
-    }
 }
 
 /// Measures each landmark over the map on the days of `seed`.

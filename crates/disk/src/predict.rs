@@ -1,10 +1,10 @@
-//! `pilotage plan --predict`: the uncertainty along the route.
+//! The uncertainty along a planned route.
 
 use pilotage_core::plan::RoutePrediction;
 use pilotage_jobs::PredictionOrder;
 
-use super::ground::PlannedFlight;
-use super::landmarks::{Say, expected};
+use crate::landmarks::{Say, expected};
+use crate::planned_flight::PlannedFlight;
 
 /// Worlds of a prediction.
 const WORLDS: usize = 100;

@@ -1,0 +1,12 @@
+//! Programs with a disk and threads share this: files opened as flights, logs, maps and missions, and work on all
+//! processors.
+
+pub mod files;
+pub mod filter_options;
+pub mod landmarks;
+pub mod mission_file;
+pub mod opening;
+pub mod planned_flight;
+pub mod predict;
+pub mod replaying;
+pub mod workers;
