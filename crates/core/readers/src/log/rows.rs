@@ -76,6 +76,11 @@ impl Rows {
             .get(start..start + self.width)
     }
 
+    /// Pieces of whole rows, in each one row after the other: quicker to go through than row by row.
+    pub fn pieces(&self) -> impl Iterator<Item = &[u8]> {
+        self.pieces.iter().map(Vec::as_slice)
+    }
+
     /// Row after row.
     pub fn iter(&self) -> impl Iterator<Item = &[u8]> {
         (0..self.length).filter_map(|index| self.get(index))
@@ -95,6 +100,9 @@ mod tests {
         }
         assert_eq!(rows.len(), 10);
         assert!(rows.pieces.len() > 1);
+        let one_by_one: Vec<&[u8]> = rows.iter().collect();
+        let by_pieces = rows.pieces().flat_map(|piece| piece.chunks_exact(width));
+        assert!(by_pieces.eq(one_by_one));
         for (i, row) in rows.iter().enumerate() {
             assert!(row.len() == width && row.iter().all(|b| usize::from(*b) == i));
         }
