@@ -1,0 +1,102 @@
+//! The navigator over flights, as `pilotage replay` runs it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pilotage_core::imagery::CachedImagery;
+use pilotage_core::navigator::{KnownGround, summarize};
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SensorSpec};
+use pilotage_disk::files::MAP_CACHE;
+use pilotage_disk::filter_options;
+use pilotage_disk::replaying::{flight_at, navigate, over_map};
+use pyo3::prelude::*;
+
+use crate::error::refusal;
+use crate::log::named;
+use crate::run::PythonRun;
+
+/// Navigates a flight by its pictures over a map, with the landmarks of a mission file if one is given.
+///
+/// `path` is a flight folder, a log, tables or photos, `map` a picture with its georeference beside it, `filter` changes
+/// to the settings as `pilotage replay --filter` takes them ("alpha=0.5,vehicle=airplane-wind").
+#[pyfunction]
+#[pyo3(signature = (path, map, *, mission = None, columns = None, vehicle = None, filter = ""))]
+pub fn replay(
+    py: Python<'_>,
+    path: PathBuf,
+    map: PathBuf,
+    mission: Option<PathBuf>,
+    columns: Option<PathBuf>,
+    vehicle: Option<u32>,
+    filter: &str,
+) -> PyResult<PythonRun> {
+    let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
+        let (open, notes) = flight_at(&path, columns.as_deref(), vehicle)?;
+        let mut frames = open.frames;
+        let over = over_map(&path, open.flight, &map, mission.as_deref(), filter)?;
+        let run = navigate(&over.flight, &over.ground, &over.settings, &mut frames)?;
+        let summary = summarize(&over.flight, &run, None);
+        Ok(PythonRun::new(run, Some(summary), notes))
+    };
+    let flown = py.detach(|| fly().map_err(|e| e.to_string()));
+    flown.map_err(|words| {
+        // Whatever is wrong with map or mission says so.
+        let told = [Some(&map), mission.as_ref()];
+        let is_named = told.iter().flatten().any(|file| {
+            let name = file.file_name().map(|name| name.to_string_lossy());
+            name.is_some_and(|name| words.contains(name.as_ref()))
+        });
+        refusal(if is_named {
+            words
+        } else {
+            named(&path, &words)
+        })
+    })
+}
+
+/// Flies a built-in scenario and navigates it; `day` is that on which the camera sees the ground, "same" as the map's or
+/// "other".
+#[pyfunction]
+#[pyo3(signature = (name, *, seed = 1, day = "other", filter = ""))]
+pub fn replay_scenario(
+    py: Python<'_>,
+    name: &str,
+    seed: u64,
+    day: &str,
+    filter: &str,
+) -> PyResult<PythonRun> {
+    let scenario = Scenario::named(name).ok_or_else(|| {
+        let names = scenario_names().join(", ");
+        refusal(format!("there is no scenario {name:?}; there are: {names}"))
+    })?;
+    let day = match day {
+        "same" => FlightDay::Same,
+        "other" => FlightDay::Other,
+        _ => return Err(refusal(format!("day={day:?}: say \"same\" or \"other\""))),
+    };
+    let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
+        let mut mission = scenario.mission();
+        filter_options::apply(&mut mission.navigator, filter)?;
+        let overrides = Overrides {
+            day: Some(day),
+            ..Overrides::default()
+        };
+        let mut simulated = scenario.simulate(seed, &overrides);
+        let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE));
+        let flight = mission.flown(&Arc::new(simulated.flight));
+        let ground = KnownGround::of(&mission, map);
+        let run = navigate(&flight, &ground, &mission.navigator, &mut simulated.frames)?;
+        let true_noise = scenario.navigator(&SensorSpec::default());
+        let summary = summarize(&flight, &run, Some(&true_noise));
+        Ok(PythonRun::new(run, Some(summary), Vec::new()))
+    };
+    py.detach(|| fly().map_err(|e| format!("{name}, seed {seed}: {e}")))
+        .map_err(refusal)
+}
+
+/// Names of the built-in scenarios.
+#[pyfunction]
+pub fn scenario_names() -> Vec<&'static str> {
+    let scenarios = Scenario::all();
+    scenarios.iter().map(|scenario| scenario.name).collect()
+}
