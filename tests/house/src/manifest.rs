@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 /// Libraries that would give `core` a screen, a clock, files, threads or a browser.
-pub const FORBIDDEN_FOR_CORE: [&str; 20] = [
+pub const FORBIDDEN_FOR_CORE: [&str; 24] = [
     "crossbeam",
     "eframe",
     "egui",
@@ -11,11 +11,15 @@ pub const FORBIDDEN_FOR_CORE: [&str; 20] = [
     "getrandom",
     "js-sys",
     "memmap2",
+    "numpy",
     "pilotage-cli",
+    "pilotage-disk",
     "pilotage-jobs",
+    "pilotage-python",
     "pilotage-ui",
     "pilotage-web",
     "pilotage-worker",
+    "pyo3",
     "rayon",
     "tokio",
     "walkers",
@@ -36,6 +40,30 @@ pub const FORBIDDEN_WITHOUT_SCREEN: [&str; 7] = [
     "pilotage-ui",
     "pilotage-web",
 ];
+
+/// Libraries that belong to Python, which only the package for it may know.
+pub const OF_PYTHON: [&str; 4] = ["numpy", "pilotage-python", "pyo3", "pyo3-build-config"];
+
+/// Packages that the one for Python stands on: it hands over what they do and does nothing itself.
+pub const BELOW_PYTHON: [&str; 5] = ["core", "disk", "estimation", "jobs", "libraries"];
+
+/// Packages of this workspace that the manifest `text` of the package for Python must not depend on.
+///
+/// # Panics
+/// If `text` is not TOML.
+pub fn dependencies_beside_python(text: &str) -> Vec<String> {
+    let manifest: Table = text
+        .parse()
+        .unwrap_or_else(|error| panic!("not TOML: {error}"));
+    let dependencies = manifest.get("dependencies").and_then(Value::as_table);
+    let keys = dependencies.into_iter().flat_map(Table::keys);
+    keys.filter(|key| {
+        let package = key.strip_prefix("pilotage-");
+        package.is_some_and(|package| !BELOW_PYTHON.contains(&package))
+    })
+    .cloned()
+    .collect()
+}
 
 /// Libraries that would tie `ui` to a page or a window.
 pub const FORBIDDEN_FOR_UI: [&str; 7] = [
@@ -133,6 +161,17 @@ pub fn dependencies_upward(name: &str, text: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_package_for_python_stands_on_what_it_hands_over_only() {
+        let manifest = "[dependencies]\npilotage-jobs.workspace = true\npilotage-cli.workspace = true\npyo3 = \"1\"\n";
+        assert_eq!(dependencies_beside_python(manifest), ["pilotage-cli"]);
+        assert_eq!(
+            forbidden_dependencies(manifest, &OF_PYTHON),
+            ["pyo3"],
+            "elsewhere"
+        );
+    }
 
     #[test]
     fn a_forbidden_dependency_is_noticed_under_each_of_its_spellings() {

@@ -90,8 +90,10 @@ fn core_reaches_no_screen_clock_file_or_thread() {
 #[test]
 fn jobs_and_workers_link_no_screen_and_jobs_reach_no_page() {
     let none: [&str; 0] = [];
-    for folder in ["jobs", "worker", "worker/flying", "worker/whole"] {
-        let manifest = text(&format!("crates/{folder}/Cargo.toml"));
+    let without = ["jobs", "disk", "worker", "worker/flying", "worker/whole"];
+    let without = without.map(|folder| format!("crates/{folder}"));
+    for folder in without.iter().map(String::as_str).chain([PYTHON]) {
+        let manifest = text(&format!("{folder}/Cargo.toml"));
         let forbidden = manifest::FORBIDDEN_WITHOUT_SCREEN;
         let found = manifest::forbidden_dependencies(&manifest, &forbidden);
         assert_eq!(found, none, "{folder}");
@@ -104,6 +106,21 @@ fn jobs_and_workers_link_no_screen_and_jobs_reach_no_page() {
     let manifest = text("crates/jobs/Cargo.toml");
     let found = manifest::forbidden_dependencies(&manifest, &manifest::FORBIDDEN_FOR_UI);
     assert_eq!(found, none);
+}
+
+#[test]
+fn only_the_package_for_python_knows_python_and_it_stands_on_what_it_hands_over() {
+    let of_python = text(&format!("{PYTHON}/Cargo.toml"));
+    let none: [&str; 0] = [];
+    assert_eq!(manifest::dependencies_beside_python(&of_python), none);
+    for sources in crates_with_sources() {
+        let folder = sources.trim_end_matches("/src");
+        if folder != PYTHON {
+            let manifest = text(&format!("{folder}/Cargo.toml"));
+            let found = manifest::forbidden_dependencies(&manifest, &manifest::OF_PYTHON);
+            assert_eq!(found, none, "{folder}");
+        }
+    }
 }
 
 #[test]
@@ -152,7 +169,8 @@ fn documentation_begins_with_the_thing_that_it_is_of() {
 
 #[test]
 fn no_two_public_types_share_a_name() {
-    let rust = below("crates").into_iter().filter(|source| source.is("rs"));
+    let rust = below("crates").into_iter().chain(below(PYTHON));
+    let rust = rust.filter(|source| source.is("rs"));
     let sources = reach::without_test_files(rust.collect());
     assert_none(&names::shared_names(&sources, &names::SHARED));
     let once = names::no_longer_shared(&sources, &names::SHARED);
@@ -204,6 +222,9 @@ fn the_app_does_no_more_by_itself_than_it_did() {
     );
 }
 
+/// Folder of the package for Python.
+const PYTHON: &str = "python/pilotage";
+
 /// Folders of sources of the crates, relative to the root of the repository.
 fn crates_with_sources() -> Vec<String> {
     let crates = ["crates", "crates/core"].map(|folder| {
@@ -214,5 +235,7 @@ fn crates_with_sources() -> Vec<String> {
             .filter(|sources| repository().join(sources).is_dir())
             .collect::<Vec<_>>()
     });
-    crates.concat()
+    let mut folders = crates.concat();
+    folders.push(format!("{PYTHON}/src"));
+    folders
 }
