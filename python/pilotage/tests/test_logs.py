@@ -21,19 +21,33 @@ def test_every_field_of_a_ulog_is_what_pyulog_reads(shared, name):
     with contextlib.redirect_stdout(io.StringIO()):
         theirs = pyulog.ULog(str(path))
     assert log.format == "PX4 ULog"
-    compared = 0
+    compared = named = 0
     for data in theirs.data_list:
-        topic = topic_of(log, data.name, data.multi_id)
         stamps = data.data["timestamp"]
+        if len(stamps) == 0:
+            continue  # announced, and never logged: no topic of ours
+        told = f"{data.name}[{data.multi_id}] {len(stamps)} "
+        if told in str(log.report):
+            continue  # its only rows have times far from all others: left out, and said so
+        named += 1
+        topic = topic_of(log, data.name, data.multi_id)
         np.testing.assert_array_equal(topic.times, stamps.astype(np.float64) / 1e6)
         for field, values in data.data.items():
+            if "_padding" in field:
+                continue  # bytes between the fields of a struct, not one of them
             ours = topic[field]
             assert isinstance(ours, np.ndarray), (data.name, field)
-            assert ours.dtype == values.dtype, (data.name, field)
-            assert ours.tobytes() == values.tobytes(), (data.name, field)
+            if ours.dtype == np.float64 and values.dtype.kind in "iu":
+                scale = 1e7 if field in ("lat", "lon") else 1e3
+                np.testing.assert_array_equal(np.rint(ours * scale), values, (data.name, field))
+            else:
+                # pyulog hands a flag over as a small number.
+                flag = ours.dtype == bool and values.dtype == np.int8
+                assert flag or ours.dtype == values.dtype, (data.name, field)
+                assert ours.tobytes() == values.tobytes(), (data.name, field)
             compared += 1
     assert compared > 100
-    assert len(log) == len(theirs.data_list)
+    assert len(log) == named
     for parameter, value in theirs.initial_parameters.items():
         changed = [v for _, n, v in theirs.changed_parameters if n == parameter]
         assert log.parameters[parameter] == (changed or [value])[-1]
@@ -74,7 +88,8 @@ def test_every_field_of_a_dataflash_log_is_what_pymavlink_reads(shared):
                 np.testing.assert_allclose(np.asarray(ours, np.float64), theirs_as, rtol=5e-16)
             compared += len(values)
     assert compared > 1000
-    assert log.parameters["ARSPD_RATIO"] == theirs.params["ARSPD_RATIO"]
+    assert len(log.parameters) > 100
+    assert log.parameters == dict(theirs.params)
 
 
 def test_a_telemetry_log_is_what_pymavlink_wrote(tmp_path):
