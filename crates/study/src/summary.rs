@@ -399,7 +399,7 @@ mod tests {
         let stop = "stop = { measure = \"near\", half_width = 0.08, every = 20 }";
         let design = design(stop);
         let summary = summary(&design);
-        assert!(summary.is_stopped && summary.draws % 20 == 0 && summary.draws < 400);
+        assert!(summary.is_stopped && summary.draws.is_multiple_of(20) && summary.draws < 400);
         let half = |summary: &StudySummary, cell: usize| {
             let mean = summary.cells[cell].measures[1].mean.clone().unwrap();
             let [low, high] = mean.interval.unwrap();

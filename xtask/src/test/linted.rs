@@ -23,13 +23,19 @@ pub fn native_cargo(arguments: &[&str]) -> Result<Command, Failure> {
 
 /// Builds the test programs and examples of what `arguments` choose by the linter, which must have nothing to say.
 pub fn check(arguments: &[&str]) -> Result<(), Failure> {
-    let mut build = native_cargo(&["test", "--no-run", "--message-format=json"])?;
-    build.args(arguments).stderr(Stdio::inherit());
+    compile(&[&["test", "--no-run"], arguments].concat()).map(drop)
+}
+
+/// Has cargo compile as `arguments` say, by the linter where that takes the compiler's place; neither must have anything
+/// to say. Its messages.
+pub fn compile(arguments: &[&str]) -> Result<String, Failure> {
+    let mut build = native_cargo(arguments)?;
+    build.arg("--message-format=json").stderr(Stdio::inherit());
     let output = capture(&mut build, CARGO_ADVICE)?;
-    let told = diagnostics(&String::from_utf8_lossy(&output.stdout));
-    let judged = judge(&told);
+    let messages = String::from_utf8_lossy(&output.stdout).into_owned();
+    let judged = judge(&diagnostics(&messages));
     succeed(&build, output.status)?;
-    judged
+    judged.map(|()| messages)
 }
 
 /// Compiles the programs of the page, of which the linter must have nothing to say.

@@ -5,6 +5,7 @@
 mod browser;
 mod changed;
 mod documented;
+mod extension;
 mod fingerprint;
 mod install;
 mod linted;
@@ -14,6 +15,7 @@ mod passed;
 mod policy;
 mod program;
 mod programs;
+mod python;
 mod table;
 
 use std::{path::Path, process::ExitCode, thread::JoinHandle};
@@ -143,6 +145,9 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
         }
         if packages.hold("pilotage-tests") {
             table.check("oracles", || ran.oracles());
+        }
+        if packages.hold(extension::PACKAGE) {
+            table.check("package for Python", python::check);
         }
     }
     if !choice.quick && page_is_reached {

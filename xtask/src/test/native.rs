@@ -6,7 +6,7 @@
 //! already, in this program's profile.
 
 use super::{
-    Reach, documented, linted,
+    Reach, documented, extension, linted,
     linted::native_cargo,
     programs::{self, Manner, Outcomes},
 };
@@ -208,6 +208,9 @@ pub fn build_program() -> Result<(), Failure> {
 pub fn documentation(packages: &Packages) -> Result<(), Failure> {
     if is_automatic() {
         linted::check(&packages.arguments(&PACKAGES))?;
+        if packages.hold(extension::PACKAGE) {
+            extension::build()?;
+        }
         return documented::check(|name| !OWN_LINE.contains(&name) && packages.hold(name));
     }
     let arguments = ["doc", "--no-deps"];
