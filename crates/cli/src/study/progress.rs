@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn the_time_left_is_that_of_the_flights_left_at_the_pace_so_far() {
-        let of = |done| words(done, 1000, Duration::from_secs(60));
+        let of = |done| words(done, 1000, Duration::from_mins(1));
         assert_eq!(of(500), "500 of 1000 flights, 120.0 ms each, 60 s left");
         assert_eq!(of(100), "100 of 1000 flights, 600.0 ms each, 9 min left");
         assert_eq!(of(1), "1 of 1000 flights, 60000.0 ms each, 16.6 h left");
