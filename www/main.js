@@ -135,7 +135,10 @@ async function start() {
     else app.remember(key, kept);
   }
   if (location.hash.length > 1) {
-    app.remember("link", new TextEncoder().encode(decodeURIComponent(location.hash.slice(1))));
+    // A view, or a stop of the tour: `#tour=gate`.
+    const fragment = decodeURIComponent(location.hash.slice(1));
+    const [key, value] = fragment.startsWith("tour=") ? ["tour", fragment.slice(5)] : ["link", fragment];
+    app.remember(key, new TextEncoder().encode(value));
     // Once followed, a reload is to bring back one's own work.
     history.replaceState(null, "", location.pathname + location.search);
   }

@@ -6,6 +6,8 @@ use pilotage_jobs::{FileContent, Job, JobEvent, JobId};
 
 /// Key under which the page gives the fragment of its address to the app.
 pub const LINK_KEY: &str = "link";
+/// Key under which the page gives the name of the tour's stop that its address asks for.
+pub const TOUR_KEY: &str = "tour";
 
 /// A file that the user chose or dropped.
 #[derive(Clone, Debug, PartialEq)]

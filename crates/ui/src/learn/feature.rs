@@ -12,7 +12,7 @@ use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
-use crate::host::LINK_KEY;
+use crate::host::TOUR_KEY;
 use crate::shell::NextStep;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
 use crate::shell::icons::Icon;
@@ -122,12 +122,9 @@ impl Feature for LearnFeature {
 
     /// Shows the stop that the page was opened with, `#tour=gate`.
     fn start(&mut self, context: &mut FeatureContext<'_>) {
-        let fragment = context.host.recall(LINK_KEY);
-        let fragment = fragment.and_then(|bytes| String::from_utf8(bytes).ok());
-        let stop = fragment
-            .as_deref()
-            .and_then(|text| text.strip_prefix("tour="));
-        if let Some(number) = stop.and_then(lessons::linked) {
+        let stop = context.host.recall(TOUR_KEY);
+        let stop = stop.and_then(|bytes| String::from_utf8(bytes).ok());
+        if let Some(number) = stop.as_deref().and_then(lessons::linked) {
             self.tour.go_to(number);
             context.view.workspace = Workspace::Learn;
         }

@@ -1,15 +1,14 @@
 use egui_kittest::kittest::Queryable as _;
 
 use egui::Vec2;
-use pilotage_ui::link::LINK_KEY;
+use pilotage_ui::host::TOUR_KEY;
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 #[test]
 fn a_link_of_a_lesson_leads_to_its_stop_of_the_tour() {
     let mut host = ScriptedHost::default();
-    host.stored
-        .insert(LINK_KEY.into(), b"tour=your-turn".to_vec());
+    host.stored.insert(TOUR_KEY.into(), b"your-turn".to_vec());
     let rig = rig_on(host, Vec2::new(1440.0, 900.0));
     assert_eq!(rig.state()["workspace"], "Learn");
     assert_eq!(rig.state()["tour"]["title"], "Your turn");
