@@ -22,6 +22,18 @@ pub fn capitalised(text: &str) -> String {
     first.chain(letters).collect()
 }
 
+/// A text in which nothing is taken for the markup of HTML or XML.
+///
+/// ```
+/// assert_eq!(pilotage_base::text::without_markup("a < \"b\" & c"), "a &lt; &quot;b&quot; &amp; c");
+/// ```
+pub fn without_markup(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
 /// A cell of a CSV table, in quotation marks where it needs them.
 pub fn csv_cell(cell: &str) -> String {
     if cell.contains([',', '"', '\n', '\r']) {

@@ -6,5 +6,4 @@ mod svg;
 
 pub use axis::Axis;
 pub use plot::FigurePlot;
-pub(crate) use svg::escaped;
 pub use svg::{STYLE, Svg, TextAnchor};

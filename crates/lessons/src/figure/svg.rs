@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use nalgebra::{Matrix2, Vector2};
+use pilotage_base::text::without_markup;
 
 /// Side of its point on which a text stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,7 +133,7 @@ impl Svg {
     /// Words at a point, their base line there.
     pub fn text(&mut self, at: Vector2<f64>, anchor: TextAnchor, class: &str, words: &str) {
         let [x, y] = [at.x, at.y].map(short);
-        let (anchor, words) = (anchor.word(), escaped(words));
+        let (anchor, words) = (anchor.word(), without_markup(words));
         let _ = write!(
             self.body,
             r#"<text class="{class}" x="{x}" y="{y}" text-anchor="{anchor}">{words}</text>"#
@@ -142,7 +143,7 @@ impl Svg {
     /// Words that run upwards, around a point.
     pub fn upright(&mut self, at: Vector2<f64>, class: &str, words: &str) {
         let [x, y] = [at.x, at.y].map(short);
-        let words = escaped(words);
+        let words = without_markup(words);
         let _ = write!(
             self.body,
             r#"<text class="{class}" transform="translate({x} {y}) rotate(-90)" text-anchor="middle">{words}</text>"#
@@ -164,7 +165,7 @@ impl Svg {
     /// The drawing as a document, told to whoever does not see it by `title` and `description`; `alone` with its colours,
     /// which a page has in a sheet of its own (`STYLE`).
     pub fn document(&self, title: &str, description: &str, alone: bool) -> String {
-        let (title, description) = (escaped(title), escaped(description));
+        let (title, description) = (without_markup(title), without_markup(description));
         let style = if alone {
             format!("<style>{STYLE}</style>")
         } else {
@@ -186,14 +187,6 @@ impl Svg {
 /// Number with as many decimals as a drawing shows.
 fn short(number: f64) -> f64 {
     (number * 100.0).round() / 100.0
-}
-
-/// Text in which nothing is taken for markup.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }
 
 #[cfg(test)]

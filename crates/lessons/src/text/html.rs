@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
+use pilotage_base::text::without_markup;
 use pulldown_cmark::{CowStr, Event, Options, Parser, html};
 
 use super::directive::{Directive, Piece, pieces};
 use super::equation::mathml;
 use super::error::TextError;
 use super::symbol::Symbol;
-use crate::figure::escaped;
 use crate::lesson::LessonOutcome;
 use crate::number::significant;
 use crate::setting::{LessonControl, Setting};
@@ -92,7 +92,7 @@ impl Renderer<'_> {
             let _ = write!(
                 made,
                 r#"{before}<button type="button" class="term" data-meaning="{}">{shown}</button>"#,
-                escaped(&meaning)
+                without_markup(&meaning)
             );
             rest = tail;
         }
@@ -177,7 +177,7 @@ impl Renderer<'_> {
         let LessonControl {
             least, most, step, ..
         } = control;
-        let text = escaped(&quantity(number, control.unit));
+        let text = without_markup(&quantity(number, control.unit));
         format!(
             r#"<label class="control"><span>{label}</span><input type="range" data-control="{name}" min="{least}" max="{most}" step="{step}" value="{number}" aria-valuetext="{text}"><output data-control-value="{name}">{text}</output></label>"#
         )

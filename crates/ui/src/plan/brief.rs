@@ -8,13 +8,14 @@ use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, RallyPoint, Route, WayPointAction};
 use pilotage_core::plan::RoutePrediction;
+use pilotage_core::text::without_markup;
 
 use super::actions::action_words;
 use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
 use super::printing::BriefLandmark;
 use super::way_points::{altitude_words, course_words};
-use super::words::{PredictionFigures, distance_text, escape, place_words};
+use super::words::{PredictionFigures, distance_text, place_words};
 use crate::units::Units;
 use pilotage_jobs::{BriefPictures, EncodedPicture};
 
@@ -90,21 +91,21 @@ pub fn brief(scene: &BriefScene<'_>) -> String {
     let _ = write!(
         text,
         "<h1>{} <small>{} · <time></time></small></h1>",
-        escape(&scene.route.name),
-        escape(scene.mission)
+        without_markup(&scene.route.name),
+        without_markup(scene.mission)
     );
     for warning in &scene.warnings {
-        let _ = write!(text, "<p class=\"warning\">{}</p>", escape(warning));
+        let _ = write!(text, "<p class=\"warning\">{}</p>", without_markup(warning));
     }
     map(&mut text, scene);
     if !scene.attribution.is_empty() {
-        let _ = write!(text, "<p>Map: {}</p>", escape(scene.attribution));
+        let _ = write!(text, "<p>Map: {}</p>", without_markup(scene.attribution));
     }
     text.push_str("<div class=\"columns\"><section>");
     outlook(&mut text, scene);
     text.push_str("<h2>Assumed</h2><ul>");
     for sentence in &scene.assumptions {
-        let _ = write!(text, "<li>{}</li>", escape(sentence));
+        let _ = write!(text, "<li>{}</li>", without_markup(sentence));
     }
     text.push_str("</ul></section><section>");
     legs(&mut text, scene);
@@ -161,7 +162,7 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
         let _ = write!(text, "<path class=\"no-fly\" d=\"{path}\"/>");
         if let Some(first) = zone.corners.first() {
             let (x, y) = at(first);
-            let name = escape(&zone.name);
+            let name = without_markup(&zone.name);
             let _ = write!(
                 text,
                 "<text class=\"halo\" x=\"{x:.1}\" y=\"{y:.1}\">{name}</text>"
@@ -246,7 +247,7 @@ fn rally_mark(text: &mut String, (x, y): (f64, f64), name: &str) {
         y - 11.0,
         y + 3.5,
         y + 25.0,
-        escape(name)
+        without_markup(name)
     );
 }
 
@@ -297,7 +298,11 @@ fn outlook(text: &mut String, scene: &BriefScene<'_>) {
     ];
     text.push_str("<table class=\"facts\">");
     for (name, value) in rows {
-        let _ = write!(text, "<tr><td>{name}</td><td>{}</td></tr>", escape(&value));
+        let _ = write!(
+            text,
+            "<tr><td>{name}</td><td>{}</td></tr>",
+            without_markup(&value)
+        );
     }
     text.push_str("</table>");
     let landmarks: Vec<Landmark> = scene.landmarks.iter().map(|l| l.landmark.clone()).collect();
@@ -305,7 +310,7 @@ fn outlook(text: &mut String, scene: &BriefScene<'_>) {
         .sentences(scene.limit, &landmarks, scene.units)
         .first()
     {
-        let _ = write!(text, "<p>{}</p>", escape(worst));
+        let _ = write!(text, "<p>{}</p>", without_markup(worst));
     }
 }
 
@@ -367,11 +372,11 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
             text,
             "<tr><td>{}</td><td>{}{}</td>",
             index + 1,
-            escape(&altitude),
+            without_markup(&altitude),
             below(&place_words(&way_point.position, scene.frame.as_ref()))
         );
         for cell in cells {
-            let _ = write!(text, "<td>{}</td>", escape(&cell));
+            let _ = write!(text, "<td>{}</td>", without_markup(&cell));
         }
         if let Some(left) = scene.left.as_ref().and_then(|l| l.get(index)) {
             let _ = write!(text, "<td>{left:.0} Wh</td>");
@@ -384,7 +389,7 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
             text,
             "<tr><td></td><td>return to the start</td><td>{}</td><td>{}</td><td>{}</td><td>{:.1} {unit}</td>",
             course_words(leg.course),
-            escape(&distance_text(leg.distance, scene.units)),
+            without_markup(&distance_text(leg.distance, scene.units)),
             time_words(leg.time),
             cruise() * factor
         );
@@ -436,11 +441,11 @@ fn landmarks(text: &mut String, scene: &BriefScene<'_>) {
             "<figure><img src=\"{picture}\" alt=\"\"><figcaption><b>{} {}</b><br>{}{:.0} × {:.0} {unit}<br>\
              {}</figcaption></figure>",
             letter(index),
-            escape(&l.name),
-            escape(&category),
+            without_markup(&l.name),
+            without_markup(&category),
             l.bounds.width() * factor,
             l.bounds.height() * factor,
-            escape(&known.found)
+            without_markup(&known.found)
         );
     }
     text.push_str("</div>");

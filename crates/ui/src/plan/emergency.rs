@@ -6,9 +6,10 @@ use std::fmt::Write as _;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route, WayPointAction};
+use pilotage_core::text::without_markup;
 
 use super::way_points::{altitude_words, course_words};
-use super::words::{distance_text, escape, place_words};
+use super::words::{distance_text, place_words};
 use crate::units::Units;
 
 /// Most rows of legs that the page has room for.
@@ -113,8 +114,8 @@ pub fn emergency(scene: &EmergencyScene<'_>) -> String {
     let _ = write!(
         text,
         "<h1>Emergency <small>{} · {}</small></h1>",
-        escape(&scene.route.name),
-        escape(scene.mission)
+        without_markup(&scene.route.name),
+        without_markup(scene.mission)
     );
     text.push_str(
         "<h2>Places to land</h2><table><tr><th></th><th>place</th><th>arrive at</th></tr>",
@@ -131,8 +132,8 @@ pub fn emergency(scene: &EmergencyScene<'_>) -> String {
         let _ = write!(
             text,
             "<tr><td>{}</td><td>{place}</td><td>{}</td></tr>",
-            escape(&refuge.name),
-            escape(&refuge.altitude)
+            without_markup(&refuge.name),
+            without_markup(&refuge.altitude)
         );
     }
     text.push_str("</table>");
@@ -189,7 +190,7 @@ fn legs(text: &mut String, scene: &EmergencyScene<'_>) {
             [refuge.name.clone(), course, distance]
         });
         for cell in [refuge, course, distance] {
-            cells.push(format!("<td>{}</td>", escape(&cell)));
+            cells.push(format!("<td>{}</td>", without_markup(&cell)));
         }
         let known = landmark_for(scene.landmarks, middle);
         let [landmark, course, distance] = known.map_or_else(none, |known| {
@@ -201,9 +202,12 @@ fn legs(text: &mut String, scene: &EmergencyScene<'_>) {
             Some(None) => "not tested".to_owned(),
             None => String::new(),
         };
-        cells.push(format!("<td class=\"name\">{}</td>", escape(&landmark)));
+        cells.push(format!(
+            "<td class=\"name\">{}</td>",
+            without_markup(&landmark)
+        ));
         for cell in [course, distance, found] {
-            cells.push(format!("<td>{}</td>", escape(&cell)));
+            cells.push(format!("<td>{}</td>", without_markup(&cell)));
         }
         let _ = write!(text, "<tr>{}</tr>", cells.concat());
     }

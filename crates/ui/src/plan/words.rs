@@ -109,21 +109,6 @@ pub fn long(units: Units, longest: f64) -> (f64, &'static str) {
     }
 }
 
-/// Text as it stands in HTML.
-pub fn escape(text: &str) -> String {
-    let mut escaped = String::new();
-    for letter in text.chars() {
-        match letter {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            other => escaped.push(other),
-        }
-    }
-    escaped
-}
-
 /// Latitude and longitude of a place; empty in a world without a place on the globe.
 pub fn place_words(place: &GroundPoint, frame: Option<&LocalFrame>) -> String {
     let Some(frame) = frame else {
