@@ -31,7 +31,8 @@ pub fn rig() -> Rig {
 }
 
 /// The app on a host in a window of a size.
-pub fn rig_on(host: ScriptedHost, size: Vec2) -> Rig {
+pub fn rig_on(mut host: ScriptedHost, size: Vec2) -> Rig {
+    host.begin_visit();
     let page = Page { app: None, host };
     let harness = Harness::builder().with_size(size + MARGIN).build_ui_state(
         |ui, page: &mut Page| {

@@ -1,6 +1,7 @@
 //! The scripted host.
 
-use std::collections::HashMap;
+use std::cell::RefCell;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use pilotage_core::flight::interpret::log_of_flight;
@@ -80,6 +81,8 @@ pub struct ScriptedHost {
     pub opened: Vec<Vec<OpenedFile>>,
     /// Data that was stored, by key.
     pub stored: HashMap<String, Vec<u8>>,
+    /// Keys of which this visit was told: as the page does, each once.
+    pub recalled: RefCell<HashSet<String>>,
     /// Files offered to the user.
     pub saved: Vec<(String, Vec<u8>)>,
     /// Addresses of tiles that were to be downloaded.
@@ -189,6 +192,11 @@ impl Terrain for Shaped {
 }
 
 impl ScriptedHost {
+    /// Begins another visit, which may be told again of what is stored.
+    pub fn begin_visit(&mut self) {
+        self.recalled.get_mut().clear();
+    }
+
     /// Flights asked for so far.
     pub fn flights(&self) -> usize {
         self.jobs
@@ -651,7 +659,8 @@ impl Host for ScriptedHost {
     }
 
     fn recall(&self, key: &str) -> Option<Vec<u8>> {
-        self.stored.get(key).cloned()
+        let is_first = self.recalled.borrow_mut().insert(key.to_owned());
+        is_first.then(|| self.stored.get(key).cloned()).flatten()
     }
 
     fn copy_link(&mut self, fragment: &str) {
