@@ -66,10 +66,14 @@ class Page {
     link.textContent = `${before}${this.title(name)}${after}`;
   }
 
-  title(name) {
-    this.titles ??= new Map([...parsed(this.program.contents()).querySelectorAll("a[data-lesson]")]
-      .map((link) => [link.dataset.lesson, link.querySelector("b").textContent]));
-    return this.titles.get(name) ?? name;
+  /** The contents as elements that nobody sees, made once. */
+  get contents() {
+    this.made ??= parsed(this.program.contents());
+    return this.made;
+  }
+
+  title(lesson) {
+    return this.contents.querySelector(`a[data-lesson="${lesson}"] b`).textContent;
   }
 
   openText(kind, html) {
@@ -86,7 +90,7 @@ class Page {
   openHandout(course) {
     const [, lessons] = this.courses.find(([name]) => name === course);
     this.openText("handout", "<h1 id=\"lesson-title\" tabindex=\"-1\"></h1>");
-    find("lesson-title").textContent = `${parsed(this.program.contents()).querySelector(`#${course} h2`).textContent}: handout`;
+    find("lesson-title").textContent = `${this.contents.querySelector(`#${course} h2`).textContent}: handout`;
     const button = Object.assign(document.createElement("button"), { textContent: "Print", className: "print-all" });
     button.addEventListener("click", () => print());
     find("lesson-title").after(button);

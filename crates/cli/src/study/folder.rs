@@ -33,7 +33,7 @@ impl StudyFolder {
     /// The folder of that plan, begun if it is not there.
     ///
     /// # Errors
-    /// Where it was begun with another plan, size of shards or program.
+    /// A folder that was begun with another plan, size of shards or program.
     pub fn open(root: &Path, plan: &StudyPlan, per_shard: u64) -> Result<Self, String> {
         let shards = root.join("shards");
         fs::create_dir_all(&shards).map_err(|why| format!("{}: {why}", shards.display()))?;

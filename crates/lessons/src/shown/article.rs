@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::opened::OpenLesson;
-use crate::text::{CourseText, Renderer, Section, TextError};
+use crate::text::{CourseText, Renderer, Section, Symbol, TextError};
 
 /// The whole lesson.
 pub(super) fn article(reader: &OpenLesson) -> Result<String, TextError> {
@@ -35,7 +35,7 @@ pub(super) fn article(reader: &OpenLesson) -> Result<String, TextError> {
             Section::Guess => guess(reader, &renderer, &mut made)?,
             Section::Mathematics => {
                 made.push_str(&renderer.block(reader.text.section(section))?);
-                legend(reader, &renderer, &mut made)?;
+                legend(reader, &renderer, &symbols, &mut made)?;
             }
             _ => made.push_str(&renderer.block(reader.text.section(section))?),
         }
@@ -91,9 +91,9 @@ fn guess(reader: &OpenLesson, renderer: &Renderer<'_>, made: &mut String) -> Res
 fn legend(
     reader: &OpenLesson,
     renderer: &Renderer<'_>,
+    symbols: &[Symbol<'_>],
     made: &mut String,
 ) -> Result<(), TextError> {
-    let symbols = reader.text.symbols()?;
     if symbols.is_empty() {
         return Ok(());
     }

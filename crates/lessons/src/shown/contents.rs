@@ -71,14 +71,10 @@ pub fn plan(course: &Course) -> Result<String, TextError> {
         page.get("lesson"),
         page.get("notes")
     );
+    // Notes name no numbers of the reader's setting.
+    let notes = renderer(&page, &terms);
     let mut at = 0.0;
     for (lesson, own) in course.lessons.iter().zip(&lessons) {
-        let words = own.words()?;
-        // Notes name no numbers of the reader's setting.
-        let notes = Renderer {
-            words: &words,
-            ..renderer(&page, &terms)
-        };
         let _ = write!(
             made,
             r##"<tr><td>{:.0}</td><td><a href="#{}">{}</a></td><td>{}</td></tr>"##,

@@ -32,11 +32,6 @@ impl Reader {
         Some(OpenLesson::new(course, place, lesson).map(|open| Self { open }))
     }
 
-    /// Sets a control, and says what that changes.
-    pub fn set(&mut self, control: &str, number: f64) -> Result<LessonPatch, TextError> {
-        self.set_all(&[(control, number)])
-    }
-
     /// Sets several controls at once.
     pub fn set_all(&mut self, numbers: &[(&str, f64)]) -> Result<LessonPatch, TextError> {
         for (control, number) in numbers {
@@ -48,8 +43,7 @@ impl Reader {
 
     /// Figure, numbers and checks at the reader's setting.
     pub fn patch(&self) -> Result<LessonPatch, TextError> {
-        let symbols = self.open.text.symbols()?;
-        let renderer = self.open.renderer(&symbols);
+        let renderer = self.open.renderer(&[]);
         let outcome = &self.open.outcome;
         Ok(LessonPatch {
             figure: self.figure(false)?,
@@ -86,10 +80,9 @@ impl Reader {
 
     /// The figure as SVG; `alone` with all that it needs to be a file.
     pub fn figure(&self, alone: bool) -> Result<String, TextError> {
-        let symbols = Vec::new();
         let described = self
             .open
-            .renderer(&symbols)
+            .renderer(&[])
             .plain(&self.open.words.get("figure"))?;
         Ok(self
             .open

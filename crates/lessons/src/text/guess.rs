@@ -24,11 +24,10 @@ impl<'a> Guess<'a> {
             .lines()
             .take_while(|line| is_option(line))
             .collect();
-        let after = options
-            .last()
-            .and_then(|last| text[begin..].find(last).map(|at| begin + at + last.len()));
+        let lines = text[begin..].split_inclusive('\n').take(options.len());
+        let after = begin + lines.map(str::len).sum::<usize>();
         let marked = |line: &str| line.starts_with("- [x]");
-        let answer = text[after.ok_or(TextError::Guess)?..].trim();
+        let answer = text[after..].trim();
         let right = options
             .iter()
             .position(|line| marked(line))

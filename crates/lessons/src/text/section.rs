@@ -46,7 +46,7 @@ impl Section {
         Self::Labels,
     ];
 
-    /// Heading in every text, which is not shown but for the English one.
+    /// Heading in every text. Readers see the words of the page for it.
     pub fn heading(self) -> &'static str {
         match self {
             Self::Guess => "Guess",
