@@ -57,6 +57,12 @@ impl FigurePlot {
         Self::new(svg, [corner, other], x, y)
     }
 
+    /// Map over the whole of a drawing.
+    pub fn whole_map(svg: &mut Svg, center: Vector2<f64>, reach: f64, labels: [&str; 2]) -> Self {
+        let corner = vector![svg.width(), svg.height()];
+        Self::map(svg, [Vector2::zeros(), corner], center, reach, labels)
+    }
+
     /// Place of two numbers in the drawing.
     pub fn at(&self, x: f64, y: f64) -> Vector2<f64> {
         self.origin

@@ -33,19 +33,15 @@ pub(super) const LESSON: Lesson = Lesson {
 };
 
 fn village() -> DrawnGround {
-    let house = |x: f64, y: f64, half: [f64; 2]| House {
-        middle: [x, y],
-        half,
-    };
     DrawnGround {
         houses: vec![
-            house(18.0, 15.0, [2.5, 4.0]),
-            house(27.0, 13.0, [3.5, 2.0]),
-            house(25.0, 26.0, [2.0, 3.0]),
-            house(8.0, 10.0, [3.0, 2.5]),
-            house(40.0, 12.0, [2.5, 4.0]),
-            house(39.0, 30.0, [3.5, 2.0]),
-            house(9.0, 31.0, [2.0, 3.0]),
+            House::new(18.0, 15.0, [2.5, 4.0]),
+            House::new(27.0, 13.0, [3.5, 2.0]),
+            House::new(25.0, 26.0, [2.0, 3.0]),
+            House::new(8.0, 10.0, [3.0, 2.5]),
+            House::new(40.0, 12.0, [2.5, 4.0]),
+            House::new(39.0, 30.0, [3.5, 2.0]),
+            House::new(9.0, 31.0, [2.0, 3.0]),
         ],
         trees: vec![
             ([32.0, 22.0], 2.2),

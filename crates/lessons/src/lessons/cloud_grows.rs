@@ -7,7 +7,7 @@ use pilotage_estimation::vehicle::{AirData, AirplaneWind, ControlInput, VehicleM
 
 use crate::figure::{FigurePlot, Svg};
 use crate::lesson::{Check, Lesson, LessonOutcome, Value};
-use crate::models::{CRUISE, START};
+use crate::models::{CRUISE, START, noiseless_airplane};
 use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
@@ -27,17 +27,7 @@ pub(super) const LESSON: Lesson = Lesson {
 
 fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let (time, wind) = (setting.get("time"), setting.get("wind"));
-    let still = AirplaneWind {
-        air_data: AirData {
-            airspeed_noise_density: 0.0,
-            heading_noise_density: 0.0,
-            position_noise_density: 0.0,
-            ..AirData::default()
-        },
-        wind_noise_density: 0.0,
-        start_wind_deviation: 0.0,
-        thesis_noise: None,
-    };
+    let still = noiseless_airplane();
     let whole = AirplaneWind {
         start_wind_deviation: wind,
         ..AirplaneWind::default()

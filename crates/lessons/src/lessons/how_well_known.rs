@@ -80,10 +80,8 @@ fn draw(
     words: &Words,
 ) -> Svg {
     let mut svg = Svg::new(640.0, 440.0);
-    let corner = vector![svg.width(), svg.height()];
-    let plot = FigurePlot::map(
+    let plot = FigurePlot::whole_map(
         &mut svg,
-        [Vector2::zeros(), corner],
         Vector2::zeros(),
         60.0 * factor.max(1.0),
         [&words.get("east"), &words.get("north")],

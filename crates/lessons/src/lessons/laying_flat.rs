@@ -35,18 +35,14 @@ pub(super) const LESSON: Lesson = Lesson {
 };
 
 fn village() -> DrawnGround {
-    let house = |x: f64, y: f64, half: [f64; 2]| House {
-        middle: [x, y],
-        half,
-    };
     DrawnGround {
         houses: vec![
-            house(16.0, 13.0, [2.5, 3.5]),
-            house(22.0, 17.5, [2.0, 1.8]),
-            house(6.0, 6.0, [3.0, 2.0]),
-            house(30.0, 7.0, [2.0, 3.0]),
-            house(29.0, 25.0, [3.0, 2.0]),
-            house(7.0, 22.0, [2.0, 2.5]),
+            House::new(16.0, 13.0, [2.5, 3.5]),
+            House::new(22.0, 17.5, [2.0, 1.8]),
+            House::new(6.0, 6.0, [3.0, 2.0]),
+            House::new(30.0, 7.0, [2.0, 3.0]),
+            House::new(29.0, 25.0, [3.0, 2.0]),
+            House::new(7.0, 22.0, [2.0, 2.5]),
         ],
         trees: vec![([14.0, 20.0], 1.7), ([21.0, 9.5], 1.5), ([33.0, 16.0], 2.0)],
         roads: vec![[[-20.0, 30.0], [60.0, 24.0]]],

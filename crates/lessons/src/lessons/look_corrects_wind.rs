@@ -3,11 +3,11 @@
 use nalgebra::{Matrix2, Vector2, matrix, vector};
 use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Gaussian, Ukf, UnscentedSettings};
-use pilotage_estimation::vehicle::{AirData, AirplaneWind, ControlInput, VehicleModel};
+use pilotage_estimation::vehicle::{AirplaneWind, ControlInput, VehicleModel};
 
 use crate::figure::{Axis, FigurePlot, Svg};
 use crate::lesson::{Check, Lesson, LessonOutcome, Value};
-use crate::models::{CRUISE, START};
+use crate::models::{CRUISE, START, noiseless_airplane};
 use crate::setting::{LessonControl, Setting};
 use crate::text::Words;
 
@@ -58,15 +58,8 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
 /// instruments are without noise here.
 fn corrected(wait: f64, look: f64) -> Option<(Gaussian<2>, Gaussian<2>, Vector2<f64>)> {
     let model = AirplaneWind {
-        air_data: AirData {
-            airspeed_noise_density: 0.0,
-            heading_noise_density: 0.0,
-            position_noise_density: 0.0,
-            ..AirData::default()
-        },
-        wind_noise_density: 0.0,
         start_wind_deviation: 2.0,
-        thesis_noise: None,
+        ..noiseless_airplane()
     };
     let input = ControlInput::new(CRUISE, Attitude::level(0.0));
     let prior = model.prior(GroundPoint::new(0.0, 0.0), START);

@@ -105,10 +105,8 @@ fn draw(
     words: &Words,
 ) -> Svg {
     let mut svg = Svg::new(640.0, 440.0);
-    let corner = vector![svg.width(), svg.height()];
-    let plot = FigurePlot::map(
+    let plot = FigurePlot::whole_map(
         &mut svg,
-        [Vector2::zeros(), corner],
         vector![0.0, 210.0],
         440.0,
         [&words.get("east"), &words.get("north")],

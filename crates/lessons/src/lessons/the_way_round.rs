@@ -124,10 +124,8 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
 
 fn draw(aside: f64, own: &Expected, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 340.0);
-    let corner = vector![svg.width(), svg.height()];
-    let plot = FigurePlot::map(
+    let plot = FigurePlot::whole_map(
         &mut svg,
-        [Vector2::zeros(), corner],
         vector![5200.0, 800.0],
         2700.0,
         [&words.get("east"), &words.get("north")],

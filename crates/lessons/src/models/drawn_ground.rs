@@ -30,6 +30,16 @@ pub struct House {
     pub half: [f64; 2],
 }
 
+impl House {
+    /// House around a place, with half of its sides.
+    pub fn new(x: f64, y: f64, half: [f64; 2]) -> Self {
+        Self {
+            middle: [x, y],
+            half,
+        }
+    }
+}
+
 /// Piece of ground, in metres right and down of its upper left corner.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnGround {

@@ -3,12 +3,27 @@
 use nalgebra::{SMatrix, SVector, Vector2};
 use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{Gaussian, SmootherLink, Ukf, UnscentedSettings};
-use pilotage_estimation::vehicle::{AirplaneWind, ControlInput, VehicleModel};
+use pilotage_estimation::vehicle::{AirData, AirplaneWind, ControlInput, VehicleModel};
 
 use super::NormalDraws;
 
 /// Airspeed of the flight, m/s.
 pub const CRUISE: f64 = 20.0;
+
+/// Motion of an airplane without any noise, in a wind that is known.
+pub fn noiseless_airplane() -> AirplaneWind {
+    AirplaneWind {
+        air_data: AirData {
+            airspeed_noise_density: 0.0,
+            heading_noise_density: 0.0,
+            position_noise_density: 0.0,
+            ..AirData::default()
+        },
+        wind_noise_density: 0.0,
+        start_wind_deviation: 0.0,
+        thesis_noise: None,
+    }
+}
 
 /// Flight to the north by airspeed and heading, its wind unknown at the start, with looks that tell its place.
 ///

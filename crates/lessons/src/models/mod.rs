@@ -13,7 +13,7 @@ mod watched_flight;
 
 pub use bell::bell;
 pub use drawn_ground::{DrawnDay, DrawnGround, House, pictured};
-pub use looked_flight::{CRUISE, LookedFlight, LookedStep, START};
+pub use looked_flight::{CRUISE, LookedFlight, LookedStep, START, noiseless_airplane};
 pub use normal_draws::NormalDraws;
 pub use normal_numbers::normal_numbers;
 pub use picture::{draw_box, draw_picture};
