@@ -29,7 +29,7 @@ pub struct Arguments {
     /// Metres in a pixel in which edges are sought: less than half a metre for flights below 100 m.
     #[arg(long, value_name = "METRES", default_value_t = EDGE_GSD, requires = "edges")]
     gsd: f64,
-    /// File for the rows of DeAngelo 2016, 3.4, as CSV: pixel x, pixel y, class (1 building, 2 field, 3 tree, 4 crossing,
+    /// File for the rows of DeAngelo 2016, chapter 3, as CSV: pixel x, pixel y, class (1 building, 2 field, 3 tree, 4 crossing,
     /// 5 water, 6 parking).
     #[arg(long, value_name = "FILE", conflicts_with = "edges")]
     pixel_rows: Option<PathBuf>,

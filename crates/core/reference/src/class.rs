@@ -35,7 +35,7 @@ impl GenericClass {
     /// Number of classes that people can name in one table.
     pub const MOST_OTHERS: u8 = 10;
 
-    /// Number of the class in files, from 1: building, field and tree are 1, 2 and 3 as in DeAngelo 2016, 3.4.
+    /// Number of the class in files, from 1: building, field and tree are 1, 2 and 3 as in DeAngelo 2016, chapter 3.
     pub fn number(self) -> u8 {
         match self {
             Self::Building => 1,

@@ -1,4 +1,4 @@
-//! The table of DeAngelo 2016, 3.4: a row of three unsigned integers for each landmark.
+//! The table of DeAngelo 2016, chapter 3: a row of three unsigned integers for each landmark.
 
 use crate::ReferenceTable;
 use pilotage_raster::imagery::Window;

@@ -1,4 +1,4 @@
-//! The scoreboard of DeAngelo 2016, 3.6: each observed landmark takes the possible one of its class with the highest
+//! The scoreboard of DeAngelo 2016, chapter 3: each observed landmark takes the possible one of its class with the highest
 //! score, by the road, by the directions of what surrounds the two, and by nearness.
 
 use nalgebra::Vector2;

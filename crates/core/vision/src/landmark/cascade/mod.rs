@@ -1,7 +1,7 @@
 //! Boosted cascades (Viola and Jones): detectors that were trained, run over pictures.
 //!
 //! A window is shown to one stage after the other; each sums the votes of its trees and lets the window
-//! pass or ends it, and nearly all end in the first ones. DeAngelo 2016, section 3.3, finds his
+//! pass or ends it, and nearly all end in the first ones. DeAngelo 2016, chapter 3, finds his
 //! landmarks with them.
 
 mod answers;

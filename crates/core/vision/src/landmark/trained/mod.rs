@@ -1,6 +1,6 @@
 //! Cascades that were trained for one landmark each, at work on rectified pictures.
 //!
-//! The picture is turned north up and put to the map's scale first (DeAngelo 2016, section 3.3: the
+//! The picture is turned north up and put to the map's scale first (DeAngelo 2016, chapter 3: the
 //! detectors are sensitive to rotation), so that a window of one size is shown every place of the search
 //! region once.
 

@@ -14,7 +14,7 @@ const LOG_SCALE: f64 = 0.05;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Preparation {
-    /// It is rectified with the assumed attitude: north up, straight from above (DeAngelo 2016, section 3.3).
+    /// It is rectified with the assumed attitude: north up, straight from above (DeAngelo 2016, chapter 3).
     #[default]
     Rectified,
     /// It is only made as large as the map: turned and tilted as the camera was. To compare with.

@@ -17,7 +17,7 @@ const DRAWN: usize = 6000;
 /// Kind of features that a cascade shall look at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FeatureKind {
-    /// Histograms of oriented gradients (Dalal and Triggs 2005), those of DeAngelo 2016, section 3.3.
+    /// Histograms of oriented gradients (Dalal and Triggs 2005), those of DeAngelo 2016, chapter 3.
     #[default]
     Hog,
     /// Local binary patterns of blocks.
