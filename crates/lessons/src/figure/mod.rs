@@ -1,6 +1,7 @@
 //! Figures as SVG: drawn by a few shapes, in the colours of the page.
 
 mod axis;
+mod clip;
 mod plot;
 mod svg;
 

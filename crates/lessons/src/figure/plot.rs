@@ -3,6 +3,7 @@
 use nalgebra::{Matrix2, Vector2, vector};
 
 use super::axis::Axis;
+use super::clip;
 use super::svg::{Svg, TextAnchor};
 
 /// Room at the left of a plot for its numbers and words, and below it.
@@ -79,16 +80,27 @@ impl FigurePlot {
 
     /// Line through points; what lies outside is cut off at the rim.
     pub fn line(&self, svg: &mut Svg, points: &[[f64; 2]], class: &str) {
-        let inside: Vec<_> = points.iter().map(|[x, y]| self.kept(*x, *y)).collect();
-        svg.path(&inside, false, class);
+        let points: Vec<_> = points.iter().map(|[x, y]| self.at(*x, *y)).collect();
+        for part in clip::line(&points, self.corners()) {
+            svg.path(&part, false, class);
+        }
     }
 
-    /// Area between two lines over the same numbers: `[x, low, high]`.
+    /// Area between two lines over the same numbers, `[x, low, high]`; what lies outside is cut off at the rim.
     pub fn band(&self, svg: &mut Svg, points: &[[f64; 3]], class: &str) {
-        let lower = points.iter().map(|[x, low, _]| self.kept(*x, *low));
-        let upper = points.iter().rev().map(|[x, _, high]| self.kept(*x, *high));
+        let lower = points.iter().map(|[x, low, _]| [*x, *low]);
+        let upper = points.iter().rev().map(|[x, _, high]| [*x, *high]);
         let outline: Vec<_> = lower.chain(upper).collect();
-        svg.path(&outline, true, class);
+        self.area(svg, &outline, class);
+    }
+
+    /// Area within an outline; what lies outside of the axes is cut off at the rim.
+    pub fn area(&self, svg: &mut Svg, outline: &[[f64; 2]], class: &str) {
+        let outline: Vec<_> = outline.iter().map(|[x, y]| self.at(*x, *y)).collect();
+        let inside = clip::area(&outline, self.corners());
+        if !inside.is_empty() {
+            svg.path(&inside, true, class);
+        }
     }
 
     /// Dot at two numbers, if it lies inside.
@@ -104,7 +116,7 @@ impl FigurePlot {
         self.line(svg, &[[self.x.from, y], [self.x.to, y]], class);
     }
 
-    /// Ellipse of a covariance in the axes' numbers (x, y), at so many deviations.
+    /// Ellipse of a covariance in the axes' numbers (x, y), at so many deviations; what lies outside is cut off.
     pub fn ellipse(
         &self,
         svg: &mut Svg,
@@ -118,7 +130,16 @@ impl FigurePlot {
             -self.size.y / (self.y.to - self.y.from)
         ]);
         let drawn = scale * covariance * scale;
-        svg.ellipse(self.at(x, y), &drawn, deviations, class);
+        let center = self.at(x, y);
+        let [low, high] = self.corners();
+        let reach = deviations * drawn.diagonal().map(|variance| variance.max(0.0).sqrt());
+        let room = (center - low).inf(&(high - center)) - reach;
+        let draw = |svg: &mut Svg| svg.ellipse(center, &drawn, deviations, class);
+        if room.min() < 0.0 {
+            svg.within(low, high, draw);
+        } else {
+            draw(svg);
+        }
     }
 
     /// Words at two numbers.
@@ -147,9 +168,13 @@ impl FigurePlot {
         }
     }
 
-    fn kept(&self, x: f64, y: f64) -> Vector2<f64> {
-        let share = vector![self.x.share(x), self.y.share(y)].map(|s| s.clamp(0.0, 1.0));
-        self.origin + vector![share.x * self.size.x, -share.y * self.size.y]
+    /// Corners of the axes' area in the drawing, top left and bottom right.
+    fn corners(&self) -> [Vector2<f64>; 2] {
+        let (left, bottom) = (self.origin.x, self.origin.y);
+        [
+            vector![left, bottom - self.size.y],
+            vector![left + self.size.x, bottom],
+        ]
     }
 
     fn frame(&self, svg: &mut Svg) {
@@ -204,8 +229,31 @@ mod tests {
         );
         assert_eq!(plot.at(0.0, 0.0), vector![LEFT, 200.0 - BELOW]);
         assert_eq!(plot.at(10.0, 1.0), vector![300.0 - RIM, RIM]);
-        // Beyond the axis a line stays at the rim.
-        assert_eq!(plot.kept(12.0, -1.0), vector![300.0 - RIM, 200.0 - BELOW]);
+        assert_eq!(plot.corners(), [plot.at(0.0, 1.0), plot.at(10.0, 0.0)]);
+    }
+
+    #[test]
+    fn what_leaves_the_axes_is_cut_off_and_not_laid_along_the_rim() {
+        let mut svg = Svg::new(300.0, 200.0);
+        let plot = FigurePlot::whole(
+            &mut svg,
+            Axis::new([0.0, 10.0], "s"),
+            Axis::new([0.0, 1.0], "m"),
+        );
+        let mut drawn = Svg::new(300.0, 200.0);
+        plot.line(&mut drawn, &[[0.0, 0.5], [5.0, 1.5], [10.0, 1.5]], "truth");
+        let (begin, end) = (plot.at(0.0, 0.5), plot.at(2.5, 1.0));
+        let wanted = format!("d=\"M{} {}L{} {}\"", begin.x, begin.y, end.x, end.y);
+        assert!(drawn.body().contains(&wanted), "{} {wanted}", drawn.body());
+        let small = matrix![0.25, 0.0; 0.0, 0.01];
+        plot.ellipse(&mut drawn, [5.0, 0.5], &small, 2.0, "belief");
+        assert!(!drawn.body().contains("<svg"));
+        plot.ellipse(&mut drawn, [5.0, 0.9], &small, 2.0, "belief");
+        assert!(
+            drawn.body().contains("<svg x=\"56\" y=\"14\""),
+            "{}",
+            drawn.body()
+        );
     }
 
     #[test]

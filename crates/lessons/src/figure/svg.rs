@@ -130,6 +130,18 @@ impl Svg {
         );
     }
 
+    /// Whatever `draw` draws, cut off at a rectangle between its corners top left and bottom right.
+    pub fn within(&mut self, low: Vector2<f64>, high: Vector2<f64>, draw: impl FnOnce(&mut Self)) {
+        let size = high - low;
+        let [x, y, w, h] = [low.x, low.y, size.x, size.y].map(short);
+        let _ = write!(
+            self.body,
+            r#"<svg x="{x}" y="{y}" width="{w}" height="{h}" viewBox="{x} {y} {w} {h}" overflow="hidden">"#
+        );
+        draw(self);
+        self.body.push_str("</svg>");
+    }
+
     /// Words at a point, their base line there.
     pub fn text(&mut self, at: Vector2<f64>, anchor: TextAnchor, class: &str, words: &str) {
         let [x, y] = [at.x, at.y].map(short);

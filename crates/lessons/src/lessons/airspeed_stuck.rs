@@ -35,7 +35,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
         .map(|moment| moment.deviation)
         .collect();
     LessonOutcome {
-        figure: draw_symptoms(&flown, 50.0, 100.0, words),
+        figure: draw_symptoms(&flown, 100.0, 100.0, words),
         values: vec![
             Value::new("from", from, "s"),
             Value::new("ahead", (FASTER.1 - AIRSPEED) * BETWEEN, "m"),

@@ -102,7 +102,7 @@ fn draw(prior: Gaussian<2>, claimed: &Gaussian<2>, truth: &Gaussian<2>, words: &
     let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([-1250.0, 1250.0], words.get("east")),
-        Axis::new([-100.0, 1500.0], words.get("north")),
+        Axis::new([-1100.0, 1500.0], words.get("north")),
     );
     let mut draws = NormalDraws::seeded(SEED);
     svg.part("points", |svg| {

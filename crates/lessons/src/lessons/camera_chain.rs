@@ -47,6 +47,8 @@ struct Frame {
     pose: pilotage_base::frames::Pose,
     attitude: Attitude,
     translated: bool,
+    /// Direction of the aircraft's nose in the world, whatever was turned so far.
+    nose: Vector3<f64>,
 }
 
 impl Frame {
@@ -58,6 +60,10 @@ impl Frame {
             attitude: pose.attitude,
             pose,
             translated: step >= 1,
+            nose: pose_at(HEIGHT, [roll, pitch, yaw])
+                .attitude
+                .world_from_body()
+                * Vector3::x(),
         }
     }
 
@@ -110,7 +116,7 @@ fn draw(frame: &Frame, step: usize, words: &Words) -> Svg {
     let landmark = frame.of(Point3::new(north, east, down));
     let position = frame.pose.position_in_world;
     let aircraft = frame.of(position);
-    let nose = frame.of(position + frame.pose.attitude.world_from_body() * Vector3::x() * 70.0);
+    let nose = frame.of(position + 70.0 * frame.nose);
     svg.part("aircraft", |svg| {
         above.line(svg, &[from_above(aircraft), from_above(nose)], "estimate");
         above.dot(svg, from_above(aircraft), 6.0, "dot-estimate");

@@ -101,7 +101,7 @@ fn draw(beliefs: &[(Gaussian<4>, Vec<[f64; 2]>)], words: &Words) -> Svg {
         &mut svg,
         corners,
         vector![0.0, 640.0],
-        950.0,
+        1060.0,
         [&east, &north],
     );
     let place = |belief: &Gaussian<4>| [belief.mean[1], belief.mean[0]];

@@ -71,19 +71,15 @@ fn draw(gain: f64, look: f64, [best, least]: [f64; 2], words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 400.0);
     let plot = FigurePlot::whole(
         &mut svg,
-        Axis::new([0.5, 1.1], words.get("gain")),
+        Axis::new([0.0, 1.1], words.get("gain")),
         Axis::new([-60.0, 120.0], words.get("variance")),
     );
     let curve = |of: fn(f64, f64) -> f64| -> Vec<[f64; 2]> {
-        let inside = |point: &[f64; 2]| (-60.0..=120.0).contains(&point[1]);
-        let gains = (0..=120).map(|n| 0.5 + 0.005 * f64::from(n));
-        gains
-            .map(|gain| [gain, of(gain, look)])
-            .filter(inside)
-            .collect()
+        let gains = (0..=220).map(|n| 0.005 * f64::from(n));
+        gains.map(|gain| [gain, of(gain, look)]).collect()
     };
     svg.part("negative", |svg| {
-        plot.band(svg, &[[0.5, -60.0, 0.0], [1.1, -60.0, 0.0]], "shade");
+        plot.band(svg, &[[0.0, -60.0, 0.0], [1.1, -60.0, 0.0]], "shade");
     });
     svg.part("joseph", |svg| plot.line(svg, &curve(joseph), "truth"));
     svg.part("short", |svg| plot.line(svg, &curve(short), "estimate"));

@@ -133,7 +133,6 @@ fn draw(stated: &[f64], wind: f64, turned: f64, minutes: f64, words: &Words) -> 
             let line: Vec<[f64; 2]> = flight
                 .iter()
                 .enumerate()
-                .take_while(|(_, error)| error.abs() <= REACH)
                 .map(|(index, error)| [time(index), *error])
                 .collect();
             plot.line(svg, &line, "axis");

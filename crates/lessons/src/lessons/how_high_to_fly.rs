@@ -122,7 +122,7 @@ fn draw(height: f64, density: f64, words: &Words) -> Svg {
         let line: Vec<[f64; 2]> = curve.iter().map(|(at, it)| [*at, it.error]).collect();
         plot.line(svg, &line, "estimate");
         if let Some(own) = looks(height, density) {
-            plot.dot(svg, [height, own.error.min(80.0)], 6.0, "dot-estimate");
+            plot.dot(svg, [height, own.error], 6.0, "dot-estimate");
         }
     });
     svg.part("side", |svg| {

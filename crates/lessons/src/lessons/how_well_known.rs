@@ -59,7 +59,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     let share = chi_square_probability((deviations / factor).powi(2), 2.0);
     let one = 2.0 * normal_probability(deviations / factor) - 1.0;
     LessonOutcome {
-        figure: draw(&belief, &places, [deviations, factor], inside, words),
+        figure: draw(&belief, &places, deviations, inside, words),
         values: vec![
             Value::new("deviations", deviations, ""),
             Value::new("errors", factor, ""),
@@ -75,15 +75,17 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
 fn draw(
     belief: &Gaussian<2>,
     places: &[Vector2<f64>],
-    [deviations, factor]: [f64; 2],
+    deviations: f64,
     inside: impl Fn(&Vector2<f64>) -> bool,
     words: &Words,
 ) -> Svg {
+    // The same for all errors, so that an ellipse does not seem to shrink as they grow.
+    const REACH: f64 = 180.0;
     let mut svg = Svg::new(640.0, 440.0);
     let plot = FigurePlot::whole_map(
         &mut svg,
         Vector2::zeros(),
-        60.0 * factor.max(1.0),
+        REACH,
         [&words.get("east"), &words.get("north")],
     );
     svg.part("ellipse", |svg| {

@@ -122,6 +122,23 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     }
 }
 
+/// Line beside a way through points, so many metres to the left of each of its pieces.
+fn beside(points: &[Vector2<f64>], left: f64) -> Vec<[f64; 2]> {
+    let normals: Vec<Vector2<f64>> = points
+        .windows(2)
+        .map(|ends| (ends[1] - ends[0]).normalize())
+        .map(|along| vector![-along.y, along.x])
+        .collect();
+    let last = normals.len() - 1;
+    let corner = |(index, at): (usize, &Vector2<f64>)| {
+        let (before, after) = (normals[index.saturating_sub(1)], normals[index.min(last)]);
+        // The bisector, so long that both pieces keep their distance.
+        let place = at + left * (before + after) / (1.0 + before.dot(&after));
+        [place.x, place.y]
+    };
+    points.iter().enumerate().map(corner).collect()
+}
+
 fn draw(aside: f64, own: &Expected, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 340.0);
     let plot = FigurePlot::whole_map(
@@ -132,11 +149,11 @@ fn draw(aside: f64, own: &Expected, words: &Words) -> Svg {
     );
     let points = way(aside);
     svg.part("seen", |svg| {
-        let strip: Vec<[f64; 3]> = points
-            .iter()
-            .map(|at| [at.x, at.y - SEEN, at.y + SEEN])
+        let side = |aside: f64| beside(&points, aside);
+        let outline: Vec<[f64; 2]> = (side(SEEN).into_iter())
+            .chain(side(-SEEN).into_iter().rev())
             .collect();
-        plot.band(svg, &strip, "shade");
+        plot.area(svg, &outline, "shade");
     });
     svg.part("straight", |svg| {
         plot.line(svg, &[[0.0, 0.0], [STRAIGHT, 0.0]], "reckoning");
@@ -178,6 +195,18 @@ fn draw(aside: f64, own: &Expected, words: &Words) -> Svg {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_strip_keeps_its_distance_from_each_piece_of_the_way() {
+        let way = [vector![0.0, 0.0], vector![3.0, 4.0], vector![9.0, 4.0]];
+        let left: Vec<_> = beside(&way, 2.0).into_iter().map(Vector2::from).collect();
+        for (ends, moved) in way.windows(2).zip(left.windows(2)) {
+            let along = (ends[1] - ends[0]).normalize();
+            for (from, to) in ends.iter().zip(moved) {
+                assert!((along.perp(&(to - from)) - 2.0).abs() < 1e-12);
+            }
+        }
+    }
 
     #[test]
     fn over_the_landmarks_each_is_seen_and_far_from_them_none() {

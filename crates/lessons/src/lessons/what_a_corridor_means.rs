@@ -143,7 +143,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
 }
 
 fn draw(moments: &[Moment], flights: &[Vec<f64>], kept: &[bool], scale: f64, words: &Words) -> Svg {
-    const REACH: f64 = 190.0;
+    const REACH: f64 = 260.0;
     let mut svg = Svg::new(640.0, 420.0);
     let plot = FigurePlot::whole(
         &mut svg,

@@ -27,7 +27,7 @@ pub fn draw_symptoms(flown: &Flown, reach: f64, error: f64, words: &Words) -> Sv
     );
     svg.part("innovation", |svg| {
         for look in &flown.looks {
-            let at = [(0.0, "dot-estimate"), (1.0, "dot-look")];
+            let at = [(-1.0, "dot-estimate"), (0.0, "dot-look")];
             for ((aside, class), number) in at.into_iter().zip(look.innovation.iter()) {
                 let number = number.clamp(-reach, reach);
                 upper.dot(svg, [look.time + aside, number], 3.0, class);
