@@ -1,6 +1,6 @@
 //! Numbers as people read them.
 
-/// Number with three significant digits, without an exponent where it has fewer than seven figures.
+/// Number with three significant digits, with a power of ten only where it has seven figures or more, or is tiny.
 pub fn significant(number: f64) -> String {
     if !number.is_finite() {
         return "not known".to_owned();
@@ -10,7 +10,10 @@ pub fn significant(number: f64) -> String {
     }
     let order = number.abs().log10().floor() as i32;
     if !(-5..7).contains(&order) {
-        return format!("{number:.2e}").replace('-', "\u{2212}");
+        let text = format!("{number:.2e}");
+        let (figures, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let power: String = power.chars().map(raised).collect();
+        return format!("{figures}·10{power}").replace('-', "\u{2212}");
     }
     let decimals = (2 - order).max(0) as usize;
     // 9.996 has another order once it is rounded.
@@ -18,6 +21,14 @@ pub fn significant(number: f64) -> String {
     let grown = rounded.abs().log10().floor() as i32 > order;
     let decimals = decimals.saturating_sub(usize::from(grown));
     format!("{number:.decimals$}").replace('-', "\u{2212}")
+}
+
+/// Figure or sign as it stands in an exponent.
+fn raised(character: char) -> char {
+    const FIGURES: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    character
+        .to_digit(10)
+        .map_or('⁻', |figure| FIGURES[figure as usize])
 }
 
 /// Number as a text has it written.
@@ -59,6 +70,8 @@ mod tests {
             (9.996, "10.0"),
             (99.96, "100"),
             (12_345.6, "12346"),
+            (1.93e-9, "1.93·10⁻⁹"),
+            (-2.5e12, "\u{2212}2.50·10¹²"),
             (f64::NAN, "not known"),
         ] {
             assert_eq!(significant(number), wanted);

@@ -42,6 +42,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
         values: vec![
             Value::new("between", between, "s"),
             Value::new("finds", flown.looks.len() as f64, ""),
+            Value::new("likely", 100.0 * found, "%"),
             Value::new("wait", between / found, "s"),
             Value::new("look", LOOK, "m"),
             Value::new("nis", nis.map_or(0.0, |nis| nis.mean), ""),
@@ -49,6 +50,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("error", flown.largest_error(30.0), "m"),
         ],
         checks: vec![
+            Check::at_most("likely", 100.0 * FOUND[1]),
             Check::between("nis", low, high),
             Check::at_most("stated", 15.0),
         ],

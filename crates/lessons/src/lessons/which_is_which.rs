@@ -47,7 +47,7 @@ const ERRORS: [[f64; 2]; 7] = [
     [-0.3, 0.9],
     [0.8, -0.4],
 ];
-/// Direction of the error of the believed position: north and east.
+/// Direction from the believed position to the true one: north and east.
 const ASTRAY: [f64; 2] = [0.1, 0.995];
 
 /// The lesson.

@@ -209,7 +209,14 @@ pub(crate) fn quantity(number: f64, unit: &str) -> String {
     } else {
         "\u{a0}"
     };
-    format!("{}{space}{unit}", significant(number))
+    // What is counted is whole.
+    let is_count = unit.is_empty() && number.fract() == 0.0 && number.abs() < 1e6;
+    let number = if is_count {
+        format!("{number:.0}").replace('-', "\u{2212}")
+    } else {
+        significant(number)
+    };
+    format!("{number}{space}{unit}")
 }
 
 fn button(class: &str, setting: &[(&str, f64)], words: &str) -> String {
