@@ -19,6 +19,7 @@ mod run_settings;
 mod settings;
 mod sobol;
 mod summary;
+mod table;
 mod value;
 
 pub use design::{StudyDesign, StudyRun};

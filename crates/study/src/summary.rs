@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::design::StudyDesign;
 use super::fly::StudyRow;
-use super::measured::{DrawPlace, IntervalBy, MeanSummary, MeasureTally, QuantileSummary};
+use super::measured::{DrawPlace, MeanSummary, MeasureTally, QuantileSummary};
 use super::philox::Philox;
 use super::plan::{DrawBy, StudyError, StudyMeasure, refusal};
 use super::resampled::weights;
@@ -210,113 +210,10 @@ impl<'a> StudyTally<'a> {
     }
 }
 
-/// A number with a sensible number of digits.
-fn digits(value: f64) -> String {
-    let places = match value.abs() {
-        size if size >= 100.0 => 1,
-        size if size >= 10.0 => 2,
-        size if size >= 0.1 || size == 0.0 => 3,
-        _ => 5,
-    };
-    format!("{value:.places$}")
-}
-
-fn with_interval(mean: &MeanSummary) -> String {
-    let interval = mean.interval.map_or(String::new(), |[low, high]| {
-        format!(" [{}, {}]", digits(low), digits(high))
-    });
-    format!("{}{interval}", digits(mean.mean))
-}
-
-impl StudySummary {
-    /// Table for people.
-    pub fn table(&self) -> String {
-        let mut rows: Vec<[String; 7]> = vec![
-            [
-                "cell",
-                "measure",
-                "flights",
-                "mean [95 %]",
-                "median",
-                "95 %",
-                "more than the first",
-            ]
-            .map(str::to_owned),
-        ];
-        for cell in &self.cells {
-            let settings = cell.settings.iter();
-            let settings: Vec<String> = settings
-                .map(|(key, value)| format!("{key} {value}"))
-                .collect();
-            for measure in &cell.measures {
-                let at = |share: f64| {
-                    let found = measure.quantiles.iter().find(|q| q.share == share);
-                    found.map_or(String::new(), |q| digits(q.value))
-                };
-                let unit = if measure.unit.is_empty() {
-                    String::new()
-                } else {
-                    format!(", {}", measure.unit)
-                };
-                let mean = measure.mean.as_ref();
-                rows.push([
-                    settings.join(", "),
-                    format!("{}{unit}", measure.name),
-                    mean.map_or("0".to_owned(), |mean| mean.count.to_string()),
-                    mean.map_or("-".to_owned(), with_interval),
-                    at(0.5),
-                    at(0.95),
-                    measure
-                        .minus_first
-                        .as_ref()
-                        .map_or(String::new(), with_interval),
-                ]);
-            }
-        }
-        let widths: Vec<usize> = (0..7)
-            .map(|column| {
-                rows.iter()
-                    .map(|row| row[column].chars().count())
-                    .max()
-                    .unwrap_or(0)
-            })
-            .collect();
-        let by = self.cells.iter().flat_map(|cell| &cell.measures);
-        let by_scrambles = by
-            .filter_map(|measure| measure.mean.as_ref())
-            .any(|mean| mean.interval_by == IntervalBy::Scrambles);
-        let mut text = format!(
-            "{}: {}\n{} draws, {} flights{}. Intervals of 95 %: {}.\n",
-            self.name,
-            self.question,
-            self.draws,
-            self.flights,
-            if self.is_stopped {
-                ", then it was enough"
-            } else {
-                ""
-            },
-            if by_scrambles {
-                "Student's, of the means of scrambles"
-            } else {
-                "Wilson's of shares, the bootstrap's of means"
-            },
-        );
-        for row in &rows {
-            let cells = row
-                .iter()
-                .zip(&widths)
-                .map(|(cell, width)| format!("{cell:<width$}"));
-            text += cells.collect::<Vec<_>>().join("  ").trim_end();
-            text.push('\n');
-        }
-        text
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measured::IntervalBy;
     use crate::plan::StudyPlan;
 
     fn design(more: &str) -> StudyDesign {
