@@ -4,12 +4,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pilotage_jobs::{JobEvent, StudyShardOrder};
-use pilotage_study::{Study, StudyPlan, StudyTally};
+use pilotage_study::{Study, StudyPlan, StudyRecord, StudyTally};
 use serde::Serialize;
 
 use super::folder::StudyFolder;
 use super::progress::Progress;
+use super::results;
 use crate::CommandResult;
+use crate::files::write_whole;
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage study PLAN`.
@@ -47,6 +49,12 @@ pub struct Arguments {
     /// Threads; as many as there are processors if not given.
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     threads: Option<u64>,
+    /// Keeps a record of the whole study in this folder, for the measured results.
+    #[arg(long, value_name = "FOLDER", requires = "made", conflicts_with_all = ["share", "only", "describe"])]
+    record: Option<PathBuf>,
+    /// Date and state of the program that the record tells.
+    #[arg(long, value_name = "TEXT", requires = "record")]
+    made: Option<String>,
     /// Tells no progress and prints no table.
     #[arg(long)]
     quiet: bool,
@@ -139,6 +147,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     folder.conclude(study.design(), &summary)?;
     if !arguments.quiet {
         print!("{}", summary.table());
+    }
+    if let (Some(records), Some(made)) = (&arguments.record, &arguments.made) {
+        let record = StudyRecord::new(&study, summary, made.clone())?;
+        let text = serde_json::to_string_pretty(&record)? + "\n";
+        write_whole(&results::place(records, &record.plan.name), text)?;
     }
     Ok(())
 }

@@ -3,6 +3,7 @@
 mod carry_out;
 mod folder;
 mod progress;
+mod results;
 mod rows;
 mod sensitivity;
 
@@ -24,6 +25,8 @@ pub struct Arguments {
 enum Other {
     /// Errors that walk at random, added to one instrument at a time (`DeAngelo` 2016, figures 5-36 to 5-43).
     Sensitivity(sensitivity::Arguments),
+    /// Print what came of recorded studies, or write it into the measured results.
+    Results(results::Arguments),
     /// List what a plan can set and measure.
     Settings,
 }
@@ -32,6 +35,7 @@ enum Other {
 pub fn run(arguments: &Arguments) -> CommandResult {
     match (&arguments.other, &arguments.plan) {
         (Some(Other::Sensitivity(of_sensitivity)), _) => sensitivity::run(of_sensitivity),
+        (Some(Other::Results(of_results)), _) => results::run(of_results),
         (Some(Other::Settings), _) => {
             list();
             Ok(())

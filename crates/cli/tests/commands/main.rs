@@ -15,4 +15,5 @@ mod register;
 mod rehearse;
 mod roads;
 mod study;
+mod study_records;
 mod vehicles;
