@@ -17,6 +17,9 @@ const SEED: u64 = 11;
 const DRAWN: usize = 300;
 const PARTICLES: usize = 1500;
 
+/// Deviation of the heading from which on some fly south, radians.
+const WIDE: f64 = 0.5;
+
 /// The lesson.
 pub(super) const LESSON: Lesson = Lesson {
     name: "bent-function",
@@ -99,10 +102,16 @@ fn truly(angle: f64) -> Gaussian<2> {
 
 fn draw(prior: Gaussian<2>, claimed: &Gaussian<2>, truth: &Gaussian<2>, words: &Words) -> Svg {
     let mut svg = Svg::new(640.0, 420.0);
+    // Who flies south of the start by mistake comes into the picture only where some do.
+    let south = if prior.covariance[(1, 1)].sqrt() > WIDE {
+        -1100.0
+    } else {
+        -100.0
+    };
     let plot = FigurePlot::whole(
         &mut svg,
         Axis::new([-1250.0, 1250.0], words.get("east")),
-        Axis::new([-1100.0, 1500.0], words.get("north")),
+        Axis::new([south, 1500.0], words.get("north")),
     );
     let mut draws = NormalDraws::seeded(SEED);
     svg.part("points", |svg| {

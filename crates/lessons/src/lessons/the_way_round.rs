@@ -44,14 +44,13 @@ struct Expected {
 }
 
 /// The way: out to the side, past the landmarks, back.
-fn way(aside: f64) -> [Vector2<f64>; 6] {
+fn way(aside: f64) -> [Vector2<f64>; 5] {
     let [a, b, c] = LANDMARKS.map(|it| vector![it.x, aside]);
     [
         vector![0.0, 0.0],
         a,
         b,
         c,
-        vector![STRAIGHT, 0.0],
         vector![STRAIGHT, 0.0],
     ]
 }
@@ -62,7 +61,7 @@ fn expected(aside: f64, wind: f64) -> Option<Expected> {
     let mut worlds = vec![(1.0, RouteBelief::new(START.0, wind)?)];
     let mut length = 0.0;
     let mut seen = [0.0; 3];
-    for (index, pair) in points.windows(2).take(4).enumerate() {
+    for (index, pair) in points.windows(2).enumerate() {
         let leg = pair[1] - pair[0];
         length += leg.norm();
         let heading = leg.x.atan2(leg.y);
