@@ -24,3 +24,4 @@ mod terrain;
 mod tlog;
 mod ulog;
 mod versions;
+mod words;
