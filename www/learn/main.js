@@ -18,6 +18,7 @@ function place() {
 class Page {
   constructor(program) {
     this.program = program;
+    this.words = JSON.parse(program.words());
     this.courses = JSON.parse(program.list());
     this.lessons = this.courses.flatMap(([, lessons]) => lessons);
     this.reader = new Reader(program);
@@ -90,8 +91,8 @@ class Page {
   openHandout(course) {
     const [, lessons] = this.courses.find(([name]) => name === course);
     this.openText("handout", "<h1 id=\"lesson-title\" tabindex=\"-1\"></h1>");
-    find("lesson-title").textContent = `${this.contents.querySelector(`#${course} h2`).textContent}: handout`;
-    const button = Object.assign(document.createElement("button"), { textContent: "Print", className: "print-all" });
+    find("lesson-title").textContent = `${this.contents.querySelector(`#${course} h2`).textContent}: ${this.words["handout-title"]}`;
+    const button = Object.assign(document.createElement("button"), { textContent: this.words.print, className: "print-all" });
     button.addEventListener("click", () => print());
     find("lesson-title").after(button);
     for (const lesson of lessons) {
@@ -119,6 +120,13 @@ class Page {
   }
 }
 
+/** Says the words of the page in the language of the lessons. */
+function sayWords(words) {
+  for (const element of document.querySelectorAll("[data-word]")) element.textContent = words[element.dataset.word];
+  for (const element of document.querySelectorAll("[data-word-label]")) element.setAttribute("aria-label", words[element.dataset.wordLabel]);
+  find("figure").dataset.veil = words.veil;
+}
+
 /** HTML as elements that nobody sees. */
 function parsed(html) {
   const whole = document.createElement("template");
@@ -135,6 +143,7 @@ async function start() {
   document.adoptedStyleSheets = [sheet];
   if (parts.has("embed")) document.body.classList.add("embedded");
   const page = new Page(program);
+  sayWords(page.words);
   window.addEventListener("hashchange", () => page.show());
   offerMenu(page);
   if (parts.has("notes")) followPresenter(page);

@@ -21,8 +21,8 @@ export function offerMenu(page) {
 
   find("save-figure").addEventListener("click", () => save(`${page.open}.svg`, page.program.figure()));
   find("print").addEventListener("click", () => print());
-  find("copy-link").addEventListener("click", () => copy(stepAddress(page), "The link was copied."));
-  find("embed").addEventListener("click", () => copy(embedCode(page), "The code was copied."));
+  find("copy-link").addEventListener("click", () => copy(stepAddress(page), page.words, "link-copied"));
+  find("embed").addEventListener("click", () => copy(embedCode(page), page.words, "code-copied"));
   find("again").addEventListener("click", () => page.reader.open(page.open, find("article"), find("figure")));
 }
 
@@ -59,12 +59,12 @@ function embedCode(page) {
   return `<iframe src="${address.href}" width="960" height="640" title="${document.title.replace(/"/g, "&quot;")}"></iframe>`;
 }
 
-async function copy(text, words) {
+async function copy(text, words, said) {
   try {
     await navigator.clipboard.writeText(text);
-    find("status").textContent = words;
+    find("status").textContent = words[said];
   } catch {
-    prompt("Copy this:", text);
+    prompt(words["copy-this"], text);
   }
 }
 

@@ -131,14 +131,14 @@ export function followPresenter(page) {
   const clock = Object.assign(document.createElement("p"), { id: "clock" });
   find("page").prepend(where, clock);
   const begin = Date.now();
-  setInterval(() => { clock.textContent = `${Math.floor((Date.now() - begin) / 60_000)} min`; }, 1000);
+  setInterval(() => { clock.textContent = `${Math.floor((Date.now() - begin) / 60_000)} ${page.words.minutes}`; }, 1000);
   channel.addEventListener("message", ({ data }) => {
     if (!data.lesson) return;
     if (page.open !== data.lesson) {
       history.replaceState(null, "", `#${data.lesson}`);
       page.show();
     }
-    where.textContent = `${data.step} (${data.at} of ${data.of})${data.next ? `, then: ${data.next}` : ""}`;
+    where.textContent = `${data.step} (${data.at} ${page.words.of} ${data.of})${data.next ? `, ${page.words.then}: ${data.next}` : ""}`;
   });
   channel.postMessage("where?");
 }

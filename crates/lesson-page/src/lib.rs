@@ -1,6 +1,8 @@
 //! The program of the page of lessons: opens a lesson, and says what a change of a control changes.
 #![cfg(target_arch = "wasm32")]
 
+use std::collections::BTreeMap;
+
 use pilotage_lessons::{Courses, Reader, all};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -26,6 +28,13 @@ impl LessonPage {
     /// Colours of the figures, as a style sheet.
     pub fn style(&self) -> String {
         pilotage_lessons::figure::STYLE.to_owned()
+    }
+
+    /// Words of the page around lessons by their keys, as JSON.
+    pub fn words(&self) -> Result<String, String> {
+        let words = pilotage_lessons::text::page_words();
+        let words: BTreeMap<&str, &str> = words.iter().collect();
+        serde_json::to_string(&words).map_err(|error| error.to_string())
     }
 
     /// Names of all lessons in their order, by course, as JSON: `[[course, [lesson, …]], …]`.
