@@ -12,7 +12,7 @@ fn read(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
 }
 
-/// What follows `mark` up to `end`, everywhere in `text`, with what stands behind that.
+/// Text from each `mark` up to the next `end`, with the rest behind that.
 fn after<'t>(text: &'t str, mark: &str, end: char) -> Vec<(&'t str, &'t str)> {
     let places = text.split(mark).skip(1);
     places.filter_map(|rest| rest.split_once(end)).collect()

@@ -19,7 +19,7 @@ pub struct StudyRecord {
     pub made: String,
     /// Its plan.
     pub plan: StudyPlan,
-    /// What came of it.
+    /// Outcome.
     pub summary: StudySummary,
     /// Its first flights.
     pub first: Vec<StudyRow>,
