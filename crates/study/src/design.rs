@@ -120,7 +120,7 @@ impl StudyDesign {
             let key = key.to_owned();
             move |why| super::plan::refusal(format!("run {number}: {key}"), why)
         };
-        for (key, value) in &self.plan.fixed {
+        for (key, value) in self.plan.fixed.iter() {
             settings.set(key, value).map_err(refused(key))?;
         }
         let mut values: Vec<SettingValue> = Vec::new();

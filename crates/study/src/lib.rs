@@ -5,6 +5,7 @@
 //! in whatever order and pieces, finds the same rows to the bit; the summary is made of the rows in the order of their
 //! numbers. Reaches no screen, clock, file or thread.
 
+mod by_name;
 mod design;
 mod fault;
 mod fault_kind;
@@ -23,6 +24,7 @@ mod summary;
 mod table;
 mod value;
 
+pub use by_name::ByName;
 pub use design::{StudyDesign, StudyRun};
 pub use fault_kind::FaultKind;
 pub use fly::{Study, StudyRow};

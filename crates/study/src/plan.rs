@@ -1,9 +1,8 @@
 //! Plans of studies: what varies and how, what is measured, when it is enough. Files of TOML.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use serde::{Deserialize, Serialize};
 
+use super::by_name::ByName;
 use super::measure::MeasureKind;
 use super::run_settings::RunSettings;
 use super::sobol::SobolPoints;
@@ -85,13 +84,13 @@ pub struct StudyPlan {
     pub scrambles: u64,
     /// Settings of all flights.
     #[serde(default)]
-    pub fixed: BTreeMap<String, SettingValue>,
+    pub fixed: ByName<SettingValue>,
     /// Settings of which every value is flown with every value of the others: the cells that are compared.
     #[serde(default)]
-    pub cross: BTreeMap<String, Vec<SettingValue>>,
+    pub cross: ByName<Vec<SettingValue>>,
     /// Settings that are drawn.
     #[serde(default)]
-    pub draw: BTreeMap<String, SettingDistribution>,
+    pub draw: ByName<SettingDistribution>,
     /// Measures, in the order of the tables.
     pub measure: Vec<StudyMeasure>,
     /// When it is enough, if before the end.
@@ -151,7 +150,8 @@ impl StudyPlan {
     /// # Ok::<(), pilotage_study::StudyError>(())
     /// ```
     pub fn read(text: &str) -> Result<Self, StudyError> {
-        let plan: Self = toml::from_str(text).map_err(|why| StudyError::NoPlan(why.to_string()))?;
+        let plan: Self =
+            basic_toml::from_str(text).map_err(|why| StudyError::NoPlan(why.to_string()))?;
         plan.check()?;
         Ok(plan)
     }
@@ -175,7 +175,7 @@ impl StudyPlan {
                 "give a word of letters, digits and hyphens",
             ));
         }
-        for (place, values) in &self.cross {
+        for (place, values) in self.cross.iter() {
             if values.is_empty() {
                 return Err(refusal(format!("cross.{place}"), "give at least one value"));
             }
@@ -212,35 +212,31 @@ impl StudyPlan {
     }
 
     fn check_settings(&self) -> Result<(), StudyError> {
-        let keys = |place: &'static str, keys: Vec<&String>| -> Vec<(&'static str, String)> {
-            keys.into_iter().map(|key| (place, key.clone())).collect()
-        };
-        let all = [
-            keys("fixed", self.fixed.keys().collect()),
-            keys("cross", self.cross.keys().collect()),
-            keys("draw", self.draw.keys().collect()),
-        ];
-        let mut seen = BTreeSet::new();
-        for (place, key) in all.concat() {
-            if !seen.insert(key.clone()) {
-                let why = "it is set twice; keep it fixed, crossed or drawn";
-                return Err(refusal(format!("{place}.{key}"), why));
-            }
+        let is_fixed = |key: &str| self.fixed.get(key).is_some();
+        let again = self.cross.keys().find(|key| is_fixed(key));
+        let again = again.map(|key| ("cross", key)).or_else(|| {
+            let is_set = |key: &str| is_fixed(key) || self.cross.get(key).is_some();
+            let key = self.draw.keys().find(|key| is_set(key));
+            key.map(|key| ("draw", key))
+        });
+        if let Some((place, key)) = again {
+            let why = "it is set twice; keep it fixed, crossed or drawn";
+            return Err(refusal(format!("{place}.{key}"), why));
         }
         // Every value is tried: a study must not fail after an hour.
         let try_out = |place: &str, key: &str, value: &SettingValue| {
             let set = RunSettings::default().set(key, value);
             set.map_err(|why| refusal(format!("{place}.{key}"), why))
         };
-        for (key, value) in &self.fixed {
+        for (key, value) in self.fixed.iter() {
             try_out("fixed", key, value)?;
         }
-        for (key, values) in &self.cross {
+        for (key, values) in self.cross.iter() {
             for value in values {
                 try_out("cross", key, value)?;
             }
         }
-        for (key, distribution) in &self.draw {
+        for (key, distribution) in self.draw.iter() {
             let place = format!("draw.{key}");
             if let Some(why) = distribution.trouble() {
                 return Err(refusal(place, why));
@@ -262,12 +258,13 @@ impl StudyPlan {
     }
 
     fn check_measures(&self) -> Result<(), StudyError> {
-        let mut names = BTreeSet::new();
+        let mut names: Vec<&str> = Vec::new();
         for measure in &self.measure {
-            if !names.insert(measure.name()) {
+            if names.contains(&measure.name()) {
                 let why = format!("\"{}\" is there twice; give them names", measure.name());
                 return Err(refusal("measure", why));
             }
+            names.push(measure.name());
             let is_taken = ["run", "draw", "cell"].contains(&measure.name())
                 || RunSettings::has(measure.name());
             if is_taken {
@@ -281,7 +278,7 @@ impl StudyPlan {
         let Some(stop) = &self.stop else {
             return Ok(());
         };
-        if !names.contains(stop.measure.as_str()) {
+        if !names.contains(&stop.measure.as_str()) {
             let why = format!("\"{}\" is not measured", stop.measure);
             return Err(refusal("stop.measure", why));
         }
@@ -331,7 +328,7 @@ mod tests {
         let plan = StudyPlan::read(PLAN).unwrap();
         assert_eq!((plan.cells(), plan.runs(), plan.scrambles), (6, 192, 16));
         assert!(plan.measure[1].is_share() && !plan.measure[0].is_share());
-        let again = StudyPlan::read(&toml::to_string(&plan).unwrap()).unwrap();
+        let again = StudyPlan::read(&basic_toml::to_string(&plan).unwrap()).unwrap();
         assert_eq!(again, plan);
     }
 

@@ -3,16 +3,49 @@
 use std::fmt;
 
 use pilotage_core::filter::chi_square_quantile;
-use serde::{Deserialize, Serialize};
+use serde::de::Visitor;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Value of a setting of a study.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum SettingValue {
     /// A number in the unit of the setting.
     Number(f64),
     /// A name.
     Text(String),
+}
+
+impl<'d> Deserialize<'d> for SettingValue {
+    fn deserialize<D: Deserializer<'d>>(from: D) -> Result<Self, D::Error> {
+        struct Value;
+
+        impl Visitor<'_> for Value {
+            type Value = SettingValue;
+
+            fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+                to.write_str("a number or a name in quotation marks")
+            }
+
+            fn visit_f64<E>(self, number: f64) -> Result<SettingValue, E> {
+                Ok(SettingValue::Number(number))
+            }
+
+            fn visit_i64<E>(self, number: i64) -> Result<SettingValue, E> {
+                Ok(SettingValue::Number(number as f64))
+            }
+
+            fn visit_u64<E>(self, number: u64) -> Result<SettingValue, E> {
+                Ok(SettingValue::Number(number as f64))
+            }
+
+            fn visit_str<E>(self, name: &str) -> Result<SettingValue, E> {
+                Ok(SettingValue::Text(name.to_owned()))
+            }
+        }
+
+        from.deserialize_any(Value)
+    }
 }
 
 impl fmt::Display for SettingValue {
@@ -26,7 +59,7 @@ impl fmt::Display for SettingValue {
 
 /// Distribution from which the value of a setting is drawn, numbers in its unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(try_from = "WrittenDistribution", into = "WrittenDistribution")]
 pub enum SettingDistribution {
     /// Even between two numbers.
     Uniform([f64; 2]),
@@ -36,6 +69,58 @@ pub enum SettingDistribution {
     Normal([f64; 2]),
     /// Each of these as often as any other.
     Choice(Vec<SettingValue>),
+}
+
+/// A distribution as it is written: one of these.
+#[derive(Clone, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+struct WrittenDistribution {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uniform: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    log_uniform: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    choice: Option<Vec<SettingValue>>,
+}
+
+impl TryFrom<WrittenDistribution> for SettingDistribution {
+    type Error = &'static str;
+
+    fn try_from(written: WrittenDistribution) -> Result<Self, &'static str> {
+        let WrittenDistribution {
+            uniform,
+            log_uniform,
+            normal,
+            choice,
+        } = written;
+        let mut given = [
+            uniform.map(Self::Uniform),
+            log_uniform.map(Self::LogUniform),
+            normal.map(Self::Normal),
+            choice.map(Self::Choice),
+        ]
+        .into_iter()
+        .flatten();
+        given
+            .next()
+            .filter(|_| given.next().is_none())
+            .ok_or("give one of uniform, log-uniform, normal and choice")
+    }
+}
+
+impl From<SettingDistribution> for WrittenDistribution {
+    fn from(distribution: SettingDistribution) -> Self {
+        let mut written = Self::default();
+        match distribution {
+            SettingDistribution::Uniform(ends) => written.uniform = Some(ends),
+            SettingDistribution::LogUniform(ends) => written.log_uniform = Some(ends),
+            SettingDistribution::Normal(of) => written.normal = Some(of),
+            SettingDistribution::Choice(values) => written.choice = Some(values),
+        }
+        written
+    }
 }
 
 impl SettingDistribution {
