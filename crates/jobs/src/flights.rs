@@ -6,6 +6,7 @@ use std::sync::Arc;
 use pilotage_core::flight::{Flight, FlightFolder, FrameError, FrameSource, NoPictures};
 use pilotage_core::mission::Mission;
 use pilotage_core::raster::{Picture, decode_picture};
+use pilotage_study::StatedNavigation;
 
 /// A flight with everything needed to navigate it.
 pub struct OpenFlight {
@@ -43,6 +44,7 @@ pub struct KeptFrames {
     source: Box<dyn FrameSource>,
     names: Vec<String>,
     encoded: Option<BTreeMap<usize, Arc<[u8]>>>,
+    stated: Option<StatedNavigation>,
 }
 
 impl KeptFrames {
@@ -60,7 +62,21 @@ impl KeptFrames {
             source,
             names: flight.frames.iter().map(|f| f.name.clone()).collect(),
             encoded: None,
+            stated: None,
         }
+    }
+
+    /// Nothing in the place of pictures of `flight`: it is stated how landmarks are found.
+    pub fn stated(flight: &Flight, stated: StatedNavigation) -> Self {
+        Self {
+            stated: Some(stated),
+            ..Self::stored(flight, Box::new(NoPictures))
+        }
+    }
+
+    /// Statement of how landmarks are found, where that is stated in the place of pictures.
+    pub fn statement(&self) -> Option<&StatedNavigation> {
+        self.stated.as_ref()
     }
 
     /// A picture that was rendered before, encoded.
@@ -72,6 +88,12 @@ impl KeptFrames {
     pub fn kept(&mut self, index: usize) -> Result<Arc<[u8]>, FrameError> {
         if let Some(encoded) = self.encoded.as_ref().and_then(|kept| kept.get(&index)) {
             return Ok(encoded.clone());
+        }
+        if self.stated.is_some() {
+            return Err(FrameError::Unreadable {
+                name: "there is no picture".to_owned(),
+                cause: "flights of studies are flown without a camera".to_owned(),
+            });
         }
         let encoded: Arc<[u8]> = self.source.encoded(index)?.into();
         if let Some(kept) = &mut self.encoded {

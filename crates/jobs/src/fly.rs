@@ -3,9 +3,10 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use pilotage_core::flight::Flight;
+use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings, StepReport};
+use pilotage_core::plan::StatedFrames;
 
 use serde::{Deserialize, Serialize};
 
@@ -32,8 +33,11 @@ enum FlyStage {
     Flight,
     /// The next slice begins to navigate.
     Navigator,
-    /// Under way.
-    Flying(Rc<RefCell<OpenFlight>>, Box<Navigator>),
+    /// Under way; with frames of its own where it is stated how landmarks are found.
+    Flying(
+        Rc<RefCell<OpenFlight>>,
+        Box<(Navigator, Option<StatedFrames>)>,
+    ),
     /// It cannot be navigated: its pictures are shown all the same, from this one on.
     Looking(Rc<RefCell<OpenFlight>>, usize),
 }
@@ -64,29 +68,33 @@ impl Fly {
         let mission =
             (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
         let flown = mission.flown(&flight);
-        let navigator = Navigator::new(
-            flown.clone(),
-            &KnownGround::of(&mission, map),
-            &mission.navigator,
-        );
+        let navigator = if let Some(stated) = open.borrow().frames.statement() {
+            let begun = stated.begin(&flown, &mission.landmarks, &mission.navigator);
+            begun.map(|(navigator, frames)| (navigator, Some(frames)))
+        } else {
+            let ground = KnownGround::of(&mission, map);
+            let navigator = Navigator::new(flown.clone(), &ground, &mission.navigator);
+            let navigator = navigator.map_err(|cause| cause.to_string());
+            navigator.map(|navigator| (navigator, None))
+        };
         emit(JobEvent::Flight(Box::new(flown.without_inertial())));
         if !is_given {
             emit(JobEvent::Mission(Box::new(mission)));
         }
-        let navigator = match navigator {
-            Ok(navigator) => navigator,
+        let begun = match navigator {
+            Ok(begun) => begun,
             Err(cause) => {
-                emit(JobEvent::CannotNavigate(cause.to_string()));
+                emit(JobEvent::CannotNavigate(cause));
                 self.stage = FlyStage::Looking(open, 0);
                 return Ok(());
             }
         };
-        emit(JobEvent::RunStarted(Box::new(navigator.run_head())));
+        emit(JobEvent::RunStarted(Box::new(begun.0.run_head())));
         emit(JobEvent::Progress(
             0.0,
             "Taking the first picture".to_owned(),
         ));
-        self.stage = FlyStage::Flying(open, Box::new(navigator));
+        self.stage = FlyStage::Flying(open, Box::new(begun));
         Ok(())
     }
 }
@@ -106,7 +114,7 @@ fn bare_mission(flight: &Flight) -> Mission {
 /// Steps for about a slice; false once the flight is over.
 fn steps(
     open: &mut OpenFlight,
-    navigator: &mut Navigator,
+    (navigator, stated): &mut (Navigator, Option<StatedFrames>),
     clock: &dyn Fn() -> f64,
     emit: &mut dyn FnMut(JobEvent),
 ) -> Result<bool, String> {
@@ -115,7 +123,11 @@ fn steps(
     let mut more = true;
     while more && (batch.is_empty() || clock() - begun < SLICE) {
         let index = navigator.next_frame();
-        match navigator.advance(&mut open.frames, clock) {
+        let frames: &mut dyn FrameSource = match stated {
+            Some(stated) => stated,
+            None => &mut open.frames,
+        };
+        match navigator.advance(frames, clock) {
             Some(Ok(step)) => batch.push(step),
             Some(Err(cause)) => return Err(cause.to_string()),
             None => more = false,
@@ -150,8 +162,12 @@ fn pictures(
     })
 }
 
-/// Tells that a picture was taken. One that cannot be had is told by the step's report, and to whoever asks for it.
+/// Tells that a picture was taken, if the flight has any. One that cannot be had is told by the step's report, and to
+/// whoever asks for it.
 fn tell_picture(open: &OpenFlight, index: usize, emit: &mut dyn FnMut(JobEvent)) {
+    if open.frames.statement().is_some() {
+        return;
+    }
     let digest = open.frames.rendered_before(index).map(digest);
     emit(JobEvent::FrameTaken { index, digest });
 }
@@ -184,9 +200,7 @@ impl RunningJob for Fly {
                 self.open(worker, emit)?;
                 true
             }
-            FlyStage::Flying(open, navigator) => {
-                steps(&mut open.borrow_mut(), navigator, clock, emit)?
-            }
+            FlyStage::Flying(open, begun) => steps(&mut open.borrow_mut(), begun, clock, emit)?,
             FlyStage::Looking(open, index) => pictures(&mut open.borrow_mut(), index, clock, emit),
         };
         if more {

@@ -25,6 +25,7 @@ use super::rehearse::RehearseOrder;
 use super::running::once;
 use super::share::ShareOrder;
 use super::smooth::SmoothOrder;
+use super::study_flights::StudyFlightsOrder;
 use super::suggest::ProposeOrder;
 use super::tables::MakeFlightOrder;
 use super::untested::UntestedOrder;
@@ -153,5 +154,6 @@ orders! {
     Brief(BriefOrder),
     Pack(Box<PackOrder>),
     Export(Box<ExportOrder>),
+    StudyFlights(StudyFlightsOrder),
     }
 }

@@ -59,6 +59,8 @@ mod share;
 mod shared;
 mod simulated;
 mod smooth;
+mod studied;
+mod study_flights;
 mod study_shard;
 mod suggest;
 mod summary;
@@ -98,9 +100,9 @@ pub use messages::{
     LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
     MeasuredLandmark, MeasurementBasis, OpenedFiles, Outage, OutageOrder, OutageReport, PackOrder,
     PhotoReport, PhotosOrder, PlannedPath, PredictionOrder, ReadLog, RecordedPlaces,
-    RehearsedFlight, Reply, Request, SeriesName, Share, SimulationOptions, StudyReport,
-    SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced,
-    WebMap, WindReport,
+    RehearsedFlight, Reply, Request, SeriesName, Share, SimulationOptions, StudiedFlight,
+    StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome,
+    TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use opening::map as map_among;
@@ -118,6 +120,7 @@ pub use sensitivity::SensitivityOrder;
 pub use share::{ShareOrder, Shareable};
 pub use simulated::scenario_wind;
 pub use smooth::SmoothOrder;
+pub use study_flights::StudyFlightsOrder;
 pub use study_shard::StudyShardOrder;
 pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;

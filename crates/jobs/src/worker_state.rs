@@ -10,10 +10,11 @@ use pilotage_core::flight::expression::TimedSamples;
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::log::Log;
 use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
+use pilotage_core::mission::Mission;
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
 };
-use pilotage_core::simulate::{FlightDay, LaidWorld};
+use pilotage_core::simulate::{FlightDay, LaidWorld, Overrides, SimulationChoice};
 use pilotage_core::training::TrainingPhotos;
 
 use super::fetched_tiles::{FetchedTiles, WEB_TILES};
@@ -102,6 +103,8 @@ pub struct WorkerState {
     samples: KeptSamples,
     /// Worlds that were laid out, by key.
     worlds: Vec<(String, Arc<dyn LaidWorld>)>,
+    /// Mission of the scenario that was asked for last, by its name.
+    scenario: Option<(String, Rc<Mission>)>,
     /// A map and how it looks on other days; of one map at a time.
     days: Option<(Vec<u8>, Days)>,
     /// A map with a seed, and the days on which its landmarks are rehearsed.
@@ -125,6 +128,7 @@ impl WorkerState {
             log: None,
             samples: KeptSamples::default(),
             worlds: Vec::new(),
+            scenario: None,
             days: None,
             rehearsal: None,
             seen: None,
@@ -361,6 +365,21 @@ impl WorkerState {
         let world = world.ok_or("this worker does not know that world; load the page again")?;
         self.worlds.push((key.to_owned(), world.clone()));
         Ok(world)
+    }
+
+    /// Mission of a scenario of the built-in worlds, made once; the one before it is let go.
+    pub(super) fn scenario(&mut self, name: &str) -> Result<Rc<Mission>, String> {
+        if let Some((_, mission)) = self.scenario.as_ref().filter(|(of, _)| of == name) {
+            return Ok(mission.clone());
+        }
+        let unknown = || format!("there is no scenario “{name}”");
+        let choice = SimulationChoice::named(name).ok_or_else(unknown)?;
+        let world = self.world(choice.world.key())?;
+        let missions = world.missions(name, &Overrides::default());
+        let (_, mission) = missions.into_iter().next().ok_or_else(unknown)?;
+        let mission = Rc::new(mission);
+        self.scenario = Some((name.to_owned(), mission.clone()));
+        Ok(mission)
     }
 
     /// A flight, opened once; the one before it is let go.

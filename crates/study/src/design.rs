@@ -7,7 +7,9 @@
 use super::philox::{Philox, Stream};
 use super::plan::{DrawBy, StudyError, StudyPlan};
 use super::run_settings::RunSettings;
+use super::seeds::Seeds;
 use super::sobol::SobolPoints;
+use super::study_flight::StudyFlight;
 use super::value::SettingValue;
 
 /// Run of a study before it is flown.
@@ -27,16 +29,13 @@ pub struct StudyRun {
     pub(crate) seeds: Seeds,
 }
 
-/// Seeds of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Seeds {
-    random: Philox,
-    draw: u64,
-}
-
-impl Seeds {
-    pub fn of(&self, stream: Stream) -> u64 {
-        self.random.word(stream, self.draw, 0)
+impl StudyRun {
+    /// The flight of the run by itself.
+    pub fn flight(&self) -> StudyFlight {
+        StudyFlight {
+            settings: self.settings.clone(),
+            seeds: self.seeds,
+        }
     }
 }
 
@@ -140,10 +139,7 @@ impl StudyDesign {
             cell,
             settings,
             values,
-            seeds: Seeds {
-                random: self.random,
-                draw,
-            },
+            seeds: Seeds::new(self.random, draw),
         })
     }
 }

@@ -1,7 +1,9 @@
 //! The faults of instruments that a plan can name.
 
+use serde::{Deserialize, Serialize};
+
 /// Fault of an instrument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FaultKind {
     /// None.
     None,

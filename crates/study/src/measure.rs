@@ -51,6 +51,8 @@ measures! {
     Nees = "nees", "";
     /// Share of the steps whose truth lies in the 95 % ellipse of the position.
     Inside = "inside-95", "";
+    /// Truth in that ellipse at the end of the flight: yes or no.
+    InsideAtEnd = "inside-95-end", "";
     /// Mean normalized innovation squared over its degrees of freedom: 1 of an honest filter.
     Nis = "nis", "";
     /// Frames that corrected the estimate.
@@ -66,8 +68,13 @@ measures! {
 }
 
 impl MeasureKind {
+    /// The number of its kind among those of all kinds, in the order of [`MeasureKind::ALL`].
+    pub fn among(self, numbers: &[Option<f64>]) -> Option<f64> {
+        numbers.get(self as usize).copied().flatten()
+    }
+
     /// Whether it is yes or no.
     pub fn is_share(self) -> bool {
-        matches!(self, Self::Finished | Self::Doubted)
+        matches!(self, Self::Finished | Self::InsideAtEnd | Self::Doubted)
     }
 }

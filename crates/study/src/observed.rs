@@ -54,6 +54,7 @@ pub struct Observed {
     reckoned: Errors,
     nees: f64,
     inside: usize,
+    is_inside: bool,
     nis: f64,
     nis_dof: f64,
     frames: usize,
@@ -108,7 +109,8 @@ impl Observed {
                 .cholesky()
                 .map_or(f64::INFINITY, |root| root.solve(&off).dot(&off));
             self.nees += nees;
-            self.inside += usize::from(nees <= self.inside_below);
+            self.is_inside = nees <= self.inside_below;
+            self.inside += usize::from(self.is_inside);
         }
         if let Some((index, wind)) = self.wind_index.zip(truth.wind(step.time)) {
             let mean = &step.after.mean;
@@ -138,6 +140,7 @@ impl Observed {
             MeasureKind::ReckonedMax => self.reckoned.most(),
             MeasureKind::Nees => mean(self.nees, steps as f64),
             MeasureKind::Inside => mean(self.inside as f64, steps as f64),
+            MeasureKind::InsideAtEnd => yes(self.is_inside),
             MeasureKind::Nis => mean(self.nis, self.nis_dof),
             MeasureKind::Frames => Some(self.frames as f64),
             MeasureKind::Accepted => Some(self.accepted as f64),
@@ -150,12 +153,23 @@ impl Observed {
 
     /// The number that a study asks for.
     pub fn measure(&self, measure: &StudyMeasure) -> Option<f64> {
-        let number = self.number(measure.of);
-        let Some(limit) = measure.at_most else {
-            return number;
-        };
-        Some(f64::from(u8::from(
-            number.is_some_and(|number| number <= limit),
-        )))
+        measure.judged(self.number(measure.of))
     }
+
+    /// Numbers of all kinds, in the order of [`MeasureKind::ALL`].
+    pub fn numbers(&self) -> Vec<Option<f64>> {
+        MeasureKind::ALL.map(|kind| self.number(kind)).into()
+    }
+}
+
+/// Numbers of all kinds of a run of `flight`, in the order of [`MeasureKind::ALL`]; `None` where there is no such number.
+pub fn numbers_of(flight: &Flight, run: &Run) -> Vec<Option<f64>> {
+    let mut observed = Observed::of(Run {
+        steps: Vec::new(),
+        ..run.clone()
+    });
+    for step in &run.steps {
+        observed.take(flight, step);
+    }
+    observed.numbers()
 }

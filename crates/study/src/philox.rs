@@ -3,6 +3,8 @@
 //!
 //! A number is a function of the key and the place that is asked for, so that no run of a study depends on another.
 
+use serde::{Deserialize, Serialize};
+
 /// Multipliers of a round.
 const MULTIPLIERS: [u32; 2] = [0xd251_1f53, 0xcd9e_8d57];
 /// Steps of the key from round to round.
@@ -37,7 +39,7 @@ pub(crate) enum Stream {
 }
 
 /// Random numbers under one key.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Philox {
     key: [u32; 2],
 }

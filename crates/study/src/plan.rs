@@ -45,6 +45,16 @@ impl StudyMeasure {
         self.name.as_deref().unwrap_or(self.of.key())
     }
 
+    /// The measure of a flight whose number of its kind is `number`.
+    pub fn judged(&self, number: Option<f64>) -> Option<f64> {
+        let Some(limit) = self.at_most else {
+            return number;
+        };
+        Some(f64::from(u8::from(
+            number.is_some_and(|number| number <= limit),
+        )))
+    }
+
     /// Whether it is the share of flights for which something holds.
     pub fn is_share(&self) -> bool {
         self.at_most.is_some() || self.of.is_share()

@@ -3,11 +3,12 @@
 use pilotage_core::navigator::{AidInfo, EstimatorChoice, VehicleChoice};
 use pilotage_core::plan::TestedInstrument;
 use pilotage_core::simulate::SensorSpec;
+use serde::{Deserialize, Serialize};
 
 use super::fault_kind::FaultKind;
 
 /// Settings of one flight, angles in radians and all else in SI.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RunSettings {
     /// Name of the scenario.
     pub scenario: String,
@@ -64,7 +65,7 @@ pub struct RunSettings {
     /// Whether the navigator thinks of late pictures and turned compasses.
     pub doubts: bool,
     /// Keys of aids beside pictures.
-    pub aids: Vec<&'static str>,
+    pub aids: Vec<String>,
 }
 
 impl Default for RunSettings {
@@ -110,6 +111,6 @@ impl RunSettings {
     /// Numbers of its aids, by their descriptions.
     pub(crate) fn chosen_aids(&self) -> impl Iterator<Item = &'static AidInfo> {
         let all = AidInfo::ALL.iter().copied();
-        all.filter(|info| self.aids.contains(&info.key))
+        all.filter(|info| self.aids.iter().any(|key| key == info.key))
     }
 }

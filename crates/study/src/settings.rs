@@ -101,7 +101,7 @@ fn set_aids(run: &mut RunSettings, names: &str) -> Result<(), String> {
     let names = names.split(',').map(str::trim);
     let names = names.filter(|name| !name.is_empty() && *name != "none");
     run.aids = names
-        .map(|name| among(name, &known))
+        .map(|name| among(name, &known).map(str::to_owned))
         .collect::<Result<_, _>>()?;
     Ok(())
 }

@@ -9,7 +9,7 @@ use pilotage_raster::raster::Picture;
 pub struct Frame {
     /// Seconds in the flight's time base.
     pub time: f64,
-    /// File name or number, for people and for the frame source.
+    /// File name or number, for people and for the frame source; empty where there is no picture.
     pub name: String,
     /// Turn of the stored picture against the mount, radians clockwise: π for a picture stored
     /// upside down.

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::map_source::MapSource;
 use super::rehearsed_flight::RehearsedFlight;
+use super::studied_flight::StudiedFlight;
 
 /// Options of a built-in scenario that the user may change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -76,6 +77,8 @@ pub enum FlightSource {
     Nothing,
     /// A planned route, flown in the simulation.
     Rehearsed(Box<RehearsedFlight>),
+    /// A flight of a study, flown once more.
+    Studied(Box<StudiedFlight>),
 }
 
 impl FlightSource {
@@ -92,7 +95,7 @@ impl FlightSource {
         match self {
             Self::Files(key) => Some(key),
             Self::Rehearsed(flight) => flight.map.key(),
-            Self::Simulated(_) | Self::Nothing => None,
+            Self::Simulated(_) | Self::Studied(_) | Self::Nothing => None,
         }
     }
 
@@ -102,7 +105,7 @@ impl FlightSource {
             Self::Simulated(options) => is_small_world(options.world().key()),
             Self::Rehearsed(flight) => flight.map.is_small(),
             Self::Nothing => true,
-            Self::Files(_) => false,
+            Self::Files(_) | Self::Studied(_) => false,
         }
     }
 }

@@ -28,8 +28,8 @@ pub fn open_flight(worker: &mut WorkerState, source: &FlightSource) -> Result<Op
         }
         FlightSource::Rehearsed(flight) => rehearse::open(worker, flight),
         FlightSource::Nothing => Err("no flight is open".to_owned()),
-        FlightSource::Files(_) => {
-            Err("this worker does not open files; load the page again".to_owned())
+        FlightSource::Files(_) | FlightSource::Studied(_) => {
+            Err("this worker does not open such flights; load the page again".to_owned())
         }
     }
 }

@@ -9,7 +9,7 @@ use pilotage_core::mission::{MapOptions, open_map_with};
 
 use super::super::flights::OpenFlight;
 use super::super::worker_state::{MAP_MEMORY, OpenedMap};
-use super::super::{FlightSource, MapSource, WorkerState, opening, tables};
+use super::super::{FlightSource, MapSource, WorkerState, opening, studied, tables};
 use super::flying;
 
 /// Opens a map.
@@ -68,6 +68,7 @@ pub fn open_flight(worker: &mut WorkerState, source: &FlightSource) -> Result<Op
             let open = opening::flight(&files)?;
             Ok(open.ok_or("there is no flight among the files")?)
         }
+        FlightSource::Studied(flight) => studied::open(worker, flight),
         FlightSource::Simulated(_) | FlightSource::Rehearsed(_) | FlightSource::Nothing => {
             flying::open_flight(worker, source)
         }

@@ -1,0 +1,214 @@
+//! A flight of a study by itself, without the plan: whoever flies it need not read plans.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix4, Vector4};
+use pilotage_core::flight::{Channel, ChannelName, Flight};
+use pilotage_core::frames::wrap_pi;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::navigator::{ChosenAid, NavigatorSettings};
+use pilotage_core::plan::{ExpectedDetection, with_walk};
+use pilotage_core::simulate::{Overrides, Scenario, Wind};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use serde::{Deserialize, Serialize};
+
+use super::fault::{as_seen, damage};
+use super::observed::Observed;
+use super::philox::Stream;
+use super::run_settings::RunSettings;
+use super::seeds::Seeds;
+use super::stated_navigation::StatedNavigation;
+
+/// Time between two readings of an aid, seconds, where the aid does not say another.
+const READING_APART: f64 = 1.0;
+
+/// Flight of a study by itself: its settings, and the counter of its random numbers. It is the same to the bit whoever
+/// flies it and when.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyFlight {
+    /// Settings.
+    pub settings: RunSettings,
+    pub(crate) seeds: Seeds,
+}
+
+/// Flight of a study that was flown, ready to be navigated.
+pub struct PreparedFlight {
+    /// The flight, as its instruments measured it.
+    pub flight: Arc<Flight>,
+    /// Settings of the navigator.
+    pub settings: NavigatorSettings,
+    /// Statement of how landmarks are found.
+    pub stated: StatedNavigation,
+}
+
+impl StudyFlight {
+    /// Its scenario, with the height and the mean wind that it has; `None` where there is no such scenario.
+    fn scenario(&self) -> Option<Scenario> {
+        let settings = &self.settings;
+        let mut scenario = Scenario::named(&settings.scenario)?;
+        scenario.height = settings.height.unwrap_or(scenario.height);
+        scenario.wind = Wind {
+            speed: settings.wind_speed.unwrap_or(scenario.wind.speed),
+            from: settings.wind_from.unwrap_or(scenario.wind.from),
+        };
+        Some(scenario)
+    }
+
+    /// The mean wind in which it flies, without what is added by chance.
+    pub fn wind(&self) -> Wind {
+        self.scenario().map_or_else(Wind::default, |own| own.wind)
+    }
+
+    /// Height above ground at which it flies, metres; `None` where there is no such scenario.
+    pub fn height(&self) -> Option<f64> {
+        Some(self.scenario()?.height)
+    }
+
+    /// Settings of its navigator; `None` where there is no such scenario.
+    pub fn navigator(&self) -> Option<NavigatorSettings> {
+        let mut scenario = self.scenario()?;
+        if self.settings.wind_scatter > 0.0 {
+            // Any wind: where none is expected, the filter of a scenario takes calm air for granted.
+            scenario.wind.speed = scenario.wind.speed.max(self.settings.wind_scatter);
+        }
+        Some(self.navigation(&scenario))
+    }
+
+    /// Settings of the navigator: as in the scenario, where the run says no other.
+    fn navigation(&self, scenario: &Scenario) -> NavigatorSettings {
+        let of_run = &self.settings;
+        let told = if of_run.is_told {
+            of_run.sensors
+        } else {
+            RunSettings::default().sensors
+        };
+        let mut settings = scenario.navigator(&told);
+        settings.vehicle = of_run.vehicle.unwrap_or(settings.vehicle);
+        settings.estimator.choice = of_run.estimator;
+        settings.estimator.particles.seed = self.seeds.of(Stream::Estimator);
+        settings.start.wind = of_run.start_wind.unwrap_or(settings.start.wind);
+        settings.alpha = of_run.alpha.unwrap_or(settings.alpha);
+        settings.gate_confidence = of_run.gate.unwrap_or(settings.gate_confidence);
+        settings.measurement_scale = of_run.measurement_scale;
+        settings.shortest_step = of_run.step;
+        // Aids of the scenario look at pictures.
+        let aids = of_run.aids.iter();
+        settings.aids = aids.map(|key| ChosenAid::usual(key)).collect();
+        settings
+    }
+
+    /// Flies it, as far as to be navigated; `None` where it cannot begin.
+    pub fn prepare(&self) -> Option<PreparedFlight> {
+        let scenario = self.scenario()?;
+        let settings = &self.settings;
+        let overrides = Overrides {
+            sensors: Some(settings.sensors),
+            ..Overrides::default()
+        };
+        let mut plan = scenario.plan(&overrides);
+        plan.longest = settings.seconds;
+        if settings.wind_scatter > 0.0 {
+            plan = plan.in_wind_of(self.seeds.of(Stream::Wind), settings.wind_scatter);
+        }
+        let mut flight = plan.simulate(self.seeds.of(Stream::Flight))?;
+        for (instrument, deviation) in &settings.walks {
+            // The errors of two instruments walk each by itself.
+            let seed = self.seeds.of(Stream::Walk) ^ *instrument as u64;
+            flight = with_walk(flight, *instrument, *deviation, seed);
+        }
+        self.read_aids(&mut flight);
+        damage(&mut flight, settings);
+        let deviations = Vector4::new(settings.place, settings.place, settings.turn, settings.turn);
+        Some(PreparedFlight {
+            settings: self.navigator()?,
+            stated: StatedNavigation {
+                seen: as_seen(&flight, settings).map(Arc::new),
+                expected: ExpectedDetection {
+                    recognised: settings.recognised,
+                    per_frame: settings.per_frame,
+                    covariance: Matrix4::from_diagonal(
+                        &deviations.map(|deviation| deviation * deviation),
+                    ),
+                },
+                seed: self.seeds.of(Stream::Detection),
+                is_trusting: !settings.doubts,
+            },
+            flight: Arc::new(flight),
+        })
+    }
+
+    /// Gives the flight the channels of the chosen aids: the truth with the error that the aid takes for granted.
+    fn read_aids(&self, flight: &mut Flight) {
+        let Some(truth) = flight.truth.clone() else {
+            return;
+        };
+        for info in self.settings.chosen_aids() {
+            let of = |key: &str| info.numbers.iter().find(|number| number.key == key);
+            let noise = of("noise").map_or(0.0, |number| number.usual);
+            let apart = of("apart").map_or(READING_APART, |number| number.usual);
+            let per_reading = (apart / 0.05).round().max(1.0) as usize;
+            for name in info.channels {
+                let seed = self.seeds.of(Stream::Aid) ^ *name as u64;
+                let mut random = ChaCha8Rng::seed_from_u64(seed);
+                let readings = (0..truth.states.len()).step_by(per_reading);
+                let (times, values) = readings
+                    .filter_map(|index| {
+                        let state = &truth.states[index];
+                        let next = truth.states.get(index + 1)?;
+                        let moved = (next.position - state.position) / (next.time - state.time);
+                        let error: f64 = StandardNormal.sample(&mut random);
+                        let value = match name {
+                            ChannelName::GpsNorth => state.position.x,
+                            ChannelName::GpsEast => state.position.y,
+                            ChannelName::GpsVelocityNorth => moved.x,
+                            ChannelName::GpsVelocityEast => moved.y,
+                            ChannelName::MagneticHeading => state.attitude?.yaw,
+                            _ => return None,
+                        };
+                        let value = value + noise * error;
+                        let value = if name.is_angle() {
+                            wrap_pi(value)
+                        } else {
+                            value
+                        };
+                        Some((state.time, value))
+                    })
+                    .unzip();
+                flight.channels.push(Channel {
+                    name: *name,
+                    times,
+                    values,
+                });
+            }
+        }
+    }
+
+    /// Flies and navigates it by these landmarks, and observes it; nothing is observed of a flight that the filter gives
+    /// up.
+    pub(crate) fn observe(&self, landmarks: &[Landmark]) -> Observed {
+        let Some(prepared) = self.prepare() else {
+            return Observed::default();
+        };
+        let (flight, settings) = (&prepared.flight, &prepared.settings);
+        let Ok((mut navigator, mut frames)) = prepared.stated.begin(flight, landmarks, settings)
+        else {
+            return Observed::default();
+        };
+        let mut observed = Observed::of(navigator.run_head());
+        while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+            let Ok(step) = step else {
+                return Observed::default();
+            };
+            observed.take(flight, &step);
+        }
+        observed
+    }
+
+    /// Flies and navigates it by these landmarks; its numbers of all kinds, in the order of
+    /// [`MeasureKind::ALL`](super::MeasureKind::ALL), `None` where there is no such number.
+    pub fn numbers(&self, landmarks: &[Landmark]) -> Vec<Option<f64>> {
+        self.observe(landmarks).numbers()
+    }
+}
