@@ -107,6 +107,8 @@ pub enum FlightWish {
     Nothing,
     /// A flight, over this map, with the mission that is open.
     Open(Box<(FlightSource, MapSource)>),
+    /// A flight, over this map, with the mission that comes with it.
+    Own(Box<(FlightSource, MapSource)>),
     /// A flight of files, over this map.
     Read(Box<(FlightFiles, MapSource)>),
 }
@@ -287,6 +289,11 @@ impl FeatureContext<'_> {
     /// Flies a flight over `map` with the mission that is open.
     pub fn fly_over(&mut self, flight: FlightSource, map: MapSource) {
         self.wishes.flight = Some(FlightWish::Open(Box::new((flight, map))));
+    }
+
+    /// Flies a flight over `map` with the mission that comes with it.
+    pub fn fly_own(&mut self, flight: FlightSource, map: MapSource) {
+        self.wishes.flight = Some(FlightWish::Own(Box::new((flight, map))));
     }
 
     /// Gives the workers files, and has the browser keep them for the next visit.

@@ -7,6 +7,9 @@ use std::sync::Arc;
 /// Identity of a feature: a short word that no other has.
 pub type FeatureId = &'static str;
 
+/// Identity of the feature that flies studies, which dialogs offer.
+pub const STUDIES: FeatureId = "study";
+
 /// Action of a feature, which the app passes on without knowing it.
 pub trait FeatureAction: Any + Send + Sync {
     /// Whether it is the same as `other`.

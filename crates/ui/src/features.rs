@@ -21,6 +21,7 @@ use crate::plan::Planner;
 use crate::roads::Roads;
 use crate::screenshot::Screenshot;
 use crate::shell::catalog::{self, CommandEntry};
+use crate::study::StudyFeature;
 use crate::web_map::WebMapFeature;
 
 /// Every feature, as it is when the app starts.
@@ -42,6 +43,7 @@ pub fn all() -> Vec<Box<dyn Feature>> {
         Box::new(LogFeature::default()),
         Box::new(Compare::default()),
         Box::new(Outages::default()),
+        Box::new(StudyFeature::default()),
         Box::new(CameraLogFeature::default()),
         Box::new(WebMapFeature::default()),
         Box::<GoTo>::default(),
@@ -116,6 +118,7 @@ mod tests {
             ("waypoint", "Way-point in the middle of the map"),
             ("kalman", "Filter settings"),
             ("rehersal", "Stop the rehearsal"),
+            ("monte carlo", "Fly a study: many flights…"),
         ] {
             let scores = entries.iter().filter_map(|it| {
                 let score = crate::shell::search::by_words(query, &it.label, it.also)?;

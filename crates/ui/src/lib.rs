@@ -37,6 +37,7 @@ pub mod shell;
 pub mod short_map;
 mod state_json;
 pub mod still;
+pub mod study;
 pub mod timeline;
 pub mod tokens;
 pub mod units;

@@ -151,6 +151,7 @@ const UI: Order = Order {
         "camera_log",
         "compare",
         "outage",
+        "study",
         "measure",
         "roads",
         "screenshot",

@@ -12,7 +12,7 @@ use crate::{
 
 /// Packages whose part of the page some journeys walk through: those journeys export its name among their
 /// tags. Whatever else the page is made of, all journeys can notice.
-const TAGS: [&str; 5] = ["readers", "maps", "plan", "training", "lessons"];
+const TAGS: [&str; 6] = ["readers", "maps", "plan", "training", "lessons", "study"];
 /// The packages that the page is.
 const PAGE: [&str; 7] = [
     "pilotage-jobs",

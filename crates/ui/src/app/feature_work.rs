@@ -101,6 +101,10 @@ impl App {
                 let mission = Some(self.documents.mission.clone());
                 self.fly_new(egui, host, flight, map, mission);
             }
+            Some(FlightWish::Own(own)) => {
+                let (flight, map) = *own;
+                self.fly_new(egui, host, flight, map, None);
+            }
             Some(FlightWish::Read(read)) => self.fly_read(*read, egui, host),
             None => {}
         }

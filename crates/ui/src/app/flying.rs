@@ -255,7 +255,7 @@ impl App {
         let is_whole = match &self.documents.flight_source {
             FlightSource::Simulated(options) => options.world().is_shown_whole(),
             FlightSource::Files(_) => true,
-            FlightSource::Rehearsed(_) | FlightSource::Nothing => false,
+            FlightSource::Rehearsed(_) | FlightSource::Studied(_) | FlightSource::Nothing => false,
         };
         self.map_work.fits_flight = is_whole && self.documents.map.is_none();
         if is_whole {

@@ -141,7 +141,7 @@ pub fn do_without(
             FlightSource::Simulated(options) => documents.map_source = options.map(),
             FlightSource::Files(key) => documents.map_source = MapSource::Files(key.clone()),
             // The plan keeps the name of its map: nothing else lies there.
-            FlightSource::Rehearsed(_) | FlightSource::Nothing => {}
+            FlightSource::Rehearsed(_) | FlightSource::Studied(_) | FlightSource::Nothing => {}
         }
     }
     if is_gone(documents.terrain.key()) {

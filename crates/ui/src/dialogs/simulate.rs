@@ -4,6 +4,7 @@ use egui::{DragValue, Frame, Id, Modal, RichText, Ui};
 use pilotage_core::simulate::SimulationChoice;
 
 use crate::command::Command;
+use crate::feature_command::{FeatureCommand, STUDIES};
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -138,6 +139,14 @@ impl SimulateDialog {
                         close = true;
                     }
                     ui.label(muted(tokens, "Replaces the current flight."));
+                });
+                ui.horizontal(|ui| {
+                    if text_button(ui, tokens, None, "A study: many flights…", false).clicked() {
+                        commands.push(Command::Feature(FeatureCommand::show(STUDIES)));
+                        close = true;
+                    }
+                    let words = "Flown many times, with one thing changed.";
+                    ui.label(muted(tokens, words));
                 });
                 close
             });

@@ -146,9 +146,12 @@ impl Documents {
         }
     }
 
-    /// Settings of the navigator as they are made for the flight: a scenario's own, else the default.
+    /// Settings of the navigator as they are made for the flight: those of its scenario or study, else the default.
     pub fn usual_navigator(&self) -> NavigatorSettings {
         let choice = match &self.flight_source {
+            FlightSource::Studied(studied) => {
+                return studied.flight.navigator().unwrap_or_default();
+            }
             FlightSource::Simulated(options) => SimulationChoice::named(&options.scenario),
             FlightSource::Files(_) | FlightSource::Rehearsed(_) | FlightSource::Nothing => None,
         };
@@ -170,6 +173,9 @@ impl Documents {
             }
             FlightSource::Rehearsed(flight) => {
                 format!("{} · rehearsal, seed {}", flight.name, flight.seed)
+            }
+            FlightSource::Studied(flight) => {
+                format!("Run {} of the study “{}”", flight.run, flight.study)
             }
             FlightSource::Nothing => self.mission.name.clone(),
             FlightSource::Files(_) => self

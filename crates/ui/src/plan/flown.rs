@@ -38,6 +38,7 @@ pub fn flight_wind(documents: &Documents) -> Wind {
     match &documents.flight_source {
         FlightSource::Simulated(options) => scenario_wind(options),
         FlightSource::Rehearsed(flight) => flight.path.wind,
+        FlightSource::Studied(studied) => studied.flight.wind(),
         FlightSource::Files(_) | FlightSource::Nothing => Wind::default(),
     }
 }
@@ -205,6 +206,7 @@ pub fn usual_altitude(documents: &Documents) -> Altitude {
             .height
             .or_else(|| Some(SimulationChoice::named(&options.scenario)?.height)),
         FlightSource::Rehearsed(flight) => Some(flight.path.height),
+        FlightSource::Studied(studied) => studied.flight.height(),
         FlightSource::Files(_) | FlightSource::Nothing => None,
     };
     Altitude::new(flown.unwrap_or(USUAL_HEIGHT), AltitudeFrame::AboveGround)

@@ -49,6 +49,7 @@ mod scrub;
 mod select_span;
 mod settings;
 mod simulate;
+mod study;
 mod tables;
 mod top_bar;
 mod tour;

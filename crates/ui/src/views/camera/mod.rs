@@ -7,6 +7,7 @@ mod placement;
 mod sightings;
 
 use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
+use pilotage_core::flight::Frame;
 use pilotage_core::navigator::{FrameReport, Run, SightingReport};
 
 use super::{parts, picking, sighted};
@@ -158,7 +159,9 @@ impl CameraView {
             painter.text(
                 placement.rect.center(),
                 egui::Align2::CENTER_CENTER,
-                self.cache.trouble().unwrap_or("The picture is on its way."),
+                self.cache
+                    .trouble()
+                    .unwrap_or(lacking(&flight.frames[index])),
                 parts::normal(tokens),
                 tokens.muted,
             );
@@ -251,6 +254,15 @@ fn nearest(
         .filter(|(distance, _)| *distance <= REACH)
         .min_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, landmark)| landmark)
+}
+
+/// Words in the place of a picture that is not there, or not yet.
+fn lacking(frame: &Frame) -> &'static str {
+    if frame.name.is_empty() {
+        "No picture: flights of studies are flown without a camera."
+    } else {
+        "The picture is on its way."
+    }
 }
 
 /// Description of the picture in a line, for those who do not see it.

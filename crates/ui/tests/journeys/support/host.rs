@@ -28,6 +28,7 @@ use pilotage_ui::host::{Host, OpenedFile};
 
 use super::flight::{flight, mission, run, run_head};
 use super::laid::{Laying, early_flight, lay_frames};
+use super::real::{Studies, is_real};
 use super::tile::tile;
 
 /// Fate of work that nobody asked for.
@@ -123,6 +124,8 @@ pub struct ScriptedHost {
     pub silent_flights: bool,
     /// Leave contests of all estimators without an answer.
     pub silent_contests: bool,
+    /// Fate of the flights of studies.
+    pub studies: Studies,
     /// Error that is told of opened files.
     pub opening_fails: Option<String>,
     /// Contents of opened files.
@@ -131,25 +134,6 @@ pub struct ScriptedHost {
     pub really_open: bool,
     /// Height of the ground in the elevation model that is opened, metres.
     pub heights: Option<fn(&GroundPoint) -> f64>,
-}
-
-/// Whether a job is really done.
-fn is_real(job: &Job) -> bool {
-    matches!(
-        job,
-        Job::ReadLog(_)
-            | Job::MakeFlight(_)
-            | Job::LogSeries(_)
-            | Job::AskLog(_)
-            | Job::Calibrate(_)
-            | Job::LayPhotos(_)
-            | Job::DrapePhoto(_)
-            | Job::Find(_)
-            | Job::Pack(_)
-            | Job::Export(_)
-            | Job::Smooth(_)
-            | Job::Rehearse(_)
-    )
 }
 
 /// Events of a match that is to be explained: pictures, or that a trained detector's are gone.
@@ -320,6 +304,9 @@ impl ScriptedHost {
             && self.is_invented(key)
         {
             return self.invent_log(id, file);
+        }
+        if self.studies == Studies::Left && matches!(job, Job::StudyFlights(_)) {
+            return;
         }
         if is_real(job) || self.is_of_a_log(job) {
             return self.carry_out(id, job);

@@ -7,6 +7,7 @@ pub mod harness;
 pub mod host;
 pub mod inline;
 pub mod laid;
+pub mod real;
 pub mod tile;
 
 pub use harness::{Rig, rig, rig_on};

@@ -1,0 +1,156 @@
+//! The form in which a study is chosen, and its plan as text.
+
+use egui::{DragValue, Id, Label, RichText, TextEdit, Ui};
+use pilotage_study::{SHIPPED_PLANS, StudyPlan};
+
+use super::command::StudyCommand;
+use super::draft::{DRAWS, StudyDraft};
+use crate::context::ViewContext;
+use crate::shell::icons::Icon;
+use crate::shell::{caption, muted, text_button};
+use crate::views::parts;
+
+/// Wall-clock time per second of flight before any study was flown, milliseconds of all workers together.
+pub const USUAL_PACE: f64 = 1.0;
+
+/// A time that people wait, in words.
+pub fn wait(milliseconds: f64) -> String {
+    let seconds = 1e-3 * milliseconds;
+    if seconds < 90.0 {
+        format!("{:.0} s", seconds.ceil().max(1.0))
+    } else {
+        format!("{:.0} min", (seconds / 60.0).ceil())
+    }
+}
+
+/// Draws the form. `pace` is the time per second of flight, milliseconds.
+pub(super) fn form(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    draft: &mut StudyDraft,
+    questions: &[String],
+    pace: f64,
+) {
+    let tokens = context.tokens;
+    caption(ui, tokens, "Question");
+    for (number, question) in questions.iter().enumerate() {
+        let is_chosen = draft.chosen() == Some(number);
+        let text = RichText::new(question.as_str());
+        if ui.radio(is_chosen, text).clicked() && !is_chosen {
+            *draft = StudyDraft::shipped(number);
+        }
+    }
+    if draft.chosen().is_none() {
+        let _ = ui.radio(true, "Your own plan, below");
+    }
+    flights(ui, context, draft);
+    parts::section(ui, tokens, "The plan as text (TOML)", false, |ui| {
+        plan_text(ui, context, draft);
+    });
+    if let Some(why) = draft.refusal() {
+        let text = RichText::new(why).color(tokens.warning);
+        ui.add(Label::new(text).wrap());
+    }
+    start(ui, context, draft, pace);
+}
+
+/// Draws how often each setting is flown.
+fn flights(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut StudyDraft) {
+    let tokens = context.tokens;
+    let counts = draft.plan().ok().map(|plan| (plan.cells(), plan.draws));
+    ui.horizontal_wrapped(|ui| {
+        let label = ui.label("Flights of each setting");
+        let Some((cells, draws)) = counts else {
+            ui.label(muted(tokens, "once the plan can be read"));
+            return;
+        };
+        let mut count = draws;
+        let range = *DRAWS.start()..=(*DRAWS.end()).max(draws);
+        let field = ui.add(DragValue::new(&mut count).range(range).speed(1.0));
+        if field.labelled_by(label.id).changed() {
+            draft.set_draws(count);
+        }
+        let settings = if cells == 1 {
+            "1 setting".to_owned()
+        } else {
+            format!("{cells} settings")
+        };
+        ui.label(muted(tokens, format!("× {settings}")));
+    });
+}
+
+fn plan_text(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut StudyDraft) {
+    let tokens = context.tokens;
+    let words = "What is crossed is compared; what is drawn is new in each flight. Change it, or paste a plan of yours.";
+    ui.add(Label::new(muted(tokens, words)).wrap());
+    let mut text = draft.text().to_owned();
+    // What stands above it comes and goes while people write.
+    let field = TextEdit::multiline(&mut text)
+        .id(Id::unique("plan of the study"))
+        .desired_rows(12)
+        .desired_width(f32::INFINITY)
+        .font(tokens.small());
+    if ui.add(field).accessible_name("Plan of the study").changed() {
+        *draft = StudyDraft::written(text);
+    }
+}
+
+fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f64) {
+    let tokens = context.tokens;
+    let is_fine = draft.refusal().is_none();
+    ui.horizontal_wrapped(|ui| {
+        let flights = draft.plan().map_or(0, StudyPlan::runs);
+        ui.add_enabled_ui(is_fine, |ui| {
+            let label = if is_fine {
+                format!("Fly {flights} flights")
+            } else {
+                "Fly".to_owned()
+            };
+            if text_button(ui, tokens, Some(Icon::Play), &label, true).clicked() {
+                context.commands.push(StudyCommand::Start.into());
+            }
+        });
+        if is_fine {
+            let words = format!("about {}", wait(pace * draft.flown_seconds()));
+            ui.label(muted(tokens, words));
+        }
+        if draft.plan().is_ok() && text_button(ui, tokens, None, "Save plan", false).clicked() {
+            context.commands.push(StudyCommand::SavePlan.into());
+        }
+    });
+    if draft.plan().is_ok_and(|plan| plan.stop.is_some()) {
+        let words =
+            "The plan's rule to stop early is for the terminal: here all flights are flown.";
+        ui.add(Label::new(muted(tokens, words)).wrap());
+    }
+    let name = draft.plan().map_or("PLAN", |plan| plan.name.as_str());
+    let words = format!(
+        "More flights, on all cores or a cluster: save the plan, and on the terminal: pilotage study {name}.toml"
+    );
+    ui.add(Label::new(muted(tokens, words)).wrap());
+}
+
+/// Questions of the plans that come with the program.
+pub fn questions() -> Vec<String> {
+    let plans = SHIPPED_PLANS.iter().map(|text| StudyPlan::read(text));
+    plans.filter_map(|plan| Some(plan.ok()?.question)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_plan_that_comes_with_the_program_asks_a_question() {
+        assert_eq!(questions().len(), SHIPPED_PLANS.len());
+        assert!(questions().iter().all(|question| question.ends_with('?')));
+    }
+
+    #[test]
+    fn waits_are_told_in_whole_seconds_or_minutes() {
+        assert_eq!(
+            [wait(20.0), wait(11_200.0), wait(100_000.0)],
+            ["1 s", "12 s", "2 min"]
+        );
+    }
+}

@@ -1,0 +1,204 @@
+//! Small studies in the page: the same flight flown many times with one thing changed, and its failures in Replay.
+
+mod chart;
+mod command;
+mod draft;
+mod failed;
+mod form;
+mod grouping;
+mod outcome;
+mod panel;
+mod results;
+mod under_way;
+
+use egui::Ui;
+use pilotage_core::simulate::SimulationChoice;
+use pilotage_jobs::{FlightSource, JobEvent, JobId, MapSource};
+use pilotage_study::{MeasureKind, StudyPlan};
+use serde_json::{Value, json};
+
+use crate::command::{Command, Workspace};
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::feature_command::STUDIES;
+use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
+
+use grouping::StudyBy;
+use outcome::StudyOutcome;
+use panel::{StudySheet, open_run};
+use under_way::StudyUnderWay;
+
+pub use command::StudyCommand;
+
+/// Description of the feature.
+const INFO: FeatureInfo = FeatureInfo {
+    id: STUDIES,
+    tab: "Study",
+    place: FeaturePlace::Sheet,
+    commands,
+};
+
+fn commands() -> Vec<CommandEntry> {
+    let of = |label, command: StudyCommand| {
+        entry(CommandGroup::Document, label, Vec::new(), command.into())
+    };
+    vec![
+        of("Fly a study: many flights…", StudyCommand::Show)
+            .also("monte carlo simulate statistics sweep vary parameters sensitivity reliability nees experiment batch")
+            .under(BarMenu::Open),
+        of("Stop the study", StudyCommand::Stop).also("cancel monte carlo"),
+    ]
+}
+
+/// Studies.
+#[derive(Default)]
+pub struct StudyFeature {
+    sheet: StudySheet,
+    study: Option<StudyUnderWay>,
+    words: String,
+}
+
+impl StudyFeature {
+    fn start(&mut self, context: &mut FeatureContext<'_>) {
+        if self.sheet.draft.refusal().is_some() {
+            return;
+        }
+        let Ok(plan) = self.sheet.draft.plan() else {
+            return;
+        };
+        let plan = plan.clone();
+        self.stop_study(context);
+        self.sheet.forget();
+        self.study = Some(StudyUnderWay::begin(plan, context));
+        self.tell();
+        context.show();
+    }
+
+    fn stop_study(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        self.study.as_mut().is_some_and(|study| study.stop(context))
+    }
+
+    /// Puts into words how far it is.
+    fn tell(&mut self) {
+        if let Some(study) = &self.study {
+            self.words = format!("Flying {} of {}", study.flown(), study.plan().runs());
+        }
+    }
+
+    fn save_plan(&self, context: &mut FeatureContext<'_>) {
+        if let Ok(plan) = self.sheet.draft.plan() {
+            let name = format!("{}.toml", plan.name);
+            context
+                .host
+                .save_file(&name, self.sheet.draft.text().as_bytes());
+        }
+    }
+
+    /// Flies a run once more, in Replay.
+    fn open(&self, run: u64, context: &mut FeatureContext<'_>) {
+        let Some(studied) = self.study.as_ref().and_then(|study| study.flight(run)) else {
+            return;
+        };
+        let scenario = &studied.flight.settings.scenario;
+        let map = SimulationChoice::named(scenario).map_or(MapSource::Nothing, |choice| {
+            MapSource::world(choice.world.key())
+        });
+        context.fly_own(FlightSource::Studied(Box::new(studied)), map);
+        context.ask(Command::ShowWorkspace(Workspace::Replay));
+    }
+}
+
+impl Feature for StudyFeature {
+    fn info(&self) -> &'static FeatureInfo {
+        &INFO
+    }
+
+    fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
+        let Some(command) = command.action::<StudyCommand>() else {
+            return false;
+        };
+        match *command {
+            StudyCommand::Show => context.show(),
+            StudyCommand::Close => context.hide(),
+            StudyCommand::Start => self.start(context),
+            StudyCommand::Stop => {
+                self.stop_study(context);
+            }
+            StudyCommand::SavePlan => self.save_plan(context),
+            StudyCommand::Open(run) => self.open(run, context),
+        }
+        true
+    }
+
+    fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
+        self.sheet.show(ui, context, self.study.as_ref(), documents);
+    }
+
+    fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+        let Some(study) = &mut self.study else { return };
+        if !study.receive(job, &event, context) {
+            return;
+        }
+        if !study.is_under_way()
+            && let (Some(pace), flown) = (study.pace(), self.sheet.draft.flown_seconds())
+            && let Ok(plan) = self.sheet.draft.plan()
+            && plan == study.plan()
+        {
+            self.sheet.pace = Some(pace * plan.runs() as f64 / flown.max(1.0));
+        }
+        self.tell();
+    }
+
+    fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        self.stop_study(context)
+    }
+
+    fn progress(&self) -> Option<(f32, &str)> {
+        let study = self.study.as_ref().filter(|study| study.is_under_way())?;
+        Some((study.progress(), self.words.as_str()))
+    }
+
+    fn state(&self, documents: &Documents) -> Value {
+        let draft = &self.sheet.draft;
+        let refusal = draft.refusal();
+        let study = self.study.as_ref().map(|study| {
+            let outcome = StudyOutcome::of(study, MeasureKind::ErrorRms, StudyBy::Compared);
+            let settings = outcome.settings.iter().map(|own| {
+                json!({
+                    "label": own.label,
+                    "flights": own.flights,
+                    "quantiles": own.error.map(|error| error.quantiles),
+                    "inside": own.inside,
+                    "interval": own.interval,
+                    "time_inside": own.time_inside,
+                })
+            });
+            let failed = outcome.failed.iter().map(|run| {
+                json!({
+                    "run": run.run,
+                    "largest": run.largest,
+                    "rms": run.rms,
+                    "inside": run.inside,
+                    "why": run.why,
+                })
+            });
+            json!({
+                "name": study.plan().name,
+                "flights": study.plan().runs(),
+                "flown": study.flown(),
+                "under_way": study.is_under_way(),
+                "trouble": study.trouble(),
+                "settings": settings.collect::<Vec<_>>(),
+                "failed": failed.collect::<Vec<_>>(),
+                "open": open_run(study, documents),
+            })
+        });
+        json!({
+            "chosen": draft.chosen(),
+            "flights": draft.plan().map(StudyPlan::runs).ok(),
+            "refusal": refusal,
+            "study": study,
+        })
+    }
+}

@@ -1,0 +1,241 @@
+//! Outcome of a study so far: errors and reliability by setting, and the flights that failed.
+
+use pilotage_core::filter::quantile;
+use pilotage_core::training::evaluation::wilson;
+use pilotage_study::{MeasureKind, StudyPlan};
+
+use super::grouping::{FlightGroups, StudyBy, compared};
+use super::under_way::StudyUnderWay;
+
+/// Share of the truth that an honest 95 % ellipse holds.
+pub const PROMISED: f64 = 0.95;
+/// Share of the time in the ellipse below which a flight failed.
+const LEAST_INSIDE: f64 = 0.5;
+/// Standard normal value of 97.5 %.
+const NORMAL: f64 = 1.959_964;
+
+/// Errors of the flights of a setting: quantiles, in SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorSpread {
+    /// 5 %, 25 %, 50 %, 75 % and 95 %.
+    pub quantiles: [f64; 5],
+    /// 95 % interval of the median, by the binomial law of ranks.
+    pub median: [f64; 2],
+}
+
+impl ErrorSpread {
+    fn of(mut values: Vec<f64>) -> Option<Self> {
+        values.sort_by(f64::total_cmp);
+        let at = |share: f64| quantile(&values, share.clamp(0.0, 1.0));
+        let margin = NORMAL * 0.5 / (values.len() as f64).sqrt();
+        let mut quantiles = [0.0; 5];
+        for (value, share) in quantiles.iter_mut().zip([0.05, 0.25, 0.5, 0.75, 0.95]) {
+            *value = at(share)?;
+        }
+        Some(Self {
+            quantiles,
+            median: [at(0.5 - margin)?, at(0.5 + margin)?],
+        })
+    }
+}
+
+/// Flights of one setting.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SettingOutcome {
+    /// Setting in words.
+    pub label: String,
+    /// Flights that were flown.
+    pub flights: usize,
+    /// Their errors; `None` where none has any.
+    pub error: Option<ErrorSpread>,
+    /// Flights at whose end the truth lay in the 95 % ellipse, of those that came to their end.
+    pub inside: [usize; 2],
+    /// Wilson's 95 % interval of that share.
+    pub interval: [f64; 2],
+    /// Mean share of the time in which the truth lay in the ellipse.
+    pub time_inside: Option<f64>,
+}
+
+impl SettingOutcome {
+    /// Share of the flights at whose end the truth lay in the ellipse.
+    pub fn share(&self) -> Option<f64> {
+        let [inside, of] = self.inside;
+        (of > 0).then(|| inside as f64 / of as f64)
+    }
+
+    /// Whether the filter believes too much, beyond chance.
+    pub fn is_too_sure(&self) -> bool {
+        self.inside[1] > 0 && self.interval[1] < PROMISED
+    }
+}
+
+/// Flight that failed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FailedRun {
+    /// Number of the run.
+    pub run: u64,
+    /// Values that are compared, in words.
+    pub setting: String,
+    /// Largest error, metres; `None` of a flight that the filter gave up.
+    pub largest: Option<f64>,
+    /// Root mean square error, metres.
+    pub rms: Option<f64>,
+    /// Share of the time in which the truth lay in the 95 % ellipse.
+    pub inside: Option<f64>,
+    /// Why it failed, in words.
+    pub why: String,
+}
+
+/// Outcome of a study so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StudyOutcome {
+    /// Setting by setting, in the order of the plan or of their size.
+    pub settings: Vec<SettingOutcome>,
+    /// Flights that failed, in the order of their runs.
+    pub failed: Vec<FailedRun>,
+}
+
+impl StudyOutcome {
+    /// Outcome of what was flown, with errors of a kind, by a setting.
+    pub fn of(study: &StudyUnderWay, error: MeasureKind, by: StudyBy) -> Self {
+        let plan = study.plan();
+        let groups = FlightGroups::of(study, by);
+        let mut tallies = vec![SettingTally::default(); groups.labels.len()];
+        let mut failed = Vec::new();
+        for ((run, numbers), group) in study.rows().zip(&groups.of) {
+            if let Some(tally) = tallies.get_mut(*group) {
+                tally.take(numbers, error);
+            }
+            failed.extend(failure(plan, numbers).map(|why| FailedRun {
+                run,
+                setting: compared(study, run % plan.cells()),
+                largest: MeasureKind::ErrorMax.among(numbers),
+                rms: MeasureKind::ErrorRms.among(numbers),
+                inside: MeasureKind::Inside.among(numbers),
+                why,
+            }));
+        }
+        let settings = groups.labels.into_iter().zip(tallies);
+        Self {
+            settings: settings
+                .map(|(label, tally)| tally.outcome(label))
+                .collect(),
+            failed,
+        }
+    }
+}
+
+/// Flights of a setting, counted.
+#[derive(Clone, Default)]
+struct SettingTally {
+    flights: usize,
+    errors: Vec<f64>,
+    inside: [usize; 2],
+    /// Sum of the shares of the time, and their number.
+    time: (f64, f64),
+}
+
+impl SettingTally {
+    fn take(&mut self, numbers: &[Option<f64>], error: MeasureKind) {
+        self.flights += 1;
+        self.errors.extend(error.among(numbers));
+        if let Some(is_inside) = MeasureKind::InsideAtEnd.among(numbers) {
+            self.inside[0] += usize::from(is_inside > 0.5);
+            self.inside[1] += 1;
+        }
+        if let Some(share) = MeasureKind::Inside.among(numbers) {
+            self.time.0 += share;
+            self.time.1 += 1.0;
+        }
+    }
+
+    fn outcome(self, label: String) -> SettingOutcome {
+        let [inside, of] = self.inside;
+        let (sum, count) = self.time;
+        SettingOutcome {
+            label,
+            flights: self.flights,
+            error: ErrorSpread::of(self.errors),
+            inside: self.inside,
+            interval: wilson(inside as f64, of as f64).into(),
+            time_inside: (count > 0.0).then(|| sum / count),
+        }
+    }
+}
+
+/// Why a flight failed, in words; `None` if it did not: the filter gave up, an error passed a limit of the plan, or the
+/// truth lay outside of the 95 % ellipse for more than half of the time.
+fn failure(plan: &StudyPlan, numbers: &[Option<f64>]) -> Option<String> {
+    if MeasureKind::Finished.among(numbers) != Some(1.0) {
+        return Some("the filter gave up".to_owned());
+    }
+    let mut why = Vec::new();
+    for measure in plan.measure.iter().filter(|m| m.at_most.is_some()) {
+        let is_error = !measure.of.unit().is_empty();
+        if is_error && measure.judged(measure.of.among(numbers)) == Some(0.0) {
+            why.push(format!("not {}", measure.name()));
+        }
+    }
+    let inside = MeasureKind::Inside.among(numbers).unwrap_or(0.0);
+    if inside < LEAST_INSIDE {
+        why.push("mostly outside its ellipse".to_owned());
+    }
+    (!why.is_empty()).then(|| why.join("; "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_spread_of_errors_is_that_of_the_sorted_flights() {
+        let values = (0..101).rev().map(f64::from).collect();
+        let spread = ErrorSpread::of(values).unwrap();
+        let expected = [5.0, 25.0, 50.0, 75.0, 95.0];
+        for (value, expected) in spread.quantiles.into_iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-9);
+        }
+        // Ranks within 1.96 times half the root of the number, about 10 of 101.
+        let [low, high] = spread.median;
+        assert!(
+            (low - 40.2).abs() < 0.1 && (high - 59.8).abs() < 0.1,
+            "{low} {high}"
+        );
+        assert_eq!(ErrorSpread::of(Vec::new()), None);
+    }
+
+    #[test]
+    fn a_flight_fails_by_what_the_plan_says_or_by_an_ellipse_that_is_mostly_wrong() {
+        let plan = StudyPlan::read(
+            r#"
+            name = "test"
+            question = "?"
+            draws = 1
+            measure = [{ of = "error-max", name = "within 20 m", at_most = 20 }]
+            "#,
+        )
+        .unwrap();
+        let numbers = |finished: f64, largest: f64, inside: f64| {
+            MeasureKind::ALL
+                .map(|kind| match kind {
+                    MeasureKind::Finished => Some(finished),
+                    MeasureKind::ErrorMax => Some(largest),
+                    MeasureKind::Inside => Some(inside),
+                    _ => None,
+                })
+                .to_vec()
+        };
+        let why = |numbers: Vec<Option<f64>>| failure(&plan, &numbers);
+        assert_eq!(why(numbers(1.0, 19.0, 0.6)), None);
+        assert_eq!(
+            why(numbers(1.0, 21.0, 0.9)),
+            Some("not within 20 m".to_owned())
+        );
+        let both = why(numbers(1.0, 21.0, 0.2)).unwrap();
+        assert_eq!(both, "not within 20 m; mostly outside its ellipse");
+        assert_eq!(
+            why(numbers(0.0, 1.0, 1.0)),
+            Some("the filter gave up".to_owned())
+        );
+    }
+}
