@@ -1,6 +1,7 @@
-//! `pilotage roads`: road maps read, printed, put into missions, written, compared; flights by them.
+//! `pilotage roads`: road maps read, printed, put into missions, written, compared; flights by them, places on them.
 
 mod fly;
+mod lost;
 mod source;
 
 use std::path::PathBuf;
@@ -62,6 +63,8 @@ enum Task {
     },
     /// Fly a scenario by roads, and say how far across and along them the estimate is off.
     Fly(fly::Arguments),
+    /// Say where photos, or roads that were seen, are among all roads of a map, if that is sure.
+    Lost(lost::Arguments),
 }
 
 /// Does what the arguments say.
@@ -104,6 +107,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             );
         }
         Task::Fly(arguments) => fly::run(arguments)?,
+        Task::Lost(arguments) => lost::run(arguments)?,
     }
     Ok(())
 }

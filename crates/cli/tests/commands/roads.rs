@@ -41,3 +41,65 @@ fn roads_of_openstreetmap_are_printed_imported_exported_and_compared() {
     let refused = said(&["print", "nowhere.osm"]).unwrap_err();
     assert!(refused.contains("nowhere.osm"), "{refused}");
 }
+
+/// A town of 19 by 19 crooked blocks around a place, as GeoJSON; `seed` bends it, and all of it is turned by `turn`
+/// radians about its middle. `within` keeps streets within so many degrees of the middle.
+fn town(seed: u64, turn: f64, within: f64) -> String {
+    let noise = |row: i32, column: i32, axis: u64| {
+        let mut state = seed ^ ((row as u64 & 0xff) << 16) ^ ((column as u64 & 0xff) << 8) ^ axis;
+        for _ in 0..3 {
+            state = state
+                .wrapping_mul(0x5851_f42d_4c95_7f2d)
+                .wrapping_add(0x1405_7b7e_f767_814f);
+            state ^= state >> 29;
+        }
+        (state % 1000) as f64 / 1000.0 - 0.5
+    };
+    let corner = |row: i32, column: i32| {
+        let north = 0.001 * (f64::from(row) + 0.7 * noise(row, column, 1));
+        let east = 0.001 * (f64::from(column) + 0.7 * noise(row, column, 2));
+        (north, east)
+    };
+    // At the equator a degree is as long both ways.
+    let turned = |(north, east): (f64, f64)| {
+        let (sin, cos) = turn.sin_cos();
+        [sin * north + cos * east, cos * north - sin * east]
+    };
+    let mut streets = Vec::new();
+    for row in -9..=9 {
+        for column in -9..=9 {
+            for (other, axis) in [((row + 1, column), 3), ((row, column + 1), 4)] {
+                let ends = [corner(row, column), corner(other.0, other.1)];
+                let is_near = ends
+                    .iter()
+                    .all(|(n, e)| n.abs() < within && e.abs() < within);
+                if is_near && noise(row, column, axis) > -0.3 {
+                    let [[a, b], [c, d]] = ends.map(turned);
+                    streets.push(format!(
+                        r#"{{"type":"Feature","properties":{{"highway":"residential"}},"geometry":{{"type":"LineString","coordinates":[[{a},{b}],[{c},{d}]]}}}}"#
+                    ));
+                }
+            }
+        }
+    }
+    format!(
+        r#"{{"type":"FeatureCollection","features":[{}]}}"#,
+        streets.join(",")
+    )
+}
+
+#[test]
+fn roads_that_were_seen_are_found_in_their_town_and_not_in_another() {
+    let folder = Folder::new("roads-lost");
+    folder.write("town.geojson", town(1, 0.0, 1.0));
+    folder.write("other.geojson", town(2, 0.0, 1.0));
+    // Some blocks of the first, seen with north turned to the right by half a radian.
+    folder.write("seen.geojson", town(1, 0.5, 0.0033));
+    let said = |words: &[&str]| folder.run(&[&["roads", "lost"], words].concat());
+    let found = said(&["town.geojson", "seen.geojson"]).unwrap();
+    assert!(found.contains("heading 331."), "{found}");
+    let elsewhere = said(&["other.geojson", "seen.geojson"]).unwrap();
+    assert!(elsewhere.starts_with("no place"), "{elsewhere}");
+    let refused = said(&["town.geojson", "seen.geojson", "seen.geojson"]).unwrap_err();
+    assert!(refused.contains("2 views need 1 ways"), "{refused}");
+}

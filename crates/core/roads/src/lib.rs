@@ -7,6 +7,7 @@ mod fix;
 #[cfg(test)]
 mod fix_tests;
 mod line;
+pub mod lost;
 mod map;
 mod segments;
 mod straight;

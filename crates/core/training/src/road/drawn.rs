@@ -114,6 +114,21 @@ const CROWNS: [Paint; 4] = [
 
 /// A square picture of `side` pixels (a multiple of 4) at half a metre each, with its roads.
 pub fn drawn_roads(seed: u64, side: usize) -> RoadExample {
+    drawn(seed, side, plan)
+}
+
+/// The same around roads that are given: points of the middle (pixels, x right, y down, some 6 apart) and half the
+/// width (pixels) of each.
+pub fn drawn_over(seed: u64, side: usize, roads: Vec<(Vec<[f32; 2]>, f32)>) -> RoadExample {
+    let course = |(points, half_width): (Vec<[f32; 2]>, f32)| Course {
+        points,
+        half_width,
+        is_dirt: false,
+    };
+    drawn(seed, side, |_| roads.into_iter().map(course).collect())
+}
+
+fn drawn(seed: u64, side: usize, plan: impl FnOnce(&mut Draw) -> Vec<Course>) -> RoadExample {
     let mut draw = Draw {
         random: ChaCha8Rng::seed_from_u64(seed ^ 0x0a0d_5eed),
         side: side as f32,

@@ -10,7 +10,7 @@ mod simd;
 mod step;
 
 pub use augment::{changed, turned};
-pub use drawn::drawn_roads;
+pub use drawn::{drawn_over, drawn_roads};
 pub use example::{RoadExample, RoadTruth};
 pub use gradient::{LossGradient, loss_gradient};
 pub use scenery_roads::scenery_roads;

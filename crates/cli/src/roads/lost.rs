@@ -1,0 +1,211 @@
+//! `pilotage roads lost`: the place of photos, or of roads that were seen, among all roads of a map.
+
+use std::path::{Path, PathBuf};
+
+use nalgebra::{Point3, Vector2};
+use pilotage_core::camera::CameraModel;
+use pilotage_core::frames::{Attitude, Pose};
+use pilotage_core::raster::decode_picture;
+use pilotage_core::road::{NorthUpPicture, RoadDetection, SEEN_GSD};
+use pilotage_core::roads::RoadMap;
+use pilotage_core::roads::lost::{
+    LostSettings, RoadIndex, RoadView, ViewCrossing, ViewMotion, ViewPoint,
+};
+
+use super::source::{RoadSource, class};
+use crate::CommandResult;
+use crate::numbers::numbers;
+
+/// Probability from which on a place is believed.
+const BELIEVED: f64 = 0.99;
+/// Ranges that people state, in standard deviations.
+const WITHIN: f64 = 2.0;
+/// Least probability of a point of a road that counts.
+const LEAST_PROBABILITY: f64 = 0.5;
+/// Ground that is looked at, as far as so many heights from below the camera.
+const FARTHEST_HEIGHTS: f64 = 2.0;
+/// Standard deviation of dead reckoning: a share of the way (and radians of a turn).
+const RECKONED: f64 = 0.03;
+
+/// Arguments of `pilotage roads lost`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Road map: a file of OpenStreetMap (XML, PBF), GeoJSON or a mission, or a built-in scenario.
+    map: String,
+    /// Photo (JPEG or PNG) of a camera that looks down, or roads that were seen as GeoJSON, wherever they lie on the
+    /// globe; several of them in the order of the flight.
+    #[arg(required = true)]
+    views: Vec<PathBuf>,
+    /// Way from a view to the next and the turn to the right by then: metres ahead, metres to the right, degrees; once
+    /// for every view after the first.
+    #[arg(
+        long = "way",
+        value_name = "AHEAD,RIGHT,TURN",
+        allow_hyphen_values = true
+    )]
+    ways: Vec<String>,
+    /// Height of the camera above the ground; photos need it.
+    #[arg(long, value_name = "METRES")]
+    height: Option<f64>,
+    /// Focal length in pixels of the photo; photos need it.
+    #[arg(long, value_name = "PIXELS")]
+    focal: Option<f64>,
+    /// Range of the height, percent.
+    #[arg(long, value_name = "PERCENT", default_value_t = 4.0)]
+    height_within: f64,
+    /// Angle by which the camera looks ahead of straight down, degrees.
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = 0.0,
+        allow_hyphen_values = true
+    )]
+    ahead: f64,
+    /// Believed heading of the first view's top, degrees from north.
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = 0.0,
+        allow_hyphen_values = true
+    )]
+    heading: f64,
+    /// Range of the heading to each side; 180 where it is unknown.
+    #[arg(long, value_name = "DEGREES", default_value_t = 180.0)]
+    heading_within: f64,
+    /// The least class of road that the map is searched for: path, track, service, residential, tertiary, …
+    #[arg(long, default_value = "service")]
+    least: String,
+    /// Probability that the views show ground of the map, before they are looked at, percent.
+    #[arg(long, value_name = "PERCENT", default_value_t = 50.0)]
+    on_map: f64,
+}
+
+/// Says where the views are.
+pub fn run(arguments: &Arguments) -> CommandResult {
+    let source = RoadSource::open(&arguments.map)?;
+    let frame = source.frame()?;
+    let least = class(&arguments.least)?;
+    let no_roads = || {
+        format!(
+            "{}: it has no road of that class; lower --least",
+            arguments.map
+        )
+    };
+    let index = RoadIndex::new(&source.map(Some(&frame)), least).ok_or_else(no_roads)?;
+    let mut views = Vec::new();
+    for path in &arguments.views {
+        views.push(view(path, arguments)?);
+    }
+    let motions = motions(arguments)?;
+    let settings = LostSettings {
+        turn: arguments.heading.to_radians(),
+        within_turn: arguments.heading_within.to_radians(),
+        scale: 0.01 * arguments.height_within / WITHIN,
+        on_map: 0.01 * arguments.on_map,
+    };
+    let mut views = views.into_iter();
+    let first = views.next().ok_or("there is no view; name one")?;
+    let then: Vec<(ViewMotion, RoadView)> = motions.into_iter().zip(views).collect();
+    let belief = index.locate_along(&first, &then, &settings);
+    let Some(place) = belief.place(BELIEVED) else {
+        match belief.places.first() {
+            Some(likeliest) => println!(
+                "no place; the likeliest of {} has {:.1} %, elsewhere or not on the map {:.1} %",
+                belief.places.len(),
+                100.0 * likeliest.probability,
+                100.0 * belief.elsewhere
+            ),
+            None => println!("no place; the views show too few roads and crossings"),
+        }
+        return Ok(());
+    };
+    let below = frame.geodetic_from_ground(&place.pose.place);
+    println!(
+        "{:.6}, {:.6}: {:.0} m north, {:.0} m east of the middle of the map; heading {:.1}°; {:.2} %",
+        below.latitude.to_degrees(),
+        below.longitude.to_degrees(),
+        place.pose.place.north,
+        place.pose.place.east,
+        place.pose.turn.to_degrees().rem_euclid(360.0),
+        100.0 * place.probability
+    );
+    Ok(())
+}
+
+/// Motions between the views.
+fn motions(arguments: &Arguments) -> Result<Vec<ViewMotion>, String> {
+    let (ways, views) = (arguments.ways.len(), arguments.views.len());
+    if ways + 1 != views {
+        return Err(format!(
+            "--way: {views} views need {} ways between them, and there are {ways}",
+            views - 1
+        ));
+    }
+    let motion = |text: &String| {
+        let [ahead, right, turn] = numbers(text, "--way")?;
+        let way = Vector2::new(ahead, right);
+        Ok(ViewMotion {
+            way,
+            turn: f64::to_radians(turn),
+            way_deviation: RECKONED * way.norm(),
+            turn_deviation: RECKONED,
+        })
+    };
+    arguments.ways.iter().map(motion).collect()
+}
+
+/// Roads that a file shows.
+fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
+    let name = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|e| format!("{name}: {e}"))?;
+    let is_text = bytes.iter().find(|b| !b.is_ascii_whitespace()) == Some(&b'{');
+    if is_text {
+        let map: RoadMap = RoadSource::open(&name)?.map(None);
+        return RoadView::of_map(&map).ok_or_else(|| format!("{name}: it has no roads"));
+    }
+    let picture = decode_picture(&bytes).map_err(|e| format!("{name}: {e}"))?;
+    let (Some(height), Some(focal)) = (arguments.height, arguments.focal) else {
+        return Err(format!("{name}: a photo needs --height and --focal"));
+    };
+    let across = 2.0 * (0.5 * picture.width() as f64 / focal).atan();
+    let camera = CameraModel::pinhole(picture.width(), picture.height(), across);
+    let pose = Pose {
+        position_in_world: Point3::new(0.0, 0.0, -height),
+        attitude: Attitude {
+            pitch: arguments.ahead.to_radians(),
+            ..Attitude::level(0.0)
+        },
+    };
+    let farthest = FARTHEST_HEIGHTS * height;
+    let ground = NorthUpPicture::of(&camera, &pose, 0.0, &picture, SEEN_GSD, farthest);
+    let Some(NorthUpPicture { window, pixels }) = ground else {
+        return Ok(RoadView::default());
+    };
+    let seen = RoadDetection::Network.roads_seen(&pixels, SEEN_GSD);
+    let mut crossings = seen.crossings;
+    crossings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    let place = |[x, y]: [f64; 2]| window.ground_at(x, y).to_vector();
+    let points = seen
+        .points
+        .iter()
+        .filter(|point| point.probability >= LEAST_PROBABILITY);
+    Ok(RoadView {
+        points: points
+            .map(|point| ViewPoint {
+                place: place(point.pixel),
+                direction: point.direction,
+            })
+            .collect(),
+        crossings: (crossings.iter())
+            .map(|crossing| ViewCrossing {
+                place: place(crossing.pixel),
+                directions: crossing.directions.clone(),
+            })
+            .collect(),
+        outline: camera
+            .footprint_within(&pose, 0.0, farthest)
+            .iter()
+            .map(|corner| corner.to_vector())
+            .collect(),
+    })
+}

@@ -1,0 +1,151 @@
+//! Several views on one way, weighed together.
+
+use nalgebra::Vector2;
+use pilotage_base::frames::{GroundPoint, wrap_pi};
+
+use super::evidence::RoadEvidence;
+use super::index::RoadIndex;
+use super::locate::{LostBelief, LostSettings, is_same};
+use super::prepared::PreparedView;
+use super::refine::{fix, misfit, settle};
+use super::view::{RoadView, ViewMotion, ViewPose};
+use super::weights::{prior, told};
+
+/// Places of each view that may be those of all.
+const OF_EACH: usize = 24;
+/// Standard deviations of dead reckoning within which a view may be off.
+const SLACK: f64 = 3.0;
+/// Standard deviations of a fitted pose: place (m) and heading (rad).
+const FITTED: (f64, f64) = (4.0, 0.02);
+
+/// Pose that a view may have, with what the evidence adds to the logarithm of its odds.
+type Weighed = (f64, ViewPose, RoadEvidence);
+
+/// A view with its own places.
+struct Look<'v> {
+    view: &'v RoadView,
+    prepared: PreparedView,
+    places: Vec<Weighed>,
+}
+
+impl Look<'_> {
+    fn weigh(&self, pose: ViewPose, index: &RoadIndex) -> Weighed {
+        let evidence = RoadEvidence::of(&pose, self.view, &self.prepared, index);
+        (told(&evidence), pose, evidence)
+    }
+
+    /// The pose that fits best near `believed`, which is off by the standard deviations `off` (m, rad), with what it adds
+    /// to the logarithm of the odds less what its distance takes.
+    fn near(&self, believed: &ViewPose, off: (f64, f64), index: &RoadIndex, scale: f64) -> Weighed {
+        let off = (off.0.hypot(FITTED.0), off.1.hypot(FITTED.1));
+        let looked = self.prepared.second_look();
+        let starts = [(0.0, 0.0), (1.5, 0.0), (-1.5, 0.0), (0.0, 1.5), (0.0, -1.5)];
+        let settled = starts.map(|(north, east)| {
+            let moved = believed.place.to_vector() + off.0 * Vector2::new(north, east);
+            let place = GroundPoint::from(moved);
+            let pose = settle(ViewPose { place, ..*believed }, looked, index, scale);
+            (misfit(&pose, looked, index), pose)
+        });
+        let best = settled.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let fixed = best.map(|(_, pose)| fix(pose, &self.prepared, index, scale));
+        let fitted = fixed.map(|pose| self.weigh(pose, index));
+        let all = self.places.iter().copied().chain(fitted);
+        let less = all.filter_map(|(told, pose, evidence)| {
+            let away = pose.place.distance(&believed.place) / off.0;
+            let turned = wrap_pi(pose.turn - believed.turn).abs() / off.1;
+            let is_near = away <= SLACK && turned <= SLACK;
+            is_near.then(|| (told - 0.5 * (away.powi(2) + turned.powi(2)), pose, evidence))
+        });
+        let likeliest = less.max_by(|a, b| a.0.total_cmp(&b.0));
+        likeliest.unwrap_or_else(|| self.weigh(*believed, index))
+    }
+}
+
+impl RoadIndex {
+    /// The places of the map that the last of several views may show: that of `first`, and those after each motion.
+    ///
+    /// What a view says counts as far as the later ones show other ground: by the way from it to the next over the
+    /// extent of what it shows, at most wholly.
+    pub fn locate_along(
+        &self,
+        first: &RoadView,
+        then: &[(ViewMotion, RoadView)],
+        settings: &LostSettings,
+    ) -> LostBelief {
+        let mut tried = 0;
+        let mut believed = *settings;
+        let mut looks: Vec<Look<'_>> = Vec::new();
+        for (number, view) in std::iter::once(first)
+            .chain(then.iter().map(|t| &t.1))
+            .enumerate()
+        {
+            if let Some((motion, _)) = number.checked_sub(1).map(|before| &then[before]) {
+                believed.turn += motion.turn;
+                believed.within_turn += SLACK * motion.turn_deviation;
+            }
+            let prepared = PreparedView::new(view);
+            let (poses, count) = self.candidates(&prepared, &believed);
+            tried += count;
+            let mut look = Look {
+                view,
+                prepared,
+                places: Vec::new(),
+            };
+            look.places = poses
+                .into_iter()
+                .map(|pose| look.weigh(pose, self))
+                .collect();
+            look.places.sort_by(|a, b| b.0.total_cmp(&a.0));
+            looks.push(look);
+        }
+        let mut weighed: Vec<Weighed> = Vec::new();
+        for (number, look) in looks.iter().enumerate() {
+            for (_, pose, _) in look.places.iter().take(OF_EACH) {
+                weighed.push(self.weigh_along(number, pose, &looks, then, settings));
+            }
+        }
+        weighed.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut distinct: Vec<Weighed> = Vec::new();
+        for place in weighed {
+            if distinct.iter().all(|known| !is_same(&known.1, &place.1)) {
+                distinct.push(place);
+            }
+        }
+        LostBelief::of(distinct, tried)
+    }
+
+    /// The last view's pose where the view of that number has `pose`, and the logarithm of its odds by all views.
+    fn weigh_along(
+        &self,
+        number: usize,
+        pose: &ViewPose,
+        looks: &[Look<'_>],
+        then: &[(ViewMotion, RoadView)],
+        settings: &LostSettings,
+    ) -> Weighed {
+        let own = looks[number].weigh(*pose, self);
+        // Later ground counts first, so that the views before the last are worth their new ground.
+        let worth = |view: usize| {
+            let way = then
+                .get(view)
+                .map_or(f64::INFINITY, |(motion, _)| motion.way.norm());
+            (way / looks[view].view.area().sqrt().max(1.0)).min(1.0)
+        };
+        let mut odds = prior(self.area, settings) + worth(number) * own.0;
+        let mut last = own;
+        for (view, (motion, _)) in then.iter().enumerate().skip(number) {
+            let off = (motion.way_deviation, motion.turn_deviation);
+            last = looks[view + 1].near(&last.1.after(motion), off, self, settings.scale);
+            odds += worth(view + 1) * last.0;
+        }
+        let mut before = own.1;
+        for view in (0..number).rev() {
+            let motion = &then[view].0;
+            let off = (motion.way_deviation, motion.turn_deviation);
+            let found = looks[view].near(&before.before(motion), off, self, settings.scale);
+            odds += worth(view) * found.0;
+            before = found.1;
+        }
+        (odds, last.1, last.2)
+    }
+}
