@@ -1,4 +1,4 @@
-//! How well a view fits a place, counted both ways.
+//! Agreement of a view with a place, counted both ways.
 
 use pilotage_base::frames::{GroundPoint, GroundRect};
 

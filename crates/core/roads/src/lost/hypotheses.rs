@@ -8,9 +8,9 @@ use pilotage_base::frames::{GroundPoint, wrap_pi};
 use super::field::bin;
 use super::index::RoadIndex;
 use super::junctions::ArmMask;
-use super::locate::LostSettings;
 use super::pairs::{APART, CrossingPair};
 use super::prepared::PreparedView;
+use super::settings::LostSettings;
 use super::view::{ViewCrossing, ViewPoint, ViewPose};
 use crate::course::heading;
 

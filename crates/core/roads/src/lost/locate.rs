@@ -1,7 +1,5 @@
 //! Places that a view may show, with their probabilities.
 
-use std::f64::consts::PI;
-
 use pilotage_base::frames::wrap_pi;
 
 use super::evidence::RoadEvidence;
@@ -9,6 +7,7 @@ use super::hypotheses::Hypotheses;
 use super::index::RoadIndex;
 use super::prepared::PreparedView;
 use super::refine::{fix, misfit, settle};
+use super::settings::LostSettings;
 use super::view::{RoadView, ViewPose};
 use super::weights::log_odds;
 
@@ -22,30 +21,6 @@ const SAME: (f64, f64) = (25.0, 0.1);
 const KEPT: usize = 24;
 /// Fewest points that tell anything.
 const FEWEST: usize = 16;
-
-/// What is known before a view is laid on a map.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LostSettings {
-    /// Believed heading of what the view calls ahead, radians clockwise from north.
-    pub turn: f64,
-    /// Greatest difference from it to either side, radians; π where the heading is unknown.
-    pub within_turn: f64,
-    /// Standard deviation of the scale as a share: that of the height over the height.
-    pub scale: f64,
-    /// Probability that the view shows ground of the map, before it is looked at.
-    pub on_map: f64,
-}
-
-impl Default for LostSettings {
-    fn default() -> Self {
-        Self {
-            turn: 0.0,
-            within_turn: PI,
-            scale: 0.02,
-            on_map: 0.5,
-        }
-    }
-}
 
 /// Place that a view may show.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -15,11 +15,13 @@ mod pairs;
 mod prepared;
 mod refine;
 mod sequence;
+mod settings;
 mod tiles;
 mod view;
 mod weights;
 
 pub use evidence::{CLASSES, DISTANCES, RoadEvidence};
 pub use index::RoadIndex;
-pub use locate::{LostBelief, LostPlace, LostSettings};
+pub use locate::{LostBelief, LostPlace};
+pub use settings::LostSettings;
 pub use view::{RoadView, ViewCrossing, ViewMotion, ViewPoint, ViewPose};

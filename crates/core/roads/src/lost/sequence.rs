@@ -5,9 +5,10 @@ use pilotage_base::frames::{GroundPoint, wrap_pi};
 
 use super::evidence::RoadEvidence;
 use super::index::RoadIndex;
-use super::locate::{LostBelief, LostSettings, is_same};
+use super::locate::{LostBelief, is_same};
 use super::prepared::PreparedView;
 use super::refine::{fix, misfit, settle};
+use super::settings::LostSettings;
 use super::view::{RoadView, ViewMotion, ViewPose};
 use super::weights::{prior, told};
 

@@ -4,7 +4,7 @@
 //! them of another map than the one searched (docs/notes/roads-lost.md).
 
 use super::evidence::{CLASSES, RoadEvidence};
-use super::locate::LostSettings;
+use super::settings::LostSettings;
 
 /// Area of the maps that taught the odds, square kilometres: twice the ground has twice the chance fits.
 const TAUGHT_AREA: f64 = 100.0;
@@ -20,7 +20,7 @@ pub(super) fn log_odds(evidence: &RoadEvidence, area: f64, settings: &LostSettin
     told(evidence) + prior(area, settings)
 }
 
-/// What the evidence adds to the logarithm of the odds.
+/// Addition of the evidence to the logarithm of the odds.
 ///
 /// Neighbouring points err alike, so n of them are worth √n: of three laws (n, n^¾, √n) that one gave views of maps
 /// that taught nothing the truest probabilities.

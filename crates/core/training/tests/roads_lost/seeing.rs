@@ -54,7 +54,7 @@ fn roads(map: &RoadMap, pose: &ViewPose, random: &mut ChaCha8Rng) -> Vec<(Vec<[f
     roads
 }
 
-/// What the network sees of 450 m by 600 m of drawn ground around a pose.
+/// View that the network has of 450 m by 600 m of drawn ground around a pose.
 pub fn seen(map: &RoadMap, pose: &ViewPose, seed: u64) -> RoadView {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut picture = drawn_over(seed, SIDE, roads(map, pose, &mut random)).picture;

@@ -17,7 +17,7 @@ pub fn processor_time() -> f64 {
     1e-9 * first.and_then(|f| f.parse::<f64>().ok()).unwrap_or(0.0)
 }
 
-/// What came of many views.
+/// Outcome of many views.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     views: usize,
