@@ -46,13 +46,7 @@ struct Expected {
 /// The way: out to the side, past the landmarks, back.
 fn way(aside: f64) -> [Vector2<f64>; 5] {
     let [a, b, c] = LANDMARKS.map(|it| vector![it.x, aside]);
-    [
-        vector![0.0, 0.0],
-        a,
-        b,
-        c,
-        vector![STRAIGHT, 0.0],
-    ]
+    [vector![0.0, 0.0], a, b, c, vector![STRAIGHT, 0.0]]
 }
 
 /// Every world of landmarks that were seen or not, with its probability: flown once, and cut in two at each landmark.
