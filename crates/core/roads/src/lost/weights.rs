@@ -1,7 +1,7 @@
 //! Odds of a place by how well a view fits there, as views of known places taught them.
 //!
-//! Learned by `tests/oracles/lost_weights.py` from 888 views of Aleppo, Bucaramanga, Douala and Salt Lake City, a third of
-//! them of another map than the one searched (docs/notes/roads-lost.md).
+//! Learned by `tests/oracles/lost_weights.py` from 888 views of Aleppo, Bucaramanga, Douala and Salt Lake City, a quarter
+//! of them of another map than the one searched (docs/notes/roads-lost.md).
 
 use super::evidence::{CLASSES, RoadEvidence};
 use super::settings::LostSettings;
