@@ -8,7 +8,13 @@ use pilotage_tests::data::repository;
 use super::folder::Folder;
 
 /// Studies whose figures the documents quote.
-const RECORDED: [&str; 4] = ["hostile", "scenarios", "sensitivity", "vehicles"];
+const RECORDED: [&str; 5] = [
+    "hostile",
+    "hundred-thousand",
+    "scenarios",
+    "sensitivity",
+    "vehicles",
+];
 
 fn record(name: &str) -> StudyRecord {
     let path = repository().join(format!("studies/records/{name}.json"));
