@@ -68,12 +68,16 @@ impl StudyFlight {
 
     /// Settings of its navigator; `None` where there is no such scenario.
     pub fn navigator(&self) -> Option<NavigatorSettings> {
-        let mut scenario = self.scenario()?;
+        Some(self.navigator_in(self.scenario()?))
+    }
+
+    /// Settings of its navigator in its scenario.
+    fn navigator_in(&self, mut scenario: Scenario) -> NavigatorSettings {
         if self.settings.wind_scatter > 0.0 {
             // Any wind: where none is expected, the filter of a scenario takes calm air for granted.
             scenario.wind.speed = scenario.wind.speed.max(self.settings.wind_scatter);
         }
-        Some(self.navigation(&scenario))
+        self.navigation(&scenario)
     }
 
     /// Settings of the navigator: as in the scenario, where the run says no other.
@@ -122,7 +126,7 @@ impl StudyFlight {
         damage(&mut flight, settings);
         let deviations = Vector4::new(settings.place, settings.place, settings.turn, settings.turn);
         Some(PreparedFlight {
-            settings: self.navigator()?,
+            settings: self.navigator_in(scenario),
             stated: StatedNavigation {
                 seen: as_seen(&flight, settings).map(Arc::new),
                 expected: ExpectedDetection {
