@@ -22,6 +22,9 @@ const KEPT: usize = 24;
 /// Fewest points that tell anything.
 const FEWEST: usize = 16;
 
+/// Pose with the logarithm of its odds, and what they come from.
+pub(super) type Weighed = (f64, ViewPose, RoadEvidence);
+
 /// Place that a view may show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LostPlace {
@@ -51,7 +54,7 @@ impl LostBelief {
     }
 
     /// Belief over poses with the logarithms of their odds against `elsewhere`.
-    pub(super) fn of(weighed: Vec<(f64, ViewPose, RoadEvidence)>, tried: usize) -> Self {
+    pub(super) fn of(weighed: Vec<Weighed>, tried: usize) -> Self {
         // The odds of elsewhere are 1, the largest of all is subtracted from every logarithm.
         let largest = weighed.iter().map(|w| w.0).fold(0.0, f64::max);
         let total: f64 =
@@ -71,6 +74,18 @@ impl LostBelief {
     }
 }
 
+/// The likeliest of several weighed poses, at most `most`, none of them at the place of a likelier one.
+pub(super) fn distinct(mut weighed: Vec<Weighed>, most: usize) -> Vec<Weighed> {
+    weighed.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut kept: Vec<Weighed> = Vec::new();
+    for place in weighed {
+        if kept.len() < most && kept.iter().all(|own| !is_same(&own.1, &place.1)) {
+            kept.push(place);
+        }
+    }
+    kept
+}
+
 /// Whether two poses are the same place.
 pub(super) fn is_same(a: &ViewPose, b: &ViewPose) -> bool {
     a.place.distance(&b.place) < SAME.0 && wrap_pi(a.turn - b.turn).abs() < SAME.1
@@ -85,15 +100,7 @@ impl RoadIndex {
             let evidence = RoadEvidence::of(&pose, view, &prepared, self);
             (log_odds(&evidence, self.area, settings), pose, evidence)
         });
-        let mut weighed: Vec<_> = weighed.collect();
-        weighed.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut distinct: Vec<(f64, ViewPose, RoadEvidence)> = Vec::new();
-        for place in weighed {
-            if distinct.len() < KEPT && distinct.iter().all(|d| !is_same(&d.1, &place.1)) {
-                distinct.push(place);
-            }
-        }
-        LostBelief::of(distinct, tried)
+        LostBelief::of(distinct(weighed.collect(), KEPT), tried)
     }
 
     /// Poses at which the view fits well, each as well as it can, and the number of those that were looked at.

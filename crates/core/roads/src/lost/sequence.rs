@@ -5,7 +5,7 @@ use pilotage_base::frames::{GroundPoint, wrap_pi};
 
 use super::evidence::RoadEvidence;
 use super::index::RoadIndex;
-use super::locate::{LostBelief, is_same};
+use super::locate::{LostBelief, Weighed, distinct};
 use super::prepared::PreparedView;
 use super::refine::{fix, misfit, settle};
 use super::settings::LostSettings;
@@ -19,13 +19,11 @@ const SLACK: f64 = 3.0;
 /// Standard deviations of a fitted pose: place (m) and heading (rad).
 const FITTED: (f64, f64) = (4.0, 0.02);
 
-/// Pose that a view may have, with what the evidence adds to the logarithm of its odds.
-type Weighed = (f64, ViewPose, RoadEvidence);
-
 /// A view with its own places.
 struct Look<'v> {
     view: &'v RoadView,
     prepared: PreparedView,
+    /// Its own places, with what their evidence adds to the logarithm of the odds.
     places: Vec<Weighed>,
 }
 
@@ -65,7 +63,7 @@ impl Look<'_> {
 impl RoadIndex {
     /// The places of the map that the last of several views may show: that of `first`, and those after each motion.
     ///
-    /// What a view says counts as far as the later ones show other ground: by the way from it to the next over the
+    /// The evidence of a view counts as far as the later ones show other ground: by the way from it to the next over the
     /// extent of what it shows, at most wholly.
     pub fn locate_along(
         &self,
@@ -101,30 +99,23 @@ impl RoadIndex {
         }
         let mut weighed: Vec<Weighed> = Vec::new();
         for (number, look) in looks.iter().enumerate() {
-            for (_, pose, _) in look.places.iter().take(OF_EACH) {
-                weighed.push(self.weigh_along(number, pose, &looks, then, settings));
+            for own in look.places.iter().take(OF_EACH) {
+                weighed.push(self.weigh_along(number, *own, &looks, then, settings));
             }
         }
-        weighed.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut distinct: Vec<Weighed> = Vec::new();
-        for place in weighed {
-            if distinct.iter().all(|known| !is_same(&known.1, &place.1)) {
-                distinct.push(place);
-            }
-        }
-        LostBelief::of(distinct, tried)
+        LostBelief::of(distinct(weighed, usize::MAX), tried)
     }
 
-    /// The last view's pose where the view of that number has `pose`, and the logarithm of its odds by all views.
+    /// The last view's pose where the view of that number has its pose as in `own`, and the logarithm of its odds by all
+    /// views.
     fn weigh_along(
         &self,
         number: usize,
-        pose: &ViewPose,
+        own: Weighed,
         looks: &[Look<'_>],
         then: &[(ViewMotion, RoadView)],
         settings: &LostSettings,
     ) -> Weighed {
-        let own = looks[number].weigh(*pose, self);
         // Later ground counts first, so that the views before the last are worth their new ground.
         let worth = |view: usize| {
             let way = then
