@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Point3;
-use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{Attitude, Pose};
+use pilotage_core::frames::Pose;
 use pilotage_core::raster::decode_picture;
 use pilotage_core::reference::ReferenceTable;
 use pilotage_core::reference::edges::{
@@ -14,6 +13,7 @@ use pilotage_core::reference::edges::{
 use crate::CommandResult;
 use crate::files::{MAP_CACHE, open_map_with_frame, write_whole};
 use crate::numbers::numbers;
+use crate::photo_camera::{LookingDown, camera_of};
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.9;
@@ -45,14 +45,8 @@ pub struct Arguments {
     /// Range of the search to each side of the heading, degrees.
     #[arg(long, value_name = "DEGREES", default_value_t = 15.0)]
     heading_within: f64,
-    /// Angle by which the camera looks ahead of straight down, degrees.
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = 0.0,
-        allow_hyphen_values = true
-    )]
-    ahead: f64,
+    #[command(flatten)]
+    looking: LookingDown,
     /// Focal length in pixels of the picture.
     #[arg(long, value_name = "PIXELS")]
     focal: f64,
@@ -94,16 +88,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let photo = arguments.photo.display();
     let picture = decode_picture(&read(&arguments.photo)?).map_err(|e| format!("{photo}: {e}"))?;
     let [north, east] = numbers(&arguments.at, "--at")?;
-    let half = 0.5 * picture.width() as f64;
-    let across = 2.0 * (half / arguments.focal).atan();
-    let camera = CameraModel::pinhole(picture.width(), picture.height(), across);
+    let camera = camera_of(&picture, arguments.focal);
     let belief = PhotoBelief {
         pose: Pose {
             position_in_world: Point3::new(north, east, -arguments.height),
-            attitude: Attitude {
-                pitch: arguments.ahead.to_radians(),
-                ..Attitude::level(arguments.heading.to_radians())
-            },
+            attitude: arguments.looking.attitude(arguments.heading.to_radians()),
         },
         ground_down: 0.0,
         deviation: arguments.within / WITHIN,

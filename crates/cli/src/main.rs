@@ -24,6 +24,7 @@ mod numbers;
 mod outage;
 mod outcome;
 mod own_map;
+mod photo_camera;
 mod photo_picture;
 mod plan;
 mod reference_map;

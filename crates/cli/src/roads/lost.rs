@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::{Point3, Vector2};
-use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{Attitude, Pose};
+use pilotage_core::frames::Pose;
 use pilotage_core::raster::decode_picture;
 use pilotage_core::road::{NorthUpPicture, RoadDetection, SEEN_GSD};
 use pilotage_core::roads::RoadMap;
@@ -15,6 +14,7 @@ use pilotage_core::roads::lost::{
 use super::source::{RoadSource, class};
 use crate::CommandResult;
 use crate::numbers::numbers;
+use crate::photo_camera::{LookingDown, camera_of};
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.99;
@@ -53,14 +53,8 @@ pub struct Arguments {
     /// Range of the height, percent.
     #[arg(long, value_name = "PERCENT", default_value_t = 4.0)]
     height_within: f64,
-    /// Angle by which the camera looks ahead of straight down, degrees.
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = 0.0,
-        allow_hyphen_values = true
-    )]
-    ahead: f64,
+    #[command(flatten)]
+    looking: LookingDown,
     /// Believed heading of the first view's top, degrees from north.
     #[arg(
         long,
@@ -167,14 +161,10 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
     let (Some(height), Some(focal)) = (arguments.height, arguments.focal) else {
         return Err(format!("{name}: a photo needs --height and --focal"));
     };
-    let across = 2.0 * (0.5 * picture.width() as f64 / focal).atan();
-    let camera = CameraModel::pinhole(picture.width(), picture.height(), across);
+    let camera = camera_of(&picture, focal);
     let pose = Pose {
         position_in_world: Point3::new(0.0, 0.0, -height),
-        attitude: Attitude {
-            pitch: arguments.ahead.to_radians(),
-            ..Attitude::level(0.0)
-        },
+        attitude: arguments.looking.attitude(0.0),
     };
     let farthest = FARTHEST_HEIGHTS * height;
     let ground = NorthUpPicture::of(&camera, &pose, 0.0, &picture, SEEN_GSD, farthest);
