@@ -1,6 +1,6 @@
 //! Smoothing.
 
-use super::{Gray, Raster, Rgb, bilinear};
+use super::{Gray, Raster, Rgb, bilinear, simd};
 
 /// Least standard deviation of a Gaussian on a picture that was halved, in its pixels.
 const LEAST_WHEN_HALVED: f64 = 8.0;
@@ -108,6 +108,10 @@ fn blur_planes(samples: &mut [f32], width: usize, channels: usize, weights: &[f3
     let row_length = width * channels;
     let height = samples.len() / row_length;
     let mut padded = vec![0.0f32; (width + 2 * radius) * channels];
+    // Samples as far before the middle one as behind it.
+    let mut pairs: Vec<(usize, usize)> = (1..=radius)
+        .map(|i| ((radius - i) * channels, (radius + i) * channels))
+        .collect();
     for line in samples.chunks_exact_mut(row_length) {
         padded[radius * channels..][..row_length].copy_from_slice(line);
         for i in 0..radius {
@@ -116,32 +120,16 @@ fn blur_planes(samples: &mut [f32], width: usize, channels: usize, weights: &[f3
                 padded[(radius + width + i) * channels + c] = line[row_length - channels + c];
             }
         }
-        let middle = &padded[radius * channels..][..row_length];
-        for (value, &here) in line.iter_mut().zip(middle) {
-            *value = weights[0] * here;
-        }
-        for (i, &weight) in weights.iter().enumerate().skip(1) {
-            let left = &padded[(radius - i) * channels..][..row_length];
-            let right = &padded[(radius + i) * channels..][..row_length];
-            for ((value, &l), &r) in line.iter_mut().zip(left).zip(right) {
-                *value += weight * (l + r);
-            }
-        }
+        simd::weighted_pairs(&padded, radius * channels, &pairs, weights, line);
     }
     // Down the columns, from a copy of what is smoothed across.
     let source = samples.to_vec();
-    let row = |y: usize| &source[y * row_length..][..row_length];
     for (y, line) in samples.chunks_exact_mut(row_length).enumerate() {
-        for value in line.iter_mut() {
-            *value *= weights[0];
+        for (i, pair) in (1..).zip(&mut pairs) {
+            let (above, below) = (y.saturating_sub(i), (y + i).min(height - 1));
+            *pair = (above * row_length, below * row_length);
         }
-        for (i, &weight) in weights.iter().enumerate().skip(1) {
-            let above = row(y.saturating_sub(i));
-            let below = row((y + i).min(height - 1));
-            for ((value, &a), &b) in line.iter_mut().zip(above).zip(below) {
-                *value += weight * (a + b);
-            }
-        }
+        simd::weighted_pairs(&source, y * row_length, &pairs, weights, line);
     }
 }
 

@@ -178,3 +178,54 @@ pub(in crate::raster) fn subtract(from: &[f32], value: f32, out: &mut [f32]) {
         *out = from - value;
     }
 }
+
+/// `out[n] = weights[0] · source[middle + n] + Σ weights[i] · (source[a + n] + source[b + n])`, with `(a, b)` the
+/// pair before place `i`; the sums are made in that order.
+#[inline(always)]
+pub(in crate::raster) fn weighted_pairs(
+    source: &[f32],
+    middle: usize,
+    pairs: &[(usize, usize)],
+    weights: &[f32],
+    out: &mut [f32],
+) {
+    let mut done = 0;
+    while done < out.len() {
+        // The last block ends with the line: what it has in common with the one before comes out alike.
+        let left = out.len() - done;
+        let step = if out.len() >= 32 {
+            done -= 32_usize.saturating_sub(left);
+            paired_block::<32>(source, (middle, done), pairs, weights, out)
+        } else if out.len() >= 8 {
+            done -= 8_usize.saturating_sub(left);
+            paired_block::<8>(source, (middle, done), pairs, weights, out)
+        } else {
+            paired_block::<1>(source, (middle, done), pairs, weights, out)
+        };
+        done += step;
+    }
+}
+
+/// `N` of the sums of [`weighted_pairs`] side by side, in registers, from the one at `first` on; their number.
+#[inline(always)]
+fn paired_block<const N: usize>(
+    source: &[f32],
+    (middle, first): (usize, usize),
+    pairs: &[(usize, usize)],
+    weights: &[f32],
+    out: &mut [f32],
+) -> usize {
+    let mut sums = [0.0; N];
+    let here = &source[middle + first..][..N];
+    for n in 0..N {
+        sums[n] = weights[0] * here[n];
+    }
+    for (&weight, &(a, b)) in weights[1..].iter().zip(pairs) {
+        let (a, b) = (&source[a + first..][..N], &source[b + first..][..N]);
+        for n in 0..N {
+            sums[n] += weight * (a[n] + b[n]);
+        }
+    }
+    out[first..][..N].copy_from_slice(&sums);
+    N
+}

@@ -17,12 +17,12 @@ pub(super) use elementwise::{CoefficientScale, Twist};
 #[cfg(not(target_arch = "x86_64"))]
 pub(super) use elementwise::{
     accumulate, coefficients, four_running_sums, multiply, subtract, twist, twist_reversed,
-    untwist_imaginary, untwist_real,
+    untwist_imaginary, untwist_real, weighted_pairs,
 };
 #[cfg(target_arch = "x86_64")]
 pub(super) use x86::{
     accumulate, coefficients, four_running_sums, multiply, subtract, twist, twist_reversed,
-    untwist_imaginary, untwist_real,
+    untwist_imaginary, untwist_real, weighted_pairs,
 };
 
 use super::pool::Buffer;
@@ -104,6 +104,26 @@ mod tests {
                     prop_assert!((f64::from(plain[y * stride + x]) - sum).abs() < 1e-5);
                     prop_assert!((f64::from(best[y * stride + x]) - sum).abs() < 1e-5);
                 }
+            }
+        }
+
+        #[test]
+        fn pairs_are_summed_in_their_order_whatever_the_length_of_the_line(
+            length in 1usize..120,
+            radius in 0usize..9,
+            samples in proptest::collection::vec(-200.0..200.0f32, 400),
+            places in proptest::collection::vec((0usize..280, 0usize..280), 9),
+            weights in proptest::collection::vec(0.0..1.0f32, 10),
+        ) {
+            let (pairs, weights) = (&places[..radius], &weights[..=radius]);
+            let mut out = vec![0.0; length];
+            weighted_pairs(&samples, 140, pairs, weights, &mut out);
+            for (n, value) in out.iter().enumerate() {
+                let mut sum = weights[0] * samples[140 + n];
+                for (weight, (a, b)) in weights[1..].iter().zip(pairs) {
+                    sum += weight * (samples[a + n] + samples[b + n]);
+                }
+                prop_assert_eq!(*value, sum);
             }
         }
     }

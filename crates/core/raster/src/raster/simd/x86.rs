@@ -272,6 +272,9 @@ for_avx2!(four_running_sums, four_running_sums_fast, (
     source: [&[f32]; 4], squares: bool, out: &mut [f64], stride: usize
 ));
 for_avx2!(subtract, subtract_fast, (from: &[f32], value: f32, out: &mut [f32]));
+for_avx2!(weighted_pairs, weighted_pairs_fast, (
+    source: &[f32], middle: usize, pairs: &[(usize, usize)], weights: &[f32], out: &mut [f32]
+));
 
 #[cfg(test)]
 mod tests {
