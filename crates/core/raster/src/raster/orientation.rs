@@ -42,9 +42,8 @@ impl OrientationField {
             gaussian_blur(&strength, SURROUNDINGS),
             gaussian_blur(&covered, SURROUNDINGS),
         );
-        let mut samples = vec![0.0_f32; width * height * DIRECTIONS];
-        let lines = samples.chunks_exact_mut(DIRECTIONS).zip(strength.pixels());
-        for (index, (channels, &strength)) in lines.enumerate() {
+        let mut channels = vec![Gray::filled(width, height, 0.0); DIRECTIONS];
+        for (index, &strength) in strength.pixels().iter().enumerate() {
             if strength <= 0.0 {
                 continue;
             }
@@ -54,17 +53,25 @@ impl OrientationField {
             let place = direction * (DIRECTIONS as f32 / std::f32::consts::PI);
             let low = (place as usize).min(DIRECTIONS - 1);
             let part = place - low as f32;
-            channels[low] += relative * (1.0 - part);
-            channels[(low + 1) % DIRECTIONS] += relative * part;
+            channels[low].pixels_mut()[index] += relative * (1.0 - part);
+            channels[(low + 1) % DIRECTIONS].pixels_mut()[index] += relative * part;
         }
-        blur_interleaved(&mut samples, width, DIRECTIONS, SPREAD);
-        let mut channels = vec![Gray::filled(width, height, 0.0); DIRECTIONS];
-        for (index, values) in samples.chunks_exact(DIRECTIONS).enumerate() {
-            // A place where two edges meet does not count twice.
-            let norm = values.iter().map(|v| v * v).sum::<f32>().sqrt();
-            let scale = covered.pixels()[index] / (norm + 1e-3).sqrt();
-            for (channel, value) in channels.iter_mut().zip(values) {
-                channel.pixels_mut()[index] = value * scale;
+        for channel in &mut channels {
+            blur_interleaved(channel.pixels_mut(), width, 1, SPREAD);
+        }
+        // A place where two edges meet does not count twice.
+        let mut scales = vec![0.0_f32; width * height];
+        for channel in &channels {
+            for (sum, &value) in scales.iter_mut().zip(channel.pixels()) {
+                *sum += value * value;
+            }
+        }
+        for (scale, &cover) in scales.iter_mut().zip(covered.pixels()) {
+            *scale = cover / (scale.sqrt() + 1e-3).sqrt();
+        }
+        for channel in &mut channels {
+            for (value, &scale) in channel.pixels_mut().iter_mut().zip(&scales) {
+                *value *= scale;
             }
         }
         Self { channels, covered }
