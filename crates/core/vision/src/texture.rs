@@ -63,17 +63,23 @@ pub fn local_contrast(luminance: &Gray, covered: &Gray, radius: usize) -> Gray {
     let counts = IntegralImage::new(covered);
     let sums = IntegralImage::new(&masked);
     let squares = IntegralImage::of_squares(&masked);
-    Gray::from_fn(width, height, |column, row| {
-        if covered.get(column, row) == 0.0 {
-            return 0.0;
+    let [mut count, mut sum, mut square] = [0; 3].map(|_| vec![0.0; width]);
+    let mut contrast = Gray::filled(width, height, 0.0);
+    for row in 0..height {
+        counts.sums_around(row, radius, &mut count);
+        sums.sums_around(row, radius, &mut sum);
+        squares.sums_around(row, radius, &mut square);
+        let lines = luminance.row(row).iter().zip(covered.row(row));
+        let lines = lines.zip(&count).zip(&sum).zip(&square);
+        for (out, ((((&value, &cover), count), sum), square)) in
+            contrast.row_mut(row).iter_mut().zip(lines)
+        {
+            let mean = sum / count;
+            let variance = square / count - mean * mean;
+            let deviation = (variance.max(0.0) + NOISE * NOISE).sqrt();
+            let relative = ((f64::from(value) - mean) / deviation) as f32;
+            *out = if cover == 0.0 { 0.0 } else { relative };
         }
-        let (left, top) = (column.saturating_sub(radius), row.saturating_sub(radius));
-        let across = (column + radius + 1).min(width) - left;
-        let down = (row + radius + 1).min(height) - top;
-        let count = counts.sum(left, top, across, down);
-        let mean = sums.sum(left, top, across, down) / count;
-        let variance = squares.sum(left, top, across, down) / count - mean * mean;
-        let deviation = (variance.max(0.0) + NOISE * NOISE).sqrt();
-        ((f64::from(luminance.get(column, row)) - mean) / deviation) as f32
-    })
+    }
+    contrast
 }

@@ -71,6 +71,44 @@ impl IntegralImage {
         bottom[column + width] - bottom[column] - top[column + width] + top[column]
     }
 
+    /// Sums over the squares of `radius` pixels to each side around the pixels of row `row`, cut at the edges of the
+    /// picture.
+    ///
+    /// # Panics
+    /// If `sums` has not one place for each pixel of the row.
+    ///
+    /// ```
+    /// use pilotage_raster::raster::{Gray, IntegralImage};
+    ///
+    /// let table = IntegralImage::new(&Gray::filled(4, 3, 1.0));
+    /// let mut sums = [0.0; 4];
+    /// table.sums_around(0, 1, &mut sums);
+    /// assert_eq!(sums, [4.0, 6.0, 6.0, 4.0]);
+    /// ```
+    pub fn sums_around(&self, row: usize, radius: usize, sums: &mut [f64]) {
+        let width = self.stride - 1;
+        assert_eq!(sums.len(), width, "sums for another width");
+        let top = self.line(row.saturating_sub(radius));
+        let bottom = self.line((row + radius + 1).min(self.rows - 1));
+        let sum = |left: usize, right: usize| bottom[right] - bottom[left] - top[right] + top[left];
+        let inner = if width > 2 * radius {
+            radius..width - radius
+        } else {
+            0..0
+        };
+        let (before, behind) = (0..inner.start, inner.end..width);
+        for x in before.chain(behind) {
+            sums[x] = sum(x.saturating_sub(radius), (x + radius + 1).min(width));
+        }
+        let across = 2 * radius + 1;
+        let count = inner.len();
+        let (top_left, top_right) = (&top[..count], &top[across.min(width)..][..count]);
+        let (bottom_left, bottom_right) = (&bottom[..count], &bottom[across.min(width)..][..count]);
+        for (n, sum) in sums[inner].iter_mut().enumerate() {
+            *sum = bottom_right[n] - bottom_left[n] - top_right[n] + top_left[n];
+        }
+    }
+
     /// The table's row `row` (0 to the height of the picture), one entry more than the width.
     fn line(&self, row: usize) -> &[f64] {
         assert!(row < self.rows, "row {row} of a table of {}", self.rows);
@@ -141,6 +179,28 @@ mod tests {
                 .map(|(q, r)| f64::from(picture.get(q, r)))
                 .sum();
             prop_assert_eq!(IntegralImage::new(&picture).sum(x, y, w, h), expected);
+        }
+
+        #[test]
+        fn sums_around_the_pixels_of_a_row_are_those_of_their_squares(
+            width in 1usize..40,
+            height in 1usize..9,
+            radius in 0usize..12,
+            values in proptest::collection::vec(-100.0..100.0f32, 40 * 9),
+            place in 0.0..1.0f64,
+        ) {
+            let picture = Gray::from_fn(width, height, |x, y| values[y * 40 + x]);
+            let table = IntegralImage::new(&picture);
+            let row = (place * height as f64) as usize;
+            let mut sums = vec![0.0; width];
+            table.sums_around(row, radius, &mut sums);
+            let top = row.saturating_sub(radius);
+            let down = (row + radius + 1).min(height) - top;
+            for (x, sum) in sums.iter().enumerate() {
+                let left = x.saturating_sub(radius);
+                let across = (x + radius + 1).min(width) - left;
+                prop_assert_eq!(*sum, table.sum(left, top, across, down));
+            }
         }
     }
 }
