@@ -160,7 +160,7 @@ impl Planner {
         let legs = legs(route, way_back, cruise(), &wind);
         let (speed, speed_unit) = units.speed();
         let camera = camera(documents);
-        let across = 2.0 * (0.5 * camera.width as f64 / camera.focal).atan();
+        let across = camera.horizontal_fov();
         let cruise_words = format!(
             "Aircraft: cruise at {:.1} {speed_unit}, bank up to {:.0}°.",
             cruise() * speed,

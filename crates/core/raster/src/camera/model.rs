@@ -71,15 +71,36 @@ impl CameraModel {
     /// assert_eq!((camera.principal.x, camera.principal.y), (320.0, 240.0));
     /// ```
     pub fn pinhole(width: usize, height: usize, horizontal_fov: f64) -> Self {
+        Self::of_focal(
+            width,
+            height,
+            0.5 * width as f64 / (0.5 * horizontal_fov).tan(),
+        )
+    }
+
+    /// [`CameraModel::pinhole`] by its focal length in pixels.
+    ///
+    /// ```
+    /// use pilotage_raster::camera::CameraModel;
+    ///
+    /// let camera = CameraModel::of_focal(640, 480, 320.0);
+    /// assert!((camera.horizontal_fov() - 90_f64.to_radians()).abs() < 1e-12);
+    /// ```
+    pub fn of_focal(width: usize, height: usize, focal: f64) -> Self {
         Self {
             width,
             height,
-            focal: 0.5 * width as f64 / (0.5 * horizontal_fov).tan(),
+            focal,
             principal: Point2::new(0.5 * width as f64, 0.5 * height as f64),
             lens: Lens::Pinhole,
             distortion: Distortion::default(),
             mount: Mount::default(),
         }
+    }
+
+    /// Angle between the sides of the picture, radians, by the focal length alone (lens and distortion aside).
+    pub fn horizontal_fov(&self) -> f64 {
+        2.0 * (0.5 * self.width as f64 / self.focal).atan()
     }
 
     /// The camera of pictures that were stored turned by `turn`, radians clockwise: the mount stays as it is,

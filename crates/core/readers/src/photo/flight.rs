@@ -302,14 +302,10 @@ fn name(photo: &str) -> String {
 
 pub(super) fn camera(photo: &Photo, notes: &mut Vec<String>) -> CameraModel {
     let (focal, whence) = focal_in_pixels(photo);
-    let camera = CameraModel {
-        focal,
-        ..CameraModel::pinhole(photo.width, photo.height, 1.0)
-    };
-    let across = 2.0 * (0.5 * photo.width as f64 / focal).atan();
+    let camera = CameraModel::of_focal(photo.width, photo.height, focal);
     notes.push(format!(
         "the focal length of {focal:.0} pixels ({:.0}° across) is {whence}",
-        across.to_degrees()
+        camera.horizontal_fov().to_degrees()
     ));
     camera
 }

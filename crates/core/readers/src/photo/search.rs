@@ -65,8 +65,7 @@ impl PhotoSearch {
             None => focal_in_pixels(photo),
         };
         assumed.push(format!("focal length {focal:.0} pixels, {from}"));
-        let across = 2.0 * (0.5 * photo.width as f64 / focal).atan();
-        CameraModel::pinhole(photo.width, photo.height, across)
+        CameraModel::of_focal(photo.width, photo.height, focal)
     }
 
     /// Prior of the pose of a photo before it is looked at, over a map that lies in `world` on the globe; what was

@@ -119,7 +119,7 @@ fn over_its_own(
         let (width, rows) = (picture.width(), picture.height());
         Some(RealPhoto {
             name: columns[0].to_owned(),
-            camera: CameraModel::pinhole(width, rows, 2.0 * (0.5 * width as f64 / focal).atan()),
+            camera: CameraModel::of_focal(width, rows, focal),
             picture,
             pose: Pose {
                 position_in_world: Point3::new(middle.north, middle.east, -height),

@@ -139,16 +139,11 @@ fn site(set: &Set) -> Option<Site> {
         let ahead = height * pitch.tan();
         let file = folder.join("frames").join(row["file"]);
         let picture = decode_picture(&std::fs::read(&file).unwrap()).unwrap();
-        let half = 0.5 * picture.width() as f64;
         Photo {
             name: row["file"].to_owned(),
             file,
             time,
-            camera: CameraModel::pinhole(
-                picture.width(),
-                picture.height(),
-                2.0 * (half / set.focal).atan(),
-            ),
+            camera: CameraModel::of_focal(picture.width(), picture.height(), set.focal),
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
             below,
             centre: GroundPoint::new(
