@@ -2,16 +2,22 @@
 //!
 //! Ground is cut into cells of 256 m; a landmark is its place within its cell to a quarter of a metre, its class, and
 //! its other numbers in steps that are finer than what is known of them. 18,000 landmarks are 108 kB and some
-//! hundred bytes for the cells.
+//! hundred bytes for the cells. What the file says of its map stands in front of them.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::{GenericClass, GenericLandmark, ReferenceTable};
-use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::{Geodetic, GroundPoint};
 use pilotage_base::varint::{VarintError, put_varint, take_varint, unzigzag, zigzag};
 
 /// First bytes: the format and its version.
-const MAGIC: [u8; 4] = *b"PGT1";
+const MAGIC: [u8; 4] = *b"PGT2";
+/// Those of tables that say nothing of their map.
+const BEFORE_ORIGINS: [u8; 4] = *b"PGT1";
+/// Flags of what is said of the map: its origin (latitude and longitude in radians), the pixels in which things were
+/// sought (metres).
+const ORIGIN: u8 = 1;
+const GSD: u8 = 2;
 /// Side of a cell, metres.
 const CELL: f64 = 256.0;
 /// Steps of a place within a cell.
@@ -28,6 +34,8 @@ const STABILITIES: f64 = 31.0;
 const CONFIDENCES: f64 = 15.0;
 /// Bytes of a landmark.
 const RECORD: usize = 6;
+/// Widest pixel in which things are sought, metres.
+const WIDEST_PIXEL: f64 = 1e4;
 /// Most bytes of a number of variable length.
 const LONGEST_NUMBER: usize = 9;
 /// Most that a cell may lie from the origin, in cells: more than the globe has.
@@ -58,6 +66,11 @@ impl ReferenceTable {
             self.landmarks().iter().filter_map(packed).collect();
         placed.sort_unstable();
         let mut bytes = MAGIC.to_vec();
+        let flag = |is_told: bool, flag| if is_told { flag } else { 0 };
+        bytes.push(flag(self.origin().is_some(), ORIGIN) | flag(self.gsd().is_some(), GSD));
+        let origin = self.origin().map(|at| [at.latitude, at.longitude]);
+        let numbers = origin.into_iter().flatten().chain(self.gsd());
+        bytes.extend(numbers.flat_map(f64::to_le_bytes));
         put_varint(&mut bytes, self.others().len() as u64);
         for name in self.others() {
             put_varint(&mut bytes, name.len() as u64);
@@ -83,9 +96,28 @@ impl ReferenceTable {
     /// The bytes are no table, or damaged.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, CompactTableError> {
         let mut reader = Reader { bytes, at: 0 };
-        if reader.take(MAGIC.len()) != Ok(&MAGIC) {
-            return Err(CompactTableError::NoTable);
+        let told = match reader.take(MAGIC.len()) {
+            Ok(magic) if *magic == MAGIC => reader.take(1)?[0],
+            Ok(magic) if *magic == BEFORE_ORIGINS => 0,
+            _ => return Err(CompactTableError::NoTable),
+        };
+        if told & !(ORIGIN | GSD) != 0 {
+            return Err(reader.damaged());
         }
+        let mut origin = None;
+        if told & ORIGIN != 0 {
+            let (latitude, longitude) = (reader.real(FRAC_PI_2)?, reader.real(PI)?);
+            origin = Some(Geodetic {
+                latitude,
+                longitude,
+                height: 0.0,
+            });
+        }
+        let gsd = if told & GSD != 0 {
+            Some(reader.real(WIDEST_PIXEL)?)
+        } else {
+            None
+        };
         let mut others = Vec::new();
         let names = reader.number()?;
         if names > u64::from(GenericClass::MOST_OTHERS) {
@@ -111,7 +143,11 @@ impl ReferenceTable {
                 landmarks.push(landmark.ok_or(reader.damaged())?);
             }
         }
-        Ok(Self::new(landmarks, others))
+        let table = Self::new(landmarks, others).on_globe(origin);
+        Ok(match gsd {
+            Some(gsd) => table.sought_in(gsd),
+            None => table,
+        })
     }
 }
 
@@ -191,6 +227,18 @@ impl<'a> Reader<'a> {
         })
     }
 
+    /// A number from `-most` to `most`.
+    fn real(&mut self, most: f64) -> Result<f64, CompactTableError> {
+        let mut bytes = [0; 8];
+        bytes.copy_from_slice(self.take(8)?);
+        let number = f64::from_le_bytes(bytes);
+        if number.abs() <= most {
+            Ok(number)
+        } else {
+            Err(self.damaged())
+        }
+    }
+
     fn damaged(&self) -> CompactTableError {
         CompactTableError::Damaged { at: self.at }
     }
@@ -252,6 +300,37 @@ mod tests {
             bytes.truncate(length);
             let _ = ReferenceTable::from_bytes(&bytes);
         }
+    }
+
+    #[test]
+    fn a_table_tells_where_its_map_lies_and_older_ones_do_not() {
+        let one = || GenericLandmark {
+            place: GroundPoint::new(3.0, -7.0),
+            class: GenericClass::Tree,
+            size: 4.0,
+            orientation: 0.0,
+            confidence: 1.0,
+            stability: 1.0,
+        };
+        let plain = ReferenceTable::new(vec![one()], names());
+        let origin = Geodetic::from_degrees(-33.85, 18.42, 0.0);
+        let told = plain.clone().on_globe(Some(origin)).sought_in(0.25);
+        let bytes = told.to_bytes();
+        let back = ReferenceTable::from_bytes(&bytes).unwrap();
+        assert_eq!((back.origin(), back.gsd()), (Some(origin), Some(0.25)));
+        assert_eq!(back.landmarks().len(), 1);
+        // Tables of before: other first bytes, and nothing of the map.
+        let mut older = plain.to_bytes();
+        older.remove(MAGIC.len());
+        older[..MAGIC.len()].copy_from_slice(&BEFORE_ORIGINS);
+        let older = ReferenceTable::from_bytes(&older).unwrap();
+        assert_eq!((older.origin(), older.gsd()), (None, None));
+        assert_eq!(older.landmarks(), back.landmarks());
+        // A place that no globe has.
+        let mut wrong = bytes.clone();
+        wrong[MAGIC.len() + 1..][..8].copy_from_slice(&f64::NAN.to_le_bytes());
+        let refusal = ReferenceTable::from_bytes(&wrong).unwrap_err();
+        assert!(matches!(refusal, CompactTableError::Damaged { .. }));
     }
 
     #[test]

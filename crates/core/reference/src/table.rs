@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{GenericClass, GenericLandmark};
-use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect};
 
 /// Generic landmarks of a map, from south to north.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -12,6 +12,8 @@ pub struct ReferenceTable {
     others: Vec<String>,
     /// Sorted by how far north they lie, so that a band of them is a slice.
     landmarks: Vec<GenericLandmark>,
+    origin: Option<Geodetic>,
+    gsd: Option<f64>,
 }
 
 impl ReferenceTable {
@@ -35,7 +37,35 @@ impl ReferenceTable {
             is_named && numbers.iter().all(|number| number.is_finite())
         });
         landmarks.sort_by(|a, b| a.place.north.total_cmp(&b.place.north));
-        Self { others, landmarks }
+        Self {
+            others,
+            landmarks,
+            origin: None,
+            gsd: None,
+        }
+    }
+
+    /// The same table of a map whose world has its origin there, if it is known where on the globe.
+    #[must_use]
+    pub fn on_globe(self, origin: Option<Geodetic>) -> Self {
+        Self { origin, ..self }
+    }
+
+    /// The same table of landmarks that were sought in pixels of `gsd` metres.
+    #[must_use]
+    pub fn sought_in(self, gsd: f64) -> Self {
+        let gsd = (gsd.is_finite() && gsd > 0.0).then_some(gsd);
+        Self { gsd, ..self }
+    }
+
+    /// Place of the origin from which places are metres north and east, if it is known.
+    pub fn origin(&self) -> Option<Geodetic> {
+        self.origin
+    }
+
+    /// Ground in a pixel in which its landmarks were sought, metres, if it is known.
+    pub fn gsd(&self) -> Option<f64> {
+        self.gsd
     }
 
     /// Its landmarks, from south to north.
