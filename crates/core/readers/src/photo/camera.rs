@@ -11,30 +11,35 @@ const SENSOR_ASPECT: f64 = 4.0 / 3.0;
 
 /// Focal length of a photo in pixels, and in words where it comes from.
 pub fn focal_in_pixels(photo: &Photo) -> (f64, &'static str) {
-    let (width, height) = (photo.width as f64, photo.height as f64);
+    told(photo).unwrap_or((
+        USUAL_FOCAL_PER_WIDTH * photo.width as f64,
+        "assumed: they tell nothing of it",
+    ))
+}
+
+/// Focal length of a photo in pixels, if it tells anything of it.
+pub fn told_focal(photo: &Photo) -> Option<f64> {
+    told(photo).map(|(focal, _)| focal)
+}
+
+fn told(photo: &Photo) -> Option<(f64, &'static str)> {
     if let Some(focal) = photo.calibrated_focal {
-        return (focal, "as calibrated by the maker");
+        return Some((focal, "as calibrated by the maker"));
     }
     if let Some((focal, pitch)) = photo.focal_length.zip(photo.pixel_pitch) {
-        return (
-            focal / pitch,
-            "from its length and the size of the sensor's pixels",
-        );
+        let whence = "from its length and the size of the sensor's pixels";
+        return Some((focal / pitch, whence));
     }
-    if let Some(focal) = photo.focal_length_35 {
-        // Both have the same angle from corner to corner, of the sensor as a whole: a picture of 16 : 9 shows
-        // all of its width.
-        let (long, short) = (width.max(height), width.min(height));
-        let diagonal = long.hypot(short.max(long / SENSOR_ASPECT));
-        return (
-            focal * diagonal / FILM_DIAGONAL,
-            "from what it would be on film of 35 mm",
-        );
-    }
-    (
-        USUAL_FOCAL_PER_WIDTH * width,
-        "assumed: they tell nothing of it",
-    )
+    // Both have the same angle from corner to corner, of the sensor as a whole: a picture of 16 : 9 shows
+    // all of its width.
+    let focal = photo.focal_length_35?;
+    let (width, height) = (photo.width as f64, photo.height as f64);
+    let (long, short) = (width.max(height), width.min(height));
+    let diagonal = long.hypot(short.max(long / SENSOR_ASPECT));
+    Some((
+        focal * diagonal / FILM_DIAGONAL,
+        "from what it would be on film of 35 mm",
+    ))
 }
 
 #[cfg(test)]
@@ -79,5 +84,7 @@ mod tests {
         };
         assert_eq!(focal_in_pixels(&calibrated).0, 3666.7);
         assert_eq!(focal_in_pixels(&photo(1000, 500)).0, 600.0);
+        assert_eq!(told_focal(&photo(1000, 500)), None);
+        assert_eq!(told_focal(&calibrated), Some(3666.7));
     }
 }

@@ -19,6 +19,8 @@ use pilotage_vision::registration::{
 pub struct PhotoLook {
     /// Its pixels.
     pub picture: Picture,
+    /// What its file tells.
+    pub told: Photo,
     /// Its camera, which looks straight down when the body is level.
     pub camera: CameraModel,
     /// Prior of its pose.
@@ -96,6 +98,7 @@ impl PhotoLook {
         Ok(Self {
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
             picture,
+            told: photo,
             camera,
             prior,
             assumed,

@@ -25,7 +25,7 @@ mod triggered_tests;
 mod triggers;
 mod xmp;
 
-pub use camera::focal_in_pixels;
+pub use camera::{focal_in_pixels, told_focal};
 pub use flight::{photos_lack, read_photos};
 pub use laying::{DecodePhoto, PhotoAnswer, PhotoLook, RegisteredPhoto};
 pub use pose::{PhotoPose, photo_pose};
