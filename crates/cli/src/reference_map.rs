@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 
 /// Makes the table of a map.
 fn make_table(map: &Path, out: &Path, pixel_rows: Option<&Path>) -> CommandResult {
-    let (map, _) = open_map_with_frame(map, MAP_CACHE)?;
+    let (map, frame) = open_map_with_frame(map, MAP_CACHE)?;
     let picture = Window::covering(&map.bounds(), map.native_gsd());
     let lent = Lent::default().with_map(Lent::map_of_file(), map);
     let mut bytes: Vec<u8> = Vec::new();
@@ -78,7 +78,8 @@ fn make_table(map: &Path, out: &Path, pixel_rows: Option<&Path>) -> CommandResul
         }
         Ok(())
     })?;
-    let table = ReferenceTable::from_bytes(&bytes)?;
+    let table = ReferenceTable::from_bytes(&bytes)?.on_globe(frame.map(|frame| frame.origin));
+    let bytes = table.to_bytes();
     write_whole(out, &bytes)?;
     if let Some(path) = pixel_rows {
         let rows = table.pixel_rows(&picture);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pilotage_core::filter::probability_words;
 use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, RegisteredPhoto};
-use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
+use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::imagery::Imagery;
 use pilotage_core::raster::encode_png;
 use pilotage_core::registration::{RegistrationMethod, overlay};
@@ -14,7 +14,7 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, DiskFile, MAP_CACHE, open_map_with_frame, write_whole};
-use crate::numbers::numbers;
+use crate::numbers::lat_lon;
 use crate::photo_picture::decode_photo;
 use crate::workers::{self, Lent};
 
@@ -179,7 +179,11 @@ impl Arguments {
     /// The same as the search has it, in metres and radians.
     fn search(&self) -> Result<PhotoSearch, String> {
         Ok(PhotoSearch {
-            at: self.at.as_deref().map(lat_lon).transpose()?,
+            at: self
+                .at
+                .as_deref()
+                .map(|at| lat_lon(at, "--at"))
+                .transpose()?,
             within: self.within,
             height: self.height,
             height_within: 0.01 * self.height_within,
@@ -229,16 +233,6 @@ fn answer(path: &Path, report: PhotoReport, ground: &PlacedMap) -> PhotoResult {
         refused: said.laid.as_ref().err().cloned(),
         laid: said.laid.ok().map(|photo| laid(ground, &photo)),
     }
-}
-
-fn lat_lon(text: &str) -> Result<Geodetic, String> {
-    let [latitude, longitude] = numbers(text, "--at")?;
-    if latitude.abs() > 90.0 || longitude.abs() > 180.0 {
-        return Err(format!(
-            "--at: \"{text}\" is not a latitude and a longitude in degrees"
-        ));
-    }
-    Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
 }
 
 fn laid(ground: &PlacedMap, photo: &RegisteredPhoto) -> LaidPhoto {

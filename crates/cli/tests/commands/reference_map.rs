@@ -68,21 +68,68 @@ fn a_photo_is_placed_by_the_edges_of_a_table_without_the_map() {
         .run(&["reference-map", "map.png", "--edges", "-o", "map.table"])
         .unwrap();
     assert!(out.contains("straight edges"), "{out}");
+    assert!(out.contains("--at-metres"), "{out}");
     // The middle of the photo, 130 m from the west and 120 m from the south; the focal length is that of 0.5 m a pixel.
-    let words = |at: &'static str| {
-        let all = "reference-map locate map.table photo.png --height 100 --heading 0 --focal 200";
-        let words = all.split(' ').chain(["--at", at]);
-        folder.run(&words.collect::<Vec<_>>()).unwrap()
+    let words = |rest: &str| {
+        let all = format!("reference-map locate map.table photo.png {rest}");
+        folder.run(&all.split(' ').collect::<Vec<_>>()).unwrap()
     };
-    let found = words("131,118");
+    let known = "--height 100 --heading 0 --focal 200";
+    let found = words(&format!("{known} --at-metres 131,118"));
     println!("{found}");
     assert!(found.contains("middle of the picture"), "{found}");
-    let number = |word: &str| -> f64 {
+    let number = |found: &str, word: &str| -> f64 {
         let before = found.split(word).next().unwrap();
         before.split_whitespace().last().unwrap().parse().unwrap()
     };
-    let place = [number(" m north"), number(" m east")];
-    let off = [place[0] - 120.0, place[1] - 130.0];
+    let off = [
+        number(&found, " m north") - 120.0,
+        number(&found, " m east") - 130.0,
+    ];
     assert!(off[0].hypot(off[1]) < 2.0, "{found}");
+    // What nobody tells is asked for.
+    for (given, missing) in [
+        (known, "--at-metres"),
+        ("--heading 0 --at-metres 131,118", "--height"),
+        ("--height 100 --at-metres 131,118", "--heading"),
+    ] {
+        let refused = words(given);
+        let asks = refused.contains("no place: ") && refused.contains(missing);
+        assert!(asks, "{given}: {refused}");
+    }
     assert!(folder.run(&["reference-map"]).is_err());
+}
+
+/// A photo over the table of a satellite map of another date, which tells where on the globe it lies.
+#[test]
+fn a_photo_is_placed_on_the_globe_by_the_edges_of_a_map_of_another_date() {
+    let Some(data) = pilotage_tests::data::shared("fengyuan") else {
+        return;
+    };
+    let folder = Folder::new("locate_on_globe");
+    let file = |name: &str| data.join(name).to_string_lossy().into_owned();
+    let map = file("map.jpg");
+    let out = folder.run(&["reference-map", &map, "--edges", "-o", "map.table"]);
+    assert!(!out.unwrap().contains("--at-metres"));
+    let table = std::fs::read(folder.0.join("map.table")).unwrap();
+    let table = ReferenceTable::from_bytes(&table).unwrap();
+    assert!(table.origin().is_some() && table.gsd().is_some());
+    // Its receiver's place, and what its author's table tells of it.
+    let photo = file("frames/DJI_003.jpg");
+    let all = "--at 24.26109875,120.72074764 --height 119.3 --heading 152 --ahead 9.5 --focal 728";
+    let mut words = vec!["reference-map", "locate", "map.table", &photo];
+    words.extend(all.split(' '));
+    let found = folder.run(&words).unwrap();
+    let line = found.lines().find(|line| line.contains("middle of"));
+    let line = line.unwrap_or_else(|| panic!("{found}"));
+    let degrees: Vec<f64> = line
+        .split([' ', ',', ';'])
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    // The author's truth of the middle: ahead of the receiver by the height times the tangent of the tilt.
+    let ahead = 119.3 * 9.5_f64.to_radians().tan();
+    let heading = 152_f64.to_radians();
+    let north = (degrees[0] - 24.261_098_75) * 110_760.0 - ahead * heading.cos();
+    let east = (degrees[1] - 120.720_747_64) * 101_500.0 - ahead * heading.sin();
+    assert!(north.hypot(east) < 10.0, "{north} {east}: {found}");
 }
