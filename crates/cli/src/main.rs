@@ -24,7 +24,6 @@ mod numbers;
 mod outage;
 mod outcome;
 mod own_map;
-mod photo_camera;
 mod photo_picture;
 mod plan;
 mod reference_map;

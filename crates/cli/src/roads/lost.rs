@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::{Point3, Vector2};
-use pilotage_core::frames::Pose;
-use pilotage_core::raster::decode_picture;
+use pilotage_core::camera::CameraModel;
+use pilotage_core::flight::photo::{Photo, photo_pose, read_photo, told_focal};
+use pilotage_core::frames::{Attitude, Pose};
+use pilotage_core::imagery::MemoryBytes;
 use pilotage_core::road::{NorthUpPicture, RoadDetection, SEEN_GSD};
 use pilotage_core::roads::RoadMap;
 use pilotage_core::roads::lost::{
@@ -14,7 +16,7 @@ use pilotage_core::roads::lost::{
 use super::source::{RoadSource, class};
 use crate::CommandResult;
 use crate::numbers::numbers;
-use crate::photo_camera::{LookingDown, camera_of};
+use crate::photo_picture::decode_photo;
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.99;
@@ -32,7 +34,7 @@ const RECKONED: f64 = 0.03;
 pub struct Arguments {
     /// Road map: a file of OpenStreetMap (XML, PBF), GeoJSON or a mission, or a built-in scenario.
     map: String,
-    /// Photo (JPEG or PNG) of a camera that looks down, or roads that were seen as GeoJSON, wherever they lie on the
+    /// Photo (JPEG, TIFF or PNG) of a camera that looks down, or roads that were seen as GeoJSON, wherever they lie on the
     /// globe; several of them in the order of the flight.
     #[arg(required = true)]
     views: Vec<PathBuf>,
@@ -44,17 +46,18 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     ways: Vec<String>,
-    /// Height of the camera above the ground; photos need it.
+    /// Height of the camera above the ground; what the photo says if absent.
     #[arg(long, value_name = "METRES")]
     height: Option<f64>,
-    /// Focal length in pixels of the photo; photos need it.
+    /// Focal length in pixels of the photo; what the photo says if absent.
     #[arg(long, value_name = "PIXELS")]
     focal: Option<f64>,
     /// Range of the height, percent.
     #[arg(long, value_name = "PERCENT", default_value_t = 4.0)]
     height_within: f64,
-    #[command(flatten)]
-    looking: LookingDown,
+    /// Angle by which the camera looks ahead of straight down, degrees; what the photo says if absent.
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    ahead: Option<f64>,
     /// Believed heading of the first view's top, degrees from north.
     #[arg(
         long,
@@ -157,14 +160,33 @@ fn view(path: &Path, arguments: &Arguments) -> Result<RoadView, String> {
         let map: RoadMap = RoadSource::open(&name)?.map(None);
         return RoadView::of_map(&map).ok_or_else(|| format!("{name}: it has no roads"));
     }
-    let picture = decode_picture(&bytes).map_err(|e| format!("{name}: {e}"))?;
-    let (Some(height), Some(focal)) = (arguments.height, arguments.focal) else {
-        return Err(format!("{name}: a photo needs --height and --focal"));
+    let picture = decode_photo(&name, &bytes).map_err(|e| format!("{name}: {e}"))?;
+    let source = MemoryBytes::new(&name, bytes);
+    let photo = Photo {
+        width: picture.width(),
+        height: picture.height(),
+        ..read_photo(&source).unwrap_or_default()
     };
-    let camera = camera_of(&picture, focal);
+    let told = photo_pose(&photo);
+    let height = arguments
+        .height
+        .or(told.height.filter(|height| *height > 0.0));
+    let height = height.ok_or(format!(
+        "{name}: it does not tell its height; give --height"
+    ))?;
+    let focal = arguments.focal.or(told_focal(&photo));
+    let focal = focal.ok_or(format!(
+        "{name}: it does not tell its focal length; give --focal"
+    ))?;
+    let camera = CameraModel::of_focal(picture.width(), picture.height(), focal);
+    let ahead = arguments.ahead.map(f64::to_radians);
     let pose = Pose {
         position_in_world: Point3::new(0.0, 0.0, -height),
-        attitude: arguments.looking.attitude(0.0),
+        attitude: Attitude {
+            roll: told.roll,
+            pitch: ahead.unwrap_or(told.pitch),
+            yaw: 0.0,
+        },
     };
     let farthest = FARTHEST_HEIGHTS * height;
     let ground = NorthUpPicture::of(&camera, &pose, 0.0, &picture, SEEN_GSD, farthest);
