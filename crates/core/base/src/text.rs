@@ -22,16 +22,28 @@ pub fn capitalised(text: &str) -> String {
     first.chain(letters).collect()
 }
 
-/// A text in which nothing is taken for the markup of HTML or XML.
+/// A text in which nothing is taken for the markup of HTML or XML, and without the control characters that XML forbids.
 ///
 /// ```
-/// assert_eq!(pilotage_base::text::without_markup("a < \"b\" & c"), "a &lt; &quot;b&quot; &amp; c");
+/// use pilotage_base::text::without_markup;
+///
+/// assert_eq!(without_markup("a < \"b\" & c"), "a &lt; &quot;b&quot; &amp; c");
+/// assert_eq!(without_markup("it's\u{0}\tso"), "it&apos;s\tso");
 /// ```
 pub fn without_markup(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    let is_allowed = |c: char| c >= ' ' || ['\t', '\n', '\r'].contains(&c);
+    let mut safe = String::with_capacity(text.len());
+    for character in text.chars().filter(|c| is_allowed(*c)) {
+        match character {
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '&' => safe.push_str("&amp;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&apos;"),
+            other => safe.push(other),
+        }
+    }
+    safe
 }
 
 /// A cell of a CSV table, in quotation marks where it needs them.

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use egui::{Color32, Pos2, Rect, Stroke};
+use pilotage_core::text::without_markup;
 
 /// Position of a text relative to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,7 +117,7 @@ impl Svg {
             number(at.x),
             number(at.y),
             paint("fill", colour),
-            escaped(text)
+            without_markup(text)
         );
     }
 
@@ -143,7 +144,7 @@ impl Svg {
              viewBox=\"0 0 {width} {height}\" font-family=\"system-ui, sans-serif\" \
              font-size=\"{}\">\n<title>{}</title>\n{}</svg>\n",
             number(self.text_size),
-            escaped(title),
+            without_markup(title),
             self.body
         )
     }
@@ -172,23 +173,6 @@ fn paint(attribute: &str, colour: Color32) -> String {
         );
     }
     text
-}
-
-/// A text as XML has it.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for sign in text.chars() {
-        match sign {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            // XML knows no other control characters.
-            sign if sign.is_control() => safe.push(' '),
-            sign => safe.push(sign),
-        }
-    }
-    safe
 }
 
 #[cfg(test)]
@@ -226,7 +210,7 @@ mod tests {
         }
         assert_eq!(depth, 0);
         assert!(file.contains("d=\"M0 0L1.33 0\""), "{file}");
-        assert!(file.contains("a &lt; b &amp; &quot;c&quot; <"), "{file}");
+        assert!(file.contains("a &lt; b &amp; &quot;c&quot;<"), "{file}");
         assert!(file.contains("fill=\"#0102ff\""), "{file}");
     }
 }

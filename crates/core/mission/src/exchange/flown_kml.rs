@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::flown_track::{FlownPoint, FlownTrack, angles, finite};
-use super::xml::escape;
 use pilotage_base::text::utc_text;
+use pilotage_base::text::without_markup;
 use pilotage_base::viridis::VIRIDIS;
 
 /// Colour where the series says nothing.
@@ -18,7 +18,7 @@ pub(super) fn write(track: &FlownTrack) -> String {
          <kml xmlns=\"http://www.opengis.net/kml/2.2\" \
          xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n",
     );
-    let _ = writeln!(text, "<name>{}</name>", escape(&track.name));
+    let _ = writeln!(text, "<name>{}</name>", without_markup(&track.name));
     style(&mut text, "track", TRACK);
     let range = range(track);
     if range.is_some() {
@@ -28,7 +28,7 @@ pub(super) fn write(track: &FlownTrack) -> String {
         }
     }
     if let Some(values) = &track.values {
-        let title = escape(&values.title());
+        let title = without_markup(&values.title());
         let _ = writeln!(
             text,
             "<Schema id=\"values\"><gx:SimpleArrayField name=\"value\" type=\"float\">\
@@ -67,7 +67,7 @@ fn mode(track: &FlownTrack) -> &'static str {
 
 /// The track with its times and values.
 fn in_time(text: &mut String, track: &FlownTrack) {
-    let name = escape(&track.name);
+    let name = without_markup(&track.name);
     let _ = writeln!(
         text,
         "<Placemark><name>{name}</name><styleUrl>#track</styleUrl>\n<gx:Track><altitudeMode>{}</altitudeMode>",
@@ -113,7 +113,10 @@ fn step(value: Option<f64>, (least, greatest): (f64, f64)) -> Option<usize> {
 
 /// Lines of one colour each, in a folder that says which values they have; a piece has the colour of its first point.
 fn coloured(text: &mut String, track: &FlownTrack, range: (f64, f64)) {
-    let title = track.values.as_ref().map(|values| escape(&values.title()));
+    let title = track
+        .values
+        .as_ref()
+        .map(|values| without_markup(&values.title()));
     let _ = writeln!(
         text,
         "<Folder><name>{} from {} to {}</name>",

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::flown_track::{FlownTrack, angles, finite};
-use super::xml::escape;
 use pilotage_base::text::csv_cell;
+use pilotage_base::text::without_markup;
 
 /// Track as GPX.
 pub(super) fn gpx(track: &FlownTrack) -> String {
@@ -14,9 +14,13 @@ pub(super) fn gpx(track: &FlownTrack) -> String {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx version=\"1.1\" creator=\"Pilotage\" \
          xmlns=\"http://www.topografix.com/GPX/1/1\" xmlns:pilotage=\"urn:pilotage:1\">\n",
     );
-    let _ = writeln!(text, "<trk>\n  <name>{}</name>", escape(&track.name));
+    let _ = writeln!(
+        text,
+        "<trk>\n  <name>{}</name>",
+        without_markup(&track.name)
+    );
     if let Some(values) = &track.values {
-        let title = escape(&values.title());
+        let title = without_markup(&values.title());
         let _ = writeln!(text, "  <desc>with {title}</desc>");
     }
     text.push_str("  <trkseg>\n");
@@ -30,7 +34,7 @@ pub(super) fn gpx(track: &FlownTrack) -> String {
             let _ = write!(text, "<time>{utc}</time>");
         }
         if let Some((values, value)) = track.values.as_ref().zip(finite(point.value)) {
-            let (name, unit) = (escape(&values.name), escape(&values.unit));
+            let (name, unit) = (without_markup(&values.name), without_markup(&values.unit));
             let _ = write!(
                 text,
                 "<extensions><pilotage:value name=\"{name}\" unit=\"{unit}\">{value}</pilotage:value></extensions>"

@@ -9,13 +9,14 @@ use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
-use super::xml::{NamedText, XmlElement, escape};
+use super::xml::{NamedText, XmlElement};
 use super::{ExchangeError, Places, fence, flown_text, route_actions};
 use crate::mission::found::{
     FoundLandmark, FoundRally, LandmarkExtent, LonLat, ReadRoute, on_globe,
 };
 use crate::mission::{USUAL_ALTITUDE, WayPoint, degrees, globe};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_base::text::without_markup;
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
@@ -195,7 +196,7 @@ pub(super) fn write(places: &Places<'_>, frame: &LocalFrame) -> (String, Vec<Str
             text,
             "<wpt {}><name>{}</name></wpt>",
             point(&landmark.reference),
-            escape(&landmark.name)
+            without_markup(&landmark.name)
         );
     }
     for rally in rally.unwrap_or_default() {
@@ -205,8 +206,8 @@ pub(super) fn write(places: &Places<'_>, frame: &LocalFrame) -> (String, Vec<Str
             "<wpt {}><name>{}</name><type>rally</type>\n  <extensions><pilotage:{OWN}>{}</pilotage:{OWN}>\
              </extensions></wpt>",
             point(&rally.position),
-            escape(&rally.name),
-            escape(&own)
+            without_markup(&rally.name),
+            without_markup(&own)
         );
     }
     let mut has_hidden = false;
@@ -215,8 +216,8 @@ pub(super) fn write(places: &Places<'_>, frame: &LocalFrame) -> (String, Vec<Str
         let _ = writeln!(
             text,
             "<rte>\n  <name>{}</name>\n  <extensions><pilotage:{OWN}>{}</pilotage:{OWN}></extensions>",
-            escape(&route.name),
-            escape(&own)
+            without_markup(&route.name),
+            without_markup(&own)
         );
         for way_point in &route.way_points {
             let altitude = &way_point.altitude;

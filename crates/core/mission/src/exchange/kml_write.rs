@@ -6,11 +6,11 @@ use std::fmt::Write;
 use serde_json::Value;
 
 use super::embedded::{self, Embedded};
-use super::xml::escape;
 use super::{ExchangeError, Places, route_actions};
 use crate::mission::{degrees, globe, rings};
 use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_base::text::without_markup;
 
 /// Name of the datum that holds what only we know.
 pub(super) const OWN: &str = "pilotage";
@@ -136,7 +136,11 @@ fn position(frame: &LocalFrame, p: &GroundPoint) -> String {
 }
 
 fn placemark(text: &mut String, name: &str, embedded: &Embedded, geometry: &str) {
-    let _ = write!(text, "<Placemark>\n  <name>{}</name>\n", escape(name));
+    let _ = write!(
+        text,
+        "<Placemark>\n  <name>{}</name>\n",
+        without_markup(name)
+    );
     let mut elements: Vec<(usize, &String)> = embedded
         .texts
         .iter()
@@ -154,8 +158,8 @@ fn placemark(text: &mut String, name: &str, embedded: &Embedded, geometry: &str)
         let _ = writeln!(
             text,
             "    <Data name=\"{}\"><value>{}</value></Data>",
-            escape(name),
-            escape(value)
+            without_markup(name),
+            without_markup(value)
         );
     };
     datum(text, OWN, &embedded.own);

@@ -166,20 +166,3 @@ fn element(tag: &BytesStart, begin: usize) -> XmlElement {
         ..XmlElement::default()
     }
 }
-
-/// Text with what XML reserves replaced, and without what it forbids.
-pub(super) fn escape(text: &str) -> String {
-    let is_allowed = |c: char| c >= ' ' || ['\t', '\n', '\r'].contains(&c);
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars().filter(|c| is_allowed(*c)) {
-        match character {
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '&' => escaped.push_str("&amp;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&apos;"),
-            other => escaped.push(other),
-        }
-    }
-    escaped
-}

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 
 use super::ExchangeError;
 use super::found::{FoundLabels, stated_box};
-use crate::exchange::xml::{NamedText, XmlElement, escape};
+use crate::exchange::xml::{NamedText, XmlElement};
 use crate::mission::FrameLabels;
+use pilotage_base::text::without_markup;
 
 /// Element that holds what only we know: ids, and landmarks that are not in the picture.
 const OWN: &str = "pilotage";
@@ -130,7 +131,11 @@ pub(super) fn write(frame: &FrameLabels, names: &BTreeMap<u32, String>) -> Strin
             }
         }
     };
-    let _ = writeln!(text, "\t<filename>{}</filename>", escape(&frame.frame));
+    let _ = writeln!(
+        text,
+        "\t<filename>{}</filename>",
+        without_markup(&frame.frame)
+    );
     let (width, height) = frame.size;
     let _ = writeln!(
         text,
@@ -139,7 +144,11 @@ pub(super) fn write(frame: &FrameLabels, names: &BTreeMap<u32, String>) -> Strin
     raw(&mut text, &frame.properties, "\t");
     for label in &frame.boxes {
         let name = names.get(&label.landmark).unwrap_or(&label.name);
-        let _ = writeln!(text, "\t<object>\n\t\t<name>{}</name>", escape(name));
+        let _ = writeln!(
+            text,
+            "\t<object>\n\t\t<name>{}</name>",
+            without_markup(name)
+        );
         raw(&mut text, &label.properties, "\t\t");
         let flag = |on: bool| u8::from(on);
         let _ = writeln!(
@@ -163,7 +172,7 @@ pub(super) fn write(frame: &FrameLabels, names: &BTreeMap<u32, String>) -> Strin
             let _ = writeln!(
                 text,
                 "\t\t<absent landmark=\"{id}\">{}</absent>",
-                escape(name)
+                without_markup(name)
             );
         }
         let _ = writeln!(text, "\t</{OWN}>");

@@ -14,8 +14,9 @@ mod write;
 use std::fmt::Write;
 
 use super::shadow::is_shadow;
-use super::xml::{XmlElement, escape};
+use super::xml::XmlElement;
 use pilotage_base::files::FileSet;
+use pilotage_base::text::without_markup;
 
 pub(super) use name::NAME;
 pub(super) use read::read;
@@ -73,7 +74,7 @@ fn ending(files: &dyn FileSet, end: &str) -> Option<(String, Vec<u8>)> {
 fn text_of<'a>(elements: impl Iterator<Item = &'a XmlElement>) -> String {
     let mut text = String::new();
     for element in elements {
-        let inside = text_of(element.children.iter()) + &escape(&element.text);
+        let inside = text_of(element.children.iter()) + &without_markup(&element.text);
         // Writing into a string cannot fail.
         let _ = write!(text, "<wpml:{0}>{inside}</wpml:{0}>", element.name);
     }

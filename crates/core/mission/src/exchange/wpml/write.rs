@@ -6,7 +6,7 @@ use std::fmt::Write;
 use super::super::ExchangeError;
 use super::super::item::{MissionItem, RETURN_TO_LAUNCH, command_name, counted};
 use super::super::route_items::{RouteStep, steps_of};
-use super::super::xml::{NamedText, escape};
+use super::super::xml::NamedText;
 use super::heights::heights;
 use super::hover::with_hover;
 use super::{
@@ -16,6 +16,7 @@ use super::{
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{GroundPoint, LocalFrame};
+use pilotage_base::text::without_markup;
 
 /// Speed of legs where a route states none, m/s.
 const USUAL_SPEED: f64 = 10.0;
@@ -107,7 +108,7 @@ pub(in super::super) fn write(
         )
     });
     let name_space = text(&route.properties, OWN_NAME_SPACE);
-    let name_space = escape(name_space.as_deref().unwrap_or(NAME_SPACE));
+    let name_space = without_markup(name_space.as_deref().unwrap_or(NAME_SPACE));
     let document = |before: &str, folder: &str| {
         format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\" \
