@@ -2,6 +2,7 @@
 
 use pilotage_core::text::capitalised;
 use pilotage_study::{DrawBy, SHIPPED_PLANS, StudyDesign, StudyError, StudyPlan};
+use serde_json::{Value, json};
 
 /// Most flights of a study in the page: a minute or two.
 pub const MOST_FLIGHTS: u64 = 2000;
@@ -46,6 +47,26 @@ impl StudyDraft {
             text,
             chosen: None,
         }
+    }
+
+    /// The draft of an earlier visit, as [`StudyDraft::kept`] wrote it; a shipped plan as it is today, with as many
+    /// flights as then.
+    pub fn of_kept(saved: &str) -> Option<Self> {
+        let saved: Value = serde_json::from_str(saved).ok()?;
+        let written = Self::written(saved["plan"].as_str()?.to_owned());
+        let Some(chosen) = saved["chosen"].as_u64() else {
+            return Some(written);
+        };
+        let mut draft = Self::shipped(chosen as usize);
+        if let Ok(plan) = written.plan() {
+            draft.set_draws(plan.draws);
+        }
+        Some(draft)
+    }
+
+    /// What is remembered of it between visits, as JSON.
+    pub fn kept(&self) -> String {
+        json!({ "plan": self.text, "chosen": self.chosen }).to_string()
     }
 
     /// Its text, TOML.
@@ -157,6 +178,21 @@ mod tests {
             why.contains("6000 flights") && why.contains("pilotage study wind.toml"),
             "{why}"
         );
+    }
+
+    #[test]
+    fn a_plan_of_ones_own_and_a_number_of_flights_come_back_at_the_next_visit() {
+        let own = StudyDraft::written(SHIPPED_PLANS[0].replace("[0, 2,", "[1, 3,"));
+        let back = StudyDraft::of_kept(&own.kept()).unwrap();
+        assert_eq!((back.text(), back.chosen()), (own.text(), None));
+        let broken = StudyDraft::written("draws 7".to_owned());
+        let back = StudyDraft::of_kept(&broken.kept()).unwrap();
+        assert_eq!(back.refusal(), broken.refusal());
+        let mut shipped = StudyDraft::shipped(2);
+        shipped.set_draws(70);
+        let back = StudyDraft::of_kept(&shipped.kept()).unwrap();
+        assert_eq!((back.text(), back.chosen()), (shipped.text(), Some(2)));
+        assert!(StudyDraft::of_kept("{}").is_none() && StudyDraft::of_kept("").is_none());
     }
 
     #[test]

@@ -24,6 +24,7 @@ use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, Featu
 use crate::feature_command::STUDIES;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
 
+use draft::StudyDraft;
 use grouping::StudyBy;
 use outcome::StudyOutcome;
 use panel::{StudySheet, open_run};
@@ -157,6 +158,16 @@ impl Feature for StudyFeature {
     fn progress(&self) -> Option<(f32, &str)> {
         let study = self.study.as_ref().filter(|study| study.is_under_way())?;
         Some((study.progress(), self.words.as_str()))
+    }
+
+    fn restore(&mut self, saved: &str) {
+        if let Some(draft) = StudyDraft::of_kept(saved) {
+            self.sheet.draft = draft;
+        }
+    }
+
+    fn save(&self) -> Option<String> {
+        Some(self.sheet.draft.kept())
     }
 
     fn state(&self, documents: &Documents) -> Value {
