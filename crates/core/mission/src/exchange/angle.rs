@@ -1,49 +1,30 @@
 //! Latitudes and longitudes as people write them: degrees, minutes and seconds, letters of hemispheres.
 
-use pilotage_base::angle_text::sexagesimal;
+use pilotage_base::angle_text::angle_of_text;
 
 /// Degrees of a text: `-33.85`, `33.85 S`, `S33°51.0'`, `33 51 00 S`, `33:51:00S`, `33d51m0s`.
 ///
 /// `letters` are those of the positive and the negative hemisphere. `None` where the text says
 /// anything else, has a sign and a letter that contradict each other, or minutes beyond 60.
 pub(super) fn degrees(text: &str, letters: (char, char)) -> Option<f64> {
-    let mut text = text.trim().to_uppercase();
-    let mut is_negative = None;
-    for (letter, negative) in [(letters.0, false), (letters.1, true)] {
-        // A last S may be that of seconds; then there are letters of degrees before it.
-        if let Some(rest) = text.strip_prefix(letter) {
-            (is_negative, text) = (Some(negative), rest.to_owned());
-            break;
-        }
-        let is_second = letter == 'S'
-            && text.contains('D')
-            && text.matches('S').count() == 1
-            && text.contains('M');
-        if let Some(rest) = text.strip_suffix(letter).filter(|_| !is_second) {
-            (is_negative, text) = (Some(negative), rest.to_owned());
-            break;
-        }
-    }
-    let text = text.replace('−', "-");
     let text = text.trim();
     // A number with an exponent is one number, whatever else the letter means.
     if let Ok(value) = text.parse::<f64>() {
-        return match is_negative {
-            Some(_) if value < 0.0 => None,
-            Some(true) => Some(-value),
-            _ => value.is_finite().then_some(value),
-        };
+        return value.is_finite().then_some(value);
     }
-    let (is_minus, text) = match text.strip_prefix(['-', '+']) {
-        Some(rest) => (text.starts_with('-'), rest),
-        None => (false, text),
+    let angle = angle_of_text(text)?;
+    let is_negative = match angle.letter {
+        Some(_) if angle.is_negative => return None,
+        Some(letter) if letter == letters.0 => false,
+        Some(letter) if letter == letters.1 => true,
+        Some(_) => return None,
+        None => angle.is_negative,
     };
-    let value = sexagesimal(text)?;
-    match is_negative {
-        Some(_) if is_minus => None,
-        Some(negative) => Some(if negative { -value } else { value }),
-        None => Some(if is_minus { -value } else { value }),
-    }
+    Some(if is_negative {
+        -angle.degrees
+    } else {
+        angle.degrees
+    })
 }
 
 #[cfg(test)]
@@ -68,6 +49,11 @@ mod tests {
             "33d51m0sS",
             "−33.85",
             "33°51''S",
+            "33.85 South",
+            "33 deg 51' 0.00\" S",
+            "335100.0S",
+            "33-51-00 S",
+            "33°51'0,0\"S",
         ] {
             let found = degrees(text, south);
             assert!(

@@ -6,7 +6,6 @@ use serde::{Deserialize, Serialize};
 
 use super::date::date_and_time;
 use super::spellings::is_unit;
-use super::units::{DEGREES_AND_MINUTES, linear};
 use pilotage_base::angle_text::degrees_of_text;
 
 /// Lines that are looked at.
@@ -157,28 +156,30 @@ pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
         .or_else(|| {
             let (value, behind) = split_unit(cell)?;
             let value = plain(value)?;
-            let value = if "NSEW".contains(behind) && is_of_receiver(cell, behind) {
-                linear(DEGREES_AND_MINUTES, value)
-            } else {
-                value
-            };
             match behind {
-                "S" | "W" => Some(-value),
-                "N" | "E" => Some(value),
+                "N" | "S" | "E" | "W" => degrees_of_text(cell),
                 unit => is_unit(unit).then_some(value),
             }
         })
         .or_else(|| degrees_of_text(cell))
+        .or_else(|| grouped(cell))
 }
 
-/// Whether degrees and minutes stand in one number with the letter of a hemisphere behind it, as satellite receivers
-/// write them: `4717.5N`, `00833.9E`, with all zeros before the point, and digits behind it.
-fn is_of_receiver(cell: &str, letter: &str) -> bool {
-    let digits = if "NS".contains(letter) { 4 } else { 5 };
-    let minutes = cell.get(digits - 2..digits).and_then(|m| m.parse().ok());
-    cell.split_once('.').is_some_and(|(whole, _)| {
-        whole.len() == digits && whole.bytes().all(|b| b.is_ascii_digit())
-    }) && minutes.is_some_and(|minutes: u32| minutes < 60)
+/// The number of a cell with a comma before every three digits: `1,250.5`, as quoted cells have it.
+fn grouped(cell: &str) -> Option<f64> {
+    let bare = cell.strip_prefix(['-', '+']).unwrap_or(cell);
+    let whole = bare.split('.').next()?;
+    let mut groups = whole.split(',');
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let is_first = groups
+        .next()
+        .is_some_and(|group| group.len() <= 3 && is_number(group));
+    let mut count = 0;
+    let are_threes = groups.all(|group| {
+        count += 1;
+        group.len() == 3 && is_number(group)
+    });
+    (is_first && are_threes && count > 0).then(|| cell.replace(',', "").parse().ok())?
 }
 
 /// A cell that begins with a digit or sign, parted before the letters that it ends in.
