@@ -1,11 +1,21 @@
 //! Texts as programs write and people read them.
 
-/// The text of bytes that begin with the mark of UTF-16, as Excel and Windows write it; what is no character becomes
-/// U+FFFD. `None` without the mark.
+/// The text of bytes that begin with the mark of UTF-16, as Excel and Windows write it, or in whose first 64 bytes every
+/// other one and no other is zero; what is no character becomes U+FFFD. `None` of anything else.
 pub fn of_utf_16(bytes: &[u8]) -> Option<String> {
+    let head = &bytes[..bytes.len().min(64) & !1];
+    let are_zero = |at: usize| {
+        let (zeros, others) = (
+            head.iter().skip(at).step_by(2),
+            head.iter().skip(1 - at).step_by(2),
+        );
+        head.len() >= 8 && zeros.copied().all(|b| b == 0) && others.copied().all(|b| b != 0)
+    };
     let (rest, unit): (_, fn([u8; 2]) -> u16) = match bytes {
         [0xff, 0xfe, rest @ ..] => (rest, u16::from_le_bytes),
         [0xfe, 0xff, rest @ ..] => (rest, u16::from_be_bytes),
+        rest if are_zero(1) => (rest, u16::from_le_bytes),
+        rest if are_zero(0) => (rest, u16::from_be_bytes),
         _ => return None,
     };
     let units: Vec<u16> = rest

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::ColumnMap;
-use crate::folder::decoded;
+use crate::folder::decoded_table;
 
 /// Bytes of the beginning that are looked at.
 const HEAD: usize = 1 << 18;
@@ -21,7 +21,7 @@ pub struct TablePreview {
 
 /// The first `count` rows of a table as `map` reads them: after the map's shape was changed, it shows what that does.
 pub fn preview(bytes: &[u8], map: &ColumnMap, count: usize) -> TablePreview {
-    let decoded = decoded(&bytes[..bytes.len().min(HEAD)]);
+    let decoded = decoded_table(&bytes[..bytes.len().min(HEAD)]);
     let text = String::from_utf8_lossy(&decoded);
     let shape = &map.shape;
     let mut lines = text.lines();

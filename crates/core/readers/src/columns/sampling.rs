@@ -5,8 +5,7 @@ use std::collections::BTreeSet;
 
 use super::{ColumnSample, TableShape};
 use crate::cells::unit_behind;
-use crate::folder::decoded;
-use pilotage_base::text::of_utf_16;
+use crate::folder::{decoded, decoded_table};
 
 /// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
 const HEAD: usize = 1 << 16;
@@ -16,9 +15,9 @@ const PLACES: usize = 64;
 /// Samples of all columns, each with a name of its own, how the table is written, and which share of all rows the samples
 /// are, about; `None` if it is no table.
 pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<ColumnSample>, f64)> {
-    // Pieces of UTF-16 have no mark.
-    let whole = of_utf_16(bytes);
-    let bytes = whole.as_ref().map_or(bytes, String::as_bytes);
+    // Pieces of UTF-16 have no mark, and nothing tells whether they begin within a cell of several lines.
+    let whole = decoded_table(bytes);
+    let bytes = whole.as_ref();
     let head = text(&bytes[..bytes.len().min(HEAD)]);
     let shape = TableShape::of(&head)?;
     let (mut samples, share) = samples(&head, bytes, &shape);

@@ -29,5 +29,5 @@ pub(super) use log::of_samples;
 pub use pictures::FolderFrames;
 pub use read::{FlightFolder, read_flight};
 pub(super) use read::{FlightOrigin, read_tables};
-pub(super) use table::{CsvTable, decoded};
+pub(super) use table::{CsvTable, decoded, decoded_table};
 pub use write::{WriteError, write_flight};

@@ -12,6 +12,9 @@ use crate::cells::{Separator, TableShape, number};
 use crate::times::{TimeVerdict, judge};
 use pilotage_base::text::of_utf_16;
 
+/// Longest cell in quotation marks that may have several lines, bytes.
+const LONGEST_CELL: usize = 1 << 14;
+
 /// A CSV file, as text cells.
 pub(crate) struct CsvTable {
     file: String,
@@ -75,7 +78,7 @@ impl CsvTable {
         header: Vec<String>,
     ) -> Result<Self, FolderError> {
         let length = bytes.len() as u64;
-        let bytes = decoded(bytes);
+        let bytes = decoded_table(bytes);
         let skipped = shape.skipped_lines + shape.head_lines();
         let mut rest = bytes.as_ref();
         for _ in 0..skipped {
@@ -350,20 +353,83 @@ fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
-/// The text in UTF-8: UTF-16 by its mark; what is no UTF-8 is taken for Latin-1, in which degrees are one byte.
+/// The text in UTF-8: UTF-16 by its mark or its zeros; what is no UTF-8 is taken for Latin-1, in which degrees are one byte.
+/// Lines that end in carriage returns alone end as others do.
 pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     let bytes = without_mark(bytes);
     if let Some(text) = of_utf_16(bytes) {
         return Cow::Owned(text.into_bytes());
     }
-    match str::from_utf8(bytes) {
+    let text = match str::from_utf8(bytes) {
         // At the end a letter may be cut off.
         Err(error) if error.error_len().is_some() => {
             let text: String = bytes.iter().copied().map(char::from).collect();
             Cow::Owned(text.into_bytes())
         }
         _ => Cow::Borrowed(bytes),
+    };
+    if text.contains(&b'\r') && !text.contains(&b'\n') {
+        let ended = text.iter().map(|b| if *b == b'\r' { b'\n' } else { *b });
+        return Cow::Owned(ended.collect());
     }
+    text
+}
+
+/// The text of a table, in which every row is one line: blanks stand for the ends of lines within quotation marks.
+pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let text = decoded(bytes);
+    if !text.contains(&b'"') {
+        return text;
+    }
+    let mut flat = None;
+    let mut at = 0;
+    let mut is_begin = true;
+    while let Some(byte) = text.get(at) {
+        if *byte == b'"' && is_begin {
+            let Some(end) = end_of_quoted(&text, at) else {
+                at += 1;
+                is_begin = false;
+                continue;
+            };
+            let has_lines = text[at..end].iter().any(|b| matches!(b, b'\n' | b'\r'));
+            if has_lines {
+                let flat: &mut Vec<u8> = flat.get_or_insert_with(|| text.to_vec());
+                let inside = flat[at..end].iter_mut();
+                inside
+                    .filter(|b| matches!(**b, b'\n' | b'\r'))
+                    .for_each(|b| *b = b' ');
+            }
+            at = end;
+            is_begin = false;
+            continue;
+        }
+        is_begin = is_seam(*byte) || *byte == b' ' && is_begin;
+        at += 1;
+    }
+    flat.map_or(text, Cow::Owned)
+}
+
+/// Whether a byte parts cells or rows.
+fn is_seam(byte: u8) -> bool {
+    matches!(byte, b',' | b';' | b'\t' | b'|' | b'\n' | b'\r')
+}
+
+/// Place behind the cell that begins with a quotation mark at `start`; `None` where no mark ends it before
+/// [`LONGEST_CELL`] bytes.
+fn end_of_quoted(text: &[u8], start: usize) -> Option<usize> {
+    let most = text.len().min(start + LONGEST_CELL);
+    let mut at = start + 1;
+    while at < most {
+        if text[at] != b'"' {
+            at += 1;
+        } else if text.get(at + 1) == Some(&b'"') {
+            at += 2;
+        } else {
+            let is_end = text.get(at + 1).is_none_or(|next| is_seam(*next));
+            return is_end.then_some(at + 1);
+        }
+    }
+    None
 }
 
 /// The same lines with a comma for every run of blanks between two cells.
@@ -432,6 +498,27 @@ mod tests {
                 .to_string()
                 .contains("it has \"#1\", \"#2\", \"#3\"")
         );
+    }
+
+    #[test]
+    fn rows_are_lines_whatever_stands_in_quotation_marks_or_ends_them() {
+        let flat =
+            |text: &str| String::from_utf8(decoded_table(text.as_bytes()).into_owned()).unwrap();
+        assert_eq!(
+            flat("a,\"b\nc \"\"d\"\"\"\n1,2\n"),
+            "a,\"b c \"\"d\"\"\"\n1,2\n"
+        );
+        // Marks of seconds are no quotation marks.
+        let angles = "a,47°30'36\"N\nb,47°30'37\"N\n";
+        assert_eq!(flat(angles), angles);
+        let open = "a,\"b\n1,2\n";
+        assert_eq!(flat(open), open);
+        assert_eq!(flat("a,b\r1,2\r"), "a,b\n1,2\n");
+        let unmarked: Vec<u8> = "t,é\n1,2\n"
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect();
+        assert_eq!(decoded_table(&unmarked).as_ref(), "t,é\n1,2\n".as_bytes());
     }
 
     #[test]
