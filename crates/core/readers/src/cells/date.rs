@@ -1,10 +1,12 @@
 //! Dates and times as programs, cameras and loggers write them.
 
+use super::date_spellings::in_iso;
 use super::moment::Moment;
 
 /// Reads a date and time, or a time of day alone (of 1970-01-01): `2016-06-23T16:31:59.5+02:00`, `2016:06:23 16:31:59`,
-/// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `10:00:00.250`, `10:00:00,250`. Times without a
-/// zone are taken as they are.
+/// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `01.05.24 10:00:00`, `10:00:00.250`,
+/// `10:00:00,250`, `10:00:00:250`, minutes and seconds alone (`59:12.5`), `0 days 00:01:12.5`, `1h02m12.5s`, and those of
+/// [`in_iso`]. Times without a zone are taken as they are.
 ///
 /// Of days and months that stand before the year and could be either, the first is the month where a slash stands between
 /// them or a half of the day is told, else the day. Nothing but the date rests on it.
@@ -13,6 +15,13 @@ pub(crate) fn date_and_time(text: &str) -> Option<Moment> {
     if !text.is_ascii() || text.len() < 7 {
         return None;
     }
+    let halves = text.replace("a.m.", "AM").replace("p.m.", "PM");
+    plain(&halves)
+        .or_else(|| plain(&in_iso(&halves)?))
+        .or_else(|| duration(text))
+}
+
+fn plain(text: &str) -> Option<Moment> {
     let (date, time) = match text.split_once(['T', 't', ' ']) {
         Some((date, time)) if !is_half(time.trim()) => (Some(date), time.trim()),
         _ => (None, text),
@@ -26,6 +35,50 @@ pub(crate) fn date_and_time(text: &str) -> Option<Moment> {
     Some(Moment::Absolute(day * 86_400 + whole, fraction))
 }
 
+/// Time since a beginning: `59:12.5`, `0 days 00:01:12.5`, `0h 1m 12.5s`, `2m5s`.
+fn duration(text: &str) -> Option<Moment> {
+    let moment = |seconds: f64| Moment::Absolute(seconds.floor() as i64, seconds.fract());
+    if let Some((days, rest)) = text.split_once(" day") {
+        let days = digits(days, 1, 5)?;
+        let rest = rest.trim_start_matches(['s', ',', ' ', '+']);
+        let ((whole, fraction), _) = time_of_day(rest)?;
+        return Some(Moment::Absolute(days * 86_400 + whole, fraction));
+    }
+    if let Some((minute, second)) = text.split_once(':') {
+        let (whole, part) = second.split_once('.')?;
+        let whole = digits(whole, 2, 2).filter(|second| *second < 60)?;
+        let part = digits(part, 1, 9).map(|_| format!("0.{part}"))?;
+        let minutes = digits(minute, 1, 2).filter(|minute| *minute < 60)?;
+        return Some(Moment::Absolute(minutes * 60 + whole, part.parse().ok()?));
+    }
+    let (mut seconds, mut rest, mut units) = (0.0, text, "hms");
+    while !rest.is_empty() {
+        let end = rest.find(|c: char| !(c.is_ascii_digit() || c == '.'))?;
+        let (value, after) = rest.split_at(end);
+        let unit = after.chars().next()?;
+        let at = units.find(unit)?;
+        let factor = [3600.0, 60.0, 1.0][3 - units.len() + at];
+        seconds += factor * value.parse::<f64>().ok()?;
+        units = &units[at + 1..];
+        rest = after[1..].trim_start();
+    }
+    // A single number with a unit is no clock.
+    (units.is_empty() && seconds.is_finite()).then(|| moment(seconds))
+}
+
+/// Seconds of the day of hours, minutes and seconds that stand in one number, as receivers write them: 100059.5 is
+/// 10:00:59.5. `None` where they are none.
+pub(crate) fn of_clock_number(number: f64) -> Option<f64> {
+    let whole = number.floor();
+    let (hours, minutes, seconds) = (
+        (whole / 10_000.0).floor(),
+        (whole / 100.0).floor() % 100.0,
+        whole % 100.0,
+    );
+    let is_clock = (0.0..24.0).contains(&hours) && minutes < 60.0 && seconds < 60.0;
+    is_clock.then(|| hours * 3600.0 + minutes * 60.0 + seconds + number.fract())
+}
+
 /// Whether a date and time tells its zone: `Z`, `UTC`, `GMT` or hours from Greenwich.
 pub(crate) fn has_zone(text: &str) -> bool {
     let zone = |time: &str| {
@@ -35,6 +88,8 @@ pub(crate) fn has_zone(text: &str) -> bool {
             .any(|zone| letters.ends_with(zone))
             || time.contains(['+', '-'])
     };
+    let iso = in_iso(text.trim());
+    let text = iso.as_deref().unwrap_or(text);
     date_and_time(text).is_some() && text.split_once(':').is_some_and(|(_, time)| zone(time))
 }
 
@@ -58,6 +113,15 @@ fn time_of_day(text: &str) -> Option<((i64, f64), bool)> {
         .take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b','))
         .count();
     let (second, zone) = rest.split_at(end);
+    // Some programs write a colon before the parts of a second.
+    let parts = zone
+        .strip_prefix(':')
+        .filter(|parts| digits(parts, 3, 9).is_some());
+    let joined = parts.map(|parts| format!("{second}.{parts}"));
+    let (second, zone) = match &joined {
+        Some(joined) => (joined.as_str(), ""),
+        None => (second, zone),
+    };
     let (second, fraction) = match second.split_once(['.', ',']) {
         Some((second, fraction)) => (second, format!("0.{fraction}").parse::<f64>().ok()?),
         None => (second, 0.0),
@@ -111,10 +175,15 @@ fn day(text: &str, has_half: bool) -> Option<i64> {
         let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
         let is_month_first = b > 12 || a <= 12 && (separator == '/' || has_half);
         let (month, day) = if is_month_first { (a, b) } else { (b, a) };
-        (digits(third, 4, 4)?, month, day)
+        (year_of(third)?, month, day)
     };
     let is_day = (1..=12).contains(&month) && (1..=31).contains(&day);
     is_day.then(|| days_since_1970(year, month, day))
+}
+
+/// A year of four digits, or of the last two of this century.
+fn year_of(text: &str) -> Option<i64> {
+    digits(text, 4, 4).or_else(|| Some(2000 + digits(text, 2, 2)?))
 }
 
 /// Both readings of a date and time whose day and month could be either, the one that is taken first; `None` where only one
@@ -127,7 +196,7 @@ pub(crate) fn readings(text: &str) -> Option<[String; 2]> {
         return None;
     };
     let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
-    let year = digits(year, 4, 4)?;
+    let year = year_of(year)?;
     let is_either = a != b && (1..=12).contains(&a) && (1..=12).contains(&b);
     date_and_time(text).filter(|_| is_either)?;
     let written = |month: i64, day: i64| format!("{year}-{month:02}-{day:02}");
@@ -187,6 +256,15 @@ mod tests {
             "23.06.2016 16:31:59",
             "6/23/2016 4:31:59 PM",
             "23/06/2016 16:31:59",
+            "23.06.16 16:31:59",
+            "6/23/2016 4:31:59 p.m.",
+            "20160623T163159Z",
+            "20160623 16:31:59",
+            "2016-06-23-16-31-59",
+            "2016-06-23_16:31:59",
+            "23 Jun 2016 16:31:59",
+            "Thu Jun 23 16:31:59 2016",
+            "June 23, 2016 4:31:59 PM",
         ] {
             assert_eq!(date_and_time(text), expected, "{text}");
         }
@@ -194,10 +272,22 @@ mod tests {
             date_and_time("2016-02-29 00:00:00.25"),
             Some(Moment::Absolute(1_456_704_000, 0.25))
         );
-        for text in ["10:00:00.5", "10:00:00,5"] {
+        for text in [
+            "10:00:00.5",
+            "10:00:00,5",
+            "10:00:00:500",
+            "10h0m0.5s",
+            "0 days 10:00:00.5",
+        ] {
             assert_eq!(date_and_time(text), Some(Moment::Absolute(36_000, 0.5)));
         }
         assert_eq!(date_and_time("12:00:01 AM"), Some(Moment::Absolute(1, 0.0)));
+        assert_eq!(
+            date_and_time("59:12.25"),
+            Some(Moment::Absolute(3552, 0.25))
+        );
+        assert_eq!(of_clock_number(100_059.5), Some(36_059.5));
+        assert_eq!(of_clock_number(100_060.0), None);
     }
 
     #[test]
@@ -224,6 +314,7 @@ mod tests {
             "2016-06-23 16:31:59 UTC",
             "2016-06-23T16:31:59.5+02:00",
             "2016-06-23T16:31:59-0330",
+            "20160623T163159Z",
         ] {
             assert!(has_zone(text), "{text}");
         }
@@ -231,6 +322,8 @@ mod tests {
             "2016-06-23T16:31:59",
             "2016:06:23 16:31:59",
             "5/1/2024 10:00:00 PM",
+            "13-May-2024 10:00:00",
+            "2016-06-23-16-31-59",
             "Z",
         ] {
             assert!(!has_zone(text), "{text}");

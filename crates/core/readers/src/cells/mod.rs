@@ -1,6 +1,7 @@
 //! The cells of tables: separators, numbers, units, dates and times.
 
 mod date;
+mod date_spellings;
 mod moment;
 mod sample;
 mod shape;
@@ -8,7 +9,7 @@ pub(crate) mod spellings;
 pub(crate) mod time;
 mod units;
 
-pub(crate) use date::{date_and_time, days_since_1970, has_zone, readings};
+pub(crate) use date::{date_and_time, days_since_1970, has_zone, of_clock_number, readings};
 pub(crate) use moment::Moment;
 pub(crate) use sample::ColumnSample;
 pub use shape::{Separator, TableShape};

@@ -1,13 +1,29 @@
 //! Unit of a column that may be the time.
 
-use super::date::date_and_time;
+use super::date::{date_and_time, of_clock_number};
+use super::moment::Moment;
 use super::sample::ColumnSample;
 
-/// Units that a time may be in: seconds, parts of them, date and time.
-pub(crate) const UNITS: [&str; 5] = ["s", "ms", "us", "ns", "date and time"];
+/// Units that a time may be in: seconds, parts of them, date and time, hours with minutes and seconds in one number, days.
+pub(crate) const UNITS: [&str; 7] = ["s", "ms", "us", "ns", "date and time", CLOCK, DAYS];
 
 /// Date and time as a cell.
 pub(crate) const DATE: &str = "date and time";
+
+/// Hours, minutes and seconds in one number, as satellite receivers write them: 100059.5 is 10:00:59.5.
+pub(crate) const CLOCK: &str = "hhmmss";
+
+/// Days, as spreadsheets and MATLAB count dates.
+pub(crate) const DAYS: &str = "d";
+
+/// Seconds of a day.
+const DAY: f64 = 86_400.0;
+
+/// Days from where spreadsheets count (30 December 1899), and MATLAB (year 0), to 1990 and 2040.
+const SERIALS: [std::ops::Range<f64>; 2] = [32_874.0..51_136.0, 726_834.0..745_096.0];
+
+/// Date and time in the fourteen digits of one number: 20240513100059.5.
+const DIGITS: std::ops::Range<f64> = 1.99e13..2.041e13;
 
 /// Shortest and longest time that a table is thought to span, seconds, and the time between rows.
 const SPAN: (f64, f64) = (2.0, 50_000.0);
@@ -29,8 +45,35 @@ const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns"
 
 /// Seconds in a unit of times; 1 for dates.
 pub(crate) fn seconds(unit: &str) -> f64 {
+    if unit == DAYS {
+        return DAY;
+    }
     let known = SECONDS.iter().find(|(name, _)| *name == unit);
     known.map_or(1.0, |(_, seconds)| *seconds)
+}
+
+/// Seconds of a number that is a time in that unit; NaN where it is none.
+pub(crate) fn seconds_of(unit: &str, number: f64) -> f64 {
+    match unit {
+        CLOCK => of_clock_number(number).unwrap_or(f64::NAN),
+        DATE if DIGITS.contains(&number) => match date_and_time(&format!("{number:.6}")) {
+            Some(Moment::Absolute(whole, fraction)) => whole as f64 + fraction,
+            _ => f64::NAN,
+        },
+        unit => number * seconds(unit),
+    }
+}
+
+/// Whether numbers are hours, minutes and seconds without a seam: none has sixty of either, and rows of every few seconds
+/// leap from fifty-nine to the next hundred.
+fn are_of_clock(numbers: &[f64]) -> bool {
+    let clocks: Option<Vec<f64>> = numbers.iter().map(|n| of_clock_number(*n)).collect();
+    let Some(clocks) = clocks else { return false };
+    let pairs = numbers.windows(2).zip(clocks.windows(2));
+    let leaps = pairs
+        .filter(|(raw, clock)| (raw[1] - raw[0]) - (clock[1] - clock[0]) > 39.0)
+        .count();
+    leaps > 0 && 10 * leaps <= numbers.len()
 }
 
 /// The unit of a column that may be the time, how surely it is one, and why; `None` if it is none. `stated` is the unit
@@ -50,6 +93,15 @@ pub(crate) fn unit_of_time(
     }
     if !sample.is_numeric() || !sample.grows() {
         return None;
+    }
+    let are_digits = |n: &f64| seconds_of(DATE, *n).is_finite() && DIGITS.contains(n);
+    if sample.numbers.iter().all(are_digits) {
+        let reason = "cells are dates and times of fourteen digits".to_owned();
+        return Some((DATE, 0.95, reason));
+    }
+    if stated.is_none() && are_of_clock(&sample.numbers) {
+        let reason = "hours, minutes and seconds stand in one number".to_owned();
+        return Some((CLOCK, 0.95, reason));
     }
     if let Some(unit) = stated {
         return Some((unit, 1.0, format!("its name says {unit}, and values grow")));
@@ -73,6 +125,11 @@ pub(crate) fn unit_of_time(
         let step = step * seconds;
         (SPAN.0..SPAN.1).contains(&span) && (STEP.0..STEP.1).contains(&step)
     };
+    let is_serial = SERIALS.iter().any(|days| days.contains(&first)) && is_plausible(&&(DAYS, DAY));
+    if is_serial {
+        let reason = format!("values begin at {first:.0}: days, as spreadsheets count dates");
+        return Some((DAYS, 0.9, reason));
+    }
     let plausible = SECONDS.iter().filter(is_plausible);
     // The reading whose rate is nearest, by its ratio, to what flights are logged with.
     let strangeness = |seconds: f64| (step * seconds / USUAL_STEP).ln().abs();
@@ -111,6 +168,34 @@ mod tests {
         assert_eq!(unit(0.1, 1000, 1.7e9), Some("s"));
         assert_eq!(unit(100.0, 1000, 1.7e12), Some("ms"));
         assert_eq!(unit(1e8, 1000, 1.7e18), Some("ns"));
+        // 13 May 2024 in a spreadsheet, ten rows a second.
+        assert_eq!(unit(0.1 / 86_400.0, 1000, 45_425.4), Some("d"));
+        assert_eq!(unit(0.1 / 86_400.0, 1000, 739_385.4), Some("d"));
+    }
+
+    #[test]
+    fn hours_minutes_and_seconds_of_one_number_leap_over_forty() {
+        let clock = |second: usize| {
+            let (hours, minutes) = (second / 3600, second / 60 % 60);
+            (hours * 10_000 + minutes * 100 + second % 60) as f64
+        };
+        let of = |numbers: Vec<f64>| {
+            let sample = ColumnSample {
+                numbers,
+                ..ColumnSample::default()
+            };
+            unit_of_time(&sample, None, 1.0).map(|(unit, ..)| unit)
+        };
+        assert_eq!(of((36_000..36_300).map(clock).collect()), Some(CLOCK));
+        assert_eq!(
+            of((0..300).map(|i| f64::from(i) * 100.0).collect()),
+            Some("ms")
+        );
+        let dates = (36_000..36_300).map(|second| 20_240_513_000_000.0 + clock(second));
+        assert_eq!(of(dates.collect()), Some(DATE));
+        assert!((seconds_of(CLOCK, 100_059.5) - 36_059.5).abs() < 1e-9);
+        // date -u -d '2024-05-13 10:00:59' +%s
+        assert!((seconds_of(DATE, 20_240_513_100_059.0) - 1_715_594_459.0).abs() < 1e-3);
     }
 
     #[test]

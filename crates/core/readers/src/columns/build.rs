@@ -248,6 +248,8 @@ fn time_column(map: &ColumnMap) -> TimeColumn {
         "us" => TimeFormat::Microseconds,
         "ns" => TimeFormat::Nanoseconds,
         time::DATE => TimeFormat::Iso,
+        time::CLOCK => TimeFormat::Clock,
+        time::DAYS => TimeFormat::Days,
         _ => TimeFormat::Seconds,
     };
     TimeColumn {

@@ -47,7 +47,7 @@ const RULES: &[Rule] = &[
     rule(
         Time,
         0.8,
-        "utc|clock|seconds|secs|sec|millis|milliseconds|micros|s|ms|us|flight time|boot time|time boot|date",
+        "tow|gps tow|itow|gps itow|time of week|time of day|tod|utc|clock|seconds|secs|sec|millis|milliseconds|micros|s|ms|us|flight time|boot time|time boot|date",
     ),
     rule(
         Latitude,

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::cells::Moment;
 use crate::cells::number;
-use crate::cells::{date_and_time, shortened};
+use crate::cells::{date_and_time, of_clock_number, shortened};
 
 /// Format of a time column.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,12 +28,18 @@ pub enum TimeFormat {
     /// Date and time as in ISO 8601, `2016-06-23T16:31:59.5Z`.
     #[serde(rename = "iso")]
     Iso,
+    /// Hours, minutes and seconds of the day in one number, `100059.5`.
+    #[serde(rename = "hhmmss")]
+    Clock,
+    /// Days, as spreadsheets and MATLAB count dates.
+    #[serde(rename = "d")]
+    Days,
 }
 
 impl TimeFormat {
     /// Whether times carry a date.
     pub fn is_absolute(self) -> bool {
-        matches!(self, Self::Camera | Self::Iso)
+        matches!(self, Self::Camera | Self::Iso | Self::Clock)
     }
 
     /// Reads a cell; the error says in words what is expected.
@@ -53,6 +59,14 @@ impl TimeFormat {
             Self::Milliseconds => scaled(1e-3),
             Self::Microseconds => scaled(1e-6),
             Self::Nanoseconds => scaled(1e-9),
+            Self::Days => scaled(86_400.0),
+            Self::Clock => number(text, false)
+                .and_then(of_clock_number)
+                .map(|seconds| Moment::Absolute(seconds.floor() as i64, seconds.fract()))
+                .ok_or_else(|| {
+                    let text = shortened(text);
+                    format!("\"{text}\" is not hours, minutes and seconds such as 100059.5")
+                }),
             Self::Camera | Self::Iso => date_and_time(text).ok_or_else(|| {
                 format!(
                     "\"{}\" is not a date and time such as 2016:06:23 16:31:59 or \

@@ -199,7 +199,8 @@ fn time_unit(time: &TimeColumn) -> &'static str {
         TimeFormat::Milliseconds => "ms",
         TimeFormat::Microseconds => "us",
         TimeFormat::Nanoseconds => "ns",
-        TimeFormat::Camera | TimeFormat::Iso => "",
+        TimeFormat::Days => "d",
+        TimeFormat::Camera | TimeFormat::Iso | TimeFormat::Clock => "",
     }
 }
 
