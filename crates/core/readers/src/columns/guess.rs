@@ -8,7 +8,7 @@ use super::physics::{self, Hint, TableEvidence};
 use super::rows::EvenRows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
-use super::several::{degrees_and_minutes, hemispheres, parts_of_time, places};
+use super::several::{degrees_and_minutes, hemispheres, parts_of_place, parts_of_time, places};
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long};
 use crate::cells::time::unit_of_time;
@@ -42,7 +42,7 @@ const NUMBERS: [&str; 10] = [
 /// # Ok::<(), &str>(())
 /// ```
 pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
-    let guess = guess_with_samples(file, bytes)?;
+    let guess = guess_alone(file, bytes)?;
     let mut maps = [guess.map];
     let wanted = wanted(&maps[0], &guess.groups, &[]);
     let rows = EvenRows::of(bytes, &maps[0].shape, &wanted);
@@ -79,10 +79,26 @@ pub(super) struct ColumnGuesses {
     pub groups: Vec<ColumnGroup>,
 }
 
-/// Guesses the meanings of the columns of a table by names and values; `None` if it is no table.
+/// Guesses the meanings of the columns of the only table that there is: what its file is called may add to them, and casts
+/// no doubt on them (`home.csv`, `nav.csv`, `target.csv`).
+pub(super) fn guess_alone(file: &str, bytes: &[u8]) -> Option<ColumnGuesses> {
+    let called = if is_otherwise(&context(file)) {
+        ""
+    } else {
+        file
+    };
+    guessed(file, called, bytes)
+}
+
+/// Guesses the meanings of the columns of one of several tables by names and values; `None` if it is no table.
 pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<ColumnGuesses> {
+    guessed(file, file, bytes)
+}
+
+/// The same of a file that counts as called otherwise.
+fn guessed(file: &str, called: &str, bytes: &[u8]) -> Option<ColumnGuesses> {
     let (shape, samples, share) = sampled(bytes)?;
-    let (columns, hints, groups, told) = guess_columns(file, &samples, share);
+    let (columns, hints, groups, told) = guess_columns(called, &samples, share);
     let map = ColumnMap {
         file: file.to_owned(),
         shape,
@@ -253,6 +269,7 @@ fn guess_columns(
         }
     }
     let told: Vec<String> = of_one_body(&mut columns).into_iter().collect();
+    parts_of_place(samples, &mut columns);
     degrees_and_minutes(samples, &mut columns);
     hemispheres(samples, &mut columns);
     places(samples, &mut columns);

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::{ColumnMap, ColumnRole, TableShape, time};
 use crate::cells::{Moment, date_and_time};
-use crate::folder::decoded;
+use crate::folder::decoded_table;
+use pilotage_base::place_text::two_numbers;
 
 /// Rows that are looked at, about.
 const MOST: usize = 20_000;
@@ -18,17 +19,23 @@ pub(super) struct EvenRows {
     pub places: BTreeMap<usize, [Vec<f64>; 2]>,
 }
 
-/// The two numbers in a cell, as radios write places: `47.000000 8.000000`.
+/// The two numbers in a cell, as radios write places: `47.000000 8.000000`, `(47.0, 8.0)`, `47.0N 8.0W`.
 pub(super) fn pair(cell: &str) -> Option<(f64, f64)> {
+    let cell = cell.trim_matches(['(', ')', '[', ']', ' ']);
     let mut parts = cell.split([' ', ';', ',']).filter(|part| !part.is_empty());
-    let pair = (parts.next()?.parse().ok()?, parts.next()?.parse().ok()?);
-    (parts.next().is_none() && cell.contains('.')).then_some(pair)
+    let mut number = || parts.next()?.parse::<f64>().ok();
+    if let (Some(a), Some(b)) = (number(), number()) {
+        return (parts.next().is_none() && cell.contains('.')).then_some((a, b));
+    }
+    let has_letter = cell.contains(['N', 'S', 'n', 's', '°']);
+    let [a, b] = two_numbers(cell).filter(|_| has_letter)?;
+    Some((a, b))
 }
 
 impl EvenRows {
     /// Rows of a table of that shape; of columns that are not wanted nothing is kept.
     pub fn of(bytes: &[u8], shape: &TableShape, wanted: &[bool]) -> Self {
-        let bytes = decoded(bytes);
+        let bytes = decoded_table(bytes);
         let skipped = shape.skipped_lines + shape.head_lines();
         let lines = || bytes.split(|byte| *byte == b'\n').skip(skipped);
         let stride = lines().count().div_ceil(MOST).max(1);
@@ -74,9 +81,9 @@ impl EvenRows {
             return Vec::new();
         };
         let scaled = |index: usize| -> Vec<f64> {
-            let seconds = time::seconds(&map.columns[index].unit);
+            let unit = &map.columns[index].unit;
             let times = self.columns.get(index).into_iter().flatten();
-            times.map(|time| time * seconds).collect()
+            times.map(|time| time::seconds_of(unit, *time)).collect()
         };
         let times = scaled(index);
         let is_rest = |column: &super::MappedColumn| column.role == ColumnRole::TimeRest;

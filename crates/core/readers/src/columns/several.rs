@@ -88,8 +88,45 @@ pub(super) fn parts_of_time(samples: &[ColumnSample], columns: &mut [MappedColum
     }
 }
 
-/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
+/// Gives up latitudes and longitudes whose minutes stand in a column of their own: of the degrees alone a flight would be
+/// up to 100 km off.
+pub(super) fn parts_of_place(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
+    for (role, words) in [
+        (Latitude, ["lat", "latitude"]),
+        (Longitude, ["lon", "longitude"]),
+    ] {
+        let is_part = |sample: &ColumnSample| {
+            let found = parts(&sample.name, "").words;
+            let is_minute =
+                |word: &String| ["min", "mins", "minute", "minutes"].contains(&word.as_str());
+            found.iter().any(|word| words.contains(&word.as_str()))
+                && found.last().is_some_and(is_minute)
+        };
+        let Some(minutes) = samples.iter().position(is_part) else {
+            continue;
+        };
+        for column in columns.iter_mut().filter(|column| column.role == role) {
+            let name = &samples[minutes].name;
+            give_up(
+                column,
+                format!(
+                    "its minutes stand in {name}: write degrees with their fraction into one column"
+                ),
+            );
+        }
+    }
+}
+
+/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west, and those
+/// with a small s behind them, which is no second there.
 pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
+    for (sample, column) in samples.iter().zip(columns.iter_mut()) {
+        let is_south = column.role == Latitude && sample.unit.trim() == "s";
+        if is_south && sample.range().is_some_and(|(low, _)| low >= 0.0) {
+            column.scale = -1.0;
+            column.reason = format!("{}; its cells end in s for south", column.reason);
+        }
+    }
     for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
         let letter = |text: &String| {
             let words = [["n", "north"], ["s", "south"], ["e", "east"], ["w", "west"]];
