@@ -48,14 +48,18 @@ pub fn is_nmea(head: &[u8]) -> bool {
     let (mut all, mut sentences, mut has_place) = (0, 0, false);
     for line in lines {
         all += 1;
+        // Loggers put times of their own before a sentence.
         let name = line
-            .strip_prefix('$')
-            .and_then(|rest| rest.split(',').next());
+            .rsplit_once('$')
+            .and_then(|(_, rest)| rest.split(',').next());
         let Some(name) = name.filter(|name| name.is_ascii() && name.len() >= 4) else {
             continue;
         };
         sentences += 1;
-        has_place |= name.len() == 5 && (name.ends_with("GGA") || name.ends_with("RMC"));
+        let says_place = ["GGA", "RMC", "GNS", "GLL"]
+            .iter()
+            .any(|kind| name.ends_with(kind));
+        has_place |= name.len() == 5 && says_place;
     }
     has_place && 2 * sentences > all
 }
@@ -159,6 +163,8 @@ fn sentences(text: &str) -> Sentences {
         }
         match &name[2..] {
             "GGA" => found.fix(&fields),
+            "GNS" => found.fix_of_systems(&fields),
+            "GLL" => found.place_alone(&fields),
             "RMC" => found.least(&fields),
             "VTG" => found.velocity(&fields),
             _ => {}
@@ -195,9 +201,37 @@ impl Sentences {
         let [_, time, rest @ ..] = fields else { return };
         let is_fixed = !matches!(rest.get(4), None | Some(&("" | "0")));
         let place = place(rest).filter(|_| is_fixed);
-        let height = rest.get(7).and_then(|height| number(height));
+        self.place(time, place, rest.get(7));
+    }
+
+    /// GNS: time, latitude, its hemisphere, longitude, its hemisphere, a letter for each satellite system that says its
+    /// kind of fix, satellites, dilution, height above sea level.
+    fn fix_of_systems(&mut self, fields: &[&str]) {
+        let [_, time, rest @ ..] = fields else { return };
+        let is_fixed = rest
+            .get(4)
+            .is_some_and(|modes| modes.contains(|mode| mode != 'N'));
+        let place = place(rest).filter(|_| is_fixed);
+        self.place(time, place, rest.get(7));
+    }
+
+    /// GLL: latitude, its hemisphere, longitude, its hemisphere, time, whether it is valid.
+    fn place_alone(&mut self, fields: &[&str]) {
+        let [_, rest @ ..] = fields else { return };
+        let Some(time) = rest.get(4) else { return };
+        let place = place(rest).filter(|_| rest.get(5).is_none_or(|valid| *valid == "A"));
+        self.place(time, place, None);
+    }
+
+    /// Takes the place of a moment. Of several receivers the first that says a height counts.
+    fn place(&mut self, time: &str, place: Option<[f64; 2]>, height: Option<&&str>) {
+        let height = height.and_then(|height| number(height));
         self.unfixed += usize::from(place.is_none());
-        if let (Some(epoch), Some([latitude, longitude])) = (self.epoch(time), place) {
+        let (Some(epoch), Some([latitude, longitude])) = (self.epoch(time), place) else {
+            return;
+        };
+        let is_better = epoch.values[0].is_none() || height.is_some();
+        if epoch.values[2].is_none() && is_better {
             epoch.values[0] = Some(latitude);
             epoch.values[1] = Some(longitude);
             epoch.values[2] = height;
@@ -357,6 +391,45 @@ mod tests {
         assert_eq!(folder.log().utc_at_zero, None);
         let (first, last) = folder.flight.span();
         assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");
+    }
+
+    #[test]
+    fn sentences_of_several_systems_and_of_places_alone_are_read() {
+        let of = |kinds: &[&str]| {
+            let mut text = String::new();
+            for (i, kind) in (0..3).flat_map(|i| kinds.iter().map(move |kind| (i, *kind))) {
+                let place = format!("4730.{i}00,N,00830.000,W");
+                let own = match kind {
+                    "GNS" => format!("GNGNS,12000{i}.00,{place},AN,12,0.8,440.5,47.0,,"),
+                    "GLL" => format!("GPGLL,{place},12000{i}.00,A,A"),
+                    // Another receiver, a minute of arc beside.
+                    _ => {
+                        format!("GLGGA,12000{i}.00,4731.{i}00,N,00830.000,W,1,8,1,99.0,M,47.0,M,,")
+                    }
+                };
+                for line in sentence(&own).lines() {
+                    text += "2024-05-13 12:00:00 ";
+                    text += line;
+                    text += "\n";
+                }
+            }
+            assert!(is_nmea(text.as_bytes()), "{kinds:?}");
+            read_nmea("a.nmea", text.as_bytes())
+                .unwrap()
+                .unwrap()
+                .flight
+        };
+        for kinds in [&["GNS"][..], &["GLL"], &["GNS", "GGA"]] {
+            let flight = of(kinds);
+            let origin = flight.frame_on_globe.unwrap().origin;
+            assert!(
+                (origin.latitude.to_degrees() - 47.5).abs() < 1e-9,
+                "{kinds:?}"
+            );
+            assert!((origin.longitude.to_degrees() + 8.5).abs() < 1e-9);
+            let height = flight.channel(ChannelName::GpsHeight).map(|c| c.values[0]);
+            assert_eq!(height, kinds.contains(&"GNS").then_some(440.5), "{kinds:?}");
+        }
     }
 
     #[test]
