@@ -3,7 +3,7 @@
 use super::exif::{self, Exif, ExifDirectory};
 use super::head::{HeadSearch, head};
 use super::xmp::Xmp;
-use crate::cells::{Moment, date_and_time};
+use crate::cells::{Moment, date_and_time, has_zone};
 use pilotage_base::angle_text::degrees_of_text;
 use pilotage_base::bytes::ByteSource;
 use pilotage_base::frames::Attitude;
@@ -155,7 +155,10 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
     } else {
         format!("{make} {model}")
     };
-    let (taken, is_utc) = taken(exif);
+    let (taken, is_utc) = match taken(exif) {
+        (None, _) => taken_of_xmp(xmp),
+        of_exif => of_exif,
+    };
     let dji = |name: &str| xmp.number(&[&format!("drone-dji:{name}")]);
     let millimetres = |value: f64| value / 1e3;
     let gimbal = gimbal(xmp);
@@ -255,7 +258,10 @@ fn angle(gps: &ExifDirectory, tag: u16, reference: u16, negative: &str) -> Optio
         [degrees, minutes, seconds, ..] => degrees + minutes / 60.0 + seconds / 3600.0,
         [] => return None,
     };
-    let sign = if gps.text(reference).is_some_and(|r| r.starts_with(negative)) {
+    let letter = gps
+        .text(reference)
+        .map(|letter| letter.trim().to_uppercase());
+    let sign = if letter.is_some_and(|letter| letter.starts_with(negative)) {
         -1.0
     } else {
         1.0
@@ -279,7 +285,7 @@ fn place(gps: &ExifDirectory, xmp: &Xmp) -> Option<PhotoPlace> {
     let is_on_globe = is_place(&(latitude, longitude));
     let below = gps.whole(exif::ALTITUDE_REF) == Some(1);
     let altitude = gps.real(exif::ALTITUDE).map(|a| if below { -a } else { a });
-    let altitude = altitude.or_else(|| xmp.number(&ALTITUDES));
+    let altitude = altitude.or_else(|| altitude_of_xmp(xmp));
     is_on_globe.then_some(PhotoPlace {
         latitude,
         longitude,
@@ -293,11 +299,34 @@ const HEIGHTS: [&str; 3] = [
     "drone-skydio:RelativeAltitude",
     "Camera:AboveGroundAltitude",
 ];
-const ALTITUDES: [&str; 3] = [
+const ALTITUDES: [&str; 2] = [
     "drone-dji:AbsoluteAltitude",
     "drone-skydio:AbsoluteAltitude",
-    "exif:GPSAltitude",
 ];
+
+/// Altitude by XMP, metres; Adobe writes its sign into a property of its own.
+fn altitude_of_xmp(xmp: &Xmp) -> Option<f64> {
+    let of_adobe = || {
+        let metres = xmp.number(&["exif:GPSAltitude"])?;
+        let is_below = xmp.number(&["exif:GPSAltitudeRef"]) == Some(1.0);
+        Some(if is_below { -metres } else { metres })
+    };
+    xmp.number(&ALTITUDES).or_else(of_adobe)
+}
+
+/// When a photo was taken by XMP, and whether that is UTC.
+fn taken_of_xmp(xmp: &Xmp) -> (Option<(i64, f64)>, bool) {
+    let names = [
+        "exif:DateTimeOriginal",
+        "photoshop:DateCreated",
+        "xmp:CreateDate",
+    ];
+    let text = names.iter().find_map(|name| xmp.text(name));
+    match text.and_then(date_and_time) {
+        Some(Moment::Absolute(whole, part)) => (Some((whole, part)), text.is_some_and(has_zone)),
+        _ => (None, false),
+    }
+}
 
 /// Latitude and longitude at which a photo was taken by XMP, radians: as its maker writes it, or as Adobe
 /// does (`47,30.125N`).
@@ -436,5 +465,17 @@ mod tests {
         assert_eq!(adobe_angle("47,30.0N"), Some(47.5));
         assert_eq!(adobe_angle("8,15,36W"), Some(-8.26));
         assert_eq!(adobe_angle("47.5"), None);
+    }
+
+    #[test]
+    fn xmp_alone_tells_depth_and_time() {
+        let xmp = Xmp::read(
+            br#"<x:xmpmeta xmlns:x="adobe:ns:meta/" xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"
+            xmlns:exif="http://ns.adobe.com/exif/1.0/" xmlns:q="http://ns.adobe.com/xap/1.0/"><rdf:RDF><rdf:Description
+            exif:GPSAltitude="4000/10" exif:GPSAltitudeRef="1" q:CreateDate="2024-05-13T12:00:00.5+02:00"/></rdf:RDF></x:xmpmeta>"#,
+        );
+        assert_eq!(altitude_of_xmp(&xmp), Some(-400.0));
+        // date -u -d '2024-05-13 10:00:00' +%s
+        assert_eq!(taken_of_xmp(&xmp), (Some((1_715_594_400, 0.5)), true));
     }
 }

@@ -7,7 +7,7 @@ use quick_xml::events::{BytesStart, Event};
 
 /// Vocabularies of makers: a part of the name of the namespace, and the prefix that stands for it here. Those of Autel
 /// have DJI's words.
-const VOCABULARIES: [(&str, &str); 7] = [
+const VOCABULARIES: [(&str, &str); 9] = [
     ("dji.com/drone-dji", DJI),
     ("autel", DJI),
     ("parrot.com/drone-parrot", "drone-parrot"),
@@ -15,6 +15,8 @@ const VOCABULARIES: [(&str, &str); 7] = [
     ("pix4d.com/camera", CAMERA),
     ("sensefly.com/camera", CAMERA),
     ("ns.adobe.com/exif/1.0", "exif"),
+    ("ns.adobe.com/xap/1.0", "xmp"),
+    ("ns.adobe.com/photoshop/1.0", "photoshop"),
 ];
 const DJI: &str = "drone-dji";
 const CAMERA: &str = "Camera";
