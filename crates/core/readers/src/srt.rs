@@ -21,7 +21,10 @@ const VALUES: [(&str, &[&str]); 7] = [
 ];
 const LATITUDE: usize = 0;
 const LONGITUDE: usize = 1;
+const HEIGHT: usize = 2;
+const HEADING: usize = 4;
 const PITCH: usize = 5;
+const ROLL: usize = 6;
 
 /// Ending of subtitles.
 const ENDING: &str = ".srt";
@@ -128,7 +131,8 @@ fn seconds(text: &str) -> Option<f64> {
 }
 
 /// The values in the words of a subtitle: `[latitude: 47.1]`, `[rel_alt: 1.5 abs_alt: 440]`, `BAROMETER:91.2`,
-/// `GPS (8.5, 47.1, 15)` with the longitude first, `H 20.0m`.
+/// `GPS (8.5, 47.1, 15)` with the longitude first, `H 20.0m`, `G.PRY (-90.0°, 0.0°, 90.0°)`, and Autel's
+/// `GPS(W: 8.5, N: 47.1, 20.00m)` with the height above take-off last.
 fn values(words: &str) -> [Option<f64>; 7] {
     let plain: String = words.to_lowercase();
     let seam = |c: char| c.is_whitespace() || "[]<>,".contains(c);
@@ -147,20 +151,61 @@ fn values(words: &str) -> [Option<f64>; 7] {
     let mut values =
         VALUES.map(|(_, names)| names.iter().find_map(|name| found.get(name).copied()));
     if values[LATITUDE].zip(values[LONGITUDE]).is_none()
-        && let Some((_, rest)) = plain
-            .split_once("gps")
-            .map(|(a, b)| (a, b.trim_start_matches([' ', ':'])))
-        && let Some(inside) = rest.strip_prefix('(').and_then(|rest| rest.split_once(')'))
+        && let Some(inside) = in_brackets(&plain, "gps")
     {
-        let mut numbers = inside
-            .0
-            .split(',')
-            .map(|number| number.trim().parse::<f64>().ok());
-        values[LONGITUDE] = numbers.next().flatten();
-        values[LATITUDE] = numbers.next().flatten();
+        let mut parts = inside.split(',').map(str::trim);
+        for (place, usual) in [parts.next(), parts.next()]
+            .into_iter()
+            .zip([LONGITUDE, LATITUDE])
+        {
+            if let Some((index, value)) = place.and_then(|place| axis(place, usual)) {
+                values[index] = Some(value);
+            }
+        }
+        let metres = parts.next().and_then(|height| height.strip_suffix('m'));
+        if let Some(height) = metres.and_then(|metres| metres.trim().parse().ok()) {
+            values[HEIGHT] = values[HEIGHT].or(Some(height));
+        }
+    }
+    if values[PITCH].is_none()
+        && let Some(inside) = in_brackets(&plain, "g.pry")
+    {
+        let mut angles = inside.split(',').map(|angle| {
+            angle
+                .trim()
+                .trim_end_matches('°')
+                .trim()
+                .parse::<f64>()
+                .ok()
+        });
+        values[PITCH] = angles.next().flatten();
+        values[ROLL] = angles.next().flatten();
+        values[HEADING] = angles.next().flatten();
     }
     values[PITCH] = values[PITCH].map(|pitch| pitch + 90.0);
     values
+}
+
+/// What stands in round brackets behind a word.
+fn in_brackets<'a>(text: &'a str, word: &str) -> Option<&'a str> {
+    let (_, rest) = text.split_once(word)?;
+    let rest = rest.trim_start_matches([' ', ':']).strip_prefix('(')?;
+    rest.split_once(')').map(|(inside, _)| inside)
+}
+
+/// A coordinate and which of both it is: as its letter says (`w:8.5`), else the usual one.
+fn axis(text: &str, usual: usize) -> Option<(usize, f64)> {
+    let Some((letter, value)) = text.split_once(':') else {
+        return Some((usual, text.parse().ok()?));
+    };
+    let value: f64 = value.trim().parse().ok()?;
+    match letter.trim() {
+        "n" => Some((LATITUDE, value)),
+        "s" => Some((LATITUDE, -value)),
+        "e" => Some((LONGITUDE, value)),
+        "w" => Some((LONGITUDE, -value)),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -237,6 +282,28 @@ mod tests {
             (Some(-20.2533), Some(149.0251), Some(1.9))
         );
         assert!(read_srt("a.srt", film(words).as_bytes()).unwrap().is_some());
+    }
+
+    #[test]
+    fn subtitles_of_autel_name_the_hemispheres_and_end_in_the_height() {
+        let words = |i: usize| {
+            format!(
+                "HOME(W: 8.000000, N: 47.000000) 2021-07-01 10:00:00\nISO:100 SHUTTER:500\n\
+                 F.PRY (1.0°, -2.0°, 90.0°), G.PRY (-80.0°, 0.5°, 45.0°)\nGPS(W: 8.000000, S: {:.6}, 12.50m)",
+                47.0 + 1e-5 * i as f64
+            )
+        };
+        let found = values(&words(0));
+        let expected = [-47.0, -8.0, 12.5, f64::NAN, 45.0, 10.0, 0.5];
+        for (found, expected) in found.iter().zip(expected) {
+            assert!(
+                found.is_none() && expected.is_nan() || *found == Some(expected),
+                "{found:?}"
+            );
+        }
+        // What the file is called does not matter.
+        let folder = read_srt("HOME_max.SRT", film(words).as_bytes());
+        assert!(folder.unwrap().is_some());
     }
 
     #[test]
