@@ -67,6 +67,19 @@ impl ReferenceSystem {
         }
     }
 
+    /// UTM zone of WGS 84 by its number and the letter of its hemisphere, with whatever follows.
+    fn utm_named(text: &str) -> Option<Self> {
+        let length = text.find(|c: char| !c.is_ascii_digit())?;
+        let (zone, hemisphere) = text.split_at(length);
+        let south = match hemisphere.chars().next()? {
+            'N' => 0,
+            'S' => 100,
+            _ => return None,
+        };
+        let zone: u32 = zone.parse().ok().filter(|zone| *zone <= 60)?;
+        Self::from_epsg(32_600 + south + zone)
+    }
+
     /// The system that a text names: "EPSG:32617", a bare code, a name like "WGS 84 / UTM zone 17N",
     /// or the well-known text of a .prj file.
     pub fn from_name(text: &str) -> Option<Self> {
@@ -92,15 +105,13 @@ impl ReferenceSystem {
             return Some(Self::WebMercator);
         }
         if let Some((_, after)) = plain.split_once("UTMZONE") {
-            let length = after.find(|c: char| !c.is_ascii_digit())?;
-            let (zone, hemisphere) = after.split_at(length);
-            let south = match hemisphere.chars().next()? {
-                'N' => 0,
-                'S' => 100,
-                _ => return None,
-            };
-            let zone: u32 = zone.parse().ok().filter(|zone| *zone <= 60)?;
-            return Self::from_epsg(32_600 + south + zone);
+            return Self::utm_named(after);
+        }
+        // "WGS84 UTM 32N", as OpenDroneMap writes it.
+        if let Some((_, after)) = plain.split_once("UTM")
+            && after.starts_with(|c: char| c.is_ascii_digit())
+        {
+            return Self::utm_named(after);
         }
         let is_projected = [
             "PROJCS",

@@ -48,6 +48,27 @@ const TRANSFORMATIONS: &[(u64, ProjectionMethod)] = &[
     (16, ProjectionMethod::ObliqueStereographic),
 ];
 
+/// Names of projections that are not read, by their codes.
+const UNREAD: &[(u64, &str)] = &[
+    (3, "Oblique Mercator"),
+    (12, "Azimuthal Equidistant"),
+    (13, "Equidistant Conic"),
+    (14, "Stereographic"),
+    (17, "Equirectangular"),
+    (18, "Cassini-Soldner"),
+    (19, "Gnomonic"),
+    (20, "Miller Cylindrical"),
+    (21, "Orthographic"),
+    (22, "Polyconic"),
+    (23, "Robinson"),
+    (24, "Sinusoidal"),
+    (25, "Van der Grinten"),
+    (26, "New Zealand Map Grid"),
+    (27, "Transverse Mercator, south orientated"),
+    (28, "Cylindrical Equal Area"),
+    (9815, "Hotine Oblique Mercator"),
+];
+
 /// Values of the keys of a file.
 pub(crate) struct KeyValues<'a> {
     /// The whole number of a key.
@@ -147,7 +168,10 @@ pub(crate) fn described(
         Some((_, method)) => definition.with(*method, false),
         None => Err(SystemError::Method {
             name: name.to_owned(),
-            method: format!("code {code} of GeoTIFF"),
+            method: match UNREAD.iter().find(|(known, _)| *known == code) {
+                Some((_, method)) => (*method).to_owned(),
+                None => format!("code {code} of GeoTIFF"),
+            },
         }),
     })
 }

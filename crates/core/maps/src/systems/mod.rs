@@ -14,6 +14,7 @@ pub(crate) mod keys;
 mod made;
 mod methods;
 mod names;
+mod proj_text;
 mod system_error;
 #[cfg(test)]
 mod tests;
@@ -37,7 +38,8 @@ pub fn codes() -> Vec<u32> {
 }
 
 /// The system that a text names: "EPSG:25832", a bare code, a name like "WGS 84 / UTM zone 17N" or
-/// "ETRS89 / UTM zone 32N", or well-known text of either version, as .prj files hold it.
+/// "ETRS89 / UTM zone 32N", or well-known text of either version, as .prj files hold it, or a text of PROJ for one of
+/// WGS 84.
 ///
 /// ```
 /// use pilotage_maps::systems::{by_code, by_name};
@@ -56,6 +58,9 @@ pub fn by_name(text: &str) -> Result<ReferenceSystem, SystemError> {
         && let Ok(code) = digits.parse()
     {
         return by_code(code);
+    }
+    if text.contains("+proj=") || text.contains("+init=") {
+        return proj_text::read(text);
     }
     if text.contains(['[', '(']) && text.contains(['"', '\u{201c}']) {
         match well_known_text::read(text) {
