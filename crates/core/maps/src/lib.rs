@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod auxiliary_xml;
 mod corners_error;
 pub mod georeferencer;
 mod geotiff;

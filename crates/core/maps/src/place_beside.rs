@@ -1,5 +1,6 @@
 //! The files beside a picture that say where it lies: world file, georeference in JSON, `.prj`.
 
+use crate::auxiliary_xml::AuxiliaryXml;
 use crate::map_error::MapFileError;
 use crate::map_options::MapOptions;
 use crate::systems;
@@ -7,14 +8,18 @@ use pilotage_base::files::FileSet;
 use pilotage_base::frames::{LocalFrame, ReferenceSystem};
 use pilotage_base::georeference::Georeference;
 
-/// Endings that take the place of a picture's own to name the file that says where the picture lies.
-const SIDE_FILES: [&str; 11] = [
+/// Endings that take the place of a picture's own, or follow it, to name the file that says where the picture lies.
+const SIDE_FILES: [&str; 15] = [
     ".jgw",
     ".jpgw",
+    ".jpegw",
     ".pgw",
     ".pngw",
     ".tfw",
     ".tifw",
+    ".tiffw",
+    ".wpw",
+    ".webpw",
     ".wld",
     "_georef.json",
     ".georef.json",
@@ -32,14 +37,20 @@ pub(crate) fn place_beside(
         return Ok(Some((picture.to_owned(), place)));
     }
     let found = (SIDE_FILES.iter()).find_map(|ending| beside(files, picture, ending));
-    let Some((side, bytes)) = found else {
-        return Ok(None);
+    let (side, place) = if let Some((side, bytes)) = found {
+        let place = Georeference::from_text(&String::from_utf8_lossy(&bytes));
+        let place = place.map_err(|cause| MapFileError::Georeference {
+            file: side.clone(),
+            cause,
+        })?;
+        (side, place)
+    } else {
+        let auxiliary = auxiliary(files, picture);
+        let Some((side, Some(place))) = auxiliary.map(|(name, said)| (name, said.place)) else {
+            return Ok(None);
+        };
+        (side, place)
     };
-    let place = Georeference::from_text(&String::from_utf8_lossy(&bytes));
-    let place = place.map_err(|cause| MapFileError::Georeference {
-        file: side.clone(),
-        cause,
-    })?;
     let system = match options.system {
         Some(system) => Some(system),
         None => system_beside(files, picture)?,
@@ -77,25 +88,42 @@ pub(crate) fn refuse_unnamed(
     })
 }
 
-/// The reference system that the .prj beside a picture names.
+/// What GDAL wrote beside a picture, with the file's name.
+fn auxiliary(files: &dyn FileSet, picture: &str) -> Option<(String, AuxiliaryXml)> {
+    let (name, bytes) = beside(files, picture, ".aux.xml")?;
+    Some((name, AuxiliaryXml::read(&String::from_utf8_lossy(&bytes))))
+}
+
+/// The reference system that the .prj beside a picture names, or QGIS' .qpj, or what GDAL wrote.
 pub(crate) fn system_beside(
     files: &dyn FileSet,
     picture: &str,
 ) -> Result<Option<ReferenceSystem>, MapFileError> {
-    let Some((file, bytes)) = beside(files, picture, ".prj") else {
+    let named = [".prj", ".qpj"].iter().find_map(|ending| {
+        let (file, bytes) = beside(files, picture, ending)?;
+        Some((file, String::from_utf8_lossy(&bytes).into_owned()))
+    });
+    let of_gdal = || {
+        let (file, said) = auxiliary(files, picture)?;
+        Some((file, said.system?))
+    };
+    let Some((file, text)) = named.or_else(of_gdal) else {
         return Ok(None);
     };
-    let text = String::from_utf8_lossy(&bytes);
     match systems::by_name(&text) {
         Ok(system) => Ok(Some(system)),
         Err(cause) => Err(MapFileError::System { file, cause }),
     }
 }
 
-/// Name and contents of the file that has `ending` in place of the picture's, in small letters or in
+/// Name and contents of the file that has `ending` in place of the picture's or behind it, in small letters or in
 /// capitals; where the files can be listed, in any letters.
 fn beside(files: &dyn FileSet, picture: &str, ending: &str) -> Option<(String, Vec<u8>)> {
     let (stem, _) = picture.rsplit_once('.')?;
+    with_ending(files, stem, ending).or_else(|| with_ending(files, picture, ending))
+}
+
+fn with_ending(files: &dyn FileSet, stem: &str, ending: &str) -> Option<(String, Vec<u8>)> {
     let wanted = format!("{stem}{ending}");
     let read = |name: String| files.read(&name).map(|bytes| (name, bytes));
     read(wanted.clone())

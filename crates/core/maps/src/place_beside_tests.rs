@@ -102,3 +102,46 @@ fn metres_of_the_world_itself_need_no_system() {
     let bounds = map.bounds();
     assert!((bounds.west - 1000.0).abs() < 1e-9 && (bounds.north + 2000.0).abs() < 1e-9);
 }
+
+#[test]
+fn world_files_and_systems_are_found_by_all_names_that_programs_give_them() {
+    let commas = UTM.replace('.', ",");
+    let proj = "+proj=utm +zone=17 +datum=WGS84 +units=m +no_defs";
+    let aux = |place: &str| format!("<PAMDataset><SRS>EPSG:32617</SRS>{place}</PAMDataset>");
+    let transform = "<GeoTransform>500000.0,0.5,0,4000000.25,0,-0.5</GeoTransform>";
+    let (system, whole) = (aux(""), aux(transform));
+    for (picture, files) in [
+        (
+            "map.jpeg",
+            vec![("map.jpegw", UTM), ("map.prj", "EPSG:32617")],
+        ),
+        (
+            "map.jpg",
+            vec![("map.jpg.wld", UTM), ("map.prj", "EPSG:32617")],
+        ),
+        (
+            "map.png",
+            vec![("map.png.pgw", UTM), ("map.png.prj", "WGS84 UTM 17N")],
+        ),
+        ("map.png", vec![("map.pgw", UTM), ("map.qpj", proj)]),
+        ("map.png", vec![("map.pgw", &commas), ("map.prj", proj)]),
+        (
+            "map.png",
+            vec![("map.pgw", UTM), ("map.png.aux.xml", &system)],
+        ),
+        ("map.png", vec![("map.png.aux.xml", &whole)]),
+        ("map.png", vec![("map.aux.xml", &whole)]),
+    ] {
+        let map = open(&files, picture, &MapOptions::default());
+        let map = map.unwrap_or_else(|error| panic!("{files:?}: {error}"));
+        let origin = map.frame().unwrap().origin;
+        let is_there = (origin.longitude.to_degrees() + 81.0).abs() < 1e-3;
+        // 4,000 km of the grid north of the equator.
+        let latitude = origin.latitude.to_degrees();
+        assert!(
+            is_there && (latitude - 36.144).abs() < 0.01,
+            "{files:?}: {latitude}"
+        );
+        assert!((map.native_gsd() - 0.5 / 0.9996).abs() < 1e-6, "{files:?}");
+    }
+}

@@ -157,7 +157,11 @@ impl Georeference {
             if word.is_empty() {
                 continue;
             }
-            let value: f64 = word.parse().map_err(|_| GeoreferenceError::WorldFile {
+            // Programs in countries with decimal commas write them.
+            let is_with_comma = word.matches(',').count() == 1 && !word.contains('.');
+            let plain = is_with_comma.then(|| word.replace(',', "."));
+            let value = plain.as_deref().unwrap_or(word).parse::<f64>();
+            let value = value.map_err(|_| GeoreferenceError::WorldFile {
                 line: line_number,
                 cause: format!("\"{}\" is not a number", abbreviated(word)),
             })?;
@@ -181,16 +185,21 @@ impl Georeference {
             });
         }
         let [a, d, b, e, c, f] = numbers;
-        let file = WorldFile { a, d, b, e, c, f };
-        let small = [a, b, d, e].into_iter().all(|v| v.abs() < 1e-3);
-        Ok(if small && c.abs() <= 360.0 && f.abs() <= 90.0 {
+        Ok(Self::of_world_file(WorldFile { a, d, b, e, c, f }))
+    }
+
+    /// The place of a world file's numbers, of which degrees are told from metres as in
+    /// [`Georeference::from_world_file`].
+    pub fn of_world_file(file: WorldFile) -> Self {
+        let mut steps = [file.a, file.b, file.d, file.e].into_iter();
+        if steps.all(|v| v.abs() < 1e-3) && file.c.abs() <= 360.0 && file.f.abs() <= 90.0 {
             Self::Projected {
                 system: ReferenceSystem::Geographic,
                 file,
             }
         } else {
             Self::Metres(file)
-        })
+        }
     }
 
     /// The same numbers of a world file taken for coordinates of `system`; a similarity stays what
