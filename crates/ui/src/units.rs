@@ -40,13 +40,22 @@ impl Units {
         (factor, name.to_owned())
     }
 
-    /// A distance of metres that may be short, and its unit: centimetres below a metre, tenths of a foot.
+    /// A distance of metres that is known to two figures, and its unit: centimetres below a metre, tenths below ten of
+    /// the unit, whole ones from there on.
     pub fn short_distance(self, metres: f64) -> (String, &'static str) {
         let (factor, unit) = self.length();
         if self == Self::Metric && metres < 0.995 {
             return (format!("{:.0}", 100.0 * metres), "cm");
         }
-        (format!("{:.1}", metres * factor), unit)
+        let value = metres * factor;
+        let decimals = usize::from(value < 9.95);
+        (format!("{value:.decimals$}"), unit)
+    }
+
+    /// The same with its unit: `2.3 m`.
+    pub fn short(self, metres: f64) -> String {
+        let (value, unit) = self.short_distance(metres);
+        format!("{value} {unit}")
     }
 
     /// A distance of metres over the ground with its unit: metres or kilometres, feet or nautical miles.
@@ -115,6 +124,9 @@ mod tests {
         assert_eq!(of(0.043), ("4".to_owned(), "cm"));
         assert_eq!(of(0.996), ("1.0".to_owned(), "m"));
         assert_eq!(of(3.44), ("3.4".to_owned(), "m"));
+        assert_eq!(of(464.8), ("465".to_owned(), "m"));
+        assert_eq!(Units::Metric.short(9.94), "9.9 m");
+        assert_eq!(Units::Metric.short(9.96), "10 m");
         assert_eq!(
             Units::Aviation.short_distance(0.043),
             ("0.1".to_owned(), "ft")

@@ -75,7 +75,7 @@ fn heat(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         ui.selectable_value(&mut heat.of, HeatOf::Landmarks, "landmarks");
     });
     let (factor, unit) = context.units.length();
-    row(ui, "Uncertainty of the position, σ", |ui| {
+    row(ui, "Position error before it (1σ)", |ui| {
         let mut sigma = heat.position * factor;
         let field = DragValue::new(&mut sigma)
             .range(0.0..=1000.0)
@@ -341,9 +341,8 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         return;
     };
     ui.add_space(tokens.space);
-    let (factor, unit) = context.units.length();
     let units = context.units;
-    let metres = |m: f64| format!("{:.1} {unit}", m * factor);
+    let metres = |m: f64| units.short(m);
     let change = |a: f64, b: f64| with_minus(&format!("{:+.0} %", 100.0 * (b / a - 1.0)));
     let rows = [
         (
@@ -365,7 +364,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
             change(shortest.worst, surest.worst),
         ),
         (
-            "Mean σ",
+            "Mean error (1σ)",
             metres(shortest.mean),
             metres(surest.mean),
             change(shortest.mean, surest.mean),
@@ -404,7 +403,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     if planner.preferences.find.over == HeatOf::Map {
         ui.label(muted(
             tokens,
-            "Predicted with the landmarks that are on: draw some along the found route.",
+            "Predicted with the landmarks in use: draw some along the found route.",
         ));
     }
     ui.horizontal(|ui| {

@@ -23,7 +23,6 @@ pub fn plan_readouts(
 ) -> Option<Rect> {
     let prediction = &planner.forecast.shown()?.prediction;
     let outlook = PredictionFigures::of(prediction)?;
-    let (factor, unit) = units.length();
     let is_within = outlook.stretches == 0;
     let over = if is_within {
         "nowhere".to_owned()
@@ -35,7 +34,7 @@ pub fn plan_readouts(
         value,
         color: None,
     };
-    let across = format!("±{:.1} {unit}", outlook.across * factor);
+    let across = format!("±{}", units.short(outlook.across));
     let mut rest = vec![
         plain("Widest corridor", across),
         plain("Dead reckoning", format!("{:.0} s", outlook.dead_reckoning)),
@@ -65,10 +64,11 @@ pub fn plan_readouts(
         (Light::Poor, "over the limit")
     };
     let samples = &prediction.samples;
+    let (value, unit) = units.short_distance(outlook.sigma);
     let headline = Headline {
         name: "Largest error (1σ)",
         lead: "",
-        value: format!("{:.1}", outlook.sigma * factor),
+        value,
         unit,
         light,
         word,

@@ -158,7 +158,7 @@ impl Remedies {
             return Vec::new();
         };
         let (factor, unit) = units.length();
-        let short = |metres: f64| format!("{:.1} {unit}", metres * factor);
+        let short = |metres: f64| units.short(metres);
         let begin = distance_text(worst.stretch.begin, units);
         let mut list = Vec::new();
         if let Some(sigma) = self.would_be(1) {
@@ -180,12 +180,12 @@ impl Remedies {
             let height = format!("{:.0} {unit}", HIGHER * order.path.height * factor);
             list.push(if sigma < HELPS * worst.stretch.sigma {
                 format!(
-                    "From {height} above ground its σ is {}, if landmarks are found as well from there.",
+                    "From {height} above ground its largest error is {} (1σ), if landmarks are found as well from there.",
                     short(sigma)
                 )
             } else {
                 format!(
-                    "Flying higher does not mend it: from {height} above ground its σ is {}.",
+                    "Flying higher does not mend it: from {height} above ground its largest error is {} (1σ).",
                     short(sigma)
                 )
             });

@@ -231,11 +231,11 @@ fn prediction(
                 .speed(0.25)
                 .fixed_decimals(0)
                 .suffix(format!(" {unit}"));
-            if ui.add(field).accessible_name("Limit of σ").changed() {
+            if ui.add(field).accessible_name("Limit (1σ)").changed() {
                 let limit = PlanCommand::SetLimit(limit / factor);
                 context.commands.push(Command::from(limit));
             }
-            ui.label(muted(tokens, "limit of σ"));
+            ui.label(muted(tokens, "limit (1σ)"));
         });
     });
     let Some(shown) = planner.forecast.shown() else {
@@ -300,7 +300,7 @@ pub fn assumptions(
             planner.untested.words()
         ));
     } else {
-        list.push(format!("All {measured} landmarks that are on are tested."));
+        list.push(format!("All {measured} landmarks in use are tested."));
     }
     list.extend(misled(planner, &used));
     let climbs = route

@@ -57,12 +57,11 @@ impl PredictionFigures {
     /// In sentences.
     pub fn sentences(&self, limit: f64, landmarks: &[Landmark], units: Units) -> Vec<String> {
         let far = |metres: f64| distance_text(metres, units);
-        let (factor, unit) = units.length();
-        let short = |metres: f64| format!("{:.1} {unit}", metres * factor);
+        let short = |metres: f64| units.short(metres);
         let near = nearest(landmarks, &self.place, units);
         let mut list = vec![
             format!(
-                "Worst: σ {} at {} of the way{near}.",
+                "Largest error: {} (1σ), {} along{near}.",
                 short(self.sigma),
                 far(self.distance)
             ),

@@ -18,7 +18,6 @@ impl RouteRehearsal {
             return Vec::new();
         };
         let all = self.summary();
-        let (factor, unit) = units.length();
         let count = match all.flights {
             1 => "1 flight".to_owned(),
             count => format!("{count} flights"),
@@ -36,10 +35,10 @@ impl RouteRehearsal {
         let mut sentences = vec![
             format!("{count}, {how}: {share:.0}{range} % of positions inside the 95 % corridor."),
             format!(
-                "True error {:.1} {unit} RMS where {:.1} {unit} are predicted; at most {:.1} {unit}, {} along.",
-                all.rms_m * factor,
-                all.predicted_rms_m * factor,
-                worst.worst.0 * factor,
+                "True error {} RMS where {} are predicted; at most {}, {} along.",
+                units.short(all.rms_m),
+                units.short(all.predicted_rms_m),
+                units.short(worst.worst.0),
                 distance_text(worst.worst.1, units),
             ),
         ];

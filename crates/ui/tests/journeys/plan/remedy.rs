@@ -7,11 +7,11 @@ fn the_worst_stretch_is_told_with_what_a_landmark_or_more_height_would_do_and_an
  {
     let mut rig = planning();
     draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
-    type_number(&mut rig, "Limit of σ", "500");
+    type_number(&mut rig, "Limit (1σ)", "500");
     rig.settle();
     let words = "What mends the worst stretch";
     assert!(rig.harness.query_by_label_contains(words).is_none());
-    type_number(&mut rig, "Limit of σ", "3");
+    type_number(&mut rig, "Limit (1σ)", "3");
     rig.settle();
     rig.settle();
     assert!(number(&rig, "/prediction/stretches") > 0.0);
@@ -34,7 +34,8 @@ fn the_worst_stretch_is_told_with_what_a_landmark_or_more_height_would_do_and_an
         .get_by_label_contains("To fix the worst stretch, add a landmark at ");
     rig.harness
         .get_by_label_contains("Found like the tested ones, it makes the largest error");
-    rig.harness.get_by_label_contains("above ground its σ is");
+    rig.harness
+        .get_by_label_contains("above ground its largest error is");
     let (north, east) = (
         number(&rig, "/remedies/place/0"),
         number(&rig, "/remedies/place/1"),

@@ -89,10 +89,10 @@ fn a_route_is_duplicated_and_named() {
 fn a_lower_limit_marks_a_stretch_and_says_how_long_it_is() {
     let mut rig = planning();
     draw(&mut rig, &BEND);
-    set(&mut rig, "Limit of σ", 5000.0);
+    set(&mut rig, "Limit (1σ)", 5000.0);
     assert_eq!(number(&rig, "/prediction/stretches"), 0.0);
-    assert_eq!(count(&rig, "Nowhere over your limit of 5000.0 m."), 1);
-    set(&mut rig, "Limit of σ", 1.0);
+    assert_eq!(count(&rig, "Nowhere over your limit of 5000 m."), 1);
+    set(&mut rig, "Limit (1σ)", 1.0);
     assert!(number(&rig, "/prediction/stretches") >= 1.0);
     assert!(number(&rig, "/prediction/over") > 0.0);
     assert_eq!(count(&rig, "Over your limit of 1.0 m"), 1);
@@ -105,7 +105,7 @@ fn a_lower_limit_marks_a_stretch_and_says_how_long_it_is() {
         found.count()
     };
     assert_eq!(readouts(&rig), 0);
-    set(&mut rig, "Limit of σ", 5000.0);
+    set(&mut rig, "Limit (1σ)", 5000.0);
     assert_eq!(readouts(&rig), 1);
 }
 
