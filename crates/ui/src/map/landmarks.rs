@@ -11,6 +11,9 @@ use super::symbols::paint_lifted_line;
 use super::transform::{ScreenFromWorld, topmost};
 use crate::tokens::Tokens;
 
+/// Least side of a box on the screen with handles, points: eight of them would hide a smaller one.
+const LEAST_WITH_HANDLES: f32 = 28.0;
+
 /// State of a landmark in the frame at the time cursor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LandmarkState {
@@ -175,7 +178,7 @@ fn paint_box(
             let edge = Stroke::new(1.5, tokens.outline());
             painter.circle(corner, 4.5, tokens.sigma, edge);
         }
-    } else if selected {
+    } else if selected && has_handles(corners) {
         for handle in handles(corners) {
             painter.circle(
                 handle,
@@ -213,6 +216,11 @@ fn paint_reference(
             painter.arrow(at, way, stroke);
         }
     }
+}
+
+/// Whether a box is large enough on the screen for handles that leave it to be seen.
+pub fn has_handles(corners: &[Pos2; 4]) -> bool {
+    Rect::from_points(corners).size().min_elem() >= LEAST_WITH_HANDLES
 }
 
 /// The eight handles of a box: corners and middles of edges, from the north-west clockwise.

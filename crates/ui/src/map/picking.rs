@@ -4,7 +4,7 @@ use egui::{Pos2, Rect};
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 
-use super::landmarks::handles;
+use super::landmarks::{handles, has_handles};
 use super::transform::ScreenFromWorld;
 
 /// Distance from a handle or a small box that still counts as on it, points.
@@ -69,10 +69,10 @@ pub fn landmark_at(landmarks: &[Landmark], view: &ScreenFromWorld, at: Pos2) -> 
 pub fn handle_at(landmark: &Landmark, view: &ScreenFromWorld, at: Pos2) -> Option<usize> {
     let corners = view.corners(&landmark.bounds);
     // A box too small for handles is only moved.
-    let side = Rect::from_points(&corners).size().min_elem();
-    if side < 18.0 {
+    if !has_handles(&corners) {
         return None;
     }
+    let side = Rect::from_points(&corners).size().min_elem();
     // Small boxes keep a middle to take them by.
     let reach = HIT_RADIUS.min(0.3 * side);
     handles(&corners)
@@ -158,6 +158,19 @@ mod tests {
         let landmarks = [landmark(), Landmark::new(8, "Door", inner)];
         let middle = view().apply(&GroundPoint::new(0.0, 0.0));
         assert_eq!(landmark_at(&landmarks, &view(), middle), Some(8));
+    }
+
+    #[test]
+    fn a_box_that_handles_would_hide_has_none() {
+        let corner = GroundPoint::new(-30.0, 45.0);
+        let far = |metres_per_point| ScreenFromWorld {
+            metres_per_point,
+            ..view()
+        };
+        let of = |view: &ScreenFromWorld| handle_at(&landmark(), view, view.apply(&corner));
+        // 60 m are its shorter side.
+        assert_eq!(of(&far(60.0 / 29.0)), Some(4));
+        assert_eq!(of(&far(60.0 / 27.0)), None);
     }
 
     #[test]

@@ -397,7 +397,7 @@ impl MapView {
         context: &ViewContext<'_>,
         extra: &MapExtra<'_>,
         response: &egui::Response,
-        (belief, labels): (Option<&BeliefOfStep<'_>>, Vec<LandmarkLabel>),
+        (belief, mut labels): (Option<&BeliefOfStep<'_>>, Vec<LandmarkLabel>),
     ) {
         let (tokens, rect) = (context.tokens, response.rect);
         let frame_step = context.run.and_then(|r| recent_frame(r, context.time));
@@ -413,6 +413,10 @@ impl MapView {
         }
         let aircraft = belief.map(|(belief, _)| view.apply(&belief.position));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
+        if let Some(distinctness) = extra.distinctness {
+            let most = context.mission.navigator.detector.greatest_ambiguity;
+            labels.extend(paint_look_alike(painter, view, distinctness, most, tokens));
+        }
         let shows_landmarks = shows(Layer::Landmarks);
         if shows_landmarks || !labels.is_empty() {
             let (lines, marks) = self.busy(view, context);
@@ -437,10 +441,6 @@ impl MapView {
                 lines_drawn: belief.map_or(1.0, |(belief, _)| belief.share),
             };
             paint_landmarks(painter, view, rect, &scene, labels, tokens);
-        }
-        if let Some(distinctness) = extra.distinctness {
-            let most = context.mission.navigator.detector.greatest_ambiguity;
-            paint_look_alike(painter, view, distinctness, most, tokens);
         }
         let Some((belief, step)) = belief else {
             return;
@@ -553,6 +553,9 @@ impl MapView {
     }
 }
 
+/// Rank of the name of a look-alike, below that of what was recognised.
+const LOOK_ALIKE_RANK: u8 = 2;
+
 /// A belief as it is drawn, and its step.
 type BeliefOfStep<'a> = (ShownBelief, &'a StepReport);
 
@@ -582,18 +585,16 @@ fn status_color(frame_step: Option<&StepReport>, tokens: &Tokens) -> egui::Color
     }
 }
 
-/// Marks the strongest look-alike of the selected landmark and joins the two; `most` is the greatest
-/// score at which the landmark is not refused.
+/// Marks the strongest look-alike of the selected landmark and joins the two, and returns what is to be written
+/// beside it; `most` is the greatest score at which the landmark is not refused.
 fn paint_look_alike(
     painter: &egui::Painter,
     view: &ScreenFromWorld,
     distinctness: &Distinctness,
     most: f64,
     tokens: &Tokens,
-) {
-    let Some((place, score)) = distinctness.look_alike else {
-        return;
-    };
+) -> Option<LandmarkLabel> {
+    let (place, score) = distinctness.look_alike?;
     let bounds = GroundRect::centered(
         place,
         distinctness.bounds.height(),
@@ -607,8 +608,11 @@ fn paint_look_alike(
     closed.push(corners[0]);
     let stroke = Stroke::new(2.0, tokens.warning);
     painter.extend(egui::Shape::dashed_line(&closed, stroke, 5.0, 3.0));
-    let text = format!("look-alike {score:.2}, margin {:.2}", most - score);
-    let at = super::transform::topmost(&corners) - vec2(0.0, 5.0);
-    let align = egui::Align2::CENTER_BOTTOM;
-    paint_halo_text(painter, at, align, &text, tokens.small(), tokens.warning);
+    Some(LandmarkLabel {
+        rank: LOOK_ALIKE_RANK,
+        around: Rect::from_points(&corners),
+        top: super::transform::topmost(&corners),
+        text: format!("look-alike {score:.2}, margin {:.2}", most - score),
+        color: tokens.warning,
+    })
 }

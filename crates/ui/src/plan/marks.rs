@@ -18,6 +18,9 @@ const AROUND: f32 = 26.0;
 /// Ranks of names: those of what somebody may have to find in a hurry come first.
 const RALLY_RANK: u8 = 1;
 const ACTION_RANK: u8 = 2;
+const ROUTE_RANK: u8 = 3;
+/// Part of the screen that the beginning of a route that is not selected takes, points across.
+const ROUTE: f32 = 12.0;
 
 /// Names of rally points and of actions along the selected route.
 pub fn mark_labels(
@@ -55,6 +58,28 @@ pub fn mark_labels(
         labels.push(label(at, ACTION_RANK, "home".to_owned(), tokens.text));
     }
     labels
+}
+
+/// Names of the routes that are not selected, where they begin.
+pub fn other_route_labels(
+    view: &ScreenFromWorld,
+    mission: &Mission,
+    selected: Option<u32>,
+    tokens: &Tokens,
+) -> Vec<LandmarkLabel> {
+    let others = mission.routes.iter().filter(|it| Some(it.id) != selected);
+    let label = |route: &Route| {
+        let at = view.apply(&route.way_points.first()?.position);
+        let around = Rect::from_center_size(at, vec2(ROUTE, ROUTE));
+        Some(LandmarkLabel {
+            rank: ROUTE_RANK,
+            around,
+            top: around.center_top(),
+            text: route.name.clone(),
+            color: tokens.ghost,
+        })
+    };
+    others.filter_map(label).collect()
 }
 
 /// Draws the way back of a route and its home, below the marks of its way-points.

@@ -5,7 +5,7 @@ use egui::{Response, Ui};
 use super::find_command::FindPick;
 use super::find_tool::paint_hint;
 use super::incursions::paint_incursions;
-use super::marks::mark_labels;
+use super::marks::{mark_labels, other_route_labels};
 use super::planner::Planner;
 use crate::context::ViewContext;
 use crate::map::{LandmarkLabel, Layer, MapCanvas, MapStage, MapTool, ScreenFromWorld};
@@ -38,7 +38,11 @@ impl MapTool for Planner {
         if !canvas.layers.shows(Layer::Route) {
             return Vec::new();
         }
-        mark_labels(canvas.view, canvas.mission, canvas.route, canvas.tokens)
+        let (view, tokens) = (canvas.view, canvas.tokens);
+        let marks = mark_labels(view, canvas.mission, canvas.route, tokens);
+        let names = other_route_labels(view, canvas.mission, canvas.route, tokens);
+        let advice = self.remedy_label(view, tokens);
+        marks.into_iter().chain(names).chain(advice).collect()
     }
 
     fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {

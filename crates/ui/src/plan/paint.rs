@@ -14,7 +14,7 @@ use super::planner::Planner;
 use super::pointer::middles;
 use super::rehearsal::FlownErrors;
 use crate::context::route_of;
-use crate::map::{ScreenFromWorld, ellipse, paint_halo_text};
+use crate::map::{ScreenFromWorld, ellipse};
 use crate::tokens::Tokens;
 
 impl Planner {
@@ -103,12 +103,7 @@ fn paint_routes(
             line.clone(),
             Stroke::new(4.0, tokens.outline()),
         ));
-        painter.add(Shape::line(line.clone(), Stroke::new(2.0, color)));
-        if let Some(first) = line.first() {
-            let at = *first + vec2(0.0, -8.0);
-            let font = tokens.small();
-            paint_halo_text(painter, at, Align2::CENTER_BOTTOM, &route.name, font, color);
-        }
+        painter.add(Shape::line(line, Stroke::new(2.0, color)));
     }
     if let Some(route) = selected.and_then(|id| route_of(mission, id)) {
         paint_way_back(painter, view, route, mission, tokens);

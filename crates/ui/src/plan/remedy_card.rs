@@ -1,15 +1,20 @@
 //! Remedies of the worst stretch of a route, in sentences and on the map.
 
-use egui::{Align2, Painter, Stroke, Ui};
+use egui::{Painter, Rect, Stroke, Ui, Vec2};
 
 use super::command::PlanCommand;
 use super::find_command::FindCommand;
 use super::planner::Planner;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::map::{ScreenFromWorld, paint_halo_text};
+use crate::map::{LandmarkLabel, ScreenFromWorld};
 use crate::shell::text_button;
 use crate::tokens::Tokens;
+
+/// Radius of the mark where a landmark would help, points: around a way-point, whose number stays to be read.
+const RING: f32 = 17.0;
+/// Rank of its name.
+const ADVICE_RANK: u8 = 1;
 
 impl Planner {
     /// Draws what mends the worst stretch, with a button that looks for another line.
@@ -45,10 +50,27 @@ impl Planner {
             Stroke::new(5.0, tokens.outline()),
             Stroke::new(2.0, tokens.advice),
         ] {
-            painter.circle_stroke(at, 9.0, stroke);
+            painter.circle_stroke(at, RING, stroke);
         }
-        let (below, align) = (at + egui::vec2(0.0, 14.0), Align2::CENTER_TOP);
-        let text = "a landmark here would help";
-        paint_halo_text(painter, below, align, text, tokens.small(), tokens.advice);
+    }
+
+    /// Name of the mark where a landmark would mend the worst stretch.
+    pub(super) fn remedy_label(
+        &self,
+        view: &ScreenFromWorld,
+        tokens: &Tokens,
+    ) -> Option<LandmarkLabel> {
+        let worst = self
+            .remedies
+            .worst
+            .filter(|_| self.remedies.landmark_helps())?;
+        let ring = Rect::from_center_size(view.apply(&worst.begin), Vec2::splat(2.0 * RING));
+        Some(LandmarkLabel {
+            rank: ADVICE_RANK,
+            around: ring,
+            top: ring.center_top(),
+            text: "a landmark here would help".to_owned(),
+            color: tokens.advice,
+        })
     }
 }
