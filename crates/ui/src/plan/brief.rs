@@ -11,6 +11,7 @@ use pilotage_core::plan::RoutePrediction;
 use pilotage_core::text::without_markup;
 
 use super::actions::action_words;
+use super::corridor_paint::{corridor_sides, room_beside};
 use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
 use super::printing::BriefLandmark;
@@ -144,14 +145,11 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
         data_address(&scene.pictures.map)
     );
     if let Some(prediction) = scene.prediction {
-        let side = |sign: f64| {
-            prediction.samples.iter().map(move |s| {
-                let (sin, cos) = s.course.sin_cos();
-                let half = sign * s.corridor.across;
-                GroundPoint::new(s.position.north - half * sin, s.position.east + half * cos)
-            })
-        };
-        let ring = points(&mut side(1.0).chain(side(-1.0).collect::<Vec<_>>().into_iter().rev()));
+        let samples = &prediction.samples;
+        let sides = samples.iter().zip(room_beside(samples));
+        let sides: Vec<_> = sides.map(|(s, room)| corridor_sides(s, room)).collect();
+        let [left, right] = [0, 1].map(|side| sides.iter().map(move |ends| ends[side]));
+        let ring = points(&mut right.chain(left.rev()));
         let _ = write!(text, "<polygon class=\"corridor\" points=\"{ring}\"/>");
     }
     for zone in scene.no_fly {
@@ -279,22 +277,21 @@ fn outlook(text: &mut String, scene: &BriefScene<'_>) {
         text.push_str("<p>It is not predicted.</p>");
         return;
     };
-    let (factor, unit) = scene.units.length();
     let rows = [
         (
-            "largest σ, longer axis",
-            format!("{:.1} {unit}", outlook.sigma * factor),
+            "largest error (1σ), longer axis",
+            scene.units.short(outlook.sigma),
         ),
         (
             "95 % corridor, largest half width",
-            format!("{:.1} {unit}", outlook.across * factor),
+            format!("±{}", scene.units.short(outlook.across)),
         ),
         (
             "longest dead reckoning",
             format!("{:.0} s", outlook.dead_reckoning),
         ),
-        ("accepted σ", format!("{:.1} {unit}", scene.limit * factor)),
-        ("over it", distance_text(outlook.over, scene.units)),
+        ("limit (1σ)", scene.units.short(scene.limit)),
+        ("over the limit", distance_text(outlook.over, scene.units)),
     ];
     text.push_str("<table class=\"facts\">");
     for (name, value) in rows {

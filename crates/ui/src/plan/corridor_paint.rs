@@ -1,5 +1,7 @@
 //! The predicted corridor on the map.
 
+use std::f64::consts::{PI, TAU};
+
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Color32, Painter, Pos2, Shape, Stroke};
 use pilotage_core::frames::GroundPoint;
@@ -14,6 +16,9 @@ const ELLIPSE_SPACING: f32 = 96.0;
 /// over the other and say no more; where it is wider it has no edge.
 const WIDEST: f32 = 140.0;
 
+/// Least change of course between two samples that is a bend, rad.
+const LEAST_TURN: f64 = 1e-3;
+
 /// The corridor's colour where the limit is kept.
 pub fn kept_color(tokens: &Tokens) -> Color32 {
     tokens.observed
@@ -27,23 +32,46 @@ struct Across {
 }
 
 impl Across {
-    fn at(view: &ScreenFromWorld, sample: &PredictionSample) -> Self {
-        let (sin, cos) = sample.course.sin_cos();
-        let across = sample.corridor.across;
+    fn at(view: &ScreenFromWorld, sample: &PredictionSample, most: [f64; 2]) -> Self {
         let widest = f64::from(WIDEST / view.points(1.0));
-        let half = across.min(widest);
-        let p = sample.position;
-        let side = |half: f64| GroundPoint::new(p.north - half * sin, p.east + half * cos);
+        let sides = corridor_sides(sample, most.map(|most| most.min(widest)));
         Self {
-            sides: [-half, half].map(|half| view.apply(&side(half))),
-            is_cut: across > widest,
+            sides: sides.map(|side| view.apply(&side)),
+            is_cut: sample.corridor.across > widest,
         }
     }
 }
 
+/// Places at the left and the right edge of the corridor beside a sample, at most so far from it, metres.
+pub(super) fn corridor_sides(sample: &PredictionSample, most: [f64; 2]) -> [GroundPoint; 2] {
+    let (sin, cos) = sample.course.sin_cos();
+    let [left, right] = most.map(|most| most.min(sample.corridor.across));
+    let at = sample.position;
+    [-left, right].map(|half| GroundPoint::new(at.north - half * sin, at.east + half * cos))
+}
+
+/// Room at the left and the right of each sample in which the pieces across do not cross each other, metres: on the
+/// inner side of a bend up to its middle.
+pub(super) fn room_beside(samples: &[PredictionSample]) -> Vec<[f64; 2]> {
+    let last = samples.len().saturating_sub(1);
+    let room = |index: usize| {
+        let [before, after] =
+            [index.saturating_sub(1), last.min(index + 1)].map(|index| &samples[index]);
+        let turn = (after.course - before.course + PI).rem_euclid(TAU) - PI;
+        let radius = (after.distance - before.distance) / turn.abs();
+        match turn {
+            turn if turn < -LEAST_TURN => [radius, f64::INFINITY],
+            turn if turn > LEAST_TURN => [f64::INFINITY, radius],
+            _ => [f64::INFINITY; 2],
+        }
+    };
+    (0..samples.len()).map(room).collect()
+}
+
 /// Pieces across the whole corridor.
 fn across(view: &ScreenFromWorld, samples: &[PredictionSample]) -> Vec<Across> {
-    samples.iter().map(|s| Across::at(view, s)).collect()
+    let rooms = room_beside(samples).into_iter().zip(samples);
+    rooms.map(|(room, s)| Across::at(view, s, room)).collect()
 }
 
 /// A band over the pieces, each part coloured as the piece at its end.
@@ -147,6 +175,48 @@ mod tests {
     use super::*;
     use pilotage_core::plan::{WorldError, corridor};
 
+    fn sample(sigma: f64) -> PredictionSample {
+        let world = WorldError {
+            weight: 1.0,
+            mean: nalgebra::Vector2::zeros(),
+            covariance: nalgebra::Matrix2::identity() * sigma * sigma,
+        };
+        PredictionSample {
+            time: 0.0,
+            distance: 0.0,
+            position: GroundPoint::default(),
+            course: 0.6,
+            corridor: corridor(&[world], 0.6, 0.95).unwrap(),
+            detection: Vec::new(),
+            dead_reckoning: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_wide_corridor_around_a_bend_does_not_cross_itself() {
+        // A right turn of 60 m radius from north to east, about a middle 60 m east of where it begins.
+        let bend = (0..=20).map(|step| {
+            let course = f64::from(step) / 20.0 * 0.5 * PI;
+            let (sin, cos) = course.sin_cos();
+            PredictionSample {
+                distance: 60.0 * course,
+                position: GroundPoint::new(60.0 * sin, 60.0 - 60.0 * cos),
+                course,
+                ..sample(200.0)
+            }
+        });
+        let bend: Vec<_> = bend.collect();
+        let rooms = room_beside(&bend);
+        let middle = GroundPoint::new(0.0, 60.0);
+        for (sample, room) in bend.iter().zip(rooms) {
+            let [left, right] = corridor_sides(sample, room);
+            assert!(right.distance(&middle) < 1.0, "{right:?}");
+            assert!((left.distance(&middle) - 60.0 - sample.corridor.across).abs() < 1.0);
+        }
+        let across = room_beside(&[sample(9.0), sample(9.0)]);
+        assert_eq!(across, [[f64::INFINITY; 2]; 2], "straight on");
+    }
+
     #[test]
     fn a_corridor_of_kilometres_does_not_cover_the_map() {
         let view = ScreenFromWorld {
@@ -155,25 +225,10 @@ mod tests {
             up: 0.3,
             middle: Pos2::new(400.0, 300.0),
         };
-        let sample = |sigma: f64| {
-            let world = WorldError {
-                weight: 1.0,
-                mean: nalgebra::Vector2::zeros(),
-                covariance: nalgebra::Matrix2::identity() * sigma * sigma,
-            };
-            PredictionSample {
-                time: 0.0,
-                distance: 0.0,
-                position: GroundPoint::default(),
-                course: 0.6,
-                corridor: corridor(&[world], 0.6, 0.95).unwrap(),
-                detection: Vec::new(),
-                dead_reckoning: 0.0,
-            }
-        };
         let per_metre = f64::from(view.points(1.0));
-        let narrow = Across::at(&view, &sample(20.0 / per_metre));
-        let wide = Across::at(&view, &sample(5e4 / per_metre));
+        let free = [f64::INFINITY; 2];
+        let narrow = Across::at(&view, &sample(20.0 / per_metre), free);
+        let wide = Across::at(&view, &sample(5e4 / per_metre), free);
         let width = |a: &Across| a.sides[0].distance(a.sides[1]);
         assert!(!narrow.is_cut && wide.is_cut);
         assert!(

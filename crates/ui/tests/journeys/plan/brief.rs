@@ -13,7 +13,7 @@ fn the_brief_of_a_route_is_printed_with_its_legs_landmarks_and_prediction() {
     for words in [
         "Route 1",
         "Predicted error",
-        "largest σ",
+        "largest error (1σ)",
         "Legs",
         "Landmarks",
         "Wind from",
