@@ -98,7 +98,7 @@ impl Chart {
         axes.draw_y(&painter, tokens);
         let mut below = axes;
         below.rect.set_bottom(outer.bottom() - BOTTOM);
-        below.draw_x(&painter, tokens, far_unit);
+        below.draw_x(&painter, tokens, &format!("along the route, {far_unit}"));
         let clip = painter.with_clip_rect(rect);
         let at = |distance: f64, metres: f64| axes.at(distance * far, metres * near);
         paint_over(&clip, scene, &at, rect);
@@ -124,6 +124,7 @@ impl Chart {
             6.0,
             4.0,
         ));
+        name_stretches(&clip, scene, &at, rect);
         header(&painter, outer, scene, near, near_unit);
         for blip in blips.iter().filter(|b| b.lane < lanes) {
             let y = rect.bottom() + 6.0 + LANE * (blip.lane as f32 + 0.5);
@@ -174,44 +175,66 @@ fn paint_over(
         let (left, right) = (at(*begin, 0.0).x, at(*end, 0.0).x);
         let shade = Rect::from_x_y_ranges(left..=right.max(left + 2.0), rect.y_range());
         painter.rect_filled(shade, 0.0, scene.tokens.no_fly.gamma_multiply(0.22));
-        let place = pos2(shade.center().x, rect.bottom() - 4.0);
-        let (font, color) = (scene.tokens.small(), scene.tokens.no_fly);
-        painter.text(place, Align2::CENTER_BOTTOM, "no-fly area", font, color);
     }
     for stretch in &scene.prediction.over_limit {
         let (left, right) = (at(stretch.begin, 0.0).x, at(stretch.end, 0.0).x);
         let shade = Rect::from_x_y_ranges(left..=right.max(left + 2.0), rect.y_range());
         painter.rect_filled(shade, 0.0, scene.tokens.warning.gamma_multiply(0.14));
-        let text = format!("{:.0} s dead reckoning", stretch.dead_reckoning);
-        if shade.width() > 110.0 && stretch.dead_reckoning >= 1.0 {
-            let place = pos2(shade.center().x, rect.top() + 4.0);
-            let (font, color) = (scene.tokens.small(), scene.tokens.warning);
-            painter.text(place, Align2::CENTER_TOP, text, font, color);
+    }
+}
+
+/// Says in the shaded stretches why they are shaded, over the curves.
+fn name_stretches(
+    painter: &Painter,
+    scene: &ChartScene<'_>,
+    at: &impl Fn(f64, f64) -> Pos2,
+    rect: Rect,
+) {
+    let tokens = scene.tokens;
+    let write = |[begin, end]: [f64; 2], text: String, color: Color32, align: Align2| {
+        let [left, right] = [begin, end].map(|it| at(it, 0.0).x);
+        let galley = painter.layout_no_wrap(text, tokens.small(), color);
+        let middle = pos2(0.5 * (left + right), rect.top());
+        let place = pos2(middle.x, align.pos_in_rect(&rect.shrink(4.0)).y);
+        let words = align.anchor_size(place, galley.size());
+        if words.width() < right - left {
+            painter.rect_filled(
+                words.expand(2.0),
+                tokens.radius,
+                tokens.surface.gamma_multiply(0.7),
+            );
+            painter.galley(words.min, galley, color);
         }
+    };
+    for &(begin, end) in scene.no_fly {
+        let text = "no-fly area".to_owned();
+        write([begin, end], text, tokens.no_fly, Align2::CENTER_BOTTOM);
+    }
+    for stretch in &scene.prediction.over_limit {
+        let length = distance_text(stretch.end - stretch.begin, scene.units);
+        let text = format!("over the limit for {length}");
+        let ends = [stretch.begin, stretch.end];
+        write(ends, text, tokens.warning, Align2::CENTER_TOP);
     }
 }
 
 fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, unit: &str) {
     let tokens = scene.tokens;
     let y = outer.top() + 0.5 * HEADER;
-    let mut x = outer.left() + LEFT;
+    let name = format!("error, {unit}");
+    let at = pos2(outer.left() + 4.0, y);
+    let (align, font) = (Align2::LEFT_CENTER, tokens.small());
+    let name = painter.text(at, align, name, font, tokens.muted);
+    let mut x = name.right() + 20.0;
     let limit = format!("limit {:.0} {unit}", scene.limit * near);
     let mut entries: Vec<(&str, Color32, f32, bool)> = vec![
-        ("σ, longer axis", tokens.text, 2.0, false),
+        ("1σ, longer axis", tokens.text, 2.0, false),
         ("95 % corridor, half width", kept_color(tokens), 1.25, false),
         (&limit, tokens.warning, 1.5, true),
     ];
     if scene.flown.count() > 0 {
         entries.push(("true errors beside the path", tokens.truth, 1.0, false));
     }
-    let unit_at = pos2(outer.left() + LEFT - 4.0, y);
-    painter.text(
-        unit_at,
-        Align2::RIGHT_CENTER,
-        unit,
-        tokens.small(),
-        tokens.muted,
-    );
     // Beside the choice of charts.
     let end = outer.right() - 180.0;
     let laid = |text: &str| {
@@ -300,12 +323,11 @@ fn paint_cursor(
 ) {
     let tokens = scene.tokens;
     painter.vline(x, rect.y_range(), Stroke::new(1.0, tokens.text));
-    let (near, unit) = scene.units.length();
     let text = format!(
-        "{}   σ {:.1} {unit}   corridor ±{:.1} {unit}   {:.0} s since a likely fix",
+        "{}   error {} (1σ)   corridor ±{}   {:.0} s since a likely fix",
         distance_text(sample.distance, scene.units),
-        sample.corridor.sigma_major * near,
-        sample.corridor.across * near,
+        scene.units.short(sample.corridor.sigma_major),
+        scene.units.short(sample.corridor.across),
         sample.dead_reckoning
     );
     let galley = painter.layout_no_wrap(text, tokens.small(), tokens.text);

@@ -175,7 +175,7 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     };
     let painter = ui.painter_at(outer);
     axes.draw_y(&painter, tokens);
-    axes.draw_x(&painter, tokens, far_unit);
+    axes.draw_x(&painter, tokens, &format!("along the route, {far_unit}"));
     let at = |s: &ProfileSample, height: f64| axes.at(s.distance * far, height * near);
     let clip = painter.with_clip_rect(rect);
     let ground_color = tokens.truth;

@@ -80,13 +80,14 @@ impl ChartAxes {
                 self.rect.top() + 0.4 * tokens.text_sizes[0],
                 self.rect.bottom() - 0.4 * tokens.text_sizes[0],
             );
-            painter.text(
-                pos2(self.rect.left() - 0.5 * tokens.space, y),
-                Align2::RIGHT_CENTER,
-                text,
-                parts::small(tokens),
-                tokens.muted,
+            let galley = painter.layout_no_wrap(text, parts::small(tokens), tokens.muted);
+            // A long one reaches into the area rather than being cut.
+            let left = self.rect.left() - 0.5 * tokens.space - galley.size().x;
+            let place = pos2(
+                left.max(painter.clip_rect().left()),
+                y - 0.5 * galley.size().y,
             );
+            painter.galley(place, galley, tokens.muted);
         }
     }
 
