@@ -498,6 +498,11 @@ pub trait Feature {
         true
     }
 
+    /// Whether what is open has no place, so that nothing lies on the map and its plots get the room.
+    fn leaves_map_empty(&self, _documents: &Documents) -> bool {
+        false
+    }
+
     /// Reads a flight in opened files, which is flown once it is read.
     fn read_flight(&mut self, _files: &FlightFiles, _context: &mut FeatureContext<'_>) {}
 

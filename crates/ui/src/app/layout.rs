@@ -122,10 +122,19 @@ impl App {
                 side(ui, &mut scene, views, commands);
             }
         }
-        if plots_open && !narrow && !is_flight_hidden {
-            plots(ui, &mut scene, views, commands);
+        let has_plots = plots_open && !narrow && !is_flight_hidden;
+        let documents = scene.documents;
+        let mut features = views.features.iter();
+        if has_plots && features.any(|it| it.leaves_map_empty(documents)) {
+            egui::CentralPanel::default()
+                .frame(plain_frame(&tokens, Margin::symmetric(8, 8)))
+                .show(ui, |ui| all_plots(ui, &scene, views, commands));
+        } else {
+            if has_plots {
+                plots(ui, &mut scene, views, commands);
+            }
+            map(ui, &scene, views, commands);
         }
-        map(ui, &scene, views, commands);
         self.overlays(ui, &tokens, now, commands, narrow);
     }
 
@@ -303,9 +312,7 @@ fn timeline(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Ve
 
 fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let screen = ui.ctx().content_rect();
-    // A flight that has plots of its own is looked at by those first.
-    let of_feature = views.features.iter().position(|it| it.has_plots());
-    let usual = if of_feature.is_some() {
+    let usual = if views.features.iter().any(|it| it.has_plots()) {
         0.42 * screen.height()
     } else {
         PLOTS_HEIGHT
@@ -316,22 +323,25 @@ fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
         .default_size(scene.view.plots_height.unwrap_or(usual))
         .size_range(96.0..=(ui.available_height() - LEAST_MAP).max(96.0))
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
-        .show(ui, |ui| {
-            scene.with_context(commands, |context| {
-                let feature = of_feature.map(|index| &mut views.features[index]);
-                if let Some(feature) = feature {
-                    feature.plots(ui, context, scene.documents);
-                    if !feature.leaves_room_for_run() {
-                        return;
-                    }
-                }
-                views.plots.show(ui, context);
-            });
-            ui.take_available_space();
-        });
+        .show(ui, |ui| all_plots(ui, scene, views, commands));
     if is_resized(ui, id) {
         scene.view.plots_height = Some(panel.response.rect.height());
     }
+}
+
+/// The plots: a flight that has plots of its own is looked at by those first.
+fn all_plots(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    scene.with_context(commands, |context| {
+        let mut features = views.features.iter_mut();
+        if let Some(feature) = features.find(|it| it.has_plots()) {
+            feature.plots(ui, context, scene.documents);
+            if !feature.leaves_room_for_run() {
+                return;
+            }
+        }
+        views.plots.show(ui, context);
+    });
+    ui.take_available_space();
 }
 
 fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {

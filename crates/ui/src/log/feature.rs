@@ -3,7 +3,7 @@
 use egui::{Painter, Pos2, Rect, Ui};
 use pilotage_core::exchange::FlownValues;
 use pilotage_core::frames::LocalFrame;
-use pilotage_jobs::{JobEvent, JobId};
+use pilotage_jobs::{JobEvent, JobId, MapSource};
 use serde_json::Value;
 
 use super::catalog::commands;
@@ -123,6 +123,20 @@ impl Feature for LogFeature {
 
     fn leaves_room_for_run(&self) -> bool {
         !self.shows_plots
+    }
+
+    fn leaves_map_empty(&self, documents: &Documents) -> bool {
+        let log = self.log.as_ref();
+        let has_no_track = log.is_some_and(|log| log.tracks.0.is_empty());
+        let is_read = self.reading.is_none()
+            && documents
+                .log
+                .as_ref()
+                .is_some_and(|it| it.unnavigable.is_some());
+        has_no_track
+            && is_read
+            && documents.flight.is_none()
+            && documents.map_source == MapSource::Nothing
     }
 
     fn read_flight(&mut self, files: &FlightFiles, context: &mut FeatureContext<'_>) {
