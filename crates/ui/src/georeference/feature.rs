@@ -1,7 +1,7 @@
 //! The georeferencer as a feature: it has the window and the map for itself while a picture is open.
 
 use egui::Ui;
-use pilotage_jobs::{JobEvent, JobId, OpenedFiles};
+use pilotage_jobs::{FlightSource, JobEvent, JobId, OpenedFiles};
 use serde_json::Value;
 
 use super::work::GeoreferencerFeature;
@@ -51,6 +51,17 @@ impl Feature for GeoreferencerFeature {
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
         self.take(job, event, context);
+    }
+
+    /// Gives its place to another flight; a picture that came with the flight, or has points already, stays.
+    fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
+        let is_idle = self.picture.as_ref().is_some_and(|picture| {
+            let came = FlightSource::Files(picture.key.clone());
+            picture.points.is_empty() && context.documents.flight_source != came
+        });
+        if is_idle {
+            self.close(context);
+        }
     }
 
     fn tend(&mut self, context: &mut FeatureContext<'_>) {

@@ -125,6 +125,19 @@ fn closing_leaves_everything_as_it_was() {
 }
 
 #[test]
+fn another_flight_is_shown_in_the_place_of_a_picture_without_points_and_behind_one_with_some() {
+    for (points, stays) in [(0, false), (2, true)] {
+        let mut rig = rig_with_a_picture();
+        pick(&mut rig, &PLACES[..points]);
+        rig.menu("Open", "Simulate a flight…");
+        rig.frames(8);
+        rig.harness.get_by_label("Fly").click();
+        rig.frames(8);
+        assert_eq!(rig.state()["georeferencer"].is_object(), stays, "{points}");
+    }
+}
+
+#[test]
 fn points_and_places_that_are_opened_go_to_the_picture_that_is_put_on_the_ground() {
     let mut rig = rig_with_a_picture();
     pick(&mut rig, &PLACES);
