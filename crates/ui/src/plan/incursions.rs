@@ -36,13 +36,17 @@ impl Planner {
     /// Says what is wrong before a route is exported for the first time; whether it did, so that the export waits.
     pub(super) fn asks_before_export(&mut self, context: &mut FeatureContext<'_>) -> bool {
         self.check_incursions(context.documents);
-        let mut warnings = self.no_fly_sentences(context.view.units);
-        if warnings.is_empty() || self.incursions.was_told() {
+        let warnings = self.no_fly_sentences(context.view.units);
+        let Some(first) = warnings.first().filter(|_| !self.incursions.was_told()) else {
             return false;
-        }
+        };
         self.incursions.tell();
-        warnings.push("Export again to save the route as it is.".to_owned());
-        context.trouble("The route was not exported yet", warnings.join(" "));
+        let more = match warnings.len() {
+            1 => "",
+            _ => " The Route tab has more.",
+        };
+        let text = format!("{first}{more} Export again to save the route as it is.");
+        context.trouble("The route was not exported yet", text);
         true
     }
 }

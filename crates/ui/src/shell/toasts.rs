@@ -150,7 +150,7 @@ fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
                     if !shown.is_empty() {
                         ui.label(RichText::new(shown).color(tokens.muted));
                     }
-                    if shown.len() < toast.text.len() && ui.link("All of it").clicked() {
+                    if shown.len() < toast.text.len() && ui.link("Details").clicked() {
                         toast.is_open = true;
                     }
                 });

@@ -40,6 +40,8 @@ fn a_route_over_a_no_fly_area_is_told_in_the_tab_and_above_the_map_and_asked_abo
     assert_eq!(rig.host().saved.len(), saved, "it asks first");
     let toasts = rig.state()["toasts"].to_string();
     assert!(toasts.contains("Export again"), "{toasts}");
+    rig.harness
+        .get_by_label_contains("Export again to save the route as it is.");
     export(&mut rig);
     assert_eq!(rig.host().saved.len(), saved + 1);
 }
