@@ -156,10 +156,16 @@ impl Planner {
                     }
                 }
                 let made = if added(suggestion) { "Added: " } else { "" };
+                let found = &suggestion.candidate;
                 // A number and its unit stay on one line.
-                let reason = suggestion.reason.replace(" %", "\u{a0}%");
-                let text = format!("{number}  {made}{reason}.");
-                ui.add(egui::Label::new(muted(tokens, text)).wrap());
+                let text = format!(
+                    "{number}  {made}saves {:.0}\u{a0}s · found {:.0}\u{a0}% · look-alike {:.2}",
+                    suggestion.gained,
+                    100.0 * found.probability,
+                    found.rival
+                );
+                let label = egui::Label::new(egui::RichText::new(text).color(tokens.text)).wrap();
+                ui.add(label).on_hover_text(&suggestion.reason);
             });
             if ui.rect_contains_pointer(row.response.rect) {
                 hovered = Some(index);

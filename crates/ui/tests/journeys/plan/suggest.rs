@@ -39,7 +39,7 @@ fn suggested_landmarks_are_listed_with_a_reason_added_in_one_step_and_taken_back
     );
     assert_eq!(suggested(&rig), [false, false]);
     rig.harness
-        .get_by_label_contains("1  keeps 9 s from dead reckoning, found in 0.70");
+        .get_by_label_contains("1  saves 9\u{a0}s · found 70\u{a0}% · look-alike 0.30");
     let before = landmarks(&rig);
     rig.harness.get_by_label("Add all").click();
     rig.settle();
