@@ -52,7 +52,7 @@ pub fn landmarks_tab(
     let mut ahead = planner.preferences.tests_ahead;
     let hint = "Looks for each landmark on other days while nothing else is to be computed: what is selected first, \
                 then what is in view";
-    let tests = ui.checkbox(&mut ahead, "Test landmarks by themselves");
+    let tests = ui.checkbox(&mut ahead, "Test landmarks automatically");
     if tests.on_hover_text(hint).changed() {
         let command = PlanCommand::TestAhead(ahead);
         context.commands.push(Command::from(command));
@@ -129,12 +129,14 @@ fn draw_menu(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
 /// Draws the actions on the selected landmark.
 fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewContext<'_>) {
     ui.horizontal_wrapped(|ui| {
-        let label = if planner.assessments.of(landmark).is_some() {
+        let is_tested = planner.assessments.of(landmark).is_some();
+        let label = if is_tested {
             "Test again"
         } else {
             "Test how well it is found"
         };
-        button(ui, context, None, label, true, PlanCommand::AssessSelected);
+        let test = PlanCommand::AssessSelected;
+        button(ui, context, None, label, !is_tested, test);
         let survey = PlanCommand::SurveyEnvelope;
         button(ui, context, None, "Best altitude", false, survey);
         let copy = PlanCommand::DuplicateLandmark;

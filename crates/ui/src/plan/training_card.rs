@@ -135,7 +135,7 @@ impl Planner {
                 (count, _) => format!("Train {count} detectors"),
             };
             let command = PlanCommand::Train(TrainCommand::Selected);
-            button(ui, context, None, &label, trained < count, command);
+            button(ui, context, None, &label, false, command);
             let mut photos = self.preferences.photos;
             let field = DragValue::new(&mut photos)
                 .range(PHOTOS)

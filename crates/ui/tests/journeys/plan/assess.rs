@@ -202,14 +202,14 @@ fn testing_ahead_ends_where_people_switch_it_off() {
     rig.open_tab("Plan");
     rig.open_tab("Landmarks");
     rig.harness
-        .get_by_label("Test landmarks by themselves")
+        .get_by_label("Test landmarks automatically")
         .click();
     rig.settle();
     rig.harness.state_mut().host.ahead = Ahead::Done;
     rig.settle();
     assert_eq!(measured_ahead(&mut rig), [0; 0]);
     rig.harness
-        .get_by_label("Test landmarks by themselves")
+        .get_by_label("Test landmarks automatically")
         .click();
     rig.settle();
     assert!(!measured_ahead(&mut rig).is_empty());
