@@ -18,7 +18,7 @@ export async function run(page, tools) {
   await tools.waitFor((s) => s.run_steps > 0, "the demo", 150_000);
   await page.keyboard.press("Shift+P");
   await tools.waitFor((s) => s.workspace === "Plan" && fine(s), "the prediction of the demo's route", 90_000);
-  await tools.find(null, /level at 0 m AMSL, no elevation model is open$/);
+  await tools.find(null, /^Ground: level at 0 m AMSL, no elevation model is open\.$/);
 
   const heights = geotiff({ width: columns, height: rows, gsd, east: west, north, pixel: hill, heights: true, tags: { 34735: degrees } });
   await drop(page, [{ name: "hill.tif", buffer: heights }]);

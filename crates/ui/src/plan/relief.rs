@@ -175,7 +175,9 @@ pub fn ground(ui: &mut Ui, relief: &Relief<'_>, route: &Route, context: &mut Vie
             });
         }
     });
-    ui.label(muted(tokens, relief.words(route, context.units)));
+    if !relief.is_level() {
+        ui.label(muted(tokens, relief.words(route, context.units)));
+    }
 }
 
 #[cfg(test)]

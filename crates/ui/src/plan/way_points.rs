@@ -186,13 +186,12 @@ pub fn course_words(course: Option<f64>) -> String {
 /// Writes the figures of a leg into the columns of a row.
 fn paint_columns(painter: &Painter, rect: Rect, y: f32, words: [String; 3], tokens: &Tokens) {
     let columns = [
-        rect.left() + LEFT + 44.0,
-        rect.center().x + 36.0,
-        rect.right() - 10.0,
+        (rect.left() + LEFT, Align2::LEFT_CENTER),
+        (rect.center().x + 36.0, Align2::RIGHT_CENTER),
+        (rect.right() - 10.0, Align2::RIGHT_CENTER),
     ];
-    for (x, text) in columns.into_iter().zip(words) {
-        let at = pos2(x, y);
-        painter.text(at, Align2::RIGHT_CENTER, text, tokens.normal(), tokens.text);
+    for ((x, align), text) in columns.into_iter().zip(words) {
+        painter.text(pos2(x, y), align, text, tokens.normal(), tokens.text);
     }
 }
 

@@ -80,7 +80,10 @@ fn an_opened_elevation_model_is_named_and_counts_in_altitudes_profile_and_predic
     let mut rig = planning();
     draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
     assert_eq!(
-        count(&rig, "level at 0 m AMSL, no elevation model is open"),
+        count(
+            &rig,
+            "Ground: level at 0 m AMSL, no elevation model is open."
+        ),
         1
     );
     open_heights(&mut rig);
@@ -117,7 +120,10 @@ fn without_an_elevation_model_the_height_of_level_ground_is_stated_and_undone() 
     draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
     set(&mut rig, "Height of level ground", 430.0);
     assert_eq!(
-        count(&rig, "level at 430 m AMSL, no elevation model is open"),
+        count(
+            &rig,
+            "Ground: level at 430 m AMSL, no elevation model is open."
+        ),
         1
     );
     choose(&mut rig, 1);
@@ -129,7 +135,10 @@ fn without_an_elevation_model_the_height_of_level_ground_is_stated_and_undone() 
     rig.key_with(Modifiers::COMMAND, Key::Z);
     rig.settle();
     assert_eq!(
-        count(&rig, "level at 0 m AMSL, no elevation model is open"),
+        count(
+            &rig,
+            "Ground: level at 0 m AMSL, no elevation model is open."
+        ),
         1
     );
 }
