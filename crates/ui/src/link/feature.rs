@@ -32,16 +32,21 @@ enum LinkCommand {
 
 fn commands() -> Vec<CommandEntry> {
     let all = [
-        ("Copy a link to this view", LinkCommand::Copy, BarMenu::Save),
+        ("Copy a link to this view", LinkCommand::Copy),
         (
             "Open what was open before the link",
             LinkCommand::OpenBefore,
-            BarMenu::Open,
         ),
     ];
-    let row = |(label, command, menu)| {
+    let row = |(label, command)| {
+        let is_rare = command == LinkCommand::OpenBefore;
         let command = Command::Feature(FeatureCommand::new(ID, command));
-        entry(CommandGroup::Document, label, vec![], command).under(menu)
+        let row = entry(CommandGroup::Document, label, vec![], command);
+        if is_rare {
+            row
+        } else {
+            row.under(BarMenu::Save)
+        }
     };
     all.into_iter().map(row).collect()
 }

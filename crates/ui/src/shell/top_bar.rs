@@ -151,10 +151,16 @@ fn middle(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Vec<Com
             let mut done = rect;
             done.set_right(rect.left() + rect.width() * fraction.clamp(0.0, 1.0));
             ui.painter().rect_filled(done, 2.0, tokens.accent);
+            ui.add_space(0.5 * tokens.space);
+            let words = egui::Label::new(muted(tokens, words)).truncate();
+            let room = ui.available_width() - tokens.target() - tokens.space;
+            ui.scope(|ui| {
+                ui.set_max_width(room.max(0.0));
+                ui.add(words);
+            });
             if icon_button(ui, tokens, Icon::Close, "Stop computing").clicked() {
                 commands.push(Command::CancelJob);
             }
-            ui.add(egui::Label::new(muted(tokens, words)).truncate());
         } else {
             let text = RichText::new(bar.title).color(tokens.muted);
             ui.add(egui::Label::new(text).truncate());

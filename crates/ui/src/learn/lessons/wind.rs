@@ -121,7 +121,7 @@ impl Lesson for Wind {
         }
         let stroke = Stroke::new(1.0, tokens.accent);
         painter.vline(axes.screen_x(moment.time), axes.rect.y_range(), stroke);
-        let text = format!("wind, {unit}: thick north, thin east; red estimate, green truth");
+        let text = format!("{unit}: north thick, east thin, truth green");
         let at = rect.left_top() + vec2(tokens.space, 0.5 * tokens.space);
         figure.caption(at, Align2::LEFT_TOP, &text, tokens.muted);
     }
