@@ -364,8 +364,8 @@ impl MapView {
         }
     }
 
-    /// Lines on the screen that names must not cross, and marks that they must not cover: the selected route while
-    /// routes are shown, or else the estimated track.
+    /// Lines on the screen that names must not cross, and marks that they must not cover: the routes while they
+    /// are shown, the selected one with its marks, or else the estimated track.
     fn busy(
         &self,
         view: &ScreenFromWorld,
@@ -385,8 +385,12 @@ impl MapView {
         let marks = on_route.clone();
         let marks = marks.map(|at| Rect::from_center_size(at, vec2(26.0, 26.0)));
         let line: Vec<Pos2> = on_route.chain(on_track).collect();
+        let others = context.mission.routes.iter();
+        let others = others.filter(|it| self.planning && Some(it.id) != context.route);
+        let others = others.flat_map(|it| it.way_points.windows(2));
+        let others = others.map(|leg| [&leg[0], &leg[1]].map(|end| view.apply(&end.position)));
         let legs = line.windows(2).map(|leg| [leg[0], leg[1]]);
-        (legs.collect(), marks.collect())
+        (legs.chain(others).collect(), marks.collect())
     }
 
     /// Draws what belongs to the time cursor.
