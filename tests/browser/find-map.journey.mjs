@@ -29,6 +29,6 @@ export async function run(page, tools) {
   tools.check(!found.plan.find.trouble, found.plan.find.trouble);
   const { shortest, surest } = found.plan.find;
   tools.check(surest.time <= 1.3 * shortest.time * 1.05, `${surest.time} s after ${shortest.time} s`);
-  await tools.find(null, /^Predicted with the landmarks that are on/);
+  await tools.find(null, /^Predicted with the landmarks in use/);
   await tools.screenshot("find-map");
 }

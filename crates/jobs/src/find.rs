@@ -130,7 +130,7 @@ impl RunningJob for FindRoute {
     ) -> Result<Advance, String> {
         match &mut self.stage {
             FindStage::Field => {
-                let words = "Where a fix would be had".to_owned();
+                let words = "Where landmarks can be recognised".to_owned();
                 emit(JobEvent::Progress(0.02, words));
                 self.stage = self.begin(worker)?;
             }

@@ -166,7 +166,7 @@ impl CompareView {
                 .color(tokens.muted)
         };
         let mut reference = self.reference;
-        let titles = ["RMS", "median", "most", "drift"].map(str::to_owned);
+        let titles = ["RMS", "median", "largest", "drift"].map(str::to_owned);
         let title = |ui: &mut Ui| {
             ui.label(small(&format!("error, {unit}")));
         };

@@ -216,7 +216,7 @@ fn process(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units
     let process = &mut settings.process;
     ui.checkbox(
         &mut process.thesis_per_step,
-        "The thesis’ values, once per step",
+        "Fixed noise per step (original thesis)",
     );
     meaning(
         ui,

@@ -112,10 +112,18 @@ fn a_log_without_fixes_is_plotted_beside_nothing_of_the_demo() {
     let rig = rig_with("indoors.log", without("GPS, "));
     let state = rig.state();
     let why = state["log"]["unnavigable"].as_str().unwrap_or_default();
-    assert!(why.contains("nobody knows where"), "{}", state["log"]);
+    assert!(
+        why.contains("starting point is unknown"),
+        "{}",
+        state["log"]
+    );
     assert_eq!(panels(&rig), [["Roll", "Pitch"]]);
     assert!(state["flight"].is_null(), "{}", state["flight"]);
     assert_eq!(state["landmarks"], Value::Array(Vec::new()));
+    assert!(
+        rig.harness.query_by_label("Map").is_none(),
+        "its plots have the room of a map on which nothing would lie"
+    );
 }
 
 #[test]

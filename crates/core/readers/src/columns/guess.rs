@@ -358,10 +358,7 @@ fn column(
         .collect();
     let Some((best, unit, is_stated)) = units.first().filter(|(g, ..)| g.confidence >= LEAST)
     else {
-        return unused(
-            &sample.name,
-            "its name says nothing that a flight has a place for",
-        );
+        return unused(&sample.name, "not recognised by its name");
     };
     let mut confidence = best.confidence * unit.confidence;
     let mut reason = format!("it is called {}; {}", sample.name, unit.reason);

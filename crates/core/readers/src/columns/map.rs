@@ -306,7 +306,7 @@ impl ColumnMap {
             )
         };
         if self.columns.iter().find(is_used).is_none() {
-            return Some("no column is anything that a flight has a place for".to_owned());
+            return Some("no column is recognised as part of a flight".to_owned());
         }
         None
     }

@@ -76,21 +76,19 @@ impl Interpreted {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum InterpretError {
     /// There is no position to begin with.
-    #[error(
-        "{log}: no position by satellite navigation in it, so that nobody knows where the flight began"
-    )]
+    #[error("{log}: no position by satellite navigation in it, so the starting point is unknown")]
     NoPosition {
         /// Name of the log.
         log: String,
     },
     /// There is no heading.
-    #[error("{log}: no heading in it, so that dead reckoning has no direction")]
+    #[error("{log}: no heading in it, so dead reckoning has no direction")]
     NoHeading {
         /// Name of the log.
         log: String,
     },
     /// There is no height.
-    #[error("{log}: no height in it, so that nobody knows how large the ground looks")]
+    #[error("{log}: no height in it, so the scale of the pictures is unknown")]
     NoHeight {
         /// Name of the log.
         log: String,
