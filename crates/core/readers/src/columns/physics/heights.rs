@@ -34,8 +34,10 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         plausible(board, known, *id);
     }
     let down = down.map(|id| (id, known.grid.mean(&board.values(id))));
+    // One that shows a single number all the time is of no sensor, and judges nothing.
+    let judging = down.as_ref().filter(|(_, values)| moves(values));
     for id in &ids {
-        let by_velocity = down.as_ref();
+        let by_velocity = judging;
         let climbing = rate(board, *id);
         if let Some((down, down_values)) = by_velocity {
             let up: Vec<f64> = down_values.iter().map(|v| -v).collect();
@@ -83,6 +85,16 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         (None, None) => return,
     };
     known.velocity[2] = down;
+}
+
+/// Whether values are not all one number.
+fn moves(values: &[f64]) -> bool {
+    let finite = || values.iter().copied().filter(|v| v.is_finite());
+    let (least, most) = (
+        finite().fold(f64::INFINITY, f64::min),
+        finite().fold(f64::NEG_INFINITY, f64::max),
+    );
+    most - least > 1e-6 * most.abs().max(least.abs())
 }
 
 /// A group keeps its units: a vertical velocity is in that of the speed over ground beside it.
