@@ -70,8 +70,9 @@ fn are_of_clock(numbers: &[f64]) -> bool {
     let clocks: Option<Vec<f64>> = numbers.iter().map(|n| of_clock_number(*n)).collect();
     let Some(clocks) = clocks else { return false };
     let pairs = numbers.windows(2).zip(clocks.windows(2));
+    let is_midnight = |raw: &[f64]| raw[0] >= 235_900.0 && (0.0..100.0).contains(&raw[1]);
     let leaps = pairs
-        .filter(|(raw, clock)| (raw[1] - raw[0]) - (clock[1] - clock[0]) > 39.0)
+        .filter(|(raw, clock)| is_midnight(raw) || (raw[1] - raw[0]) - (clock[1] - clock[0]) > 39.0)
         .count();
     leaps > 0 && 10 * leaps <= numbers.len()
 }
@@ -187,6 +188,8 @@ mod tests {
             unit_of_time(&sample, None, 1.0).map(|(unit, ..)| unit)
         };
         assert_eq!(of((36_000..36_300).map(clock).collect()), Some(CLOCK));
+        let over_midnight = (86_370..86_430).map(|second| clock(second % 86_400));
+        assert_eq!(of(over_midnight.collect()), Some(CLOCK));
         assert_eq!(
             of((0..300).map(|i| f64::from(i) * 100.0).collect()),
             Some("ms")

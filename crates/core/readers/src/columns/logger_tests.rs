@@ -217,6 +217,45 @@ fn a_table_of_times_of_day_goes_on_over_midnight() {
 }
 
 #[test]
+fn digits_of_a_clock_go_on_over_midnight() {
+    let row = |i: u32| {
+        let second = (86_397.0 + 0.1 * f64::from(i)) % 86_400.0;
+        let [hours, minutes] = [second / 3600.0, second / 60.0 % 60.0].map(|part| part as u32);
+        let lat = -33.85 - 1e-5 * f64::from(i);
+        format!(
+            "{hours:02}{minutes:02}{:04.1},{lat:.6},-18.42,{}\n",
+            second % 60.0,
+            50 + i
+        )
+    };
+    let table = "time,lat,lon,alt\n".to_owned() + &(0..60).map(row).collect::<String>();
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let flight = flight_of_tables(&files, &maps).unwrap().flight;
+    let height = flight.channel(ChannelName::GpsHeight).unwrap();
+    assert_eq!(height.values.len(), 60);
+    let length = height.times[59] - height.times[0];
+    assert!((length - 5.9).abs() < 1e-6, "{length}");
+}
+
+#[test]
+fn a_vertical_velocity_that_never_moves_does_not_judge_the_heights() {
+    // Half a foot of climb a second, a sensor that shows -0.2 miles an hour all the time.
+    let row = |i: u32| {
+        let lat = 47.0 + 1e-5 * f64::from(i);
+        let height = 1500.0 + 0.05 * f64::from(i);
+        format!("{},{lat:.6},8.0,{height:.2},-0.2\n", 100 * i)
+    };
+    let head = "time(millisecond),latitude,longitude,altitude_above_seaLevel(feet),zSpeed(mph)\n";
+    let table = head.to_owned() + &(0..60).map(row).collect::<String>();
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let flight = flight_of_tables(&files, &maps).unwrap().flight;
+    let height = flight.channel(ChannelName::GpsHeight).unwrap().values[0];
+    assert!((height - 1500.0 * 0.3048).abs() < 1e-6, "{height}");
+}
+
+#[test]
 fn a_table_in_utf_16_is_read_by_its_mark() {
     let row = |i: usize| {
         format!(
