@@ -1,8 +1,8 @@
-//! What GDAL writes beside a picture that has no room for it: `NAME.aux.xml`, with reference system and place.
+//! `NAME.aux.xml`, which GDAL writes beside a picture that has no room for reference system and place.
 
 use pilotage_base::georeference::{Georeference, WorldFile};
 
-/// What such a file says of where its picture lies.
+/// Place of a picture as such a file says it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct AuxiliaryXml {
     /// Reference system: well-known text, or its code.

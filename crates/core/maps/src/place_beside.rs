@@ -88,7 +88,7 @@ pub(crate) fn refuse_unnamed(
     })
 }
 
-/// What GDAL wrote beside a picture, with the file's name.
+/// Auxiliary file of GDAL beside a picture, with its name.
 fn auxiliary(files: &dyn FileSet, picture: &str) -> Option<(String, AuxiliaryXml)> {
     let (name, bytes) = beside(files, picture, ".aux.xml")?;
     Some((name, AuxiliaryXml::read(&String::from_utf8_lossy(&bytes))))

@@ -186,7 +186,7 @@ fn values(words: &str) -> [Option<f64>; 7] {
     values
 }
 
-/// What stands in round brackets behind a word.
+/// Text in round brackets behind a word.
 fn in_brackets<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     let (_, rest) = text.split_once(word)?;
     let rest = rest.trim_start_matches([' ', ':']).strip_prefix('(')?;

@@ -64,7 +64,7 @@ impl StudyDraft {
         Some(draft)
     }
 
-    /// What is remembered of it between visits, as JSON.
+    /// JSON of the draft, to be remembered between visits.
     pub fn kept(&self) -> String {
         json!({ "plan": self.text, "chosen": self.chosen }).to_string()
     }

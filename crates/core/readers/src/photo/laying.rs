@@ -19,7 +19,7 @@ use pilotage_vision::registration::{
 pub struct PhotoLook {
     /// Its pixels.
     pub picture: Picture,
-    /// What its file tells.
+    /// Attributes that its file tells.
     pub told: Photo,
     /// Its camera, which looks straight down when the body is level.
     pub camera: CameraModel,
