@@ -18,7 +18,7 @@ export async function run(page, tools) {
   await page.evaluate(() => { document.getElementById("brief").hidden = false; });
   await page.emulateMedia({ media: "print" });
   const text = await page.evaluate(() => document.getElementById("brief").innerText);
-  for (const words of ["Predicted error of position", "largest σ", "Legs", "Landmarks", "Assumed", "Wind from", "Aircraft: cruise at", "N 4", " UTC"]) {
+  for (const words of ["Predicted error of position", "largest error (1σ)", "Legs", "Landmarks", "Assumed", "Wind from", "Aircraft: cruise at", "N 4", " UTC"]) {
     tools.check(text.includes(words), `"${words}" is not on the page`);
   }
   const pages = async (title) => {
