@@ -165,7 +165,7 @@ pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
         .or_else(|| grouped(cell))
 }
 
-/// The number of a cell with a comma before every three digits: `1,250.5`, as quoted cells have it.
+/// The number of a cell with a comma before every three digits: `1,250.5`, as quoted cells have it; `0,250` is none.
 fn grouped(cell: &str) -> Option<f64> {
     let bare = cell.strip_prefix(['-', '+']).unwrap_or(cell);
     let whole = bare.split('.').next()?;
@@ -173,7 +173,7 @@ fn grouped(cell: &str) -> Option<f64> {
     let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let is_first = groups
         .next()
-        .is_some_and(|group| group.len() <= 3 && is_number(group));
+        .is_some_and(|group| group.len() <= 3 && is_number(group) && !group.starts_with('0'));
     let mut count = 0;
     let are_threes = groups.all(|group| {
         count += 1;
@@ -373,6 +373,21 @@ mod tests {
         );
         let found = shape("# time alt\n0 5\n1 6\n2 7\n");
         assert_eq!((found.skipped_lines, found.has_header), (0, true));
+    }
+
+    #[test]
+    fn commas_before_every_three_digits_are_those_of_thousands_and_others_of_decimals() {
+        for (cell, value) in [
+            ("1,250.5", 1250.5),
+            ("-12,345,678", -12_345_678.0),
+            ("999,000", 999_000.0),
+        ] {
+            assert_eq!(number(cell, false), Some(value), "{cell}");
+        }
+        for cell in ["0,250", "1,25", "1250,500", "1,2500", ",250", "1,250,"] {
+            assert_eq!(number(cell, false), None, "{cell}");
+        }
+        assert_eq!(number("1,250", true), Some(1.25));
     }
 
     #[test]
