@@ -48,6 +48,12 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "latitude ref",
             "gps latitude ref",
             "lat dir",
+            "lat direction",
+            "latitude direction",
+            "lat ns",
+            "latitude ns",
+            "north south",
+            "north/south",
         ],
     ),
     (
@@ -63,6 +69,12 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "longitude ref",
             "gps longitude ref",
             "lon dir",
+            "lon direction",
+            "longitude direction",
+            "lon ew",
+            "longitude ew",
+            "east west",
+            "east/west",
         ],
     ),
     (CsvRole::Altitude, &["altitude", "alt", "ele", "elevation"]),
@@ -82,7 +94,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
     (CsvRole::Turns, &["turns", "loiter turns"]),
     (
         CsvRole::Seconds,
-        &["seconds", "loiter time", "hold time", "wait"],
+        &["seconds", "loiter time", "hold time", "wait", "wait time"],
     ),
     (CsvRole::Route, &["route"]),
     (CsvRole::Id, &["id"]),
@@ -185,6 +197,12 @@ pub(super) struct CsvColumn {
 
 /// Meanings of the columns of those names, or in words the error of one.
 pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
+    if let Some(name) = names.iter().find(|name| is_part_of_angle(name)) {
+        return Err(format!(
+            "column `{name}`: minutes or seconds of an angle stand in a column of their own; write degrees with their \
+             fraction, or all in one cell"
+        ));
+    }
     let mut taken = Vec::new();
     names
         .iter()
@@ -208,8 +226,45 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
         .collect()
 }
 
+/// Whether a column holds the minutes or seconds of latitudes or longitudes alone.
+fn is_part_of_angle(name: &str) -> bool {
+    let plain = parted(name).to_lowercase();
+    let mut words = plain.split([' ', '_', '-', '.', '(', ')']);
+    let of = words.next().unwrap_or_default();
+    let last = words.rfind(|word| !word.is_empty()).unwrap_or_default();
+    let is_angle = ["lat", "latitude", "lon", "lng", "long", "longitude"].contains(&of);
+    is_angle && ["min", "mins", "minutes", "sec", "secs", "seconds"].contains(&last)
+}
+
+/// A name with blanks before the capitals at which its words begin: `AltitudeAGL`, `GPSLatitude`.
+fn parted(name: &str) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    let is = |at: usize, of: fn(char) -> bool| letters.get(at).is_some_and(|c| of(*c));
+    let mut text = String::with_capacity(name.len() + 4);
+    for (at, letter) in letters.iter().enumerate() {
+        let is_begin = at > 0
+            && letter.is_uppercase()
+            && (is(at - 1, char::is_lowercase)
+                || is(at - 1, char::is_uppercase) && is(at + 1, char::is_lowercase));
+        if is_begin {
+            text.push(' ');
+        }
+        text.push(*letter);
+    }
+    text
+}
+
+/// The meaning of a column by its name as it stands, else by the words that its capitals part.
 fn column(name: &str) -> CsvColumn {
-    let plain = name.to_lowercase();
+    let whole = column_of(name, name);
+    if whole.role.is_some() {
+        return whole;
+    }
+    column_of(name, &parted(name))
+}
+
+fn column_of(name: &str, words: &str) -> CsvColumn {
+    let plain = words.to_lowercase();
     let is_break = |c: char| c.is_whitespace() || "_-()[]{}:,.".contains(c);
     let mut words: Vec<&str> = plain.split(is_break).filter(|w| !w.is_empty()).collect();
     let role_of = |words: &[&str]| {
@@ -284,8 +339,25 @@ mod tests {
         assert_eq!(of("altitude_frame"), (Some(CsvRole::Frame), None, None));
         assert_eq!(of("Elevation").2, Some(AltitudeFrame::Amsl));
         assert_eq!(of("elevation agl").2, Some(AltitudeFrame::AboveGround));
+        // UgCS and EXIF part words by capitals.
+        let agl = Some(AltitudeFrame::AboveGround);
+        assert_eq!(of("AltitudeAGL"), (Some(CsvRole::Altitude), None, agl));
+        assert_eq!(of("AltitudeAMSL").2, Some(AltitudeFrame::Amsl));
+        assert_eq!(of("GPSLatitude").0, Some(CsvRole::Latitude));
+        assert_eq!(of("GPSLongitudeRef").0, Some(CsvRole::EastWest));
+        assert_eq!(of("lat_ns").0, Some(CsvRole::NorthSouth));
+        assert_eq!(of("east_west").0, Some(CsvRole::EastWest));
         assert_eq!(of("colour").0, None);
         assert_eq!(of("m").0, None);
+    }
+
+    #[test]
+    fn degrees_whose_minutes_stand_elsewhere_are_refused() {
+        let names = ["lat_deg", "lat_min", "lat_sec", "lon_deg", "lon_min"].map(str::to_owned);
+        let error = columns(&names).unwrap_err();
+        assert!(error.contains("`lat_min`"), "{error}");
+        let names = ["lat", "lon", "hold_min", "long_name"].map(str::to_owned);
+        assert!(columns(&names).is_ok());
     }
 
     #[test]

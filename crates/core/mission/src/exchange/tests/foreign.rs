@@ -179,6 +179,22 @@ fn lines_and_points_of_somebody_elses_geojson_are_routes_and_landmarks() {
 }
 
 #[test]
+fn a_geometry_without_coordinates_is_left_out_and_told() {
+    let text = r#"{ "type": "FeatureCollection", "features": [
+        { "type": "Feature", "properties": {}, "geometry": { "type": "LineString", "coordinates": [] } },
+        { "type": "Feature", "properties": {}, "geometry": { "type": "Point", "coordinates": [] } },
+        { "type": "Feature", "properties": {}, "geometry": { "type": "Point", "coordinates": [8.5, 47.4] } } ] }"#;
+    let back = read_any("x.geojson", text.as_bytes(), None).unwrap();
+    assert_eq!((back.routes.len(), back.landmarks.len()), (0, 1));
+    let told = "2 of the geometries have no coordinates";
+    assert!(
+        back.notes.iter().any(|n| n.contains(told)),
+        "{:?}",
+        back.notes
+    );
+}
+
+#[test]
 fn a_table_of_anybody_is_read_by_its_header() {
     let text =
         "Name;Lat;Lon;Alt AGL (ft);Speed [kt];pilot\nA;47,4;8,5;400;30;Ann\nB;47,41;8,5;500;;\n";
@@ -217,6 +233,9 @@ fn hemispheres_in_columns_of_their_own_or_at_the_numbers_are_heeded() {
         "name,latitude,longitude\nWell,33.85S,18.42 W\n",
         "name,lat,lon\nWell,S33 51 00,W18 25 12\n",
         "name;lat;lon\nWell;-33,85;-18,42\n",
+        "name,lat,lat_ns,lon,lon_ew\nWell,33.85,S,18.42,W\n",
+        "name,lat,north_south,lon,east_west\nWell,33.85,S,18.42,W\n",
+        "Name,GPSLatitude,GPSLatitudeRef,GPSLongitude,GPSLongitudeRef\nWell,33.85,S,18.42,W\n",
     ] {
         let back = read_any("x.csv", text.as_bytes(), None).unwrap();
         let origin = back.frame.origin;
