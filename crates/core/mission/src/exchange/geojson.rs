@@ -96,6 +96,12 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             other.points
         ));
     }
+    if other.empty > 0 {
+        found.notes.push(format!(
+            "{} of the geometries have no coordinates, and are left out",
+            other.empty
+        ));
+    }
     if other.skipped > 0 {
         found.notes.push(format!(
             "{} features are neither point, line nor polygon, and are left out",
@@ -158,6 +164,7 @@ struct Others {
     heights: usize,
     plain_lines: usize,
     skipped: usize,
+    empty: usize,
 }
 
 impl Others {
@@ -171,6 +178,11 @@ impl Others {
         let coordinates = geometry.get("coordinates").unwrap_or(&Value::Null);
         let each =
             |value: &'_ Value| -> Vec<Value> { value.as_array().cloned().unwrap_or_default() };
+        // RFC 7946, 3.1: a geometry without coordinates is as good as none.
+        if coordinates.as_array().is_some_and(Vec::is_empty) {
+            self.empty += 1;
+            return Ok(());
+        }
         match kind {
             "Point" => self.point(coordinates, feature, found)?,
             "MultiPoint" => {
