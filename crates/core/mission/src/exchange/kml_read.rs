@@ -141,12 +141,19 @@ impl KmlReader<'_> {
             self.count("placemark without geometry is left out");
         }
         for geometry in geometries {
-            self.geometry(geometry, &said)?;
+            self.geometry(geometry, None, &said)?;
         }
         Ok(())
     }
 
-    fn geometry(&mut self, geometry: &XmlElement, said: &Said) -> Result<(), ExchangeError> {
+    /// Takes a geometry; its altitudes count from what it says, else from what the one around it says (`gx:MultiTrack`).
+    fn geometry(
+        &mut self,
+        geometry: &XmlElement,
+        around: Option<&str>,
+        said: &Said,
+    ) -> Result<(), ExchangeError> {
+        let altitude_mode = geometry.child_text("altitudeMode").or(around);
         match geometry.name.as_str() {
             "Point" => {
                 let places = self.places(geometry, geometry)?;
@@ -185,12 +192,12 @@ impl KmlReader<'_> {
                     self.count("moment of a track without a place (an empty gx:coord) is left out");
                 }
                 let places = self.places(geometry, geometry)?;
-                self.line(geometry, &places, said);
+                self.line(altitude_mode, &places, said);
             }
             _ => {
                 for child in &geometry.children {
                     if GEOMETRIES.contains(&child.name.as_str()) {
-                        self.geometry(child, said)?;
+                        self.geometry(child, altitude_mode, said)?;
                     }
                 }
             }
@@ -261,7 +268,7 @@ impl KmlReader<'_> {
         true
     }
 
-    fn line(&mut self, geometry: &XmlElement, places: &[(LonLat, Option<f64>)], said: &Said) {
+    fn line(&mut self, altitude_mode: Option<&str>, places: &[(LonLat, Option<f64>)], said: &Said) {
         let lon_lats: Vec<LonLat> = places.iter().map(|p| p.0).collect();
         if self.embedded(said, &lon_lats, &[]) {
             return;
@@ -270,7 +277,7 @@ impl KmlReader<'_> {
             self.count("line without coordinates is left out");
             return;
         }
-        let frame = match geometry.child_text("altitudeMode") {
+        let frame = match altitude_mode {
             Some("absolute") => Some(AltitudeFrame::Amsl),
             Some("relativeToGround") => Some(AltitudeFrame::AboveGround),
             _ => None,

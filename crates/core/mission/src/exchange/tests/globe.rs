@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::super::{Format, Places, read_any, write_landmarks, write_places, write_route};
 use super::assert_noted;
 use crate::mission::NoFlyZone;
-use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 fn csv(places: &[(f64, f64)]) -> String {
     let rows: Vec<String> = places
@@ -105,6 +105,32 @@ fn a_moment_of_a_track_without_a_place_is_left_out_and_told() {
     let back = read_any("a.kml", text.as_bytes(), None).unwrap();
     assert_eq!(back.routes[0].way_points.len(), 2);
     assert_noted(&back.notes, |n| n.starts_with("2 × moment"));
+}
+
+#[test]
+fn the_tracks_of_a_multi_track_count_from_what_it_says() {
+    let track = |own: &str| {
+        format!(
+            "<gx:Track>{own}<gx:coord>8 47 400</gx:coord><gx:coord>8.001 47 401</gx:coord></gx:Track>"
+        )
+    };
+    let text = format!(
+        "<kml xmlns:gx=\"g\"><Placemark><gx:MultiTrack><altitudeMode>absolute</altitudeMode>{}{}</gx:MultiTrack>\
+         </Placemark></kml>",
+        track(""),
+        track("<altitudeMode>relativeToGround</altitudeMode>")
+    );
+    let back = read_any("a.kml", text.as_bytes(), None).unwrap();
+    let frames: Vec<_> = back
+        .routes
+        .iter()
+        .map(|route| route.way_points[1].altitude)
+        .collect();
+    let at = |frame| Altitude::new(401.0, frame);
+    assert_eq!(
+        frames,
+        [at(AltitudeFrame::Amsl), at(AltitudeFrame::AboveGround)]
+    );
 }
 
 #[test]
