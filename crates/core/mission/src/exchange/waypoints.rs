@@ -221,7 +221,8 @@ fn line(text: &str) -> Result<WaypointLine, (usize, String)> {
 fn home(lines: &[WaypointLine]) -> Option<&MissionItem> {
     let first = lines.first().filter(|first| first.sequence == 0)?;
     let item = &first.item;
-    let is_absolute = item.frame == 0 || item.parameters[6].unwrap_or(0.0) == 0.0;
+    // Frames 0 and 5 (with whole numbers) count from mean sea level.
+    let is_absolute = [0, 5].contains(&item.frame) || item.parameters[6].unwrap_or(0.0) == 0.0;
     (is_absolute && [0, WAY_POINT].contains(&item.command)).then_some(item)
 }
 

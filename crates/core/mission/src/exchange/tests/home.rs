@@ -36,9 +36,10 @@ const MISSION: [&str; 9] = [
 
 #[test]
 fn home_is_line_0_whatever_its_current_flag_and_every_line_comes_back() {
-    for current in ["0", "1"] {
+    // Frame 5 is 0 with whole numbers.
+    for (current, frame) in [("0", 0), ("1", 0), ("0", 5), ("1", 5)] {
         let mut lines = MISSION;
-        let first = format!("0 {current} 0 16 0 0 0 0 47 8 430 1");
+        let first = format!("0 {current} {frame} 16 0 0 0 0 47 8 430 1");
         lines[0] = &first;
         let (imported, text) = read(&lines);
         let route = &imported.routes[0];
