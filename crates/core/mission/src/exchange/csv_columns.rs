@@ -94,7 +94,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
     (CsvRole::Turns, &["turns", "loiter turns"]),
     (
         CsvRole::Seconds,
-        &["seconds", "loiter time", "hold time", "wait", "wait time"],
+        &["seconds", "loiter time", "hold time", "wait"],
     ),
     (CsvRole::Route, &["route"]),
     (CsvRole::Id, &["id"]),
