@@ -1,10 +1,16 @@
 //! Angles on the globe as people write them: degrees, minutes and seconds, with a sign or the letter of a hemisphere.
 
+/// Units that people write behind the numbers of an angle.
+const UNITS: [&str; 15] = [
+    "d", "deg", "degs", "degree", "degrees", "m", "min", "mins", "minute", "minutes", "s", "sec",
+    "secs", "second", "seconds",
+];
+
 /// Degrees of a text such as `33.85 S`, `W18°25.2'`, `33° 51' 0.5" S`, `33 51 00 S`, `-33°51'`, `33 deg 51' 0.00" S`,
 /// `33-51-00S`, or packed as `3351.5S`, `335130.0S` and `01825.2W`; south and west are negative.
 ///
-/// `None` where nothing but the number says that it is an angle (neither a letter nor a degree sign), or where [`sexagesimal`]
-/// reads nothing. Of a negative number with a letter the letter counts.
+/// `None` where nothing but the number says that it is an angle (neither a letter nor a degree sign), or where
+/// [`angle_of_text`] reads nothing. Of a negative number with a letter the letter counts.
 ///
 /// ```
 /// use pilotage_base::angle_text::degrees_of_text;
@@ -16,18 +22,12 @@
 /// assert_eq!(degrees_of_text("33.85"), None);
 /// ```
 pub fn degrees_of_text(text: &str) -> Option<f64> {
-    let angle = angle_of_text(text)?;
-    let is_south_or_west = angle
-        .letter
-        .map_or(angle.is_negative, |letter| "SW".contains(letter));
-    let degrees = angle.degrees;
-    angle
-        .is_marked
-        .then_some(if is_south_or_west { -degrees } else { degrees })
+    let angle = angle_of_text(text).filter(|angle| angle.is_marked)?;
+    Some(angle.signed())
 }
 
 /// An angle taken apart.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AngleText {
     /// Its amount, degrees.
     pub degrees: f64,
@@ -39,31 +39,206 @@ pub struct AngleText {
     pub is_marked: bool,
 }
 
-/// The angle that a text says, in the spellings of [`degrees_of_text`], a bare number as well.
+impl AngleText {
+    /// Degrees, south and west negative; of a negative number with a letter the letter counts.
+    pub fn signed(&self) -> f64 {
+        let is_south_or_west = self
+            .letter
+            .map_or(self.is_negative, |letter| "SW".contains(letter));
+        if is_south_or_west {
+            -self.degrees
+        } else {
+            self.degrees
+        }
+    }
+}
+
+/// The angle that a text says, in the spellings of [`degrees_of_text`], a bare number as well: one to three numbers, of
+/// which the last alone may have a fraction, with whatever marks or words people put between them.
+///
+/// `None` of anything else, and where minutes are 60 or seconds over 60. A last `s` is the south, but for that of seconds
+/// directly behind their digits (`33d51m0s`).
 pub fn angle_of_text(text: &str) -> Option<AngleText> {
-    let text = text.trim();
-    let (rest, letter) = hemisphere(text);
-    let is_marked =
-        letter.is_some() || rest.contains(['°', 'º', '˚']) || rest.to_lowercase().contains("deg");
-    let (rest, is_negative) = match rest.strip_prefix(['-', '−']) {
-        Some(rest) => (rest, true),
-        None => (rest.strip_prefix('+').unwrap_or(rest), false),
-    };
-    let packed = letter.and_then(|letter| packed(rest, letter));
-    // Dashes part numbers only where a letter says that they are degrees: dates have them, too.
-    let spaced = letter.map(|_| rest.replace(['-', '–'], " "));
-    let degrees = packed.or_else(|| sexagesimal(spaced.as_deref().unwrap_or(rest)))?;
-    Some(AngleText {
-        degrees,
-        is_negative,
-        letter,
-        is_marked,
-    })
+    let mut read = Reading::default();
+    let (mut rest, mut is_close) = (text.trim(), false);
+    while let Some(first) = rest.chars().next() {
+        let end = |is_in: fn(char) -> bool| rest.find(|c| !is_in(c)).unwrap_or(rest.len());
+        let length = if is_part_of_number(first) {
+            let length = end(is_part_of_number);
+            read.number(&rest[..length])?;
+            length
+        } else if is_letter(first) {
+            let length = end(is_letter);
+            let is_last = length == rest.len();
+            read.word(&rest[..length], is_last, is_close)?;
+            length
+        } else {
+            read.sign(first)?;
+            first.len_utf8()
+        };
+        is_close = is_part_of_number(first);
+        rest = &rest[length..];
+    }
+    read.angle()
+}
+
+fn is_part_of_number(c: char) -> bool {
+    c.is_ascii_digit() || c == '.' || c == ','
+}
+
+/// Whether a sign of degrees is meant; one of them counts as a letter elsewhere.
+fn is_degree_sign(c: char) -> bool {
+    "°º˚".contains(c)
+}
+
+fn is_letter(c: char) -> bool {
+    c.is_alphabetic() && !is_degree_sign(c)
+}
+
+/// A text while it is read from its beginning.
+#[derive(Default)]
+struct Reading<'a> {
+    angle: AngleText,
+    /// Numbers so far, the first and the last of them as they stand.
+    count: usize,
+    first: &'a str,
+    last: &'a str,
+    /// Whether dashes stand between numbers or words.
+    has_dash: bool,
+    /// Whether a word of a unit stands anywhere.
+    has_unit: bool,
+    /// Whether a word stands for minutes, in capitals or not.
+    minutes: Option<bool>,
+}
+
+impl<'a> Reading<'a> {
+    fn number(&mut self, text: &'a str) -> Option<()> {
+        let value: f64 = text.replacen(',', ".", 1).parse().ok()?;
+        let is_too_large = self.count == 1 && value >= 60.0 || self.count == 2 && value > 60.0;
+        // Behind a fraction nothing follows.
+        if self.count > 2 || self.last.contains(['.', ',']) || is_too_large {
+            return None;
+        }
+        if self.count == 0 {
+            self.first = text;
+        }
+        self.last = text;
+        self.angle.degrees += value / 60_f64.powi(self.count as i32);
+        self.count += 1;
+        Some(())
+    }
+
+    fn sign(&mut self, sign: char) -> Option<()> {
+        let is_before = self.count == 0 && !self.angle.is_negative;
+        match sign {
+            '-' | '−' | '+' if is_before => self.angle.is_negative = sign != '+',
+            '-' | '–' => self.has_dash = true,
+            _ if is_degree_sign(sign) => self.angle.is_marked = true,
+            _ if sign.is_whitespace() || "'′’´\"″”:_".contains(sign) => {}
+            _ => return None,
+        }
+        Some(())
+    }
+
+    /// Takes a word; `is_last` ends the text, and before `is_close` ones a digit stands.
+    fn word(&mut self, word: &str, is_last: bool, is_close: bool) -> Option<()> {
+        let lower = word.to_lowercase();
+        if lower == "s" && self.count > 0 {
+            return self.lone_s(word, is_last, is_close);
+        }
+        if let Some(letter) = hemisphere(&lower) {
+            return self.hemisphere(letter, is_last);
+        }
+        // A letter may stand behind the word of a unit without a gap: "degS", "0sS".
+        let (unit, behind) = word.split_at(word.len() - word.chars().next_back()?.len_utf8());
+        let parted = hemisphere(&behind.to_lowercase()).filter(|_| is_last && is_unit(unit));
+        let is_plural = is_unit(word);
+        let may_be_south = parted == Some('S') && self.angle.letter.is_none();
+        if is_plural && may_be_south && unit.len() > 1 {
+            let is_capital = behind == "S";
+            let is_shouted = is_capital && unit == unit.to_uppercase();
+            // "DEGS" may be either.
+            return match (is_shouted, is_capital) {
+                (true, _) => None,
+                (false, true) => self.unit(unit).and_then(|()| self.hemisphere('S', true)),
+                (false, false) => self.unit(word),
+            };
+        }
+        match parted {
+            Some(letter) if !is_plural && (letter != 'S' || behind == "S" || unit == "s") => {
+                self.unit(unit)?;
+                self.hemisphere(letter, true)
+            }
+            _ => self.unit(word),
+        }
+    }
+
+    /// A single s behind a number: of seconds, or the south.
+    fn lone_s(&mut self, word: &str, is_last: bool, is_close: bool) -> Option<()> {
+        let is_like_minutes = is_close && self.minutes == Some(word == "S");
+        let is_of_seconds = self.count == 3 && (self.angle.letter.is_some() || is_like_minutes);
+        if is_of_seconds || !is_last {
+            return self.unit(word);
+        }
+        self.hemisphere('S', is_last)
+    }
+
+    fn hemisphere(&mut self, letter: char, is_last: bool) -> Option<()> {
+        if self.angle.letter.is_some() || (self.count > 0 && !is_last) {
+            return None;
+        }
+        (self.angle.letter, self.angle.is_marked) = (Some(letter), true);
+        Some(())
+    }
+
+    fn unit(&mut self, word: &str) -> Option<()> {
+        // Nothing is measured before its number.
+        if self.count == 0 || !is_unit(word) {
+            return None;
+        }
+        self.has_unit = true;
+        let lower = word.to_lowercase();
+        self.angle.is_marked |= lower.starts_with("deg");
+        if lower.starts_with('m') {
+            self.minutes = Some(word == word.to_uppercase());
+        }
+        Some(())
+    }
+
+    fn angle(self) -> Option<AngleText> {
+        let mut angle = self.angle;
+        // Dashes part numbers only where a letter says that they are degrees: dates have them, too.
+        if self.count == 0 || self.has_dash && angle.letter.is_none() {
+            return None;
+        }
+        if let Some(letter) = angle.letter
+            && self.count == 1
+            && !self.has_unit
+        {
+            angle.degrees = packed_degrees(self.first, letter).unwrap_or(angle.degrees);
+        }
+        Some(angle)
+    }
+}
+
+fn is_unit(word: &str) -> bool {
+    UNITS.contains(&word.to_lowercase().as_str())
+}
+
+/// Letter of a hemisphere by its letter or word in small letters.
+fn hemisphere(word: &str) -> Option<char> {
+    match word {
+        "n" | "north" => Some('N'),
+        "s" | "south" => Some('S'),
+        "e" | "east" => Some('E'),
+        "w" | "west" => Some('W'),
+        _ => None,
+    }
 }
 
 /// Degrees of digits without seams: two of a latitude's degrees and three of a longitude's, two of minutes, and perhaps
 /// two of seconds.
-fn packed(text: &str, letter: char) -> Option<f64> {
+fn packed_degrees(text: &str, letter: char) -> Option<f64> {
     let digits = text.find(['.', ',']).unwrap_or(text.len());
     let of_degrees = if "NS".contains(letter) { 2 } else { 3 };
     let has_seconds = match digits.checked_sub(of_degrees)? {
@@ -71,105 +246,17 @@ fn packed(text: &str, letter: char) -> Option<f64> {
         4 => true,
         _ => return None,
     };
+    let mut read = Reading::default();
     let (degrees, rest) = text.split_at_checked(of_degrees)?;
-    let spaced = if has_seconds {
+    read.number(degrees)?;
+    if has_seconds {
         let (minutes, seconds) = rest.split_at_checked(2)?;
-        format!("{degrees} {minutes} {seconds}")
+        read.number(minutes)?;
+        read.number(seconds)?;
     } else {
-        format!("{degrees} {rest}")
-    };
-    sexagesimal(&spaced)
-}
-
-/// Degrees of one to three numbers without a sign, of which the last alone may have a fraction: degrees, minutes and
-/// seconds, with whatever marks or words people put between them (`33°51'00"`, `33:51:00`, `33d51m0s`, `33 deg 51 min`).
-///
-/// `None` of anything else, and where minutes are 60 or seconds over 60.
-pub fn sexagesimal(text: &str) -> Option<f64> {
-    const WORDS: [&str; 12] = [
-        "d", "deg", "degs", "degree", "degrees", "m", "min", "minutes", "s", "sec", "secs",
-        "seconds",
-    ];
-    let is_seam = |c: char| c.is_whitespace() || "°º˚'′’´\"″”:_".contains(c);
-    let is_digit = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
-    let (mut degrees, mut unit, mut is_whole) = (0.0, 1.0, true);
-    let mut count = 0;
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        if is_seam(first) {
-            rest = &rest[first.len_utf8()..];
-            continue;
-        }
-        let end =
-            |is_in: &dyn Fn(char) -> bool| rest.find(|c: char| !is_in(c)).unwrap_or(rest.len());
-        if first.is_alphabetic() {
-            let (word, after) = rest.split_at(end(&char::is_alphabetic));
-            // Nothing is measured before its number.
-            if count == 0 || !WORDS.contains(&word.to_lowercase().as_str()) {
-                return None;
-            }
-            rest = after;
-            continue;
-        }
-        let (part, after) = rest.split_at(end(&is_digit));
-        rest = after;
-        let value: f64 = part.replacen(',', ".", 1).parse().ok()?;
-        let is_too_large = count == 1 && value >= 60.0 || count == 2 && value > 60.0;
-        // Behind a fraction nothing follows.
-        if count > 2 || !is_whole || is_too_large {
-            return None;
-        }
-        is_whole = !part.contains(['.', ',']);
-        degrees += value / unit;
-        unit *= 60.0;
-        count += 1;
+        read.number(rest)?;
     }
-    (count > 0).then_some(degrees)
-}
-
-/// A text without the letter or word of a hemisphere before or behind it, and that letter.
-pub(crate) fn hemisphere(text: &str) -> (&str, Option<char>) {
-    const WORDS: [(&str, char); 8] = [
-        ("north", 'N'),
-        ("south", 'S'),
-        ("east", 'E'),
-        ("west", 'W'),
-        ("n", 'N'),
-        ("s", 'S'),
-        ("e", 'E'),
-        ("w", 'W'),
-    ];
-    // A last s may be that of seconds: 33d51m0s.
-    let lower = text.to_lowercase();
-    let ends_in_second =
-        lower.contains(['d', '°']) && lower.contains('m') && lower.matches('s').count() == 1;
-    for (word, letter) in WORDS {
-        let ends = text
-            .len()
-            .checked_sub(word.len())
-            .filter(|at| text.is_char_boundary(*at));
-        if let Some((rest, end)) = ends.map(|at| text.split_at(at))
-            && end.eq_ignore_ascii_case(word)
-            && !(word == "s" && ends_in_second)
-            && is_end_of_number(rest)
-        {
-            return (rest.trim(), Some(letter));
-        }
-        if let Some(begin) = text.get(..word.len())
-            && begin.eq_ignore_ascii_case(word)
-            && !text[word.len()..].starts_with(char::is_alphabetic)
-        {
-            return (text[word.len()..].trim(), Some(letter));
-        }
-    }
-    (text, None)
-}
-
-/// Whether a text ends in a number, perhaps with the letter of seconds, or in no letter at all.
-fn is_end_of_number(text: &str) -> bool {
-    let rest = text.strip_suffix(['s', 'S', 'm', 'M', 'd', 'D']);
-    !text.ends_with(char::is_alphabetic)
-        || rest.is_some_and(|rest| rest.ends_with(|c: char| c.is_ascii_digit()))
+    Some(read.angle.degrees)
 }
 
 #[cfg(test)]
@@ -213,6 +300,25 @@ mod tests {
         assert_eq!(degrees_of_text("0°30'W"), Some(-0.5));
         assert_eq!(degrees_of_text("0083000.0E"), Some(8.5));
         assert_eq!(degrees_of_text("00830.0W"), Some(-8.5));
+        // With the ordinal sign of Spanish keyboards, and words that end where the south begins.
+        for text in [
+            "33.85ºS",
+            "33.85degS",
+            "33 deg 51 min S",
+            "33° 51.0 min S",
+            "33deg51min0secS",
+            "33d51m S",
+            "33d51mS",
+            "S33d51m0s",
+            "33D51M0SS",
+        ] {
+            let found = degrees_of_text(text);
+            let is_south = found.is_some_and(|d| (d + 33.85).abs() < 1e-12);
+            assert!(is_south, "{text}: {found:?}");
+        }
+        assert_eq!(degrees_of_text("18.42ºW"), Some(-18.42));
+        assert_eq!(degrees_of_text("33.85ºN"), Some(33.85));
+        assert_eq!(degrees_of_text("W18:30:36s"), Some(-18.51));
         // A last s of seconds is no south.
         assert_eq!(degrees_of_text("33°30m0s"), Some(33.5));
         assert_eq!(degrees_of_text("33d30m0sN"), Some(33.5));
@@ -232,6 +338,9 @@ mod tests {
             "north",
             "see",
             "1e5 N",
+            "33.85DEGS",
+            "N 33.85 S",
+            "33-51-00",
         ] {
             assert_eq!(degrees_of_text(text), None, "{text}");
         }

@@ -1,7 +1,7 @@
 //! Latitude and longitude in degrees.
 
 use super::PlaceTextError;
-use crate::angle_text::{degrees_of_text, hemisphere, sexagesimal};
+use crate::angle_text::{AngleText, angle_of_text};
 use crate::frames::Geodetic;
 
 /// Greatest number that may be meant as an angle, degrees.
@@ -10,7 +10,8 @@ const GREATEST_ANGLE: f64 = 360.0;
 /// The place that two angles name: latitude first, unless letters say otherwise.
 pub(super) fn read(text: &str) -> Result<Geodetic, PlaceTextError> {
     let [a, b] = two_numbers(text).ok_or(PlaceTextError::Unread)?;
-    let letters = halves(text).map(|halves| halves.map(|half| hemisphere(half.trim()).1));
+    let letter = |half: &str| angle_of_text(half).and_then(|angle| angle.letter);
+    let letters = halves(text).map(|halves| halves.map(letter));
     let is_north = |letter| matches!(letter, Some('N' | 'S'));
     let is_east = |letter| matches!(letter, Some('E' | 'W'));
     let [first, second] = letters.unwrap_or_default();
@@ -35,6 +36,7 @@ pub(super) fn read(text: &str) -> Result<Geodetic, PlaceTextError> {
 /// The two numbers of a text; degrees, minutes and seconds count as one, and S and W are negative.
 pub fn two_numbers(text: &str) -> Option<[f64; 2]> {
     let [first, second] = halves(text.trim())?;
+    let number = |half| angle_of_text(half).as_ref().map(AngleText::signed);
     Some([number(first)?, number(second)?])
 }
 
@@ -60,13 +62,4 @@ fn halves(text: &str) -> Option<[&str; 2]> {
         }
         _ => None,
     }
-}
-
-/// An angle in degrees, or a bare number with its sign.
-fn number(text: &str) -> Option<f64> {
-    let text = text.trim();
-    degrees_of_text(text).or_else(|| match text.strip_prefix('-') {
-        Some(size) => sexagesimal(size).map(|size| -size),
-        None => sexagesimal(text.strip_prefix('+').unwrap_or(text)),
-    })
 }
