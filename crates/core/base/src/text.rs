@@ -1,7 +1,16 @@
 //! Texts as programs write and people read them.
 
 /// The text of bytes that begin with the mark of UTF-16, as Excel and Windows write it, or in whose first 64 bytes every
-/// other one and no other is zero; what is no character becomes U+FFFD. `None` of anything else.
+/// other one is zero and the others are letters; what is no character becomes U+FFFD. `None` of anything else.
+///
+/// ```
+/// use pilotage_base::text::of_utf_16;
+///
+/// let unmarked = b"t\0,\0v\0\n\0";
+/// assert_eq!(of_utf_16(unmarked).as_deref(), Some("t,v\n"));
+/// // Small numbers of 16 bits.
+/// assert_eq!(of_utf_16(b"\x01\0\x02\0\x03\0\x04\0"), None);
+/// ```
 pub fn of_utf_16(bytes: &[u8]) -> Option<String> {
     let head = &bytes[..bytes.len().min(64) & !1];
     let are_zero = |at: usize| {
@@ -9,7 +18,8 @@ pub fn of_utf_16(bytes: &[u8]) -> Option<String> {
             head.iter().skip(at).step_by(2),
             head.iter().skip(1 - at).step_by(2),
         );
-        head.len() >= 8 && zeros.copied().all(|b| b == 0) && others.copied().all(|b| b != 0)
+        let is_written = |b: u8| b >= b' ' || b.is_ascii_whitespace();
+        head.len() >= 8 && zeros.copied().all(|b| b == 0) && others.copied().all(is_written)
     };
     let (rest, unit): (_, fn([u8; 2]) -> u16) = match bytes {
         [0xff, 0xfe, rest @ ..] => (rest, u16::from_le_bytes),
