@@ -154,9 +154,12 @@ pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     };
     plain(cell)
         .or_else(|| {
-            let (value, behind) = split_unit(cell)?;
-            let value = plain(value)?;
+            let (digits, behind) = split_unit(cell)?;
+            let value = plain(digits)?;
             match behind {
+                // Digits alone may be packed degrees or a force: they stay the number that they are.
+                "N" | "E" if !digits.contains(['.', ',']) => Some(value),
+                "S" | "W" if !digits.contains(['.', ',']) => Some(-value),
                 "N" | "S" | "E" | "W" => degrees_of_text(cell),
                 unit => is_unit(unit).then_some(value),
             }
@@ -388,6 +391,19 @@ mod tests {
             assert_eq!(number(cell, false), None, "{cell}");
         }
         assert_eq!(number("1,250", true), Some(1.25));
+    }
+
+    #[test]
+    fn whole_numbers_with_a_letter_are_the_numbers_that_they_are() {
+        for (cell, value) in [
+            ("1234N", 1234.0),
+            ("1275 N", 1275.0),
+            ("33S", -33.0),
+            ("0500000E", 500_000.0),
+            ("3351.0S", -33.85),
+        ] {
+            assert_eq!(number(cell, false), Some(value), "{cell}");
+        }
     }
 
     #[test]
