@@ -3,6 +3,9 @@
 use super::date_spellings::in_iso;
 use super::moment::Moment;
 
+/// Length of the shortest time of day, `1:02:03`.
+const LEAST: usize = 7;
+
 /// Reads a date and time, or a time of day alone (of 1970-01-01): `2016-06-23T16:31:59.5+02:00`, `2016:06:23 16:31:59`,
 /// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `01.05.24 10:00:00`, `10:00:00.250`,
 /// `10:00:00,250`, `10:00:00:250`, minutes and seconds alone (`59:12.5`), `0 days 00:01:12.5`, `1h02m12.5s`, and those of
@@ -12,8 +15,11 @@ use super::moment::Moment;
 /// them or a half of the day is told, else the day. Nothing but the date rests on it.
 pub(crate) fn date_and_time(text: &str) -> Option<Moment> {
     let text = text.trim();
-    if !text.is_ascii() || text.len() < 7 {
+    if !text.is_ascii() {
         return None;
+    }
+    if text.len() < LEAST {
+        return duration(text);
     }
     let halves = text.replace("a.m.", "AM").replace("p.m.", "PM");
     plain(&halves)
@@ -51,7 +57,8 @@ fn duration(text: &str) -> Option<Moment> {
         let minutes = digits(minute, 1, 2).filter(|minute| *minute < 60)?;
         return Some(Moment::Absolute(minutes * 60 + whole, part.parse().ok()?));
     }
-    let (mut seconds, mut rest, mut units) = (0.0, text, "hms");
+    let (mut seconds, mut count) = (0.0, 0);
+    let (mut rest, mut units) = (text, "hms");
     while !rest.is_empty() {
         let end = rest.find(|c: char| !(c.is_ascii_digit() || c == '.'))?;
         let (value, after) = rest.split_at(end);
@@ -61,9 +68,10 @@ fn duration(text: &str) -> Option<Moment> {
         seconds += factor * value.parse::<f64>().ok()?;
         units = &units[at + 1..];
         rest = after[1..].trim_start();
+        count += 1;
     }
     // A single number with a unit is no clock.
-    (units.is_empty() && seconds.is_finite()).then(|| moment(seconds))
+    (units.is_empty() && count > 1 && seconds.is_finite()).then(|| moment(seconds))
 }
 
 /// Seconds of the day of hours, minutes and seconds that stand in one number, as receivers write them: 100059.5 is
@@ -175,15 +183,16 @@ fn day(text: &str, has_half: bool) -> Option<i64> {
         let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
         let is_month_first = b > 12 || a <= 12 && (separator == '/' || has_half);
         let (month, day) = if is_month_first { (a, b) } else { (b, a) };
-        (year_of(third)?, month, day)
+        (year_of(third, separator)?, month, day)
     };
     let is_day = (1..=12).contains(&month) && (1..=31).contains(&day);
     is_day.then(|| days_since_1970(year, month, day))
 }
 
-/// A year of four digits, or of the last two of this century.
-fn year_of(text: &str) -> Option<i64> {
-    digits(text, 4, 4).or_else(|| Some(2000 + digits(text, 2, 2)?))
+/// A year of four digits, or behind a point of the last two of this century: elsewhere two digits may be the day.
+fn year_of(text: &str, separator: char) -> Option<i64> {
+    let last_two = || digits(text, 2, 2).filter(|_| separator == '.');
+    digits(text, 4, 4).or_else(|| Some(2000 + last_two()?))
 }
 
 /// Both readings of a date and time whose day and month could be either, the one that is taken first; `None` where only one
@@ -196,7 +205,7 @@ pub(crate) fn readings(text: &str) -> Option<[String; 2]> {
         return None;
     };
     let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
-    let year = year_of(year)?;
+    let year = year_of(year, separator)?;
     let is_either = a != b && (1..=12).contains(&a) && (1..=12).contains(&b);
     date_and_time(text).filter(|_| is_either)?;
     let written = |month: i64, day: i64| format!("{year}-{month:02}-{day:02}");
@@ -286,6 +295,23 @@ mod tests {
             date_and_time("59:12.25"),
             Some(Moment::Absolute(3552, 0.25))
         );
+        assert_eq!(
+            date_and_time("9:12.5"),
+            Some(Moment::Absolute(552, 0.5)),
+            "before ten minutes"
+        );
+        for (text, seconds) in [("2m5s", 125), ("1h2m5s", 3725)] {
+            assert_eq!(date_and_time(text), Some(Moment::Absolute(seconds, 0.0)));
+        }
+        // Years of two digits may be days; a number with a unit is a value.
+        for text in [
+            "24-05-13 10:00:00",
+            "24/05/13 10:00:00",
+            "12345.5s",
+            "10:20:30 10:20:31",
+        ] {
+            assert_eq!(date_and_time(text), None, "{text}");
+        }
         assert_eq!(of_clock_number(100_059.5), Some(36_059.5));
         assert_eq!(of_clock_number(100_060.0), None);
     }

@@ -1,9 +1,36 @@
 //! Dates and times in spellings of many programs, rewritten in that of ISO 8601.
 
 const MONTHS: [&str; 12] = [
-    "jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec",
+    "january",
+    "february",
+    "march",
+    "april",
+    "may",
+    "june",
+    "july",
+    "august",
+    "september",
+    "october",
+    "november",
+    "december",
 ];
-const DAYS: [&str; 7] = ["mon", "tue", "wed", "thu", "fri", "sat", "sun"];
+
+const DAYS: [&str; 7] = [
+    "monday",
+    "tuesday",
+    "wednesday",
+    "thursday",
+    "friday",
+    "saturday",
+    "sunday",
+];
+
+/// Place among `names` of the one that a word is, whole or cut off behind three letters or more.
+fn named(names: &[&str], word: &str) -> Option<usize> {
+    let lower = word.to_lowercase();
+    let found = names.iter().position(|name| name.starts_with(&lower));
+    found.filter(|_| lower.len() >= 3)
+}
 
 /// The same date and time as ISO 8601 writes it, where it is written without seams (`20240513T100000.5Z`), with dashes
 /// all along (`2024-05-13-10-00-00`), or with the name of its month (`13-May-2024 10:00:00`, `May 13, 2024 10:00:00`,
@@ -63,16 +90,14 @@ fn with_dashes(text: &str) -> Option<String> {
 fn with_month(text: &str) -> Option<String> {
     let (mut month, mut numbers, mut time, mut rest) = (None, Vec::new(), None, String::new());
     let mut place_in = |word: &str| -> Option<()> {
-        let short = word.get(..3).map(str::to_lowercase).unwrap_or_default();
-        let is_word = !word.is_empty() && word.bytes().all(|b| b.is_ascii_alphabetic());
-        if word.contains(':') {
+        if word.contains(':') && !word.starts_with(['+', '-']) {
             time.is_none().then(|| time = Some(word.to_owned()))
         } else if are_digits(word) {
             numbers.push(word.to_owned());
             Some(())
-        } else if is_word && let Some(at) = MONTHS.iter().position(|month| *month == short) {
+        } else if let Some(at) = named(&MONTHS, word) {
             month.is_none().then(|| month = Some(at + 1))
-        } else if is_word && DAYS.contains(&short.as_str()) {
+        } else if named(&DAYS, word).is_some() {
             Some(())
         } else if time.is_some() {
             rest = format!("{rest} {word}");
@@ -96,7 +121,9 @@ fn with_month(text: &str) -> Option<String> {
         .map(|(at, c)| if c == 'T' && is_seam(at) { ' ' } else { c })
         .collect();
     for piece in spaced.split([' ', ',']).filter(|piece| !piece.is_empty()) {
-        if piece.contains(':') {
+        // A zone behind the time begins with its sign: -0700 is no year.
+        let is_zone = piece.starts_with(['+', '-']);
+        if piece.contains(':') || is_zone {
             place_in(piece)?;
         } else {
             let parts = piece.split(['-', '/', '.']).filter(|part| !part.is_empty());
@@ -137,6 +164,13 @@ mod tests {
                 "{text}"
             );
         }
+        // A zone is no year, whatever stands before it.
+        assert_eq!(
+            in_iso("May 13 2024 10:00:00 -0700").as_deref(),
+            Some("2024-05-13T10:00:00 -0700")
+        );
+        assert_eq!(in_iso("May 13 10:00:00 -0700"), None);
+        assert_eq!(in_iso("Marker 3 2024 10:00:00"), None);
         assert_eq!(
             in_iso("May 3 2024 4:00:00 PM").as_deref(),
             Some("2024-05-03T4:00:00 PM")

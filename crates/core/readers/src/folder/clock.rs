@@ -37,7 +37,7 @@ pub enum TimeFormat {
 }
 
 impl TimeFormat {
-    /// Whether times carry a date.
+    /// Whether times are moments of a date or of a day, and count from no beginning of their own.
     pub fn is_absolute(self) -> bool {
         matches!(self, Self::Camera | Self::Iso | Self::Clock)
     }
