@@ -1,5 +1,7 @@
 //! The files beside a picture that say where it lies: world file, georeference in JSON, `.prj`.
 
+use std::cell::OnceCell;
+
 use crate::auxiliary_xml::AuxiliaryXml;
 use crate::map_error::MapFileError;
 use crate::map_options::MapOptions;
@@ -8,19 +10,13 @@ use pilotage_base::files::FileSet;
 use pilotage_base::frames::{LocalFrame, ReferenceSystem};
 use pilotage_base::georeference::Georeference;
 
-/// Endings that take the place of a picture's own, or follow it, to name the file that says where the picture lies.
-const SIDE_FILES: [&str; 15] = [
-    ".jgw",
-    ".jpgw",
-    ".jpegw",
-    ".pgw",
-    ".pngw",
-    ".tfw",
-    ".tifw",
-    ".tiffw",
-    ".wpw",
-    ".webpw",
-    ".wld",
+/// Endings of world files, which take the place of a picture's own or follow it.
+const WORLD_FILES: [&str; 11] = [
+    ".jgw", ".jpgw", ".jpegw", ".pgw", ".pngw", ".tfw", ".tifw", ".tiffw", ".wpw", ".webpw", ".wld",
+];
+/// Endings of georeferences in JSON. Behind a picture's own ending such a file may be anything: photo services put what they
+/// know of `a.jpg` into `a.jpg.json`.
+const GEOREFERENCES: [&str; 4] = [
     "_georef.json",
     ".georef.json",
     ".georeference.json",
@@ -36,8 +32,11 @@ pub(crate) fn place_beside(
     if let Some(place) = options.place {
         return Ok(Some((picture.to_owned(), place)));
     }
-    let found = (SIDE_FILES.iter()).find_map(|ending| beside(files, picture, ending));
-    let (side, place) = if let Some((side, bytes)) = found {
+    let sides = SideFiles::of(files, picture);
+    let world_file = WORLD_FILES.iter().find_map(|ending| sides.find(ending));
+    let stated =
+        world_file.or_else(|| (GEOREFERENCES.iter()).find_map(|ending| sides.in_place(ending)));
+    let (side, place) = if let Some((side, bytes)) = stated {
         let place = Georeference::from_text(&String::from_utf8_lossy(&bytes));
         let place = place.map_err(|cause| MapFileError::Georeference {
             file: side.clone(),
@@ -45,15 +44,15 @@ pub(crate) fn place_beside(
         })?;
         (side, place)
     } else {
-        let auxiliary = auxiliary(files, picture);
-        let Some((side, Some(place))) = auxiliary.map(|(name, said)| (name, said.place)) else {
+        let Some((side, Some(place))) = sides.auxiliary().map(|(name, said)| (name, said.place))
+        else {
             return Ok(None);
         };
         (side, place)
     };
     let system = match options.system {
         Some(system) => Some(system),
-        None => system_beside(files, picture)?,
+        None => sides.system()?,
     };
     let place = system.map_or(place, |system| place.with_system(system));
     Ok(Some((side, place)))
@@ -88,48 +87,74 @@ pub(crate) fn refuse_unnamed(
     })
 }
 
-/// Auxiliary file of GDAL beside a picture, with its name.
-fn auxiliary(files: &dyn FileSet, picture: &str) -> Option<(String, AuxiliaryXml)> {
-    let (name, bytes) = beside(files, picture, ".aux.xml")?;
-    Some((name, AuxiliaryXml::read(&String::from_utf8_lossy(&bytes))))
-}
-
-/// The reference system that the .prj beside a picture names, or QGIS' .qpj, or what GDAL wrote.
+/// The reference system that a file beside a picture names.
 pub(crate) fn system_beside(
     files: &dyn FileSet,
     picture: &str,
 ) -> Result<Option<ReferenceSystem>, MapFileError> {
-    let named = [".prj", ".qpj"].iter().find_map(|ending| {
-        let (file, bytes) = beside(files, picture, ending)?;
-        Some((file, String::from_utf8_lossy(&bytes).into_owned()))
-    });
-    let of_gdal = || {
-        let (file, said) = auxiliary(files, picture)?;
-        Some((file, said.system?))
-    };
-    let Some((file, text)) = named.or_else(of_gdal) else {
-        return Ok(None);
-    };
-    match systems::by_name(&text) {
-        Ok(system) => Ok(Some(system)),
-        Err(cause) => Err(MapFileError::System { file, cause }),
+    SideFiles::of(files, picture).system()
+}
+
+/// Files beside a picture.
+struct SideFiles<'a> {
+    files: &'a dyn FileSet,
+    picture: &'a str,
+    /// Names of all files, listed once some name was not found as it stands.
+    names: OnceCell<Vec<String>>,
+}
+
+impl<'a> SideFiles<'a> {
+    fn of(files: &'a dyn FileSet, picture: &'a str) -> Self {
+        Self {
+            files,
+            picture,
+            names: OnceCell::new(),
+        }
     }
-}
 
-/// Name and contents of the file that has `ending` in place of the picture's or behind it, in small letters or in
-/// capitals; where the files can be listed, in any letters.
-fn beside(files: &dyn FileSet, picture: &str, ending: &str) -> Option<(String, Vec<u8>)> {
-    let (stem, _) = picture.rsplit_once('.')?;
-    with_ending(files, stem, ending).or_else(|| with_ending(files, picture, ending))
-}
+    /// The reference system that the .prj names, or QGIS' .qpj, or what GDAL wrote, if that can be read.
+    fn system(&self) -> Result<Option<ReferenceSystem>, MapFileError> {
+        let named = [".prj", ".qpj"].iter().find_map(|ending| self.find(ending));
+        let Some((file, bytes)) = named else {
+            let said = self.auxiliary().and_then(|(_, said)| said.system);
+            return Ok(said.and_then(|text| systems::by_name(&text).ok()));
+        };
+        match systems::by_name(&String::from_utf8_lossy(&bytes)) {
+            Ok(system) => Ok(Some(system)),
+            Err(cause) => Err(MapFileError::System { file, cause }),
+        }
+    }
 
-fn with_ending(files: &dyn FileSet, stem: &str, ending: &str) -> Option<(String, Vec<u8>)> {
-    let wanted = format!("{stem}{ending}");
-    let read = |name: String| files.read(&name).map(|bytes| (name, bytes));
-    read(wanted.clone())
-        .or_else(|| read(format!("{stem}{}", ending.to_uppercase())))
-        .or_else(|| {
-            let mut names = files.names().into_iter();
-            read(names.find(|name| name.eq_ignore_ascii_case(&wanted))?)
-        })
+    /// Auxiliary file of GDAL, with its name: as GDAL calls it first.
+    fn auxiliary(&self) -> Option<(String, AuxiliaryXml)> {
+        let found = self.with_ending(self.picture, ".aux.xml");
+        let (name, bytes) = found.or_else(|| self.in_place(".aux.xml"))?;
+        Some((name, AuxiliaryXml::read(&String::from_utf8_lossy(&bytes))))
+    }
+
+    /// Name and contents of the file that has `ending` in place of the picture's or behind it.
+    fn find(&self, ending: &str) -> Option<(String, Vec<u8>)> {
+        let found = self.in_place(ending);
+        found.or_else(|| self.with_ending(self.picture, ending))
+    }
+
+    /// The same of the one that has `ending` in place of the picture's.
+    fn in_place(&self, ending: &str) -> Option<(String, Vec<u8>)> {
+        let (stem, _) = self.picture.rsplit_once('.')?;
+        self.with_ending(stem, ending)
+    }
+
+    /// The same of the one that has `ending` behind `stem`, in small letters or in capitals; where the files can be
+    /// listed, in any letters.
+    fn with_ending(&self, stem: &str, ending: &str) -> Option<(String, Vec<u8>)> {
+        let wanted = format!("{stem}{ending}");
+        let read = |name: String| self.files.read(&name).map(|bytes| (name, bytes));
+        read(wanted.clone())
+            .or_else(|| read(format!("{stem}{}", ending.to_uppercase())))
+            .or_else(|| {
+                let names = self.names.get_or_init(|| self.files.names());
+                let found = names.iter().find(|name| name.eq_ignore_ascii_case(&wanted));
+                read(found?.clone())
+            })
+    }
 }

@@ -104,6 +104,20 @@ fn metres_of_the_world_itself_need_no_system() {
 }
 
 #[test]
+fn what_services_say_of_a_photo_is_no_place_and_an_unreadable_system_of_gdal_none() {
+    let takeout = "{\"title\": \"map.png\", \"geoData\": {}}";
+    for name in ["map.png.json", "map.png.georef.json"] {
+        let error = open(&[(name, takeout)], "map.png", &MapOptions::default());
+        assert!(error.err().unwrap().contains("does not say where it lies"));
+    }
+    let local = "<PAMDataset><SRS>LOCAL_CS[&quot;a&quot;]</SRS></PAMDataset>";
+    let files = [("map.pgw", UTM), ("map.png.aux.xml", local)];
+    assert!(open(&files, "map.png", &in_zone_17()).is_ok());
+    let error = open(&files, "map.png", &MapOptions::default()).err();
+    assert!(error.unwrap().contains("which is it?"));
+}
+
+#[test]
 fn world_files_and_systems_are_found_by_all_names_that_programs_give_them() {
     let commas = UTM.replace('.', ",");
     let proj = "+proj=utm +zone=17 +datum=WGS84 +units=m +no_defs";
