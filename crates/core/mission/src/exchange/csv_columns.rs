@@ -197,7 +197,7 @@ pub(super) struct CsvColumn {
 
 /// Meanings of the columns of those names, or in words the error of one.
 pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
-    if let Some(name) = names.iter().find(|name| is_part_of_angle(name)) {
+    if let Some(name) = part_of_angle(names) {
         return Err(format!(
             "column `{name}`: minutes or seconds of an angle stand in a column of their own; write degrees with their \
              fraction, or all in one cell"
@@ -226,14 +226,25 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
         .collect()
 }
 
-/// Whether a column holds the minutes or seconds of latitudes or longitudes alone.
-fn is_part_of_angle(name: &str) -> bool {
-    let plain = parted(name).to_lowercase();
-    let mut words = plain.split([' ', '_', '-', '.', '(', ')']);
-    let of = words.next().unwrap_or_default();
-    let last = words.rfind(|word| !word.is_empty()).unwrap_or_default();
-    let is_angle = ["lat", "latitude", "lon", "lng", "long", "longitude"].contains(&of);
-    is_angle && ["min", "mins", "minutes", "sec", "secs", "seconds"].contains(&last)
+/// Name of a column that holds the minutes or seconds of latitudes or longitudes alone; with a greatest value beside it,
+/// `lat_min` is the least.
+fn part_of_angle(names: &[String]) -> Option<&String> {
+    let ends = |name: &str| {
+        let plain = parted(name).to_lowercase();
+        let mut words = plain.split([' ', '_', '-', '.', '(', ')']);
+        let of = words.next().unwrap_or_default().to_owned();
+        let last = words.rfind(|word| !word.is_empty()).unwrap_or_default();
+        (of, last.to_owned())
+    };
+    let all: Vec<_> = names.iter().map(|name| ends(name)).collect();
+    let is_part = |(of, last): &&(String, String)| {
+        let is_angle = ["lat", "latitude", "lon", "lng", "longitude"].contains(&of.as_str());
+        let is_least = all.iter().any(|(other, end)| other == of && end == "max");
+        let units = ["min", "mins", "minutes", "sec", "secs", "seconds"];
+        is_angle && units.contains(&last.as_str()) && !is_least
+    };
+    let found = all.iter().position(|it| is_part(&it))?;
+    names.get(found)
 }
 
 /// A name with blanks before the capitals at which its words begin: `AltitudeAGL`, `GPSLatitude`.
@@ -356,8 +367,13 @@ mod tests {
         let names = ["lat_deg", "lat_min", "lat_sec", "lon_deg", "lon_min"].map(str::to_owned);
         let error = columns(&names).unwrap_err();
         assert!(error.contains("`lat_min`"), "{error}");
-        let names = ["lat", "lon", "hold_min", "long_name"].map(str::to_owned);
-        assert!(columns(&names).is_ok());
+        for names in [
+            ["lat", "lon", "hold_min", "long_name"],
+            ["lat", "lon", "lat_min", "lat_max"],
+            ["lat", "lon", "long_pause_sec", "name"],
+        ] {
+            assert!(columns(&names.map(str::to_owned)).is_ok(), "{names:?}");
+        }
     }
 
     #[test]

@@ -95,18 +95,28 @@ pub(super) fn parts_of_place(samples: &[ColumnSample], columns: &mut [MappedColu
         (Latitude, ["lat", "latitude"]),
         (Longitude, ["lon", "longitude"]),
     ] {
-        let is_part = |sample: &ColumnSample| {
+        let ends_in = |sample: &ColumnSample, ends: &[&str]| {
             let found = parts(&sample.name, "").words;
-            let is_minute =
-                |word: &String| ["min", "mins", "minute", "minutes"].contains(&word.as_str());
             found.iter().any(|word| words.contains(&word.as_str()))
-                && found.last().is_some_and(is_minute)
+                && found
+                    .last()
+                    .is_some_and(|word| ends.contains(&word.as_str()))
         };
-        let Some(minutes) = samples.iter().position(is_part) else {
+        let is_minutes = |sample: &_| ends_in(sample, &["min", "mins", "minute", "minutes"]);
+        let is_seconds = |sample: &_| ends_in(sample, &["sec", "secs", "second", "seconds"]);
+        let Some(minutes) = samples.iter().position(is_minutes) else {
             continue;
         };
-        for column in columns.iter_mut().filter(|column| column.role == role) {
-            let name = &samples[minutes].name;
+        // Degrees with a fraction are places: beside them `lat_min` is the least, or something else.
+        let is_place = |sample: &ColumnSample| {
+            let is_broken = sample.numbers.iter().any(|n| n.fract() != 0.0);
+            is_broken && !is_minutes(sample) && !is_seconds(sample)
+        };
+        let name = &samples[minutes].name;
+        for (column, sample) in columns.iter_mut().zip(samples) {
+            if column.role != role || is_place(sample) {
+                continue;
+            }
             give_up(
                 column,
                 format!(
