@@ -42,7 +42,7 @@ const NUMBERS: [&str; 10] = [
 /// # Ok::<(), &str>(())
 /// ```
 pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
-    let guess = guess_alone(file, bytes)?;
+    let guess = guess_with_samples(file, bytes, true)?;
     let mut maps = [guess.map];
     let wanted = wanted(&maps[0], &guess.groups, &[]);
     let rows = EvenRows::of(bytes, &maps[0].shape, &wanted);
@@ -79,24 +79,18 @@ pub(super) struct ColumnGuesses {
     pub groups: Vec<ColumnGroup>,
 }
 
-/// Guesses the meanings of the columns of the only table that there is: what its file is called may add to them, and casts
-/// no doubt on them (`home.csv`, `nav.csv`, `target.csv`).
-pub(super) fn guess_alone(file: &str, bytes: &[u8]) -> Option<ColumnGuesses> {
-    let called = if is_otherwise(&context(file)) {
+/// Guesses the meanings of the columns of a table by names and values; `None` if it is no table. Of the only table that
+/// there is (`is_alone`), what its file is called may add to them, and casts no doubt on them (`home.csv`, `nav.csv`).
+pub(super) fn guess_with_samples(
+    file: &str,
+    bytes: &[u8],
+    is_alone: bool,
+) -> Option<ColumnGuesses> {
+    let called = if is_alone && is_otherwise(&context(file)) {
         ""
     } else {
         file
     };
-    guessed(file, called, bytes)
-}
-
-/// Guesses the meanings of the columns of one of several tables by names and values; `None` if it is no table.
-pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<ColumnGuesses> {
-    guessed(file, file, bytes)
-}
-
-/// The same of a file that counts as called otherwise.
-fn guessed(file: &str, called: &str, bytes: &[u8]) -> Option<ColumnGuesses> {
     let (shape, samples, share) = sampled(bytes)?;
     let (columns, hints, groups, told) = guess_columns(called, &samples, share);
     let map = ColumnMap {

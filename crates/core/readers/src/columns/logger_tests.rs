@@ -2,13 +2,13 @@
 
 use pilotage_flight::{ChannelName, FrameSource as _};
 
-use super::ColumnRole::Channel;
+use super::ColumnRole::{Channel, Latitude};
 use std::sync::Arc;
 
 use pilotage_base::files::{FileSet, MemoryFiles};
 
 use super::tests::{files, guessed, is};
-use super::{flight_of_tables, guess_table};
+use super::{flight_of_tables, guess_table, guess_tables};
 
 #[test]
 fn a_wrong_time_costs_its_row_wherever_it_stands_and_is_told() {
@@ -214,6 +214,36 @@ fn a_table_of_times_of_day_goes_on_over_midnight() {
     let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
     let (first, last) = flight_of_tables(&files, &maps).unwrap().flight.span();
     assert!((last - first - 59.0).abs() < 1e-9, "{first} to {last}");
+}
+
+#[test]
+fn whole_degrees_whose_minutes_stand_elsewhere_are_given_up_and_others_are_not() {
+    let is_read = |head: &str, lat: &dyn Fn(u32) -> String| {
+        let row = |i: u32| format!("{i},{},8,5{}.5,{}.25\n", lat(i), i % 10, 30 + i % 7);
+        let table = head.to_owned() + &(0..60).map(row).collect::<String>();
+        let files = files(&[("a.csv", &table)]);
+        let tables = guess_tables(files.as_ref(), &["a.csv".to_owned()]);
+        tables[0].map.column(Latitude).is_some()
+    };
+    let head = "time_s,lat,lon,lat_min,lat_max\n";
+    assert!(!is_read(head, &|_| "47".to_owned()));
+    let seconds = "time_s,lat_deg,lon,lat_min,lat_sec\n";
+    assert!(!is_read(seconds, &|_| "47".to_owned()));
+    assert!(is_read(head, &|i| format!(
+        "{:.6}",
+        47.0 + 1e-5 * f64::from(i)
+    )));
+}
+
+#[test]
+fn a_table_that_stands_alone_is_read_whatever_its_file_is_called() {
+    let row = |i: u32| format!("{},{:.6},8.0\n", i, 47.0 + 1e-5 * f64::from(i));
+    let table = "time_s,latitude,longitude\n".to_owned() + &(0..60).map(row).collect::<String>();
+    for name in ["home.csv", "nav.csv", "track.csv"] {
+        let files = files(&[(name, &table)]);
+        let tables = guess_tables(files.as_ref(), &[name.to_owned()]);
+        assert!(tables[0].map.column(Latitude).is_some(), "{name}");
+    }
 }
 
 #[test]

@@ -27,8 +27,9 @@ pub(super) fn pair(cell: &str) -> Option<(f64, f64)> {
     if let (Some(a), Some(b)) = (number(), number()) {
         return (parts.next().is_none() && cell.contains('.')).then_some((a, b));
     }
-    let has_letter = cell.contains(['N', 'S', 'n', 's', '°']);
-    let [a, b] = two_numbers(cell).filter(|_| has_letter)?;
+    // Minutes and seconds end in small letters.
+    let is_marked = cell.contains(['N', 'S', '°']);
+    let [a, b] = two_numbers(cell).filter(|_| is_marked)?;
     Some((a, b))
 }
 

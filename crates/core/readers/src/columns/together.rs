@@ -83,7 +83,7 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
             share,
             hints,
             groups,
-        } = guess_with_samples(name, &bytes)?;
+        } = guess_with_samples(name, &bytes, names.len() == 1)?;
         let clocks = CountedTimes::all(&samples, share);
         let rows = if map.column(ColumnRole::Time).is_some() {
             let times: Vec<usize> = clocks.iter().map(|clock| clock.guess.column).collect();
