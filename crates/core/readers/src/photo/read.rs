@@ -321,11 +321,14 @@ fn taken_of_xmp(xmp: &Xmp) -> (Option<(i64, f64)>, bool) {
         "photoshop:DateCreated",
         "xmp:CreateDate",
     ];
-    let text = names.iter().find_map(|name| xmp.text(name));
-    match text.and_then(date_and_time) {
-        Some(Moment::Absolute(whole, part)) => (Some((whole, part)), text.is_some_and(has_zone)),
-        _ => (None, false),
-    }
+    let times = names.iter().filter_map(|name| xmp.text(name));
+    let found = times
+        .into_iter()
+        .find_map(|text| match date_and_time(text)? {
+            Moment::Absolute(whole, part) => Some((Some((whole, part)), has_zone(text))),
+            Moment::Relative(_) => None,
+        });
+    found.unwrap_or((None, false))
 }
 
 /// Latitude and longitude at which a photo was taken by XMP, radians: as its maker writes it, or as Adobe
