@@ -34,8 +34,6 @@ const STABILITIES: f64 = 31.0;
 const CONFIDENCES: f64 = 15.0;
 /// Bytes of a landmark.
 const RECORD: usize = 6;
-/// Widest pixel in which things are sought, metres.
-const WIDEST_PIXEL: f64 = 1e4;
 /// Most bytes of a number of variable length.
 const LONGEST_NUMBER: usize = 9;
 /// Most that a cell may lie from the origin, in cells: more than the globe has.
@@ -114,7 +112,7 @@ impl ReferenceTable {
             });
         }
         let gsd = if told & GSD != 0 {
-            Some(reader.real(WIDEST_PIXEL)?)
+            Some(reader.real(Self::WIDEST_PIXEL)?)
         } else {
             None
         };

@@ -12,11 +12,16 @@ pub struct ReferenceTable {
     others: Vec<String>,
     /// Sorted by how far north they lie, so that a band of them is a slice.
     landmarks: Vec<GenericLandmark>,
+    /// Place of the origin from which places are metres north and east.
     origin: Option<Geodetic>,
+    /// Ground in a pixel in which the landmarks were sought, metres.
     gsd: Option<f64>,
 }
 
 impl ReferenceTable {
+    /// Widest pixel in which things are sought, metres.
+    pub const WIDEST_PIXEL: f64 = 1e4;
+
     /// A table of `landmarks`, in any order, with the names of classes that people added. Landmarks whose numbers
     /// are not finite, or whose class has no name, are left out.
     pub fn new(mut landmarks: Vec<GenericLandmark>, mut others: Vec<String>) -> Self {
@@ -51,10 +56,10 @@ impl ReferenceTable {
         Self { origin, ..self }
     }
 
-    /// The same table of landmarks that were sought in pixels of `gsd` metres.
+    /// The same table of landmarks that were sought in pixels of `gsd` metres, at most [`ReferenceTable::WIDEST_PIXEL`].
     #[must_use]
     pub fn sought_in(self, gsd: f64) -> Self {
-        let gsd = (gsd.is_finite() && gsd > 0.0).then_some(gsd);
+        let gsd = (gsd > 0.0 && gsd <= Self::WIDEST_PIXEL).then_some(gsd);
         Self { gsd, ..self }
     }
 
