@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Point3;
 use pilotage_core::flight::photo::{PhotoLook, PhotoSearch, photo_pose};
-use pilotage_core::frames::{Attitude, GroundPoint, LocalFrame, Pose};
+use pilotage_core::frames::{Attitude, Geodetic, GroundPoint, GroundRect, LocalFrame, Pose};
+use pilotage_core::imagery::ByteSource as _;
 use pilotage_core::reference::ReferenceTable;
 use pilotage_core::reference::edges::{
     EDGE, EDGE_GSD, EDGES, PhotoBelief, PhotoEdges, edges_in_map,
@@ -13,8 +14,9 @@ use pilotage_core::registration::{HeadingPrior, limit_of};
 
 use crate::CommandResult;
 use crate::files::{DiskFile, MAP_CACHE, open_map_with_frame, write_whole};
-use crate::numbers::{lat_lon, numbers};
+use crate::numbers::numbers;
 use crate::photo_picture::decode_photo;
+use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.9;
@@ -29,10 +31,10 @@ pub struct Arguments {
     /// Photos (JPEG, TIFF or PNG) of a camera that looks down.
     #[arg(required = true, value_name = "PHOTO")]
     photos: Vec<PathBuf>,
-    /// Believed place below the camera, degrees; what the photo says if absent.
-    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
-    at: Option<String>,
-    /// The same in metres from the origin of the map's world, where nothing tells where on the globe that is.
+    #[command(flatten)]
+    known: KnownOfPhotos,
+    /// Place below the camera in metres from the origin of the map's world, where nothing tells where on the globe that
+    /// is.
     #[arg(
         long,
         value_name = "NORTH,EAST",
@@ -43,30 +45,15 @@ pub struct Arguments {
     /// Range of the search to each side of the place, metres.
     #[arg(long, value_name = "METRES", default_value_t = 25.0)]
     within: f64,
-    /// Height above the ground, metres; what the photo says if absent.
-    #[arg(long, value_name = "METRES")]
-    height: Option<f64>,
     /// Range of the search around the height, percent.
     #[arg(long, value_name = "PERCENT", default_value_t = 13.0)]
     height_within: f64,
-    /// Heading of the picture's top, degrees from north; what the photo says if absent.
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
-    heading: Option<f64>,
     /// Range of the search to each side of the heading, degrees.
     #[arg(long, value_name = "DEGREES", default_value_t = 15.0)]
     heading_within: f64,
-    /// Angle by which the camera looks ahead of straight down, degrees; what the photo says if absent.
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
-    ahead: Option<f64>,
-    /// Focal length in pixels of the picture; what the photo says if absent.
-    #[arg(long, value_name = "PIXELS")]
-    focal: Option<f64>,
     /// Metres in a pixel in which edges are sought; those of the table if absent.
     #[arg(long, value_name = "METRES")]
     gsd: Option<f64>,
-    /// Stated accuracy of the map, standard deviation per axis in metres.
-    #[arg(long, value_name = "METRES", default_value_t = 3.0)]
-    map_accuracy: f64,
 }
 
 /// Makes the table of the straight edges of a map, sought in pixels of `gsd` metres.
@@ -95,83 +82,100 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let path = arguments.table.display();
     let bytes = std::fs::read(&arguments.table).map_err(|e| format!("{path}: {e}"))?;
     let table = ReferenceTable::from_bytes(&bytes).map_err(|e| format!("{path}: {e}"))?;
-    let search = arguments.search()?;
-    let metres = arguments.at_metres.as_deref();
-    let metres: Option<[f64; 2]> = metres
-        .map(|text| numbers(text, "--at-metres"))
-        .transpose()?;
-    let mut placed = 0;
+    let mut search = arguments.known.search(&SearchRanges {
+        metres: arguments.within,
+        height_percent: arguments.height_within,
+        heading_degrees: arguments.heading_within,
+    })?;
+    let world = table.origin().map(LocalFrame::new);
+    // Places in metres are those of any world, wherever on the globe it lies.
+    let anywhere = world.unwrap_or(LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0)));
+    if let Some(metres) = &arguments.at_metres {
+        let [north, east] = numbers(metres, "--at-metres")?;
+        search.at = Some(anywhere.geodetic_from_ground(&GroundPoint::new(north, east)));
+    }
+    let looking = PhotoLocating {
+        bounds: table
+            .bounds()
+            .ok_or_else(|| format!("{path}: it has no edges"))?,
+        gsd: arguments.gsd.or(table.gsd()).unwrap_or(EDGE_GSD),
+        table,
+        search,
+        world,
+        anywhere,
+    };
+    let mut files = Vec::new();
     for photo in &arguments.photos {
-        let name = photo.display();
-        match arguments.place(photo, &search, metres, &table) {
+        // What is not there at all is said before the work begins.
+        files.push(photo_file(photo)?);
+    }
+    let mut placed = 0;
+    for file in &files {
+        let name = file.name();
+        match looking.place(file) {
             Ok(()) => placed += 1,
             Err(why) => println!("{name}: no place: {why}"),
         }
     }
-    if arguments.photos.len() > 1 {
-        println!("{placed} of {} photos were placed", arguments.photos.len());
+    if files.len() > 1 {
+        println!("{placed} of {} photos were placed", files.len());
     }
     Ok(())
 }
 
-impl Arguments {
-    fn search(&self) -> Result<PhotoSearch, String> {
-        Ok(PhotoSearch {
-            at: self
-                .at
-                .as_deref()
-                .map(|at| lat_lon(at, "--at"))
-                .transpose()?,
-            within: self.within,
-            height: self.height,
-            height_within: 0.01 * self.height_within,
-            heading: self.heading.map(f64::to_radians),
-            heading_within: self.heading_within.to_radians(),
-            ahead: self.ahead.map(f64::to_radians),
-            focal: self.focal,
-            map_deviation: self.map_accuracy,
-        })
-    }
+/// Table by which photos are placed, and how they are looked for.
+struct PhotoLocating {
+    table: ReferenceTable,
+    bounds: GroundRect,
+    gsd: f64,
+    search: PhotoSearch,
+    /// World of the table on the globe, if it is known where that lies.
+    world: Option<LocalFrame>,
+    /// The same, or any other that holds its metres.
+    anywhere: LocalFrame,
+}
 
+impl PhotoLocating {
     /// Places a photo and prints where; why not, in words.
-    fn place(
-        &self,
-        path: &Path,
-        search: &PhotoSearch,
-        metres: Option<[f64; 2]>,
-        table: &ReferenceTable,
-    ) -> Result<(), String> {
-        let file = DiskFile::open(path, &path.to_string_lossy()).map_err(|e| e.to_string())?;
-        let bounds = table.bounds().ok_or("the table has no edges")?;
-        let world = table.origin().map(LocalFrame::new);
-        let photo = PhotoLook::read(&file, decode_photo, search, world.as_ref(), &bounds)?;
+    fn place(&self, file: &DiskFile) -> Result<(), String> {
+        let (search, world) = (&self.search, Some(&self.anywhere));
+        let photo = PhotoLook::read(file, decode_photo, search, world, &self.bounds)?;
         let prior = &photo.prior;
-        println!("{}: {}", path.display(), photo.assumed.join("; "));
-        let below = match metres {
-            Some([north, east]) => GroundPoint::new(north, east),
-            None if world.is_none() => {
-                return Err(
-                    "the table does not tell where on the globe it lies; give --at-metres".into(),
-                );
-            }
-            None if search.at.is_some() || photo.told.place.is_some() => prior.position,
-            None => return Err("the photo does not tell where it was taken; give --at".into()),
+        println!("{}: {}", file.name(), photo.assumed.join("; "));
+        let asks = |what: &str, option: &str| {
+            Err(format!("the photo does not tell {what}; give {option}"))
         };
-        let told_height = photo_pose(&photo.told)
+        let told = photo_pose(&photo.told);
+        if search.at.is_none() && self.world.is_none() {
+            let why = "the table does not tell where on the globe it lies; give --at-metres";
+            return Err(why.to_owned());
+        }
+        if search.at.is_none() && photo.told.place.is_none() {
+            return asks("where it was taken", "--at");
+        }
+        if search
             .height
-            .filter(|height| *height > 0.0);
-        if search.height.or(told_height).is_none() {
-            return Err("the photo does not tell its height; give --height".into());
+            .or(told.height.filter(|height| *height > 0.0))
+            .is_none()
+        {
+            return asks("its height", "--height");
         }
         let HeadingPrior::Around {
             heading, deviation, ..
         } = prior.heading
         else {
-            return Err("the photo does not tell its heading; give --heading".into());
+            return match search.heading.or(told.heading) {
+                Some(_) => Err("--heading-within has to be below 180".to_owned()),
+                None => asks("its heading", "--heading"),
+            };
         };
         let belief = PhotoBelief {
             pose: Pose {
-                position_in_world: Point3::new(below.north, below.east, -prior.height),
+                position_in_world: Point3::new(
+                    prior.position.north,
+                    prior.position.east,
+                    -prior.height,
+                ),
                 attitude: Attitude {
                     roll: prior.roll,
                     pitch: prior.pitch,
@@ -183,18 +187,18 @@ impl Arguments {
             tilt: TILT,
             turn: limit_of(deviation),
             log_height: prior.log_height_deviation,
-            map_deviation: self.map_accuracy,
-            gsd: self.gsd.or(table.gsd()).unwrap_or(EDGE_GSD),
+            map_deviation: prior.map_deviation,
+            gsd: self.gsd,
         };
         let edges = PhotoEdges::of(&photo.camera, &photo.picture, &belief);
-        let found = edges.and_then(|edges| edges.place(table));
+        let found = edges.and_then(|edges| edges.place(&self.table));
         let found = found.ok_or("the photo shows no straight edge")?;
         let probability = 100.0 * found.probability;
         if found.probability < BELIEVED {
             return Err(format!("the likeliest has {probability:.1} %"));
         }
         let middle = found.middle;
-        let on_globe = world.map_or_else(String::new, |world| {
+        let on_globe = self.world.map_or_else(String::new, |world| {
             let at = world.geodetic_from_ground(&middle);
             let (latitude, longitude) = (at.latitude.to_degrees(), at.longitude.to_degrees());
             format!("{latitude:.6}, {longitude:.6}; ")

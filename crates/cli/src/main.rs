@@ -25,6 +25,7 @@ mod outage;
 mod outcome;
 mod own_map;
 mod photo_picture;
+mod photo_search;
 mod plan;
 mod reference_map;
 mod register;

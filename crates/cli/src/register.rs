@@ -13,9 +13,9 @@ use pilotage_jobs::{JobEvent, LayPhotos, PhotoReport, PhotosOrder, VariantOrder}
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, DiskFile, MAP_CACHE, open_map_with_frame, write_whole};
-use crate::numbers::lat_lon;
+use crate::files::{DirectoryFiles, MAP_CACHE, open_map_with_frame, write_whole};
 use crate::photo_picture::decode_photo;
+use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 use crate::workers::{self, Lent};
 
 /// Key of the photos among the files of workers.
@@ -31,35 +31,19 @@ pub struct Arguments {
     /// Photos (JPEG, TIFF or PNG) of a camera that looks down.
     #[arg(required = true, value_name = "PHOTO")]
     photos: Vec<PathBuf>,
-    /// Place below the camera, degrees; what the photo says if absent, and the whole map if it says nothing.
-    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
-    at: Option<String>,
+    /// A photo of which no place is known is looked for on the whole map.
+    #[command(flatten)]
+    known: KnownOfPhotos,
     /// Range of the search to each side of the place, metres.
     #[arg(long, value_name = "METRES", default_value_t = 40.0)]
     within: f64,
-    /// Height above the ground, metres; what the photo says if absent.
-    #[arg(long, value_name = "METRES")]
-    height: Option<f64>,
     /// Range of the search around the height, percent.
     #[arg(long, value_name = "PERCENT", default_value_t = 20.0)]
     height_within: f64,
-    /// Heading of the picture's top, degrees from north; what the photo says if absent.
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
-    heading: Option<f64>,
     /// Range of the search to each side of the heading, degrees; 180 is all around. Compasses of small drones
     /// are 30 off.
     #[arg(long, value_name = "DEGREES", default_value_t = 40.0)]
     heading_within: f64,
-    /// Angle by which the camera looks ahead of straight down, degrees; what the photo says if absent.
-    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
-    ahead: Option<f64>,
-    /// Focal length in pixels of the picture; what the photo says if absent.
-    #[arg(long, value_name = "PIXELS")]
-    focal: Option<f64>,
-    /// Stated accuracy of the map, standard deviation per axis in metres. Satellite and aerial maps of the web have
-    /// some 3.
-    #[arg(long, value_name = "METRES", default_value_t = 3.0)]
-    map_accuracy: f64,
     /// Folder for a picture of each photo that was laid, in a chequerboard with the map.
     #[arg(long, value_name = "FOLDER")]
     overlay: Option<PathBuf>,
@@ -119,7 +103,11 @@ struct PlacedMap {
 
 /// Lays every photo.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let search = arguments.search()?;
+    let search = arguments.known.search(&SearchRanges {
+        metres: arguments.within,
+        height_percent: arguments.height_within,
+        heading_degrees: arguments.heading_within,
+    })?;
     let (map, world) = open_map_with_frame(&arguments.map, MAP_CACHE)?;
     let ground = PlacedMap { map, world };
     let mut orders = Vec::new();
@@ -173,33 +161,6 @@ impl PlacedMap {
         let at = self.world.as_ref()?.geodetic_from_ground(&ground);
         Some([at.latitude.to_degrees(), at.longitude.to_degrees()])
     }
-}
-
-impl Arguments {
-    /// The same as the search has it, in metres and radians.
-    fn search(&self) -> Result<PhotoSearch, String> {
-        Ok(PhotoSearch {
-            at: self
-                .at
-                .as_deref()
-                .map(|at| lat_lon(at, "--at"))
-                .transpose()?,
-            within: self.within,
-            height: self.height,
-            height_within: 0.01 * self.height_within,
-            heading: self.heading.map(f64::to_radians),
-            heading_within: self.heading_within.to_radians(),
-            ahead: self.ahead.map(f64::to_radians),
-            focal: self.focal,
-            map_deviation: self.map_accuracy,
-        })
-    }
-}
-
-/// The photo at a path, called by it in messages.
-fn photo_file(path: &Path) -> Result<DiskFile, String> {
-    let file = DiskFile::open(path, &path.to_string_lossy());
-    file.map_err(|e| format!("{}: {e}", path.display()))
 }
 
 /// Writes the picture of a photo that was laid, in a chequerboard with the map.

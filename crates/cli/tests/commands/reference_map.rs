@@ -78,6 +78,7 @@ fn a_photo_is_placed_by_the_edges_of_a_table_without_the_map() {
     let found = words(&format!("{known} --at-metres 131,118"));
     println!("{found}");
     assert!(found.contains("middle of the picture"), "{found}");
+    assert!(found.contains("place as you said, within 25 m"), "{found}");
     let number = |found: &str, word: &str| -> f64 {
         let before = found.split(word).next().unwrap();
         before.split_whitespace().last().unwrap().parse().unwrap()
@@ -87,6 +88,19 @@ fn a_photo_is_placed_by_the_edges_of_a_table_without_the_map() {
         number(&found, " m east") - 130.0,
     ];
     assert!(off[0].hypot(off[1]) < 2.0, "{found}");
+    let lost = folder.run(&[
+        "reference-map",
+        "locate",
+        "map.table",
+        "photo.png",
+        "lost.png",
+    ]);
+    assert!(lost.unwrap_err().contains("lost.png"));
+    let all_around = words("--height 100 --heading 0 --heading-within 180 --at-metres 131,118");
+    assert!(
+        all_around.contains("--heading-within has to be"),
+        "{all_around}"
+    );
     // What nobody tells is asked for.
     for (given, missing) in [
         (known, "--at-metres"),

@@ -1,0 +1,66 @@
+//! Options of photos on the command line, and the search that they mean.
+
+use std::path::Path;
+
+use pilotage_core::flight::photo::PhotoSearch;
+
+use crate::files::DiskFile;
+use crate::numbers::lat_lon;
+
+/// Facts that are known of photos better than they tell them.
+#[derive(clap::Args)]
+pub struct KnownOfPhotos {
+    /// Place below the camera, degrees; what the photo says if absent.
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// Height above the ground, metres; what the photo says if absent.
+    #[arg(long, value_name = "METRES")]
+    height: Option<f64>,
+    /// Heading of the picture's top, degrees from north; what the photo says if absent.
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    heading: Option<f64>,
+    /// Angle by which the camera looks ahead of straight down, degrees; what the photo says if absent.
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    ahead: Option<f64>,
+    /// Focal length in pixels of the picture; what the photo says if absent.
+    #[arg(long, value_name = "PIXELS")]
+    focal: Option<f64>,
+    /// Stated accuracy of the map, standard deviation per axis in metres. Satellite and aerial maps of the web have
+    /// some 3.
+    #[arg(long, value_name = "METRES", default_value_t = 3.0)]
+    map_accuracy: f64,
+}
+
+/// Ranges of a search to each side, as people state them.
+pub struct SearchRanges {
+    /// Of the place, metres.
+    pub metres: f64,
+    /// Of the height, percent.
+    pub height_percent: f64,
+    /// Of the heading, degrees.
+    pub heading_degrees: f64,
+}
+
+impl KnownOfPhotos {
+    /// The search for such photos, in metres and radians.
+    pub fn search(&self, ranges: &SearchRanges) -> Result<PhotoSearch, String> {
+        let at = self.at.as_deref().map(|at| lat_lon(at, "--at"));
+        Ok(PhotoSearch {
+            at: at.transpose()?,
+            within: ranges.metres,
+            height: self.height,
+            height_within: 0.01 * ranges.height_percent,
+            heading: self.heading.map(f64::to_radians),
+            heading_within: ranges.heading_degrees.to_radians(),
+            ahead: self.ahead.map(f64::to_radians),
+            focal: self.focal,
+            map_deviation: self.map_accuracy,
+        })
+    }
+}
+
+/// The photo at a path, called by it in messages.
+pub fn photo_file(path: &Path) -> Result<DiskFile, String> {
+    let file = DiskFile::open(path, &path.to_string_lossy());
+    file.map_err(|e| format!("{}: {e}", path.display()))
+}
