@@ -90,6 +90,22 @@ fn a_written_table_is_understood_with_its_units_and_reasons() {
     }
 }
 
+/// Photos of a survey: too far apart for a speed.
+#[test]
+fn places_a_minute_apart_are_degrees_of_which_no_speed_is_told() {
+    let mut table = String::from("file,time_s,latitude_deg,longitude_deg\n");
+    for row in 0..20 {
+        let north = f64::from(row) * 2e-4;
+        writeln!(table, "{row}.jpg,{},{},8.5", 60 * row, 47.0 + north).unwrap();
+    }
+    let map = guess_table("photos.csv", table.as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "latitude_deg"), is(Latitude, "deg"));
+    assert_eq!(guessed(&map, "longitude_deg"), is(Longitude, "deg"));
+    for column in &map.columns {
+        assert!(!column.reason.contains("NaN"), "{column:?}");
+    }
+}
+
 #[test]
 fn a_flight_of_a_written_table_has_its_origin_channels_and_values() {
     let files = files(&[("east.csv", &eastward())]);

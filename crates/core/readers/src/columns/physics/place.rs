@@ -119,15 +119,17 @@ fn on_globe(board: &mut FlightColumns, known: &mut Known, (latitude, longitude):
         );
     }
     let speed = quantile(&norms(&best.velocity), 0.9);
+    let reason = if speed.is_finite() {
+        format!(
+            "in {} the track is flown at up to {speed:.1} m/s",
+            best.unit
+        )
+    } else {
+        // Rows too far apart in time tell no speed.
+        format!("in {} these are places on the globe", best.unit)
+    };
     for id in [latitude, longitude] {
-        board.found(
-            id,
-            best.unit,
-            &format!(
-                "in {} the track is flown at up to {speed:.1} m/s",
-                best.unit
-            ),
-        );
+        board.found(id, best.unit, &reason);
     }
     let [north, east] = best.velocity;
     known.velocity[0] = north;
