@@ -44,6 +44,8 @@ fn commands() -> Vec<CommandEntry> {
 #[derive(Default)]
 pub struct PhotosFeature {
     pub(super) state: PhotosState,
+    /// Photos that were opened before there was a map to lay them on: key of their files, and their names.
+    pub(super) awaiting: Option<(String, Vec<String>)>,
     /// The photos being laid on the map.
     pub(super) laying: Option<JobId>,
     /// The photo that is to be shown on the map: job, and its number.
@@ -196,8 +198,14 @@ impl Feature for PhotosFeature {
         }
     }
 
+    /// Leaves photos that wait for a map: whoever flies has gone on.
+    fn on_other_flight(&mut self, _context: &mut FeatureContext<'_>) {
+        self.awaiting = None;
+    }
+
     fn tend(&mut self, context: &mut FeatureContext<'_>) {
         self.is_shown = context.is_shown;
+        self.lay_awaiting(context);
     }
 
     fn on_shown(&mut self, context: &mut FeatureContext<'_>) {
@@ -238,8 +246,9 @@ impl Feature for PhotosFeature {
     }
 
     fn used_files(&self) -> Vec<&str> {
-        let sought = self.state.sought.iter();
-        sought.map(|sought| sought.key.as_str()).collect()
+        let sought = self.state.sought.iter().map(|sought| &sought.key);
+        let awaiting = self.awaiting.iter().map(|(key, _)| key);
+        sought.chain(awaiting).map(String::as_str).collect()
     }
 
     fn leaves_flight_aside(&self) -> bool {

@@ -54,7 +54,18 @@ impl PhotosFeature {
         }
     }
 
-    /// Photos were opened over the map that is open: they are laid on it.
+    /// Lays the photos that were opened before there was a map of the ground, once there is one.
+    pub(super) fn lay_awaiting(&mut self, context: &mut FeatureContext<'_>) {
+        let has_map = || ground_searched(context.documents, context.map).is_some();
+        if self.awaiting.is_some()
+            && has_map()
+            && let Some((key, names)) = self.awaiting.take()
+        {
+            self.lay_opened(key, names, context);
+        }
+    }
+
+    /// Photos were opened over the map that is open: they are laid on it, or on the one that is opened next.
     pub(super) fn lay_opened(
         &mut self,
         key: String,
@@ -67,12 +78,14 @@ impl PhotosFeature {
             let name = names.first().map_or("", String::as_str);
             let title = "There is no map to lay the pictures on";
             let text = format!(
-                "{name} does not say where it lies. Open a georeferenced map of its ground first, or drop it \
-                 together with its world file (.jgw, .pgw, .wld) or a georeference in JSON."
+                "{name} does not say where it lies. Open a georeferenced map of its ground, and it is laid there; if it \
+                 is such a map itself, drop it together with its world file (.jgw, .pgw, .wld) or a georeference in JSON."
             );
             context.trouble(title, text);
+            self.awaiting = Some((key, names));
             return;
         };
+        self.awaiting = None;
         let sought = Sought {
             key,
             names,

@@ -233,7 +233,10 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
             new.open(&mut rig);
             let found = of_flight(&rig.state());
             for (name, value) in expected.as_object().expect("an object") {
-                if found[name] != *value {
+                // Photos that were opened before there was a map are laid on the one that comes.
+                let is_awaited =
+                    (new, old, name.as_str()) == (Kind::FarMap, Kind::Photos, "photos");
+                if found[name] != *value && !is_awaited {
                     left.push(format!(
                         "{new:?} after {old:?}: {name} is {}, not {value}",
                         found[name]

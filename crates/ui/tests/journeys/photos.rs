@@ -188,23 +188,26 @@ fn limits_are_changed_and_the_photos_laid_again() {
 }
 
 #[test]
-fn pictures_without_a_map_to_lay_them_on_are_refused_in_words() {
+fn pictures_without_a_map_to_lay_them_on_are_told_in_words_and_laid_on_the_map_that_comes() {
     let mut rig = rig();
     rig.host().really_open = true;
     let ground = town(320, 260, 7);
     let files = ["a.png", "b.png"].map(|name| file(name, encode_png(&ground).expect("memory")));
     rig.host().opened.push(files.to_vec());
     rig.settle();
-    let orders = rig.host().jobs.iter();
-    assert_eq!(
-        orders
-            .filter(|(_, job)| matches!(job, Job::LayPhotos(_)))
-            .count(),
-        0
-    );
+    let orders = |rig: &mut Rig| {
+        let jobs = rig.host().jobs.iter();
+        jobs.filter(|(_, job)| matches!(job, Job::LayPhotos(_)))
+            .count()
+    };
+    assert_eq!(orders(&mut rig), 0);
     let toasts = rig.state()["toasts"].to_string();
     assert!(
         toasts.contains("a.png does not say where it lies"),
         "{toasts}"
     );
+    rig.host().opened.push(map(&town(MAP.0, MAP.1, 7)));
+    rig.settle();
+    assert_eq!((orders(&mut rig), rows(&mut rig).len()), (1, 2));
+    assert_eq!(rig.state()["side_tab"], "photos");
 }
