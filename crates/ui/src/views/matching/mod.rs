@@ -128,18 +128,30 @@ fn past(ui: &mut Ui, context: &mut ViewContext<'_>, step: &StepReport, next: Opt
     ui.add_space(0.25 * tokens.space);
 }
 
-/// Before the first landmark: nothing to explain yet, but something to wait for.
+/// Before the first landmark: nothing to explain yet, but something to wait for, or a reason why none will come.
 fn waiting(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>) {
     let has_pictures = context.flight.is_none_or(|f| !f.frames.is_empty());
-    let (title, hint) = if has_pictures {
-        (
-            "No landmark looked for yet",
-            "Matches appear with the first landmark that comes into view.",
-        )
-    } else {
+    let lays_pictures = (context.run).is_some_and(|run| run.settings.whole_frames.is_some());
+    let knows_none = (context.run).is_some_and(|run| run.landmarks.is_empty());
+    let (title, hint) = if !has_pictures {
         (
             "No pictures",
             "Without a camera there is nothing to look for; see what it finds by airspeed under GPS cut.",
+        )
+    } else if lays_pictures {
+        (
+            "Whole pictures are laid on the map",
+            "Where each one lies, and how surely, stands under Filter.",
+        )
+    } else if knows_none {
+        (
+            "This flight knows no landmark",
+            "Draw one in Plan, or have whole pictures laid on the map: Filter, at the top.",
+        )
+    } else {
+        (
+            "No landmark looked for yet",
+            "Matches appear with the first landmark that comes into view.",
         )
     };
     let sightings = (context.run).map_or(&[][..], |run| sighted::last(run, context.time));

@@ -1,6 +1,8 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
+use pilotage_core::registration::FollowSettings;
+
 use super::super::fixture::{Fixture, match_pictures};
 use super::*;
 
@@ -92,4 +94,19 @@ fn before_the_first_landmark_it_says_when_one_comes() {
     harness.run();
     harness.get_by_label("No landmark looked for yet");
     harness.get_by_label("Go to the next landmark looked for");
+}
+
+#[test]
+fn where_no_landmark_is_known_it_says_what_to_do_and_where_whole_pictures_are_laid_where_to_look() {
+    let mut harness = harness(3.0);
+    let run = &mut harness.state_mut().fixture.run;
+    run.landmarks.clear();
+    for frame in run.steps.iter_mut().filter_map(|step| step.frame.as_mut()) {
+        frame.candidates.clear();
+    }
+    harness.run();
+    harness.get_by_label("This flight knows no landmark");
+    harness.state_mut().fixture.run.settings.whole_frames = Some(FollowSettings::default());
+    harness.run();
+    harness.get_by_label("Whole pictures are laid on the map");
 }
