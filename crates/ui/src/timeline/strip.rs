@@ -396,7 +396,9 @@ fn transport(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'
     let last = extra.span.map_or(0.0, |s| s.1);
     let width = if narrow { 96.0 } else { 132.0 };
     let (rect, response) = ui.allocate_exact_size(vec2(width, 28.0), Sense::hover());
-    let (now, total) = (clock(context.time, first), clock(last, first));
+    // Without a flight the cursor may still stand where it stood in the one before.
+    let now = extra.span.map_or(first, |_| context.time);
+    let (now, total) = (clock(now, first), clock(last, first));
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{now} of {total}")));
     let end = ui.painter().text(
         rect.right_center(),
