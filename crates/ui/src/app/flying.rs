@@ -220,6 +220,7 @@ impl App {
             return;
         }
         let staged = std::mem::take(&mut fly.staged);
+        let has_pictures = (staged.flight.as_ref()).is_some_and(|flight| !flight.frames.is_empty());
         let (flight, map, given) = (fly.flight.clone(), fly.map.clone(), fly.given);
         let is_first = self.documents.flight.is_none() || self.documents.flight_source != flight;
         self.documents.look_at(staged, &flight);
@@ -231,7 +232,14 @@ impl App {
         if let Some(log) = &mut self.documents.log {
             log.unnavigable = Some(why.to_owned());
         }
-        let text = format!("{why} Its track, its pictures and what was measured are shown.");
+        // Each picture may be found on a map by itself.
+        let remedy = if has_pictures {
+            " Open a map of the ground, then View, \u{201c}Lay photos on the map\u{201d}: that needs no heading."
+        } else {
+            ""
+        };
+        let text =
+            format!("{why} Its track, its pictures and what was measured are shown.{remedy}");
         self.toasts
             .note(host.now(), "The flight cannot be navigated", text);
     }

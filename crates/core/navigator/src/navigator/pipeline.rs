@@ -179,12 +179,12 @@ impl Navigator {
         for (name, remedy, is_needed) in [
             (
                 ChannelName::Heading,
-                "add a heading channel, or lay whole frames on the map by a vehicle model without airspeed",
+                "give it one, or lay whole pictures on a map by a vehicle model without airspeed",
                 settings.vehicle.needs_heading() || !is_found_by_frames,
             ),
             (
                 ChannelName::HeightAboveGround,
-                "add a height channel, or lay whole frames on the map",
+                "give it one, or lay whole pictures on a map",
                 !is_found_by_frames && !landmarks.is_empty(),
             ),
         ] {
@@ -192,7 +192,7 @@ impl Navigator {
             if is_needed && has_none {
                 return Err(NavigatorError::Missing {
                     flight: flight.name.clone(),
-                    what: format!("channel {}", name.key()),
+                    what: format!("readings of channel {}", name.key()),
                     remedy: remedy.to_owned(),
                 });
             }
