@@ -3,14 +3,16 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pilotage_core::calibration::{CameraPrior, CameraToLog, Estimated, camera_to_log};
+use pilotage_core::calibration::{CameraEvidence, CameraPrior, CameraToLog, Estimated};
 use pilotage_core::flight::read_flight;
-use pilotage_core::navigator::{KnownGround, NavigatorSettings, Summary, summarize};
+use pilotage_core::navigator::{Summary, summarize};
+use pilotage_jobs::{BareMission, CalibrationOrder, FlyOrder, JobEvent, WorkerState};
 use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
-use crate::replaying::navigate;
+use crate::replaying::fly;
+use crate::workers::{Lent, do_here};
 
 /// Arguments of `pilotage align`: a flight and the map beside it.
 #[derive(clap::Args)]
@@ -50,10 +52,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     for note in &folder.notes {
         eprintln!("note: {note}");
     }
-    let mut settings = NavigatorSettings::without_mission(&folder.flight, true);
-    crate::filter_options::apply(&mut settings, &arguments.filter)?;
+    let source = Lent::map_of_file();
+    let mut mission = BareMission::of(&folder.flight, &source).mission;
+    crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let map = open_map(&arguments.map, folder.flight.frame_on_globe, MAP_CACHE)?;
-    let mut frames = folder.frames;
+    let lent = Lent::default().with_map(source.clone(), map);
     let mut flight = Arc::new(folder.flight);
     let believed = CameraPrior {
         offset: arguments.clock,
@@ -61,13 +64,20 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     };
     let mut rounds = Vec::new();
     for _ in 0..arguments.rounds.max(1) {
-        let run = navigate(
-            &flight,
-            &KnownGround::new(Arc::clone(&map)),
-            &settings,
-            &mut frames,
-        )?;
-        let found = camera_to_log(&flight, &run, &believed)?;
+        let lent = lent.clone();
+        let lent = lent.with_flight(Arc::clone(&flight), Some(folder.frames.clone()));
+        let mut worker = lent.worker();
+        let order = FlyOrder {
+            flight: Lent::flight(),
+            map: source.clone(),
+            mission: Some(mission.clone()),
+        };
+        let run = fly(order, &mut worker)?;
+        let order = CalibrationOrder {
+            evidence: CameraEvidence::of(&flight, &run),
+            believed,
+        };
+        let found = calibrated(order, &mut worker)?;
         rounds.push(CalibrationRound {
             camera_to_log: found,
             summary: summarize(&flight, &run, None),
@@ -81,6 +91,20 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         crate::files::write_whole(path, serde_json::to_string_pretty(&rounds)?)?;
     }
     Ok(())
+}
+
+/// The camera beside its log, by the order of the page.
+fn calibrated(order: CalibrationOrder, worker: &mut WorkerState) -> Result<CameraToLog, String> {
+    let mut found = None;
+    do_here(order, worker, &mut |event| {
+        match event {
+            JobEvent::Failed(why) => return Err(why),
+            JobEvent::CameraCalibrated(camera) => found = Some(*camera),
+            _ => {}
+        }
+        Ok(())
+    })?;
+    found.ok_or_else(|| "nothing was found".to_owned())
 }
 
 fn print(number: usize, round: &CalibrationRound) {

@@ -6,11 +6,9 @@ use std::sync::Arc;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
-use pilotage_core::simulate::{
-    FlightDay, FlightPlan, Overrides, Scenario, SimulatedFlight, SimulatedFrames, Wind,
-};
+use pilotage_core::simulate::{FlightDay, FlightPlan, Overrides, Scenario, SimulatedFrames, Wind};
 
-use pilotage_jobs::MapSource;
+use pilotage_jobs::{KeptFrames, MapSource, OpenFlight};
 
 use crate::files::MAP_CACHE;
 use crate::numbers::numbers;
@@ -62,7 +60,7 @@ pub fn fly(
     own: &OwnMap,
     seed: u64,
     day: FlightDay,
-) -> Result<SimulatedFlight, Box<dyn std::error::Error>> {
+) -> Result<OpenFlight, Box<dyn std::error::Error>> {
     let OwnRouteAndMap {
         mut plan,
         map,
@@ -84,11 +82,11 @@ pub fn fly(
         FlightDay::Other | FlightDay::LateWinter | FlightDay::EarlySpring => days.drawn(seed),
     };
     let seen = Arc::new(CachedImagery::new(seen, MAP_CACHE));
-    Ok(SimulatedFlight {
-        frames: SimulatedFrames::new(&flight, day, seed).over(seen),
-        seed,
-        day,
-        flight,
+    let frames = SimulatedFrames::new(&flight, day, seed).over(seen);
+    Ok(OpenFlight {
+        frames: KeptFrames::rendered(&flight, Box::new(frames)),
+        flight: Arc::new(flight),
+        mission: None,
     })
 }
 

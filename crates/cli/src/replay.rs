@@ -1,24 +1,21 @@
 //! `pilotage replay`: flights through the estimator.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
-use pilotage_core::imagery::CachedImagery;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{KnownGround, Run, Summary, summarize};
-use pilotage_core::simulate::{Overrides, Scenario, SensorSpec};
-use pilotage_jobs::{JobEvent, MapSource, SummaryOrder};
+use pilotage_core::navigator::{Run, Summary, summarize};
+use pilotage_core::simulate::SimulationChoice;
+use pilotage_jobs::{FlightSource, JobEvent, SummaryOrder};
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::MAP_CACHE;
 use crate::mission_file::OpenMission;
 use crate::replay_frames::{print_frames, print_refusals};
-use crate::replaying::{flight_at, navigate, over_map};
-use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
+use crate::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
+use crate::scenario::{DayChoice, ground_of, mission_of, options, seed_range, simulation};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
-use crate::workers;
+use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage replay`.
 #[derive(clap::Args)]
@@ -87,49 +84,46 @@ struct RunStudy {
 /// Replays what the arguments say.
 pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(name) = &arguments.scenario {
-        return replay_scenario(&scenario(name)?, arguments);
+        return replay_scenario(&simulation(name)?, arguments);
     }
     let Some(path) = arguments.path.as_ref().or(arguments.flight.as_ref()) else {
         return Err("say what was flown, or --scenario NAME".into());
     };
     let (open, notes) = flight_at(path, arguments.columns.as_deref(), arguments.vehicle)?;
-    let (flight, mut frames) = (open.flight, open.frames);
     for note in &notes {
         eprintln!("note: {note}");
     }
     let Some(map) = &arguments.map else {
-        return crate::outage::study(&flight, arguments.outage);
+        return crate::outage::study(&open.flight, arguments.outage);
     };
-    let over = over_map(
-        path,
-        flight,
-        map,
-        arguments.mission.as_deref(),
-        &arguments.filter,
-    )?;
-    let run = navigate(&over.flight, &over.ground, &over.settings, &mut frames)?;
+    let mission = arguments.mission.as_deref();
+    let mut over = over_map(path, open, map, mission, &arguments.filter)?;
+    let run = over.navigate()?;
     let summary = summarize(&over.flight, &run, None);
     report(arguments, &over.flight, &run, &summary)
 }
 
-fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> CommandResult {
+fn replay_scenario(choice: &SimulationChoice, arguments: &Arguments) -> CommandResult {
     let mut mission = match &arguments.mission {
         Some(path) => OpenMission::read(path)?.package.mission,
-        None => scenario.mission(),
+        None => mission_of(choice)?,
     };
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
+    let lent = ground_of(choice, arguments.day);
     let Some(seeds) = &arguments.seeds else {
-        return replay_seed(scenario, &mission, arguments);
+        return replay_seed(choice, &mission, &lent, arguments);
     };
     let (first, end) = seed_range(seeds)?;
-    let order = |seed| SummaryOrder {
-        flight: flown(scenario, seed, arguments.day),
-        map: MapSource::world("countryside"),
-        mission: mission.clone(),
-        true_noise: Some(scenario.navigator(&SensorSpec::default())),
+    let order = |seed| {
+        let options = options(choice.name, seed, arguments.day);
+        SummaryOrder {
+            map: options.map(),
+            flight: FlightSource::Simulated(options),
+            mission: mission.clone(),
+            true_noise: Some(choice.navigator()),
+        }
     };
     let orders = (first..end).map(order).collect();
-    let lent = scenery(scenario, arguments.day);
     let mut runs: Vec<Summary> = Vec::new();
     workers::run(orders, &lent, &mut |number, event| {
         let seed = first + number as u64;
@@ -165,23 +159,16 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> CommandResult 
 }
 
 /// Flies a scenario once, and tells everything of it.
-fn replay_seed(scenario: &Scenario, mission: &Mission, arguments: &Arguments) -> CommandResult {
-    let overrides = Overrides {
-        day: Some(arguments.day.into()),
-        ..Overrides::default()
-    };
-    let mut simulated = scenario.simulate(arguments.seed, &overrides);
-    let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE));
-    let flight = mission.flown(&Arc::new(simulated.flight));
-    let run = navigate(
-        &flight,
-        &KnownGround::of(mission, map),
-        &mission.navigator,
-        &mut simulated.frames,
-    )
-    .map_err(|e| format!("seed {}: {e}", arguments.seed))?;
-    let true_noise = scenario.navigator(&SensorSpec::default());
-    let summary = summarize(&flight, &run, Some(&true_noise));
+fn replay_seed(
+    choice: &SimulationChoice,
+    mission: &Mission,
+    lent: &Lent,
+    arguments: &Arguments,
+) -> CommandResult {
+    let options = options(choice.name, arguments.seed, arguments.day);
+    let ReplayedSimulation { flight, run } = replay_simulation(options, mission, lent)
+        .map_err(|e| format!("seed {}: {e}", arguments.seed))?;
+    let summary = summarize(&flight, &run, Some(&choice.navigator()));
     report(arguments, &flight, &run, &summary)
 }
 

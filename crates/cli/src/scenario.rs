@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use pilotage_core::imagery::CachedImagery;
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario};
+use pilotage_core::mission::Mission;
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulationChoice, lay_out_world};
 use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
 
 use crate::files::MAP_CACHE;
@@ -36,19 +37,45 @@ pub fn scenario(name: &str) -> Result<Scenario, String> {
 /// The error about a name that no scenario has.
 pub fn unknown(name: &str) -> String {
     let names: Vec<&str> = Scenario::all().iter().map(|s| s.name).collect();
+    not_among(name, &names)
+}
+
+fn not_among(name: &str, names: &[&str]) -> String {
     let names = names.join(", ");
     format!("there is no scenario \"{name}\"; there are: {names}")
 }
 
-/// Flight of a scenario, by the source that orders name.
-pub fn flown(scenario: &Scenario, seed: u64, day: DayChoice) -> FlightSource {
-    FlightSource::Simulated(SimulationOptions {
-        scenario: scenario.name.to_owned(),
+/// The flight of that name in any of the built-in worlds, or an error that lists those there are.
+pub fn simulation(name: &str) -> Result<SimulationChoice, String> {
+    SimulationChoice::named(name).ok_or_else(|| {
+        let names: Vec<&str> = SimulationChoice::all().iter().map(|s| s.name).collect();
+        not_among(name, &names)
+    })
+}
+
+/// Options of a simulated flight as it is without changes, on a day.
+pub fn options(name: &str, seed: u64, day: DayChoice) -> SimulationOptions {
+    SimulationOptions {
+        scenario: name.to_owned(),
         seed,
         other_day: matches!(day, DayChoice::Other),
         wind: None,
         height: None,
-    })
+    }
+}
+
+/// Flight of a scenario, by the source that orders name.
+pub fn flown(scenario: &Scenario, seed: u64, day: DayChoice) -> FlightSource {
+    FlightSource::Simulated(options(scenario.name, seed, day))
+}
+
+/// Mission with which a flight comes in its world.
+pub fn mission_of(choice: &SimulationChoice) -> Result<Mission, String> {
+    let world = lay_out_world(choice.world.key());
+    let missions = world.map(|world| world.missions(choice.name, &Overrides::default()));
+    let usual = missions.into_iter().flatten().next();
+    let (_, mission) = usual.ok_or_else(|| format!("{}: it has no mission", choice.name))?;
+    Ok(mission)
 }
 
 /// Map of a scenario and the ground as the camera sees it, for workers that fly it again and again.
@@ -62,6 +89,14 @@ pub fn scenery(scenario: &Scenario, day: DayChoice) -> Lent {
     Lent::default()
         .with_map(MapSource::world("countryside"), Arc::new(map))
         .with_ground(day, scenario.simulate(0, &overrides).frames.imagery())
+}
+
+/// Map of the world of a flight, and the ground as the camera sees it where that is drawn by the day.
+pub fn ground_of(choice: &SimulationChoice, day: DayChoice) -> Lent {
+    match Scenario::named(choice.name) {
+        Some(scenario) => scenery(&scenario, day),
+        None => Lent::default(),
+    }
 }
 
 /// The seeds "A..B".

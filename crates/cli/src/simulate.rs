@@ -1,17 +1,21 @@
 //! `pilotage scenarios` and `pilotage simulate`.
 
+use std::cell::RefCell;
 use std::path::PathBuf;
+use std::rc::Rc;
 
 use pilotage_core::flight::files::FileSink;
 use pilotage_core::flight::write_flight;
 use pilotage_core::imagery::{Georeference, Imagery, Window, WorldFile};
 use pilotage_core::mission::{MapReference, place_files, write_mission};
 use pilotage_core::raster::encode_png;
-use pilotage_core::simulate::{Overrides, Scenario, SimulationChoice, lay_out_world};
+use pilotage_core::simulate::{Scenario, SimulationChoice, lay_out_world};
+use pilotage_jobs::{FlightSource, OpenFlight};
 
 use crate::CommandResult;
 use crate::files::DirectoryFiles;
-use crate::scenario::{DayChoice, unknown};
+use crate::scenario::{DayChoice, options, simulation};
+use crate::workers::Lent;
 
 /// Arguments of `pilotage simulate`.
 #[derive(clap::Args)]
@@ -42,7 +46,7 @@ pub fn list() {
         // The other commands fly scenarios over the generated country.
         if Scenario::named(choice.name).is_none() {
             println!(
-                "    For the page, and for `pilotage simulate`, which writes its map and its mission beside it."
+                "    For the page, `pilotage replay`, and `pilotage simulate`, which writes its map and its mission beside it."
             );
         }
         println!();
@@ -51,23 +55,22 @@ pub fn list() {
 
 /// Flies a scenario, or over a map of one's own, and writes it.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let (mut flown, beside) = if let Some(name) = &arguments.scenario {
-        let choice = SimulationChoice::named(name).ok_or_else(|| unknown(name))?;
-        let world = lay_out_world(choice.world.key()).ok_or_else(|| unknown(name))?;
-        let overrides = Overrides {
-            day: Some(arguments.day.into()),
-            ..Overrides::default()
-        };
-        let flown = world.fly(name, arguments.seed, &overrides);
-        let missions = world.missions(name, &overrides);
-        (flown.ok_or_else(|| unknown(name))?, Some((world, missions)))
+    let mut worker = Lent::default().worker();
+    let (flown, beside) = if let Some(name) = &arguments.scenario {
+        let choice = simulation(name)?;
+        let options = options(choice.name, arguments.seed, arguments.day);
+        let overrides = options.overrides();
+        let flown = worker.flight(&FlightSource::Simulated(options))?;
+        let world = lay_out_world(choice.world.key());
+        let world = world.ok_or("this program does not know that world")?;
+        let missions = world.missions(choice.name, &overrides);
+        (flown, Some((world, missions)))
     } else {
         let day = arguments.day.into();
-        (
-            crate::own_map::fly(&arguments.own, arguments.seed, day)?,
-            None,
-        )
+        let flown = crate::own_map::fly(&arguments.own, arguments.seed, day)?;
+        (Rc::new(RefCell::new(flown)), None)
     };
+    let OpenFlight { flight, frames, .. } = &mut *flown.borrow_mut();
     std::fs::create_dir_all(&arguments.out)
         .map_err(|e| format!("{}: {e}", arguments.out.display()))?;
     let mut sink = DirectoryFiles::open(&arguments.out)?;
@@ -83,23 +86,18 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         }
     }
     let mut shown = usize::MAX;
-    write_flight(
-        &flown.flight,
-        Some(&mut flown.frames),
-        &mut sink,
-        &mut |done, all| {
-            let percent = 100 * done / all.max(1);
-            if percent / 10 != shown {
-                shown = percent / 10;
-                eprintln!("{percent:3} %  {done} of {all} files");
-            }
-            true
-        },
-    )?;
+    write_flight(flight, Some(frames), &mut sink, &mut |done, all| {
+        let percent = 100 * done / all.max(1);
+        if percent / 10 != shown {
+            shown = percent / 10;
+            eprintln!("{percent:3} %  {done} of {all} files");
+        }
+        true
+    })?;
     println!(
         "wrote {} ({} frames)",
         arguments.out.display(),
-        flown.flight.frames.len()
+        flight.frames.len()
     );
     Ok(())
 }

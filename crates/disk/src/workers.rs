@@ -1,5 +1,6 @@
 //! Orders on the threads of the terminal, each thread with the store of a worker. Nothing else starts threads.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Sender, channel};
@@ -17,7 +18,7 @@ use pilotage_jobs::{
 };
 
 /// Key of the files that the terminal has opened itself.
-const KEY: &str = "files";
+pub(crate) const KEY: &str = "files";
 
 /// Everything that all workers share: each is given it before it begins.
 #[derive(Clone, Default)]
@@ -71,7 +72,8 @@ impl Lent {
         self
     }
 
-    fn worker(&self) -> WorkerState {
+    /// A worker that was given all of it.
+    pub fn worker(&self) -> WorkerState {
         let mut worker = WorkerState::new(Abilities::WHOLE.opens);
         for (source, map) in &self.maps {
             worker.insert_map(source, Arc::clone(map));
@@ -140,7 +142,8 @@ pub fn run_on<O: Order + Send>(
                 // Nobody hears any more once the orders are given up.
                 events.send((number, event)).ok();
             };
-            finish(order, &mut worker, &is_over, &mut tell);
+            let goes_on = || !is_over.load(Ordering::Relaxed);
+            finish(order, &mut worker, &goes_on, &mut tell);
         }
     };
     std::thread::scope(|scope| {
@@ -159,17 +162,37 @@ pub fn run_on<O: Order + Send>(
     })
 }
 
-/// Works on an order until it is done, or until all of them are given up.
+/// Does an order on this thread. `hear` is told its events; the last is `Finished` or `Failed`.
+///
+/// # Errors
+/// Whatever `hear` says; the rest of the order is not done then.
+pub fn do_here<O: Order>(
+    order: O,
+    worker: &mut WorkerState,
+    hear: &mut dyn FnMut(JobEvent) -> Result<(), String>,
+) -> Result<(), String> {
+    let heard = RefCell::new(Ok(()));
+    let goes_on = || heard.borrow().is_ok();
+    finish(order, worker, &goes_on, &mut |event| {
+        if goes_on() {
+            let told = hear(event);
+            *heard.borrow_mut() = told;
+        }
+    });
+    heard.into_inner()
+}
+
+/// Works on an order until it is done, or nobody wants it to go on.
 fn finish<O: Order>(
     order: O,
     worker: &mut WorkerState,
-    is_over: &AtomicBool,
+    goes_on: &dyn Fn() -> bool,
     tell: &mut dyn FnMut(JobEvent),
 ) {
     let begun = Instant::now();
     let clock = || begun.elapsed().as_secs_f64() * 1e3;
     let mut job = order.begin(worker);
-    while !is_over.load(Ordering::Relaxed) {
+    while goes_on() {
         match job.advance(worker, &clock, tell) {
             Ok(Advance::More) => {}
             Ok(Advance::Done) => return,
@@ -311,5 +334,25 @@ mod tests {
             Ok(())
         });
         assert_eq!((enough, last), (Err("enough".to_owned()), 3));
+    }
+
+    #[test]
+    fn an_order_on_this_thread_is_heard_to_its_end_or_until_somebody_has_enough() {
+        let mut worker = Lent::default().worker();
+        let mut heard = |slices, most: usize| {
+            let mut events = 0;
+            let done = do_here(Slices(slices), &mut worker, &mut |event| {
+                events += 1;
+                match event {
+                    JobEvent::Failed(why) => Err(why),
+                    _ if events > most => Err("enough".to_owned()),
+                    _ => Ok(()),
+                }
+            });
+            (done, events)
+        };
+        assert_eq!(heard(Some(3), 9), (Ok(()), 5));
+        assert_eq!(heard(Some(3), 1), (Err("enough".to_owned()), 2));
+        assert_eq!(heard(None, 9), (Err("it cannot be done".to_owned()), 1));
     }
 }

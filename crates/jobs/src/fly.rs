@@ -3,13 +3,14 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use pilotage_core::flight::{Flight, FrameSource};
+use pilotage_core::flight::FrameSource;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{KnownGround, Navigator, NavigatorSettings, StepReport};
+use pilotage_core::navigator::{KnownGround, Navigator, StepReport};
 use pilotage_core::plan::StatedFrames;
 
 use serde::{Deserialize, Serialize};
 
+use super::bare_mission::BareMission;
 use super::flights::OpenFlight;
 use super::frame_picture::digest;
 use super::order::{Order, Reads, Urgency, WorkerRole, around, keys_of};
@@ -65,8 +66,12 @@ impl Fly {
             (open.flight.clone(), open.mission.clone())
         };
         let is_given = self.mission.is_some();
-        let mission =
-            (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
+        let (mission, why) = if let Some(mission) = self.mission.take().or(own_mission) {
+            (mission, None)
+        } else {
+            let BareMission { mission, why } = BareMission::of(&flight, &self.map);
+            (mission, Some(why))
+        };
         let flown = mission.flown(&flight);
         let navigator = if let Some(stated) = open.borrow().frames.statement() {
             let begun = stated.begin(&flown, &mission.landmarks, &mission.navigator);
@@ -90,24 +95,15 @@ impl Fly {
             }
         };
         emit(JobEvent::RunStarted(Box::new(begun.0.run_head())));
+        if let Some(why) = why {
+            emit(JobEvent::WithoutMission(why.to_owned()));
+        }
         emit(JobEvent::Progress(
             0.0,
             "Taking the first picture".to_owned(),
         ));
         self.stage = FlyStage::Flying(open, Box::new(begun));
         Ok(())
-    }
-}
-
-/// A mission without landmarks for a flight that came without one, so that landmarks can be picked
-/// over it.
-fn bare_mission(flight: &Flight) -> Mission {
-    let origin = flight
-        .frame_on_globe
-        .map_or_else(pilotage_core::simulate::world_origin, |frame| frame.origin);
-    Mission {
-        navigator: NavigatorSettings::without_mission(flight, false),
-        ..Mission::new(flight.name.clone(), origin)
     }
 }
 
@@ -212,14 +208,15 @@ impl RunningJob for Fly {
 }
 
 /// Flight to be flown and navigated: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and
-/// `FrameTaken`; or `CannotNavigate` in the place of `RunStarted` and `Steps`.
+/// `FrameTaken`; or `CannotNavigate` in the place of `RunStarted` and `Steps`. `WithoutMission` after `RunStarted` says
+/// by what a flight is navigated that came without one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlyOrder {
     /// The flight.
     pub flight: FlightSource,
     /// The map.
     pub map: MapSource,
-    /// The mission; the scenario's own if `None`.
+    /// The mission; the flight's own if `None`, or else a [`BareMission`].
     pub mission: Option<Mission>,
 }
 

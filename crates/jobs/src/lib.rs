@@ -6,6 +6,7 @@
 
 mod assess;
 mod assess_ahead;
+mod bare_mission;
 mod brief;
 mod calibrate;
 mod contest;
@@ -51,6 +52,7 @@ mod reference_map;
 mod rehearse;
 mod reliability;
 mod road_files;
+mod road_flight;
 mod runner;
 mod running;
 mod samples;
@@ -74,6 +76,7 @@ mod worker_state;
 
 pub use assess::SumUpOrder;
 pub use assess_ahead::AssessAheadOrder;
+pub use bare_mission::BareMission;
 pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
 pub use explain::ExplainOrder;
@@ -115,6 +118,7 @@ pub use provided::{LetGoOrder, ProvideOrder};
 pub use reference_map::ReferenceMapOrder;
 pub use rehearse::{RehearseOrder, Rehearsed};
 pub use reliability::ReliabilityOrder;
+pub use road_flight::{RoadFlight, RoadFlightOrder};
 pub use runner::JobRunner;
 pub use sensitivity::SensitivityOrder;
 pub use share::{ShareOrder, Shareable};

@@ -1,14 +1,13 @@
 //! The navigator over flights, as `pilotage replay` runs it.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
-use pilotage_core::imagery::CachedImagery;
-use pilotage_core::navigator::{KnownGround, summarize};
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SensorSpec};
-use pilotage_disk::files::MAP_CACHE;
+use pilotage_core::navigator::summarize;
+use pilotage_core::simulate::{Scenario, SensorSpec};
 use pilotage_disk::filter_options;
-use pilotage_disk::replaying::{flight_at, navigate, over_map};
+use pilotage_disk::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
+use pilotage_disk::workers::Lent;
+use pilotage_jobs::SimulationOptions;
 use pyo3::prelude::*;
 
 use crate::error::refusal;
@@ -32,9 +31,8 @@ pub fn replay(
 ) -> PyResult<PythonRun> {
     let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
         let (open, notes) = flight_at(&path, columns.as_deref(), vehicle)?;
-        let mut frames = open.frames;
-        let over = over_map(&path, open.flight, &map, mission.as_deref(), filter)?;
-        let run = navigate(&over.flight, &over.ground, &over.settings, &mut frames)?;
+        let mut over = over_map(&path, open, &map, mission.as_deref(), filter)?;
+        let run = over.navigate()?;
         let summary = summarize(&over.flight, &run, None);
         Ok(PythonRun::new(run, Some(summary), notes))
     };
@@ -69,23 +67,23 @@ pub fn replay_scenario(
         let names = scenario_names().join(", ");
         refusal(format!("there is no scenario {name:?}; there are: {names}"))
     })?;
-    let day = match day {
-        "same" => FlightDay::Same,
-        "other" => FlightDay::Other,
+    let other_day = match day {
+        "same" => false,
+        "other" => true,
         _ => return Err(refusal(format!("day={day:?}: say \"same\" or \"other\""))),
     };
     let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
         let mut mission = scenario.mission();
         filter_options::apply(&mut mission.navigator, filter)?;
-        let overrides = Overrides {
-            day: Some(day),
-            ..Overrides::default()
+        let options = SimulationOptions {
+            scenario: scenario.name.to_owned(),
+            seed,
+            other_day,
+            wind: None,
+            height: None,
         };
-        let mut simulated = scenario.simulate(seed, &overrides);
-        let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE));
-        let flight = mission.flown(&Arc::new(simulated.flight));
-        let ground = KnownGround::of(&mission, map);
-        let run = navigate(&flight, &ground, &mission.navigator, &mut simulated.frames)?;
+        let ReplayedSimulation { flight, run } =
+            replay_simulation(options, &mission, &Lent::default())?;
         let true_noise = scenario.navigator(&SensorSpec::default());
         let summary = summarize(&flight, &run, Some(&true_noise));
         Ok(PythonRun::new(run, Some(summary), Vec::new()))

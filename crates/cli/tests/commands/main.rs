@@ -13,6 +13,7 @@ mod plan;
 mod reference_map;
 mod register;
 mod rehearse;
+mod replay;
 mod roads;
 mod study;
 mod study_records;

@@ -59,6 +59,8 @@ pub enum JobEvent {
     Mission(Box<Mission>),
     /// Why the flight cannot be navigated, after the flight and its mission; its pictures follow.
     CannotNavigate(String),
+    /// The flight came without a mission: by what it is navigated and why, in a sentence.
+    WithoutMission(String),
     /// The run's head, without steps.
     RunStarted(Box<Run>),
     /// More steps of the run.

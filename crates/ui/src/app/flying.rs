@@ -6,6 +6,7 @@ use pilotage_core::navigator::Run;
 
 use super::App;
 use super::fly_work::{FlyJob, ShownFlight};
+use super::map_work::tell_of_map;
 use crate::documents::{Session, Staged};
 use crate::feature::Feature;
 use crate::host::Host;
@@ -155,6 +156,11 @@ impl App {
                 }
             }
             JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
+            JobEvent::Remark(text) => tell_of_map(&text, &mut self.toasts, host),
+            JobEvent::WithoutMission(why) => {
+                let title = "The flight came without a mission";
+                self.toasts.note(host.now(), title, why);
+            }
             JobEvent::Steps(_) if fly.shown == ShownFlight::Pictures => {}
             JobEvent::Steps(mut steps) => {
                 if let Some(run) = &mut self.documents.run {

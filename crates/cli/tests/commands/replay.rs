@@ -1,0 +1,83 @@
+//! `pilotage replay` beside the page: one code flies for both.
+
+use pilotage_core::navigator::{Run, StepTiming, decode_run};
+use pilotage_core::simulate::SimulationChoice;
+use pilotage_jobs::{FlightSource, FlyOrder, InlineWorkers, Job, JobEvent, SimulationOptions};
+
+use super::folder::Folder;
+
+/// The run of the page, which has the flight's own mission flown.
+fn by_the_page(options: SimulationOptions) -> Run {
+    let mut workers = InlineWorkers::new();
+    workers.start(Job::Fly(FlyOrder {
+        map: options.map(),
+        flight: FlightSource::Simulated(options),
+        mission: None,
+    }));
+    let mut run = None;
+    while workers.busy() {
+        for (_, event) in workers.events() {
+            match event {
+                JobEvent::RunStarted(head) => run = Some(*head),
+                JobEvent::Steps(mut steps) => {
+                    let run: &mut Run = run.as_mut().expect("a run that has begun");
+                    run.steps.append(&mut steps);
+                }
+                JobEvent::CannotNavigate(why) | JobEvent::Failed(why) => panic!("{why}"),
+                _ => {}
+            }
+        }
+    }
+    run.expect("a run")
+}
+
+/// The run but for how long it took.
+fn timeless(mut run: Run) -> Run {
+    for step in &mut run.steps {
+        step.timing = StepTiming::default();
+    }
+    run
+}
+
+#[test]
+fn terminal_and_page_fly_the_same_flight_to_the_bit_in_a_world_beside_the_country() {
+    let folder = Folder::new("replay");
+    let flown = folder.run(&[
+        "replay",
+        "--scenario",
+        "indoor-hall",
+        "--seed",
+        "4",
+        "--out",
+        "hall.run",
+    ]);
+    let summary: serde_json::Value =
+        serde_json::from_str(&flown.expect("it is flown")).expect("the summary is JSON");
+    let bytes = std::fs::read(folder.0.join("hall.run")).expect("the run was written");
+    let told = decode_run("hall.run", &bytes).expect("a run");
+    let shown = by_the_page(SimulationOptions {
+        scenario: "indoor-hall".to_owned(),
+        seed: 4,
+        ..SimulationOptions::demo()
+    });
+    assert!(shown.steps.len() > 100, "{} steps", shown.steps.len());
+    assert!(timeless(told) == timeless(shown), "the runs differ");
+    assert!(
+        summary["position_error_m"]["rms"].as_f64() < Some(1.0),
+        "{summary}"
+    );
+}
+
+#[test]
+fn a_flight_that_no_world_has_is_refused_with_those_of_all_worlds() {
+    let folder = Folder::new("replay-unknown");
+    for command in [
+        &["replay", "--scenario", "moon"][..],
+        &["simulate", "moon", "--out", "x"],
+    ] {
+        let refused = folder.run(command).expect_err("there is none");
+        for choice in SimulationChoice::all() {
+            assert!(refused.contains(choice.name), "{command:?}: {refused}");
+        }
+    }
+}
