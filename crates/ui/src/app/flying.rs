@@ -158,8 +158,12 @@ impl App {
             JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
             JobEvent::Remark(text) => tell_of_map(&text, &mut self.toasts, host),
             JobEvent::WithoutMission(why) => {
-                let title = "The flight came without a mission";
-                self.toasts.note(host.now(), title, why);
+                // Of a log without pictures nobody would expect else.
+                let flight = self.documents.flight.as_ref();
+                if flight.is_some_and(|flight| !flight.frames.is_empty()) {
+                    let title = "The flight came without a mission";
+                    self.toasts.note(host.now(), title, why);
+                }
             }
             JobEvent::Steps(_) if fly.shown == ShownFlight::Pictures => {}
             JobEvent::Steps(mut steps) => {
