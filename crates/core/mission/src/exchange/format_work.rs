@@ -20,11 +20,6 @@ pub(super) struct FormatWork {
 pub(super) enum Read {
     /// Of text.
     Text(fn(&str, &str) -> Result<GeodeticContent, ExchangeError>),
-    /// Of text in an archive: its unpacker and its reader.
-    Packed(
-        fn(&str, &[u8]) -> Result<Vec<u8>, ExchangeError>,
-        fn(&str, &str) -> Result<GeodeticContent, ExchangeError>,
-    ),
     /// Of bytes.
     Bytes(fn(&str, &[u8]) -> Result<GeodeticContent, ExchangeError>),
 }

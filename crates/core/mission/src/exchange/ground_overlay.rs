@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use pilotage_base::files::FileSet;
 
 use super::ExchangeError;
+use super::kml_links::{linked, resolved};
 use super::kml_read::main_document;
 use super::xml::{NamedText, XmlElement};
 
@@ -113,7 +114,7 @@ impl LinkWalk<'_> {
         let Some(href) = href else {
             return Ok(());
         };
-        let Some(picture) = self.resolved(source.file, href) else {
+        let Some(picture) = resolved(&self.names, source.file, href) else {
             self.found.notes.push(format!(
                 "{}: the picture {href} is not in the file and is left out.",
                 source.file
@@ -135,11 +136,10 @@ impl LinkWalk<'_> {
 
     /// Takes note of the document that a link leads to.
     fn link(&mut self, source: &NamedText, element: &XmlElement) {
-        let link = element.child("Link").or_else(|| element.child("Url"));
-        let Some(href) = link.and_then(|link| link.child_text("href")) else {
+        let Some(href) = linked(element) else {
             return;
         };
-        match self.resolved(source.file, href) {
+        match resolved(&self.names, source.file, href) {
             Some(name) if name.to_ascii_lowercase().ends_with(".kml") => {
                 if self.seen.len() < MOST_FILES && self.seen.insert(name.clone()) {
                     self.waiting.push(name);
@@ -150,37 +150,6 @@ impl LinkWalk<'_> {
                 source.file
             )),
         }
-    }
-
-    /// Name among the files of what a document refers to; `None` if it is not there.
-    fn resolved(&self, document: &str, href: &str) -> Option<String> {
-        if href.contains("://") {
-            return None;
-        }
-        let href = href.split(['#', '?']).next().unwrap_or(href);
-        let href = unescaped(href).replace('\\', "/");
-        let mut parts: Vec<&str> = match href.strip_prefix('/') {
-            Some(_) => Vec::new(),
-            None => document.split('/').collect(),
-        };
-        parts.pop();
-        for part in href.split('/') {
-            match part {
-                "" | "." => {}
-                ".." => {
-                    parts.pop()?;
-                }
-                other => parts.push(other),
-            }
-        }
-        let wanted = parts.join("/");
-        let is_it = |name: &&String| **name == wanted;
-        let is_like_it = |name: &&String| name.eq_ignore_ascii_case(&wanted);
-        let mut names = self.names.iter();
-        let found = names
-            .find(is_it)
-            .or_else(|| self.names.iter().find(is_like_it));
-        found.cloned()
     }
 }
 
@@ -252,21 +221,6 @@ fn is_whole_world(corners: &[[f64; 2]; 4]) -> bool {
     corners[0][0] == corners[3][0]
         && corners[1][0] == corners[2][0]
         && corners[0][0] < corners[1][0]
-}
-
-/// A reference with its `%20` and the like as letters.
-fn unescaped(text: &str) -> String {
-    let bytes = text.as_bytes();
-    let mut plain = Vec::with_capacity(bytes.len());
-    let mut i = 0;
-    while let Some(byte) = bytes.get(i) {
-        let code = (*byte == b'%')
-            .then(|| u8::from_str_radix(text.get(i + 1..i + 3)?, 16).ok())
-            .flatten();
-        plain.push(code.unwrap_or(*byte));
-        i += if code.is_some() { 3 } else { 1 };
-    }
-    String::from_utf8_lossy(&plain).into_owned()
 }
 
 #[cfg(test)]

@@ -43,7 +43,7 @@ pub(super) const KMZ: FormatInfo = FormatInfo {
 
 /// Its reader and writers.
 pub(super) const KMZ_WORK: FormatWork = FormatWork {
-    read: Read::Packed(kml_read::unpack, kml_read::read),
+    read: Read::Bytes(kml_read::read_packed),
     write: |places, frame| {
         let (text, notes) = write(places, frame);
         let bytes = pack(&text)?;

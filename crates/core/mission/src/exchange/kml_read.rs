@@ -4,8 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
+use super::decoded_text::decoded;
 use super::embedded::{self, EmbeddedItem};
 use super::found::{GeodeticContent, POINT_BOX};
+use super::kml_links::{linked, resolved};
 use super::shadow::is_shadow;
 use super::xml::{NamedText, XmlElement};
 use super::{ExchangeError, kml_write};
@@ -25,17 +27,67 @@ const GEOMETRIES: [&str; 7] = [
     "MultiTrack",
 ];
 
-/// The KML in a zip.
-pub(super) fn unpack(file: &str, bytes: &[u8]) -> Result<Vec<u8>, ExchangeError> {
+/// Most documents of an archive that links lead to.
+const MOST_DOCUMENTS: usize = 1000;
+
+/// Reads a zip: its main document, and the documents among its files that links lead to, each once.
+pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, ExchangeError> {
     let error = |cause: String| ExchangeError::File {
         file: file.to_owned(),
         cause,
     };
     let zip = ZipFiles::open(bytes).map_err(error)?;
-    let name = main_document(&zip.names())
-        .ok_or_else(|| error("there is no .kml in the zip".to_owned()))?;
-    zip.read(&name)
-        .ok_or_else(|| error(format!("{name} in the zip cannot be unpacked")))
+    let names = zip.names();
+    let main =
+        main_document(&names).ok_or_else(|| error("there is no .kml in the zip".to_owned()))?;
+    let mut found = GeodeticContent::default();
+    let mut waiting = vec![main];
+    let mut next = 0;
+    while let Some(name) = waiting.get(next).cloned() {
+        let bytes = zip
+            .read(&name)
+            .ok_or_else(|| error(format!("{name} in the zip cannot be unpacked")))?;
+        let mut notes = Vec::new();
+        let text = decoded(&bytes, &mut notes);
+        let whole = format!("{file}/{name}");
+        let called = if next == 0 { file } else { whole.as_str() };
+        let archive = KmlArchive {
+            names: &names,
+            document: &name,
+        };
+        let (content, links) = read_document(called, &text, Some(&archive))?;
+        found.routes.extend(content.routes);
+        found.landmarks.extend(content.landmarks);
+        found.no_fly.extend(content.no_fly);
+        found.rally.extend(content.rally);
+        notes.extend(content.notes);
+        let in_part = |note: String| match next {
+            0 => note,
+            _ => format!("{name}: {note}"),
+        };
+        found.notes.extend(notes.into_iter().map(in_part));
+        for link in links {
+            if !waiting.contains(&link) && waiting.len() < MOST_DOCUMENTS {
+                waiting.push(link);
+            }
+        }
+        next += 1;
+    }
+    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !is_shadow(name);
+    let others = names.iter().filter(is_kml);
+    let others = others.filter(|name| !waiting.contains(*name)).count();
+    if others > 0 {
+        found.notes.push(format!(
+            "{others} other .kml in the zip, which no link leads to, are left out"
+        ));
+    }
+    Ok(found)
+}
+
+/// Files around a document.
+struct KmlArchive<'a> {
+    names: &'a [String],
+    document: &'a str,
 }
 
 /// The document of a KMZ that others hang on.
@@ -48,12 +100,23 @@ pub(super) fn main_document(names: &[String]) -> Option<String> {
 
 /// Reads all placemarks, however they lie in folders.
 pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
+    Ok(read_document(file, text, None)?.0)
+}
+
+/// Reads all placemarks of a document, and finds the documents around it that links lead to.
+fn read_document(
+    file: &str,
+    text: &str,
+    archive: Option<&KmlArchive>,
+) -> Result<(GeodeticContent, Vec<String>), ExchangeError> {
     let source = NamedText { file, text };
     let root = source.root()?;
     let mut reader = KmlReader {
         source,
         found: GeodeticContent::default(),
         counts: BTreeMap::new(),
+        archive,
+        links: Vec::new(),
     };
     reader.walk(&root)?;
     reader.styles(&root);
@@ -61,13 +124,16 @@ pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeEr
     for (note, count) in reader.counts {
         found.notes.push(format!("{count} × {note}"));
     }
-    Ok(found)
+    Ok((found, reader.links))
 }
 
 struct KmlReader<'a> {
     source: NamedText<'a>,
     found: GeodeticContent,
     counts: BTreeMap<String, usize>,
+    archive: Option<&'a KmlArchive<'a>>,
+    /// Documents of the archive that links lead to.
+    links: Vec<String>,
 }
 
 /// Texts of a placemark beside its geometry.
@@ -87,6 +153,7 @@ impl KmlReader<'_> {
         for child in &element.children {
             match child.name.as_str() {
                 "Placemark" => self.placemark(child)?,
+                "NetworkLink" if self.archive.is_some() => self.link(child),
                 "GroundOverlay" | "NetworkLink" | "ScreenOverlay" | "PhotoOverlay" => {
                     self.count(format!("{} is left out", child.name));
                 }
@@ -94,6 +161,19 @@ impl KmlReader<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Takes note of the document that a link leads to, or that it leads out of the file.
+    fn link(&mut self, element: &XmlElement) {
+        let (Some(href), Some(archive)) = (linked(element), self.archive) else {
+            return self.count("NetworkLink without a reference is left out");
+        };
+        match resolved(archive.names, archive.document, href) {
+            Some(name) if name.to_ascii_lowercase().ends_with(".kml") => self.links.push(name),
+            _ => self.count(format!(
+                "link to {href} leads out of the file, and is not followed"
+            )),
+        }
     }
 
     /// Says which styles the file refers to and does not have; the references are kept.

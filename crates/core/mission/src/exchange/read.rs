@@ -1,5 +1,6 @@
 //! Reading of files in all formats that are known.
 
+use super::decoded_text::decoded;
 use super::format_work::Read;
 use super::{ExchangeError, Format};
 use crate::mission::found::{self, LonLat};
@@ -44,15 +45,14 @@ pub fn read_any(
         file: name.to_owned(),
     };
     let mut notes = Vec::new();
-    let decoded = of_utf_16(bytes);
-    let bytes = decoded.as_ref().map_or(bytes, |text| text.as_bytes());
-    if decoded.is_some() {
+    let utf_16 = of_utf_16(bytes);
+    let bytes = utf_16.as_ref().map_or(bytes, |text| text.as_bytes());
+    if utf_16.is_some() {
         notes.push("the text is UTF-16".to_owned());
     }
     let format = Format::of(name, bytes).ok_or_else(unknown)?;
     let found = match format.work().read {
-        Read::Text(read) => read(name, &text(bytes, &mut notes))?,
-        Read::Packed(unpack, read) => read(name, &text(&unpack(name, bytes)?, &mut notes))?,
+        Read::Text(read) => read(name, &decoded(bytes, &mut notes))?,
         Read::Bytes(read) => read(name, bytes)?,
     };
     let has_areas = !found.no_fly.is_empty() || !found.rally.is_empty();
@@ -128,16 +128,4 @@ fn too_far(file: &str, what: &str) -> ExchangeError {
         file: file.to_owned(),
         cause: format!("its places {what}: split the file into regions"),
     }
-}
-
-/// The text of a file: UTF-8, or else taken for Latin-1, which is said.
-fn text(bytes: &[u8], notes: &mut Vec<String>) -> String {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    std::str::from_utf8(bytes).map_or_else(
-        |_| {
-            notes.push("the text is not UTF-8: it is read as Latin-1".to_owned());
-            bytes.iter().map(|b| char::from(*b)).collect()
-        },
-        str::to_owned,
-    )
 }

@@ -1,6 +1,7 @@
 //! Round trips through every format, other people's files, and broken ones.
 
 mod actions;
+mod archives;
 mod flown;
 mod foreign;
 mod globe;
