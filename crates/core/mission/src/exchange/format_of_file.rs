@@ -1,16 +1,20 @@
 //! The format of a file, by its name and content.
 
+use serde_json::{Map, Value};
+
+use super::old_mission::is_mission;
 use super::{Format, wpml};
 
 impl Format {
     /// The format of a file, by its content first and its name where that leaves it open.
     pub fn of(name: &str, bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(b"PK\x03\x04") {
-            return Some(if wpml::is_zip(bytes) {
-                Self::Wpml
-            } else {
-                Self::Kmz
-            });
+            let is_named = Self::of_name(name) == Some(Self::Kmz);
+            return match () {
+                () if wpml::is_zip(bytes) => Some(Self::Wpml),
+                () if is_named || holds_kml(bytes) => Some(Self::Kmz),
+                () => None,
+            };
         }
         let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
         // A sequence of GeoJSON begins with the separator of its records.
@@ -32,9 +36,13 @@ impl Format {
             // The second is a mission of QGroundControl before there were plans.
             let is_plan =
                 (has("\"fileType\"") || has("\"MAV_AUTOPILOT\"")) && !has("\"FeatureCollection\"");
+            let is_old_mission = || {
+                let members: Option<Map<String, Value>> = serde_json::from_str(&text).ok();
+                has("\"items\"") && members.is_some_and(|members| is_mission(&members))
+            };
             return match Self::of_name(name) {
                 Some(Self::Plan) => Some(Self::Plan),
-                _ if is_plan => Some(Self::Plan),
+                _ if is_plan || is_old_mission() => Some(Self::Plan),
                 _ => Some(Self::GeoJson),
             };
         }
@@ -47,4 +55,10 @@ impl Format {
             None => is_table.then_some(Self::Csv),
         }
     }
+}
+
+/// Whether the list of a zip has a document of KML.
+fn holds_kml(bytes: &[u8]) -> bool {
+    let is_name = |part: &[u8]| part.eq_ignore_ascii_case(b".kml");
+    bytes.windows(4).any(is_name)
 }

@@ -40,6 +40,9 @@ pub(super) const WORK: FormatWork = FormatWork {
     }),
 };
 
+/// Deepest nesting of collections.
+const DEEPEST: usize = 8;
+
 /// Reads a collection, a single feature or a bare geometry.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     // A piece is put into a collection on its own first line, so that lines stay what they are.
@@ -49,6 +52,12 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     let system_note = whole
         .as_ref()
         .map_or(Ok(None), |whole| system(file, whole))?;
+    if let Some(cause) = whole.as_ref().and_then(other_json) {
+        return Err(ExchangeError::File {
+            file: file.to_owned(),
+            cause: cause.to_owned(),
+        });
+    }
     let kind = whole.and_then(|value| value.get("type")?.as_str().map(str::to_owned));
     let feature = |geometry: &str| {
         format!("{{\"type\":\"Feature\",\"properties\":{{}},\"geometry\":{geometry}}}")
@@ -74,10 +83,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     for piece in &features.others {
         let error = |cause: String| ExchangeError::of_json(file, text.error(piece.get(), cause));
         let feature: Value = serde_json::from_str(piece.get()).map_err(|e| error(e.to_string()))?;
-        let geometry = feature.get("geometry").unwrap_or(&Value::Null);
-        other
-            .geometry(geometry, &feature, &mut found)
-            .map_err(error)?;
+        other.feature(&feature, &mut found, 0).map_err(error)?;
     }
     if other.heights > 0 {
         found.notes.push(
@@ -134,6 +140,20 @@ fn feature_lines(content: &str) -> Option<String> {
     })
 }
 
+/// Why JSON of other programs with places in it is not read, and what to do.
+fn other_json(whole: &Value) -> Option<&'static str> {
+    let has = |member: &str| whole.get(member).is_some();
+    if whole.get("type").is_some_and(|kind| kind == "Topology") {
+        return Some(
+            "it is TopoJSON, which is not read: save it as GeoJSON (mapshaper, `topo2geo`)",
+        );
+    }
+    let is_esri = !has("type") && (has("geometryType") || has("displayFieldName"));
+    (is_esri && has("features")).then_some(
+        "it is the JSON of ArcGIS, which is not read: ask for f=geojson, or save it as GeoJSON (`ogr2ogr`)",
+    )
+}
+
 /// A note on the reference system that a file of before 2016 may state, or its refusal.
 fn system(file: &str, whole: &Value) -> Result<Option<String>, ExchangeError> {
     let name = whole
@@ -168,6 +188,26 @@ struct Others {
 }
 
 impl Others {
+    /// Takes a feature, or those of a collection that stands in its place.
+    fn feature(
+        &mut self,
+        feature: &Value,
+        found: &mut GeodeticContent,
+        depth: usize,
+    ) -> Result<(), String> {
+        let is_collection = feature
+            .get("type")
+            .is_some_and(|kind| kind == "FeatureCollection");
+        let within = feature.get("features").and_then(Value::as_array);
+        if let Some(within) = within.filter(|_| is_collection && depth < DEEPEST) {
+            return within
+                .iter()
+                .try_for_each(|feature| self.feature(feature, found, depth + 1));
+        }
+        let geometry = feature.get("geometry").unwrap_or(&Value::Null);
+        self.geometry(geometry, feature, found)
+    }
+
     fn geometry(
         &mut self,
         geometry: &Value,

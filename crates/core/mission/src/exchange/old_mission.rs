@@ -36,8 +36,10 @@ pub(super) const WORK: FormatWork = FormatWork {
 /// The plan that says what an old mission says; `None` if the text is none.
 fn as_plan(content: &str) -> Option<String> {
     let mut old: Map<String, Value> = serde_json::from_str(content).ok()?;
-    let is_second = old.get("fileType").is_some_and(|kind| kind == "Mission");
-    let is_first = !old.contains_key("fileType") && old.contains_key("MAV_AUTOPILOT");
+    let is_named = old.contains_key("fileType");
+    let is_second =
+        old.get("fileType").is_some_and(|kind| kind == "Mission") || !is_named && is_mission(&old);
+    let is_first = !is_named && !is_second && old.contains_key("MAV_AUTOPILOT");
     if !old.contains_key("items") || !(is_first || is_second) {
         return None;
     }
@@ -52,6 +54,19 @@ fn as_plan(content: &str) -> Option<String> {
         plan.insert("groundStation".to_owned(), ground_station);
     }
     Some(plan.to_string())
+}
+
+/// Whether members are those of a mission of version 2, whatever kind of file they say: a list of commands that have
+/// their numbers.
+pub(super) fn is_mission(members: &Map<String, Value>) -> bool {
+    let items = members.get("items").and_then(Value::as_array);
+    let has_parameters = |item: &Value| item.get("params").is_some_and(Value::is_array);
+    let is_command =
+        |item: &Value| item.get("command").is_some_and(Value::is_number) && has_parameters(item);
+    let is_survey = |item: &Value| item.get("type").is_some_and(|kind| kind == "ComplexItem");
+    items.is_some_and(|items| {
+        items.iter().any(is_command) && items.iter().all(|item| is_command(item) || is_survey(item))
+    })
 }
 
 /// Reads a plan that was made of an old mission.

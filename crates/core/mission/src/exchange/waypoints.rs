@@ -85,11 +85,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             cause,
         };
         if i == 0 {
-            let stated = text.trim_start_matches('\u{feff}').trim();
-            let stated = stated.strip_prefix(HEADER).unwrap_or("").trim();
-            version = VERSIONS.into_iter().find(|v| *v == stated).ok_or_else(|| {
-                place(1, format!("the first line has to be `{HEADER} {VERSION}`"))
-            })?;
+            version = version_of(text).map_err(|cause| place(1, cause))?;
         } else if !text.trim().is_empty() && !text.starts_with('#') {
             lines.push(line(text).map_err(|(column, cause)| place(column, cause))?);
         }
@@ -176,6 +172,20 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     })
 }
 
+/// The version that the first line states.
+fn version_of(line: &str) -> Result<&'static str, String> {
+    let stated = line.trim_start_matches('\u{feff}').trim();
+    let stated = stated.strip_prefix(HEADER).unwrap_or("").trim();
+    let known = VERSIONS.into_iter().find(|version| *version == stated);
+    known.ok_or_else(|| match stated {
+        "100" => format!(
+            "this is version 100 of 2010, whose columns are others: open it in Mission Planner and save it, or write \
+             `{HEADER} {VERSION}`"
+        ),
+        _ => format!("the first line has to be `{HEADER} {VERSION}`"),
+    })
+}
+
 /// A line, or the column of what is wrong with it and what that is.
 fn line(text: &str) -> Result<WaypointLine, (usize, String)> {
     let fields: Vec<&str> = text.split_whitespace().collect();
@@ -184,8 +194,10 @@ fn line(text: &str) -> Result<WaypointLine, (usize, String)> {
     }
     let column = |i: usize| fields[i].as_ptr() as usize - text.as_ptr() as usize + 1;
     let number = |i: usize| -> Result<f64, (usize, String)> {
+        // Some programs write numbers as their country does.
         fields[i]
             .parse()
+            .or_else(|_| fields[i].replacen(',', ".", 1).parse())
             .map_err(|_| (column(i), format!("`{}` is no number", fields[i])))
     };
     let whole = |i: usize, most: f64| -> Result<f64, (usize, String)> {

@@ -58,3 +58,47 @@ fn a_fault_in_a_linked_document_names_it() {
     let error = read_any("a.kmz", &bytes, None).unwrap_err().to_string();
     assert!(error.starts_with("a.kmz/b.kml, line 1"), "{error}");
 }
+
+#[test]
+fn collections_of_features_may_lie_in_one_another_and_other_json_is_named() {
+    let point = r#"{"type":"Feature","properties":{"name":"in"},"geometry":{"type":"Point","coordinates":[8,47]}}"#;
+    let inner = format!(r#"{{"type":"FeatureCollection","features":[{point}]}}"#);
+    let outer = format!(r#"{{"type":"FeatureCollection","features":[{inner},{point}]}}"#);
+    let found = read_any("a.geojson", outer.as_bytes(), None).unwrap();
+    assert_eq!(found.landmarks.len(), 2);
+    for (text, word) in [
+        (r#"{"type":"Topology","objects":{},"arcs":[]}"#, "TopoJSON"),
+        (
+            r#"{"geometryType":"esriGeometryPoint","features":[{"geometry":{"x":8,"y":47}}]}"#,
+            "ArcGIS",
+        ),
+    ] {
+        let error = read_any("a.json", text.as_bytes(), None).unwrap_err();
+        assert!(error.to_string().contains(word), "{error}");
+    }
+}
+
+#[test]
+fn a_mission_of_version_2_is_known_by_its_commands_without_its_name() {
+    let text = r#"{"version":2,"items":[{"autoContinue":true,"command":16,"doJumpId":1,"frame":3,
+        "params":[0,0,0,null,47.5,8.5,60],"type":"SimpleItem"}],"plannedHomePosition":[47.4,8.4,430]}"#;
+    let found = read_any("old.mission", text.as_bytes(), None).unwrap();
+    let way_point = &found.routes[0].way_points[0];
+    let place = found.frame.geodetic_from_ground(&way_point.position);
+    assert!((place.latitude.to_degrees() - 47.5).abs() < 1e-9);
+    assert_eq!(way_point.altitude.metres, 60.0);
+    // A list of things is no mission.
+    let error = read_any("a.json", br#"{"items":[{"command":"go"}]}"#, None);
+    assert!(error.is_err());
+}
+
+#[test]
+fn way_points_with_decimal_commas_are_read_and_the_first_version_is_named() {
+    let line = "0\t1\t0\t16\t0\t0\t0\t0\t47,5\t8,5\t430,0\t1\n1\t0\t3\t16\t0\t0\t0\t0\t47,6\t8,5\t50,5\t1\n";
+    let text = format!("QGC WPL 110\n{line}");
+    let found = read_any("a.waypoints", text.as_bytes(), None).unwrap();
+    assert_eq!(found.routes[0].way_points[0].altitude.metres, 50.5);
+    let old = format!("QGC WPL 100\n{line}");
+    let error = read_any("a.waypoints", old.as_bytes(), None).unwrap_err();
+    assert!(error.to_string().contains("version 100"), "{error}");
+}
