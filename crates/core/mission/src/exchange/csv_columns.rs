@@ -8,6 +8,10 @@ use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 pub(super) enum CsvRole {
     Latitude,
     Longitude,
+    LatitudeMinutes,
+    LatitudeSeconds,
+    LongitudeMinutes,
+    LongitudeSeconds,
     NorthSouth,
     EastWest,
     Altitude,
@@ -86,6 +90,10 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "frame",
             "altitude mode",
             "altitudemode",
+            "altitude reference",
+            "altitude ref",
+            "alt reference",
+            "alt ref",
         ],
     ),
     (CsvRole::Speed, &["speed", "airspeed"]),
@@ -110,6 +118,13 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
 impl CsvRole {
     /// Name of the role, for people.
     pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::LatitudeMinutes => return "minutes of the latitude",
+            Self::LatitudeSeconds => return "seconds of the latitude",
+            Self::LongitudeMinutes => return "minutes of the longitude",
+            Self::LongitudeSeconds => return "seconds of the longitude",
+            _ => {}
+        }
         NAMES
             .iter()
             .find(|(role, _)| *role == self)
@@ -197,17 +212,20 @@ pub(super) struct CsvColumn {
 
 /// Meanings of the columns of those names, or in words the error of one.
 pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
-    if let Some(name) = part_of_angle(names) {
-        return Err(format!(
-            "column `{name}`: minutes or seconds of an angle stand in a column of their own; write degrees with their \
-             fraction, or all in one cell"
-        ));
-    }
     let mut taken = Vec::new();
     names
         .iter()
-        .map(|name| {
-            let mut column = column(name);
+        .zip(parts_of_angles(names))
+        .map(|(name, part)| {
+            let mut column = match part {
+                Some(role) => CsvColumn {
+                    name: name.clone(),
+                    role: Some(role),
+                    unit: None,
+                    frame: None,
+                },
+                None => column(name),
+            };
             if let Some(role) = column.role {
                 if taken.contains(&role) {
                     // The first of several is meant.
@@ -226,25 +244,57 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
         .collect()
 }
 
-/// Name of a column that holds the minutes or seconds of latitudes or longitudes alone; with a greatest value beside it,
-/// `lat_min` is the least.
-fn part_of_angle(names: &[String]) -> Option<&String> {
-    let ends = |name: &str| {
+/// Roles of the columns that hold the degrees, minutes or seconds of latitudes or longitudes alone; with a greatest value
+/// beside it, `lat_min` is the least.
+fn parts_of_angles(names: &[String]) -> Vec<Option<CsvRole>> {
+    let ends = |name: &String| {
         let plain = parted(name).to_lowercase();
-        let mut words = plain.split([' ', '_', '-', '.', '(', ')']);
-        let of = words.next().unwrap_or_default().to_owned();
-        let last = words.rfind(|word| !word.is_empty()).unwrap_or_default();
-        (of, last.to_owned())
+        let is_break = |c: char| c.is_whitespace() || "_-()[]{}.:".contains(c);
+        let mut words: Vec<String> = plain
+            .split(is_break)
+            .filter(|word| !word.is_empty())
+            .map(str::to_owned)
+            .collect();
+        if words.first().is_some_and(|word| word == "gps") {
+            words.remove(0);
+        }
+        match &words[..] {
+            [of, last] => (of.clone(), last.clone()),
+            _ => (String::new(), String::new()),
+        }
     };
-    let all: Vec<_> = names.iter().map(|name| ends(name)).collect();
-    let is_part = |(of, last): &&(String, String)| {
-        let is_angle = ["lat", "latitude", "lon", "lng", "longitude"].contains(&of.as_str());
-        let is_least = all.iter().any(|(other, end)| other == of && end == "max");
-        let units = ["min", "mins", "minutes", "sec", "secs", "seconds"];
-        is_angle && units.contains(&last.as_str()) && !is_least
+    let all: Vec<(String, String)> = names.iter().map(ends).collect();
+    let has = |of: &str, ends: &[&str]| {
+        all.iter()
+            .any(|(other, end)| other == of && ends.contains(&end.as_str()))
     };
-    let found = all.iter().position(|it| is_part(&it))?;
-    names.get(found)
+    let role = |(of, last): &(String, String)| {
+        let is_latitude = ["lat", "latitude"].contains(&of.as_str());
+        let is_longitude = ["lon", "lng", "long", "longitude"].contains(&of.as_str());
+        if !is_latitude && !is_longitude || has(of, &["max"]) {
+            return None;
+        }
+        let degrees = ["d", "dd", "deg", "degs", "degree", "degrees"];
+        let minutes = ["min", "mins", "minute", "minutes"];
+        let seconds = ["sec", "secs", "second", "seconds"];
+        // A letter alone says that only beside the degrees.
+        let is_parted = has(of, &degrees);
+        let is = |words: &[&str], short: [&str; 2]| {
+            words.contains(&last.as_str()) || is_parted && short.contains(&last.as_str())
+        };
+        let (is_minutes, is_seconds) = (is(&minutes, ["m", "mm"]), is(&seconds, ["s", "ss"]));
+        let is_degrees = ["d", "dd"].contains(&last.as_str());
+        match (is_minutes, is_seconds, is_latitude) {
+            (true, _, true) => Some(CsvRole::LatitudeMinutes),
+            (true, _, false) => Some(CsvRole::LongitudeMinutes),
+            (_, true, true) => Some(CsvRole::LatitudeSeconds),
+            (_, true, false) => Some(CsvRole::LongitudeSeconds),
+            (_, _, true) if is_degrees => Some(CsvRole::Latitude),
+            (_, _, false) if is_degrees => Some(CsvRole::Longitude),
+            _ => None,
+        }
+    };
+    all.iter().map(role).collect()
 }
 
 /// A name with blanks before the capitals at which its words begin: `AltitudeAGL`, `GPSLatitude`.
@@ -363,16 +413,39 @@ mod tests {
     }
 
     #[test]
-    fn degrees_whose_minutes_stand_elsewhere_are_refused() {
-        let names = ["lat_deg", "lat_min", "lat_sec", "lon_deg", "lon_min"].map(str::to_owned);
-        let error = columns(&names).unwrap_err();
-        assert!(error.contains("`lat_min`"), "{error}");
+    fn minutes_and_seconds_may_stand_in_columns_of_their_own() {
+        let roles = |names: &[&str]| -> Vec<Option<CsvRole>> {
+            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+            let columns = columns(&names).unwrap();
+            columns.iter().map(|column| column.role).collect()
+        };
+        let parts = [
+            Some(CsvRole::Latitude),
+            Some(CsvRole::LatitudeMinutes),
+            Some(CsvRole::LatitudeSeconds),
+        ];
+        assert_eq!(roles(&["lat_deg", "lat_min", "lat_sec"]), parts);
+        assert_eq!(roles(&["LatD", "LatM", "LatS"]), parts);
+        assert_eq!(
+            roles(&["Latitude Degrees", "Latitude Minutes", "Latitude Seconds"]),
+            parts
+        );
+        let apart = roles(&["lon_dd", "lon_mm", "hold_min", "long_name"]);
+        let longitude = [Some(CsvRole::Longitude), Some(CsvRole::LongitudeMinutes)];
+        assert_eq!(apart[..2], longitude);
         for names in [
-            ["lat", "lon", "hold_min", "long_name"],
             ["lat", "lon", "lat_min", "lat_max"],
             ["lat", "lon", "long_pause_sec", "name"],
         ] {
-            assert!(columns(&names.map(str::to_owned)).is_ok(), "{names:?}");
+            let roles = roles(&names);
+            assert!(
+                !roles.contains(&Some(CsvRole::LatitudeMinutes)),
+                "{names:?}"
+            );
+            assert!(
+                !roles.contains(&Some(CsvRole::LongitudeSeconds)),
+                "{names:?}"
+            );
         }
     }
 

@@ -2,13 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use super::ExchangeError;
-use super::angle;
 use super::csv_columns::{CsvColumn, CsvRole, Unit, columns};
+use super::csv_geometry::geometry;
+use super::csv_place::{PlaceOrder, is_place, order, place};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::litchi_actions::litchi_stay;
+use super::{ExchangeError, angle, geojson};
 use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
 use crate::mission::way_point_file::{ACTION_WORDS, StatedCircles, action_of_word, frame_of_word};
 use crate::mission::{USUAL_ALTITUDE, WayPoint, WayPointAction};
@@ -38,13 +39,34 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     if names.iter().all(|name| name.trim().is_empty()) {
         return Err(error(1, String::from("the file is empty")));
     }
-    let table = ReadCsvTable {
+    let mut table = ReadCsvTable {
         file,
         columns: columns(&names).map_err(|cause| error(1, cause))?,
         has_decimal_comma: delimiter == ';',
+        places: None,
     };
+    let mut records = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| {
+            let line = e.position().map_or(0, csv::Position::line);
+            error(line, e.to_string())
+        })?;
+        let line = record.position().map_or(0, csv::Position::line);
+        if record.iter().any(|cell| !cell.is_empty()) {
+            records.push((line as usize, record));
+        }
+    }
+    if let Some(geometries) = table.geometries(&records) {
+        return shapes(&table, &records, geometries);
+    }
+    let has_both = [CsvRole::Latitude, CsvRole::Longitude]
+        .iter()
+        .all(|role| table.has(*role));
+    if !has_both {
+        table.places = table.places(&records);
+    }
     for role in [CsvRole::Latitude, CsvRole::Longitude] {
-        if !table.has(role) {
+        if !table.has(role) && table.places.is_none() {
             return Err(error(
                 1,
                 format!(
@@ -55,51 +77,111 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             ));
         }
     }
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|e| {
-            let line = e.position().map_or(0, csv::Position::line);
-            error(line, e.to_string())
-        })?;
-        let line = record.position().map_or(0, csv::Position::line);
-        if record.iter().any(|cell| !cell.is_empty()) {
-            rows.push(CsvRow {
-                table: &table,
-                line: line as usize,
-                record,
-            });
-        }
-    }
-    if table.holds_way_points() {
-        way_points(&table, &rows)
+    let rows: Vec<CsvRow> = records
+        .into_iter()
+        .map(|(line, record)| CsvRow {
+            table: &table,
+            line,
+            record,
+        })
+        .collect();
+    let mut found = if table.holds_way_points() {
+        way_points(&table, &rows)?
     } else {
-        landmarks(&table, &rows)
+        landmarks(&table, &rows)?
+    };
+    if let Some(places) = table.places.filter(|places| !places.is_told) {
+        found.notes.push(format!(
+            "nothing tells which number of `{}` is the latitude: the first is taken; call the column `lon lat` if it is the \
+             second",
+            table.columns[places.column].name
+        ));
     }
+    Ok(found)
+}
+
+/// Rows with the lines at which they begin.
+type Records = [(usize, csv::StringRecord)];
+
+/// Column that has latitude and longitude in each cell.
+#[derive(Clone, Copy)]
+struct PlaceColumn {
+    column: usize,
+    order: PlaceOrder,
+    is_told: bool,
 }
 
 struct ReadCsvTable<'a> {
     file: &'a str,
     columns: Vec<CsvColumn>,
     has_decimal_comma: bool,
+    places: Option<PlaceColumn>,
 }
 
 impl ReadCsvTable<'_> {
-    fn has(&self, role: CsvRole) -> bool {
-        self.columns.iter().any(|c| c.role == Some(role))
+    /// The first column without a meaning of which all cells that say anything are as wanted.
+    fn column_of(&self, records: &Records, is_wanted: impl Fn(&str) -> bool) -> Option<usize> {
+        (0..self.columns.len()).find(|column| {
+            let cells = records.iter().filter_map(|(_, row)| row.get(*column));
+            let mut cells = cells.filter(|cell| !cell.is_empty()).peekable();
+            let is_free = self.columns[*column].role.is_none();
+            is_free && cells.peek().is_some() && cells.all(&is_wanted)
+        })
     }
 
-    /// Whether the rows are way-points: something says how they are flown over.
-    fn holds_way_points(&self) -> bool {
-        let is_flown = [
+    /// The column of geometries, but where all are points that something says how to fly over, or that have columns of
+    /// latitude and longitude beside them.
+    fn geometries(&self, records: &Records) -> Option<usize> {
+        let column = self.column_of(records, |cell| geometry(cell).is_some())?;
+        let is_point = |(_, row): &(usize, csv::StringRecord)| {
+            let read = row.get(column).and_then(geometry);
+            read.is_none_or(|read| read.is_ok_and(|read| read["type"] == "Point"))
+        };
+        let is_placed = self.has(CsvRole::Latitude) && self.has(CsvRole::Longitude);
+        let are_points = (is_placed || self.is_flown()) && records.iter().all(is_point);
+        (!are_points).then_some(column)
+    }
+
+    /// The column that has a place in each cell.
+    fn places(&self, records: &Records) -> Option<PlaceColumn> {
+        let points = self.column_of(records, |cell| geometry(cell).is_some());
+        if let Some(column) = points {
+            return Some(PlaceColumn {
+                column,
+                order: PlaceOrder::LongitudeFirst,
+                is_told: true,
+            });
+        }
+        let column = self.column_of(records, is_place)?;
+        let cells = records.iter().filter_map(|(_, row)| row.get(column));
+        let order = order(&self.columns[column].name, cells);
+        Some(PlaceColumn {
+            column,
+            order: order.unwrap_or(PlaceOrder::LatitudeFirst),
+            is_told: order.is_some(),
+        })
+    }
+
+    /// Whether something says how places are flown over.
+    fn is_flown(&self) -> bool {
+        let roles = [
             CsvRole::Route,
             CsvRole::Altitude,
             CsvRole::Speed,
             CsvRole::Action,
             CsvRole::Frame,
         ];
+        roles.iter().any(|role| self.has(*role))
+    }
+
+    fn has(&self, role: CsvRole) -> bool {
+        self.columns.iter().any(|c| c.role == Some(role))
+    }
+
+    /// Whether the rows are way-points: something says how they are flown over.
+    fn holds_way_points(&self) -> bool {
         let is_box = [CsvRole::BoxNorth, CsvRole::BoxEast, CsvRole::Enabled];
-        !is_box.iter().any(|r| self.has(*r))
-            && (is_flown.iter().any(|r| self.has(*r)) || !self.has(CsvRole::Name))
+        !is_box.iter().any(|r| self.has(*r)) && (self.is_flown() || !self.has(CsvRole::Name))
     }
 }
 
@@ -167,8 +249,30 @@ impl CsvRow<'_> {
             return Ok(None);
         };
         let plain = self.with_point(cell);
-        let degrees = angle::degrees(&plain, letters)
+        let mut degrees = angle::degrees(&plain, letters)
             .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
+        let is_latitude = role == CsvRole::Latitude;
+        let parts = if is_latitude {
+            [CsvRole::LatitudeMinutes, CsvRole::LatitudeSeconds]
+        } else {
+            [CsvRole::LongitudeMinutes, CsvRole::LongitudeSeconds]
+        };
+        let mut rest = 0.0;
+        for (part, unit) in parts.into_iter().zip([60.0, 3600.0]) {
+            let value = self.number(part)?.unwrap_or(0.0);
+            if !(0.0..=60.0).contains(&value) {
+                let cause = format!("{value} is not from 0 to 60");
+                return Err(self.error(part.name(), &cause));
+            }
+            rest += value / unit;
+        }
+        if rest != 0.0 && degrees.fract() != 0.0 {
+            let cause = "degrees with a fraction have minutes beside them";
+            return Err(self.error(&column.name, cause));
+        }
+        // Of -0 degrees only the sign tells.
+        let is_below = plain.trim_start().starts_with(['-', '\u{2212}']) || degrees < 0.0;
+        degrees += if is_below { -rest } else { rest };
         let Some((column, word)) = self.cell(hemisphere) else {
             return Ok(Some(degrees));
         };
@@ -186,6 +290,20 @@ impl CsvRow<'_> {
     }
 
     fn place(&self) -> Result<LonLat, ExchangeError> {
+        if let Some(places) = self.table.places {
+            let cell = self.record.get(places.column).unwrap_or("");
+            let place = match geometry(cell) {
+                Some(read) => read.ok().and_then(|read| {
+                    let number = |i: usize| read["coordinates"].get(i)?.as_f64();
+                    let place = (number(0)?, number(1)?);
+                    on_globe(place.0, place.1).then_some(place)
+                }),
+                None => place(cell, places.order),
+            };
+            let name = &self.table.columns[places.column].name;
+            let cause = || format!("`{cell}` is no place on the globe");
+            return place.ok_or_else(|| self.error(name, &cause()));
+        }
         let latitude = self.degrees(CsvRole::Latitude, CsvRole::NorthSouth, ('N', 'S'))?;
         let longitude = self.degrees(CsvRole::Longitude, CsvRole::EastWest, ('E', 'W'))?;
         match (longitude, latitude) {
@@ -206,6 +324,7 @@ impl CsvRow<'_> {
         let columns = self.table.columns.iter().enumerate();
         columns
             .filter(|(_, column)| column.role.is_none() && !column.name.is_empty())
+            .filter(|(i, _)| self.table.places.is_none_or(|places| places.column != *i))
             .filter_map(|(i, column)| Some((column, self.record.get(i)?)))
             .filter(|(_, cell)| !cell.is_empty())
             .map(|(column, cell)| {
@@ -230,13 +349,22 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
         .iter()
         .find(|c| c.role == Some(CsvRole::Altitude))
         .and_then(|c| c.frame);
-    for row in rows {
+    let placed = placed(table, rows);
+    if placed.len() < rows.len() {
+        found.notes.push(format!(
+            "{} of the rows stand at 0° N, 0° E, which is no place, and are left out",
+            rows.len() - placed.len()
+        ));
+    }
+    for row in placed {
         let place = row.place()?;
         let frame = match row.cell(CsvRole::Frame) {
             None => stated,
             Some((column, word)) => {
                 let plain = word.to_lowercase().replace([' ', '-'], "_");
-                let frame = frame_of_word(&plain).or_else(|| frame_of_abbreviation(&plain));
+                let frame = frame_of_word(&plain)
+                    .or_else(|| frame_of_number(&column.name, &plain))
+                    .or_else(|| frame_of_abbreviation(&plain));
                 Some(frame.ok_or_else(|| {
                     let cause =
                         format!("`{word}` is none of amsl, above_take_off and above_ground");
@@ -308,14 +436,91 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
     Ok(found)
 }
 
+/// The rows without those of a table of commands that have no place, as logs of missions have them (`DO_JUMP`): they stand
+/// at 0° N, 0° E.
+fn placed<'a, 'b>(table: &ReadCsvTable, rows: &'a [CsvRow<'b>]) -> Vec<&'a CsvRow<'b>> {
+    let commands = ["cid", "cmd", "command", "mav_cmd"];
+    let mut names = table
+        .columns
+        .iter()
+        .map(|column| column.name.to_lowercase());
+    let has_commands = names.any(|name| commands.contains(&name.as_str()));
+    let is_null =
+        |row: &&CsvRow| has_commands && row.place().is_ok_and(|place| place == (0.0, 0.0));
+    let placed: Vec<&CsvRow> = rows.iter().filter(|row| !is_null(row)).collect();
+    if placed.is_empty() {
+        return rows.iter().collect();
+    }
+    placed
+}
+
+/// The frame of a number: in a column of modes that of Litchi, else `MAV_FRAME` of `MAVLink`.
+fn frame_of_number(column: &str, word: &str) -> Option<AltitudeFrame> {
+    let number: f64 = word.parse().ok().filter(|n: &f64| n.fract() == 0.0)?;
+    if column.to_lowercase().contains("mode") {
+        return match number as i64 {
+            0 => Some(AltitudeFrame::AboveTakeOff),
+            1 => Some(AltitudeFrame::AboveGround),
+            _ => None,
+        };
+    }
+    match number as i64 {
+        0 | 5 => Some(AltitudeFrame::Amsl),
+        3 | 6 => Some(AltitudeFrame::AboveTakeOff),
+        10 | 11 => Some(AltitudeFrame::AboveGround),
+        _ => None,
+    }
+}
+
 fn frame_of_abbreviation(word: &str) -> Option<AltitudeFrame> {
     Some(match word {
         "msl" | "absolute" => AltitudeFrame::Amsl,
-        // Litchi: 0 counts from take-off, 1 from the ground.
-        "agl" | "terrain" | "1" => AltitudeFrame::AboveGround,
-        "rel" | "relative" | "ato" | "home" | "0" => AltitudeFrame::AboveTakeOff,
+        "agl" | "terrain" | "ground" => AltitudeFrame::AboveGround,
+        "rel" | "relative" | "ato" | "home" | "takeoff" | "take_off" => AltitudeFrame::AboveTakeOff,
         _ => return None,
     })
+}
+
+/// Rows with geometries: read as GeoJSON with the other cells as properties.
+fn shapes(
+    table: &ReadCsvTable,
+    records: &Records,
+    column: usize,
+) -> Result<GeodeticContent, ExchangeError> {
+    let mut features = Vec::with_capacity(records.len());
+    for (line, record) in records {
+        let shape = match record.get(column).and_then(geometry) {
+            Some(shape) => shape.map_err(|cause| ExchangeError::Place {
+                file: table.file.to_owned(),
+                line: *line,
+                column: 1,
+                cause: format!("column `{}`: {cause}", table.columns[column].name),
+            })?,
+            None => Value::Null,
+        };
+        let cells = table.columns.iter().zip(record).enumerate();
+        let cells = cells.filter(|(i, (_, cell))| *i != column && !cell.is_empty());
+        let properties: serde_json::Map<String, Value> = cells
+            .map(|(_, (named, cell))| {
+                let is_name = named.role == Some(CsvRole::Name);
+                let key = if is_name { "name" } else { named.name.as_str() };
+                (key.to_owned(), Value::from(cell))
+            })
+            .collect();
+        features.push(json!({ "type": "Feature", "geometry": shape, "properties": properties }));
+    }
+    let collection = json!({ "type": "FeatureCollection", "features": features });
+    let mut found =
+        geojson::read(table.file, &collection.to_string()).map_err(|error| match error {
+            // Lines are those of the collection.
+            ExchangeError::Place { file, cause, .. } => ExchangeError::File { file, cause },
+            other => other,
+        })?;
+    found.notes.push(format!(
+        "the column `{}` has the places",
+        table.columns[column].name
+    ));
+    Ok(found)
 }
 
 fn landmarks(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, ExchangeError> {

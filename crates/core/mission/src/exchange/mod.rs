@@ -7,6 +7,8 @@
 mod angle;
 mod complex;
 mod csv_columns;
+mod csv_geometry;
+mod csv_place;
 mod csv_read;
 mod csv_write;
 mod decoded_text;

@@ -11,6 +11,7 @@ mod plan;
 mod rally;
 mod round_trip;
 mod several;
+mod tables;
 
 use crate::mission::{Route, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};

@@ -1,0 +1,185 @@
+//! Places in one cell of a table: two numbers, whose order letters, the column's name or the numbers tell.
+
+use pilotage_base::angle_text::angle_of_text;
+use pilotage_base::place_text::{place_of_text, two_numbers};
+
+use crate::mission::found::{LonLat, on_globe};
+
+/// The order of both numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum PlaceOrder {
+    /// Latitude first, as people write places.
+    LatitudeFirst,
+    /// Longitude first, as programs do.
+    LongitudeFirst,
+}
+
+/// A cell without what stands around its numbers, and without a height behind them; commas of decimals as points.
+fn plain(cell: &str) -> String {
+    let cell = cell.trim().trim_start_matches("geo:");
+    let cell = cell.trim_matches(['(', ')', '[', ']', '{', '}', ' ', '"']);
+    let commas = cell.matches(',').count();
+    let is_between_digits = |at: usize| {
+        let is_digit = |at: Option<usize>| {
+            at.and_then(|at| cell.as_bytes().get(at))
+                .is_some_and(u8::is_ascii_digit)
+        };
+        is_digit(at.checked_sub(1)) && is_digit(Some(at + 1))
+    };
+    // `47,5 8,5`, `47,5; 8,5`, `47,5, 8,5`.
+    let decimals = cell
+        .match_indices(',')
+        .filter(|(at, _)| is_between_digits(*at));
+    let has_points = cell.contains('.');
+    if !has_points && decimals.clone().count() == 2 && (commas == 3 || has_seam(cell)) {
+        let mut text: Vec<char> = Vec::with_capacity(cell.len());
+        for (at, letter) in cell.char_indices() {
+            let is_decimal = letter == ',' && is_between_digits(at);
+            text.push(if is_decimal { '.' } else { letter });
+        }
+        return text.into_iter().collect();
+    }
+    // A height behind both.
+    let parts: Vec<&str> = cell.split([',', ';']).map(str::trim).collect();
+    let are_numbers = parts.iter().all(|part| part.parse::<f64>().is_ok());
+    if let ([a, b, _], true) = (&parts[..], are_numbers) {
+        return format!("{a}, {b}");
+    }
+    cell.to_owned()
+}
+
+/// Whether a blank or a semicolon parts two numbers.
+fn has_seam(cell: &str) -> bool {
+    let parts = cell.split([' ', ';', '/']).filter(|part| !part.is_empty());
+    parts.count() == 2
+}
+
+/// The numbers of a cell in their order, degrees; `None` where it has not two.
+pub(super) fn numbers(cell: &str) -> Option<[f64; 2]> {
+    let plain = plain(cell);
+    let numbers = two_numbers(&plain).filter(|numbers| numbers.iter().all(|n| n.is_finite()));
+    numbers.filter(|[a, b]| a.abs().max(b.abs()) <= 360.0)
+}
+
+/// Whether letters in the cell say which number is which.
+fn says_order(cell: &str) -> bool {
+    let letters = ["N", "S", "E", "W", "n", "s", "e", "w"];
+    letters.iter().any(|letter| cell.contains(letter)) && numbers(cell).is_some()
+}
+
+/// Whether a cell names a place.
+pub(super) fn is_place(cell: &str) -> bool {
+    let plain = plain(cell);
+    // Whole numbers without a mark may be anything.
+    let is_marked = plain.contains(['.', '°']) || says_order(&plain);
+    is_marked && (numbers(&plain).is_some() || place_of_text(&plain).is_ok())
+        || place_of_text(&plain).is_ok() && plain.contains('+')
+}
+
+/// The order that a column's name states, or that the numbers of its cells tell; `None` where both could be.
+pub(super) fn order<'a>(
+    name: &str,
+    cells: impl Iterator<Item = &'a str> + Clone,
+) -> Option<PlaceOrder> {
+    use PlaceOrder::{LatitudeFirst, LongitudeFirst};
+    let name = name.to_lowercase();
+    let long = ["lon", "lng"]
+        .into_iter()
+        .filter_map(|word| name.find(word));
+    match (name.find("lat"), long.min()) {
+        (Some(latitude), Some(longitude)) if latitude < longitude => return Some(LatitudeFirst),
+        (Some(_), Some(_)) => return Some(LongitudeFirst),
+        _ => {}
+    }
+    if cells
+        .clone()
+        .all(|cell| says_order(cell) || numbers(cell).is_none())
+    {
+        return Some(LatitudeFirst);
+    }
+    let found = cells.filter(|cell| !says_order(cell)).filter_map(numbers);
+    let beyond = |of: fn([f64; 2]) -> f64| found.clone().any(|pair| of(pair).abs() > 90.0);
+    match (beyond(|[a, _]| a), beyond(|[_, b]| b)) {
+        (true, false) => Some(LongitudeFirst),
+        (false, true) => Some(LatitudeFirst),
+        _ => None,
+    }
+}
+
+/// The place of a cell, degrees; letters at its numbers outweigh the order.
+pub(super) fn place(cell: &str, order: PlaceOrder) -> Option<LonLat> {
+    let plain = plain(cell);
+    if order == PlaceOrder::LongitudeFirst && !says_order(&plain) {
+        let [longitude, latitude] = numbers(&plain)?;
+        return on_globe(longitude, latitude).then_some((longitude, latitude));
+    }
+    let bare = angle_of_text(&plain).is_none();
+    let place = place_of_text(&plain).ok().filter(|_| bare)?;
+    // As they were written, to the last digit.
+    let (longitude, latitude) = (place.longitude.to_degrees(), place.latitude.to_degrees());
+    let round = |degrees: f64| (degrees * 1e12).round() / 1e12;
+    Some((round(longitude), round(latitude)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::PlaceOrder::{LatitudeFirst, LongitudeFirst};
+    use super::*;
+
+    #[test]
+    fn both_numbers_are_read_in_the_spellings_that_people_use() {
+        for cell in [
+            "47.5, 8.5",
+            "47.5 8.5",
+            "47.5;8.5",
+            "(47.5, 8.5)",
+            "[47.5,8.5]",
+            "47,5 8,5",
+            "47,5; 8,5",
+            "47,5, 8,5",
+            "47.5, 8.5, 430",
+            "47.5,8.5,430.0",
+            "47°30'N 8°30'E",
+            "47°30'0\"N, 8°30'0\"E",
+            "N47.5 E8.5",
+            "8.5E 47.5N",
+            "geo:47.5,8.5",
+        ] {
+            assert!(is_place(cell), "{cell}");
+            let found = place(cell, LatitudeFirst);
+            let is_it = found
+                .is_some_and(|(lon, lat)| (lon - 8.5).abs() < 1e-9 && (lat - 47.5).abs() < 1e-9);
+            assert!(is_it, "{cell}: {found:?}");
+        }
+        assert_eq!(place("8.5, 47.5", LongitudeFirst), Some((8.5, 47.5)));
+        assert_eq!(
+            place("33.85S 18.42W", LongitudeFirst),
+            Some((-18.42, -33.85))
+        );
+        for cell in [
+            "",
+            "Alpha",
+            "12, 13",
+            "1.5",
+            "100.5, 200.5",
+            "2024-05-01 10:00:00",
+        ] {
+            let is_place = is_place(cell) && place(cell, LatitudeFirst).is_some();
+            assert!(!is_place, "{cell}");
+        }
+    }
+
+    #[test]
+    fn the_order_is_told_by_name_letters_or_numbers() {
+        let of = |name: &str, cells: &[&'static str]| order(name, cells.iter().copied());
+        assert_eq!(of("coordinates", &["47.5, 8.5"]), None);
+        assert_eq!(of("lat/lon", &["47.5, 8.5"]), Some(LatitudeFirst));
+        assert_eq!(of("LonLat", &["8.5, 47.5"]), Some(LongitudeFirst));
+        assert_eq!(of("place", &["47.5N 8.5E"]), Some(LatitudeFirst));
+        assert_eq!(
+            of("place", &["1.5, 8.5", "-120.5 45.5"]),
+            Some(LongitudeFirst)
+        );
+        assert_eq!(of("place", &["45.5, -120.5"]), Some(LatitudeFirst));
+    }
+}

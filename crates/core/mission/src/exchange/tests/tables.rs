@@ -1,0 +1,152 @@
+//! Tables of places as other programs write them: places in one cell, geometries, parts of angles, frames as numbers.
+
+use super::assert_noted;
+use crate::exchange::{Imported, read_any};
+use pilotage_base::frames::AltitudeFrame;
+
+fn read(table: &str) -> Imported {
+    read_any("a.csv", table.as_bytes(), None).unwrap_or_else(|e| panic!("{e}\n{table}"))
+}
+
+/// Latitude and longitude of the landmarks, degrees.
+fn landmarks(found: &Imported) -> Vec<[f64; 2]> {
+    let places = found.landmarks.iter().map(|landmark| {
+        let place = found.frame.geodetic_from_ground(&landmark.reference);
+        [place.latitude.to_degrees(), place.longitude.to_degrees()]
+    });
+    places.collect()
+}
+
+/// Latitude and longitude of the way-points of the first route, degrees.
+fn way_points(found: &Imported) -> Vec<[f64; 2]> {
+    let places = found.routes[0].way_points.iter().map(|way_point| {
+        let place = found.frame.geodetic_from_ground(&way_point.position);
+        [place.latitude.to_degrees(), place.longitude.to_degrees()]
+    });
+    places.collect()
+}
+
+#[track_caller]
+fn assert_at(found: &[[f64; 2]], expected: &[[f64; 2]]) {
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (found, expected) in found.iter().zip(expected) {
+        for (a, b) in found.iter().zip(expected) {
+            assert!((a - b).abs() < 1e-9, "{found:?} {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn both_numbers_may_stand_in_one_cell() {
+    let both = [[47.5, 8.5], [47.6, 8.6]];
+    for table in [
+        "name,coordinates\nA,\"47.5, 8.5\"\nB,\"47.6, 8.6\"\n",
+        "name,location\nA,47.5 8.5\nB,47.6 8.6\n",
+        "name;Koordinaten\nA;47,5 8,5\nB;47,6 8,6\n",
+        "name,where\nA,47°30'N 8°30'E\nB,47°36'N 8°36'E\n",
+        "name,lonlat\nA,8.5 47.5\nB,8.6 47.6\n",
+        "name,GPS,alt_seen\nA,\"(47.5, 8.5)\",12\nB,\"(47.6, 8.6)\",13\n",
+    ] {
+        assert_at(&landmarks(&read(table)), &both);
+    }
+    let unsure = read("name,coordinates\nA,\"47.5, 8.5\"\n");
+    assert_noted(&unsure.notes, |note| {
+        note.contains("call the column `lon lat`")
+    });
+    let sure = read("name,lat/lon\nA,\"47.5, 8.5\"\n");
+    assert!(!sure.notes.iter().any(|note| note.contains("lon lat")));
+    let far = read("name,position\nA,\"-122.5, 45.5\"\n");
+    assert_at(&landmarks(&far), &[[45.5, -122.5]]);
+    let flown = read("position,altitude\n\"47.5, 8.5\",50\n\"47.6, 8.6\",60\n");
+    assert_at(&way_points(&flown), &both);
+    let error = read_any(
+        "a.csv",
+        b"name,coordinates\nA,\"47.5, 8.5\"\nB,here\n",
+        None,
+    );
+    assert!(error.unwrap_err().to_string().contains("latitude"));
+}
+
+#[test]
+fn geometries_become_landmarks_with_holes_and_routes() {
+    let table = "WKT,name,description\n\"POINT (8.5 47.5)\",A,x\n\"LINESTRING Z (8 47 400, 8.1 47.1 410)\",B,\n\
+                 \"POLYGON ((8 47, 8.3 47, 8.3 47.3, 8 47), (8.1 47.05, 8.2 47.05, 8.2 47.1, 8.1 47.05))\",C,\n\
+                 \"MULTIPOINT ((8.6 47.6), (8.7 47.7))\",D,\n";
+    let found = read(table);
+    let mut names: Vec<&str> = found.landmarks.iter().map(|l| l.name.as_str()).collect();
+    names.sort_unstable();
+    assert_eq!(names, ["A", "C", "D", "D"]);
+    let points = landmarks(&found);
+    let first = found.landmarks.iter().position(|l| l.name == "A").unwrap();
+    assert_at(&points[first..=first], &[[47.5, 8.5]]);
+    assert_eq!(found.routes[0].name, "B");
+    assert_at(&way_points(&found), &[[47.0, 8.0], [47.1, 8.1]]);
+    let altitude = found.routes[0].way_points[1].altitude;
+    assert_eq!(
+        (altitude.metres, altitude.frame),
+        (410.0, AltitudeFrame::Amsl)
+    );
+    let polygon = found.landmarks.iter().find(|l| l.name == "C").unwrap();
+    assert_eq!(polygon.holes().len(), 1);
+    // A table of points with altitudes is a route.
+    let flown = read("WKT,alt\nPOINT (8.5 47.5),50\nPOINT (8.6 47.6),60\n");
+    assert_at(&way_points(&flown), &[[47.5, 8.5], [47.6, 8.6]]);
+    let error = read_any("a.csv", b"WKT,id\n\"POINT (2600000 1200000)\",1\n", None);
+    assert!(error.unwrap_err().to_string().contains("degrees"));
+}
+
+#[test]
+fn angles_in_three_columns_are_added_up() {
+    let table = "name,lat_deg,lat_min,lat_sec,lat_dir,lon_deg,lon_min,lon_sec,lon_dir\nA,33,51,0,S,18,25,12,W\n";
+    assert_at(&landmarks(&read(table)), &[[-33.85, -18.42]]);
+    let table = "name,lat_deg,lat_min,lon_deg,lon_min\nA,-33,51.0,-0,25.2\n";
+    assert_at(&landmarks(&read(table)), &[[-33.85, -0.42]]);
+    let broken = "name,lat_deg,lat_min,lon_deg,lon_min\nA,33.5,51.0,8,25.2\n";
+    let error = read_any("a.csv", broken.as_bytes(), None).unwrap_err();
+    assert!(error.to_string().contains("fraction"), "{error}");
+}
+
+#[test]
+fn frames_are_words_or_numbers_of_mavlink_and_modes_are_those_of_litchi() {
+    use AltitudeFrame::{AboveGround, AboveTakeOff, Amsl};
+    let frames = |column: &str, values: &[&str]| -> Vec<AltitudeFrame> {
+        let rows: Vec<String> = values
+            .iter()
+            .enumerate()
+            .map(|(i, value)| format!("47.{i},8,50,{value}"))
+            .collect();
+        let found = read(&format!("Lat,Lng,Alt,{column}\n{}\n", rows.join("\n")));
+        let way_points = found.routes[0].way_points.iter();
+        way_points.map(|w| w.altitude.frame).collect()
+    };
+    // MAV_FRAME: GLOBAL, GLOBAL_RELATIVE_ALT, GLOBAL_TERRAIN_ALT, and the same of whole numbers.
+    assert_eq!(
+        frames("Frame", &["0", "3", "10", "5", "6", "11"]),
+        [
+            Amsl,
+            AboveTakeOff,
+            AboveGround,
+            Amsl,
+            AboveTakeOff,
+            AboveGround
+        ]
+    );
+    assert_eq!(
+        frames("altitudemode", &["0", "1"]),
+        [AboveTakeOff, AboveGround]
+    );
+    assert_eq!(
+        frames("Altitude Reference", &["Takeoff", "MSL"]),
+        [AboveTakeOff, Amsl]
+    );
+    let error = read_any("a.csv", b"Lat,Lng,Alt,Frame\n47,8,50,1\n", None);
+    assert!(error.unwrap_err().to_string().contains("`1`"));
+}
+
+#[test]
+fn commands_without_a_place_are_left_out_of_a_table_of_commands() {
+    let found =
+        read("CNum,CId,Lat,Lng,Alt,Frame\n1,16,47,8,50,3\n2,178,0,0,0,3\n3,16,47.1,8,50,3\n");
+    assert_at(&way_points(&found), &[[47.0, 8.0], [47.1, 8.0]]);
+    assert_noted(&found.notes, |note| note.contains("1 of the rows"));
+}
