@@ -13,7 +13,7 @@ use crate::times::{TimeVerdict, judge, starts_of};
 /// Fields in which messages carry the time, with how many of them are a second.
 const STAMPS: [(&str, f64); 2] = [("time_boot_ms", 1e3), ("time_usec", 1e6)];
 /// Fewer messages of one kind tell no clock.
-const ENOUGH: usize = 5;
+pub(super) const ENOUGH: usize = 5;
 /// Kinds of messages whose offsets differ by less are of one clock, seconds.
 const SAME: f64 = 5.0;
 /// Clocks are held against each other for drift from this long on, seconds, and never drift faster than this.
@@ -125,17 +125,7 @@ fn at(starts: &[Start], received: f64) -> Option<&Start> {
 
 /// The times that the messages of a topic carry; `None` where they carry none that runs.
 fn timed(place: usize, topic: &Topic) -> Option<TimedTopic> {
-    let (field, per_second) = STAMPS
-        .iter()
-        .find_map(|(name, per_second)| Some((topic.field(name)?, *per_second)))?;
-    if topic.len() < ENOUGH {
-        return None;
-    }
-    let mut sent: Vec<f64> = topic
-        .rows
-        .iter()
-        .map(|row| stamp(field, row) / per_second)
-        .collect();
+    let mut sent = stamps(topic)?;
     let starts = starts_of(&sent);
     let receptions = judge(&topic.times);
     let mut fitted: Vec<(Range<usize>, Start)> = Vec::new();
@@ -168,6 +158,18 @@ fn timed(place: usize, topic: &Topic) -> Option<TimedTopic> {
         sent,
         starts: fitted,
     })
+}
+
+/// Seconds of the vehicle's clock at which the rows of a topic were sent; `None` where they carry none, or are too few.
+pub(super) fn stamps(topic: &Topic) -> Option<Vec<f64>> {
+    let (field, per_second) = STAMPS
+        .iter()
+        .find_map(|(name, per_second)| Some((topic.field(name)?, *per_second)))?;
+    if topic.len() < ENOUGH {
+        return None;
+    }
+    let rows = topic.rows.iter();
+    Some(rows.map(|row| stamp(field, row) / per_second).collect())
 }
 
 /// The stored number of a stamp; NaN where it is zero, which stands for no time.

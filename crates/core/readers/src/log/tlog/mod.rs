@@ -14,6 +14,7 @@ mod frame;
 mod meaning;
 mod parameters;
 mod reader;
+mod receiver;
 mod roles;
 mod row;
 mod units;

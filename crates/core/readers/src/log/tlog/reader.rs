@@ -7,6 +7,7 @@ use super::super::{Log, TopicName};
 use super::dialect::{Dialect, MessageDefinition};
 use super::frame::{MavlinkFrame, NoFrame, STAMP, may_begin};
 use super::meaning::SpecialMessages;
+use super::receiver::ReceiverLeaps;
 use super::row::{PayloadRow, Sender};
 
 /// Most topics: kinds of messages times their senders. A file made to harm could have millions.
@@ -31,6 +32,7 @@ pub(super) struct Tlog {
     /// Why the next message has to be looked for, if it has.
     lost: Option<&'static str>,
     meaning: SpecialMessages,
+    leaps: ReceiverLeaps,
 }
 
 impl LogSteps for Tlog {
@@ -42,6 +44,9 @@ impl LogSteps for Tlog {
     }
 
     fn end(&mut self, log: &mut Log) {
+        if let Some((first, _)) = self.times {
+            self.leaps.straighten(first as f64 / 1e6, log);
+        }
         self.meaning.end(log);
         super::clock::count_by_messages(log);
         log.leave_out_wrong_times(|_| true);
@@ -108,6 +113,8 @@ impl Tlog {
             log.utc_at_zero = is_set.then_some(frame.time as f64 / 1e6);
             (frame.time, frame.time)
         });
+        let step = (i128::from(frame.time) - i128::from(*last)) as f64 / 1e6;
+        self.leaps.note(step, log);
         *last = frame.time;
         let time = (i128::from(frame.time) - i128::from(*first)) as f64 / 1e6;
         log.topics[topic].push(time, frame.payload);

@@ -2,4 +2,5 @@
 
 mod damage;
 mod reading;
+mod receiver;
 mod written;

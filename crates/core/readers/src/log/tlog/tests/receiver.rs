@@ -1,0 +1,114 @@
+//! Tests of the receiver's clock that is set while the vehicle's own goes on.
+
+use super::super::super::{Log, TopicName, testing};
+use super::super::INFO;
+use super::written::Written;
+
+/// Three hundred moments a fifth of a second apart, with words every fifteen seconds: received as `clock` says of the
+/// number and the second, stamped by the vehicle as `boot` says, milliseconds.
+fn log(clock: impl Fn(u32, f64) -> f64, boot: impl Fn(u32) -> u32) -> Log {
+    let mut file = Written::new();
+    for index in 0..300 {
+        let received = 7200.0 + clock(index, 0.2 * f64::from(index));
+        let time = (received * 1e6).round() as u64;
+        let angle = 0.01_f32.to_le_bytes();
+        let stamp = boot(index).to_le_bytes();
+        let fields: [&[u8]; 7] = [&stamp, &angle, &angle, &angle, &[0; 4], &[0; 4], &angle];
+        file = file.version_2(time, 30, &fields);
+        // A receiver's speed has no stamp: VFR_HUD.
+        file = file.version_2(time + 1, 74, &[&angle, &angle, &angle, &angle, &[1; 4]]);
+        if index % 75 == 0 {
+            file = file.words(time + 2, 6, "here", 0, 0);
+        }
+    }
+    testing::read(&INFO, &file.bytes, 1000)
+}
+
+fn times<'a>(log: &'a Log, name: &str) -> &'a [f64] {
+    let name = TopicName {
+        name: name.to_owned(),
+        instance: Some(1),
+    };
+    &log.topic(&name).unwrap().times
+}
+
+fn regular(index: u32) -> u32 {
+    5000 + 200 * index
+}
+
+#[test]
+fn a_clock_set_by_an_hour_or_minutes_leaves_one_flight_with_all_its_rows() {
+    for by in [3600.0, -3600.0, 120.0, -25.0] {
+        let log = log(|i, r| r + if i > 150 { by } else { 0.0 }, regular);
+        for name in ["ATTITUDE", "VFR_HUD"] {
+            let times = times(&log, name);
+            assert_eq!(times.len(), 300, "{by} {name}");
+            for (index, time) in times.iter().enumerate() {
+                let right = 0.2 * index as f64;
+                assert!((time - right).abs() < 1e-3, "{by} {name} {index} {time}");
+            }
+        }
+        let last = log.messages.last().unwrap();
+        assert!((last.time - 45.0).abs() < 1e-3, "{by} {}", last.time);
+        assert_eq!(log.utc_at_zero, Some(1.7e9 + 7200.0));
+        let told = &log.report.remarks[0];
+        assert!(told.contains("the receiver's clock was set"), "{told}");
+    }
+}
+
+#[test]
+fn a_clock_set_forth_and_back_again_leaves_one_flight() {
+    let log = log(
+        |i, r| r + if (60..200).contains(&i) { 3600.0 } else { 0.0 },
+        regular,
+    );
+    let times = times(&log, "VFR_HUD");
+    assert_eq!(times.len(), 300);
+    assert!((times[299] - 59.8).abs() < 1e-3, "{}", times[299]);
+}
+
+#[test]
+fn a_clock_that_was_never_set_before_gives_the_date_behind_it() {
+    let years = 3.0e8;
+    let log = log(|i, r| r + if i > 150 { years } else { 0.0 }, regular);
+    assert!((times(&log, "ATTITUDE")[299] - 59.8).abs() < 1e-3);
+    let utc = log.utc_at_zero.unwrap();
+    assert!((utc - (1.7e9 + 7200.0 + years)).abs() < 1e-2, "{utc}");
+}
+
+#[test]
+fn a_pause_of_both_clocks_is_a_pause_and_a_burst_behind_one_is_no_leap() {
+    let pause = |i: u32| if i > 150 { 600.0 } else { 0.0 };
+    let paused = log(|i, r| r + pause(i), |i| regular(i) + 1000 * pause(i) as u32);
+    assert!((times(&paused, "VFR_HUD")[299] - 659.8).abs() < 1e-3);
+    assert_eq!(paused.report.remarks, Vec::<String>::new());
+    // Thirty seconds come at once.
+    let held = |i: u32, r: f64| {
+        if (60..210).contains(&i) {
+            42.0 + 1e-3 * f64::from(i - 60)
+        } else {
+            r
+        }
+    };
+    let held = log(held, regular);
+    assert!((times(&held, "ATTITUDE")[299] - 59.8).abs() < 1e-3);
+    let remarks = &held.report.remarks;
+    assert!(!remarks.iter().any(|r| r.contains("set")), "{remarks:?}");
+}
+
+#[test]
+fn a_vehicle_that_starts_again_is_still_a_second_start() {
+    let boot = |i: u32| {
+        if i < 150 {
+            regular(i)
+        } else {
+            regular(i - 150)
+        }
+    };
+    // The second counts from zero, or is heard for the first time after minutes.
+    let later = |i: u32| regular(i) + if i < 150 { 0 } else { 200_000 };
+    for boot in [&boot as &dyn Fn(u32) -> u32, &later] {
+        let log = log(|i, r| r + if i >= 150 { 600.0 } else { 0.0 }, boot);
+        assert!((times(&log, "VFR_HUD")[299] - 659.8).abs() < 1e-3);
+    }
+}
