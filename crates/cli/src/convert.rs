@@ -3,10 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use pilotage_core::exchange::{Format, Imported, Places, read_any, write_landmarks, write_places};
+use pilotage_core::exchange::{
+    ExchangeError, Format, Imported, Places, read_any, write_landmarks, write_places,
+};
 use pilotage_core::mission::Route;
 
 use crate::CommandResult;
+use crate::opening::foreign_words;
 
 /// Arguments of `pilotage convert`.
 #[derive(clap::Args)]
@@ -64,7 +67,14 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         )
     })?;
     let bytes = std::fs::read(from).map_err(|e| format!("{}: {e}", from.display()))?;
-    let mut imported = read_any(&from.to_string_lossy(), &bytes, None)?;
+    let mut imported = read_any(&from.to_string_lossy(), &bytes, None).map_err(|error| {
+        // What is of another kind is called by its name.
+        let is = match error {
+            ExchangeError::Unknown { .. } => foreign_words(from),
+            _ => None,
+        };
+        is.unwrap_or_else(|| error.to_string())
+    })?;
     tell(from, &imported.notes);
     let mut notes = Vec::new();
     if let Some(wanted) = &arguments.route {

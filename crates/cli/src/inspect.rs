@@ -71,8 +71,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         match foreign_words(path) {
             Some(is) => is,
             None if !told.is_empty() => format!("{}: {told}", path.display()),
-            None => format!(
+            // What says that it is one of ours is told why it is not read.
+            None if is_ours(&bytes) => format!(
                 "{}: neither a flight log, a flight, a run nor a mission: {e}",
+                path.display()
+            ),
+            None => format!(
+                "{}: of no kind that is known here: neither a flight log, a flight, a run nor a mission",
                 path.display()
             ),
         }
@@ -95,6 +100,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         );
     }
     Ok(())
+}
+
+/// Whether a file says that it was saved here.
+fn is_ours(bytes: &[u8]) -> bool {
+    let head = &bytes[..bytes.len().min(1000)];
+    String::from_utf8_lossy(head).contains("\"pilotage")
 }
 
 fn describe(flight: &Flight) {

@@ -184,8 +184,19 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
         } else {
             format!("it holds {}{more}", some.join(", "))
         };
+        let has_ending = |endings: &[&str]| {
+            let mut all = names.iter();
+            !names.is_empty() && all.all(|name| pilotage_jobs::has_ending(name, endings))
+        };
+        let advice = match () {
+            () if has_ending(&["zip"]) => "; unpack it, and open a zip that was in it",
+            () if has_ending(&["png", "tif", "tiff", "webp", "heic", "jxl"]) => {
+                "; photos with places are read from JPEG: save them so"
+            }
+            () => "",
+        };
         return format!(
-            "no log, no table and no photos with places are among the files, and no flight.json: {held}"
+            "no log, no table and no photos with places are among the files, and no flight.json: {held}{advice}"
         );
     }
     let guessed = guess_tables(files, tables);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::foreign::{Foreign, foreign};
+use pilotage_core::flight::foreign::{Foreign, foreign_file};
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::photo::add_photos;
@@ -32,7 +32,7 @@ pub fn head(source: &dyn ByteSource) -> Option<Vec<u8>> {
 
 /// The kind of a file of another program that is not read, by its first bytes.
 pub fn foreign_kind(source: &dyn ByteSource) -> Option<Foreign> {
-    foreign(&head(source)?, source.length())
+    foreign_file(source)
 }
 
 /// A flight with the pictures that lie beside its log, why it has none of them, and what was assumed of photos or why

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{Cursor, Read, Write};
 use std::sync::Arc;
 
-use zip::ZipArchive;
+use zip::{CompressionMethod, ZipArchive};
 
 use crate::bytes::{ByteSource, MemoryBytes};
 
@@ -62,9 +62,45 @@ pub struct ZipFiles {
 impl ZipFiles {
     /// Opens a zip; the error says in words why it is none.
     pub fn open(bytes: &[u8]) -> Result<Self, String> {
-        ZipArchive::new(Cursor::new(Arc::from(bytes)))
-            .map(|archive| Self { archive })
-            .map_err(|e| format!("not a readable zip file: {e}"))
+        let archive = ZipArchive::new(Cursor::new(Arc::from(bytes))).map_err(|e| {
+            if bytes.starts_with(b"PK\x03\x04") {
+                format!("a zip that is cut off or damaged: copy or download it again ({e})")
+            } else {
+                format!("not a readable zip file: {e}")
+            }
+        })?;
+        let mut files = Self { archive };
+        match files.locked() {
+            Some(cause) => Err(cause.to_owned()),
+            None => Ok(files),
+        }
+    }
+
+    /// Why none of the files can be unpacked, and what to do, if so.
+    fn locked(&mut self) -> Option<&'static str> {
+        let (mut encrypted, mut unknown, mut readable) = (0, 0, 0);
+        for index in 0..self.archive.len() {
+            let Ok(file) = self.archive.by_index_raw(index) else {
+                continue;
+            };
+            let method = file.compression();
+            let is_known = [CompressionMethod::Stored, CompressionMethod::Deflated];
+            match (file.is_dir(), file.encrypted(), is_known.contains(&method)) {
+                (true, ..) => {}
+                (_, true, _) => encrypted += 1,
+                (_, _, false) => unknown += 1,
+                _ => readable += 1,
+            }
+        }
+        match (readable, encrypted, unknown) {
+            (0, 1.., _) => Some(
+                "a zip that is locked by a password: unpack it with that, and open what is in it",
+            ),
+            (0, _, 1..) => Some(
+                "a zip whose files are packed by a method that is not read (not Deflate): unpack it, and open what is in it",
+            ),
+            _ => None,
+        }
     }
 }
 
@@ -116,9 +152,9 @@ impl FileSink for ZipSink {
         let ending = name.rsplit('.').next().unwrap_or("");
         let packed = ["jpg", "jpeg", "png"].contains(&ending);
         let options = zip::write::SimpleFileOptions::default().compression_method(if packed {
-            zip::CompressionMethod::Stored
+            CompressionMethod::Stored
         } else {
-            zip::CompressionMethod::Deflated
+            CompressionMethod::Deflated
         });
         self.writer
             .start_file(name, options)
@@ -281,6 +317,26 @@ mod tests {
         assert_eq!(zip.read("y"), None);
         assert_eq!(zip.names().len(), 2);
         assert!(ZipFiles::open(&bytes[..bytes.len() / 2]).is_err());
+    }
+
+    #[test]
+    fn a_zip_that_cannot_be_unpacked_says_why() {
+        let mut sink = ZipSink::default();
+        sink.write("a.csv", b"a,b\n1,2\n").unwrap();
+        let sound = sink.finish().unwrap();
+        let list = sound.windows(4).rposition(|w| w == b"PK\x01\x02").unwrap();
+        // General purpose bit 0, and method 14 (LZMA): APPNOTE 4.4.4 and 4.4.5.
+        for (flags, method, word) in [(1, 8, "password"), (0, 14, "method")] {
+            let mut bytes = sound.clone();
+            for (flag_at, method_at) in [(6, 8), (list + 8, list + 10)] {
+                bytes[flag_at] |= flags;
+                bytes[method_at] = method;
+            }
+            let error = ZipFiles::open(&bytes).unwrap_err();
+            assert!(error.contains(word), "{error}");
+        }
+        let error = ZipFiles::open(&sound[..sound.len() - 10]).unwrap_err();
+        assert!(error.contains("cut off"), "{error}");
     }
 
     #[test]

@@ -1,0 +1,134 @@
+//! Files that are no flight here, named for what they are by their content, and what to do with them.
+//!
+//! A new kind is a row: of [`signatures`] where bytes at a place tell it, of [`words`] where words of its text do, of
+//! [`archives`] where names within do (zips, databases, old documents of Office, films).
+
+mod archives;
+mod shapes;
+mod signatures;
+mod words;
+
+use pilotage_base::bytes::ByteSource;
+
+use crate::log::HEAD;
+
+/// Kind of a file that is not read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Foreign {
+    /// Name of the kind, with its article: `an encrypted log of PX4`.
+    pub what: &'static str,
+    /// Advice to people, as a sentence without its stop.
+    pub advice: &'static str,
+}
+
+const fn kind(what: &'static str, advice: &'static str) -> Foreign {
+    Foreign { what, advice }
+}
+
+const UNPACK: &str = "unpack it and open what is in it";
+const LOG: &str = "open the log of its flight";
+const FILM: &str =
+    "open it in the page beside the log of its flight; a film alone tells of no flight";
+const PHOTO: &str = "put it into a folder with the other photos of the flight and open that";
+const JPEG: &str = "save it as JPEG and open its folder";
+const TO_MCAP: &str =
+    "make an MCAP of it (`mcap convert in.bag out.mcap`, or `ros2 bag convert`) and open that";
+const TO_CSV: &str = "save its tables as CSV and open those";
+const TO_GEOJSON: &str = "save its layers as GeoJSON (QGIS, `ogr2ogr`), or as GeoTIFF where they are pictures, and open those";
+const CONVERT: &str = "it holds routes or landmarks: `pilotage convert`, or open it in Plan";
+const AGAIN: &str = "copy it again from where it comes from";
+
+/// Bytes of a file's beginning and end in which archives and databases tell what is in them.
+const REACH: u64 = 1 << 16;
+
+/// Kind of a file by its content; `None` where nothing tells. Its name is not asked.
+pub fn foreign_file(source: &dyn ByteSource) -> Option<Foreign> {
+    let length = source.length();
+    let head = source.read(0, (HEAD as u64).min(length) as usize).ok()?;
+    archives::within(&head, source).or_else(|| of_beginning(&head, length))
+}
+
+/// Kind of the file that begins with `head` ([`HEAD`] bytes of it are enough) and has `length` bytes; `None` where nothing
+/// tells. Its name is not asked.
+fn of_beginning(head: &[u8], length: u64) -> Option<Foreign> {
+    if length == 0 {
+        return Some(kind("an empty file", AGAIN));
+    }
+    if head.len() >= 16 && head.iter().all(|byte| *byte == 0) {
+        return Some(kind(
+            "a file of zeros",
+            "its card or its copy was damaged: copy it again",
+        ));
+    }
+    if head.len() >= 16 && head.iter().all(|byte| *byte == 0xff) {
+        return Some(kind(
+            "a file of empty memory (all bytes are 0xFF)",
+            "nothing was written into it: copy it again",
+        ));
+    }
+    signatures::of(head)
+        .or_else(|| shapes::of_bytes(head, length))
+        .or_else(|| {
+            let text = text(head)?;
+            words::of(&text).or_else(|| shapes::of_text(&text))
+        })
+}
+
+/// The beginning of a text, in small letters; `None` of bytes that are none.
+fn text(head: &[u8]) -> Option<String> {
+    if let Some(wide) = pilotage_base::text::of_utf_16(head) {
+        return Some(wide.to_lowercase());
+    }
+    let is_text = !head.contains(&0);
+    is_text.then(|| String::from_utf8_lossy(head).to_lowercase())
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_base::bytes::MemoryBytes;
+
+    use super::*;
+
+    fn what(head: &[u8]) -> &'static str {
+        let source = MemoryBytes::new("a", head);
+        foreign_file(&source).map_or("", |is| is.what)
+    }
+
+    #[test]
+    fn a_file_is_named_for_what_is_in_it() {
+        let with = |at: usize, bytes: &[u8]| [&vec![1; at][..], bytes, &[9; 40]].concat();
+        for (head, words) in [
+            (b"ULogEnc\x01".to_vec(), "encrypted"),
+            (b"#ROSBAG V2.0\n".to_vec(), "ROS 1"),
+            (b"SQLite format 3\0".to_vec(), "SQLite"),
+            (b"RIFF\xf0\0\0\0AVI LIST".to_vec(), "film"),
+            (b"\0\0\0\x18ftypmp42".to_vec(), "film"),
+            (b"\xff\xd8\xff\xe1".to_vec(), "JPEG"),
+            (b"\x1f\x8b\x08".to_vec(), "gzip"),
+            (with(257, b"ustar"), "tar"),
+            (
+                b"H Product:Blackbox flight data recorder by Nicholas Sherlock\n".to_vec(),
+                "blackbox",
+            ),
+            (b"1\n00:00:00,000 --> 00:00:00,033\n".to_vec(), "subtitles"),
+            (b"$GPGGA,1,2\r\n".to_vec(), "NMEA"),
+            (with(16, b"BUILD"), "DJI aircraft"),
+            (b"<!DOCTYPE html>".to_vec(), "web page"),
+            (Vec::new(), "empty"),
+            (vec![0; 64], "zeros"),
+        ] {
+            assert!(what(&head).contains(words), "{words}: {}", what(&head));
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_has_no_name_and_names_nothing_wrongly() {
+        for head in [
+            &b"time,lat,lon\n0,47,8\n"[..],
+            b"{\"pilotage_file\": 2}",
+            b"\x07\x11\x22",
+        ] {
+            assert_eq!(what(head), "");
+        }
+    }
+}

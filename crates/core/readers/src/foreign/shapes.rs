@@ -1,0 +1,365 @@
+//! Files that no fixed bytes or words tell, but the shape of their contents.
+
+use super::words::{MISSION_PLANNER, PARAMETERS};
+use super::{FILM, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
+
+/// Whether bytes or lines have a shape, and what they are then.
+type ShapeOfBytes = (fn(&[u8], u64) -> bool, Foreign);
+type ShapeOfLines = (fn(&[&str]) -> bool, Foreign);
+
+/// Microseconds since 1970 of telemetry logs: 2005 to 2070.
+const STAMPS: std::ops::Range<u64> = 1_104_537_600_000_000..3_155_760_000_000_000;
+
+/// Kind of the file that begins with `head` and has `length` bytes, by its shape.
+pub(super) fn of_bytes(head: &[u8], length: u64) -> Option<Foreign> {
+    let bytes: &[ShapeOfBytes] = &[
+        (
+            is_dji_aircraft,
+            kind("a flight record of a DJI aircraft (FLY….DAT)", DJI),
+        ),
+        (
+            is_dji_app,
+            kind("a flight record of DJI's app (DJIFlightRecord….txt)", DJI),
+        ),
+        (
+            is_mavlink,
+            kind(
+                "MAVLink messages without times (.raw, .rlog)",
+                "open the .tlog that the ground station wrote beside it",
+            ),
+        ),
+        (
+            is_cut_tlog,
+            kind(
+                "a telemetry log (.tlog) that is cut off behind its first time",
+                "copy it again from the ground station, if it is still there",
+            ),
+        ),
+        (is_program, kind("a program of Windows", LOG)),
+        (
+            is_bitmap,
+            kind(
+                "a picture (BMP)",
+                "save it as PNG and open that as a map, with a world file beside it",
+            ),
+        ),
+        (is_stream, kind("a film (MPEG transport stream)", FILM)),
+        (is_dbase, kind("the table of a shapefile (.dbf)", TO_CSV)),
+        (is_drawing, kind("a drawing of AutoCAD (DWG)", TO_GEOJSON)),
+    ];
+    bytes
+        .iter()
+        .find(|(is, _)| is(head, length))
+        .map(|(_, is)| *is)
+}
+
+const DJI: &str =
+    "it is encrypted: make a CSV of it (AirData, or DatCon and TXTlogToCSVtool) and open that";
+
+/// Kind of a text in small letters, by the shape of its lines.
+pub(super) fn of_text(text: &str) -> Option<Foreign> {
+    let texts: &[ShapeOfLines] = &[
+        (
+            are_parameters,
+            kind("parameters of an autopilot (.param, .parm)", PARAMETERS),
+        ),
+        (
+            are_rally_points,
+            kind("rally points of ArduPilot (.ral)", MISSION_PLANNER),
+        ),
+        (
+            are_fence,
+            kind("a fence of ArduPilot (.fen)", MISSION_PLANNER),
+        ),
+        (
+            is_world_file,
+            kind(
+                "the world file of a picture (.pgw, .jgw, .tfw)",
+                "open it together with its picture, as a map",
+            ),
+        ),
+        (
+            are_well_known,
+            kind("places as well-known text", CONVERT_TABLE),
+        ),
+    ];
+    let mut lines: Vec<&str> = text.lines().map(str::trim).collect();
+    if text.len() >= crate::log::HEAD {
+        // The last may be cut off.
+        lines.pop();
+    }
+    lines.retain(|line| !line.is_empty() && !line.starts_with('#'));
+    let found = texts.iter().find(|(is, _)| !lines.is_empty() && is(&lines));
+    found.map(|(_, is)| *is)
+}
+
+const CONVERT_TABLE: &str = "write a line `WKT` above it, call it .csv, and open it in Plan";
+
+fn has(head: &[u8], at: usize, bytes: &[u8]) -> bool {
+    head.get(at..).is_some_and(|rest| rest.starts_with(bytes))
+}
+
+fn is_dji_aircraft(head: &[u8], _: u64) -> bool {
+    let is_binary = head.iter().any(|byte| *byte < 9);
+    is_binary && (has(head, 0, b"BUILD") || has(head, 16, b"BUILD"))
+        || has(head, 242, b"DJI_LOG_V3")
+}
+
+/// Its first eight bytes say where the details stand, and its eleventh is a version.
+fn is_dji_app(head: &[u8], length: u64) -> bool {
+    let details = head.first_chunk().map(|bytes| u64::from_le_bytes(*bytes));
+    let version = head.get(10);
+    details.is_some_and(|at| (12..=length).contains(&at))
+        && version.is_some_and(|version| (1..=20).contains(version))
+}
+
+fn is_mavlink(head: &[u8], _: u64) -> bool {
+    let next =
+        |length: u8, around: usize, mark: u8| head.get(usize::from(length) + around) == Some(&mark);
+    match head {
+        [0xfe, length, ..] => next(*length, 8, 0xfe),
+        [0xfd, length, 0, ..] => next(*length, 12, 0xfd),
+        _ => false,
+    }
+}
+
+fn is_cut_tlog(head: &[u8], _: u64) -> bool {
+    let time = head.first_chunk().map(|bytes| u64::from_be_bytes(*bytes));
+    let is_begun = matches!(head.get(8), Some(0xfe | 0xfd));
+    time.is_some_and(|time| STAMPS.contains(&time)) && is_begun && head.len() < 300
+}
+
+/// The old header says where the new one stands.
+fn is_program(head: &[u8], _: u64) -> bool {
+    has(head, 0, b"MZ") && head.len() >= 64 && head[..64].contains(&0)
+}
+
+fn is_bitmap(head: &[u8], length: u64) -> bool {
+    let size = head.get(2..6).and_then(|bytes| bytes.first_chunk());
+    let size = size.map(|bytes| u64::from(u32::from_le_bytes(*bytes)));
+    let is_size = size == Some(length) || has(head, 14, &[40, 0, 0, 0]) || size == Some(0);
+    has(head, 0, b"BM") && has(head, 6, &[0; 4]) && is_size
+}
+
+/// Packets of 188 bytes, or of 192 with their times.
+fn is_stream(head: &[u8], length: u64) -> bool {
+    let is_of = |first: usize, step: usize| {
+        let marks: Vec<_> = head.iter().skip(first).step_by(step).collect();
+        marks.len() >= 2 && marks.iter().all(|mark| **mark == 0x47)
+    };
+    length >= 376 && (is_of(0, 188) || is_of(4, 192))
+}
+
+fn is_dbase(head: &[u8], length: u64) -> bool {
+    let [
+        3 | 0x30 | 0x83 | 0x8b,
+        _,
+        month,
+        day,
+        _,
+        _,
+        _,
+        _,
+        low,
+        high,
+        ..,
+    ] = head
+    else {
+        return false;
+    };
+    let header = u64::from(*low) + 256 * u64::from(*high);
+    let is_header = header >= 33 && header <= length && (header % 32 == 1 || header % 32 == 0);
+    let is_empty_here = head
+        .get(12..28)
+        .is_some_and(|rest| rest.iter().all(|b| *b == 0));
+    (1..=12).contains(month) && (1..=31).contains(day) && is_header && is_empty_here
+}
+
+fn is_drawing(head: &[u8], _: u64) -> bool {
+    has(head, 0, b"AC10")
+        && head
+            .get(4..6)
+            .is_some_and(|v| v.iter().all(u8::is_ascii_digit))
+        && head.contains(&0)
+}
+
+/// The numbers of a line, if it has nothing else.
+fn numbers(line: &str, is_seam: fn(char) -> bool) -> Option<Vec<f64>> {
+    let words = line.split(is_seam).filter(|word| !word.is_empty());
+    words.map(|word| word.parse().ok()).collect()
+}
+
+/// Lines of a name of an autopilot's parameter and its number, alone or behind system and component.
+fn are_parameters(lines: &[&str]) -> bool {
+    let is_parameter = |line: &&str| {
+        let words: Vec<&str> = line
+            .split([',', ' ', '\t', '=', ':'])
+            .filter(|word| !word.is_empty())
+            .collect();
+        let (name, value) = match words[..] {
+            [name, value] | [name, value, _] if name.starts_with(char::is_alphabetic) => {
+                (name, value)
+            }
+            [system, component, name, value, kind]
+                if [system, component, kind]
+                    .iter()
+                    .all(|n| n.parse::<u32>().is_ok()) =>
+            {
+                (name, value)
+            }
+            _ => return false,
+        };
+        let is_name = (2..=16).contains(&name.len())
+            && name.starts_with(|c: char| c.is_ascii_lowercase())
+            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        is_name && value.parse::<f64>().is_ok()
+    };
+    let with_seam = lines.iter().filter(|line| line.contains('_')).count();
+    let count = lines.iter().filter(|line| is_parameter(line)).count();
+    lines.len() >= 2 && count == lines.len() && 2 * with_seam >= count
+}
+
+fn are_rally_points(lines: &[&str]) -> bool {
+    lines.iter().all(|line| {
+        let rest = line.strip_prefix("rally");
+        rest.and_then(|rest| numbers(rest, char::is_whitespace))
+            .is_some_and(|numbers| (3..=6).contains(&numbers.len()))
+    })
+}
+
+/// Latitude and longitude a line, the first of which is where to return to; the ring of the others is closed.
+fn are_fence(lines: &[&str]) -> bool {
+    let places = lines.iter().map(|line| {
+        let pair = numbers(line, char::is_whitespace)?;
+        let is_place = pair.len() == 2 && pair[0].abs() <= 90.0 && pair[1].abs() <= 180.0;
+        is_place.then_some(pair)
+    });
+    let places: Option<Vec<Vec<f64>>> = places.collect();
+    places.is_some_and(|places| places.len() >= 5 && places.last() == places.get(1))
+}
+
+/// Six numbers: two steps along each axis, of which that of rows mostly goes down, and a place.
+fn is_world_file(lines: &[&str]) -> bool {
+    let numbers: Option<Vec<f64>> = lines.iter().map(|line| line.parse().ok()).collect();
+    numbers.is_some_and(|n| n.len() == 6 && n[0] > 0.0 && n[3] < 0.0 && n[1].abs() <= n[0].abs())
+}
+
+fn are_well_known(lines: &[&str]) -> bool {
+    let tags = [
+        "point",
+        "linestring",
+        "polygon",
+        "multi",
+        "geometrycollection",
+    ];
+    lines.iter().all(|line| {
+        let is_tag = tags.iter().any(|tag| line.starts_with(tag));
+        let inside = line
+            .split_once('(')
+            .map(|(_, rest)| rest.trim_start_matches(['(', ' ']));
+        let is_number = |rest: &str| rest.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+        is_tag && line.ends_with(')') && inside.is_some_and(is_number)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_base::bytes::MemoryBytes;
+
+    use super::super::foreign_file;
+
+    fn what(head: &[u8]) -> &'static str {
+        let source = MemoryBytes::new("a", head);
+        foreign_file(&source).map_or("", |is| is.what)
+    }
+
+    #[test]
+    fn texts_are_named_by_the_shape_of_their_lines() {
+        for (text, words) in [
+            ("#NOTE: x\nACRO_LOCKING,0\nAHRS_EKF_TYPE,3\n", "parameters"),
+            (
+                "ACRO_BAL_PITCH   1.000000\nAHRS_EKF_TYPE    3\n",
+                "parameters",
+            ),
+            (
+                "# Onboard parameters for Vehicle 1\n#\n1\t1\tBAT_A_PER_V\t36.36\t9\n",
+                "parameters",
+            ),
+            (
+                "# no head\n1\t1\tBAT_A_PER_V\t36.36\t9\n1\t1\tBAT_N_CELLS\t4\t6\n",
+                "parameters",
+            ),
+            ("#saved by APM Planner 1.3\n47.0 8.0\n47.1 8.0\n", "fence"),
+            (
+                "-35.36 149.16\n-35.35 149.16\n-35.35 149.15\n-35.37 149.15\n-35.35 149.16\n",
+                "fence",
+            ),
+            ("RALLY\t-35.36\t149.16\t100\t40\t0\t0\n", "rally"),
+            ("RALLY -35.36 149.16 100 40 0 0\n", "rally"),
+            ("0.5\n0\n0\n-0.5\n2600000\n1200000\n", "world file"),
+            ("ncols 4\nnrows 4\nxllcorner 8\n", "grid of heights"),
+            ("<?xml version=\"1.0\"?>\n<TrainingCenterDatabase/>", "TCX"),
+            ("<mission><MISSIONITEM no=\"1\"/></mission>", "INAV"),
+            ("{ \"type\" : \"Topology\" }", "TopoJSON"),
+            (
+                "{\"displayFieldName\":\"\",\"geometryType\":\"esriGeometryPoint\"}",
+                "ArcGIS",
+            ),
+            ("GEOGCS[\"GCS_WGS_1984\",DATUM[]]", "reference system"),
+            ("\n\nH Product:Blackbox flight data recorder\n", "blackbox"),
+            (
+                "\n\n [1] 1 1 \n\nArduCopter V2.9.1\nFree RAM: 1000\n",
+                "before 2013",
+            ),
+            ("POINT (8 47)\nPOINT (8 48)\n", "well-known text"),
+        ] {
+            assert!(
+                what(text.as_bytes()).contains(words),
+                "{text}: {}",
+                what(text.as_bytes())
+            );
+        }
+    }
+
+    #[test]
+    fn texts_and_bytes_that_are_something_else_get_no_name() {
+        let noise: Vec<u8> = (0..4000_u32)
+            .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
+            .collect();
+        for bytes in [
+            &b"hello world\nthis is a text\n"[..],
+            b"a: 1\nb: 2\n",
+            b"Rally the troops\n",
+            b"BUILD=release\nHOST=x\n",
+            b"MZ,1,2\nMA,2,3\n",
+            b"BM 12 is a road\n",
+            b"points of view (many)\n",
+            b"47.0 8.0\n47.1 8.0\n",
+            b"speed 3\nheight 4\n",
+            &noise,
+        ] {
+            assert_eq!(
+                what(bytes),
+                "",
+                "{}",
+                String::from_utf8_lossy(&bytes[..bytes.len().min(30)])
+            );
+        }
+    }
+
+    #[test]
+    fn bytes_without_a_fixed_mark_are_named_by_their_shape() {
+        let tlog = [&1_700_000_000_000_000_u64.to_be_bytes()[..], b"\xfe\x09\0"].concat();
+        assert!(what(&tlog).contains(".tlog"));
+        let stream = [&b"G@\0\x10"[..], &[0xff; 184]].concat().repeat(3);
+        assert!(what(&stream).contains("transport stream"));
+        let mut dbase = vec![3, 124, 5, 1, 2, 0, 0, 0, 65, 0, 20, 0];
+        dbase.resize(105, 0);
+        assert!(what(&dbase).contains(".dbf"));
+        let bitmap = [&b"BM"[..], &54_u32.to_le_bytes(), &[0; 48]].concat();
+        assert!(what(&bitmap).contains("BMP"));
+        assert!(what(b"BUILD\0\0\0\x55\x34\0").contains("DJI aircraft"));
+        assert!(what(&[0xff; 500]).contains("empty memory"));
+        assert!(what(b"ULog\x01\x12").contains("cut off"));
+    }
+}

@@ -1,0 +1,89 @@
+//! Words near the beginning of a text that tell what it is, one kind a line.
+
+use super::{CONVERT, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
+
+const NMEA: &str = "no two places could be read in them: they need GGA or RMC with a fix";
+const PAGE: &str = "what was downloaded is a page about the file, not the file: download it again";
+pub(super) const PARAMETERS: &str =
+    "settings tell of no flight: open its log, in which they stand as well";
+pub(super) const MISSION_PLANNER: &str = "load it in Mission Planner or QGroundControl, save the mission with it (.plan, .waypoints) and open that";
+
+const fn word(
+    word: &'static str,
+    what: &'static str,
+    advice: &'static str,
+) -> (&'static str, Foreign) {
+    (word, kind(what, advice))
+}
+
+/// Words in small letters, in the order in which they are tried; a line break before one says that a line begins so.
+#[rustfmt::skip]
+const WORDS: &[(&str, Foreign)] = &[
+    word(" --> ", "the subtitles of a film, as DJI writes them beside it (.SRT)", "no place and time could be read in it"),
+    word("rinex version", "observations of a satellite receiver (RINEX)", "compute positions of them (RTKLIB) and open those as CSV"),
+    word("\n$gp", "sentences of a satellite receiver (NMEA)", NMEA),
+    word("\n$gn", "sentences of a satellite receiver (NMEA)", NMEA),
+    word("\nhfdte", "a glider's flight record (IGC)", "make a GPX or CSV of it (gpsbabel -i igc) and open that"),
+    word("\nh product:blackbox", "a blackbox log of Betaflight, INAV or Cleanflight", "make a table of it (`blackbox_decode file`) and open the CSV"),
+    word("\n# betaflight /", "settings of Betaflight (a dump of its terminal)", PARAMETERS),
+    word("\n# inav/", "settings of INAV (a dump of its terminal)", PARAMETERS),
+    word("\n# inav /", "settings of INAV (a dump of its terminal)", PARAMETERS),
+    word("\n# onboard parameters", "parameters of an autopilot, as QGroundControl saves them (.params)", PARAMETERS),
+    word("\n# vehicle-id component-id name value type", "parameters of an autopilot, as QGroundControl saves them (.params)", PARAMETERS),
+    word("\narducopter v2", "a text log of ArduPilot from before 2013, whose lines nothing in it explains", "open it in a Mission Planner of that time, save it as GPX or KML, and open that"),
+    word("\narduplane v2", "a text log of ArduPilot from before 2013, whose lines nothing in it explains", "open it in a Mission Planner of that time, save it as GPX or KML, and open that"),
+    word("\nrally\t", "rally points of ArduPilot (.ral)", MISSION_PLANNER),
+    word("\n#saved by apm planner", "a fence of ArduPilot, as Mission Planner saves it (.fen)", MISSION_PLANNER),
+    word("\noziexplorer ", "places or tracks of OziExplorer", "make a GPX of it (gpsbabel -i ozi) and open that"),
+    word("\nncols ", "a grid of heights as text (Esri ASCII, .asc)", "make a GeoTIFF of it (`gdal_translate`) and open that"),
+    word("\ngeogcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
+    word("\nprojcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
+    word("\nmtllib ", "a model (OBJ)", "models are not read: save their picture from above as GeoTIFF, and open that as a map"),
+    word("<missionitem", "a mission of INAV or Multiwii (.mission, XML)", "save it in QGroundControl or Mission Planner as .plan or .waypoints, or its places as CSV, and open that"),
+    word("<trainingcenterdatabase", "an activity of Garmin (TCX)", "make a GPX or CSV of it (gpsbabel -i gtrnctr) and open that"),
+    word("<gpx", "a GPX file", CONVERT),
+    word("<kml", "a KML file", CONVERT),
+    word("<osm ", "a road map of OpenStreetMap", "import it: `pilotage roads import`"),
+    word("<qgis", "a project or style of QGIS", TO_GEOJSON),
+    word("<!doctype plist", "a list of settings of macOS (plist)", LOG),
+    word("<!doctype html", "a web page", PAGE),
+    word("<html", "a web page", PAGE),
+    word("<svg", "a drawing (SVG)", "save it as PNG and open that as a map, with a world file beside it"),
+    word("<vrtdataset", "a map made of others (GDAL's VRT)", "make a GeoTIFF of it (`gdal_translate`) and open that"),
+    word("<gml", "features of GML", TO_GEOJSON),
+    word("<wfs:featurecollection", "features of GML", TO_GEOJSON),
+    word("\nbegin:vcalendar", "a calendar", LOG),
+    word("\nbegin:vcard", "addresses", LOG),
+];
+
+/// Members of JSON without blanks, in small letters.
+#[rustfmt::skip]
+const MEMBERS: &[(&str, Foreign)] = &[
+    word("\"type\":\"topology\"", "TopoJSON", "save it as GeoJSON (mapshaper, `topo2geo`) and open that"),
+    word("\"geometrytype\":\"esri", "the JSON of ArcGIS", "ask for f=geojson, or save it as GeoJSON (`ogr2ogr`), and open that"),
+    word("\"filetype\":\"plan\"", "a plan of QGroundControl", CONVERT),
+    word("\"filetype\":\"mission\"", "an old mission of QGroundControl", CONVERT),
+    word("\"mav_autopilot\"", "an old mission of QGroundControl", CONVERT),
+    word("\"type\":\"featurecollection\"", "GeoJSON", CONVERT),
+    word("\"cells\":[", "a notebook of Jupyter", TO_CSV),
+    word("\"asset\":{\"", "a model (glTF)", "models are not read: save their picture from above as GeoTIFF, and open that as a map"),
+];
+
+/// Kind of a text in small letters.
+pub(super) fn of(text: &str) -> Option<Foreign> {
+    let text = text.trim_start_matches('\u{feff}');
+    let is_there = |word: &str| match word.strip_prefix('\n') {
+        Some(begin) => text.lines().any(|line| {
+            line.trim_start_matches(['\u{feff}', ' '])
+                .starts_with(begin)
+        }),
+        None => text.contains(word),
+    };
+    let found = WORDS.iter().find(|(word, _)| is_there(word));
+    if found.is_some() || !text.trim_start().starts_with('{') {
+        return found.map(|(_, is)| *is);
+    }
+    let bare: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let found = MEMBERS.iter().find(|(member, _)| bare.contains(member));
+    found.map(|(_, is)| *is)
+}
