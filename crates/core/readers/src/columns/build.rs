@@ -10,7 +10,8 @@ use super::body_velocity::{has_body_velocity, turn};
 use super::groups::quaternion_roles;
 use super::rows::pair;
 use super::together::common_name;
-use super::{ColumnMap, ColumnRole, MappedColumn, pictures, time};
+use super::{ColumnMap, ColumnRole, MappedColumn, parts, pictures, time};
+use crate::cells::{Moment, date_and_time};
 use crate::folder::{
     ChannelFile, CsvTable, FlightFile, FlightFolder, FolderError, StartFile, TimeColumn,
     TimeFormat, VERSION, ValueColumn, read_tables,
@@ -55,30 +56,7 @@ pub fn flight_of_tables(
     let mut channels = Vec::new();
     let mut start_of_time = f64::INFINITY;
     for map in maps {
-        if let Some(cause) = map.lacks() {
-            return Err(FolderError::File {
-                file: map.file.clone(),
-                cause,
-            });
-        }
-        let bytes = files.read(&map.file).ok_or_else(|| FolderError::Missing {
-            file: map.file.clone(),
-            wanted_by: "its column map".to_owned(),
-        })?;
-        let names = map
-            .columns
-            .iter()
-            .map(|column| column.name.clone())
-            .collect();
-        let mut table = CsvTable::shaped(&map.file, &bytes, &map.shape, names)?;
-        let time = time_column(map);
-        if let Some(rate) = map
-            .rows_per_second
-            .filter(|_| map.column(ColumnRole::Time).is_none())
-        {
-            table.number_rows(ROW_TIME, 1.0 / rate);
-        }
-        derive(map, &mut table)?;
+        let (mut table, time) = table_of(files.as_ref(), map)?;
         let dropped = table.keep_rows_in_time(&time);
         if dropped > 0 {
             notes.push(format!(
@@ -102,6 +80,7 @@ pub fn flight_of_tables(
             channel.time.offset_s = -start_of_time;
         }
     }
+    let dated = date_at_zero(maps, &tables, &channels);
     let first = first_place(maps, &tables, &channels);
     let is_placed = channels
         .iter()
@@ -137,6 +116,7 @@ pub fn flight_of_tables(
         truth: None,
     };
     let mut folder = read_tables(Arc::clone(files), &layout, tables)?;
+    folder.date(dated);
     if maps.iter().any(has_body_velocity) {
         notes.extend(turn(&mut folder.flight));
     }
@@ -151,6 +131,65 @@ pub fn flight_of_tables(
     Ok(folder)
 }
 
+/// The table of a map with what only several columns say, and its column of times.
+fn table_of(files: &dyn FileSet, map: &ColumnMap) -> Result<(CsvTable, TimeColumn), FolderError> {
+    if let Some(cause) = map.lacks() {
+        return Err(FolderError::File {
+            file: map.file.clone(),
+            cause,
+        });
+    }
+    let bytes = files.read(&map.file).ok_or_else(|| FolderError::Missing {
+        file: map.file.clone(),
+        wanted_by: "its column map".to_owned(),
+    })?;
+    let names = map
+        .columns
+        .iter()
+        .map(|column| column.name.clone())
+        .collect();
+    let mut table = CsvTable::shaped(&map.file, &bytes, &map.shape, names)?;
+    let time = time_column(map);
+    if let Some(rate) = map
+        .rows_per_second
+        .filter(|_| map.column(ColumnRole::Time).is_none())
+    {
+        table.number_rows(ROW_TIME, 1.0 / rate);
+    }
+    derive(map, &mut table)?;
+    Ok((table, time))
+}
+
+/// Universal time at second zero of the tables' clocks, seconds since 1970, where one has dates beside its clock.
+fn date_at_zero(
+    maps: &[ColumnMap],
+    tables: &BTreeMap<String, Arc<CsvTable>>,
+    channels: &[ChannelFile],
+) -> Option<f64> {
+    let shift = channels.first()?.time.offset_s;
+    let is_dated = |channel: &ChannelFile| channel.time.format.is_absolute();
+    if channels.iter().any(is_dated) {
+        return None;
+    }
+    maps.iter().find_map(|map| {
+        let dates = map.column(ColumnRole::Date)?;
+        let table = tables.get(&map.file)?;
+        let times = table.times(&time_column(map), None).ok()?;
+        let times: Vec<Option<f64>> = times.into_iter().map(Some).collect();
+        let date = |text: &str| match date_and_time(text)? {
+            Moment::Absolute(whole, fraction) => Some(whole as f64 + fraction),
+            Moment::Relative(_) => None,
+        };
+        let dates: Vec<Option<f64>> = table
+            .texts(&dates.name)
+            .ok()?
+            .into_iter()
+            .map(date)
+            .collect();
+        Some(parts::date_at_zero(&times, &dates)? - shift)
+    })
+}
+
 /// Adds columns of what only several columns together say: attitude out of a quaternion, the wind's velocity out of
 /// strength and direction. All are in SI and radians.
 fn derive(map: &ColumnMap, table: &mut CsvTable) -> Result<(), FolderError> {
@@ -160,24 +199,57 @@ fn derive(map: &ColumnMap, table: &mut CsvTable) -> Result<(), FolderError> {
         table.add_numbers(PLACE[0], places.iter().map(|place| Some((*place)?.0)));
         table.add_numbers(PLACE[1], places.iter().map(|place| Some((*place)?.1)));
     }
-    if let Some((whole, rest)) = map
-        .column(ColumnRole::Time)
-        .zip(map.column(ColumnRole::TimeRest))
-    {
-        let number = crate::cells::Dimension::Number;
-        let read = |column: &MappedColumn| {
-            let plain = MappedColumn {
-                unit: String::new(),
-                ..column.clone()
-            };
-            table.values(&value(&plain), number)
+    let numbers = |column: &MappedColumn| {
+        let plain = MappedColumn {
+            unit: String::new(),
+            scale: 1.0,
+            ..column.clone()
         };
-        let (whole_values, rest_values) = (read(whole)?, read(rest)?);
-        let seconds = (time::seconds(&whole.unit), time::seconds(&rest.unit));
-        let pairs = whole_values.iter().zip(&rest_values);
-        let times = pairs.map(|(whole, rest)| Some((*whole)? * seconds.0 + (*rest)? * seconds.1));
-        let times: Vec<Option<f64>> = times.collect();
-        table.add_numbers(ROW_TIME, times);
+        table.values(&value(&plain), crate::cells::Dimension::Number)
+    };
+    let rests = |role| map.columns.iter().filter(move |column| column.role == role);
+    let mut added: Vec<(&str, Vec<Option<f64>>)> = Vec::new();
+    if let Some(whole) = map.column(ColumnRole::Time)
+        && rests(ColumnRole::TimeRest).next().is_some()
+    {
+        let mut all = vec![(whole.unit.as_str(), numbers(whole)?)];
+        for rest in rests(ColumnRole::TimeRest) {
+            all.push((rest.unit.as_str(), numbers(rest)?));
+        }
+        let mut times = parts::seconds(&all, table.len());
+        // A date is told for that of universal time only where its columns say so.
+        let mut names = map.columns.iter().map(|column| column.name.to_lowercase());
+        let is_universal = names.any(|name| name.contains("utc") || name.contains("gmt"));
+        if all.iter().any(|(unit, _)| *unit == "years") && !is_universal {
+            let first = times.iter().flatten().next().copied().unwrap_or(0.0);
+            let day = (first / 86_400.0).floor() * 86_400.0;
+            times.iter_mut().flatten().for_each(|time| *time -= day);
+        }
+        added.push((ROW_TIME, times));
+    }
+    for (role, name) in [
+        (ColumnRole::Latitude, PLACE[0]),
+        (ColumnRole::Longitude, PLACE[1]),
+    ] {
+        let Some(whole) = map.column(role).filter(|_| has_parts(map, role)) else {
+            continue;
+        };
+        let mut degrees = numbers(whole)?;
+        for (unit, _, per_degree) in parts::ANGLES.iter().filter(|(_, of, _)| *of == role) {
+            let Some(rest) = rests(ColumnRole::AngleRest).find(|column| column.unit == *unit)
+            else {
+                continue;
+            };
+            let pairs = degrees.iter().zip(numbers(rest)?);
+            degrees = pairs
+                .map(|(whole, rest)| Some(parts::angle((*whole)?, rest? / per_degree)))
+                .collect();
+        }
+        let turned = degrees.into_iter().map(|angle| Some(angle? * whole.scale));
+        added.push((name, turned.collect()));
+    }
+    for (name, numbers) in added {
+        table.add_numbers(name, numbers);
     }
     for is_ros in [false, true] {
         let parts = quaternion_roles(is_ros).map(|role| map.column(role));
@@ -215,6 +287,16 @@ fn derive(map: &ColumnMap, table: &mut CsvTable) -> Result<(), FolderError> {
         table.add_numbers(WIND[1].1, east);
     }
     Ok(())
+}
+
+/// Whether a latitude or longitude has minutes in a column of their own.
+fn has_parts(map: &ColumnMap, role: ColumnRole) -> bool {
+    let units = parts::ANGLES.iter().filter(|(_, of, _)| *of == role);
+    let is_part = |column: &MappedColumn| {
+        let mut units = units.clone();
+        column.role == ColumnRole::AngleRest && units.any(|(unit, ..)| column.unit == *unit)
+    };
+    map.columns.iter().any(is_part)
 }
 
 /// Channels that are made of what [`derive`] adds, with the names of the columns.
@@ -271,9 +353,21 @@ fn of_map(map: &ColumnMap, time: &TimeColumn) -> Vec<ChannelFile> {
     };
     let role = |role: ColumnRole| map.column(role).map(value);
     let mut channels = Vec::new();
-    if let (Some(latitude), Some(longitude)) =
-        (role(ColumnRole::Latitude), role(ColumnRole::Longitude))
-    {
+    let place = |of: ColumnRole, column: &str| {
+        if !has_parts(map, of) {
+            return role(of);
+        }
+        map.column(of).map(|_| ValueColumn {
+            column: column.to_owned(),
+            unit: Some("deg".to_owned()),
+            scale: 1.0,
+            offset: 0.0,
+        })
+    };
+    if let (Some(latitude), Some(longitude)) = (
+        place(ColumnRole::Latitude, PLACE[0]),
+        place(ColumnRole::Longitude, PLACE[1]),
+    ) {
         channels.push(ChannelFile {
             latitude: Some(latitude),
             longitude: Some(longitude),

@@ -2,15 +2,15 @@
 
 use super::bodies::of_one_body;
 use super::groups::{ColumnGroup, GroupQuantity, context, groups, quaternion_roles, telling};
-use super::header::{NameParts, parts};
+use super::header::{NameParts, parts as parts_of_name};
 use super::names::{NameGuess, is_otherwise, meanings};
 use super::physics::{self, Hint, TableEvidence};
 use super::rows::EvenRows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
-use super::several::{degrees_and_minutes, hemispheres, parts_of_place, parts_of_time, places};
+use super::several::{degrees_and_minutes, hemispheres, parts_of_time, places};
 use super::values::{UnitGuess, are_degrees, unit};
-use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long};
+use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, parts};
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
 use pilotage_base::sorting::sort;
@@ -45,7 +45,7 @@ pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
     let guess = guess_with_samples(file, bytes, true)?;
     let mut maps = [guess.map];
     let wanted = wanted(&maps[0], &guess.groups, &[]);
-    let rows = EvenRows::of(bytes, &maps[0].shape, &wanted);
+    let rows = EvenRows::of(bytes, &maps[0].shape, &wanted).with_parts(&maps[0]);
     let evidence = [TableEvidence {
         rows,
         hints: guess.hints,
@@ -157,7 +157,7 @@ pub(crate) fn guess_time(samples: &[ColumnSample], share: f64) -> Option<TimeGue
 pub(super) fn times(samples: &[ColumnSample], share: f64) -> Vec<TimeGuess> {
     let has_names = samples.iter().any(|sample| !sample.name.starts_with('#'));
     let candidate = |(column, sample): (usize, &ColumnSample)| {
-        let parts = parts(&sample.name, &sample.unit);
+        let parts = parts_of_name(&sample.name, &sample.unit);
         let named = meanings(&parts.words)
             .into_iter()
             .chain(meanings(parts.plain_words()));
@@ -211,7 +211,10 @@ fn guess_columns(
     share: f64,
 ) -> (Vec<MappedColumn>, Vec<Hint>, Vec<ColumnGroup>, Vec<String>) {
     let time = guess_time(samples, share);
-    let names: Vec<NameParts> = samples.iter().map(|s| parts(&s.name, &s.unit)).collect();
+    let names: Vec<NameParts> = samples
+        .iter()
+        .map(|s| parts_of_name(&s.name, &s.unit))
+        .collect();
     let is_numeric: Vec<bool> = samples.iter().map(ColumnSample::is_numeric).collect();
     let groups = groups(file, &names, &is_numeric);
     let mut guesses: Vec<Vec<NameGuess>> = names.iter().map(|p| by_name(file, p)).collect();
@@ -263,12 +266,28 @@ fn guess_columns(
         }
     }
     let told: Vec<String> = of_one_body(&mut columns).into_iter().collect();
-    parts_of_place(samples, &mut columns);
+    parts::angles(samples, &mut columns);
     degrees_and_minutes(samples, &mut columns);
     hemispheres(samples, &mut columns);
     places(samples, &mut columns);
-    parts_of_time(samples, &mut columns);
+    if !parts::calendar(samples, &mut columns) {
+        parts_of_time(samples, &mut columns);
+    }
+    parts::date(samples, &mut columns);
     settle(&mut columns);
+    // What is put together of several columns has the unit of its parts.
+    let has = |columns: &[MappedColumn], role| columns.iter().any(|column| column.role == role);
+    for (whole, rest) in [
+        (ColumnRole::Time, ColumnRole::TimeRest),
+        (ColumnRole::Latitude, ColumnRole::AngleRest),
+        (ColumnRole::Longitude, ColumnRole::AngleRest),
+    ] {
+        if has(&columns, rest) {
+            let wholes = columns.iter().zip(&mut hints);
+            let wholes = wholes.filter(|(column, _)| column.role == whole);
+            wholes.for_each(|(_, hint)| hint.is_stated = true);
+        }
+    }
     (columns, hints, groups, told)
 }
 

@@ -23,6 +23,10 @@ pub enum ColumnRole {
     Course,
     /// Part that is added to the time, where seconds and parts of them stand in two columns.
     TimeRest,
+    /// Part that is added to the degrees of latitude or longitude, where they stand in several columns.
+    AngleRest,
+    /// Date and time of the row in universal time, where the time is counted from elsewhere.
+    Date,
     /// Latitude and longitude in one cell.
     Place,
     /// Strength of the wind.
@@ -113,6 +117,8 @@ impl ColumnRole {
             Self::Course,
             Self::Place,
             Self::TimeRest,
+            Self::AngleRest,
+            Self::Date,
             Self::WindSpeed,
             Self::WindFrom,
         ];
@@ -136,6 +142,8 @@ impl ColumnRole {
             Self::Course => "course over ground".to_owned(),
             Self::Place => "latitude and longitude".to_owned(),
             Self::TimeRest => "part of the time".to_owned(),
+            Self::AngleRest => "part of the latitude or longitude".to_owned(),
+            Self::Date => "date of the row".to_owned(),
             Self::WindSpeed => "wind speed".to_owned(),
             Self::WindFrom => "wind from".to_owned(),
             Self::Quaternion(part) => format!("attitude quaternion {}", part.letter()),
@@ -155,6 +163,8 @@ impl ColumnRole {
             Self::Nothing
             | Self::Time
             | Self::TimeRest
+            | Self::AngleRest
+            | Self::Date
             | Self::Quaternion(_)
             | Self::RosQuaternion(_) => None,
             Self::Latitude | Self::Longitude | Self::Place | Self::Course | Self::WindFrom => {
@@ -171,7 +181,13 @@ impl ColumnRole {
     pub fn units(self) -> Vec<&'static str> {
         match self {
             Self::Nothing => Vec::new(),
-            Self::Time | Self::TimeRest => super::time::UNITS.to_vec(),
+            Self::Time => super::time::UNITS.to_vec(),
+            Self::TimeRest => {
+                let parts = super::parts::calendar_units();
+                super::time::UNITS.into_iter().chain(parts).collect()
+            }
+            Self::AngleRest => super::parts::ANGLES.map(|(unit, ..)| unit).to_vec(),
+            Self::Date => vec![super::time::DATE],
             role => {
                 let dimension = role.quantity().map(crate::cells::Dimension::from);
                 dimension.map_or_else(Vec::new, crate::cells::Dimension::names)
@@ -253,7 +269,11 @@ impl ColumnMap {
                 .iter()
                 .filter(|other| other.role == column.role)
                 .count();
-            column.role != ColumnRole::Nothing && same > 1
+            let may_be_several = matches!(
+                column.role,
+                ColumnRole::Nothing | ColumnRole::TimeRest | ColumnRole::AngleRest
+            );
+            !may_be_several && same > 1
         });
         if let Some(column) = twice {
             return Some(format!("two columns are {}", column.role.label()));
@@ -302,7 +322,11 @@ impl ColumnMap {
         let is_used = |column: &&MappedColumn| {
             !matches!(
                 column.role,
-                ColumnRole::Nothing | ColumnRole::Time | ColumnRole::TimeRest
+                ColumnRole::Nothing
+                    | ColumnRole::Time
+                    | ColumnRole::TimeRest
+                    | ColumnRole::AngleRest
+                    | ColumnRole::Date
             )
         };
         if self.columns.iter().find(is_used).is_none() {

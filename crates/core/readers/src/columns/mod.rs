@@ -19,6 +19,9 @@ mod logger_tests;
 mod long;
 mod map;
 mod names;
+mod parts;
+#[cfg(test)]
+mod parts_tests;
 mod physics;
 mod pictures;
 mod preview;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{ColumnMap, ColumnRole, TableShape, time};
+use super::{ColumnMap, ColumnRole, MappedColumn, TableShape, parts, time};
 use crate::cells::{Moment, date_and_time};
 use crate::folder::decoded_table;
 use pilotage_base::place_text::two_numbers;
@@ -75,6 +75,24 @@ impl EvenRows {
         Self { columns, places }
     }
 
+    /// The same with the degrees of latitudes and longitudes put together of their parts.
+    pub fn with_parts(mut self, map: &ColumnMap) -> Self {
+        for (unit, role, per_degree) in parts::ANGLES {
+            let find = |is_it: &dyn Fn(&MappedColumn) -> bool| map.columns.iter().position(is_it);
+            let rest = find(&|c| c.role == ColumnRole::AngleRest && c.unit == unit);
+            let whole = find(&|c| c.role == role);
+            let Some((whole, rest)) = whole.zip(rest) else {
+                continue;
+            };
+            let rest = self.columns.get(rest).cloned().unwrap_or_default();
+            let wholes = self.columns.get_mut(whole).into_iter().flatten();
+            for (whole, rest) in wholes.zip(rest) {
+                *whole = parts::angle(*whole, rest / per_degree);
+            }
+        }
+        self
+    }
+
     /// Times of the rows by the table's map, seconds; empty where it has none.
     pub fn times(&self, map: &ColumnMap) -> Vec<f64> {
         let is_time = |column: &super::MappedColumn| column.role == ColumnRole::Time;
@@ -87,11 +105,22 @@ impl EvenRows {
             times.map(|time| time::seconds_of(unit, *time)).collect()
         };
         let times = scaled(index);
-        let is_rest = |column: &super::MappedColumn| column.role == ColumnRole::TimeRest;
-        match map.columns.iter().position(is_rest) {
-            Some(rest) => times.iter().zip(scaled(rest)).map(|(a, b)| a + b).collect(),
-            None => times,
+        let rests = map.columns.iter().enumerate();
+        let rests = rests.filter(|(_, column)| column.role == ColumnRole::TimeRest);
+        let known = |values: &[f64]| -> Vec<Option<f64>> {
+            let known = values.iter().map(|value| Some(*value));
+            known.map(|value| value.filter(|v| v.is_finite())).collect()
+        };
+        let mut all = vec![("s", known(&times))];
+        for (index, column) in rests {
+            let values = self.columns.get(index).map_or(&[][..], Vec::as_slice);
+            all.push((column.unit.as_str(), known(values)));
         }
+        if all.len() == 1 {
+            return times;
+        }
+        let seconds = parts::seconds(&all, times.len());
+        seconds.into_iter().map(|s| s.unwrap_or(f64::NAN)).collect()
     }
 }
 

@@ -27,7 +27,11 @@ pub(super) fn settle(columns: &mut [MappedColumn]) {
                 column.confidence > confidence || column.confidence == confidence && *other < index;
             *other != index && column.role == role && wins
         });
-        if let Some((_, better)) = better.filter(|_| role != ColumnRole::Nothing) {
+        let may_be_several = matches!(
+            role,
+            ColumnRole::Nothing | ColumnRole::TimeRest | ColumnRole::AngleRest
+        );
+        if let Some((_, better)) = better.filter(|_| !may_be_several) {
             let reason = format!("{} is more likely the {}", better.name, role.label());
             give_up(&mut columns[index], reason);
         }

@@ -88,45 +88,6 @@ pub(super) fn parts_of_time(samples: &[ColumnSample], columns: &mut [MappedColum
     }
 }
 
-/// Gives up latitudes and longitudes whose minutes stand in a column of their own: of the degrees alone a flight would be
-/// up to 100 km off.
-pub(super) fn parts_of_place(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
-    for (role, words) in [
-        (Latitude, ["lat", "latitude"]),
-        (Longitude, ["lon", "longitude"]),
-    ] {
-        let ends_in = |sample: &ColumnSample, ends: &[&str]| {
-            let found = parts(&sample.name, "").words;
-            found.iter().any(|word| words.contains(&word.as_str()))
-                && found
-                    .last()
-                    .is_some_and(|word| ends.contains(&word.as_str()))
-        };
-        let is_minutes = |sample: &_| ends_in(sample, &["min", "mins", "minute", "minutes"]);
-        let is_seconds = |sample: &_| ends_in(sample, &["sec", "secs", "second", "seconds"]);
-        let Some(minutes) = samples.iter().position(is_minutes) else {
-            continue;
-        };
-        // Degrees with a fraction are places: beside them `lat_min` is the least, or something else.
-        let is_place = |sample: &ColumnSample| {
-            let is_broken = sample.numbers.iter().any(|n| n.fract() != 0.0);
-            is_broken && !is_minutes(sample) && !is_seconds(sample)
-        };
-        let name = &samples[minutes].name;
-        for (column, sample) in columns.iter_mut().zip(samples) {
-            if column.role != role || is_place(sample) {
-                continue;
-            }
-            give_up(
-                column,
-                format!(
-                    "its minutes stand in {name}: write degrees with their fraction into one column"
-                ),
-            );
-        }
-    }
-}
-
 /// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west, and those
 /// with a small s behind them, which is no second there.
 pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]) {

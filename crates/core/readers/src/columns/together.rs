@@ -87,7 +87,7 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
         let clocks = CountedTimes::all(&samples, share);
         let rows = if map.column(ColumnRole::Time).is_some() {
             let times: Vec<usize> = clocks.iter().map(|clock| clock.guess.column).collect();
-            EvenRows::of(&bytes, &map.shape, &wanted(&map, &groups, &times))
+            EvenRows::of(&bytes, &map.shape, &wanted(&map, &groups, &times)).with_parts(&map)
         } else {
             EvenRows::default()
         };

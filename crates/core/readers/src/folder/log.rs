@@ -22,6 +22,8 @@ pub(crate) struct FlightTables {
     pub by_file: BTreeMap<String, Arc<CsvTable>>,
     /// Second 0 of times with a date.
     pub time_origin: Option<(i64, f64)>,
+    /// Universal time at second 0, seconds since 1970, where dates stand beside the clock.
+    pub dated: Option<f64>,
 }
 
 impl FlightTables {

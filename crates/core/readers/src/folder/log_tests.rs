@@ -156,6 +156,7 @@ fn tables_of_the_same_name_keep_their_folders_and_words_are_no_numbers() {
             .map(|name| (name.to_owned(), table("t\n0\n")))
             .into(),
         time_origin: None,
+        dated: None,
     };
     let names: Vec<String> = tables.topic_names().into_values().collect();
     assert_eq!(names, ["b", "x/a.csv", "y/a.csv"]);

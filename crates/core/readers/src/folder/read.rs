@@ -49,6 +49,13 @@ pub(crate) enum FlightOrigin {
 }
 
 impl FlightFolder {
+    /// Takes the universal time at second 0, seconds since 1970, that tables tell beside their clock.
+    pub(crate) fn date(&mut self, utc: Option<f64>) {
+        if let FlightOrigin::Tables(tables) = &mut self.told {
+            tables.dated = utc;
+        }
+    }
+
     /// Source of the flight as a log: every column, used or not, and the roles of the flight's series in it.
     pub fn log(&self) -> Log {
         let mut log = match &self.told {
@@ -197,6 +204,7 @@ fn read_with(
             layout: layout.clone(),
             by_file: folder.tables,
             time_origin,
+            dated: None,
         })),
         notes: folder.notes,
     })

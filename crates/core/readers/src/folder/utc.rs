@@ -12,6 +12,7 @@ impl FlightTables {
         channels
             .chain(self.layout.times_of_frames())
             .find_map(|(file, time)| self.utc_by(file, time))
+            .or(self.dated)
     }
 
     /// The time at second 0 as one column of times tells it.
