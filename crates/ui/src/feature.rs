@@ -15,6 +15,7 @@ use crate::documents::kept::provide;
 use crate::documents::{Documents, Session, ViewState};
 pub use crate::feature_command::{FeatureAction, FeatureCommand, FeatureId};
 use crate::host::{Host, OpenedFile};
+use crate::job_owners::JobOwner;
 use crate::map::{MapButton, MapLayer, MapTool, MapView};
 use crate::shell::catalog::CommandEntry;
 use crate::shell::icons::Icon;
@@ -198,8 +199,6 @@ pub struct FeatureContext<'a> {
     pub egui: &'a egui::Context,
     /// Feature that does it.
     pub own: FeatureId,
-    /// Owners of jobs.
-    pub owners: &'a mut Vec<(JobId, FeatureId)>,
     /// Whether its panel is shown.
     pub is_shown: bool,
     /// Files of the set with a key, if the browser keeps them.
@@ -213,15 +212,12 @@ pub struct FeatureContext<'a> {
 impl FeatureContext<'_> {
     /// Starts a job whose events come to the feature.
     pub fn start(&mut self, job: Job) -> JobId {
-        let id = self.host.start(job);
-        self.owners.push((id, self.own));
-        id
+        self.host.start(JobOwner::Feature(self.own), job)
     }
 
     /// Stops a job; nothing more of it comes to the feature.
     pub fn cancel(&mut self, job: JobId) {
-        self.owners.retain(|(id, _)| *id != job);
-        self.host.cancel(job);
+        self.host.leave(job);
     }
 
     /// Tells people something.

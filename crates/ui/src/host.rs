@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 
 use pilotage_jobs::{FileContent, Job, JobEvent, JobId};
 
+use crate::job_owners::{JobOwner, JobOwners};
+
 /// Key under which the page gives the fragment of its address to the app.
 pub const LINK_KEY: &str = "link";
 /// Key under which the page gives the name of the tour's stop that its address asks for.
@@ -36,11 +38,27 @@ pub trait Host {
     /// Milliseconds of a clock that never goes back.
     fn now(&self) -> f64;
 
-    /// Starts a job in a worker; events arrive by [`Host::events`].
-    fn start(&mut self, job: Job) -> JobId;
+    /// Gives a job to a worker, on behalf of [`Host::start`]; events arrive by [`Host::events`].
+    fn begin(&mut self, job: Job) -> JobId;
+
+    /// Owners of the jobs that were started.
+    fn owners(&mut self) -> &mut JobOwners;
+
+    /// Starts a job, whose events go to its owner.
+    fn start(&mut self, owner: JobOwner, job: Job) -> JobId {
+        let id = self.begin(job);
+        self.owners().own(id, owner);
+        id
+    }
 
     /// Asks a job to stop; its last event is `Cancelled`.
     fn cancel(&mut self, job: JobId);
+
+    /// Stops a job for whose end its owner does not wait: nothing more of it goes there.
+    fn leave(&mut self, job: JobId) {
+        self.owners().leave(job);
+        self.cancel(job);
+    }
 
     /// Lets a job keep its place without working, or work on.
     fn hold(&mut self, job: JobId, is_held: bool);

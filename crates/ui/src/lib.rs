@@ -19,6 +19,7 @@ mod film;
 pub mod georeference;
 pub mod go_to;
 pub mod host;
+pub mod job_owners;
 pub mod kept_mesh;
 pub mod kept_tree;
 pub mod labelling;

@@ -11,6 +11,7 @@ use pilotage_jobs::{
     wanted_addresses,
 };
 use pilotage_ui::host::{Download, Host, OpenedFile};
+use pilotage_ui::job_owners::JobOwners;
 use pilotage_ui::short_map::ShortMap;
 
 use wasm_bindgen::JsValue;
@@ -36,6 +37,7 @@ pub struct Remembered {
 #[derive(Clone)]
 pub struct PageHost {
     inner: Rc<RefCell<Inner>>,
+    owners: JobOwners,
 }
 
 struct Inner {
@@ -260,7 +262,11 @@ impl Host for PageHost {
         now()
     }
 
-    fn start(&mut self, job: Job) -> JobId {
+    fn owners(&mut self) -> &mut JobOwners {
+        &mut self.owners
+    }
+
+    fn begin(&mut self, job: Job) -> JobId {
         let addresses = wanted_addresses(&job);
         if addresses.is_empty() {
             let mut inner = self.inner.borrow_mut();

@@ -4,7 +4,7 @@ use super::fly_work::FlyJob;
 use super::{App, SideTab};
 use crate::command::Command;
 use crate::context::frame_after;
-use crate::documents::Session;
+use crate::documents::{Documents, Session};
 use crate::host::Host;
 use crate::units::Units;
 
@@ -18,121 +18,50 @@ impl App {
         context: &egui::Context,
         host: &mut dyn Host,
     ) {
-        let now = host.now();
         if self.is_intercepted(&command, context, host) {
             return;
         }
-        match command {
-            Command::Feature(command) => self.execute_feature(&command, context, host),
-            Command::TogglePlay
-            | Command::SeekTo(_)
-            | Command::StepFrames(_)
-            | Command::Jump(_)
-            | Command::GoToStart
-            | Command::GoToEnd
-            | Command::SelectSpan(_)
-            | Command::SelectFromHere
-            | Command::SelectToHere
-            | Command::SetSpeed(_)
-            | Command::ToggleLoop
-            | Command::ToggleBookmark
-            | Command::PreviousBookmark
-            | Command::NextBookmark => self.play(&command),
-            Command::SelectLandmark(_)
-            | Command::TogglePickTool
-            | Command::AddLandmark(_)
-            | Command::ReshapeLandmark { .. }
-            | Command::RenameLandmark { .. }
-            | Command::EnableLandmark { .. }
-            | Command::DeleteLandmark(_)
-            | Command::Undo
-            | Command::Redo => self.edit(command, now),
-            Command::SetNavigator(settings) => {
-                let continues = context.input(|i| i.pointer.any_down());
-                if self.documents.set_navigator(&settings, continues) {
-                    self.run_is_stale(now);
-                }
-            }
-            Command::Simulate(_)
-            | Command::FlyAgain
-            | Command::CancelJob
-            | Command::Open
-            | Command::OpenDemo => self.file(command, context, host),
-            other => self.look(&other, context),
-        }
+        self.carry_out(command, context, host);
     }
 
-    fn play(&mut self, command: &Command) {
-        let span = self.documents.span();
+    /// Carries out a command. The match names every one, so that none that is added is left undone.
+    #[expect(
+        clippy::too_many_lines,
+        reason = "a table with a line for each command"
+    )]
+    fn carry_out(&mut self, command: Command, context: &egui::Context, host: &mut dyn Host) {
+        let now = host.now();
         let whole = self.documents.whole_span();
-        let playback = &mut self.playback;
-        match *command {
-            Command::TogglePlay => {
-                playback.playing = !playback.playing;
-                let at_end = span.is_some_and(|(_, last)| playback.time >= last - 1e-6);
-                if playback.playing && at_end {
-                    playback.seek(f64::NEG_INFINITY, span);
-                }
-            }
-            Command::SeekTo(time) => playback.seek(time, span),
+        let time = self.playback.time;
+        match command {
+            Command::Feature(command) => self.execute_feature(&command, context, host),
+            Command::TogglePlay => self.toggle_play(),
+            Command::SeekTo(time) => self.seek(time),
             Command::StepFrames(count) => self.step_frames(count),
-            Command::Jump(seconds) => playback.seek(playback.time + seconds, span),
-            Command::GoToStart => playback.seek(f64::NEG_INFINITY, span),
+            Command::Jump(seconds) => self.seek(time + seconds),
+            Command::GoToStart => self.seek(f64::NEG_INFINITY),
             Command::GoToEnd => {
-                playback.seek(f64::INFINITY, span);
-                playback.playing = false;
+                self.seek(f64::INFINITY);
+                self.playback.playing = false;
             }
-            Command::SelectSpan(selected) => playback.select(selected, whole),
-            Command::SelectFromHere => playback.select_from_here(whole),
-            Command::SelectToHere => playback.select_to_here(whole),
-            Command::SetSpeed(speed) => playback.set_speed(speed),
-            Command::ToggleLoop => playback.looping = !playback.looping,
-            Command::ToggleBookmark if self.documents.span().is_none() => {}
-            Command::ToggleBookmark => {
-                let time = playback.time;
-                let marks = &mut self.documents.bookmarks;
-                let before = marks.len();
-                marks.retain(|b| (b - time).abs() > 0.05);
-                if marks.len() == before {
-                    marks.push(time);
-                    marks.sort_by(f64::total_cmp);
-                }
-                self.stored.document_changed = true;
-            }
+            Command::SelectSpan(selected) => self.playback.select(selected, whole),
+            Command::SelectFromHere => self.playback.select_from_here(whole),
+            Command::SelectToHere => self.playback.select_to_here(whole),
+            Command::SetSpeed(speed) => self.playback.set_speed(speed),
+            Command::ToggleLoop => self.playback.looping = !self.playback.looping,
+            Command::ToggleBookmark => self.toggle_bookmark(),
             Command::PreviousBookmark => {
                 let marks = self.documents.bookmarks.iter().rev();
-                if let Some(mark) = marks.copied().find(|b| *b < playback.time - 0.05) {
-                    playback.seek(mark, span);
+                if let Some(mark) = marks.copied().find(|b| *b < time - 0.05) {
+                    self.seek(mark);
                 }
             }
             Command::NextBookmark => {
                 let marks = self.documents.bookmarks.iter();
-                if let Some(mark) = marks.copied().find(|b| *b > playback.time + 0.05) {
-                    playback.seek(mark, span);
+                if let Some(mark) = marks.copied().find(|b| *b > time + 0.05) {
+                    self.seek(mark);
                 }
             }
-            _ => {}
-        }
-    }
-
-    /// Moves the cursor by camera frames and pauses.
-    fn step_frames(&mut self, count: i32) {
-        self.playback.playing = false;
-        let Some(flight) = &self.documents.flight else {
-            return;
-        };
-        let index = frame_after(flight, self.playback.time, count);
-        if let Some(frame) = flight.frames.get(index) {
-            self.playback.seek(frame.time, self.documents.span());
-        }
-    }
-
-    fn edit(&mut self, command: Command, now: f64) {
-        self.stored.document_changed |= !matches!(
-            command,
-            Command::SelectLandmark(_) | Command::TogglePickTool
-        );
-        match command {
             Command::SelectLandmark(id) => {
                 self.selection = id.filter(|id| self.documents.mission.landmark(*id).is_some());
             }
@@ -148,116 +77,45 @@ impl App {
                 finished,
             } => {
                 let over = self.documents.reshape_landmark(id, bounds, finished);
-                self.changed(over, now);
+                self.edited(over, now);
             }
-            Command::RenameLandmark { id, name } => self.documents.rename_landmark(id, name),
+            Command::RenameLandmark { id, name } => {
+                self.documents.rename_landmark(id, name);
+                self.edited(false, now);
+            }
             Command::EnableLandmark { id, enabled } => {
                 let changed = self.documents.enable_landmark(id, enabled);
-                self.changed(changed, now);
+                self.edited(changed, now);
             }
-            Command::DeleteLandmark(id) => {
-                let changed = self.documents.delete_landmark(id);
-                let mission = &self.documents.mission;
-                self.selection = self.selection.filter(|s| mission.landmark(*s).is_some());
-                self.changed(changed, now);
-            }
-            Command::Undo | Command::Redo => {
-                let known: Vec<u32> = (self.documents.mission.landmarks.iter())
-                    .map(|l| l.id)
-                    .collect();
-                let affected = if command == Command::Undo {
-                    self.documents.undo()
-                } else {
-                    self.documents.redo()
-                };
-                let mission = &self.documents.mission;
-                let mut ids = mission.landmarks.iter().map(|l| l.id);
-                let back = ids.rfind(|id| !known.contains(id));
-                let still = self.selection.filter(|id| mission.landmark(*id).is_some());
-                self.selection = back.or(still);
-                if affected == Some(true) {
+            Command::DeleteLandmark(id) => self.delete_landmark(id, now),
+            Command::Undo => self.step_in_history(Documents::undo, now),
+            Command::Redo => self.step_in_history(Documents::redo, now),
+            Command::SetNavigator(settings) => {
+                let continues = context.input(|i| i.pointer.any_down());
+                if self.documents.set_navigator(&settings, continues) {
                     self.run_is_stale(now);
                 }
             }
-            _ => {}
-        }
-    }
-
-    /// Selects a landmark that was just made, and has people name it.
-    pub(super) fn present_landmark(&mut self, id: u32) {
-        self.selection = Some(id);
-        self.side_tab = SideTab::Landmarks;
-        let name = self.documents.mission.landmark(id).map(|l| l.name.clone());
-        self.views.map.name_new(id, &name.unwrap_or_default());
-    }
-
-    /// After an edit that may have changed what the run depends on.
-    fn changed(&mut self, changed: bool, now: f64) {
-        if changed {
-            self.run_is_stale(now);
-        }
-    }
-
-    fn file(&mut self, command: Command, egui: &egui::Context, host: &mut dyn Host) {
-        let now = host.now();
-        match command {
             Command::Simulate(options) => {
                 let map = options.map();
                 let flight = pilotage_jobs::FlightSource::Simulated(*options);
-                self.fly_new(egui, host, flight, map, None);
+                self.fly_new(context, host, flight, map, None);
             }
             Command::OpenDemo => {
                 let demo = Session::demo();
-                self.fly_new(egui, host, demo.flight, demo.map, None);
+                self.fly_new(context, host, demo.flight, demo.map, None);
             }
             Command::FlyAgain => self.fly_again(host),
-            Command::CancelJob if self.fly_work.job.is_none() => {
-                let _ = self.stop_features(egui, host)
-                    || self.openings.stop(host)
-                    || self.map_work.stop(&mut self.toasts, host);
-            }
-            Command::CancelJob => {
-                self.documents.run_complete |=
-                    self.fly_work.job.as_ref().is_some_and(FlyJob::began);
-                self.fly_work.stop(host);
-                self.tell_of_run_over(false, egui, host);
-                self.toasts
-                    .note(now, "Stopped", "What had been computed stays on screen.");
-            }
+            // The feature that plans takes it before it comes here.
+            Command::FlyRoute(_) => self.tell_undone("plan", host),
+            Command::CancelJob => self.cancel_job(context, host),
             Command::Open => host.ask_for_files(),
-            _ => {}
-        }
-    }
-
-    /// Panels and map of the workspace as they were at first: the aircraft followed, or else all in view.
-    fn reset_view(&mut self) {
-        self.view.reset_panels();
-        let is_flown = self.documents.run.is_some() && !self.is_flight_hidden();
-        let map = &mut self.views.map;
-        map.track_up = false;
-        map.camera.up = 0.0;
-        if is_flown && self.documents.log.is_none() {
-            map.follow = true;
-            map.camera.metres_per_point = USUAL_SCALE;
-        } else {
-            self.commands.push(Command::FitMap);
-        }
-    }
-
-    fn look(&mut self, command: &Command, context: &egui::Context) {
-        match command {
             Command::TogglePalette => self.dialogs.palette.toggle(),
             Command::ToggleHelp => self.dialogs.help = !self.dialogs.help,
             Command::ToggleNotices => self.dialogs.notices = !self.dialogs.notices,
             Command::ToggleSimulate => self.dialogs.simulate.toggle(),
             Command::ToggleSettings => self.dialogs.settings = !self.dialogs.settings,
-            Command::ToggleTrackUp => {
-                let map = &mut self.views.map;
-                map.track_up = !map.track_up;
-                if !map.track_up {
-                    map.camera.up = 0.0;
-                }
-            }
+            Command::ToggleTrackUp => self.toggle_track_up(),
             Command::FitMap => {
                 if let Some(ground) = self.flight_ground() {
                     self.views.map.fit(ground);
@@ -275,7 +133,7 @@ impl App {
                 };
             }
             Command::ResetView => self.reset_view(),
-            Command::ShowWorkspace(workspace) => self.show_workspace(*workspace),
+            Command::ShowWorkspace(workspace) => self.show_workspace(workspace),
             Command::ToggleSide => {
                 let is_open = self.is_side_open(context.content_rect());
                 self.view.side_open = Some(!is_open);
@@ -284,7 +142,123 @@ impl App {
                 let screen = context.content_rect();
                 self.view.plots_open = Some(!self.are_plots_open(screen));
             }
-            _ => {}
+        }
+    }
+
+    fn seek(&mut self, time: f64) {
+        let span = self.documents.span();
+        self.playback.seek(time, span);
+    }
+
+    fn toggle_play(&mut self) {
+        let span = self.documents.span();
+        let playback = &mut self.playback;
+        playback.playing = !playback.playing;
+        let at_end = span.is_some_and(|(_, last)| playback.time >= last - 1e-6);
+        if playback.playing && at_end {
+            playback.seek(f64::NEG_INFINITY, span);
+        }
+    }
+
+    fn toggle_bookmark(&mut self) {
+        if self.documents.span().is_none() {
+            return;
+        }
+        let time = self.playback.time;
+        let marks = &mut self.documents.bookmarks;
+        let before = marks.len();
+        marks.retain(|b| (b - time).abs() > 0.05);
+        if marks.len() == before {
+            marks.push(time);
+            marks.sort_by(f64::total_cmp);
+        }
+        self.stored.document_changed = true;
+    }
+
+    /// Moves the cursor by camera frames and pauses.
+    fn step_frames(&mut self, count: i32) {
+        self.playback.playing = false;
+        let Some(flight) = &self.documents.flight else {
+            return;
+        };
+        let index = frame_after(flight, self.playback.time, count);
+        if let Some(frame) = flight.frames.get(index) {
+            self.playback.seek(frame.time, self.documents.span());
+        }
+    }
+
+    fn delete_landmark(&mut self, id: u32, now: f64) {
+        let changed = self.documents.delete_landmark(id);
+        let mission = &self.documents.mission;
+        self.selection = self.selection.filter(|s| mission.landmark(*s).is_some());
+        self.edited(changed, now);
+    }
+
+    /// Takes an edit back or makes it again, and selects the landmark that came back by it.
+    fn step_in_history(&mut self, step: fn(&mut Documents) -> Option<bool>, now: f64) {
+        let known: Vec<u32> = (self.documents.mission.landmarks.iter())
+            .map(|l| l.id)
+            .collect();
+        let affected = step(&mut self.documents);
+        let mission = &self.documents.mission;
+        let mut ids = mission.landmarks.iter().map(|l| l.id);
+        let back = ids.rfind(|id| !known.contains(id));
+        let still = self.selection.filter(|id| mission.landmark(*id).is_some());
+        self.selection = back.or(still);
+        self.edited(affected == Some(true), now);
+    }
+
+    /// Selects a landmark that was just made, and has people name it.
+    pub(super) fn present_landmark(&mut self, id: u32) {
+        self.selection = Some(id);
+        self.side_tab = SideTab::Landmarks;
+        let name = self.documents.mission.landmark(id).map(|l| l.name.clone());
+        self.views.map.name_new(id, &name.unwrap_or_default());
+    }
+
+    /// After an edit, which may have changed what the run depends on.
+    fn edited(&mut self, is_run_changed: bool, now: f64) {
+        self.stored.document_changed = true;
+        if is_run_changed {
+            self.run_is_stale(now);
+        }
+    }
+
+    /// Stops the flight under way, or else the work of the first that has any.
+    fn cancel_job(&mut self, egui: &egui::Context, host: &mut dyn Host) {
+        if self.fly_work.job.is_none() {
+            let _ = self.stop_features(egui, host)
+                || self.openings.stop(host)
+                || self.map_work.stop(&mut self.toasts, host);
+            return;
+        }
+        self.documents.run_complete |= self.fly_work.job.as_ref().is_some_and(FlyJob::began);
+        self.fly_work.stop(host);
+        self.tell_of_run_over(false, egui, host);
+        let text = "What had been computed stays on screen.";
+        self.toasts.note(host.now(), "Stopped", text);
+    }
+
+    fn toggle_track_up(&mut self) {
+        let map = &mut self.views.map;
+        map.track_up = !map.track_up;
+        if !map.track_up {
+            map.camera.up = 0.0;
+        }
+    }
+
+    /// Panels and map of the workspace as they were at first: the aircraft followed, or else all in view.
+    fn reset_view(&mut self) {
+        self.view.reset_panels();
+        let is_flown = self.documents.run.is_some() && !self.is_flight_hidden();
+        let map = &mut self.views.map;
+        map.track_up = false;
+        map.camera.up = 0.0;
+        if is_flown && self.documents.log.is_none() {
+            map.follow = true;
+            map.camera.metres_per_point = USUAL_SCALE;
+        } else {
+            self.commands.push(Command::FitMap);
         }
     }
 }

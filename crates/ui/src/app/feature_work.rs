@@ -50,7 +50,6 @@ impl App {
             host,
             egui,
             own,
-            owners: &mut self.owners,
             is_shown,
             kept: &kept,
             beside: [before, behind],
@@ -218,36 +217,35 @@ impl App {
             });
         }
         if !is_done {
-            let of = command.to();
-            let text =
-                format!("Nobody carries out this command of {of}. This is a fault of the program.");
-            self.toasts.trouble(host.now(), "Nothing was done", text);
+            self.tell_undone(command.to(), host);
         }
     }
 
-    /// Number of the feature that started a job, if one did.
-    pub(super) fn owner_of(&self, id: JobId) -> Option<usize> {
-        let owner = self.owners.iter().find(|(job, _)| *job == id);
-        owner.and_then(|(_, owner)| self.feature(owner))
+    /// Tells of a command that nobody carries out.
+    pub(super) fn tell_undone(&mut self, of: FeatureId, host: &dyn Host) {
+        let text =
+            format!("Nobody carries out this command of {of}. This is a fault of the program.");
+        self.toasts.trouble(host.now(), "Nothing was done", text);
     }
 
-    /// Brings an event to the feature of that number, which started its job.
+    /// Brings an event to the feature that started its job; false if there is no such feature.
     pub(super) fn feature_event(
         &mut self,
-        index: usize,
+        owner: FeatureId,
         egui: &egui::Context,
         host: &mut dyn Host,
         (id, event): (JobId, JobEvent),
-    ) {
-        if event.is_last() {
-            self.owners.retain(|(job, _)| *job != id);
-        }
+    ) -> bool {
+        let Some(index) = self.feature(owner) else {
+            return false;
+        };
         let mut event = Some(event);
         self.with_feature(index, egui, host, &mut |feature, context| {
             if let Some(event) = event.take() {
                 feature.on_event(id, event, context);
             }
         });
+        true
     }
 
     /// Stops the work of the first feature that has any; whether one had.

@@ -5,6 +5,7 @@ use pilotage_jobs::{FlightSource, FlyOrder, Job, JobId, MapSource};
 
 use crate::documents::Staged;
 use crate::host::Host;
+use crate::job_owners::JobOwner;
 
 /// A flight being flown and navigated.
 #[derive(Debug)]
@@ -75,11 +76,12 @@ impl FlyWork {
             camera_to_log: mission.as_ref().and_then(|m| m.camera_to_log),
             ..staged
         };
-        let id = host.start(Job::Fly(FlyOrder {
+        let order = FlyOrder {
             flight: flight.clone(),
             map: map.clone(),
             mission,
-        }));
+        };
+        let id = host.start(JobOwner::Flight, Job::Fly(order));
         self.job = Some(FlyJob {
             id,
             again,
@@ -97,7 +99,7 @@ impl FlyWork {
     pub fn stop(&mut self, host: &mut dyn Host) {
         self.again_at = None;
         if let Some(fly) = self.job.take() {
-            host.cancel(fly.id);
+            host.leave(fly.id);
         }
     }
 

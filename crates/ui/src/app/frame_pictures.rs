@@ -5,6 +5,7 @@ use pilotage_jobs::{FramePictureOrder, Job, JobEvent, JobId, PictureForm};
 use crate::context::shown_frame;
 use crate::documents::Documents;
 use crate::host::Host;
+use crate::job_owners::JobOwner;
 use crate::timeline::Playback;
 use crate::views::CameraView;
 
@@ -35,19 +36,20 @@ impl FramePictureRequests {
             _ => None,
         };
         if let Some((frame, index)) = next {
-            let id = host.start(Job::FramePicture(FramePictureOrder {
+            let order = FramePictureOrder {
                 flight: documents.flight_source.clone(),
                 index,
                 form: PictureForm::Pixels,
-            }));
+            };
+            let id = host.start(JobOwner::FramePictures, Job::FramePicture(order));
             self.0.push((id, frame, index));
         }
     }
 
-    /// Takes what a worker says of a picture; whether `id` was about one.
-    pub fn receive(&mut self, id: JobId, event: &JobEvent, camera: &mut CameraView) -> bool {
+    /// Takes what a worker says of a picture.
+    pub fn take(&mut self, id: JobId, event: &JobEvent, camera: &mut CameraView) {
         let Some(place) = self.0.iter().position(|(own, ..)| *own == id) else {
-            return false;
+            return;
         };
         let (_, frame, key) = self.0[place];
         match event {
@@ -60,13 +62,12 @@ impl FramePictureRequests {
         if event.is_last() {
             self.0.remove(place);
         }
-        true
     }
 
     /// Wants none of them any more.
     pub fn leave(&mut self, host: &mut dyn Host) {
         for (id, ..) in self.0.drain(..) {
-            host.cancel(id);
+            host.leave(id);
         }
     }
 }

@@ -6,6 +6,7 @@ use pilotage_jobs::{HeightsOrder, Job, JobEvent, JobId, TerrainInfo};
 use super::map_work::tell_of_map;
 use crate::documents::{Documents, OpenedTerrain, TERRAIN_KEY, planned_ground};
 use crate::host::Host;
+use crate::job_owners::JobOwner;
 use crate::shell::Toasts;
 
 /// Margin around the ground of interest in which heights are taken, metres.
@@ -19,11 +20,6 @@ const HEIGHTS_REACH: f64 = 60_000.0;
 pub struct HeightWork(Option<JobId>);
 
 impl HeightWork {
-    /// Whether a job takes heights.
-    pub fn owns(&self, id: JobId) -> bool {
-        self.0 == Some(id)
-    }
-
     /// Takes an event of its job.
     pub fn take(
         &mut self,
@@ -63,7 +59,7 @@ impl HeightWork {
         host: &mut dyn Host,
     ) {
         if let Some(job) = self.0.take() {
-            host.cancel(job);
+            host.leave(job);
         }
         documents.terrain = OpenedTerrain::of_files(key);
         host.store(TERRAIN_KEY, key.as_bytes());
@@ -96,7 +92,7 @@ impl HeightWork {
         };
         if documents.terrain.wants(origin, &area) {
             let order = HeightsOrder { key, origin, area };
-            self.0 = Some(host.start(Job::TakeHeights(Box::new(order))));
+            self.0 = Some(host.start(JobOwner::Heights, Job::TakeHeights(Box::new(order))));
         }
     }
 }

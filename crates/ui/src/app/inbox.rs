@@ -9,6 +9,7 @@ use crate::command::Workspace;
 use crate::documents::kept::provide;
 use crate::feature::{FlightFiles, OpenedSet};
 use crate::host::{Host, OpenedFile};
+use crate::job_owners::{Addressee, JobOwner};
 use crate::shell::whole_sentences;
 use pilotage_jobs::{Beside, FlightSource, JobEvent, JobId, MapInfo, MapSource, OpenedFiles};
 
@@ -46,29 +47,58 @@ impl App {
         self.openings.begin(set, &self.documents, host);
     }
 
+    /// Brings an event to the owner of its job.
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        if let Some(index) = self.owner_of(id) {
-            self.feature_event(index, context, host, (id, event));
-        } else if self
-            .frame_pictures
-            .receive(id, &event, &mut self.views.camera)
-        {
-        } else if self.fly_work.job.as_ref().is_some_and(|f| f.id == id) {
-            self.fly_event(context, host, event);
-        } else if self.map_work.owns(id) {
-            let (work, mut parts) = self.map_parts(host);
-            if work.take(id, event, context, &mut parts) {
-                self.fit_to_flight_and_map();
+        let owner = match host.owners().addressee(id, &event) {
+            Addressee::Owner(owner) => owner,
+            Addressee::Left(owner) => return self.left_event(owner, event, host),
+            Addressee::Over => return,
+            Addressee::Nobody => return self.tell_of_nobody(host),
+        };
+        match owner {
+            JobOwner::Feature(feature) => {
+                if !self.feature_event(feature, context, host, (id, event)) {
+                    self.tell_of_nobody(host);
+                }
             }
-        } else if self.height_work.owns(id) {
-            let (documents, toasts) = (&mut self.documents, &mut self.toasts);
-            self.height_work.take(event, documents, toasts, host);
-        } else if self.openings.owns(id) {
-            self.open_event(context, host, id, event);
-        } else if let JobEvent::Remark(text) = event {
-            // Of a tile that nobody waits for any more: a worker says each thing once.
+            JobOwner::FramePictures => {
+                self.frame_pictures.take(id, &event, &mut self.views.camera);
+            }
+            JobOwner::Flight => self.fly_event(context, host, event),
+            JobOwner::Map => {
+                let (work, mut parts) = self.map_parts(host);
+                if work.take(id, event, context, &mut parts) {
+                    self.fit_to_flight_and_map();
+                }
+            }
+            JobOwner::Heights => {
+                let (documents, toasts) = (&mut self.documents, &mut self.toasts);
+                self.height_work.take(event, documents, toasts, host);
+            }
+            JobOwner::Openings => self.open_event(context, host, id, event),
+            // The job that reads files tells what is wrong with them; here they did not even arrive.
+            JobOwner::Files => {
+                if let JobEvent::Failed(why) = event {
+                    let title = "The files did not reach the workers";
+                    self.toasts.trouble(host.now(), title, why);
+                }
+            }
+        }
+    }
+
+    /// An event of a job that its owner left while it ran is of no use any more, but for what a worker says of a map once
+    /// and for all: of a tile that nobody waits for.
+    fn left_event(&mut self, owner: JobOwner, event: JobEvent, host: &mut dyn Host) {
+        if let (JobOwner::Map, JobEvent::Remark(text)) = (owner, event) {
             tell_of_map(&text, &mut self.toasts, host);
         }
+    }
+
+    fn tell_of_nobody(&mut self, host: &mut dyn Host) {
+        let text =
+            "Nobody waits for an answer that came from a worker. This is a fault of the program.";
+        self.toasts
+            .trouble(host.now(), "An answer was not used", text);
     }
 
     /// The map over which a flight is flown that came without one: the open one, unless it is known to lie elsewhere.

@@ -11,6 +11,7 @@ use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, recall_files};
 use crate::documents::{Documents, OpenedTerrain, Session, planned_ground};
 use crate::feature::{Feature, OpenedSet};
 use crate::host::{Host, OpenedFile};
+use crate::job_owners::JobOwner;
 use crate::shell::Toasts;
 use pilotage_jobs::{FileContent, FlightSource, Job, MapSource, ProvideOrder};
 
@@ -93,7 +94,8 @@ impl Keeping {
                     };
                     let known = files.iter().map(of).collect();
                     self.knows(&key, files.len(), known);
-                    host.start(Job::Provide(ProvideOrder { key, files }));
+                    let job = Job::Provide(ProvideOrder { key, files });
+                    host.start(JobOwner::Files, job);
                 }
                 Err(count) => {
                     self.knows(&key, count, Vec::new());

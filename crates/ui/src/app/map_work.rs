@@ -6,6 +6,7 @@ use pilotage_jobs::{
 
 use crate::documents::Documents;
 use crate::host::Host;
+use crate::job_owners::JobOwner;
 use crate::map::{MapView, TILES_AT_A_TIME, TileKey};
 use crate::shell::Toasts;
 use crate::short_map::ShortMap;
@@ -43,12 +44,6 @@ pub struct MapParts<'a> {
 }
 
 impl MapWork {
-    /// Whether it started a job that is under way.
-    pub fn owns(&self, id: JobId) -> bool {
-        let preparing = self.preparing.as_ref().map(|it| it.0);
-        preparing == Some(id) || self.describing == Some(id) || self.tiles.contains_key(&id)
-    }
-
     /// Takes an event of a job of its own; whether the map is to be fitted to the flight by it.
     pub fn take(
         &mut self,
@@ -76,8 +71,11 @@ impl MapWork {
 
     /// Asks what the map is.
     pub fn describe(&mut self, documents: &Documents, host: &mut dyn Host) {
+        if let Some(old) = self.describing.take() {
+            host.leave(old);
+        }
         let order = DescribeMapOrder(documents.map_source.clone());
-        self.describing = Some(host.start(Job::DescribeMap(order)));
+        self.describing = Some(host.start(JobOwner::Map, Job::DescribeMap(order)));
     }
 
     /// Leaves the map that is shown for another one: nothing of the old one is of use. False if it is that already.
@@ -89,7 +87,7 @@ impl MapWork {
         let tiles = self.tiles.drain().map(|(id, _)| id);
         let preparing = self.preparing.take().map(|it| it.0);
         for id in tiles.chain(preparing) {
-            parts.host.cancel(id);
+            parts.host.leave(id);
         }
         self.is_declined = false;
         documents.map_source = map;
@@ -104,7 +102,7 @@ impl MapWork {
         let Some((id, ..)) = self.preparing.take() else {
             return false;
         };
-        host.cancel(id);
+        host.leave(id);
         self.is_declined = true;
         let text = "Wide views show what was made of it; closer views are whole.";
         toasts.note(host.now(), "The overview was stopped", text);
@@ -119,16 +117,17 @@ impl MapWork {
         let stale: Vec<_> = stale.map(|(id, _)| *id).collect();
         for id in stale {
             self.tiles.remove(&id);
-            host.cancel(id);
+            host.leave(id);
         }
         let under_way: Vec<_> = self.tiles.iter().map(|(_, key)| *key).collect();
         let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
         let next = wanted.iter().filter(|key| !under_way.contains(key));
         for key in next.take(room).copied() {
-            let id = host.start(Job::Tile(TileOrder {
+            let order = TileOrder {
                 map: documents.map_source.clone(),
                 window: key.window(),
-            }));
+            };
+            let id = host.start(JobOwner::Map, Job::Tile(order));
             self.tiles.insert(id, key);
         }
     }
@@ -224,7 +223,7 @@ impl MapWork {
             return;
         }
         let order = PrepareMapOrder(parts.documents.map_source.clone());
-        let job = parts.host.start(Job::PrepareMap(order));
+        let job = parts.host.start(JobOwner::Map, Job::PrepareMap(order));
         self.preparing = Some((job, 0.0, "Making an overview of the map".to_owned()));
     }
 }

@@ -20,11 +20,11 @@ mod storage;
 mod stored;
 mod views;
 
-use pilotage_jobs::{FlightSource, JobId, MapSource};
+use pilotage_jobs::{FlightSource, MapSource};
 
 use crate::command::{Command, Workspace};
 use crate::documents::{Documents, ViewState};
-use crate::feature::{Feature, FeatureId};
+use crate::feature::Feature;
 use crate::host::Host;
 use crate::shell::catalog::CommandEntry;
 use crate::shell::keys::ShortcutListener;
@@ -61,8 +61,6 @@ pub struct App {
     map_work: MapWork,
     height_work: HeightWork,
     frame_pictures: FramePictureRequests,
-    /// Features by the jobs that they started.
-    owners: Vec<(JobId, FeatureId)>,
     /// Table of all commands, the features' among them.
     catalog: Vec<CommandEntry>,
     commands: Vec<Command>,

@@ -6,6 +6,7 @@ use pilotage_jobs::{Job, JobId, OpenOrder};
 use crate::documents::Documents;
 use crate::feature::OpenedSet;
 use crate::host::{Host, OpenedFile};
+use crate::job_owners::JobOwner;
 use crate::short_map::ShortMap;
 
 /// Files being looked at.
@@ -50,18 +51,14 @@ impl Openings {
     /// Has files looked at, which the workers have.
     pub fn begin(&mut self, set: OpenedSet, documents: &Documents, host: &mut dyn Host) {
         let Mission { origin, .. } = documents.mission;
-        let id = host.start(Job::Open(OpenOrder {
+        let order = OpenOrder {
             key: set.key.clone(),
             near: documents.world_origin(),
             origin,
-        }));
+        };
+        let id = host.start(JobOwner::Openings, Job::Open(order));
         let words = format!("Opening {}", set.name);
         self.under_way.insert(id, Opening { set, words });
-    }
-
-    /// Whether a job looks at files.
-    pub fn owns(&self, id: JobId) -> bool {
-        self.under_way.contains_key(&id)
     }
 
     /// Takes away a job that is over; the files at which it looked.

@@ -81,7 +81,6 @@ impl App {
             commands: Vec::new(),
             input_waits: false,
             started: false,
-            owners: Vec::new(),
             catalog,
             followed: (0, session.flight.clone()),
             aside,

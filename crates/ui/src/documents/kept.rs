@@ -2,6 +2,7 @@
 //! under a key of its own, and one list of their paths, written last, so that a set is whole or none.
 
 use crate::host::{Host, OpenedFile};
+use crate::job_owners::JobOwner;
 use pilotage_jobs::{FileContent, Job, ProvideOrder};
 
 /// Most bytes of one set of files that are kept between visits.
@@ -52,10 +53,11 @@ pub fn recall_files(host: &dyn Host, set: &str) -> Result<Vec<(String, FileConte
 /// Gives the workers files under a key.
 pub fn provide(host: &mut dyn Host, key: &str, files: &[OpenedFile]) {
     let files = files.iter();
-    host.start(Job::Provide(ProvideOrder {
+    let order = ProvideOrder {
         key: key.to_owned(),
         files: files.map(|f| (f.path.clone(), f.content.clone())).collect(),
-    }));
+    };
+    host.start(JobOwner::Files, Job::Provide(order));
 }
 
 /// Puts what people said of files beside them, in place of what they said before.

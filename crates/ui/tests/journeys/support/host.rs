@@ -25,6 +25,7 @@ use pilotage_jobs::{
     ReadLogOrder, Reply, Request, SuggestOrder, TileOrder,
 };
 use pilotage_ui::host::{Host, OpenedFile};
+use pilotage_ui::job_owners::JobOwners;
 
 use super::flight::{flight, mission, run, run_head};
 use super::laid::{Laying, early_flight, lay_frames};
@@ -70,6 +71,8 @@ pub struct ScriptedHost {
     pub now: f64,
     /// Every job asked for, in order.
     pub jobs: Vec<(JobId, Job)>,
+    /// Owners of the jobs.
+    pub owners: JobOwners,
     /// Jobs cancelled.
     pub cancelled: Vec<JobId>,
     /// Jobs told to keep their place, or to go on.
@@ -575,7 +578,11 @@ impl Host for ScriptedHost {
         self.now
     }
 
-    fn start(&mut self, job: Job) -> JobId {
+    fn owners(&mut self) -> &mut JobOwners {
+        &mut self.owners
+    }
+
+    fn begin(&mut self, job: Job) -> JobId {
         let id = self.jobs.len() as JobId + 1;
         self.answer(id, &job);
         self.jobs.push((id, job));

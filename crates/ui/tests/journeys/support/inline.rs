@@ -5,11 +5,13 @@ use std::collections::BTreeSet;
 
 use pilotage_jobs::{InlineWorkers, Job, JobEvent, JobId, LetGoOrder};
 use pilotage_ui::host::{Host, OpenedFile};
+use pilotage_ui::job_owners::{JobOwner, JobOwners};
 
 /// Runs jobs a slice at a time whenever the app asks for events, with a clock of its own; stores nothing.
 #[derive(Default)]
 pub struct InlineHost {
     workers: InlineWorkers,
+    owners: JobOwners,
     clock: Cell<f64>,
 }
 
@@ -25,7 +27,11 @@ impl Host for InlineHost {
         self.clock.get()
     }
 
-    fn start(&mut self, job: Job) -> JobId {
+    fn owners(&mut self) -> &mut JobOwners {
+        &mut self.owners
+    }
+
+    fn begin(&mut self, job: Job) -> JobId {
         self.workers.start(job)
     }
 
@@ -39,7 +45,7 @@ impl Host for InlineHost {
 
     fn let_go(&mut self, in_use: &BTreeSet<String>) {
         let keys = in_use.iter().cloned().collect();
-        self.start(Job::LetGo(LetGoOrder { keys }));
+        self.start(JobOwner::Files, Job::LetGo(LetGoOrder { keys }));
     }
 
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {
