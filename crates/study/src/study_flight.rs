@@ -95,6 +95,9 @@ impl StudyFlight {
         settings.start.wind = of_run.start_wind.unwrap_or(settings.start.wind);
         settings.alpha = of_run.alpha.unwrap_or(settings.alpha);
         settings.gate_confidence = of_run.gate.unwrap_or(settings.gate_confidence);
+        // Landmarks are found with the stated errors, and with no other.
+        settings.sensors.pixel = 0.0;
+        settings.sensors.ground = 0.0;
         settings.measurement_scale = of_run.measurement_scale;
         settings.shortest_step = of_run.step;
         // Aids of the scenario look at pictures.

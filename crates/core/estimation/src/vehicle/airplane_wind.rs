@@ -4,8 +4,8 @@ use nalgebra::{Matrix4, SMatrix, SVector, Vector2, Vector4};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
-use super::parts::{add_velocity_noise, enter_velocity_slope};
-use super::{ControlInput, StateComponent, ThesisNoise, VehicleModel};
+use super::parts::{add_velocity_noise, enter_velocity_slope, mean_squared_wind};
+use super::{ControlInput, StateComponent, ThesisNoise, UnmodelledAir, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -23,6 +23,8 @@ pub struct AirplaneWind {
     pub wind_noise_density: f64,
     /// Standard deviation of the unknown wind at the start, m/s on each axis.
     pub start_wind_deviation: f64,
+    /// Changes of the wind by what the model has no states for.
+    pub unmodelled: UnmodelledAir,
     /// The thesis' noise per step in place of the densities.
     pub thesis_noise: Option<ThesisNoise>,
 }
@@ -33,6 +35,7 @@ impl Default for AirplaneWind {
             air_data: AirData::default(),
             wind_noise_density: 0.05,
             start_wind_deviation: 4.0,
+            unmodelled: UnmodelledAir::default(),
             thesis_noise: None,
         }
     }
@@ -45,6 +48,23 @@ impl AirplaneWind {
             thesis_noise: Some(noise),
             ..Self::default()
         }
+    }
+
+    /// Process noise in winds whose mean square is `squared_wind` (m/s)².
+    fn noise_in(&self, squared_wind: f64, input: &ControlInput, dt: f64) -> Matrix4<f64> {
+        if let Some(thesis) = self.thesis_noise {
+            let (position, wind) = (thesis.position_variance(), thesis.wind_variance());
+            return Matrix4::from_diagonal(&Vector4::new(position, position, wind, wind));
+        }
+        let mut noise = Matrix4::zeros();
+        let motion = self.air_data.motion(input, 0.0, 0.0);
+        noise
+            .fixed_view_mut::<2, 2>(0, 0)
+            .copy_from(&self.air_data.position_noise(&motion, dt));
+        let unmodelled = self.unmodelled.wind_density(&motion, input, squared_wind);
+        let density = self.wind_noise_density.hypot(unmodelled);
+        add_velocity_noise(&mut noise, 2, density, dt);
+        noise
     }
 }
 
@@ -72,21 +92,20 @@ impl VehicleModel<4> for AirplaneWind {
 
     fn process_noise(
         &self,
-        _state: &SVector<f64, 4>,
+        state: &SVector<f64, 4>,
         input: &ControlInput,
         dt: f64,
     ) -> SMatrix<f64, 4, 4> {
-        if let Some(thesis) = self.thesis_noise {
-            let (position, wind) = (thesis.position_variance(), thesis.wind_variance());
-            return Matrix4::from_diagonal(&Vector4::new(position, position, wind, wind));
-        }
-        let mut noise = Matrix4::zeros();
-        let motion = self.air_data.motion(input, 0.0, 0.0);
-        noise
-            .fixed_view_mut::<2, 2>(0, 0)
-            .copy_from(&self.air_data.position_noise(&motion, dt));
-        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
-        noise
+        self.noise_in(state[2] * state[2] + state[3] * state[3], input, dt)
+    }
+
+    fn noise_of_belief(
+        &self,
+        belief: &Gaussian<4>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 4, 4> {
+        self.noise_in(mean_squared_wind(belief, 2), input, dt)
     }
 
     fn ground_velocity(
@@ -109,6 +128,9 @@ impl VehicleModel<4> for AirplaneWind {
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<4> {
         let (p, w) = (position_deviation, self.start_wind_deviation);
+        let airspeed = self.air_data.cruise_airspeed;
+        let unmodelled = self.unmodelled.start_variance(airspeed, 2.0 * w * w);
+        let w = w.hypot(unmodelled.sqrt());
         Gaussian::from_standard_deviations(
             Vector4::new(position.north, position.east, 0.0, 0.0),
             &Vector4::new(p, p, w, w),

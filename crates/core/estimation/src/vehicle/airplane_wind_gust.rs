@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
 use super::parts::{Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind};
-use super::{ControlInput, StateComponent, VehicleModel};
+use super::{ControlInput, StateComponent, UnmodelledAir, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -24,6 +24,8 @@ pub struct AirplaneWindGust {
     pub start_wind_deviation: f64,
     /// Wind that changes by the second.
     pub gusts: Gusts,
+    /// Changes of the wind by what the model has no states for.
+    pub unmodelled: UnmodelledAir,
 }
 
 impl Default for AirplaneWindGust {
@@ -33,6 +35,7 @@ impl Default for AirplaneWindGust {
             wind_noise_density: 0.02,
             start_wind_deviation: 4.0,
             gusts: Gusts::default(),
+            unmodelled: UnmodelledAir::default(),
         }
     }
 }
@@ -45,7 +48,9 @@ impl AirplaneWindGust {
         noise
             .fixed_view_mut::<2, 2>(0, 0)
             .copy_from(&self.air_data.position_noise(&motion, dt));
-        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
+        let unmodelled = self.unmodelled.wind_density(&motion, input, squared_wind);
+        let density = self.wind_noise_density.hypot(unmodelled);
+        add_velocity_noise(&mut noise, 2, density, dt);
         self.gusts.add_noise(&mut noise, 4, squared_wind, dt);
         noise
     }
@@ -114,6 +119,9 @@ impl VehicleModel<6> for AirplaneWindGust {
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<6> {
         let (p, w) = (position_deviation, self.start_wind_deviation);
         let g = self.gusts.deviation_in(2.0 * w * w);
+        let airspeed = self.air_data.cruise_airspeed;
+        let unmodelled = self.unmodelled.start_variance(airspeed, 2.0 * w * w);
+        let w = w.hypot(unmodelled.sqrt());
         let mut mean = SVector::zeros();
         mean[0] = position.north;
         mean[1] = position.east;

@@ -67,6 +67,10 @@ components! {
     AirspeedScale = "airspeed scale", "";
     /// Heading, reading minus truth, radians.
     HeadingBias = "heading bias", "rad";
+    /// Roll of the camera, reading minus truth, radians.
+    RollBias = "roll bias", "rad";
+    /// Pitch of the camera, reading minus truth, radians.
+    PitchBias = "pitch bias", "rad";
     /// Measured velocity over ground, reading minus truth, m/s north.
     VelocityBiasNorth = "velocity bias north", "m/s";
     /// Measured velocity over ground, reading minus truth, m/s east.

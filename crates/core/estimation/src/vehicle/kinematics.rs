@@ -14,10 +14,12 @@ pub struct Kinematics {
     pub on_map: GroundPoint,
     /// Velocity over ground, m/s north and east; `None` where nobody asked for it or the model knows none.
     pub velocity: Option<Vector2<f64>>,
-    /// Attitude of the body, the heading's bias taken out.
+    /// Attitude of the body, the biases of heading, roll and pitch taken out.
     pub attitude: Attitude,
     /// Heading, reading minus truth, radians; `None` where the model takes the reading for the truth.
     pub heading_bias: Option<f64>,
+    /// Roll and pitch, reading minus truth, radians; `None` where the model takes the readings for the truth.
+    pub tilt_bias: Option<[f64; 2]>,
     /// Height above the ground plane, metres; `None` where the model has none.
     pub height: Option<f64>,
     /// Height by air pressure, reading minus truth, metres; `None` where the model has none.
@@ -38,6 +40,8 @@ pub enum KinematicsPart {
 pub struct KinematicsReader {
     position: [usize; 2],
     heading_bias: Option<usize>,
+    /// The first of the two components of the tilt's bias.
+    tilt_bias: Option<usize>,
     height: Option<usize>,
     barometer_bias: Option<usize>,
     /// The first of the map's two components.
@@ -51,18 +55,20 @@ impl KinematicsReader {
         Self {
             position: [north, north + 1],
             heading_bias: StateComponent::HeadingBias.index_in(layout),
+            tilt_bias: StateComponent::RollBias.index_in(layout),
             height: StateComponent::Height.index_in(layout),
             barometer_bias: StateComponent::BarometerBias.index_in(layout),
             map_error: StateComponent::MapErrorNorth.index_in(layout),
         }
     }
 
-    /// Components on which position, place on the map, heading and height depend.
+    /// Components on which position, place on the map, attitude and height depend.
     pub fn pose_components(&self) -> impl Iterator<Item = usize> {
         let of_map = self.map_error.into_iter().flat_map(|i| [i, i + 1]);
         let of_height = self.height.into_iter().chain(self.barometer_bias);
+        let of_tilt = self.tilt_bias.into_iter().flat_map(|i| [i, i + 1]);
         let own = self.position.into_iter().chain(self.heading_bias);
-        own.chain(of_map).chain(of_height)
+        own.chain(of_tilt).chain(of_map).chain(of_height)
     }
 
     /// Bias of the heading in `state`, radians.
@@ -83,6 +89,8 @@ impl KinematicsReader {
         let [north, east] = self.position;
         let position = GroundPoint::new(then[north], then[east]);
         let heading_bias = self.heading_bias(state);
+        let tilt_bias = self.tilt_bias.map(|i| [state[i], state[i + 1]]);
+        let [roll_bias, pitch_bias] = tilt_bias.unwrap_or_default();
         Kinematics {
             position,
             on_map: match self.map_error {
@@ -96,10 +104,12 @@ impl KinematicsReader {
                 KinematicsPart::Motion => model.ground_velocity(state, input),
             },
             attitude: Attitude {
+                roll: input.attitude.roll - roll_bias,
+                pitch: input.attitude.pitch - pitch_bias,
                 yaw: input.attitude.yaw - heading_bias.unwrap_or(0.0),
-                ..input.attitude
             },
             heading_bias,
+            tilt_bias,
             height: self.height.map(|i| state[i]),
             barometer_bias: self.barometer_bias.map(|i| state[i]),
         }

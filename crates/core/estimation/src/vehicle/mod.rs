@@ -22,6 +22,8 @@ mod registry;
 #[cfg(test)]
 mod tests;
 mod thesis_noise;
+mod tilted;
+mod unmodelled_air;
 mod velocity_driven;
 
 pub use airplane::{AIRSPEED_MEMORY, AirData};
@@ -43,4 +45,6 @@ pub use parts::{AirDataBiases, Gusts};
 pub use random_walk::RandomWalk;
 pub use registry::{VehicleSettings, VehicleVisitor, all_vehicles};
 pub use thesis_noise::ThesisNoise;
+pub use tilted::{TiltBias, Tilted};
+pub use unmodelled_air::UnmodelledAir;
 pub use velocity_driven::VelocityDriven;

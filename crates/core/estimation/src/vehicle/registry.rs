@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust, AtHeight,
     ConstantVelocity, HeightModel, MapError, Multirotor, OverMap, RandomWalk, ThesisNoise,
-    VehicleModel, VelocityDriven,
+    TiltBias, Tilted, VehicleModel, VelocityDriven,
 };
 
 /// Something that wants to work with a vehicle model of any state size.
@@ -68,6 +68,15 @@ macro_rules! registry {
                 match self {
                     $(Self::$variant(model) => {
                         visitor.visit::<{ $size + 2 }, _>(AtHeight::<$size>::new(Arc::new(*model), height))
+                    })+
+                }
+            }
+
+            /// The same with biases of the camera's roll and pitch, two states larger.
+            pub fn visit_tilted<V: VehicleVisitor>(&self, bias: TiltBias, visitor: V) -> V::Output {
+                match self {
+                    $(Self::$variant(model) => {
+                        visitor.visit::<{ $size + 2 }, _>(Tilted::<$size>::new(Arc::new(*model), bias))
                     })+
                 }
             }

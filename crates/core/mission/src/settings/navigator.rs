@@ -171,6 +171,16 @@ pub struct SensorNoise {
     /// every frame and from every height.
     #[serde(default)]
     pub ground: f64,
+    /// Part of roll's and of pitch's deviation that stays the same over a flight, radians each: two states of the filter,
+    /// where neither the map's error nor the height is one.
+    #[serde(default)]
+    pub tilt_bias: f64,
+    /// The same of yaw, radians: a vehicle model that estimates the heading's bias knows it already.
+    #[serde(default)]
+    pub yaw_bias: f64,
+    /// The same of the height, metres: looks at a landmark share it.
+    #[serde(default)]
+    pub height_bias: f64,
 }
 
 impl SensorNoise {
@@ -188,6 +198,32 @@ impl SensorNoise {
     pub fn pose_covariance(&self) -> Matrix4<f64> {
         let deviations = Vector4::new(self.roll, self.pitch, self.yaw, self.height);
         Matrix4::from_diagonal(&deviations.map(|sd| sd * sd))
+    }
+
+    /// The noise that is left of it in each frame where the biases of the tilt, and that of the yaw, are known apart.
+    ///
+    /// ```
+    /// # use pilotage_mission::settings::NavigatorSettings;
+    /// let usual = NavigatorSettings::default().sensors;
+    /// let biased = pilotage_mission::settings::SensorNoise { tilt_bias: 0.63_f64.to_radians(), ..usual };
+    /// // Of 1.05°, of which 0.63° stay, 0.84° are new in each frame.
+    /// let left = biased.without_biases(true, false);
+    /// assert!((left.roll - 0.84_f64.to_radians()).abs() < 1e-12);
+    /// assert_eq!((left.tilt_bias, left.yaw), (0.0, usual.yaw));
+    /// ```
+    #[must_use]
+    pub fn without_biases(&self, of_tilt: bool, of_yaw: bool) -> Self {
+        let left = |all: f64, lasting: f64| (all * all - lasting * lasting).max(0.0).sqrt();
+        let tilt = if of_tilt { self.tilt_bias } else { 0.0 };
+        let yaw = if of_yaw { self.yaw_bias } else { 0.0 };
+        Self {
+            roll: left(self.roll, tilt),
+            pitch: left(self.pitch, tilt),
+            yaw: left(self.yaw, yaw),
+            tilt_bias: self.tilt_bias - tilt,
+            yaw_bias: self.yaw_bias - yaw,
+            ..*self
+        }
     }
 }
 
@@ -271,6 +307,9 @@ impl Default for NavigatorSettings {
                 height: 0.6,
                 pixel: 1.0,
                 ground: 0.0,
+                tilt_bias: 0.0,
+                yaw_bias: 0.0,
+                height_bias: 0.0,
             },
             measurement_scale: 1.0,
             detector: TemplateSettings::default(),

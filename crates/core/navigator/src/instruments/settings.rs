@@ -99,7 +99,7 @@ impl Default for ReckonSettings {
                 },
                 wind_noise_density: 0.14,
                 start_wind_deviation: 5.0,
-                thesis_noise: None,
+                ..AirplaneWind::default()
             },
             plain_position_deviation: 1.524,
             calibration: CalibrationSettings::default(),

@@ -2,9 +2,10 @@
 
 use nalgebra::{Const, Dyn, Matrix4, OMatrix, OVector, SVector};
 
-use super::engine::{vehicle, visit_model};
+use super::engine::{frame_noise, visit_model};
 use super::expected::{Anchor, AppearanceModel, appearances};
 use super::inputs::Inputs;
+use super::tilt::ByTilt;
 use super::{Run, StepReport};
 use pilotage_base::frames::{Attitude, GroundPoint};
 use pilotage_estimation::filter::{CramerRao, FilterError, numerical_jacobian};
@@ -31,7 +32,7 @@ pub fn position_bound(
         true_noise,
     };
     if run.settings.aids.is_empty() {
-        return Some(vehicle(true_noise).visit(bound));
+        return Some(visit_model(true_noise, bound));
     }
     let with_aids = NavigatorSettings {
         aids: run.settings.aids.clone(),
@@ -161,18 +162,17 @@ impl Bound<'_> {
         }
         let bias = model.index_of(StateComponent::HeadingBias);
         let map_error = model.index_of(StateComponent::MapErrorNorth);
+        let tilt_bias = model.index_of(StateComponent::RollBias);
+        let by_tilt = ByTilt::of_landmarks(&jacobians);
         let slope = numerical_jacobian::<N, Dyn>(
             |x| -> Option<OVector<f64, Dyn>> {
                 let [north, east] = map_error.map_or([0.0; 2], |i| [x[i], x[i + 1]]);
                 let position = GroundPoint::new(x[0] + north, x[1] + east);
                 let bias = bias.map_or(0.0, |i| x[i]);
-                Some(appearances(
-                    &appearance.attitude,
-                    &places,
-                    &pose,
-                    position,
-                    bias,
-                ))
+                let attitude = &appearance.attitude;
+                let mut expected = appearances(attitude, &places, &pose, position, bias);
+                by_tilt.add_biases(&mut expected, tilt_bias.map(|i| [x[i], x[i + 1]]));
+                Some(expected)
             },
             state,
         );
@@ -180,7 +180,7 @@ impl Bound<'_> {
         let noise = joint_noise(
             &own,
             &jacobians,
-            &self.true_noise.sensors.pose_covariance(),
+            &frame_noise(self.true_noise).pose_covariance(),
             1.0,
         );
         bound.update(&slope, &noise)

@@ -36,6 +36,7 @@ mod sighting;
 mod smooth;
 mod summary;
 mod ticks;
+mod tilt;
 
 pub use aids::{AidError, AidInfo, AidNumber};
 pub use bound::position_bound;

@@ -7,6 +7,7 @@ use nalgebra::{
 
 use super::JointReport;
 use super::engine::{CorrectedStep, Engine, MeasurementModel};
+use super::tilt::ByTilt;
 use pilotage_estimation::filter::{FilterError, Gate, Verdict};
 
 /// Something that was measured, by whatever aid.
@@ -44,16 +45,20 @@ impl Observation<'static> {
         by_pose: &Matrix2x4<f64>,
         own: &Matrix2<f64>,
     ) -> Self {
+        let by_pose = MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]);
+        let by_tilt = ByTilt::of(&by_pose);
         Self {
             measured: dvector![place.x, place.y],
             noise: DMatrix::from_column_slice(2, 2, noise.as_slice()),
             weakened: None,
-            model: MeasurementModel::of_pose(|seen| {
-                Some(dvector![seen.on_map.north, seen.on_map.east])
+            model: MeasurementModel::of_pose(move |seen| {
+                let mut expected = dvector![seen.on_map.north, seen.on_map.east];
+                by_tilt.add(&mut expected, seen);
+                Some(expected)
             }),
             degrees: 2,
             in_picture: Some(PicturePart {
-                by_pose: MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]),
+                by_pose,
                 own: DMatrix::from_column_slice(2, 2, own.as_slice()),
             }),
         }

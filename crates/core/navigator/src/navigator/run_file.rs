@@ -2,11 +2,12 @@
 
 use super::Run;
 use super::run_files_before::{
-    HEADER_6, HEADER_7, HEADER_8, RunOfVersion6, RunOfVersion7, RunOfVersion8,
+    HEADER_6, HEADER_7, HEADER_8, HEADER_9, RunOfVersion6, RunOfVersion7, RunOfVersion8,
+    RunOfVersion9,
 };
 
-/// The first bytes of every run file; the last is the version.
-const HEADER: &[u8] = b"PILOTAGE RUN 9\n";
+/// The first bytes of every run file; the last are the version.
+const HEADER: &[u8] = b"PILOTAGE RUN 10\n";
 const MARK: &[u8] = b"PILOTAGE RUN ";
 
 /// Why bytes are not a run.
@@ -91,6 +92,8 @@ pub fn decode_run(file: &str, bytes: &[u8]) -> Result<Run, RunFileError> {
     }
     let read = if let Some(body) = bytes.strip_prefix(HEADER) {
         postcard::from_bytes(body)
+    } else if let Some(body) = bytes.strip_prefix(HEADER_9) {
+        postcard::from_bytes::<RunOfVersion9>(body).map(Run::from)
     } else if let Some(body) = bytes.strip_prefix(HEADER_8) {
         postcard::from_bytes::<RunOfVersion8>(body).map(Run::from)
     } else if let Some(body) = bytes.strip_prefix(HEADER_7) {
@@ -131,15 +134,15 @@ mod tests {
         assert_eq!(decode_run("a.run", &bytes).expect("reads"), run());
     }
 
-    /// Bytes of settings as versions before 8 had them, of which the error on the ground is zero.
-    fn settings_before(settings: &NavigatorSettings) -> Vec<u8> {
+    /// Bytes of settings without the last `count` numbers of the sensors, which are zero.
+    fn settings_before(settings: &NavigatorSettings, count: usize) -> Vec<u8> {
         let mut marked = settings.clone();
-        marked.sensors.ground = 1.234_567e300;
-        let mark = marked.sensors.ground.to_le_bytes();
+        marked.sensors.height_bias = 1.234_567e300;
+        let mark = marked.sensors.height_bias.to_le_bytes();
         let bytes = postcard::to_stdvec(&marked).expect("writes");
         let place = bytes.windows(mark.len()).position(|bytes| bytes == mark);
-        let place = place.expect("it is in the bytes");
-        [&bytes[..place], &bytes[place + mark.len()..]].concat()
+        let end = place.expect("it is in the bytes") + mark.len();
+        [&bytes[..end - count * mark.len()], &bytes[end..]].concat()
     }
 
     /// `bytes` without the last `count`, which are empty lists and switches that are off.
@@ -192,7 +195,7 @@ mod tests {
         };
         let sixth = file(
             HEADER_6,
-            without_last(2, settings_before(&run.settings)),
+            without_last(2, settings_before(&run.settings, 4)),
             run.steps
                 .iter()
                 .flat_map(|step| without_last(2, step_bytes(step)))
@@ -206,12 +209,15 @@ mod tests {
         let steps: Vec<u8> = steps
             .flat_map(|step| without_last(1, step_bytes(step)))
             .collect();
-        let seventh = file(HEADER_7, settings_before(&aided.settings), steps.clone());
+        let seventh = file(HEADER_7, settings_before(&aided.settings, 4), steps.clone());
         assert_eq!(decode_run("newer.run", &seventh).expect("reads"), aided);
         aided.settings.sensors.ground = 0.11;
-        let settings = postcard::to_stdvec(&aided.settings).expect("writes");
-        let eighth = file(HEADER_8, settings, steps);
-        assert_eq!(decode_run("newest.run", &eighth).expect("reads"), aided);
+        let settings = settings_before(&aided.settings, 3);
+        let eighth = file(HEADER_8, settings.clone(), steps);
+        assert_eq!(decode_run("newer.run", &eighth).expect("reads"), aided);
+        let steps = run.steps.iter().flat_map(step_bytes).collect();
+        let ninth = file(HEADER_9, settings, steps);
+        assert_eq!(decode_run("newest.run", &ninth).expect("reads"), aided);
     }
 
     #[test]

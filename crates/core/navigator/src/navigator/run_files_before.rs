@@ -1,5 +1,5 @@
-//! Runs as versions 6 to 8 of their files have them: without what aids saw, those before 8 without errors of detectors on
-//! the ground, and version 6 without aids beside pictures.
+//! Runs as versions 6 to 9 of their files have them: without biases of the camera's pose, those before 9 without
+//! what aids saw, those before 8 without errors of detectors on the ground, and version 6 without aids beside pictures.
 
 use serde::Deserialize;
 
@@ -20,6 +20,8 @@ pub const HEADER_6: &[u8] = b"PILOTAGE RUN 6\n";
 pub const HEADER_7: &[u8] = b"PILOTAGE RUN 7\n";
 /// The first bytes of a file of version 8.
 pub const HEADER_8: &[u8] = b"PILOTAGE RUN 8\n";
+/// The first bytes of a file of version 9.
+pub const HEADER_9: &[u8] = b"PILOTAGE RUN 9\n";
 
 /// A run whose settings and steps have the forms of their version.
 #[derive(Deserialize)]
@@ -31,23 +33,26 @@ pub struct RunBefore<S, T> {
     steps: Vec<T>,
 }
 
+/// A run of version 9.
+pub type RunOfVersion9 = RunBefore<SettingsWithAids<SensorsOnGround>, StepReport>;
 /// A run of version 8.
-pub type RunOfVersion8 = RunBefore<NavigatorSettings, StepWithUpdates>;
+pub type RunOfVersion8 = RunBefore<SettingsWithAids<SensorsOnGround>, StepWithUpdates>;
 /// A run of version 7.
-pub type RunOfVersion7 = RunBefore<SettingsWithAids, StepWithUpdates>;
+pub type RunOfVersion7 = RunBefore<SettingsWithAids<Sensors>, StepWithUpdates>;
 /// A run of version 6.
-pub type RunOfVersion6 = RunBefore<Settings, Step>;
+pub type RunOfVersion6 = RunBefore<Settings<Sensors>, Step>;
 
-/// Settings of version 7.
+/// Settings of versions 7 to 9.
 #[derive(Deserialize)]
-pub struct SettingsWithAids {
-    settings: Settings,
+pub struct SettingsWithAids<S> {
+    settings: Settings<S>,
     aids: Vec<ChosenAid>,
     estimates_height: bool,
 }
 
+/// Noise of the camera's pose of versions 6 and 7.
 #[derive(Deserialize)]
-struct Sensors {
+pub struct Sensors {
     roll: f64,
     pitch: f64,
     yaw: f64,
@@ -55,9 +60,16 @@ struct Sensors {
     pixel: f64,
 }
 
+/// Noise of the camera's pose of versions 8 and 9.
+#[derive(Deserialize)]
+pub struct SensorsOnGround {
+    sensors: Sensors,
+    ground: f64,
+}
+
 /// Settings of version 6.
 #[derive(Deserialize)]
-pub struct Settings {
+pub struct Settings<S> {
     vehicle: VehicleChoice,
     alpha: f64,
     beta: f64,
@@ -65,7 +77,7 @@ pub struct Settings {
     gate_confidence: f64,
     start: StartError,
     process: ProcessNoise,
-    sensors: Sensors,
+    sensors: S,
     measurement_scale: f64,
     detector: TemplateSettings,
     most_landmarks: usize,
@@ -97,9 +109,33 @@ pub struct StepWithUpdates {
     updates: Vec<UpdateReport>,
 }
 
-impl From<Settings> for NavigatorSettings {
-    fn from(of: Settings) -> Self {
-        let sensors = of.sensors;
+impl From<Sensors> for SensorNoise {
+    fn from(of: Sensors) -> Self {
+        Self {
+            roll: of.roll,
+            pitch: of.pitch,
+            yaw: of.yaw,
+            height: of.height,
+            pixel: of.pixel,
+            ground: 0.0,
+            tilt_bias: 0.0,
+            yaw_bias: 0.0,
+            height_bias: 0.0,
+        }
+    }
+}
+
+impl From<SensorsOnGround> for SensorNoise {
+    fn from(of: SensorsOnGround) -> Self {
+        Self {
+            ground: of.ground,
+            ..of.sensors.into()
+        }
+    }
+}
+
+impl<S: Into<SensorNoise>> From<Settings<S>> for NavigatorSettings {
+    fn from(of: Settings<S>) -> Self {
         Self {
             vehicle: of.vehicle,
             alpha: of.alpha,
@@ -108,14 +144,7 @@ impl From<Settings> for NavigatorSettings {
             gate_confidence: of.gate_confidence,
             start: of.start,
             process: of.process,
-            sensors: SensorNoise {
-                roll: sensors.roll,
-                pitch: sensors.pitch,
-                yaw: sensors.yaw,
-                height: sensors.height,
-                pixel: sensors.pixel,
-                ground: 0.0,
-            },
+            sensors: of.sensors.into(),
             measurement_scale: of.measurement_scale,
             detector: of.detector,
             most_landmarks: of.most_landmarks,
@@ -128,8 +157,8 @@ impl From<Settings> for NavigatorSettings {
     }
 }
 
-impl From<SettingsWithAids> for NavigatorSettings {
-    fn from(of: SettingsWithAids) -> Self {
+impl<S: Into<SensorNoise>> From<SettingsWithAids<S>> for NavigatorSettings {
+    fn from(of: SettingsWithAids<S>) -> Self {
         Self {
             aids: of.aids,
             estimates_height: of.estimates_height,

@@ -3,11 +3,12 @@
 use nalgebra::{DMatrix, DVector, Matrix4, MatrixXx4, Point2, Point3, Vector4};
 
 use super::attention::{attended, probability_of_view};
-use super::engine::{Engine, MeasurementModel};
+use super::engine::{Engine, MeasurementModel, frame_noise};
 use super::expected::{Anchor, AppearanceModel, appearances};
 use super::looks::{LooksAtLandmarks, variance_of_look};
 use super::observation::{GaussianInnovation, Observation, PicturePart};
 use super::region::{may_be_in_view, reach};
+use super::tilt::ByTilt;
 use super::{CandidateReport, Outcome};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::{FilterError, Gate};
@@ -99,12 +100,13 @@ pub fn observation(
     let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
     let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
     let are_new = measurements.iter().all(|m| m.look == 1);
-    let of_pose = settings.sensors.pose_covariance();
+    let of_pose = frame_noise(settings).pose_covariance();
     let weakened = (!are_new).then(|| {
         let own: Vec<_> = measurements.iter().map(|m| m.weakened(&of_pose)).collect();
         noise(settings, &own, &jacobians)
     });
-    let landmarks = measurements.iter().map(|m| (m.landmark, m.anchor));
+    let landmarks = measurements.iter();
+    let landmarks = landmarks.map(|m| (m.landmark, m.anchor, m.jacobian));
     let scale = settings.measurement_scale;
     let mut part = PicturePart {
         by_pose: MatrixXx4::zeros(measured.len()),
@@ -130,20 +132,24 @@ pub fn observation(
     }
 }
 
-/// Appearances of landmarks to a camera of `model` at the assumed `pose`.
+/// Appearances of landmarks, with their changes with the pose, to a camera of `model` at the assumed `pose`.
 fn expected(
-    landmarks: Vec<(&Landmark, Anchor)>,
+    landmarks: Vec<(&Landmark, Anchor, Matrix4<f64>)>,
     model: &AppearanceModel<'_>,
     pose: &Pose,
 ) -> MeasurementModel<'static> {
     let (attitude, pose) = (model.attitude, *pose);
+    let jacobians: Vec<_> = landmarks.iter().map(|(_, _, slope)| *slope).collect();
+    let by_tilt = ByTilt::of_landmarks(&jacobians);
     let places: Vec<(GroundPoint, Anchor)> = landmarks
         .into_iter()
-        .map(|(landmark, anchor)| (landmark.reference, anchor))
+        .map(|(landmark, anchor, _)| (landmark.reference, anchor))
         .collect();
     MeasurementModel::of_pose(move |seen: &Kinematics| {
         let bias = seen.heading_bias.unwrap_or(0.0);
-        Some(appearances(&attitude, &places, &pose, seen.on_map, bias))
+        let mut appearances = appearances(&attitude, &places, &pose, seen.on_map, bias);
+        by_tilt.add(&mut appearances, seen);
+        Some(appearances)
     })
 }
 
@@ -152,7 +158,7 @@ fn noise(
     own: &[Matrix4<f64>],
     jacobians: &[Matrix4<f64>],
 ) -> DMatrix<f64> {
-    let pose = settings.sensors.pose_covariance();
+    let pose = frame_noise(settings).pose_covariance();
     joint_noise(own, jacobians, &pose, settings.measurement_scale)
 }
 
@@ -197,6 +203,19 @@ impl<'a> Associator<'a> {
         let ground = self.settings.sensors.ground;
         let error = AppearanceError { pixel, ground };
         error.covariance(&anchor.to_pixel, self.model.camera.focal / height, half)
+    }
+
+    /// Variances by the biases of the camera's pose that are noise to the filter, of something that changes so with the pose.
+    fn of_biases(&self, jacobian: &Matrix4<f64>) -> Vector4<f64> {
+        let noise = frame_noise(self.settings);
+        let tilt = noise.tilt_bias.powi(2);
+        let variances = Vector4::new(
+            tilt,
+            tilt,
+            noise.yaw_bias.powi(2),
+            noise.height_bias.powi(2),
+        );
+        jacobian.component_mul(jacobian) * variances
     }
 
     /// Landmarks that may be in view, the most central first, with the reports begun; not all of them
@@ -249,7 +268,7 @@ impl<'a> Associator<'a> {
         let anchor = Anchor::of(model.camera, &self.pose, &point)?;
         let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
         let noise = noise(self.settings, &[self.floor(landmark, &anchor)], &[jacobian]);
-        let expected = expected(vec![(landmark, anchor)], &model, &self.pose);
+        let expected = expected(vec![(landmark, anchor, jacobian)], &model, &self.pose);
         let expected = self.engine.expect(&expected, &noise).ok()?;
         let covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
         let deviation = |i: usize| expected.covariance[(i, i)].max(0.0).sqrt();
@@ -406,7 +425,7 @@ impl<'a> Associator<'a> {
             covariance,
             jacobian,
             look: self.looks.next(landmark.id),
-            lasting: self.unknown(landmark, &anchor, 0.0).diagonal(),
+            lasting: self.unknown(landmark, &anchor, 0.0).diagonal() + self.of_biases(&jacobian),
         })
     }
 

@@ -427,6 +427,9 @@ impl Scenario {
                 height: sensors.height.noise.hypot(sensors.height.bias),
                 pixel: DETECTOR_PIXEL,
                 ground: DETECTOR_GROUND,
+                tilt_bias: sensors.attitude.bias,
+                yaw_bias: sensors.heading.bias,
+                height_bias: sensors.height.bias,
             },
             aids: self
                 .aids

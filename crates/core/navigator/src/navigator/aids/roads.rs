@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector, MatrixXx4, Vector3};
 use super::super::engine::MeasurementModel;
 use super::super::observation::{Observation, PicturePart};
 use super::super::sighting::SightingReport;
+use super::super::tilt::ByTilt;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use super::reading::Spacing;
@@ -156,6 +157,7 @@ impl Roads {
         let own = DMatrix::from_diagonal(&DVector::from_iterator(size, own));
         let noise = &own + &by_pose * look.noise.pose_covariance() * by_pose.transpose();
         let measured = fix.components.iter().map(|component| component.value);
+        let by_tilt = ByTilt::of(&by_pose);
         // North, east and heading that were believed; a bias that is larger is a heading that is smaller.
         let believed = look.belief.mean;
         Some(Observation {
@@ -169,7 +171,9 @@ impl Roads {
                     believed.z - bias,
                 );
                 let values = weights.iter().map(|weights| weights.dot(&change));
-                Some(DVector::from_iterator(size, values))
+                let mut expected = DVector::from_iterator(size, values);
+                by_tilt.add(&mut expected, seen);
+                Some(expected)
             }),
             weakened: None,
             degrees: size,
@@ -338,6 +342,9 @@ mod tests {
                     height: 0.5,
                     pixel: 0.0,
                     ground: 0.0,
+                    tilt_bias: 0.0,
+                    yaw_bias: 0.0,
+                    height_bias: 0.0,
                 },
                 map_deviation: of_map,
             };

@@ -2,10 +2,10 @@
 
 use pilotage_estimation::vehicle::{
     AirData, AirDataBiases, AirplaneFull, AirplaneWind, AirplaneWindGust, ConstantVelocity, Gusts,
-    HeightModel, MapError, Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VehicleVisitor,
-    VelocityDriven,
+    HeightModel, MapError, Multirotor, RandomWalk, ThesisNoise, TiltBias, UnmodelledAir,
+    VehicleSettings, VehicleVisitor, VelocityDriven,
 };
-use pilotage_mission::settings::{MAP_ERRORS, NavigatorSettings, VehicleChoice};
+use pilotage_mission::settings::{MAP_ERRORS, NavigatorSettings, SensorNoise, VehicleChoice};
 
 /// Works with the model that the filter of a run has: that of the vehicle, with its height where that is asked for, else with
 /// the error of the map where that is known to be off.
@@ -14,10 +14,25 @@ pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) 
     if settings.estimates_height {
         return vehicle.visit_at_height(HeightModel::default(), visitor);
     }
-    match map_error(settings) {
-        Some(error) => vehicle.visit_over_map(error, visitor),
-        None => vehicle.visit(visitor),
+    match (map_error(settings), tilt_bias(settings)) {
+        (Some(error), _) => vehicle.visit_over_map(error, visitor),
+        (None, Some(bias)) => vehicle.visit_tilted(bias, visitor),
+        (None, None) => vehicle.visit(visitor),
     }
+}
+
+/// Model of the biases of roll and pitch, if they are states of the filter.
+fn tilt_bias(settings: &NavigatorSettings) -> Option<TiltBias> {
+    let deviation = settings.sensors.tilt_bias;
+    let has_room = !settings.estimates_height && map_error(settings).is_none();
+    (deviation > 0.0 && has_room).then_some(TiltBias { deviation })
+}
+
+/// Noise of what the camera's pose is computed from that is new to the filter in each frame: without what is a state of it.
+pub fn frame_noise(settings: &NavigatorSettings) -> SensorNoise {
+    let knows_heading = settings.vehicle == VehicleChoice::AirplaneFull;
+    let knows_tilt = tilt_bias(settings).is_some();
+    settings.sensors.without_biases(knows_tilt, knows_heading)
 }
 
 /// Model of the map's error, if that error is a state of the filter.
@@ -46,11 +61,21 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
         correlation_time: p.gust_time,
     };
     let start_wind_deviation = settings.start.wind;
+    let of_biases = UnmodelledAir {
+        gusts: None,
+        airspeed_bias: p.airspeed_bias,
+        heading_bias: p.heading_bias,
+    };
+    let of_all = UnmodelledAir {
+        gusts: Some(gusts),
+        ..of_biases
+    };
     match settings.vehicle {
         VehicleChoice::AirplaneWind => VehicleSettings::AirplaneWind(AirplaneWind {
             air_data,
             wind_noise_density: p.wind,
             start_wind_deviation,
+            unmodelled: of_all,
             thesis_noise: p.thesis_per_step.then_some(ThesisNoise::DistinctLandmarks),
         }),
         VehicleChoice::AirplaneGust => VehicleSettings::AirplaneWindGust(AirplaneWindGust {
@@ -58,6 +83,7 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
             wind_noise_density: p.wind,
             start_wind_deviation,
             gusts,
+            unmodelled: of_biases,
         }),
         VehicleChoice::AirplaneFull => VehicleSettings::AirplaneFull(AirplaneFull {
             air_data,

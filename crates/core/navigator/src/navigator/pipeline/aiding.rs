@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, Matrix3, Vector3, dvector};
 
 use super::super::aids::{Aid, AidLook, AidMoment, Taken, take};
-use super::super::engine::{MeasurementModel, map_error};
+use super::super::engine::{MeasurementModel, frame_noise, map_error};
 use super::super::expected::AppearanceModel;
 use super::super::observation::{GaussianState, Observation};
 use super::super::observed_at::ObservedAt;
@@ -68,7 +68,7 @@ impl Navigator {
         report.sightings = (self.aids.iter_mut())
             .filter_map(|aid| aid.sighting())
             .collect();
-        let mut shared = PictureErrors::new(self.settings.sensors.pose_covariance());
+        let mut shared = PictureErrors::new(frame_noise(&self.settings).pose_covariance());
         if let Some(landmarks) = landmarks {
             shared.note(landmarks);
         }
@@ -137,7 +137,7 @@ impl Navigator {
                 mean,
                 covariance: Matrix3::from_column_slice(belief.covariance.as_slice()),
             },
-            noise: self.settings.sensors,
+            noise: frame_noise(&self.settings),
             map_deviation: map_error(&self.settings).map_or(0.0, |error| error.deviation),
         })
     }

@@ -225,6 +225,9 @@ impl IndoorHall {
                 // Posters are laid by hand.
                 pixel: self.laying * Self::camera().focal / self.height,
                 ground: 0.0,
+                tilt_bias: 0.0,
+                yaw_bias: 0.0,
+                height_bias: 0.0,
             },
             ..defaults
         }

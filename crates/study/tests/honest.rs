@@ -1,0 +1,73 @@
+//! Ellipses that hold: of flights that are each judged once, as many end with the truth inside as the ellipse says.
+
+use pilotage_study::{Study, StudyPlan};
+
+/// Flights of each cell.
+const FLIGHTS: u64 = 100;
+
+/// Interval of 95 % of a share of which `inside` of `of` happened (Wilson 1927).
+fn wilson(inside: f64, of: f64) -> (f64, f64) {
+    const Z: f64 = 1.959_964;
+    let (share, z) = (inside / of, Z * Z / of);
+    let half = Z * (share * (1.0 - share) / of + 0.25 * z / of).sqrt();
+    let middle = share + 0.5 * z;
+    ((middle - half) / (1.0 + z), (middle + half) / (1.0 + z))
+}
+
+/// Asserts of each cell that the share of its flights that end inside of the ellipse of 95 % is that, and that the mean
+/// normalized squares of the errors of position, of two degrees of freedom, and of the innovations, for each degree, are
+/// near what they must be.
+fn assert_honest(name: &str, cells: &str, count: usize) {
+    let plan = format!(
+        r#"
+        name = "{name}"
+        question = "Does the ellipse hold?"
+        seed = 4711
+        draws = {FLIGHTS}
+        measure = [{{ of = "inside-95-end" }}, {{ of = "nees" }}, {{ of = "nis" }}]
+        fixed.seconds = 60
+        fixed.step = 0.25
+        fixed.doubts = "no"
+        {cells}
+        "#
+    );
+    let study = Study::new(StudyPlan::read(&plan).unwrap()).unwrap();
+    let mut sums = vec![[0.0; 3]; count];
+    for run in 0..study.design().plan().runs() {
+        let cell = study.design().run(run).unwrap().cell as usize;
+        let row = study.fly(run).unwrap();
+        for (sum, measured) in sums[cell].iter_mut().zip(row.measured) {
+            *sum += measured.unwrap();
+        }
+    }
+    let flights = FLIGHTS as f64;
+    for (cell, [inside, nees, nis]) in sums.into_iter().enumerate() {
+        let (low, high) = wilson(inside, flights);
+        let (nees, nis) = (nees / flights, nis / flights);
+        println!("{name} {cell}: {inside} of {FLIGHTS} inside, NEES {nees:.2}, NIS {nis:.3}");
+        assert!((low..=high).contains(&0.95), "{low:.3} to {high:.3}");
+        assert!((1.5..2.6).contains(&nees) && (0.9..1.1).contains(&nis));
+    }
+}
+
+#[test]
+fn the_ellipse_of_every_scenario_holds_the_truth_as_often_as_it_says() {
+    assert_honest(
+        "scenarios",
+        r#"cross.scenario = ["distinct-400ft-calm", "distinct-400ft-wind", "distinct-1000ft-extended"]"#,
+        3,
+    );
+}
+
+#[test]
+fn the_ellipse_of_every_airplane_model_holds_the_truth_in_winds_that_nobody_told() {
+    assert_honest(
+        "vehicles",
+        r#"
+        cross.vehicle = ["airplane-full", "airplane-gust", "airplane-wind"]
+        draw.wind-speed = { uniform = [0, 8] }
+        draw.wind-from = { uniform = [0, 360] }
+        "#,
+        3,
+    );
+}
