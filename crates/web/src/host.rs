@@ -33,7 +33,7 @@ pub struct Remembered {
     pub files: ShortMap<String, FileContent>,
 }
 
-/// The page's services; every clone is the same.
+/// The page's services; every clone is the same, but that the owners of jobs are known to that of the app, which starts them.
 #[derive(Clone)]
 pub struct PageHost {
     inner: Rc<RefCell<Inner>>,
@@ -135,6 +135,7 @@ impl PageHost {
         };
         Self {
             inner: Rc::new(RefCell::new(inner)),
+            owners: JobOwners::default(),
         }
     }
 
