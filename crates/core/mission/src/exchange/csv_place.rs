@@ -18,6 +18,17 @@ pub(super) enum PlaceOrder {
 fn plain(cell: &str) -> String {
     let cell = cell.trim().trim_start_matches("geo:");
     let cell = cell.trim_matches(['(', ')', '[', ']', '{', '}', ' ', '"']);
+    // `47.5/8.5`.
+    if let (1, [a, b]) = (
+        cell.matches('/').count(),
+        &cell.split('/').collect::<Vec<_>>()[..],
+    ) {
+        return format!(
+            "{}, {}",
+            a.trim().replace(',', "."),
+            b.trim().replace(',', ".")
+        );
+    }
     let commas = cell.matches(',').count();
     let is_between_digits = |at: usize| {
         let is_digit = |at: Option<usize>| {
@@ -144,6 +155,7 @@ mod tests {
             "N47.5 E8.5",
             "8.5E 47.5N",
             "geo:47.5,8.5",
+            "47.5/8.5",
         ] {
             assert!(is_place(cell), "{cell}");
             let found = place(cell, LatitudeFirst);

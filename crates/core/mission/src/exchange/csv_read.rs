@@ -62,8 +62,14 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     let has_both = [CsvRole::Latitude, CsvRole::Longitude]
         .iter()
         .all(|role| table.has(*role));
+    let mut xy = None;
     if !has_both {
         table.places = table.places(&records);
+        xy = table
+            .places
+            .is_none()
+            .then(|| table.take_xy(&records))
+            .flatten();
     }
     for role in [CsvRole::Latitude, CsvRole::Longitude] {
         if !table.has(role) && table.places.is_none() {
@@ -90,6 +96,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     } else {
         landmarks(&table, &rows)?
     };
+    found.notes.extend(xy);
     if let Some(places) = table.places.filter(|places| !places.is_told) {
         found.notes.push(format!(
             "nothing tells which number of `{}` is the latitude: the first is taken; call the column `lon lat` if it is the \
@@ -160,6 +167,45 @@ impl ReadCsvTable<'_> {
             order: order.unwrap_or(PlaceOrder::LatitudeFirst),
             is_told: order.is_some(),
         })
+    }
+
+    /// Takes columns called X and Y, as geographic programs write them, for longitude and latitude where all their numbers
+    /// are degrees with the decimals of a place; returns a note that says so.
+    fn take_xy(&mut self, records: &Records) -> Option<String> {
+        let names = [
+            ["x", "y"],
+            ["xcoord", "ycoord"],
+            ["x_coord", "y_coord"],
+            ["point_x", "point_y"],
+        ];
+        let is_called = |column: &CsvColumn, name: &str| {
+            column.role.is_none() && column.name.eq_ignore_ascii_case(name)
+        };
+        let find = |name: &str| self.columns.iter().position(|c| is_called(c, name));
+        let (x, y) = names.iter().find_map(|[x, y]| Some((find(x)?, find(y)?)))?;
+        let are_degrees = |column: usize, most: f64| {
+            let cells = records.iter().filter_map(|(_, row)| row.get(column));
+            let cells: Vec<String> = cells
+                .filter(|cell| !cell.is_empty())
+                .map(|cell| cell.replace(',', "."))
+                .collect();
+            let has_decimals = |cell: &&String| {
+                cell.split_once('.')
+                    .is_some_and(|(_, rest)| rest.len() >= 4)
+            };
+            let exact = cells.iter().filter(has_decimals).count();
+            let is_degree = |cell: &String| cell.parse().is_ok_and(|n: f64| n.abs() <= most);
+            2 * exact >= cells.len().max(1) && cells.iter().all(is_degree)
+        };
+        if !are_degrees(x, 180.0) || !are_degrees(y, 90.0) {
+            return None;
+        }
+        self.columns[x].role = Some(CsvRole::Longitude);
+        self.columns[y].role = Some(CsvRole::Latitude);
+        Some(format!(
+            "`{}` and `{}` are taken for longitude and latitude in degrees",
+            self.columns[x].name, self.columns[y].name
+        ))
     }
 
     /// Whether something says how places are flown over.
@@ -473,10 +519,13 @@ fn frame_of_number(column: &str, word: &str) -> Option<AltitudeFrame> {
 }
 
 fn frame_of_abbreviation(word: &str) -> Option<AltitudeFrame> {
-    Some(match word {
-        "msl" | "absolute" => AltitudeFrame::Amsl,
-        "agl" | "terrain" | "ground" => AltitudeFrame::AboveGround,
-        "rel" | "relative" | "ato" | "home" | "takeoff" | "take_off" => AltitudeFrame::AboveTakeOff,
+    let word = word.strip_prefix("mav_frame_").unwrap_or(word);
+    Some(match word.strip_suffix("_int").unwrap_or(word) {
+        "global" | "msl" | "absolute" => AltitudeFrame::Amsl,
+        "global_terrain_alt" | "agl" | "terrain" | "ground" => AltitudeFrame::AboveGround,
+        "global_relative_alt" | "rel" | "relative" | "ato" | "home" | "takeoff" | "take_off" => {
+            AltitudeFrame::AboveTakeOff
+        }
         _ => return None,
     })
 }

@@ -150,3 +150,20 @@ fn commands_without_a_place_are_left_out_of_a_table_of_commands() {
     assert_at(&way_points(&found), &[[47.0, 8.0], [47.1, 8.0]]);
     assert_noted(&found.notes, |note| note.contains("1 of the rows"));
 }
+
+#[test]
+fn columns_called_x_and_y_are_places_only_where_they_are_degrees_for_sure() {
+    let found = read("X,Y,id,name\n8.50001,47.50002,1,A\n8.60001,47.60002,2,B\n");
+    assert_at(
+        &landmarks(&found),
+        &[[47.50002, 8.50001], [47.60002, 8.60001]],
+    );
+    assert_noted(&found.notes, |note| note.contains("`X` and `Y`"));
+    for table in [
+        "X,Y,name\n2600000.12345,1200000.12345,A\n",
+        "X,Y,name\n12.5,33.25,A\n14.0,31.5,B\n",
+    ] {
+        let error = read_any("a.csv", table.as_bytes(), None).unwrap_err();
+        assert!(error.to_string().contains("latitude"), "{error}");
+    }
+}
