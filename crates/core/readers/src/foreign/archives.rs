@@ -26,6 +26,7 @@ const ENTRIES: &[(&str, Foreign)] = &[
     name("*.npy", "arrays of NumPy (.npz)", TO_CSV),
     name("3D/3dmodel.model", "a model (3MF)", LOG),
     name("*.qgs", "a project of QGIS (.qgz)", TO_GEOJSON),
+    name("content.xml", "a document or workbook of LibreOffice (.odt, .ods)", TO_CSV),
     name("*.kml", "KML in a zip (KMZ)", CONVERT),
     name("*.wpml", "a way-point mission of DJI (KMZ)", CONVERT),
 ];
@@ -262,6 +263,7 @@ mod tests {
             (&["classes.dex", "AndroidManifest.xml"], "Android"),
             (&["a.npy", "b.npy"], "NumPy"),
             (&["doc.kml"], "KMZ"),
+            (&["mimetype", "content.xml"], "LibreOffice"),
             (&["a.zip", "b.ZIP"], "zip of zips"),
             (&["a.csv", "notes/word.txt"], "a zip"),
         ] {
