@@ -131,7 +131,20 @@ impl FileSink for DirectoryFiles {
     }
 }
 
-/// Writes a file whole or not at all: beside the old one, whose place it then takes.
+/// Writes a file whole or not at all.
+///
+/// ```
+/// use pilotage_disk::files::write_whole;
+///
+/// let file = std::env::temp_dir().join(format!("pilotage-whole-{}", std::process::id()));
+/// write_whole(&file, "first")?;
+/// write_whole(&file, "second")?;
+/// assert_eq!(std::fs::read_to_string(&file).ok().as_deref(), Some("second"));
+/// std::fs::remove_file(&file).ok();
+/// # Ok::<(), String>(())
+/// ```
+///
+/// It is written beside the old one, whose place it then takes.
 pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
     let blame = |e: std::io::Error| format!("{}: {e}", path.display());
     // What is no plain file, such as /dev/stdout, cannot be replaced.

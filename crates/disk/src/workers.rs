@@ -162,7 +162,25 @@ pub fn run_on<O: Order + Send>(
     })
 }
 
-/// Does an order on this thread. `hear` is told its events; the last is `Finished` or `Failed`.
+/// Does an order on this thread.
+///
+/// ```
+/// use pilotage_disk::workers::{Lent, do_here};
+/// use pilotage_jobs::{DescribeMapOrder, JobEvent, MapSource};
+///
+/// let mut name = String::new();
+/// let order = DescribeMapOrder(MapSource::world("hall"));
+/// do_here(order, &mut Lent::default().worker(), &mut |event| {
+///     if let JobEvent::MapInfo(info) = event {
+///         name = info.name;
+///     }
+///     Ok(())
+/// })?;
+/// assert!(!name.is_empty());
+/// # Ok::<(), String>(())
+/// ```
+///
+/// `hear` is told its events; the last is `Finished` or `Failed`.
 ///
 /// # Errors
 /// Whatever `hear` says; the rest of the order is not done then.

@@ -66,6 +66,13 @@ fn whole(source: &dyn ByteSource) -> Result<Vec<u8>, String> {
 }
 
 /// Whether a name ends in a dot and one of `endings` (in small letters), in whatever case.
+///
+/// ```
+/// use pilotage_jobs::has_ending;
+///
+/// assert!(has_ending("flight/IMG_1.JPG", &["jpg", "png"]));
+/// assert!(!has_ending("jpg", &["jpg"]));
+/// ```
 pub fn has_ending(name: &str, endings: &[&str]) -> bool {
     let name = name.to_ascii_lowercase();
     endings.iter().any(|ending| {

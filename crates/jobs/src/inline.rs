@@ -8,6 +8,21 @@ use pilotage_core::imagery::ByteSource;
 use super::{Abilities, FileContent, Job, JobEvent, JobId, JobRunner, Reply, Request};
 
 /// Worker on the calling thread. Orders and replies go through the bytes that a worker of the page would get.
+///
+/// ```
+/// use pilotage_jobs::{FlightSource, FlyOrder, InlineWorkers, Job, JobEvent, MapSource};
+///
+/// let mut workers = InlineWorkers::new();
+/// let flight = FlightSource::Files("gone".to_owned());
+/// let id = workers.start(Job::Fly(FlyOrder { flight, map: MapSource::Nothing, mission: None }));
+/// let mut last = None;
+/// while workers.busy() {
+///     last = workers.events().pop().or(last);
+/// }
+/// let (of, JobEvent::Failed(why)) = last.ok_or("an end")? else { return Err("it was flown") };
+/// assert!(of == id && why.contains("open them again"));
+/// # Ok::<(), &str>(())
+/// ```
 pub struct InlineWorkers {
     runner: JobRunner,
     next_job: JobId,

@@ -1,6 +1,13 @@
 //! Numbers as people read them.
 
 /// Number with three significant digits, with a power of ten only where it has seven figures or more, or is tiny.
+///
+/// ```
+/// use pilotage_lessons::significant;
+///
+/// assert_eq!(significant(9.996), "10.0");
+/// assert_eq!(significant(12_345_678.0), "1.23·10⁷");
+/// ```
 pub fn significant(number: f64) -> String {
     if !number.is_finite() {
         return "not known".to_owned();
@@ -44,6 +51,15 @@ pub struct Written {
 
 impl Written {
     /// Reads a number; `None` where it is none.
+    ///
+    /// ```
+    /// use pilotage_lessons::Written;
+    ///
+    /// let written = Written::read("3.40").ok_or("a number")?;
+    /// assert_eq!((written.last_digit, written.digits), (0.01, 3));
+    /// assert!(Written::read("some").is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn read(text: &str) -> Option<Self> {
         let plain = text.replace('\u{2212}', "-").replace(['\u{202f}', ','], "");
         let number: f64 = plain.parse().ok()?;

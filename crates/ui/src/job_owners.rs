@@ -38,6 +38,16 @@ pub enum Addressee {
 }
 
 /// Jobs under way with their owners.
+///
+/// ```
+/// use pilotage_jobs::JobEvent;
+/// use pilotage_ui::job_owners::{Addressee, JobOwner, JobOwners};
+///
+/// let mut owners = JobOwners::default();
+/// owners.own(7, JobOwner::Map);
+/// assert_eq!(owners.addressee(7, &JobEvent::Finished), Addressee::Owner(JobOwner::Map));
+/// assert_eq!(owners.addressee(7, &JobEvent::Finished), Addressee::Nobody);
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct JobOwners(ShortMap<JobId, OwnedJob>);
 

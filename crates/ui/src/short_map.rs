@@ -38,6 +38,15 @@ impl<K: PartialEq, V> ShortMap<K, V> {
     }
 
     /// Puts a value under a key, in the place of the one that was there.
+    ///
+    /// ```
+    /// use pilotage_ui::short_map::ShortMap;
+    ///
+    /// let mut map = ShortMap::default();
+    /// map.insert("a", 1);
+    /// map.insert("a", 2);
+    /// assert_eq!(map.iter().collect::<Vec<_>>(), [(&"a", &2)]);
+    /// ```
     pub fn insert(&mut self, key: K, value: V) {
         match self.place::<K>(&key) {
             Some(at) => self.0[at].1 = value,

@@ -40,7 +40,16 @@ impl Units {
         (factor, name.to_owned())
     }
 
-    /// A distance of metres that is known to two figures, and its unit: centimetres below a metre, tenths below ten of
+    /// A distance of metres that is known to two figures, and its unit.
+    ///
+    /// ```
+    /// use pilotage_ui::units::Units;
+    ///
+    /// assert_eq!(Units::Metric.short_distance(0.42), ("42".to_owned(), "cm"));
+    /// assert_eq!(Units::Aviation.short_distance(30.48), ("100".to_owned(), "ft"));
+    /// ```
+    ///
+    /// Centimetres below a metre, tenths below ten of
     /// the unit, whole ones from there on.
     pub fn short_distance(self, metres: f64) -> (String, &'static str) {
         let (factor, unit) = self.length();
@@ -58,7 +67,16 @@ impl Units {
         format!("{value} {unit}")
     }
 
-    /// A distance of metres over the ground with its unit: metres or kilometres, feet or nautical miles.
+    /// A distance of metres over the ground with its unit.
+    ///
+    /// ```
+    /// use pilotage_ui::units::Units;
+    ///
+    /// assert_eq!(Units::Metric.way(1234.0), "1.234 km");
+    /// assert_eq!(Units::Aviation.way(1852.0), "1.000 NM");
+    /// ```
+    ///
+    /// Metres or kilometres, feet or nautical miles.
     pub fn way(self, metres: f64) -> String {
         match self {
             Self::Metric if metres < 999.95 => format!("{metres:.1} m"),

@@ -30,6 +30,15 @@ fn planner() -> rustfft::FftPlannerWasmSimd<f32> {
 }
 
 /// Plans the transforms of `length` complex samples.
+///
+/// ```
+/// use pilotage_fourier::{Complex32, plan};
+///
+/// // A wave of one period is in the first bin, and in the last, which stands for the period before.
+/// let mut wave = [1.0, 0.0, -1.0, 0.0].map(|value| Complex32::new(value, 0.0));
+/// plan(4).forward.process(&mut wave);
+/// assert_eq!(wave.map(|bin| bin.re.round()), [0.0, 2.0, 0.0, 2.0]);
+/// ```
 #[inline(never)]
 pub fn plan(length: usize) -> Transforms {
     let mut planner = planner();

@@ -24,6 +24,23 @@ impl ReferenceTable {
 
     /// A table of `landmarks`, in any order, with the names of classes that people added. Landmarks whose numbers
     /// are not finite, or whose class has no name, are left out.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_reference::{GenericClass, GenericLandmark, ReferenceTable};
+    ///
+    /// let house = GenericLandmark {
+    ///     place: GroundPoint::new(120.0, 40.0),
+    ///     class: GenericClass::Building,
+    ///     size: 12.0,
+    ///     orientation: 0.0,
+    ///     confidence: 0.9,
+    ///     stability: 0.9,
+    /// };
+    /// let nowhere = GenericLandmark { place: GroundPoint::new(f64::NAN, 0.0), ..house };
+    /// let table = ReferenceTable::new(vec![house, nowhere], Vec::new());
+    /// assert_eq!(table.landmarks().len(), 1);
+    /// ```
     pub fn new(mut landmarks: Vec<GenericLandmark>, mut others: Vec<String>) -> Self {
         others.truncate(usize::from(GenericClass::MOST_OTHERS));
         landmarks.retain(|landmark| {

@@ -14,6 +14,14 @@ pub struct CoursePlace {
 }
 
 /// Length of a course, metres.
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_roads::course_length;
+///
+/// let course = [(0.0, 0.0), (3.0, 4.0), (3.0, 10.0)].map(|(north, east)| GroundPoint::new(north, east));
+/// assert_eq!(course_length(&course), 11.0);
+/// ```
 pub fn course_length(course: &[GroundPoint]) -> f64 {
     course.windows(2).map(|w| w[0].distance(&w[1])).sum()
 }
@@ -41,7 +49,20 @@ pub fn nearest_share(from: GroundPoint, to: GroundPoint, point: GroundPoint) -> 
     ((point.to_vector() - from.to_vector()).dot(&way) / squared).clamp(0.0, 1.0)
 }
 
-/// Place `along` metres along a course, at its ends where it is shorter; `None` for fewer than two points.
+/// Place `along` metres along a course.
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_roads::place_along;
+///
+/// let course = [GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 10.0)];
+/// let place = place_along(&course, 4.0).ok_or("two points")?;
+/// assert_eq!((place.point.east, place.heading.to_degrees()), (4.0, 90.0));
+/// assert!(place_along(&course[..1], 4.0).is_none());
+/// # Ok::<(), &str>(())
+/// ```
+///
+/// At its ends where it is shorter; `None` for fewer than two points.
 pub fn place_along(course: &[GroundPoint], along: f64) -> Option<CoursePlace> {
     let last = course.len().checked_sub(2)?;
     let mut before = 0.0;

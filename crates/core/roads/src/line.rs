@@ -58,7 +58,16 @@ impl RoadClass {
         Self::ALL[self as usize].2
     }
 
-    /// Class of what OpenStreetMap calls `highway`: ramps count as the road that they lead to; `None` for what is no
+    /// Class of what OpenStreetMap calls `highway`.
+    ///
+    /// ```
+    /// use pilotage_roads::RoadClass;
+    ///
+    /// assert_eq!(RoadClass::of_highway("motorway_link"), Some(RoadClass::Motorway));
+    /// assert_eq!(RoadClass::of_highway("steps"), None);
+    /// ```
+    ///
+    /// Ramps count as the road that they lead to; `None` for what is no
     /// road, such as steps, bus stops and roads that are not built.
     pub fn of_highway(value: &str) -> Option<Self> {
         let value = value.strip_suffix("_link").unwrap_or(value);

@@ -175,6 +175,15 @@ pub enum JobEvent {
 impl JobEvent {
     /// Event with these figures.
     ///
+    /// ```
+    /// use pilotage_jobs::JobEvent;
+    ///
+    /// let told = JobEvent::of_figures(&(3_u32, 0.5))?;
+    /// assert_eq!(told.read_figures::<(u32, f64)>()?, (3, 0.5));
+    /// assert!(JobEvent::Finished.read_figures::<u32>().is_err());
+    /// # Ok::<(), String>(())
+    /// ```
+    ///
     /// # Errors
     /// If they cannot be written, in words.
     pub fn of_figures(figures: &impl Serialize) -> Result<Self, String> {

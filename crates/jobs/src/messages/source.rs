@@ -42,6 +42,13 @@ impl SimulationOptions {
     }
 
     /// The map that it is flown by.
+    ///
+    /// ```
+    /// use pilotage_jobs::{MapSource, SimulationOptions};
+    ///
+    /// let hall = SimulationOptions { scenario: "indoor-hall".to_owned(), ..SimulationOptions::demo() };
+    /// assert_eq!(hall.map(), MapSource::world("hall"));
+    /// ```
     pub fn map(&self) -> MapSource {
         MapSource::world(self.world().key())
     }
