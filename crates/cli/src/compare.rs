@@ -13,7 +13,6 @@ use pilotage_jobs::{ContestOrder, FlightSource, JobEvent, MapSource};
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
-use crate::filter_options::{VEHICLES, vehicle};
 use crate::mission_file::OpenMission;
 use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
 use crate::workers::{self, Lent};
@@ -89,7 +88,7 @@ fn contenders(arguments: &Arguments, usual: VehicleChoice) -> Result<Vec<Contend
     let vehicles = named(&arguments.vehicles);
     let vehicles = vehicles
         .iter()
-        .map(|name| vehicle(name).map_err(|e| format!("--vehicles: {e}")));
+        .map(|name| VehicleChoice::from_key(name).map_err(|e| format!("--vehicles: {e}")));
     let mut vehicles = vehicles.collect::<Result<Vec<_>, _>>()?;
     if vehicles.is_empty() {
         vehicles.push(usual);
@@ -189,9 +188,8 @@ fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::e
 
 /// Name of a contender on the command line.
 fn name(contender: Contender) -> String {
-    let vehicle = VEHICLES.iter().find(|(_, v)| *v == contender.vehicle);
-    let vehicle = vehicle.map_or("?", |(name, _)| name);
-    format!("{} {vehicle}", contender.estimator.key())
+    let (estimator, vehicle) = (contender.estimator.key(), contender.vehicle.key());
+    format!("{estimator} {vehicle}")
 }
 
 /// Prints the table for people.

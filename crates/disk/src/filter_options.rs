@@ -6,27 +6,21 @@ use pilotage_core::navigator::{
 };
 use pilotage_core::registration::FollowSettings;
 
-/// Names of the vehicle models on the command line.
-pub const VEHICLES: [(&str, VehicleChoice); 7] = [
-    ("airplane-wind", VehicleChoice::AirplaneWind),
-    ("airplane-gust", VehicleChoice::AirplaneGust),
-    ("airplane-full", VehicleChoice::AirplaneFull),
-    ("random-walk", VehicleChoice::RandomWalk),
-    ("constant-velocity", VehicleChoice::ConstantVelocity),
-    ("multirotor", VehicleChoice::Multirotor),
-    ("velocity-driven", VehicleChoice::VelocityDriven),
-];
-
-/// The vehicle model of that name, or which there are.
-pub fn vehicle(name: &str) -> Result<VehicleChoice, String> {
-    let known = VEHICLES.iter().find(|(known, _)| *known == name);
-    known.map(|(_, choice)| *choice).ok_or_else(|| {
-        let names = VEHICLES.map(|(name, _)| name);
-        format!("there are {}", names.join(", "))
-    })
-}
-
 /// Applies `key=value` changes, separated by commas.
+///
+/// # Errors
+/// A key that there is not, or a value that it cannot have: in words that say which there are.
+///
+/// ```
+/// use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
+/// use pilotage_disk::filter_options::apply;
+///
+/// let mut settings = NavigatorSettings::default();
+/// apply(&mut settings, "alpha=0.5,vehicle=airplane-gust")?;
+/// assert_eq!((settings.alpha, settings.vehicle), (0.5, VehicleChoice::AirplaneGust));
+/// assert!(apply(&mut settings, "alpha=much").is_err());
+/// # Ok::<(), String>(())
+/// ```
 pub fn apply(settings: &mut NavigatorSettings, changes: &str) -> Result<(), String> {
     for change in changes.split(',').filter(|c| !c.trim().is_empty()) {
         let (key, value) = change
@@ -50,7 +44,8 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
     };
     match key {
         "vehicle" => {
-            settings.vehicle = vehicle(value).map_err(|e| format!("--filter vehicle: {e}"))?;
+            settings.vehicle =
+                VehicleChoice::from_key(value).map_err(|e| format!("--filter vehicle: {e}"))?;
         }
         "estimator" => {
             settings.estimator.choice = EstimatorChoice::from_key(value).ok_or_else(|| {

@@ -73,15 +73,11 @@ fn among<T: Copy>(name: &str, known: &[(&str, T)]) -> Result<T, String> {
     })
 }
 
-/// Names of the vehicle models.
-const VEHICLES: [(&str, VehicleChoice); 6] = [
-    ("airplane-wind", VehicleChoice::AirplaneWind),
-    ("airplane-gust", VehicleChoice::AirplaneGust),
-    ("airplane-full", VehicleChoice::AirplaneFull),
-    ("random-walk", VehicleChoice::RandomWalk),
-    ("constant-velocity", VehicleChoice::ConstantVelocity),
-    ("multirotor", VehicleChoice::Multirotor),
-];
+fn set_vehicle(run: &mut RunSettings, name: &str) -> Result<(), String> {
+    let known = VehicleChoice::ALL.map(|choice| (choice.key(), choice));
+    run.vehicle = Some(among(name, &known)?);
+    Ok(())
+}
 
 fn set_scenario(run: &mut RunSettings, name: &str) -> Result<(), String> {
     let all = Scenario::all();
@@ -190,7 +186,7 @@ impl StudySetting {
         number("fault-turn", "°", "angle by which a heading is turned", ANY, |r, v| r.fault_turn = v);
         number("fault-delay", "s", "time by which a camera is late", [0.0, 60.0], |r, v| r.fault_delay = v);
         text("aids", "aids beside pictures, separated by commas, or none", set_aids);
-        text("vehicle", "process model", |r, v| { r.vehicle = Some(among(v, &VEHICLES)?); Ok(()) });
+        text("vehicle", "process model", set_vehicle);
         text("estimator", "estimator", set_estimator);
         text("told", "whether the filter is told of the sensors' errors: yes or no", set_told);
         text("doubts", "whether the filter thinks of late pictures and turned compasses: yes or no", set_doubts);
@@ -289,6 +285,19 @@ mod tests {
             let mut run = RunSettings::default();
             run.set(setting.key, &value).unwrap();
             assert_ne!(run, RunSettings::default(), "{}", setting.key);
+        }
+    }
+
+    #[test]
+    fn plans_name_every_vehicle_model_that_there_is_and_a_wrong_name_is_told_with_all_of_them() {
+        for vehicle in VehicleChoice::ALL {
+            let mut run = RunSettings::default();
+            let name = SettingValue::Text(vehicle.key().to_owned());
+            run.set("vehicle", &name).unwrap();
+            assert_eq!(run.vehicle, Some(vehicle));
+            let wrong = SettingValue::Text("glider".to_owned());
+            let told = run.set("vehicle", &wrong).unwrap_err();
+            assert!(told.contains(vehicle.key()), "{told}");
         }
     }
 

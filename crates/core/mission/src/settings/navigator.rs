@@ -40,6 +40,35 @@ impl VehicleChoice {
         Self::VelocityDriven,
     ];
 
+    /// Name on the command line and in plans of studies.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::AirplaneWind => "airplane-wind",
+            Self::AirplaneGust => "airplane-gust",
+            Self::AirplaneFull => "airplane-full",
+            Self::RandomWalk => "random-walk",
+            Self::ConstantVelocity => "constant-velocity",
+            Self::Multirotor => "multirotor",
+            Self::VelocityDriven => "velocity-driven",
+        }
+    }
+
+    /// The choice of that name.
+    ///
+    /// # Errors
+    /// There is none: with the names that there are.
+    ///
+    /// ```
+    /// use pilotage_mission::settings::VehicleChoice;
+    ///
+    /// assert_eq!(VehicleChoice::from_key("velocity-driven"), Ok(VehicleChoice::VelocityDriven));
+    /// assert!(VehicleChoice::from_key("glider").is_err_and(|why| why.contains("random-walk")));
+    /// ```
+    pub fn from_key(key: &str) -> Result<Self, String> {
+        let found = Self::ALL.into_iter().find(|choice| choice.key() == key);
+        found.ok_or_else(|| format!("there are {}", Self::ALL.map(Self::key).join(", ")))
+    }
+
     /// Whether its prediction needs a measured heading.
     pub fn needs_heading(self) -> bool {
         !matches!(
