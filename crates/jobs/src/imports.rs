@@ -10,7 +10,10 @@ use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use super::ImportedFile;
 use super::far_away::{FARTHEST, too_far};
 use super::file_pool::{contains, has_ending, names_ending_in};
-use super::road_files::{is_of_roads, roads_of};
+use super::road_files::{OF_OSM, is_of_roads, roads_of};
+
+/// Endings that formats of routes and landmarks share with flights, and with anything else.
+const ANYBODYS: [&str; 5] = ["csv", "tsv", "geojson", "json", "txt"];
 
 /// Whether a file is a mission of this program, which is opened instead of added.
 pub fn is_mission(name: &str, bytes: &[u8]) -> bool {
@@ -41,20 +44,9 @@ pub fn imports(
     names.sort();
     let mut found = Vec::new();
     for name in names {
-        let of_missions = [
-            "osm",
-            "pbf",
-            "plan",
-            "mission",
-            "waypoints",
-            "wpl",
-            "kml",
-            "kmz",
-            "wpml",
-            "gpx",
-        ];
-        let plausible = has_ending(&name, &of_missions)
-            || !is_flight && has_ending(&name, &["csv", "tsv", "geojson", "json", "txt"]);
+        let is_of_program = Format::is_extension_of_one(&name) && !has_ending(&name, &ANYBODYS);
+        let is_of_any = has_ending(&name, &ANYBODYS) && !is_flight;
+        let plausible = is_of_program || is_of_any || has_ending(&name, &OF_OSM);
         let is_of_flight =
             is_flown && has_ending(&name, &["csv", "tsv", "txt"]) || is_picture_table(&name);
         if !plausible || is_of_flight {
@@ -194,6 +186,20 @@ mod tests {
         assert_eq!(look("film/frames.csv", times, 47.0), Ok(Vec::new()));
         let own = "{ \"type\": \"FeatureCollection\", \"pilotage_mission\": 1, \"features\": [] }";
         assert_eq!(look("own.geojson", own, 47.0), Ok(Vec::new()));
+    }
+
+    #[test]
+    fn files_of_every_format_are_looked_into_by_its_own_endings() {
+        for format in Format::all() {
+            for ending in format.extensions() {
+                let name = format!("trip.{ending}");
+                let is_known = Format::is_extension_of_one(&name);
+                assert!(is_known, "{name}");
+                // A table of way-points is one under any ending that may be one.
+                let found = look(&name, WAY_POINTS, 47.0);
+                assert_ne!(found, Ok(Vec::new()), "{name} was not looked into");
+            }
+        }
     }
 
     #[test]

@@ -12,9 +12,12 @@ use super::file_pool::{contains, has_ending};
 /// country, of which a flight sees little.
 const REACH: f64 = 30e3;
 
+/// Endings of files of OpenStreetMap.
+pub(super) const OF_OSM: [&str; 2] = ["osm", "pbf"];
+
 /// Whether a file holds roads.
 pub fn is_of_roads(name: &str, bytes: &[u8]) -> bool {
-    has_ending(name, &["osm", "pbf"])
+    has_ending(name, &OF_OSM)
         || has_ending(name, &["geojson", "json"])
             && contains(bytes, b"\"FeatureCollection\"")
             && contains(bytes, b"\"highway\"")
@@ -50,7 +53,7 @@ pub fn roads_of(name: String, bytes: &[u8], frame: &LocalFrame) -> Result<Import
         });
     }
     Ok(ImportedFile {
-        format: if has_ending(&name, &["osm", "pbf"]) {
+        format: if has_ending(&name, &OF_OSM) {
             "OpenStreetMap"
         } else {
             "GeoJSON"

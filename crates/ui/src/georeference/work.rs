@@ -1,5 +1,6 @@
 //! The picture that is being put on the ground: its jobs, its files, and what becomes of it.
 
+use pilotage_core::exchange::Format;
 use pilotage_core::imagery::georeferencer::TransformFit;
 use pilotage_core::raster::Raster;
 use pilotage_jobs::{
@@ -12,8 +13,8 @@ use crate::documents::kept::provide;
 use crate::feature::{FeatureContext, OpenedSet};
 use crate::map::{TILES_AT_A_TIME, TileKey};
 
-/// Endings of files with named places.
-const PLACES: [&str; 7] = ["kml", "kmz", "gpx", "geojson", "csv", "plan", "waypoints"];
+/// Endings that formats of routes and landmarks share with too much else to be taken for named places.
+const OF_ANYTHING: [&str; 2] = ["json", "txt"];
 
 /// Side of the largest map that is shown whole beside a picture, metres.
 const LARGEST_SHOWN: f64 = 20_000.0;
@@ -119,7 +120,9 @@ impl GeoreferencerFeature {
             return true;
         }
         let mut files = set.files.iter();
-        let has_places = files.all(|file| has_ending(&file.path, &PLACES));
+        let has_places = files.all(|file| {
+            Format::is_extension_of_one(&file.path) && !has_ending(&file.path, &OF_ANYTHING)
+        });
         if has_places {
             provide(context.host, &set.key, &set.files);
             let key = set.key.clone();

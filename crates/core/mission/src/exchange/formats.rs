@@ -87,6 +87,20 @@ impl Format {
         self.info().extensions
     }
 
+    /// Whether the extension of a file's name is one of any format.
+    ///
+    /// ```
+    /// use pilotage_mission::exchange::Format;
+    ///
+    /// assert!(Format::is_extension_of_one("flights/Out.WPML"));
+    /// assert!(!Format::is_extension_of_one("letter.pdf"));
+    /// ```
+    pub fn is_extension_of_one(name: &str) -> bool {
+        let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
+        let mut all = Self::all().flat_map(Self::extensions);
+        all.any(|own| own.eq_ignore_ascii_case(extension))
+    }
+
     /// Whether it holds landmarks; all formats hold routes.
     pub fn holds_landmarks(self) -> bool {
         !self.info().is_mission

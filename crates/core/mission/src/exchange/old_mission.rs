@@ -13,7 +13,7 @@ use super::{ExchangeError, plan};
 pub(super) const INFO: FormatInfo = FormatInfo {
     name: "QGroundControl plan",
     as_words: "a QGroundControl plan",
-    extensions: &["plan"],
+    extensions: &["plan", "mission"],
     is_told_by_extension: true,
     begins: None,
     is_mission: true,

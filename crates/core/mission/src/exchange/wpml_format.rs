@@ -10,7 +10,7 @@ use super::{fence, rally};
 pub(super) const INFO: FormatInfo = FormatInfo {
     name: NAME,
     as_words: "a mission of DJI (WPML)",
-    extensions: &["kmz"],
+    extensions: &["kmz", "wpml"],
     is_told_by_extension: false,
     begins: None,
     is_mission: true,
