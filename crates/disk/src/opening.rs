@@ -5,16 +5,13 @@ use std::sync::Arc;
 
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables, guess_tables};
 use pilotage_core::flight::files::{FileSet, ZipFiles};
-use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{Log, read_log};
 use pilotage_core::flight::mat::{self, MatFiles};
-use pilotage_core::flight::nmea::{is_nmea, read_nmea};
 use pilotage_core::flight::photo::photos_lack;
-use pilotage_core::flight::srt::read_srt;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_jobs::{
-    OpenFlight, TABLES, columns_file, flight_among, foreign_kind, head, log_among, name_as_tables,
-    table_names, with_pictures,
+    OpenFlight, TABLES, columns_file, flight_among, flight_of_file, foreign_kind, log_among,
+    name_as_tables, open_log, table_names,
 };
 
 use crate::files::{DirectoryFiles, DiskFile};
@@ -51,14 +48,10 @@ impl OpenedPath {
                 let notes = std::mem::take(&mut folder.notes);
                 Ok(Some((OpenFlight::of_folder(*folder, None), notes)))
             }
-            Self::Log(log, beside) => {
-                let flight = flight_from_log(&log).into_flight();
-                let flight = flight.map_err(|e| e.to_string())?;
-                match with_pictures(&log, flight, &beside) {
-                    (_, Some(lost), _) => Err(lost),
-                    (open, None, notes) => Ok(Some((open, notes))),
-                }
-            }
+            Self::Log(log, beside) => match open_log(&log, &beside)? {
+                (_, Some(lost), _) => Err(lost),
+                (open, None, notes) => Ok(Some((open, notes))),
+            },
             Self::Nothing(told) if told.is_empty() => Ok(None),
             Self::Nothing(told) => Err(told),
         }
@@ -85,15 +78,9 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn s
         let beside: Arc<dyn FileSet> = Arc::new(DirectoryFiles::around(path)?);
         return Ok(OpenedPath::Log(Box::new(log), beside));
     }
-    let is_film = has_ending(path, &["srt"]);
-    if is_film || head(&file).is_some_and(|head| is_nmea(&head)) {
-        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let read = if is_film { read_srt } else { read_nmea };
-        return Ok(match read(&name, &bytes)? {
-            Some(folder) => OpenedPath::Folder(Box::new(folder)),
-            None => OpenedPath::Nothing(String::new()),
-        });
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if let Some(folder) = flight_of_file(&name, &file)? {
+        return Ok(OpenedPath::Folder(Box::new(folder)));
     }
     if !has_ending(path, &TABLES) {
         return Ok(OpenedPath::Nothing(String::new()));

@@ -77,9 +77,16 @@ impl BareMission {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use pilotage_core::frames::Geodetic;
+    use pilotage_core::imagery::Blank;
     use pilotage_core::simulate::{Overrides, Scenario};
 
+    use super::super::flights::OpenFlight;
+    use super::super::{
+        Abilities, Advance, FlightSource, FlyOrder, JobEvent, Order as _, WorkerState,
+    };
     use super::*;
 
     #[test]
@@ -114,5 +121,40 @@ mod tests {
             ..flight
         };
         assert!(!is_laid(&blind, &MapSource::Files(key())));
+    }
+
+    /// Whether the order of page and terminal lays whole pictures of a flight that came without a mission, once it is told
+    /// why.
+    fn is_flown_by_pictures(map: MapSource) -> bool {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let flight = scenario.simulate(1, &Overrides::default()).flight;
+        let mut worker = WorkerState::new(Abilities::WHOLE.opens);
+        worker.keep_flight("log", OpenFlight::without_pictures(flight));
+        worker.insert_map(&map, Arc::new(Blank));
+        let order = FlyOrder {
+            flight: FlightSource::Files("log".to_owned()),
+            map,
+            mission: None,
+        };
+        let mut job = order.begin(&mut worker);
+        let mut events = Vec::new();
+        while !events
+            .iter()
+            .any(|e| matches!(e, JobEvent::WithoutMission(_)))
+        {
+            let more = job.advance(&mut worker, &|| 0.0, &mut |event| events.push(event));
+            assert_eq!(more, Ok(Advance::More), "{events:?}");
+        }
+        let settings = |event: &JobEvent| match event {
+            JobEvent::RunStarted(head) => Some(head.settings.whole_frames.is_some()),
+            _ => None,
+        };
+        events.iter().find_map(settings).unwrap()
+    }
+
+    #[test]
+    fn the_order_of_page_and_terminal_decides_by_it_and_says_so() {
+        assert!(is_flown_by_pictures(MapSource::Files("map".to_owned())));
+        assert!(!is_flown_by_pictures(MapSource::Nothing));
     }
 }

@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables};
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::nmea::flight_of_sentences;
+use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
 use pilotage_core::flight::photo::read_photos;
-use pilotage_core::flight::srt::flight_of_subtitles;
+use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
 use pilotage_core::flight::{FlightFolder, FolderError, read_flight};
+use pilotage_core::imagery::ByteSource;
 
-use super::file_pool::names_ending_in;
-use super::log_flights::log_among;
+use super::file_pool::{has_ending, names_ending_in};
+use super::log_flights::{head, log_among};
 
 /// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
 /// satellite receiver said.
@@ -34,6 +35,12 @@ pub fn flight_among(
         Err(FolderError::NoFlightFile) => {}
         other => return other.map(Some).map_err(told),
     }
+    if let [only] = &files.names()[..]
+        && let Some(source) = files.source(only)
+        && let Some(flown) = flight_of_file(only, source.as_ref())?
+    {
+        return Ok(Some(flown));
+    }
     if names_ending_in(files.as_ref(), &FLOWN).is_empty() || log_among(files.as_ref()).is_some() {
         return Ok(None);
     }
@@ -42,4 +49,46 @@ pub fn flight_among(
     }
     let recorded = flight_of_sentences(files).map_err(told)?;
     Ok(recorded.or_else(|| read_photos(files)))
+}
+
+/// The flight of one file that says itself where it was: subtitles of a film, or what a satellite receiver said, which are
+/// known by their content, whatever their name. `None` of any other file.
+///
+/// # Errors
+/// A file of these that cannot be read, or that tells of no flight, in words.
+pub fn flight_of_file(name: &str, source: &dyn ByteSource) -> Result<Option<FlightFolder>, String> {
+    let read = if has_ending(name, &["srt"]) {
+        read_srt
+    } else if head(source).is_some_and(|head| is_nmea(&head)) {
+        read_nmea
+    } else {
+        return Ok(None);
+    };
+    let bytes = source.read(0, source.length() as usize)?;
+    read(name, &bytes).map_err(|cause| cause.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::LentFiles;
+    use super::super::file_pool::FilePool;
+    use super::*;
+
+    const SAID: &str = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n\
+                        $GPGGA,123520,4807.044,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n";
+
+    #[test]
+    fn what_a_receiver_said_is_a_flight_under_any_name_and_other_text_is_none() {
+        let among = |name: &str, text: &str| {
+            let files = [(name.to_owned(), text.as_bytes().to_vec().into())];
+            let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
+            let pool: Arc<dyn FileSet> = Arc::new(pool);
+            flight_among(&pool, None).unwrap()
+        };
+        for name in ["walk.nmea", "walk.txt", "walk"] {
+            let truth = among(name, SAID).unwrap().flight.truth.unwrap();
+            assert_eq!(truth.states.len(), 2, "{name}");
+        }
+        assert!(among("walk.txt", "dear diary, today").is_none());
+    }
 }

@@ -66,6 +66,20 @@ pub fn with_pictures(
     }
 }
 
+/// The flight that a log tells of, with the pictures that lie beside it among `files`, why it has none of them, and what was
+/// assumed of photos.
+///
+/// # Errors
+/// A log that tells of no flight, in words.
+pub fn open_log(
+    log: &Log,
+    files: &Arc<dyn FileSet>,
+) -> Result<(OpenFlight, Option<String>, Vec<String>), String> {
+    let flight = flight_from_log(log).into_flight();
+    let flight = flight.map_err(|cause| cause.to_string())?;
+    Ok(with_pictures(log, flight, files))
+}
+
 /// The flight that the log among the files tells of; reads all of it at once.
 pub fn flight_of_log(pool: &Arc<dyn FileSet>) -> Result<Option<OpenFlight>, String> {
     let Some(file) = log_among(pool.as_ref()) else {
@@ -77,7 +91,5 @@ pub fn flight_of_log(pool: &Arc<dyn FileSet>) -> Result<Option<OpenFlight>, Stri
         return Ok(None);
     };
     choose_vehicle(pool.as_ref(), &mut log)?;
-    let flight = flight_from_log(&log).into_flight();
-    let flight = flight.map_err(|cause| cause.to_string())?;
-    Ok(Some(with_pictures(&log, flight, pool).0))
+    Ok(Some(open_log(&log, pool)?.0))
 }
