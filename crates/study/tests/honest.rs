@@ -31,13 +31,14 @@ fn assert_honest(name: &str, cells: &str, count: usize) {
         {cells}
         "#
     );
-    let study = Study::new(StudyPlan::read(&plan).unwrap()).unwrap();
+    let plan = StudyPlan::read(&plan).expect("the plan reads");
+    let study = Study::new(plan).expect("the scenarios are there");
     let mut sums = vec![[0.0; 3]; count];
     for run in 0..study.design().plan().runs() {
-        let cell = study.design().run(run).unwrap().cell as usize;
-        let row = study.fly(run).unwrap();
+        let cell = study.design().run(run).expect("a run of it").cell as usize;
+        let row = study.fly(run).expect("its settings make sense");
         for (sum, measured) in sums[cell].iter_mut().zip(row.measured) {
-            *sum += measured.unwrap();
+            *sum += measured.expect("it is flown to its end");
         }
     }
     let flights = FLIGHTS as f64;

@@ -67,7 +67,7 @@ mod tests {
 
     use approx::assert_relative_eq;
     use nalgebra::{Rotation2, Vector2, Vector4};
-    use pilotage_base::frames::Attitude;
+    use pilotage_base::frames::{Attitude, GroundPoint};
 
     use super::super::{AirplaneWind, VehicleModel as _};
     use super::*;
@@ -156,7 +156,7 @@ mod tests {
             model.process_noise(&state, &input, 1.0)[(3, 3)]
         };
         assert_relative_eq!(in_wind(10.0), 25.0 * in_wind(1.0), max_relative = 1e-9);
-        let start = model.prior(Default::default(), 3.0).covariance[(2, 2)];
+        let start = model.prior(GroundPoint::default(), 3.0).covariance[(2, 2)];
         let wind = model.start_wind_deviation.powi(2);
         assert_relative_eq!(
             start,
