@@ -100,6 +100,10 @@ mod tests {
         let mut settings = NavigatorSettings::default();
         settings.estimator.choice = choice;
         settings.process.airspeed = 0.5;
+        // Air without gusts, and readings without biases.
+        settings.process.gust = 0.0;
+        settings.process.airspeed_bias = 0.0;
+        settings.process.heading_bias = 0.0;
         let mut engine = engine(&settings, GroundPoint::new(0.0, 0.0), 3.0).unwrap();
         let mut truth = dvector![
             3.0 * normal(),

@@ -1,4 +1,4 @@
-//! What a wrong tilt of the camera, where it is a state of the filter, does to what is seen.
+//! Effect of a wrong tilt of the camera, where that is a state of the filter, on what is seen.
 
 use nalgebra::{DVector, Matrix4, MatrixXx2, MatrixXx4};
 

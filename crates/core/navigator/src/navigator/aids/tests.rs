@@ -126,7 +126,10 @@ fn settings(aids: Vec<ChosenAid>) -> NavigatorSettings {
         aids,
         ..NavigatorSettings::default()
     };
-    // A wind that stays as it is, and instruments that hardly err.
+    // A wind that stays as it is, without gusts, and instruments that hardly err.
+    settings.process.gust = 0.0;
+    settings.process.airspeed_bias = 0.0;
+    settings.process.heading_bias = 0.0;
     settings.process.airspeed = 1e-3;
     settings.process.heading = 1e-4;
     settings.process.wind = 1e-4;
