@@ -75,7 +75,7 @@ fn kind(tag: &str) -> Option<(&'static str, &'static str)> {
     })
 }
 
-/// What is left of a text.
+/// Rest of a text that is still to be read.
 struct WktReader<'a> {
     rest: &'a str,
 }

@@ -183,10 +183,10 @@ impl ColumnRole {
             Self::Nothing => Vec::new(),
             Self::Time => super::time::UNITS.to_vec(),
             Self::TimeRest => {
-                let parts = super::parts::calendar_units();
+                let parts = super::part_units::CALENDAR_UNITS;
                 super::time::UNITS.into_iter().chain(parts).collect()
             }
-            Self::AngleRest => super::parts::ANGLES.map(|(unit, ..)| unit).to_vec(),
+            Self::AngleRest => super::part_units::ANGLE_UNITS.to_vec(),
             Self::Date => vec![super::time::DATE],
             role => {
                 let dimension = role.quantity().map(crate::cells::Dimension::from);

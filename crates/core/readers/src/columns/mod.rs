@@ -19,6 +19,7 @@ mod logger_tests;
 mod long;
 mod map;
 mod names;
+mod part_units;
 mod parts;
 #[cfg(test)]
 mod parts_tests;

@@ -3,6 +3,7 @@
 
 use super::ColumnRole::{AngleRest, Date, Latitude, Longitude, Time, TimeRest};
 use super::header::parts;
+use super::part_units::ANGLE_UNITS;
 use super::settle::{give_up, unused};
 use super::{ColumnRole, ColumnSample, MappedColumn, time};
 use crate::cells::{Moment, date_and_time, days_since_1970};
@@ -45,16 +46,11 @@ const SECONDS: [&str; 6] = ["second", "seconds", "sec", "secs", "ss", "s"];
 
 /// Units of the parts of latitudes and longitudes beside their degrees, with those that one of them is of a degree.
 pub(super) const ANGLES: [(&str, ColumnRole, f64); 4] = [
-    ("minutes of latitude", Latitude, 60.0),
-    ("seconds of latitude", Latitude, 3600.0),
-    ("minutes of longitude", Longitude, 60.0),
-    ("seconds of longitude", Longitude, 3600.0),
+    (ANGLE_UNITS[0], Latitude, 60.0),
+    (ANGLE_UNITS[1], Latitude, 3600.0),
+    (ANGLE_UNITS[2], Longitude, 60.0),
+    (ANGLE_UNITS[3], Longitude, 3600.0),
 ];
-
-/// Units of a part of the time that calendars have.
-pub(super) fn calendar_units() -> impl Iterator<Item = &'static str> {
-    CALENDAR.iter().map(|(unit, ..)| *unit)
-}
 
 /// The words of a column's name and of what stands in brackets behind it, and whether all its cells are numbers within.
 fn words(sample: &ColumnSample) -> Vec<String> {

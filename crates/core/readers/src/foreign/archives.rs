@@ -2,7 +2,9 @@
 
 use pilotage_base::bytes::ByteSource;
 
-use super::{CONVERT, FILM, Foreign, JPEG, LOG, REACH, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind};
+use super::kind::{
+    CONVERT, FILM, Foreign, JPEG, LOG, REACH, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
+};
 
 const fn name(
     name: &'static str,

@@ -4,6 +4,7 @@
 //! [`archives`] where names within do (zips, databases, old documents of Office, films).
 
 mod archives;
+mod kind;
 mod shapes;
 mod signatures;
 mod words;
@@ -11,35 +12,9 @@ mod words;
 use pilotage_base::bytes::ByteSource;
 
 use crate::log::HEAD;
+use kind::{AGAIN, kind};
 
-/// Kind of a file that is not read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Foreign {
-    /// Name of the kind, with its article: `an encrypted log of PX4`.
-    pub what: &'static str,
-    /// Advice to people, as a sentence without its stop.
-    pub advice: &'static str,
-}
-
-const fn kind(what: &'static str, advice: &'static str) -> Foreign {
-    Foreign { what, advice }
-}
-
-const UNPACK: &str = "unpack it and open what is in it";
-const LOG: &str = "open the log of its flight";
-const FILM: &str =
-    "open it in the page beside the log of its flight; a film alone tells of no flight";
-const PHOTO: &str = "put it into a folder with the other photos of the flight and open that";
-const JPEG: &str = "save it as JPEG and open its folder";
-const TO_MCAP: &str =
-    "make an MCAP of it (`mcap convert in.bag out.mcap`, or `ros2 bag convert`) and open that";
-const TO_CSV: &str = "save its tables as CSV and open those";
-const TO_GEOJSON: &str = "save its layers as GeoJSON (QGIS, `ogr2ogr`), or as GeoTIFF where they are pictures, and open those";
-const CONVERT: &str = "it holds routes or landmarks: `pilotage convert`, or open it in Plan";
-const AGAIN: &str = "copy it again from where it comes from";
-
-/// Bytes of a file's beginning and end in which archives and databases tell what is in them.
-const REACH: u64 = 1 << 16;
+pub use kind::Foreign;
 
 /// Kind of a file by its content; `None` where nothing tells. Its name is not asked.
 pub fn foreign_file(source: &dyn ByteSource) -> Option<Foreign> {

@@ -1,9 +1,9 @@
 //! Files that no fixed bytes or words tell, but the shape of their contents.
 
+use super::kind::{FILM, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
 use super::words::{MISSION_PLANNER, PARAMETERS};
-use super::{FILM, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
 
-/// Whether bytes or lines have a shape, and what they are then.
+/// Shape of bytes or of lines, and the kind that they are then.
 type ShapeOfBytes = (fn(&[u8], u64) -> bool, Foreign);
 type ShapeOfLines = (fn(&[&str]) -> bool, Foreign);
 

@@ -1,6 +1,8 @@
 //! Bytes at a place that tell what a file is, one kind a line.
 
-use super::{CONVERT, FILM, Foreign, JPEG, LOG, PHOTO, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind};
+use super::kind::{
+    CONVERT, FILM, Foreign, JPEG, LOG, PHOTO, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
+};
 
 /// Bytes at a place of a file that tell what it is.
 struct FileSignature {

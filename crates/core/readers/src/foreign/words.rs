@@ -1,6 +1,6 @@
 //! Words near the beginning of a text that tell what it is, one kind a line.
 
-use super::{CONVERT, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
+use super::kind::{CONVERT, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
 
 const NMEA: &str = "no two places could be read in them: they need GGA or RMC with a fix";
 const PAGE: &str = "what was downloaded is a page about the file, not the file: download it again";

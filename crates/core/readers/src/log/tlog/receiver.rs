@@ -13,7 +13,7 @@ const MOST_TOPICS: usize = 16;
 /// Beyond a day the clock was not set before, seconds.
 const DAY: f64 = 86_400.0;
 
-/// What a log had when its receiver's clock may have leapt.
+/// Contents of a log when its receiver's clock may have leapt.
 struct PossibleLeap {
     /// Rows of each topic.
     rows: Vec<usize>,

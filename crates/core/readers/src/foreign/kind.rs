@@ -1,0 +1,32 @@
+//! Kind of a file that is not read, and advices that several have.
+
+/// Kind of a file that is not read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Foreign {
+    /// Name of the kind, with its article: `an encrypted log of PX4`.
+    pub what: &'static str,
+    /// Advice to people, as a sentence without its stop.
+    pub advice: &'static str,
+}
+
+pub(super) const fn kind(what: &'static str, advice: &'static str) -> Foreign {
+    Foreign { what, advice }
+}
+
+pub(super) const UNPACK: &str = "unpack it and open what is in it";
+pub(super) const LOG: &str = "open the log of its flight";
+pub(super) const FILM: &str =
+    "open it in the page beside the log of its flight; a film alone tells of no flight";
+pub(super) const PHOTO: &str =
+    "put it into a folder with the other photos of the flight and open that";
+pub(super) const JPEG: &str = "save it as JPEG and open its folder";
+pub(super) const TO_MCAP: &str =
+    "make an MCAP of it (`mcap convert in.bag out.mcap`, or `ros2 bag convert`) and open that";
+pub(super) const TO_CSV: &str = "save its tables as CSV and open those";
+pub(super) const TO_GEOJSON: &str = "save its layers as GeoJSON (QGIS, `ogr2ogr`), or as GeoTIFF where they are pictures, and open those";
+pub(super) const CONVERT: &str =
+    "it holds routes or landmarks: `pilotage convert`, or open it in Plan";
+pub(super) const AGAIN: &str = "copy it again from where it comes from";
+
+/// Bytes of a file's beginning and end in which archives and databases tell what is in them.
+pub(super) const REACH: u64 = 1 << 16;
