@@ -185,7 +185,7 @@ mod tests {
 
     #[test]
     fn well_known_text_is_read_in_all_its_kinds_and_dimensions() {
-        // What shapely 2 gives as GeoJSON of the same texts.
+        // Places, rings and holes as the texts have them, longitude first.
         for (text, kind, coordinates) in [
             ("POINT (8.5 47.5)", "Point", json!([8.5, 47.5])),
             ("point(8.5 47.5)", "Point", json!([8.5, 47.5])),
