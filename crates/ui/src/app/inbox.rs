@@ -51,7 +51,7 @@ impl App {
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
         let owner = match host.owners().addressee(id, &event) {
             Addressee::Owner(owner) => owner,
-            Addressee::Left(owner) => return self.left_event(owner, event, host),
+            Addressee::Left(_) => return self.left_event(event, host),
             Addressee::Over => return,
             Addressee::Nobody => return self.tell_of_nobody(host),
         };
@@ -87,9 +87,9 @@ impl App {
     }
 
     /// An event of a job that its owner left while it ran is of no use any more, but for what a worker says of a map once
-    /// and for all: of a tile that nobody waits for.
-    fn left_event(&mut self, owner: JobOwner, event: JobEvent, host: &mut dyn Host) {
-        if let (JobOwner::Map, JobEvent::Remark(text)) = (owner, event) {
+    /// and for all: of a tile or a height that nobody waits for.
+    fn left_event(&mut self, event: JobEvent, host: &mut dyn Host) {
+        if let JobEvent::Remark(text) = event {
             tell_of_map(&text, &mut self.toasts, host);
         }
     }
