@@ -7,6 +7,9 @@ use super::{NavigatorSettings, VehicleChoice};
 
 /// Steps between two pictures that people may still want to look at one by one: more are taken together.
 const MOST_STEPS: usize = 50_000;
+/// Farthest to each side that a picture is searched for, metres: where pictures are minutes apart the aircraft may be
+/// anywhere, and all of a large map would be compared with each.
+const FARTHEST: f64 = 1_000.0;
 
 impl NavigatorSettings {
     /// Settings for a flight without a mission: by what it measured, and by whole frames laid on the map where
@@ -27,7 +30,10 @@ impl NavigatorSettings {
         Self {
             vehicle,
             shortest_step: shortest_step(flight),
-            whole_frames: by_whole_frames.then(FollowSettings::default),
+            whole_frames: by_whole_frames.then(|| FollowSettings {
+                farthest: Some(FARTHEST),
+                ..FollowSettings::default()
+            }),
             ..Self::default()
         }
     }
