@@ -105,7 +105,11 @@ impl VehicleModel<4> for AirplaneWind {
         input: &ControlInput,
         dt: f64,
     ) -> SMatrix<f64, 4, 4> {
-        self.noise_in(mean_squared_wind(belief, 2), input, dt)
+        // Gusts that are taken for wind here make no stronger gusts: beyond its mean the wind counts as it was at the start.
+        let wind = belief.mean[2].powi(2) + belief.mean[3].powi(2);
+        let at_start = 2.0 * self.start_wind_deviation.powi(2);
+        let squared_wind = mean_squared_wind(belief, 2).min(wind + at_start);
+        self.noise_in(squared_wind, input, dt)
     }
 
     fn ground_velocity(
@@ -129,7 +133,11 @@ impl VehicleModel<4> for AirplaneWind {
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<4> {
         let (p, w) = (position_deviation, self.start_wind_deviation);
         let airspeed = self.air_data.cruise_airspeed;
-        let unmodelled = self.unmodelled.start_variance(airspeed, 2.0 * w * w);
+        let unmodelled = match self.thesis_noise {
+            // The thesis knows of none.
+            Some(_) => 0.0,
+            None => self.unmodelled.start_variance(airspeed, 2.0 * w * w),
+        };
         let w = w.hypot(unmodelled.sqrt());
         Gaussian::from_standard_deviations(
             Vector4::new(position.north, position.east, 0.0, 0.0),

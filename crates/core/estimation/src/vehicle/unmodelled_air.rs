@@ -2,15 +2,16 @@
 
 use std::f64::consts::PI;
 
+use pilotage_base::frames::units::GRAVITY;
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirMotion;
 use super::{ControlInput, Gusts};
 
-/// Acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.806_65;
 /// Airspeed below which nothing turns by its bank, m/s.
-const SLOWEST: f64 = 1.0;
+const SLOWEST: f64 = 5.0;
+/// Tangent of the bank beyond which nothing turns faster, some 75°: who rolls over, or stands on its tail, does not turn.
+const STEEPEST: f64 = 3.7;
 
 /// Motion of the air and errors of the air data that a model has no states for.
 ///
@@ -47,8 +48,9 @@ impl UnmodelledAir {
             2.0 * gusts.deviation_in(squared_wind).powi(2) / gusts.correlation_time
         });
         // A turn without slip; the heading's own rate is a difference of noisy readings.
-        let turn_rate = GRAVITY * input.attitude.roll.tan() / motion.airspeed.abs().max(SLOWEST);
-        let of_turns = 4.0 / PI * self.of_biases(motion.airspeed) * turn_rate.abs();
+        let bank = input.attitude.roll.tan().abs().min(STEEPEST);
+        let turn_rate = GRAVITY * bank / motion.airspeed.abs().max(SLOWEST);
+        let of_turns = 4.0 / PI * self.of_biases(motion.airspeed) * turn_rate;
         (of_gusts + of_turns).sqrt()
     }
 
@@ -93,6 +95,19 @@ mod tests {
     }
 
     #[test]
+    fn who_rolls_over_or_stands_does_not_turn_as_if_in_a_bank() {
+        let model = model(UnmodelledAir {
+            gusts: None,
+            airspeed_bias: 0.2,
+            heading_bias: 0.5_f64.to_radians(),
+        });
+        for roll in [FRAC_PI_2 - 1e-9, FRAC_PI_2, -FRAC_PI_2, 1.6, PI] {
+            let deviation = added(&model, roll, 0.1).sqrt();
+            assert!(deviation < 0.1, "{deviation} m/s in a tenth of a second");
+        }
+    }
+
+    #[test]
     fn biases_change_the_wind_by_as_much_as_they_turn_with_the_aircraft() {
         let (airspeed_bias, heading_bias) = (0.2, 0.4_f64.to_radians());
         let model = model(UnmodelledAir {
@@ -102,7 +117,7 @@ mod tests {
         });
         assert!(added(&model, 0.0, 60.0).abs() < 1e-12, "no turn, no change");
         let roll = 0.3_f64;
-        let turn_rate = 9.806_65 * roll.tan() / AIRSPEED;
+        let turn_rate = GRAVITY * roll.tan() / AIRSPEED;
         for turn in [FRAC_PI_2, PI] {
             // The velocities of the two biases, turned with the aircraft, less themselves; per axis on average.
             let biases = [

@@ -229,6 +229,17 @@ impl SensorNoise {
         Matrix4::from_diagonal(&deviations.map(|sd| sd * sd))
     }
 
+    /// The same with no part that stays over a flight larger than the whole.
+    #[must_use]
+    pub fn with_biases_within(&self) -> Self {
+        Self {
+            tilt_bias: self.tilt_bias.min(self.roll).min(self.pitch),
+            yaw_bias: self.yaw_bias.min(self.yaw),
+            height_bias: self.height_bias.min(self.height),
+            ..*self
+        }
+    }
+
     /// The noise that is left of it in each frame where the biases of the tilt, and that of the yaw, are known apart.
     ///
     /// ```

@@ -199,6 +199,7 @@ impl Navigator {
         }
         let inputs = Inputs::of(&flight);
         let mut settings = settings.clone();
+        settings.sensors = settings.sensors.with_biases_within();
         if let Some((airspeed, deviation)) = inputs.cruise() {
             settings.process.cruise = Cruise {
                 airspeed,
