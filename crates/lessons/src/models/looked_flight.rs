@@ -21,7 +21,7 @@ pub fn noiseless_airplane() -> AirplaneWind {
         },
         wind_noise_density: 0.0,
         start_wind_deviation: 0.0,
-        thesis_noise: None,
+        ..AirplaneWind::default()
     }
 }
 
