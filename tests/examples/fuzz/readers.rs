@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::columns::{flight_of_tables, guess_tables, preview};
 use pilotage_core::flight::files::{FileSet, MemoryFiles};
-use pilotage_core::flight::foreign::foreign;
+use pilotage_core::flight::foreign::foreign_file;
 use pilotage_core::flight::log::{LogFormatInfo, all_formats};
 use pilotage_core::flight::nmea::{is_nmea, read_nmea};
 use pilotage_core::flight::photo::{read_photo, read_photos};
@@ -89,7 +89,7 @@ fn sentences(seconds: u32) -> Vec<u8> {
 
 /// Files of sentences are told by their content, and named for what they are where they cannot be read.
 fn sentences_of(bytes: &[u8]) -> (u64, bool) {
-    let told = is_nmea(bytes) || foreign(bytes, bytes.len() as u64).is_some();
+    let told = is_nmea(bytes) || foreign_file(&MemoryBytes::new("", bytes)).is_some();
     let read = read_nmea("a.nmea", bytes);
     (u64::from(told), read.is_ok_and(|folder| folder.is_some()))
 }
