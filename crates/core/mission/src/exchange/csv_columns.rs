@@ -258,7 +258,10 @@ fn parts_of_angles(names: &[String]) -> Vec<Option<CsvRole>> {
         if words.first().is_some_and(|word| word == "gps") {
             words.remove(0);
         }
+        // `lat_dec_min`: minutes with decimals.
+        words.retain(|word| !["dec", "decimal"].contains(&word.as_str()));
         match &words[..] {
+            [of] => (of.clone(), String::new()),
             [of, last] => (of.clone(), last.clone()),
             _ => (String::new(), String::new()),
         }
@@ -279,6 +282,10 @@ fn parts_of_angles(names: &[String]) -> Vec<Option<CsvRole>> {
         let seconds = ["sec", "secs", "second", "seconds"];
         // A letter alone says that only beside the degrees.
         let is_parted = has(of, &degrees);
+        // Whole angles beside the parts of the same say all by themselves.
+        if is_parted && has(of, &[""]) || is_parted && has(other_name(of), &[""]) {
+            return None;
+        }
         let is = |words: &[&str], short: [&str; 2]| {
             words.contains(&last.as_str()) || is_parted && short.contains(&last.as_str())
         };
@@ -295,6 +302,16 @@ fn parts_of_angles(names: &[String]) -> Vec<Option<CsvRole>> {
         }
     };
     all.iter().map(role).collect()
+}
+
+/// The longer or shorter name of the same angle.
+fn other_name(of: &str) -> &'static str {
+    match of {
+        "lat" => "latitude",
+        "latitude" => "lat",
+        "longitude" => "lon",
+        _ => "longitude",
+    }
 }
 
 /// A name with blanks before the capitals at which its words begin: `AltitudeAGL`, `GPSLatitude`.

@@ -19,6 +19,18 @@ const KINDS: [(&str, &str); 8] = [
     ("GEOMETRYCOLLECTION", "GeometryCollection"),
 ];
 
+/// Geometries that are no points, lines nor polygons with straight sides, by their tags.
+const OTHERS: [&str; 8] = [
+    "CIRCULARSTRING",
+    "COMPOUNDCURVE",
+    "CURVEPOLYGON",
+    "MULTICURVE",
+    "MULTISURFACE",
+    "POLYHEDRALSURFACE",
+    "TIN",
+    "TRIANGLE",
+];
+
 /// The geometry of GeoJSON that a cell says; `None` where it is none at all.
 ///
 /// # Errors
@@ -39,18 +51,16 @@ pub(super) fn geometry(cell: &str) -> Option<Result<Value, String>> {
     };
     let tag: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
     let rest = text[tag.len()..].trim_start();
-    let is_shape = |word: &str| ["CURVE", "SURFACE", "TIN", "CIRCULAR"].map(|w| word.contains(w));
     let tag = tag.to_uppercase();
-    let is_other = is_shape(&tag).contains(&true) && rest.starts_with(['(', 'Z', 'M']);
-    if is_other {
+    if !begins_numbers(rest) {
+        return None;
+    }
+    if OTHERS.contains(&tag.trim_end_matches(['Z', 'M'])) {
         return Some(Err(format!(
             "a {tag} is not read: save it with straight lines"
         )));
     }
     kind(&tag)?;
-    if !rest.starts_with(['(', 'Z', 'z', 'M', 'm', 'E', 'e']) {
-        return None;
-    }
     if let Some(system) = system.filter(|code| !SYSTEMS.contains(&code.trim())) {
         return Some(Err(format!(
             "its numbers are in EPSG:{system}, not in longitude and latitude: save it in EPSG:4326"
@@ -63,6 +73,20 @@ pub(super) fn geometry(cell: &str) -> Option<Result<Value, String>> {
         read.filter(|_| is_over)
             .ok_or_else(|| "it is no whole well-known text".to_owned()),
     )
+}
+
+/// Whether what stands behind a tag is that of a geometry: its dimensions and a bracket, or that it is empty.
+fn begins_numbers(rest: &str) -> bool {
+    let word: String = rest.chars().take_while(char::is_ascii_alphabetic).collect();
+    let word = word.to_uppercase();
+    let behind = rest[word.len()..].trim_start();
+    match word.as_str() {
+        "" | "Z" | "M" | "ZM" => {
+            behind.starts_with('(') || behind.to_uppercase().starts_with("EMPTY")
+        }
+        "EMPTY" => behind.is_empty(),
+        _ => false,
+    }
 }
 
 /// Kind of GeoJSON and number of coordinates that count (longitude, latitude, height) by a tag with or without `Z`, `M`.
@@ -234,7 +258,20 @@ mod tests {
 
     #[test]
     fn what_is_no_geometry_is_none_and_what_is_broken_is_told() {
-        for cell in ["Point of view", "polygon", "47.5, 8.5", "", "{}", "POINT"] {
+        for cell in [
+            "Point of view",
+            "polygon",
+            "47.5, 8.5",
+            "",
+            "{}",
+            "POINT",
+            "Point Mugu",
+            "Point East",
+            "Point Zero",
+            "Martin Meier",
+            "Destination (north)",
+            "Curve (south)",
+        ] {
             assert!(geometry(cell).is_none(), "{cell}");
         }
         let deep = format!("POLYGON {}", "(".repeat(100_000));

@@ -87,6 +87,28 @@ pub(super) fn is_place(cell: &str) -> bool {
         || place_of_text(&plain).is_ok() && plain.contains('+')
 }
 
+/// Whether the name of a column says that places stand in it.
+pub(super) fn is_name_of_places(name: &str) -> bool {
+    let name = name.to_lowercase();
+    let words = [
+        "coord", "posit", "locat", "gps", "where", "lat", "lon", "lng", "place", "point", "geo",
+        "wkt", "koord", "ort",
+    ];
+    words.iter().any(|word| name.contains(word))
+}
+
+/// Whether a cell is a place whatever its column is called: by letters, signs of degrees, or the decimals of a place.
+pub(super) fn is_surely_place(cell: &str) -> bool {
+    let decimals = |part: &str| {
+        let rest = part.split_once('.').map_or("", |(_, rest)| rest);
+        rest.chars().take_while(char::is_ascii_digit).count()
+    };
+    let plain = plain(cell);
+    let parts = plain.split([',', ';', ' ']);
+    let exact = parts.filter(|part| decimals(part) >= 4).count();
+    plain.contains(['°', '+']) || says_order(&plain) || exact >= 2
+}
+
 /// The order that a column's name states, or that the numbers of its cells tell; `None` where both could be.
 pub(super) fn order<'a>(
     name: &str,

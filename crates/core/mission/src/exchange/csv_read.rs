@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::csv_columns::{CsvColumn, CsvRole, Unit, columns};
 use super::csv_geometry::geometry;
-use super::csv_place::{PlaceOrder, is_place, order, place};
+use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place, order, place};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::litchi_actions::litchi_stay;
 use super::{ExchangeError, angle, geojson};
@@ -56,6 +56,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             records.push((line as usize, record));
         }
     }
+    table.leave_metres(&records);
     if let Some(geometries) = table.geometries(&records) {
         return shapes(&table, &records, geometries);
     }
@@ -136,16 +137,48 @@ impl ReadCsvTable<'_> {
         })
     }
 
-    /// The column of geometries, but where all are points that something says how to fly over, or that have columns of
-    /// latitude and longitude beside them.
+    /// Takes `lat_m` beside degrees with a fraction for the metres that it is then, and not for minutes.
+    fn leave_metres(&mut self, records: &Records) {
+        use CsvRole::{Latitude, LatitudeMinutes, LatitudeSeconds};
+        use CsvRole::{Longitude, LongitudeMinutes, LongitudeSeconds};
+        for (whole, parts) in [
+            (Latitude, [LatitudeMinutes, LatitudeSeconds]),
+            (Longitude, [LongitudeMinutes, LongitudeSeconds]),
+        ] {
+            let Some(degrees) = self.columns.iter().position(|c| c.role == Some(whole)) else {
+                continue;
+            };
+            let has_fraction = |cell: &str| {
+                let number = cell.replace(',', ".").parse::<f64>();
+                number.is_ok_and(|number| number.fract() != 0.0)
+            };
+            let mut cells = records.iter().filter_map(|(_, row)| row.get(degrees));
+            if !cells.any(has_fraction) {
+                continue;
+            }
+            for column in &mut self.columns {
+                let last = column.name.to_lowercase();
+                let last = last.rsplit(|c: char| !c.is_alphabetic()).next();
+                let is_short = matches!(last, Some("m" | "mm" | "s" | "ss"));
+                if is_short && column.role.is_some_and(|role| parts.contains(&role)) {
+                    column.role = None;
+                }
+            }
+        }
+    }
+
+    /// The column of geometries, but beside columns of latitude and longitude, and where all are points that something says
+    /// how to fly over.
     fn geometries(&self, records: &Records) -> Option<usize> {
+        if self.has(CsvRole::Latitude) && self.has(CsvRole::Longitude) {
+            return None;
+        }
         let column = self.column_of(records, |cell| geometry(cell).is_some())?;
         let is_point = |(_, row): &(usize, csv::StringRecord)| {
             let read = row.get(column).and_then(geometry);
             read.is_none_or(|read| read.is_ok_and(|read| read["type"] == "Point"))
         };
-        let is_placed = self.has(CsvRole::Latitude) && self.has(CsvRole::Longitude);
-        let are_points = (is_placed || self.is_flown()) && records.iter().all(is_point);
+        let are_points = self.is_flown() && records.iter().all(is_point);
         (!are_points).then_some(column)
     }
 
@@ -159,7 +192,12 @@ impl ReadCsvTable<'_> {
                 is_told: true,
             });
         }
-        let column = self.column_of(records, is_place)?;
+        let are_sure = |column: &usize| {
+            let mut cells = records.iter().filter_map(|(_, row)| row.get(*column));
+            is_name_of_places(&self.columns[*column].name)
+                || cells.all(|cell| cell.is_empty() || is_surely_place(cell))
+        };
+        let column = self.column_of(records, is_place).filter(are_sure)?;
         let cells = records.iter().filter_map(|(_, row)| row.get(column));
         let order = order(&self.columns[column].name, cells);
         Some(PlaceColumn {
@@ -183,6 +221,12 @@ impl ReadCsvTable<'_> {
         };
         let find = |name: &str| self.columns.iter().position(|c| is_called(c, name));
         let (x, y) = names.iter().find_map(|[x, y]| Some((find(x)?, find(y)?)))?;
+        // With a height or a time beside them they may be metres of a track.
+        let of_tracks = ["z", "t", "time", "timestamp", "time_s", "qw", "qx"];
+        let is_of_track = |c: &CsvColumn| of_tracks.contains(&c.name.to_lowercase().as_str());
+        if self.columns.iter().any(is_of_track) {
+            return None;
+        }
         let are_degrees = |column: usize, most: f64| {
             let cells = records.iter().filter_map(|(_, row)| row.get(column));
             let cells: Vec<String> = cells
@@ -191,7 +235,7 @@ impl ReadCsvTable<'_> {
                 .collect();
             let has_decimals = |cell: &&String| {
                 cell.split_once('.')
-                    .is_some_and(|(_, rest)| rest.len() >= 4)
+                    .is_some_and(|(_, rest)| rest.len() >= 5)
             };
             let exact = cells.iter().filter(has_decimals).count();
             let is_degree = |cell: &String| cell.parse().is_ok_and(|n: f64| n.abs() <= most);
@@ -317,7 +361,8 @@ impl CsvRow<'_> {
             return Err(self.error(&column.name, cause));
         }
         // Of -0 degrees only the sign tells.
-        let is_below = plain.trim_start().starts_with(['-', '\u{2212}']) || degrees < 0.0;
+        let is_below =
+            plain.trim_start().starts_with(['-', '\u{2212}']) || degrees.is_sign_negative();
         degrees += if is_below { -rest } else { rest };
         let Some((column, word)) = self.cell(hemisphere) else {
             return Ok(Some(degrees));
@@ -365,6 +410,12 @@ impl CsvRow<'_> {
         }
     }
 
+    /// Height above the sea of a point whose cell has three numbers as geometries have them, metres.
+    fn height_of_place(&self) -> Option<f64> {
+        let cell = self.record.get(self.table.places?.column)?;
+        geometry(cell)?.ok()?["coordinates"].get(2)?.as_f64()
+    }
+
     /// Cells that we do not know, by the names of their columns, as JSON text.
     fn properties(&self) -> BTreeMap<String, String> {
         let columns = self.table.columns.iter().enumerate();
@@ -395,6 +446,7 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
         .iter()
         .find(|c| c.role == Some(CsvRole::Altitude))
         .and_then(|c| c.frame);
+    let is_mavlink = counts_by_mavlink(table, rows);
     let placed = placed(table, rows);
     if placed.len() < rows.len() {
         found.notes.push(format!(
@@ -409,7 +461,7 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
             Some((column, word)) => {
                 let plain = word.to_lowercase().replace([' ', '-'], "_");
                 let frame = frame_of_word(&plain)
-                    .or_else(|| frame_of_number(&column.name, &plain))
+                    .or_else(|| frame_of_number(is_mavlink, &plain))
                     .or_else(|| frame_of_abbreviation(&plain));
                 Some(frame.ok_or_else(|| {
                     let cause =
@@ -423,7 +475,9 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
                 assumed_frames += usize::from(frame.is_none());
                 Altitude::new(metres, frame.unwrap_or(USUAL_ALTITUDE.frame))
             }
-            None => USUAL_ALTITUDE,
+            None => row.height_of_place().map_or(USUAL_ALTITUDE, |metres| {
+                Altitude::new(metres, AltitudeFrame::Amsl)
+            }),
         };
         let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
         // Planners of missions write 0 for the aircraft's cruise: nobody flies at no speed.
@@ -474,7 +528,8 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
             USUAL_ALTITUDE.frame.name()
         ));
     }
-    if !table.has(CsvRole::Altitude) {
+    let has_heights = || rows.iter().any(|row| row.height_of_place().is_some());
+    if !table.has(CsvRole::Altitude) && !has_heights() {
         found.notes.push(format!(
             "the table states no altitude: {USUAL_ALTITUDE} is taken"
         ));
@@ -482,15 +537,17 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
     Ok(found)
 }
 
+/// Whether a column has commands of `MAVLink`.
+fn has_commands(table: &ReadCsvTable) -> bool {
+    let commands = ["cid", "cmd", "command", "mav_cmd"];
+    let mut names = table.columns.iter().map(|c| c.name.to_lowercase());
+    names.any(|name| commands.contains(&name.as_str()))
+}
+
 /// The rows without those of a table of commands that have no place, as logs of missions have them (`DO_JUMP`): they stand
 /// at 0° N, 0° E.
 fn placed<'a, 'b>(table: &ReadCsvTable, rows: &'a [CsvRow<'b>]) -> Vec<&'a CsvRow<'b>> {
-    let commands = ["cid", "cmd", "command", "mav_cmd"];
-    let mut names = table
-        .columns
-        .iter()
-        .map(|column| column.name.to_lowercase());
-    let has_commands = names.any(|name| commands.contains(&name.as_str()));
+    let has_commands = has_commands(table);
     let is_null =
         |row: &&CsvRow| has_commands && row.place().is_ok_and(|place| place == (0.0, 0.0));
     let placed: Vec<&CsvRow> = rows.iter().filter(|row| !is_null(row)).collect();
@@ -500,20 +557,27 @@ fn placed<'a, 'b>(table: &ReadCsvTable, rows: &'a [CsvRow<'b>]) -> Vec<&'a CsvRo
     placed
 }
 
-/// The frame of a number: in a column of modes that of Litchi, else `MAV_FRAME` of `MAVLink`.
-fn frame_of_number(column: &str, word: &str) -> Option<AltitudeFrame> {
-    let number: f64 = word.parse().ok().filter(|n: &f64| n.fract() == 0.0)?;
-    if column.to_lowercase().contains("mode") {
-        return match number as i64 {
-            0 => Some(AltitudeFrame::AboveTakeOff),
-            1 => Some(AltitudeFrame::AboveGround),
-            _ => None,
-        };
+/// Whether numbers of frames are those of `MAV_FRAME`: where the column is none of modes, and holds one that nothing else
+/// has, or commands stand beside it.
+fn counts_by_mavlink(table: &ReadCsvTable, rows: &[CsvRow]) -> bool {
+    let named = table
+        .columns
+        .iter()
+        .find(|c| c.role == Some(CsvRole::Frame));
+    if named.is_none_or(|column| column.name.to_lowercase().contains("mode")) {
+        return false;
     }
-    match number as i64 {
-        0 | 5 => Some(AltitudeFrame::Amsl),
-        3 | 6 => Some(AltitudeFrame::AboveTakeOff),
-        10 | 11 => Some(AltitudeFrame::AboveGround),
+    let number = |row: &CsvRow| row.cell(CsvRole::Frame)?.1.trim().parse::<f64>().ok();
+    has_commands(table) || rows.iter().filter_map(number).any(|n| n > 1.0)
+}
+
+/// The frame of a number: `MAV_FRAME` of `MAVLink`, else that of Litchi.
+fn frame_of_number(is_mavlink: bool, word: &str) -> Option<AltitudeFrame> {
+    let number: f64 = word.parse().ok().filter(|n: &f64| n.fract() == 0.0)?;
+    match (is_mavlink, number as i64) {
+        (true, 0 | 5) => Some(AltitudeFrame::Amsl),
+        (false, 0) | (true, 3 | 6) => Some(AltitudeFrame::AboveTakeOff),
+        (false, 1) | (true, 10 | 11) => Some(AltitudeFrame::AboveGround),
         _ => None,
     }
 }

@@ -139,8 +139,8 @@ fn frames_are_words_or_numbers_of_mavlink_and_modes_are_those_of_litchi() {
         frames("Altitude Reference", &["Takeoff", "MSL"]),
         [AboveTakeOff, Amsl]
     );
-    let error = read_any("a.csv", b"Lat,Lng,Alt,Frame\n47,8,50,1\n", None);
-    assert!(error.unwrap_err().to_string().contains("`1`"));
+    let error = read_any("a.csv", b"Lat,Lng,Alt,Frame\n47,8,50,7\n", None);
+    assert!(error.unwrap_err().to_string().contains("`7`"));
 }
 
 #[test]
@@ -166,4 +166,86 @@ fn columns_called_x_and_y_are_places_only_where_they_are_degrees_for_sure() {
         let error = read_any("a.csv", table.as_bytes(), None).unwrap_err();
         assert!(error.to_string().contains("latitude"), "{error}");
     }
+}
+
+/// Sound tables that columns beside their places must not turn into others.
+#[test]
+fn what_stands_beside_latitude_and_longitude_changes_no_place() {
+    for (header, cells) in [
+        ("owner", "Martin Meier"),
+        ("owner", "Destination (north)"),
+        ("site", "Point Mugu"),
+        ("site", "Point East"),
+        (
+            "altitude,footprint",
+            "430,\"POLYGON ((8 47, 9 47, 9 48, 8 47))\"",
+        ),
+        ("geom", "SRID=3857;POINT (946000 6024000)"),
+        ("size", "\"1.5, 2.0\""),
+    ] {
+        let table = format!("name,latitude,longitude,{header}\nA,47.5,8.5,{cells}\n");
+        let found = read(&table);
+        let at = if found.routes.is_empty() {
+            landmarks(&found)
+        } else {
+            way_points(&found)
+        };
+        assert_at(&at, &[[47.5, 8.5]]);
+    }
+    let metres = "name,lat_deg,lon_deg,lat_m,lon_m\nA,47.5,8.5,5261000,640000\n";
+    assert_at(&landmarks(&read(metres)), &[[47.5, 8.5]]);
+    let both = "name,latitude,longitude,lat_deg,lat_min,lat_sec,lon_deg,lon_min,lon_sec\nA,47.5,8.25,47,30,0,8,15,0\n";
+    assert_at(&landmarks(&read(both)), &[[47.5, 8.25]]);
+}
+
+#[test]
+fn minutes_with_decimals_and_hemispheres_at_no_degrees_are_heeded() {
+    let decimals = "name,lat_deg,lat_dec_min,lon_deg,lon_dec_min\nA,47,30.5,8,15.3\n";
+    let place = [47.0 + 30.5 / 60.0, 8.0 + 15.3 / 60.0];
+    assert_at(&landmarks(&read(decimals)), &[place]);
+    let west = "name,lat_deg,lat_min,lon_deg,lon_min\nA,51N,30,0W,7.5\n";
+    assert_at(&landmarks(&read(west)), &[[51.5, -0.125]]);
+}
+
+#[test]
+fn numbers_that_may_be_anything_are_no_places() {
+    for table in [
+        "name,size\nA,\"1.5, 2.0\"\n",
+        "name,opening\nA,9.30 17.30\n",
+        "timestamp,x,y,z\n1.0,1.23456,2.34567,0.5\n",
+    ] {
+        assert!(
+            read_any("a.csv", table.as_bytes(), None).is_err(),
+            "{table}"
+        );
+    }
+}
+
+#[test]
+fn frames_are_those_of_litchi_unless_something_is_of_mavlink_alone() {
+    let frames = |table: &str| -> Vec<AltitudeFrame> {
+        let found = read(table);
+        let points = found.routes[0].way_points.iter();
+        points.map(|point| point.altitude.frame).collect()
+    };
+    let litchi = "lat,lon,alt,frame\n47,8,30,0\n47.1,8,30,1\n";
+    assert_eq!(
+        frames(litchi),
+        [AltitudeFrame::AboveTakeOff, AltitudeFrame::AboveGround]
+    );
+    let mavlink = "lat,lon,alt,frame\n47,8,430,0\n47.1,8,30,3\n";
+    assert_eq!(
+        frames(mavlink),
+        [AltitudeFrame::Amsl, AltitudeFrame::AboveTakeOff]
+    );
+}
+
+#[test]
+fn a_height_in_a_geometry_counts_from_the_sea() {
+    let found = read("WKT,speed\n\"POINT Z (8.5 47.5 430)\",5\n");
+    let point = &found.routes[0].way_points[0];
+    assert_eq!(
+        (point.altitude.metres, point.altitude.frame),
+        (430.0, AltitudeFrame::Amsl)
+    );
 }
