@@ -14,7 +14,7 @@ pub struct Kinematics {
     pub on_map: GroundPoint,
     /// Velocity over ground, m/s north and east; `None` where nobody asked for it or the model knows none.
     pub velocity: Option<Vector2<f64>>,
-    /// Attitude of the body, the biases of heading, roll and pitch taken out.
+    /// Attitude as the camera has it: the biases of heading, roll and pitch, which are those of its pictures, taken out.
     pub attitude: Attitude,
     /// Heading, reading minus truth, radians; `None` where the model takes the reading for the truth.
     pub heading_bias: Option<f64>,
