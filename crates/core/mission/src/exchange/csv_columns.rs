@@ -283,7 +283,8 @@ fn parts_of_angles(names: &[String]) -> Vec<Option<CsvRole>> {
         // A letter alone says that only beside the degrees.
         let is_parted = has(of, &degrees);
         // Whole angles beside the parts of the same say all by themselves.
-        if is_parted && has(of, &[""]) || is_parted && has(other_name(of), &[""]) {
+        let is_whole = has(of, &[""]) || has(other_name(of), &[""]);
+        if is_parted && is_whole {
             return None;
         }
         let is = |words: &[&str], short: [&str; 2]| {
