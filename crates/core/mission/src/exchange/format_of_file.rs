@@ -36,9 +36,11 @@ impl Format {
             // The second is a mission of QGroundControl before there were plans.
             let is_plan =
                 (has("\"fileType\"") || has("\"MAV_AUTOPILOT\"")) && !has("\"FeatureCollection\"");
+            // Large files are parsed only where they may be one.
             let is_old_mission = || {
-                let members: Option<Map<String, Value>> = serde_json::from_str(&text).ok();
-                has("\"items\"") && members.is_some_and(|members| is_mission(&members))
+                has("\"items\"")
+                    && serde_json::from_str::<Map<String, Value>>(&text)
+                        .is_ok_and(|members| is_mission(&members))
             };
             return match Self::of_name(name) {
                 Some(Self::Plan) => Some(Self::Plan),
