@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         return crate::labels::convert(labels, to);
     }
     let name = to.to_string_lossy();
-    let named = Format::of_name(&name);
+    let named = Format::to_write(&name);
     let of_maker = match (arguments.maker, named) {
         (None, named) => named,
         (Some(Maker::Dji), Some(Format::Kmz)) => Some(Format::Wpml),

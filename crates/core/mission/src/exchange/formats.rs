@@ -60,6 +60,9 @@ formats! {
     Csv(csv_write::INFO, csv_write::WORK),
 }
 
+/// Extensions under which nothing is written: what is in such files is written as another format.
+const ONLY_READ: [&str; 2] = ["mission", "wpml"];
+
 impl Format {
     /// Formats that the extension of a file's name tells, in that order: those of makers have extensions of others.
     pub fn told_by_extension() -> impl Iterator<Item = Self> {
@@ -133,11 +136,38 @@ impl Format {
                 .any(|own| own.eq_ignore_ascii_case(extension))
         })
     }
+
+    /// The format to write under a file's name; `None` also for extensions of files that are only read.
+    ///
+    /// ```
+    /// use pilotage_mission::exchange::Format;
+    ///
+    /// assert_eq!(Format::to_write("out.plan"), Some(Format::Plan));
+    /// assert_eq!(Format::to_write("out.mission"), None);
+    /// ```
+    pub fn to_write(name: &str) -> Option<Self> {
+        let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
+        let mut only_read = ONLY_READ.iter();
+        let is_only_read = only_read.any(|only| only.eq_ignore_ascii_case(extension));
+        Self::of_name(name).filter(|_| !is_only_read)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_plan_is_written_under_the_name_of_an_old_mission() {
+        assert_eq!(Format::of_name("o.mission"), Some(Format::Plan));
+        for name in ["o.mission", "o.MISSION", "o.wpml"] {
+            assert_eq!(Format::to_write(name), None, "{name}");
+        }
+        for format in Format::told_by_extension() {
+            let name = format!("o.{}", format.extensions()[0]);
+            assert_eq!(Format::to_write(&name), Some(format));
+        }
+    }
 
     #[test]
     fn every_format_has_a_name_of_its_own_and_a_writer_of_tracks_if_it_says_so() {
