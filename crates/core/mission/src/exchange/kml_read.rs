@@ -41,47 +41,121 @@ pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, E
     let main =
         main_document(&names).ok_or_else(|| error("there is no .kml in the zip".to_owned()))?;
     let mut found = GeodeticContent::default();
-    let mut waiting = vec![main];
+    let mut waiting = vec![main.clone()];
+    let mut known = BTreeSet::from([main]);
+    let mut beyond = BTreeSet::new();
+    let mut counts = BTreeMap::new();
+    // Notes on documents beside the main one, with the first that has them.
+    let mut shared: BTreeMap<String, (String, usize)> = BTreeMap::new();
+    let mut faults = Vec::new();
     let mut next = 0;
     while let Some(name) = waiting.get(next).cloned() {
-        let bytes = zip
-            .read(&name)
-            .ok_or_else(|| error(format!("{name} in the zip cannot be unpacked")))?;
+        let is_main = next == 0;
+        next += 1;
         let mut notes = Vec::new();
-        let text = decoded(&bytes, &mut notes);
         let whole = format!("{file}/{name}");
-        let called = if next == 0 { file } else { whole.as_str() };
+        let called = if is_main { file } else { whole.as_str() };
         let archive = KmlArchive {
             names: &names,
             document: &name,
         };
-        let (content, links) = read_document(called, &text, Some(&archive))?;
+        let bytes = zip
+            .read(&name)
+            .ok_or_else(|| error(format!("{name} in the zip cannot be unpacked")));
+        let read = bytes
+            .and_then(|bytes| read_document(called, &decoded(&bytes, &mut notes), Some(&archive)));
+        let document = match read {
+            Ok(document) => document,
+            Err(fault) if is_main => return Err(fault),
+            Err(fault) => {
+                faults.push(fault);
+                continue;
+            }
+        };
+        let content = document.content;
         found.routes.extend(content.routes);
         found.landmarks.extend(content.landmarks);
         found.no_fly.extend(content.no_fly);
         found.rally.extend(content.rally);
         notes.extend(content.notes);
-        let in_part = |note: String| match next {
-            0 => note,
-            _ => format!("{name}: {note}"),
-        };
-        found.notes.extend(notes.into_iter().map(in_part));
-        for link in links {
-            if !waiting.contains(&link) && waiting.len() < MOST_DOCUMENTS {
-                waiting.push(link);
+        for (note, count) in document.counts {
+            *counts.entry(note).or_default() += count;
+        }
+        if is_main {
+            found.notes.extend(notes);
+        } else {
+            for note in notes {
+                shared.entry(note).or_insert_with(|| (name.clone(), 0)).1 += 1;
             }
         }
-        next += 1;
+        for link in document.links {
+            if known.contains(&link) {
+                continue;
+            }
+            if waiting.len() < MOST_DOCUMENTS {
+                known.insert(link.clone());
+                waiting.push(link);
+            } else {
+                beyond.insert(link);
+            }
+        }
+    }
+    found.notes.extend(counted(counts));
+    for (note, (first, count)) in shared {
+        found.notes.push(match count {
+            1 => format!("{first}: {note}"),
+            _ => format!("{first} and {} more documents: {note}", count - 1),
+        });
+    }
+    let is_empty = found.routes.is_empty()
+        && found.landmarks.is_empty()
+        && found.no_fly.is_empty()
+        && found.rally.is_empty();
+    let more = faults.len().saturating_sub(1);
+    if let Some(first) = faults.into_iter().next() {
+        if is_empty {
+            return Err(first);
+        }
+        found
+            .notes
+            .push(format!("{first}: this document is left out"));
+        if more > 0 {
+            found.notes.push(format!(
+                "{more} more linked documents cannot be read, and are left out"
+            ));
+        }
+    }
+    if !beyond.is_empty() {
+        found.notes.push(format!(
+            "{} linked documents are left out: {MOST_DOCUMENTS} of a file are read at most",
+            beyond.len()
+        ));
     }
     let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !is_shadow(name);
     let others = names.iter().filter(is_kml);
-    let others = others.filter(|name| !waiting.contains(*name)).count();
+    let others = others
+        .filter(|name| !known.contains(*name) && !beyond.contains(*name))
+        .count();
     if others > 0 {
         found.notes.push(format!(
             "{others} other .kml in the zip, which no link leads to, are left out"
         ));
     }
     Ok(found)
+}
+
+/// Notes with the number of times that they apply.
+fn counted(counts: BTreeMap<String, usize>) -> impl Iterator<Item = String> {
+    let words = |(note, count)| format!("{count} × {note}");
+    counts.into_iter().map(words)
+}
+
+/// A document as it was read.
+struct KmlDocument {
+    content: GeodeticContent,
+    counts: BTreeMap<String, usize>,
+    /// Documents of the archive that links lead to.
+    links: Vec<String>,
 }
 
 /// Files around a document.
@@ -100,7 +174,9 @@ pub(super) fn main_document(names: &[String]) -> Option<String> {
 
 /// Reads all placemarks, however they lie in folders.
 pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
-    Ok(read_document(file, text, None)?.0)
+    let mut document = read_document(file, text, None)?;
+    document.content.notes.extend(counted(document.counts));
+    Ok(document.content)
 }
 
 /// Reads all placemarks of a document, and finds the documents around it that links lead to.
@@ -108,7 +184,7 @@ fn read_document(
     file: &str,
     text: &str,
     archive: Option<&KmlArchive>,
-) -> Result<(GeodeticContent, Vec<String>), ExchangeError> {
+) -> Result<KmlDocument, ExchangeError> {
     let source = NamedText { file, text };
     let root = source.root()?;
     let mut reader = KmlReader {
@@ -120,11 +196,11 @@ fn read_document(
     };
     reader.walk(&root)?;
     reader.styles(&root);
-    let mut found = reader.found;
-    for (note, count) in reader.counts {
-        found.notes.push(format!("{count} × {note}"));
-    }
-    Ok((found, reader.links))
+    Ok(KmlDocument {
+        content: reader.found,
+        counts: reader.counts,
+        links: reader.links,
+    })
 }
 
 struct KmlReader<'a> {

@@ -60,6 +60,37 @@ fn a_fault_in_a_linked_document_names_it() {
 }
 
 #[test]
+fn a_linked_document_that_cannot_be_read_is_left_out_of_a_sound_archive() {
+    let main = document(&[place("first"), link("b.kml"), link("c.kml")]);
+    let second = document(&[place("third")]);
+    let bytes = kmz(&[("doc.kml", &main), ("b.kml", ""), ("c.kml", &second)]);
+    let found = read_any("a.kmz", &bytes, None).unwrap();
+    assert_eq!(found.landmarks.len(), 2);
+    assert_noted(&found.notes, |note| {
+        note.contains("b.kml") && note.contains("left out")
+    });
+}
+
+#[test]
+fn notes_on_many_linked_documents_are_summed_and_the_limit_is_told() {
+    let names: Vec<String> = (0..1100).map(|i| format!("tiles/{i}.kml")).collect();
+    let mut parts: Vec<String> = names.iter().map(|name| link(name)).collect();
+    parts.push(place("first"));
+    let main = document(&parts);
+    let tile = document(&["<GroundOverlay/>".to_owned()]);
+    let mut files = vec![("doc.kml", main.as_str())];
+    files.extend(names.iter().map(|name| (name.as_str(), tile.as_str())));
+    let found = read_any("a.kmz", &kmz(&files), None).unwrap();
+    assert!(found.notes.len() < 6, "{:?}", found.notes);
+    assert_noted(&found.notes, |note| note.starts_with("999 × GroundOverlay"));
+    assert_noted(&found.notes, |note| {
+        note.starts_with("101 linked documents") && note.contains("1000")
+    });
+    let is_unlinked = |note: &String| note.contains("no link leads to");
+    assert!(!found.notes.iter().any(is_unlinked));
+}
+
+#[test]
 fn collections_of_features_may_lie_in_one_another_and_other_json_is_named() {
     let point = r#"{"type":"Feature","properties":{"name":"in"},"geometry":{"type":"Point","coordinates":[8,47]}}"#;
     let inner = format!(r#"{{"type":"FeatureCollection","features":[{point}]}}"#);
