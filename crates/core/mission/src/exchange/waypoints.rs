@@ -77,6 +77,7 @@ struct HomeLine(u16, u8, [Option<f64>; 7], bool);
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     let mut lines = Vec::new();
     let mut version = VERSION;
+    let has_decimal_commas = content.split_whitespace().any(is_decimal_comma);
     for (i, text) in content.lines().enumerate() {
         let place = |column: usize, cause: String| ExchangeError::Place {
             file: file.to_owned(),
@@ -87,7 +88,9 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         if i == 0 {
             version = version_of(text).map_err(|cause| place(1, cause))?;
         } else if !text.trim().is_empty() && !text.starts_with('#') {
-            lines.push(line(text).map_err(|(column, cause)| place(column, cause))?);
+            lines.push(
+                line(text, has_decimal_commas).map_err(|(column, cause)| place(column, cause))?,
+            );
         }
     }
     // Lines whose numbers do not rise are counted, as autopilots count them.
@@ -186,14 +189,36 @@ fn version_of(line: &str) -> Result<&'static str, String> {
     })
 }
 
+/// Whether three digits behind the comma of a number may be thousands.
+fn may_be_thousands(field: &str) -> bool {
+    let digits = field.trim_start_matches(['-', '+']);
+    digits.split_once(',').is_some_and(|(whole, rest)| {
+        (1..=3).contains(&whole.len()) && !whole.starts_with('0') && rest.len() == 3
+    })
+}
+
+/// Whether a field is a number whose comma can be nothing but that of decimals.
+fn is_decimal_comma(field: &str) -> bool {
+    field.contains(',')
+        && !may_be_thousands(field)
+        && field.replacen(',', ".", 1).parse::<f64>().is_ok()
+}
+
 /// A line, or the column of what is wrong with it and what that is.
-fn line(text: &str) -> Result<WaypointLine, (usize, String)> {
+fn line(text: &str, has_decimal_commas: bool) -> Result<WaypointLine, (usize, String)> {
     let fields: Vec<&str> = text.split_whitespace().collect();
     if fields.len() != 12 {
         return Err((1, format!("there are {} fields, not 12", fields.len())));
     }
     let column = |i: usize| fields[i].as_ptr() as usize - text.as_ptr() as usize + 1;
     let number = |i: usize| -> Result<f64, (usize, String)> {
+        if may_be_thousands(fields[i]) && !has_decimal_commas {
+            let cause = format!(
+                "`{}` may be thousands or decimals: write it without a comma",
+                fields[i]
+            );
+            return Err((column(i), cause));
+        }
         // Some programs write numbers as their country does.
         fields[i]
             .parse()

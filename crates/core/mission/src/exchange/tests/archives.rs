@@ -133,3 +133,19 @@ fn way_points_with_decimal_commas_are_read_and_the_first_version_is_named() {
     let error = read_any("a.waypoints", old.as_bytes(), None).unwrap_err();
     assert!(error.to_string().contains("version 100"), "{error}");
 }
+
+#[test]
+fn three_digits_behind_a_comma_are_decimals_only_where_other_fields_are() {
+    let file = |place: &str, height: &str| {
+        format!(
+            "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t{place}\t430\t1\n1\t0\t3\t16\t0\t0\t0\t0\t{place}\t{height}\t1\n"
+        )
+    };
+    let read = |text: String| read_any("a.waypoints", text.as_bytes(), None);
+    let error = read(file("47.5\t8.5", "1,250")).unwrap_err().to_string();
+    assert!(error.contains("`1,250` may be thousands"), "{error}");
+    for (place, height, metres) in [("47,5\t8,5", "1,250", 1.25), ("47.5\t8.5", "0,250", 0.25)] {
+        let found = read(file(place, height)).unwrap();
+        assert_eq!(found.routes[0].way_points[0].altitude.metres, metres);
+    }
+}
