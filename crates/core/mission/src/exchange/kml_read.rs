@@ -101,29 +101,14 @@ pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, E
         }
     }
     found.notes.extend(counted(counts));
-    for (note, (first, count)) in shared {
-        found.notes.push(match count {
-            1 => format!("{first}: {note}"),
-            _ => format!("{first} and {} more documents: {note}", count - 1),
-        });
-    }
+    found.notes.extend(shared_notes(shared));
     let is_empty = found.routes.is_empty()
         && found.landmarks.is_empty()
         && found.no_fly.is_empty()
         && found.rally.is_empty();
-    let more = faults.len().saturating_sub(1);
-    if let Some(first) = faults.into_iter().next() {
-        if is_empty {
-            return Err(first);
-        }
-        found
-            .notes
-            .push(format!("{first}: this document is left out"));
-        if more > 0 {
-            found.notes.push(format!(
-                "{more} more linked documents cannot be read, and are left out"
-            ));
-        }
+    match faults.first() {
+        Some(_) if is_empty => return Err(faults.remove(0)),
+        _ => found.notes.extend(fault_notes(&faults)),
     }
     if !beyond.is_empty() {
         found.notes.push(format!(
@@ -142,6 +127,31 @@ pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, E
         ));
     }
     Ok(found)
+}
+
+/// Notes on linked documents, each with the first document that has it and the number of others.
+fn shared_notes(shared: BTreeMap<String, (String, usize)>) -> impl Iterator<Item = String> {
+    let words = |(note, (first, count)): (String, (String, usize))| match count {
+        1 => format!("{first}: {note}"),
+        _ => format!("{first} and {} more documents: {note}", count - 1),
+    };
+    shared.into_iter().map(words)
+}
+
+/// Notes on linked documents that cannot be read: the first fault, and the number of others.
+fn fault_notes(faults: &[ExchangeError]) -> Vec<String> {
+    let first = faults.first();
+    let mut notes: Vec<String> = first
+        .map(|fault| format!("{fault}: this document is left out"))
+        .into_iter()
+        .collect();
+    if faults.len() > 1 {
+        notes.push(format!(
+            "{} more linked documents cannot be read, and are left out",
+            faults.len() - 1
+        ));
+    }
+    notes
 }
 
 /// Notes with the number of times that they apply.
