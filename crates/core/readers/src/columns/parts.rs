@@ -138,10 +138,14 @@ pub(super) fn calendar(samples: &[ColumnSample], columns: &mut [MappedColumn]) -
             .chain(date.into_iter().flatten())
             .flatten()
             .collect();
-        // A clock in one column says the same.
+        // A clock in one column says the same, and may say it finer.
         let is_own = |index: usize| index == seconds || own.iter().any(|(own, _)| *own == index);
-        let mut others = columns.iter().enumerate();
-        if others.any(|(index, column)| column.role == Time && !is_own(index)) && date.is_none() {
+        let mut others = columns.iter().zip(samples).enumerate();
+        let is_told = others.any(|(index, (column, sample))| {
+            let is_better = date.is_none() || is_finer(sample, &samples[seconds]);
+            column.role == Time && !is_own(index) && is_better
+        });
+        if is_told {
             continue;
         }
         let reason = "the parts of the time stand in several columns";
@@ -159,6 +163,18 @@ pub(super) fn calendar(samples: &[ColumnSample], columns: &mut [MappedColumn]) -
     false
 }
 
+/// Whether a clock goes on between rows in which seconds stand still.
+fn is_finer(clock: &ColumnSample, seconds: &ColumnSample) -> bool {
+    let still = |of: &ColumnSample| of.numbers.windows(2).filter(|w| w[0] == w[1]).count();
+    still(clock) < still(seconds)
+}
+
+/// Whether the number of a part of the time is one that calendars have.
+fn is_of_calendar(unit: &str, value: f64) -> bool {
+    let known = CALENDAR.iter().find(|(own, ..)| *own == unit);
+    known.is_none_or(|(_, _, [least, most])| (*least..=*most).contains(&value))
+}
+
 /// Seconds of rows out of the parts of their time: those of seconds, and of each other unit. With a date they count from
 /// 1970, without one from the first day; `None` where a part is missing.
 pub(super) fn seconds(parts: &[(&str, Vec<Option<f64>>)], rows: usize) -> Vec<Option<f64>> {
@@ -174,6 +190,9 @@ pub(super) fn seconds(parts: &[(&str, Vec<Option<f64>>)], rows: usize) -> Vec<Op
             let mut total = 0.0;
             for (unit, values) in parts {
                 let value = values.get(row).copied().flatten()?;
+                if !is_of_calendar(unit, value) {
+                    return None;
+                }
                 total += match *unit {
                     "hours" => 3600.0 * value,
                     "minutes" => 60.0 * value,
@@ -186,6 +205,12 @@ pub(super) fn seconds(parts: &[(&str, Vec<Option<f64>>)], rows: usize) -> Vec<Op
         let date = of("years", row).zip(of("months", row)).zip(of("days", row));
         let days = match date {
             Some(((year, month), day)) => (|| {
+                let is_sound = |unit: &str, value: Option<f64>| {
+                    value.is_some_and(|value| is_of_calendar(unit, value))
+                };
+                let are_sound =
+                    is_sound("years", year) && is_sound("months", month) && is_sound("days", day);
+                are_sound.then_some(())?;
                 let (year, month, day) = (year? as i64, month? as i64, day? as i64);
                 let year = if year < 100 { year + 2000 } else { year };
                 Some(86_400.0 * days_since_1970(year, month, day) as f64)
@@ -216,10 +241,10 @@ pub(super) fn angles(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
         (Longitude, ["lon", "longitude"]),
     ] {
         let ends_in = |sample: &ColumnSample, ends: &[&str]| {
-            let found = words(sample);
-            let is_of = found.iter().any(|word| names.contains(&word.as_str()));
-            let last = found.last();
-            is_of && last.is_some_and(|word| ends.contains(&word.as_str()))
+            let mut found = words(sample);
+            found.retain(|word| !["gps", "dec", "decimal"].contains(&word.as_str()));
+            // `lat_std_mm` is something else.
+            matches!(&found[..], [of, last] if names.contains(&of.as_str()) && ends.contains(&last.as_str()))
         };
         let is_minutes = |sample: &_| ends_in(sample, &["min", "mins", "minute", "minutes", "mm"]);
         let is_seconds = |sample: &_| ends_in(sample, &["sec", "secs", "second", "seconds", "ss"]);
@@ -257,7 +282,9 @@ pub(super) fn angles(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
         }
         let name = &samples[minutes].name;
         for (column, sample) in columns.iter_mut().zip(samples) {
-            let is_place = is_broken(sample) && !is_minutes(sample) && !is_seconds(sample);
+            let is_degree = is_within(sample, [-most, most], true);
+            let is_place =
+                (is_broken(sample) || !is_degree) && !is_minutes(sample) && !is_seconds(sample);
             if column.role != role || is_place {
                 continue;
             }

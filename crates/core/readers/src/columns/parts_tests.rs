@@ -144,3 +144,48 @@ fn rows_of_ten_seconds_whose_hours_minutes_and_seconds_are_one_number_are_known(
     };
     assert_regular(&flight(&table("time,lat,lon,alt", row)), 10.0);
 }
+
+#[test]
+fn a_clock_that_is_finer_than_the_calendar_beside_it_stays_the_clock() {
+    let names = "time_ms,year,month,day,hour,minute,second,lat,lon,alt";
+    let row = |i: u32| {
+        let (second, east) = (i / 10, 8.0 + f64::from(i) * 2e-5);
+        format!("{},2024,5,1,10,0,{second},47.0,{east:.6},430", 100 * i)
+    };
+    assert_regular(&flight(&table(names, row)), 0.1);
+}
+
+#[test]
+fn a_row_of_no_calendar_is_left_out_and_breaks_nothing() {
+    let names = "year,month,day,hour,minute,second,lat,lon,alt";
+    let rows: Vec<String> = (0..30_000_u32)
+        .map(|i| {
+            let year = if i == 29_990 {
+                "9000000000000000000"
+            } else {
+                "2024"
+            };
+            let (hour, minute, second) = (i / 3600, i / 60 % 60, i % 60);
+            let east = 8.0 + f64::from(i) * 1e-5;
+            format!("{year},5,1,{hour},{minute},{second},47.0,{east:.6},430")
+        })
+        .collect();
+    let folder = flight(&format!("{names}\n{}\n", rows.join("\n")));
+    let track = &folder.flight.truth.as_ref().unwrap().states;
+    assert_eq!(track.len(), 29_999);
+}
+
+#[test]
+fn deviations_in_millimetres_are_no_minutes_of_places() {
+    let names = "time_s,lat,lon,alt,lat_std_mm,lon_std_mm";
+    let row = |i: u32| {
+        let east = 80_000_000 + 200 * i;
+        format!(
+            "{:.1},470000000,{east},430,{},{}",
+            0.1 * f64::from(i),
+            12 + i % 5,
+            14 + i % 3
+        )
+    };
+    assert_regular(&flight(&table(names, row)), 0.1);
+}
