@@ -189,6 +189,14 @@ fn numbers(line: &str, is_seam: fn(char) -> bool) -> Option<Vec<f64>> {
     words.map(|word| word.parse().ok()).collect()
 }
 
+/// Words with which names of parameters begin.
+const GROUPS: [&str; 40] = [
+    "acro", "ahrs", "airspeed", "arming", "atc", "arspd", "bat", "batt", "brd", "cal", "cam",
+    "cbrk", "com", "compass", "ek", "ekf", "fence", "fltmode", "fs", "fw", "gps", "ins", "lim",
+    "log", "mav", "mc", "mis", "mnt", "mot", "mpc", "nav", "pilot", "psc", "rc", "rtl", "sens",
+    "serial", "servo", "sysid", "wpnav",
+];
+
 /// Lines of a name of an autopilot's parameter and its number, alone or behind system and component.
 fn are_parameters(lines: &[&str]) -> bool {
     let is_parameter = |line: &&str| {
@@ -216,7 +224,14 @@ fn are_parameters(lines: &[&str]) -> bool {
     };
     let with_seam = lines.iter().filter(|line| line.contains('_')).count();
     let count = lines.iter().filter(|line| is_parameter(line)).count();
-    lines.len() >= 2 && count == lines.len() && 2 * with_seam >= count
+    // Few lines of a name and a number may be of anything, unless their names are those of autopilots.
+    let of_autopilots = |line: &&&str| {
+        let mut words = line.split(|c: char| !c.is_ascii_alphanumeric());
+        words.any(|word| GROUPS.contains(&word.trim_end_matches(|c: char| c.is_ascii_digit())))
+    };
+    let known = lines.iter().filter(of_autopilots).count();
+    let least = if 2 * known >= count { 2 } else { 10 };
+    lines.len() >= least && count == lines.len() && 2 * with_seam >= count
 }
 
 fn are_rally_points(lines: &[&str]) -> bool {
@@ -336,6 +351,9 @@ mod tests {
             b"points of view (many)\n",
             b"47.0 8.0\n47.1 8.0\n",
             b"speed 3\nheight 4\n",
+            b"speed_max 3\nheight_max 4\n",
+            b"wp_1,47.5,8.5\nwp_2,47.6,8.6\n",
+            b"<?xml version=\"1.0\"?> <!-- by me --> <unknown/>\n",
             &noise,
         ] {
             assert_eq!(

@@ -19,7 +19,7 @@ const fn word(
 /// Words in small letters, in the order in which they are tried; a line break before one says that a line begins so.
 #[rustfmt::skip]
 const WORDS: &[(&str, Foreign)] = &[
-    word(" --> ", "the subtitles of a film, as DJI writes them beside it (.SRT)", "no place and time could be read in it"),
+    word(" --> 0", "the subtitles of a film, as DJI writes them beside it (.SRT)", "no place and time could be read in it"),
     word("rinex version", "observations of a satellite receiver (RINEX)", "compute positions of them (RTKLIB) and open those as CSV"),
     word("\n$gp", "sentences of a satellite receiver (NMEA)", NMEA),
     word("\n$gn", "sentences of a satellite receiver (NMEA)", NMEA),
