@@ -117,11 +117,11 @@ impl ColumnRole {
             Self::Course,
             Self::Place,
             Self::TimeRest,
-            Self::AngleRest,
-            Self::Date,
             Self::WindSpeed,
             Self::WindFrom,
         ];
+        // People seldom choose these.
+        let last = [Self::AngleRest, Self::Date];
         let parts = QuaternionPart::ALL;
         first
             .into_iter()
@@ -129,6 +129,7 @@ impl ColumnRole {
             .chain(parts.map(Self::Quaternion))
             .chain(parts.map(Self::RosQuaternion))
             .chain(BodyAxis::ALL.map(Self::BodyVelocity))
+            .chain(last)
     }
 
     /// Name for people.
