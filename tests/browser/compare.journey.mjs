@@ -26,7 +26,7 @@ export async function run(page, tools) {
   await page.waitForTimeout(300);
 
   await tools.click(await tools.find(null, "Fly by all estimators"));
-  const { compare } = await tools.waitFor((s) => s.compare.contest?.length === 6, "every estimator in flight and smoothed", 150_000);
+  const { compare } = await tools.waitFor((s) => s.compare.contest?.length === 6, "every estimator in flight and smoothed", 250_000);
   await page.waitForTimeout(500);
   await tools.screenshot("compare-estimators");
 
