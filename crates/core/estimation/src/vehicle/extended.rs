@@ -45,6 +45,12 @@ impl<const M: usize, P: StatePair> Extended<M, P> {
         SVector::from_fn(|i, _| state[i])
     }
 
+    /// Variances that are added to the pair over a step from `own`.
+    fn added(&self, own: &SVector<f64, M>, input: &ControlInput, dt: f64) -> [f64; 2] {
+        self.change(own, || self.vehicle.propagate(own, input, dt), dt)
+            .added
+    }
+
     /// Change of the pair while the vehicle moves from `from` to what `to` says.
     fn change(
         &self,
@@ -58,6 +64,18 @@ impl<const M: usize, P: StatePair> Extended<M, P> {
         };
         self.pair.change(way, dt)
     }
+}
+
+/// Covariance of a vehicle with that of a pair that has nothing in common with it; `N` is `M` + 2.
+fn beside<const M: usize, const N: usize>(
+    vehicle: &SMatrix<f64, M, M>,
+    [first, second]: [f64; 2],
+) -> SMatrix<f64, N, N> {
+    let mut all = SMatrix::<f64, N, N>::zeros();
+    all.fixed_view_mut::<M, M>(0, 0).copy_from(vehicle);
+    all[(M, M)] = first;
+    all[(M + 1, M + 1)] = second;
+    all
 }
 
 /// The model of `$n` states over a vehicle of `$m`, two fewer: sums of sizes cannot be written as types.
@@ -83,15 +101,8 @@ macro_rules! extended {
                 dt: f64,
             ) -> SMatrix<f64, $n, $n> {
                 let own = Self::own(state);
-                let mut noise = SMatrix::<f64, $n, $n>::zeros();
-                noise
-                    .fixed_view_mut::<$m, $m>(0, 0)
-                    .copy_from(&self.vehicle.process_noise(&own, input, dt));
-                let [first, second] =
-                    self.change(&own, || self.vehicle.propagate(&own, input, dt), dt).added;
-                noise[($m, $m)] = first;
-                noise[($m + 1, $m + 1)] = second;
-                noise
+                let noise = self.vehicle.process_noise(&own, input, dt);
+                beside(&noise, self.added(&own, input, dt))
             }
 
             fn noise_of_belief(
@@ -104,11 +115,8 @@ macro_rules! extended {
                     Self::own(&belief.mean),
                     belief.covariance.fixed_view::<$m, $m>(0, 0).into_owned(),
                 );
-                let mut noise = self.process_noise(&belief.mean, input, dt);
-                noise
-                    .fixed_view_mut::<$m, $m>(0, 0)
-                    .copy_from(&self.vehicle.noise_of_belief(&own, input, dt));
-                noise
+                let noise = self.vehicle.noise_of_belief(&own, input, dt);
+                beside(&noise, self.added(&own.mean, input, dt))
             }
 
             fn ground_velocity(
@@ -126,13 +134,9 @@ macro_rules! extended {
 
             fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<$n> {
                 let own = self.vehicle.prior(position, position_deviation);
-                let mut prior = Gaussian::<$n>::new(SVector::zeros(), SMatrix::zeros());
-                prior.mean.fixed_rows_mut::<$m>(0).copy_from(&own.mean);
-                prior.covariance.fixed_view_mut::<$m, $m>(0, 0).copy_from(&own.covariance);
-                let [first, second] = self.pair.prior_variances();
-                prior.covariance[($m, $m)] = first;
-                prior.covariance[($m + 1, $m + 1)] = second;
-                prior
+                let mut mean = SVector::<f64, $n>::zeros();
+                mean.fixed_rows_mut::<$m>(0).copy_from(&own.mean);
+                Gaussian::new(mean, beside(&own.covariance, self.pair.prior_variances()))
             }
         })+
     };
