@@ -61,8 +61,8 @@ impl AirplaneWind {
         noise
             .fixed_view_mut::<2, 2>(0, 0)
             .copy_from(&self.air_data.position_noise(&motion, dt));
-        let unmodelled = self.unmodelled.wind_density(&motion, input, squared_wind);
-        let density = self.wind_noise_density.hypot(unmodelled);
+        let density =
+            (self.unmodelled).density_with(self.wind_noise_density, &motion, input, squared_wind);
         add_velocity_noise(&mut noise, 2, density, dt);
         noise
     }
@@ -132,13 +132,11 @@ impl VehicleModel<4> for AirplaneWind {
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<4> {
         let (p, w) = (position_deviation, self.start_wind_deviation);
-        let airspeed = self.air_data.cruise_airspeed;
-        let unmodelled = match self.thesis_noise {
-            // The thesis knows of none.
-            Some(_) => 0.0,
-            None => self.unmodelled.start_variance(airspeed, 2.0 * w * w),
+        let w = match self.thesis_noise {
+            // The thesis knows of nothing else.
+            Some(_) => w,
+            None => (self.unmodelled).start_deviation_with(w, self.air_data.cruise_airspeed),
         };
-        let w = w.hypot(unmodelled.sqrt());
         Gaussian::from_standard_deviations(
             Vector4::new(position.north, position.east, 0.0, 0.0),
             &Vector4::new(p, p, w, w),

@@ -48,8 +48,8 @@ impl AirplaneWindGust {
         noise
             .fixed_view_mut::<2, 2>(0, 0)
             .copy_from(&self.air_data.position_noise(&motion, dt));
-        let unmodelled = self.unmodelled.wind_density(&motion, input, squared_wind);
-        let density = self.wind_noise_density.hypot(unmodelled);
+        let density =
+            (self.unmodelled).density_with(self.wind_noise_density, &motion, input, squared_wind);
         add_velocity_noise(&mut noise, 2, density, dt);
         self.gusts.add_noise(&mut noise, 4, squared_wind, dt);
         noise
@@ -119,9 +119,7 @@ impl VehicleModel<6> for AirplaneWindGust {
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<6> {
         let (p, w) = (position_deviation, self.start_wind_deviation);
         let g = self.gusts.deviation_in(2.0 * w * w);
-        let airspeed = self.air_data.cruise_airspeed;
-        let unmodelled = self.unmodelled.start_variance(airspeed, 2.0 * w * w);
-        let w = w.hypot(unmodelled.sqrt());
+        let w = (self.unmodelled).start_deviation_with(w, self.air_data.cruise_airspeed);
         let mut mean = SVector::zeros();
         mean[0] = position.north;
         mean[1] = position.east;

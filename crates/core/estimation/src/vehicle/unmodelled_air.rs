@@ -36,10 +36,11 @@ impl UnmodelledAir {
         0.5 * (self.airspeed_bias.powi(2) + (airspeed * self.heading_bias).powi(2))
     }
 
-    /// Density of the random walk of a wind that stands for them, m/s/√s, in winds whose mean square is `squared_wind`
-    /// (m/s)².
-    pub(super) fn wind_density(
+    /// Density of the random walk of a wind that itself walks at `density` m/s/√s and stands for them, m/s/√s, in winds
+    /// whose mean square is `squared_wind` (m/s)².
+    pub(super) fn density_with(
         &self,
+        density: f64,
         motion: &AirMotion,
         input: &ControlInput,
         squared_wind: f64,
@@ -51,15 +52,17 @@ impl UnmodelledAir {
         let bank = input.attitude.roll.tan().abs().min(STEEPEST);
         let turn_rate = GRAVITY * bank / motion.airspeed.abs().max(SLOWEST);
         let of_turns = 4.0 / PI * self.of_biases(motion.airspeed) * turn_rate;
-        (of_gusts + of_turns).sqrt()
+        density.hypot((of_gusts + of_turns).sqrt())
     }
 
-    /// Variance per axis that they add to a wind of mean square `squared_wind` (m/s)² at the start, (m/s)².
-    pub(super) fn start_variance(&self, airspeed: f64, squared_wind: f64) -> f64 {
+    /// Standard deviation per axis, at the start, of a wind that stands for them and itself is unknown by `wind`, m/s; at an
+    /// airspeed of `airspeed` m/s.
+    pub(super) fn start_deviation_with(&self, wind: f64, airspeed: f64) -> f64 {
+        let squared_wind = 2.0 * wind * wind;
         let of_gusts = self
             .gusts
             .map_or(0.0, |gusts| gusts.deviation_in(squared_wind).powi(2));
-        of_gusts + self.of_biases(airspeed)
+        wind.hypot((of_gusts + self.of_biases(airspeed)).sqrt())
     }
 }
 
