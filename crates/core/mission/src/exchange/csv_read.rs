@@ -8,6 +8,7 @@ use super::csv_columns::{CsvColumn, CsvRole, Unit, columns};
 use super::csv_geometry::geometry;
 use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place, order, place};
 use super::found::{GeodeticContent, POINT_BOX};
+use super::item::frame_of_number;
 use super::litchi_actions::litchi_stay;
 use super::{ExchangeError, angle, geojson};
 use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
@@ -461,7 +462,7 @@ fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, 
             Some((column, word)) => {
                 let plain = word.to_lowercase().replace([' ', '-'], "_");
                 let frame = frame_of_word(&plain)
-                    .or_else(|| frame_of_number(is_mavlink, &plain))
+                    .or_else(|| frame_of_digits(is_mavlink, &plain))
                     .or_else(|| frame_of_abbreviation(&plain));
                 Some(frame.ok_or_else(|| {
                     let cause =
@@ -572,12 +573,13 @@ fn counts_by_mavlink(table: &ReadCsvTable, rows: &[CsvRow]) -> bool {
 }
 
 /// The frame of a number: `MAV_FRAME` of `MAVLink`, else that of Litchi.
-fn frame_of_number(is_mavlink: bool, word: &str) -> Option<AltitudeFrame> {
+fn frame_of_digits(is_mavlink: bool, word: &str) -> Option<AltitudeFrame> {
     let number: f64 = word.parse().ok().filter(|n: &f64| n.fract() == 0.0)?;
-    match (is_mavlink, number as i64) {
-        (true, 0 | 5) => Some(AltitudeFrame::Amsl),
-        (false, 0) | (true, 3 | 6) => Some(AltitudeFrame::AboveTakeOff),
-        (false, 1) | (true, 10 | 11) => Some(AltitudeFrame::AboveGround),
+    let number = (0.0..=255.0).contains(&number).then_some(number as u8)?;
+    match (is_mavlink, number) {
+        (true, number) => frame_of_number(number),
+        (false, 0) => Some(AltitudeFrame::AboveTakeOff),
+        (false, 1) => Some(AltitudeFrame::AboveGround),
         _ => None,
     }
 }

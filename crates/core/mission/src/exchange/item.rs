@@ -114,12 +114,7 @@ impl MissionItem {
 
     /// The altitude, as parameter and frame state it; `None` where it is in no global frame.
     pub(super) fn altitude(&self) -> Option<Altitude> {
-        let frame = match self.frame {
-            0 | 5 => AltitudeFrame::Amsl,
-            3 | 6 => AltitudeFrame::AboveTakeOff,
-            10 | 11 => AltitudeFrame::AboveGround,
-            _ => return None,
-        };
+        let frame = frame_of_number(self.frame)?;
         Some(Altitude::new(self.parameters[6].unwrap_or(0.0), frame))
     }
 
@@ -181,6 +176,16 @@ pub(super) fn return_to_launch() -> MissionItem {
         frame: 2,
         parameters: [Some(0.0); 7],
         is_continued: true,
+    }
+}
+
+/// Meaning of a number of `MAV_FRAME`: what altitudes in it count from; `None` for frames that are not global.
+pub(super) fn frame_of_number(number: u8) -> Option<AltitudeFrame> {
+    match number {
+        0 | 5 => Some(AltitudeFrame::Amsl),
+        3 | 6 => Some(AltitudeFrame::AboveTakeOff),
+        10 | 11 => Some(AltitudeFrame::AboveGround),
+        _ => None,
     }
 }
 
