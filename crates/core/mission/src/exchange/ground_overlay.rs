@@ -2,12 +2,10 @@
 //!
 //! After OGC 12-007r2, `kml:GroundOverlay`, and Google's extension `gx:LatLonQuad`.
 
-use std::collections::BTreeSet;
-
 use pilotage_base::files::FileSet;
 
 use super::ExchangeError;
-use super::kml_links::{linked, resolved};
+use super::kml_links::{LinkedDocuments, linked, resolved};
 use super::kml_read::main_document;
 use super::xml::{NamedText, XmlElement};
 
@@ -57,12 +55,9 @@ pub fn ground_overlays(
         files,
         names: all,
         found: GroundOverlays::default(),
-        seen: BTreeSet::from([first.clone()]),
-        waiting: vec![first],
+        documents: LinkedDocuments::new(first, MOST_FILES),
     };
-    let mut next = 0;
-    while let Some(name) = walk.waiting.get(next).cloned() {
-        next += 1;
+    while let Some(name) = walk.documents.next() {
         walk.document(&name)?;
     }
     Ok(walk.found)
@@ -73,9 +68,7 @@ struct LinkWalk<'a> {
     files: &'a dyn FileSet,
     names: Vec<String>,
     found: GroundOverlays,
-    seen: BTreeSet<String>,
-    /// Documents in the order in which links lead to them.
-    waiting: Vec<String>,
+    documents: LinkedDocuments,
 }
 
 impl LinkWalk<'_> {
@@ -141,9 +134,7 @@ impl LinkWalk<'_> {
         };
         match resolved(&self.names, source.file, href) {
             Some(name) if name.to_ascii_lowercase().ends_with(".kml") => {
-                if self.seen.len() < MOST_FILES && self.seen.insert(name.clone()) {
-                    self.waiting.push(name);
-                }
+                self.documents.link_to(name);
             }
             _ => self.found.notes.push(format!(
                 "{}: the link to {href} leads out of the file and is not followed.",

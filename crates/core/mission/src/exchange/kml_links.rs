@@ -1,6 +1,60 @@
 //! References of a KML document to other files of its archive.
 
+use std::collections::BTreeSet;
+
 use super::xml::XmlElement;
+
+/// Documents of an archive in the order in which links lead to them, each once.
+pub(super) struct LinkedDocuments {
+    waiting: Vec<String>,
+    next: usize,
+    most: usize,
+    known: BTreeSet<String>,
+    beyond: BTreeSet<String>,
+}
+
+impl LinkedDocuments {
+    /// The first document, with at most `most` in all.
+    pub fn new(first: String, most: usize) -> Self {
+        Self {
+            known: BTreeSet::from([first.clone()]),
+            waiting: vec![first],
+            next: 0,
+            most,
+            beyond: BTreeSet::new(),
+        }
+    }
+
+    /// The next one to be read.
+    pub fn next(&mut self) -> Option<String> {
+        let name = self.waiting.get(self.next).cloned()?;
+        self.next += 1;
+        Some(name)
+    }
+
+    /// Takes note that a link leads to a document.
+    pub fn link_to(&mut self, name: String) {
+        if self.known.contains(&name) {
+            return;
+        }
+        if self.known.len() < self.most {
+            self.known.insert(name.clone());
+            self.waiting.push(name);
+        } else {
+            self.beyond.insert(name);
+        }
+    }
+
+    /// Number of those that are left out, as too many links lead to documents.
+    pub fn left_out(&self) -> usize {
+        self.beyond.len()
+    }
+
+    /// Whether a link leads to a document, or it is the first.
+    pub fn has(&self, name: &str) -> bool {
+        self.known.contains(name) || self.beyond.contains(name)
+    }
+}
 
 /// Reference of a `NetworkLink`; `None` where it has none.
 pub(super) fn linked(element: &XmlElement) -> Option<&str> {

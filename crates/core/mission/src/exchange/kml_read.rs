@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::decoded_text::decoded;
 use super::embedded::{self, EmbeddedItem};
 use super::found::{GeodeticContent, POINT_BOX};
-use super::kml_links::{linked, resolved};
+use super::kml_links::{LinkedDocuments, linked, resolved};
 use super::shadow::is_shadow;
 use super::xml::{NamedText, XmlElement};
 use super::{ExchangeError, kml_write};
@@ -41,17 +41,13 @@ pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, E
     let main =
         main_document(&names).ok_or_else(|| error("there is no .kml in the zip".to_owned()))?;
     let mut found = GeodeticContent::default();
-    let mut waiting = vec![main.clone()];
-    let mut known = BTreeSet::from([main]);
-    let mut beyond = BTreeSet::new();
+    let mut documents = LinkedDocuments::new(main.clone(), MOST_DOCUMENTS);
     let mut counts = BTreeMap::new();
     // Notes on documents beside the main one, with the first that has them.
     let mut shared: BTreeMap<String, (String, usize)> = BTreeMap::new();
     let mut faults = Vec::new();
-    let mut next = 0;
-    while let Some(name) = waiting.get(next).cloned() {
-        let is_main = next == 0;
-        next += 1;
+    while let Some(name) = documents.next() {
+        let is_main = name == main;
         let mut notes = Vec::new();
         let whole = format!("{file}/{name}");
         let called = if is_main { file } else { whole.as_str() };
@@ -88,17 +84,10 @@ pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, E
                 shared.entry(note).or_insert_with(|| (name.clone(), 0)).1 += 1;
             }
         }
-        for link in document.links {
-            if known.contains(&link) {
-                continue;
-            }
-            if waiting.len() < MOST_DOCUMENTS {
-                known.insert(link.clone());
-                waiting.push(link);
-            } else {
-                beyond.insert(link);
-            }
-        }
+        document
+            .links
+            .into_iter()
+            .for_each(|link| documents.link_to(link));
     }
     found.notes.extend(counted(counts));
     found.notes.extend(shared_notes(shared));
@@ -110,17 +99,15 @@ pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, E
         Some(_) if is_empty => return Err(faults.remove(0)),
         _ => found.notes.extend(fault_notes(&faults)),
     }
-    if !beyond.is_empty() {
+    let left_out = documents.left_out();
+    if left_out > 0 {
         found.notes.push(format!(
-            "{} linked documents are left out: {MOST_DOCUMENTS} of a file are read at most",
-            beyond.len()
+            "{left_out} linked documents are left out: {MOST_DOCUMENTS} of a file are read at most"
         ));
     }
     let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !is_shadow(name);
     let others = names.iter().filter(is_kml);
-    let others = others
-        .filter(|name| !known.contains(*name) && !beyond.contains(*name))
-        .count();
+    let others = others.filter(|name| !documents.has(name)).count();
     if others > 0 {
         found.notes.push(format!(
             "{others} other .kml in the zip, which no link leads to, are left out"
