@@ -132,6 +132,11 @@ impl ColumnRole {
             .chain(last)
     }
 
+    /// Whether several columns of a table may have it.
+    pub(super) fn may_be_several(self) -> bool {
+        matches!(self, Self::Nothing | Self::TimeRest | Self::AngleRest)
+    }
+
     /// Name for people.
     pub fn label(self) -> String {
         match self {
@@ -184,7 +189,7 @@ impl ColumnRole {
             Self::Nothing => Vec::new(),
             Self::Time => super::time::UNITS.to_vec(),
             Self::TimeRest => {
-                let parts = super::part_units::CALENDAR_UNITS;
+                let parts = super::part_units::CALENDAR.map(|(unit, ..)| unit);
                 super::time::UNITS.into_iter().chain(parts).collect()
             }
             Self::AngleRest => super::part_units::ANGLE_UNITS.to_vec(),
@@ -270,11 +275,7 @@ impl ColumnMap {
                 .iter()
                 .filter(|other| other.role == column.role)
                 .count();
-            let may_be_several = matches!(
-                column.role,
-                ColumnRole::Nothing | ColumnRole::TimeRest | ColumnRole::AngleRest
-            );
-            !may_be_several && same > 1
+            !column.role.may_be_several() && same > 1
         });
         if let Some(column) = twice {
             return Some(format!("two columns are {}", column.role.label()));

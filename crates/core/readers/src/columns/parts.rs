@@ -3,44 +3,11 @@
 
 use super::ColumnRole::{AngleRest, Date, Latitude, Longitude, Time, TimeRest};
 use super::header::parts;
-use super::part_units::ANGLE_UNITS;
+use super::part_units::{ANGLE_UNITS, CALENDAR, MILLISECONDS, SECONDS_REACH};
 use super::settle::{give_up, unused};
 use super::{ColumnRole, ColumnSample, MappedColumn, time};
 use crate::cells::{Moment, date_and_time, days_since_1970};
 
-/// Units of the parts of a time beside its seconds, with the words that their columns end in and the least and greatest
-/// number of each.
-const CALENDAR: [(&str, &[&str], [f64; 2]); 6] = [
-    (
-        "hours",
-        &["hour", "hours", "hh", "hr", "h", "std"],
-        [0.0, 24.0],
-    ),
-    (
-        "minutes",
-        &["minute", "minutes", "min", "mins", "mm", "mi"],
-        [0.0, 59.0],
-    ),
-    (
-        "years",
-        &["year", "yyyy", "yy", "yr", "jahr"],
-        [0.0, 2100.0],
-    ),
-    (
-        "months",
-        &["month", "mon", "mo", "mm", "monat"],
-        [1.0, 12.0],
-    ),
-    ("days", &["day", "dd", "dy", "tag"], [1.0, 31.0]),
-    (
-        "ms",
-        &["millisecond", "milliseconds", "millis", "msec", "ms"],
-        MILLISECONDS,
-    ),
-];
-/// Reach of milliseconds and of seconds, which alone may have a fraction.
-const MILLISECONDS: [f64; 2] = [0.0, 999.999];
-const SECONDS_REACH: [f64; 2] = [0.0, 60.999];
 /// Words that columns of the seconds themselves end in.
 const SECONDS: [&str; 6] = ["second", "seconds", "sec", "secs", "ss", "s"];
 
@@ -52,7 +19,7 @@ pub(super) const ANGLES: [(&str, ColumnRole, f64); 4] = [
     (ANGLE_UNITS[3], Longitude, 3600.0),
 ];
 
-/// The words of a column's name and of what stands in brackets behind it, and whether all its cells are numbers within.
+/// The words of a column's name and of what stands in brackets behind it.
 fn words(sample: &ColumnSample) -> Vec<String> {
     let mut name = parts(&sample.name, &sample.unit);
     if !name.unit.is_empty() {
@@ -61,6 +28,7 @@ fn words(sample: &ColumnSample) -> Vec<String> {
     name.words
 }
 
+/// Whether all cells of a column are numbers within `range`, and whole ones if that is asked.
 fn is_within(sample: &ColumnSample, range: [f64; 2], is_whole: bool) -> bool {
     let is_whole = !is_whole || sample.numbers.iter().all(|n| n.fract() == 0.0);
     let fits = sample.range();

@@ -27,11 +27,7 @@ pub(super) fn settle(columns: &mut [MappedColumn]) {
                 column.confidence > confidence || column.confidence == confidence && *other < index;
             *other != index && column.role == role && wins
         });
-        let may_be_several = matches!(
-            role,
-            ColumnRole::Nothing | ColumnRole::TimeRest | ColumnRole::AngleRest
-        );
-        if let Some((_, better)) = better.filter(|_| !may_be_several) {
+        if let Some((_, better)) = better.filter(|_| !role.may_be_several()) {
             let reason = format!("{} is more likely the {}", better.name, role.label());
             give_up(&mut columns[index], reason);
         }

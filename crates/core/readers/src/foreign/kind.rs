@@ -30,3 +30,5 @@ pub(super) const AGAIN: &str = "copy it again from where it comes from";
 
 /// Bytes of a file's beginning and end in which archives and databases tell what is in them.
 pub(super) const REACH: u64 = 1 << 16;
+pub(super) const MODEL: &str =
+    "models are not read: save their picture from above as GeoTIFF, and open that as a map";

@@ -1,7 +1,7 @@
 //! Bytes at a place that tell what a file is, one kind a line.
 
 use super::kind::{
-    CONVERT, FILM, Foreign, JPEG, LOG, PHOTO, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
+    CONVERT, FILM, Foreign, JPEG, LOG, MODEL, PHOTO, TO_CSV, TO_GEOJSON, TO_MCAP, UNPACK, kind,
 };
 
 /// Bytes at a place of a file that tell what it is.
@@ -30,8 +30,6 @@ const DECODE: &str = "make a table of it (`blackbox_decode file`) and open the C
 const CARD: &str = "copy it again from the aircraft, if it is still there";
 const GRID: &str = "make a GeoTIFF of it (`gdal_translate`) and open that";
 const CLOUD: &str = "points of a laser are not read: make a GeoTIFF of their heights (PDAL, QGIS) and open that as a map";
-const MODEL: &str =
-    "models are not read: save their picture from above as GeoTIFF, and open that as a map";
 const TO_MAT: &str = "save it with `save('file.mat', '-v7')`, or its tables as CSV, and open that";
 const NETWORK: &str = "open the telemetry log that the ground station wrote";
 const RECEIVER: &str = "make a CSV or GPX of it (u-center, gpsbabel) and open that";

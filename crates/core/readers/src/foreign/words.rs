@@ -1,6 +1,6 @@
 //! Words near the beginning of a text that tell what it is, one kind a line.
 
-use super::kind::{CONVERT, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
+use super::kind::{CONVERT, Foreign, LOG, MODEL, TO_CSV, TO_GEOJSON, kind};
 
 const NMEA: &str = "no two places could be read in them: they need GGA or RMC with a fix";
 const PAGE: &str = "what was downloaded is a page about the file, not the file: download it again";
@@ -38,7 +38,7 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\nncols ", "a grid of heights as text (Esri ASCII, .asc)", "make a GeoTIFF of it (`gdal_translate`) and open that"),
     word("\ngeogcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
     word("\nprojcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
-    word("\nmtllib ", "a model (OBJ)", "models are not read: save their picture from above as GeoTIFF, and open that as a map"),
+    word("\nmtllib ", "a model (OBJ)", MODEL),
     word("<missionitem", "a mission of INAV or Multiwii (.mission, XML)", "save it in QGroundControl or Mission Planner as .plan or .waypoints, or its places as CSV, and open that"),
     word("<trainingcenterdatabase", "an activity of Garmin (TCX)", "make a GPX or CSV of it (gpsbabel -i gtrnctr) and open that"),
     word("<gpx", "a GPX file", CONVERT),
@@ -66,7 +66,7 @@ const MEMBERS: &[(&str, Foreign)] = &[
     word("\"mav_autopilot\"", "an old mission of QGroundControl", CONVERT),
     word("\"type\":\"featurecollection\"", "GeoJSON", CONVERT),
     word("\"cells\":[", "a notebook of Jupyter", TO_CSV),
-    word("\"asset\":{\"", "a model (glTF)", "models are not read: save their picture from above as GeoTIFF, and open that as a map"),
+    word("\"asset\":{\"", "a model (glTF)", MODEL),
 ];
 
 /// Kind of a text in small letters.
