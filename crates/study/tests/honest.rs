@@ -1,18 +1,10 @@
 //! Ellipses that hold: of flights that are each judged once, as many end with the truth inside as the ellipse says.
 
+use pilotage_core::training::evaluation::wilson;
 use pilotage_study::{Study, StudyPlan};
 
 /// Flights of each cell.
 const FLIGHTS: u64 = 100;
-
-/// Interval of 95 % of a share of which `inside` of `of` happened (Wilson 1927).
-fn wilson(inside: f64, of: f64) -> (f64, f64) {
-    const Z: f64 = 1.959_964;
-    let (share, z) = (inside / of, Z * Z / of);
-    let half = Z * (share * (1.0 - share) / of + 0.25 * z / of).sqrt();
-    let middle = share + 0.5 * z;
-    ((middle - half) / (1.0 + z), (middle + half) / (1.0 + z))
-}
 
 /// Asserts of each cell that the share of its flights that end inside of the ellipse of 95 % is that, and that the mean
 /// normalized squares of the errors of position, of two degrees of freedom, and of the innovations, for each degree, are
