@@ -300,13 +300,16 @@ impl App {
         });
     }
 
-    /// Has a flight in opened files read, and flown then.
+    /// Has a flight in opened files read, and flown then; whoever opened it sees it.
     pub(super) fn read_flight(
         &mut self,
         files: &FlightFiles,
         egui: &egui::Context,
         host: &mut dyn Host,
     ) {
+        if !files.is_open {
+            self.show_workspace(Workspace::Replay);
+        }
         self.with_each_feature(egui, host, &mut |feature, context| {
             feature.read_flight(files, context);
         });

@@ -216,9 +216,6 @@ impl App {
         let mut parts = Vec::new();
         let is_log = log.is_some();
         let has_flight = flight.is_some() || is_log;
-        if has_flight {
-            self.show_workspace(Workspace::Replay);
-        }
         let are_laid = !has_flight && !photos.is_empty();
         if has_flight || map.is_some() || terrain.is_some() {
             self.keeping.keep_few(opening, &mut self.toasts, host);

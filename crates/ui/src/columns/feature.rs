@@ -9,7 +9,6 @@ use serde_json::Value;
 
 use super::dialog::{ColumnsDialog, ColumnsDraft};
 use super::{ColumnsCommand, ID};
-use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::kept::{provide, put_beside};
 use crate::documents::{Documents, with_origin};
@@ -74,7 +73,6 @@ impl ColumnsFeature {
         context.note(&title, whole_sentences(&made.notes));
         let (key, name) = (draft.key.clone(), made.flight.name.clone());
         context.read(FlightFiles::opened(key, name, Some(map), None));
-        context.ask(Command::ShowWorkspace(Workspace::Replay));
         context.keep(OpenedSet {
             key: draft.key,
             name: draft.name,
