@@ -10,6 +10,7 @@ mod csv_columns;
 mod csv_geometry;
 mod csv_place;
 mod csv_read;
+mod csv_table;
 mod csv_write;
 mod decoded_text;
 mod embedded;

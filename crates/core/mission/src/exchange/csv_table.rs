@@ -1,0 +1,345 @@
+//! Table of places as it was read: its columns by their meaning, and its rows.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use super::csv_columns::{CsvColumn, CsvRole, Unit};
+use super::csv_geometry::geometry;
+use super::csv_place::{PlaceOrder, is_name_of_places, is_place, is_surely_place, order, place};
+use super::{ExchangeError, angle};
+use crate::mission::found::{LonLat, on_globe};
+
+/// Rows with the lines at which they begin.
+pub(super) type Records = [(usize, csv::StringRecord)];
+
+/// Column that has latitude and longitude in each cell.
+#[derive(Clone, Copy)]
+pub(super) struct PlaceColumn {
+    pub column: usize,
+    pub order: PlaceOrder,
+    pub is_told: bool,
+}
+
+pub(super) struct ReadCsvTable<'a> {
+    pub file: &'a str,
+    pub columns: Vec<CsvColumn>,
+    pub has_decimal_comma: bool,
+    pub places: Option<PlaceColumn>,
+}
+
+impl ReadCsvTable<'_> {
+    /// The first column without a meaning of which all cells that say anything are as wanted.
+    pub(super) fn column_of(
+        &self,
+        records: &Records,
+        is_wanted: impl Fn(&str) -> bool,
+    ) -> Option<usize> {
+        (0..self.columns.len()).find(|column| {
+            let cells = records.iter().filter_map(|(_, row)| row.get(*column));
+            let mut cells = cells.filter(|cell| !cell.is_empty()).peekable();
+            let is_free = self.columns[*column].role.is_none();
+            is_free && cells.peek().is_some() && cells.all(&is_wanted)
+        })
+    }
+
+    /// Takes `lat_m` beside degrees with a fraction for the metres that it is then, and not for minutes.
+    pub(super) fn leave_metres(&mut self, records: &Records) {
+        use CsvRole::{Latitude, LatitudeMinutes, LatitudeSeconds};
+        use CsvRole::{Longitude, LongitudeMinutes, LongitudeSeconds};
+        for (whole, parts) in [
+            (Latitude, [LatitudeMinutes, LatitudeSeconds]),
+            (Longitude, [LongitudeMinutes, LongitudeSeconds]),
+        ] {
+            let Some(degrees) = self.columns.iter().position(|c| c.role == Some(whole)) else {
+                continue;
+            };
+            let has_fraction = |cell: &str| {
+                let number = cell.replace(',', ".").parse::<f64>();
+                number.is_ok_and(|number| number.fract() != 0.0)
+            };
+            let mut cells = records.iter().filter_map(|(_, row)| row.get(degrees));
+            if !cells.any(has_fraction) {
+                continue;
+            }
+            for column in &mut self.columns {
+                let last = column.name.to_lowercase();
+                let last = last.rsplit(|c: char| !c.is_alphabetic()).next();
+                let is_short = matches!(last, Some("m" | "mm" | "s" | "ss"));
+                if is_short && column.role.is_some_and(|role| parts.contains(&role)) {
+                    column.role = None;
+                }
+            }
+        }
+    }
+
+    /// The column of geometries, but beside columns of latitude and longitude, and where all are points that something says
+    /// how to fly over.
+    pub(super) fn geometries(&self, records: &Records) -> Option<usize> {
+        if self.has(CsvRole::Latitude) && self.has(CsvRole::Longitude) {
+            return None;
+        }
+        let column = self.column_of(records, |cell| geometry(cell).is_some())?;
+        let is_point = |(_, row): &(usize, csv::StringRecord)| {
+            let read = row.get(column).and_then(geometry);
+            read.is_none_or(|read| read.is_ok_and(|read| read["type"] == "Point"))
+        };
+        let are_points = self.is_flown() && records.iter().all(is_point);
+        (!are_points).then_some(column)
+    }
+
+    /// The column that has a place in each cell.
+    pub(super) fn places(&self, records: &Records) -> Option<PlaceColumn> {
+        let points = self.column_of(records, |cell| geometry(cell).is_some());
+        if let Some(column) = points {
+            return Some(PlaceColumn {
+                column,
+                order: PlaceOrder::LongitudeFirst,
+                is_told: true,
+            });
+        }
+        let are_sure = |column: &usize| {
+            let mut cells = records.iter().filter_map(|(_, row)| row.get(*column));
+            is_name_of_places(&self.columns[*column].name)
+                || cells.all(|cell| cell.is_empty() || is_surely_place(cell))
+        };
+        let column = self.column_of(records, is_place).filter(are_sure)?;
+        let cells = records.iter().filter_map(|(_, row)| row.get(column));
+        let order = order(&self.columns[column].name, cells);
+        Some(PlaceColumn {
+            column,
+            order: order.unwrap_or(PlaceOrder::LatitudeFirst),
+            is_told: order.is_some(),
+        })
+    }
+
+    /// Takes columns called X and Y, as geographic programs write them, for longitude and latitude where all their numbers
+    /// are degrees with the decimals of a place; returns a note that says so.
+    pub(super) fn take_xy(&mut self, records: &Records) -> Option<String> {
+        let names = [
+            ["x", "y"],
+            ["xcoord", "ycoord"],
+            ["x_coord", "y_coord"],
+            ["point_x", "point_y"],
+        ];
+        let is_called = |column: &CsvColumn, name: &str| {
+            column.role.is_none() && column.name.eq_ignore_ascii_case(name)
+        };
+        let find = |name: &str| self.columns.iter().position(|c| is_called(c, name));
+        let (x, y) = names.iter().find_map(|[x, y]| Some((find(x)?, find(y)?)))?;
+        // With a height or a time beside them they may be metres of a track.
+        let of_tracks = ["z", "t", "time", "timestamp", "time_s", "qw", "qx"];
+        let is_of_track = |c: &CsvColumn| of_tracks.contains(&c.name.to_lowercase().as_str());
+        if self.columns.iter().any(is_of_track) {
+            return None;
+        }
+        let are_degrees = |column: usize, most: f64| {
+            let cells = records.iter().filter_map(|(_, row)| row.get(column));
+            let cells: Vec<String> = cells
+                .filter(|cell| !cell.is_empty())
+                .map(|cell| cell.replace(',', "."))
+                .collect();
+            let has_decimals = |cell: &&String| {
+                cell.split_once('.')
+                    .is_some_and(|(_, rest)| rest.len() >= 5)
+            };
+            let exact = cells.iter().filter(has_decimals).count();
+            let is_degree = |cell: &String| cell.parse().is_ok_and(|n: f64| n.abs() <= most);
+            2 * exact >= cells.len().max(1) && cells.iter().all(is_degree)
+        };
+        if !are_degrees(x, 180.0) || !are_degrees(y, 90.0) {
+            return None;
+        }
+        self.columns[x].role = Some(CsvRole::Longitude);
+        self.columns[y].role = Some(CsvRole::Latitude);
+        Some(format!(
+            "`{}` and `{}` are taken for longitude and latitude in degrees",
+            self.columns[x].name, self.columns[y].name
+        ))
+    }
+
+    /// Whether something says how places are flown over.
+    pub(super) fn is_flown(&self) -> bool {
+        let roles = [
+            CsvRole::Route,
+            CsvRole::Altitude,
+            CsvRole::Speed,
+            CsvRole::Action,
+            CsvRole::Frame,
+        ];
+        roles.iter().any(|role| self.has(*role))
+    }
+
+    pub(super) fn has(&self, role: CsvRole) -> bool {
+        self.columns.iter().any(|c| c.role == Some(role))
+    }
+
+    /// Whether the rows are way-points: something says how they are flown over.
+    pub(super) fn holds_way_points(&self) -> bool {
+        let is_box = [CsvRole::BoxNorth, CsvRole::BoxEast, CsvRole::Enabled];
+        !is_box.iter().any(|r| self.has(*r)) && (self.is_flown() || !self.has(CsvRole::Name))
+    }
+}
+
+pub(super) struct CsvRow<'a> {
+    pub table: &'a ReadCsvTable<'a>,
+    pub line: usize,
+    pub record: csv::StringRecord,
+}
+
+impl CsvRow<'_> {
+    pub(super) fn error(&self, column: &str, cause: &str) -> ExchangeError {
+        ExchangeError::Place {
+            file: self.table.file.to_owned(),
+            line: self.line,
+            column: 1,
+            cause: format!("column `{column}`: {cause}"),
+        }
+    }
+
+    /// The column and the cell of a role, if the cell is not empty.
+    pub(super) fn cell(&self, role: CsvRole) -> Option<(&CsvColumn, &str)> {
+        let columns = self.table.columns.iter().enumerate();
+        columns
+            .filter(|(_, column)| column.role == Some(role))
+            .find_map(|(i, column)| Some((column, self.record.get(i)?)))
+            .filter(|(_, cell)| !cell.is_empty())
+    }
+
+    pub(super) fn text(&self, role: CsvRole) -> Option<String> {
+        self.cell(role).map(|(_, cell)| cell.to_owned())
+    }
+
+    /// A number as the table writes it, with a decimal point.
+    pub(super) fn with_point(&self, cell: &str) -> String {
+        if self.table.has_decimal_comma {
+            cell.replace(',', ".")
+        } else {
+            cell.to_owned()
+        }
+    }
+
+    /// A number in SI, or in degrees.
+    pub(super) fn number(&self, role: CsvRole) -> Result<Option<f64>, ExchangeError> {
+        let Some((column, cell)) = self.cell(role) else {
+            return Ok(None);
+        };
+        let plain = self.with_point(cell);
+        let value: f64 = plain
+            .parse()
+            .ok()
+            .filter(|v: &f64| v.is_finite())
+            .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
+        Ok(Some(value * column.unit.map_or(1.0, Unit::factor)))
+    }
+
+    /// An angle on the globe in degrees, whose hemisphere is its sign, a letter at the number, or the
+    /// cell of a column of its own.
+    pub(super) fn degrees(
+        &self,
+        role: CsvRole,
+        hemisphere: CsvRole,
+        letters: (char, char),
+    ) -> Result<Option<f64>, ExchangeError> {
+        let Some((column, cell)) = self.cell(role) else {
+            return Ok(None);
+        };
+        let plain = self.with_point(cell);
+        let mut degrees = angle::degrees(&plain, letters)
+            .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
+        let is_latitude = role == CsvRole::Latitude;
+        let parts = if is_latitude {
+            [CsvRole::LatitudeMinutes, CsvRole::LatitudeSeconds]
+        } else {
+            [CsvRole::LongitudeMinutes, CsvRole::LongitudeSeconds]
+        };
+        let mut rest = 0.0;
+        for (part, unit) in parts.into_iter().zip([60.0, 3600.0]) {
+            let value = self.number(part)?.unwrap_or(0.0);
+            if !(0.0..=60.0).contains(&value) {
+                let cause = format!("{value} is not from 0 to 60");
+                return Err(self.error(part.name(), &cause));
+            }
+            rest += value / unit;
+        }
+        if rest != 0.0 && degrees.fract() != 0.0 {
+            let cause = "degrees with a fraction have minutes beside them";
+            return Err(self.error(&column.name, cause));
+        }
+        // Of -0 degrees only the sign tells.
+        let is_below =
+            plain.trim_start().starts_with(['-', '\u{2212}']) || degrees.is_sign_negative();
+        degrees += if is_below { -rest } else { rest };
+        let Some((column, word)) = self.cell(hemisphere) else {
+            return Ok(Some(degrees));
+        };
+        let letter = word.chars().next().map(|c| c.to_ascii_uppercase());
+        let is_negative = match letter {
+            Some(c) if c == letters.0 => false,
+            Some(c) if c == letters.1 => true,
+            _ => {
+                let cause = format!("`{word}` is neither {} nor {}", letters.0, letters.1);
+                return Err(self.error(&column.name, &cause));
+            }
+        };
+        // A sign or a letter at the number that says the same is heeded once.
+        Ok(Some(if is_negative { -degrees.abs() } else { degrees }))
+    }
+
+    pub(super) fn place(&self) -> Result<LonLat, ExchangeError> {
+        if let Some(places) = self.table.places {
+            let cell = self.record.get(places.column).unwrap_or("");
+            let place = match geometry(cell) {
+                Some(read) => read.ok().and_then(|read| {
+                    let number = |i: usize| read["coordinates"].get(i)?.as_f64();
+                    let place = (number(0)?, number(1)?);
+                    on_globe(place.0, place.1).then_some(place)
+                }),
+                None => place(cell, places.order),
+            };
+            let name = &self.table.columns[places.column].name;
+            let cause = || format!("`{cell}` is no place on the globe");
+            return place.ok_or_else(|| self.error(name, &cause()));
+        }
+        let latitude = self.degrees(CsvRole::Latitude, CsvRole::NorthSouth, ('N', 'S'))?;
+        let longitude = self.degrees(CsvRole::Longitude, CsvRole::EastWest, ('E', 'W'))?;
+        match (longitude, latitude) {
+            (Some(longitude), Some(latitude)) if on_globe(longitude, latitude) => {
+                Ok((longitude, latitude))
+            }
+            _ => Err(ExchangeError::Place {
+                file: self.table.file.to_owned(),
+                line: self.line,
+                column: 1,
+                cause: "the row has no latitude and longitude in degrees".to_owned(),
+            }),
+        }
+    }
+
+    /// Height above the sea of a point whose cell has three numbers as geometries have them, metres.
+    pub(super) fn height_of_place(&self) -> Option<f64> {
+        let cell = self.record.get(self.table.places?.column)?;
+        geometry(cell)?.ok()?["coordinates"].get(2)?.as_f64()
+    }
+
+    /// Cells that we do not know, by the names of their columns, as JSON text.
+    pub(super) fn properties(&self) -> BTreeMap<String, String> {
+        let columns = self.table.columns.iter().enumerate();
+        columns
+            .filter(|(_, column)| column.role.is_none() && !column.name.is_empty())
+            .filter(|(i, _)| self.table.places.is_none_or(|places| places.column != *i))
+            .filter_map(|(i, column)| Some((column, self.record.get(i)?)))
+            .filter(|(_, cell)| !cell.is_empty())
+            .map(|(column, cell)| {
+                let is_nested =
+                    cell.starts_with(['{', '[']) && serde_json::from_str::<Value>(cell).is_ok();
+                let value = if is_nested {
+                    cell.to_owned()
+                } else {
+                    Value::from(cell).to_string()
+                };
+                (column.name.clone(), value)
+            })
+            .collect()
+    }
+}
