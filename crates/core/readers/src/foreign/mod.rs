@@ -1,7 +1,7 @@
 //! Files that are no flight here, named for what they are by their content, and what to do with them.
 //!
-//! A new kind is a row: of [`signatures`] where bytes at a place tell it, of [`words`] where words of its text do, of
-//! [`archives`] where names within do (zips, databases, old documents of Office, films).
+//! A new kind is a row: of `signatures` where bytes at a place tell it, of `words` where words of its text do, of
+//! `archives` where names within do (zips, databases, old documents of Office, films).
 
 mod archives;
 mod kind;
