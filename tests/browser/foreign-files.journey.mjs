@@ -16,7 +16,8 @@ const at = (offset, text) => Buffer.concat([Buffer.alloc(offset), Buffer.from(te
 const rest = "\0".repeat(200);
 const kinds = [
   ["secret.ulge", "ULogEnc\x01", "encrypted"],
-  ["walk.db3", "SQLite format 3\0", "ROS 2"],
+  ["walk.db3", `SQLite format 3\0${rest}CREATE TABLE topics(id INTEGER, serialization_format TEXT)${rest}`, "ROS 2"],
+  ["notes.db", `SQLite format 3\0${rest}CREATE TABLE a(b)${rest}`, "database of SQLite"],
   ["race.bfl", "H Product:Blackbox flight data recorder\n", "blackbox"],
   ["portrait.bin", "\xff\xd8\xff\xe1", "JPEG"],
   ["log.gz", "\x1f\x8b\x08", "gzip"],
