@@ -7,6 +7,9 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::{Matrix4, Vector4};
+use pilotage_mission::settings::SensorNoise;
+
 /// Time out of view after which a landmark is looked at anew, seconds: what the filter knew by it has become old.
 const OUT_OF_VIEW: f64 = 10.0;
 
@@ -43,6 +46,42 @@ pub fn variance_of_look(look: u32, lasting: f64, own: f64) -> f64 {
     let with = |looks: f64| looks * lasting + own;
     let look = f64::from(look);
     with(look) * with(look - 1.0) / own
+}
+
+/// Part of the variances of an appearance that every look at the landmark has in common: the error `on_ground` that the
+/// place has, as a covariance in the picture, and the biases in `noise` of the camera's pose, with which the appearance
+/// changes by `jacobian` (roll, pitch, yaw, radians; height, metres).
+pub fn lasting_variances(
+    on_ground: &Matrix4<f64>,
+    noise: &SensorNoise,
+    jacobian: &Matrix4<f64>,
+) -> Vector4<f64> {
+    let tilt = noise.tilt_bias.powi(2);
+    let biases = Vector4::new(
+        tilt,
+        tilt,
+        noise.yaw_bias.powi(2),
+        noise.height_bias.powi(2),
+    );
+    on_ground.diagonal() + jacobian.component_mul(jacobian) * biases
+}
+
+/// Covariance of an appearance as that of a look with nothing in common with others.
+///
+/// It is the `covariance` of look number `look`, beside what an error of the camera's pose does to it, whose covariance is
+/// `of_pose`; the variances `lasting` of the two together are the same in all looks.
+pub fn weakened(
+    look: u32,
+    covariance: &Matrix4<f64>,
+    of_pose: &Matrix4<f64>,
+    lasting: &Vector4<f64>,
+) -> Matrix4<f64> {
+    let mut weakened = *covariance;
+    for (i, lasting) in lasting.iter().enumerate() {
+        let together = covariance[(i, i)] + of_pose[(i, i)];
+        weakened[(i, i)] += variance_of_look(look, *lasting, together - lasting) - together;
+    }
+    weakened
 }
 
 #[cfg(test)]

@@ -40,12 +40,13 @@ mod tilt;
 
 pub use aids::{AidError, AidInfo, AidNumber};
 pub use bound::position_bound;
-pub use engine::vehicle;
+pub use engine::{frame_noise, vehicle, visit_model};
 pub use estimate::Estimate;
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;
 pub use inputs::{Doubt, Instrument, SensorFault};
 pub use known_ground::KnownGround;
+pub use looks::{LooksAtLandmarks, lasting_variances, weakened};
 pub use pilotage_vision::landmark::Refusal;
 pub use pipeline::{Navigator, NavigatorError};
 pub use registration_refusal::RegistrationRefusal;

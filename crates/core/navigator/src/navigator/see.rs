@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix4, MatrixXx4, Point2, Point3, Vector4};
 use super::attention::{attended, probability_of_view};
 use super::engine::{Engine, MeasurementModel, frame_noise};
 use super::expected::{Anchor, AppearanceModel, appearances};
-use super::looks::{LooksAtLandmarks, variance_of_look};
+use super::looks::{LooksAtLandmarks, lasting_variances, weakened};
 use super::observation::{GaussianInnovation, Observation, PicturePart};
 use super::region::{may_be_in_view, reach};
 use super::tilt::ByTilt;
@@ -49,14 +49,8 @@ impl Measurement<'_> {
     /// Its covariance as that of a look with nothing in common with others, beside an error of the camera's pose with the
     /// covariance `pose`.
     fn weakened(&self, pose: &Matrix4<f64>) -> Matrix4<f64> {
-        let mut weakened = self.covariance;
         let of_pose = self.jacobian * pose * self.jacobian.transpose();
-        for i in 0..COMPONENTS {
-            let together = self.covariance[(i, i)] + of_pose[(i, i)];
-            let own = together - self.lasting[i];
-            weakened[(i, i)] += variance_of_look(self.look, self.lasting[i], own) - together;
-        }
-        weakened
+        weakened(self.look, &self.covariance, &of_pose, &self.lasting)
     }
 }
 
@@ -203,19 +197,6 @@ impl<'a> Associator<'a> {
         let ground = self.settings.sensors.ground;
         let error = AppearanceError { pixel, ground };
         error.covariance(&anchor.to_pixel, self.model.camera.focal / height, half)
-    }
-
-    /// Variances by the biases of the camera's pose that are noise to the filter, of something that changes so with the pose.
-    fn of_biases(&self, jacobian: &Matrix4<f64>) -> Vector4<f64> {
-        let noise = frame_noise(self.settings);
-        let tilt = noise.tilt_bias.powi(2);
-        let variances = Vector4::new(
-            tilt,
-            tilt,
-            noise.yaw_bias.powi(2),
-            noise.height_bias.powi(2),
-        );
-        jacobian.component_mul(jacobian) * variances
     }
 
     /// Landmarks that may be in view, the most central first, with the reports begun; not all of them
@@ -425,7 +406,11 @@ impl<'a> Associator<'a> {
             covariance,
             jacobian,
             look: self.looks.next(landmark.id),
-            lasting: self.unknown(landmark, &anchor, 0.0).diagonal() + self.of_biases(&jacobian),
+            lasting: lasting_variances(
+                &self.unknown(landmark, &anchor, 0.0),
+                &frame_noise(self.settings),
+                &jacobian,
+            ),
         })
     }
 
