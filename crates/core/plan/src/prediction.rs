@@ -7,7 +7,8 @@ use super::propagate::{Propagation, UnknownWind, WorldsMoment};
 use super::request::{PredictionError, PredictionRequest};
 use super::{day_factor, winds};
 use pilotage_base::frames::GroundPoint;
-use pilotage_navigator::navigator::vehicle;
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_navigator::navigator::visit_model;
 use pilotage_simulate::simulate::{FlightPlan, TrueFlight};
 
 /// Probability with which the true error lies inside the corridor.
@@ -144,6 +145,16 @@ impl PredictionRequest<'_> {
             .flat_map(|part| std::iter::repeat_n(part.weight, per_wind))
             .collect();
         let recognised = self.recognised(&weights);
+        // Heights are predicted as read.
+        let settings = NavigatorSettings {
+            estimates_height: false,
+            sensors: self.settings.sensors.with_biases_within(),
+            ..self.settings.clone()
+        };
+        let request = PredictionRequest {
+            settings: &settings,
+            ..*self
+        };
         let mut ways = Vec::with_capacity(parts.len());
         for ((number, part), worlds) in parts.iter().enumerate().zip(recognised.chunks(per_wind)) {
             let wind = self.plan.wind + self.wind_deviation * part.mean;
@@ -156,8 +167,8 @@ impl PredictionRequest<'_> {
                     .nominal()
                 })
                 .flatten();
-            let way = vehicle(self.settings).visit(Propagation {
-                request: self,
+            let propagation = Propagation {
+                request: &request,
                 flight: other.as_ref().unwrap_or(&flight),
                 worlds,
                 seed: self.seed.wrapping_mul(1000) + number as u64,
@@ -165,7 +176,8 @@ impl PredictionRequest<'_> {
                     mean: wind,
                     covariance: part.covariance * self.wind_deviation.powi(2),
                 }),
-            })?;
+            };
+            let way = visit_model(&settings, propagation)?;
             ways.push((part.weight, way));
         }
         let samples = samples(&flight, brought_together(&self.track(&flight), &ways))?;

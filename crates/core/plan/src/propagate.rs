@@ -1,17 +1,19 @@
 //! The filter's covariance along a planned flight, in many worlds at once.
 
-use nalgebra::{Matrix2, Matrix3, Matrix4, SMatrix, SVector, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix4, Matrix5, SMatrix, SVector, Vector2, Vector3};
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::corridor::WorldError;
 use super::draws::Draws;
 use super::request::{PredictionError, PredictionRequest};
-use super::view::{Information, LandmarkInformation, PlannedFrame};
+use super::view::{Information, PlannedFrame, PlannedLook, seen};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::{Gaussian, numerical_jacobian};
-use pilotage_estimation::vehicle::{ControlInput, StateComponent, VehicleModel, VehicleVisitor};
+use pilotage_estimation::vehicle::{AnyVehicle, ControlInput, VehicleModel, VehicleVisitor};
 use pilotage_flight::TruthState;
+use pilotage_mission::settings::SensorNoise;
+use pilotage_navigator::navigator::{LooksAtLandmarks, frame_noise};
 use pilotage_simulate::simulate::{TrueFlight, Turbulence};
 
 /// Longest step of the covariance, seconds.
@@ -66,16 +68,19 @@ impl VehicleVisitor for Propagation<'_> {
         let plan = request.plan;
         let states = &self.flight.states;
         let first = states.first().ok_or(PredictionError::NoRoute)?;
-        let bias = model.index_of(StateComponent::HeadingBias);
+        let seen = seen(&model.layout());
         let gusty = self.gusts_of(&model);
+        let vehicle = gusty
+            .as_deref()
+            .map_or(&model as &dyn VehicleModel<N>, |v| v);
         let mut draws = Draws::new(self.seed);
-        let prior = self.prior(&model, &gusty, first);
+        let prior = self.prior((&model, vehicle), first);
         let worlds = self.worlds.iter().map(|recognised| FlightWorld {
             recognised: recognised.clone(),
             ..prior.clone()
         });
         let mut worlds: Vec<FlightWorld<N>> = worlds.collect();
-        let pose_noise = request.settings.sensors.pose_covariance();
+        let noise = frame_noise(request.settings);
         let period = 1.0 / plan.sensors.frame_rate;
         let mut next_frame = first.time;
         let mut time = first.time;
@@ -89,7 +94,7 @@ impl VehicleVisitor for Propagation<'_> {
             }
             if dt > 0.0 {
                 let airspeed = self.flight.airspeeds[index];
-                let step = step((&model, &gusty), state, airspeed, dt)?;
+                let step = step((&model, vehicle), state, airspeed, dt)?;
                 for world in &mut worlds {
                     let believed = world.believed_noise(&model, &step, dt);
                     world.predict(&step, &believed);
@@ -101,7 +106,7 @@ impl VehicleVisitor for Propagation<'_> {
             }
             next_frame += period;
             let frame = (moments.len(), &mut draws);
-            let (found, any) = self.look(state, &mut worlds, bias, &pose_noise, frame)?;
+            let (found, any) = self.look(state, &mut worlds, &seen, &noise, frame)?;
             moments.push(WorldsMoment {
                 state: index,
                 place: GroundPoint::new(state.position.x, state.position.y),
@@ -115,12 +120,9 @@ impl VehicleVisitor for Propagation<'_> {
 }
 
 impl Propagation<'_> {
-    /// The vehicle in the gusts that go with this wind (MIL-F-8785C), whatever the filter is told of
-    /// them.
-    fn gusts_of<const N: usize, V: VehicleModel<N> + Clone>(&self, model: &V) -> V {
-        let Some(wind) = self.unknown_wind else {
-            return model.clone();
-        };
+    /// The vehicle in the gusts that go with a wind that is not known (MIL-F-8785C), whatever the filter is told of them.
+    fn gusts_of<const N: usize>(&self, model: &impl VehicleModel<N>) -> Option<AnyVehicle<N>> {
+        let wind = self.unknown_wind?;
         let speed = (wind.mean.norm_squared() + wind.covariance.trace()).sqrt();
         let gusts = Turbulence::low_altitude(self.request.plan.height, speed);
         model.in_gusts(gusts.intensity.x, self.request.settings.process.gust_time)
@@ -128,16 +130,15 @@ impl Propagation<'_> {
 
     /// Belief of the filter at the start, and its error: of a wind that is known here, the error is known,
     /// too.
-    fn prior<const N: usize, V: VehicleModel<N>>(
+    fn prior<const N: usize>(
         &self,
-        model: &V,
-        gusty: &V,
+        (model, vehicle): (&impl VehicleModel<N>, &dyn VehicleModel<N>),
         first: &TruthState,
     ) -> FlightWorld<N> {
         let start = GroundPoint::new(first.position.x, first.position.y);
         let deviation = self.request.settings.start.position;
         let covariance = model.prior(start, deviation).covariance;
-        let mut scatter = gusty.prior(start, deviation).covariance;
+        let mut scatter = vehicle.prior(start, deviation).covariance;
         let mut error = SVector::zeros();
         if let Some((i, wind)) = model.wind_index().zip(self.unknown_wind) {
             for axis in 0..2 {
@@ -153,6 +154,7 @@ impl Propagation<'_> {
             error,
             scatter,
             recognised: Vec::new(),
+            looks: LooksAtLandmarks::default(),
         }
     }
 
@@ -162,8 +164,8 @@ impl Propagation<'_> {
         &self,
         state: &TruthState,
         worlds: &mut [FlightWorld<N>],
-        bias: Option<usize>,
-        pose_noise: &Matrix4<f64>,
+        on_state: &SMatrix<f64, N, 5>,
+        noise: &SensorNoise,
         (number, draws): (usize, &mut Draws),
     ) -> Result<(Vec<f64>, f64), PredictionError> {
         let request = self.request;
@@ -175,11 +177,11 @@ impl Propagation<'_> {
             },
             ground_down: request.plan.ground_down,
         };
-        let looks: Vec<LandmarkInformation> = request
+        let looks: Vec<PlannedLook> = request
             .landmarks
             .iter()
             .enumerate()
-            .filter_map(|(i, l)| frame.look(i, l, &request.settings.sensors))
+            .filter_map(|(i, l)| frame.look(i, l, noise))
             .collect();
         let mut found = vec![0.0; request.landmarks.len()];
         let mut any = 0.0;
@@ -187,8 +189,10 @@ impl Propagation<'_> {
         if looks.is_empty() {
             return Ok((found, any));
         }
+        let pose_noise = noise.pose_covariance();
         for (index, world) in worlds.iter_mut().enumerate() {
-            let mut seen: Vec<&LandmarkInformation> = looks
+            world.looks.forget(state.time);
+            let mut seen: Vec<&PlannedLook> = looks
                 .iter()
                 .filter(|look| {
                     let id = request.landmarks[look.landmark].landmark.id;
@@ -206,12 +210,17 @@ impl Propagation<'_> {
             }
             if !seen.is_empty() {
                 any += share;
+                let id = |look: &PlannedLook| request.landmarks[look.landmark].landmark.id;
                 let mut said = Information::default();
                 for look in &seen {
-                    said.add(&look.information);
+                    let look = look.information(world.looks.next(id(look)), &pose_noise);
+                    said.add(&look.ok_or(PredictionError::NotFinite { time: state.time })?);
                 }
-                said.about_state(pose_noise)
-                    .and_then(|said| world.correct(&said, bias))
+                world
+                    .looks
+                    .note(seen.iter().map(|look| id(look)), state.time);
+                said.about_state(&pose_noise)
+                    .and_then(|said| world.correct(&said, on_state))
                     .ok_or(PredictionError::NotFinite { time: state.time })?;
             }
         }
@@ -237,8 +246,8 @@ struct PlanStep<const N: usize> {
 }
 
 /// The step that ends in `state`, for the filter's model and the vehicle as it is.
-fn step<const N: usize, V: VehicleModel<N>>(
-    (model, vehicle): (&V, &V),
+fn step<const N: usize>(
+    (model, vehicle): (&impl VehicleModel<N>, &dyn VehicleModel<N>),
     state: &TruthState,
     airspeed: f64,
     dt: f64,
@@ -279,6 +288,8 @@ struct FlightWorld<const N: usize> {
     scatter: SMatrix<f64, N, N>,
     /// For each landmark a number from 0 to 1: it can be recognised where that is more probable.
     recognised: Vec<f64>,
+    /// Looks at landmarks so far.
+    looks: LooksAtLandmarks,
 }
 
 impl<const N: usize> FlightWorld<N> {
@@ -311,28 +322,14 @@ impl<const N: usize> FlightWorld<N> {
 
     /// Corrects with what was seen, in Joseph's form, which stays positive and holds for any gain.
     ///
-    /// With the information `Λ = HᵀR⁻¹H` about the part E of the state, the gain is `P⁺HᵀR⁻¹`: what is
-    /// left of an error is `I - P E Λ (I + EᵀP E Λ)⁻¹ Eᵀ`, and `K R Kᵀ = P⁺ Λ P⁺`. (north, east, heading
-    /// bias) is all that has to be inverted, however many landmarks there are.
-    fn correct(&mut self, information: &Matrix3<f64>, bias: Option<usize>) -> Option<()> {
-        // Without a bias in the state nothing is said of it, wherever that would be.
-        let part = [0, 1, bias.unwrap_or(0)];
-        let mut said = *information;
-        if bias.is_none() {
-            said.row_mut(2).fill(0.0);
-            said.column_mut(2).fill(0.0);
-        }
-        let columns =
-            |m: &SMatrix<f64, N, N>| SMatrix::<f64, N, 3>::from_fn(|i, j| m[(i, part[j])]);
-        let before = columns(&self.covariance);
-        let own = Matrix3::from_fn(|i, j| before[(part[i], j)]);
-        let gain = before * said * (Matrix3::identity() + own * said).try_inverse()?;
-        let mut kept = SMatrix::<f64, N, N>::identity();
-        for (j, to) in part.iter().enumerate() {
-            for i in 0..N {
-                kept[(i, *to)] -= gain[(i, j)];
-            }
-        }
+    /// With the information `Λ = HᵀR⁻¹H` about what is `seen` of the state, `Eᵀx`, the gain is `P⁺E HᵀR⁻¹`: what is left of
+    /// an error is `I - P E Λ (I + EᵀP E Λ)⁻¹ Eᵀ`, and `K R Kᵀ = P⁺E Λ EᵀP⁺`. Five rows are all that has to be inverted,
+    /// however many landmarks there are.
+    fn correct(&mut self, said: &Matrix5<f64>, seen: &SMatrix<f64, N, 5>) -> Option<()> {
+        let before = self.covariance * seen;
+        let own = seen.transpose() * before;
+        let gain = before * said * (Matrix5::identity() + own * said).try_inverse()?;
+        let kept = SMatrix::<f64, N, N>::identity() - gain * seen.transpose();
         let after = kept * before;
         let added = after * said * after.transpose();
         let joseph = |before: &SMatrix<f64, N, N>| {
@@ -348,43 +345,72 @@ impl<const N: usize> FlightWorld<N> {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Matrix4x5;
+    use pilotage_estimation::vehicle::StateComponent;
+
     use super::*;
 
-    /// A world of (north, east, airspeed bias, heading bias).
-    fn world() -> FlightWorld<4> {
-        let root = SMatrix::<f64, 4, 4>::new(
-            5.0, 0.0, 0.0, 0.0, 1.0, 4.0, 0.0, 0.0, 0.3, -0.2, 0.5, 0.0, 0.02, 0.01, 0.0, 0.03,
-        );
+    const LAYOUT: [StateComponent; 6] = [
+        StateComponent::PositionNorth,
+        StateComponent::PositionEast,
+        StateComponent::AirspeedBias,
+        StateComponent::HeadingBias,
+        StateComponent::RollBias,
+        StateComponent::PitchBias,
+    ];
+
+    fn world() -> FlightWorld<6> {
+        let root = SMatrix::<f64, 6, 6>::from_fn(|i, j| {
+            let size = [5.0, 4.0, 0.5, 0.03, 0.01, 0.01][i];
+            let off = 0.3 * (1.0 + 7.0 * i as f64 + 3.0 * j as f64).sin();
+            size * if i == j { 1.0 } else { off }
+        });
         FlightWorld {
             covariance: root * root.transpose(),
             scatter: 1.7 * root * root.transpose() + SMatrix::identity() * 1e-4,
-            error: SVector::from([3.0, -2.0, 0.4, 0.05]),
+            error: SVector::from([3.0, -2.0, 0.4, 0.05, 0.01, -0.02]),
             recognised: Vec::new(),
+            looks: LooksAtLandmarks::default(),
         }
     }
 
     #[test]
     fn a_correction_by_information_is_that_by_the_gain() {
-        let slope = SMatrix::<f64, 4, 3>::new(
-            5.0, 0.1, 30.0, -0.2, 5.0, 10.0, 0.0, 0.1, 1.0, 0.01, 0.0, 0.1,
-        );
+        let slope = Matrix4x5::from_fn(|i, j| {
+            let size = if j < 2 { 5.0 } else { 40.0 };
+            size * (0.4 + 5.0 * i as f64 + 11.0 * j as f64).cos()
+        });
         let noise = Matrix4::from_diagonal_element(2.0);
-        for bias in [Some(3), None] {
+        let over_map = LAYOUT.map(|component| match component {
+            StateComponent::RollBias => StateComponent::MapErrorNorth,
+            StateComponent::PitchBias => StateComponent::MapErrorEast,
+            other => other,
+        });
+        let unbiased = LAYOUT.map(|component| match component {
+            StateComponent::HeadingBias => StateComponent::GustNorth,
+            other => other,
+        });
+        for (layout, places) in [
+            (LAYOUT, [Some(0), Some(1), None, Some(2), Some(3), Some(4)]),
+            (
+                over_map,
+                [Some(0), Some(1), None, Some(2), Some(0), Some(1)],
+            ),
+            (unbiased, [Some(0), Some(1), None, None, Some(3), Some(4)]),
+        ] {
             let mut found = world();
             let said = slope.transpose() * noise.try_inverse().unwrap() * slope;
-            found.correct(&said, bias).unwrap();
-            let mut h = Matrix4::zeros();
-            for i in 0..4 {
-                h[(i, 0)] = slope[(i, 0)];
-                h[(i, 1)] = slope[(i, 1)];
-                if let Some(bias) = bias {
-                    h[(i, bias)] = slope[(i, 2)];
+            found.correct(&said, &seen(&layout)).unwrap();
+            let mut h = SMatrix::<f64, 4, 6>::zeros();
+            for (to, from) in places.into_iter().enumerate() {
+                if let Some(from) = from {
+                    h.set_column(to, &slope.column(from));
                 }
             }
             let w = world();
             let innovation = h * w.covariance * h.transpose() + noise;
             let gain = w.covariance * h.transpose() * innovation.try_inverse().unwrap();
-            let kept = Matrix4::identity() - gain * h;
+            let kept = SMatrix::<f64, 6, 6>::identity() - gain * h;
             let added = gain * noise * gain.transpose();
             let covariance = kept * w.covariance * kept.transpose() + added;
             let scatter = kept * w.scatter * kept.transpose() + added;

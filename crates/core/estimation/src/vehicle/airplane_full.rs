@@ -1,5 +1,7 @@
 //! Airplane in a steady wind with gusts and biased air data.
 
+use std::sync::Arc;
+
 use nalgebra::{SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +9,7 @@ use super::airplane::AirData;
 use super::parts::{
     AirDataBiases, Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind,
 };
-use super::{ControlInput, StateComponent, VehicleModel};
+use super::{AnyVehicle, ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -147,14 +149,14 @@ impl VehicleModel<8> for AirplaneFull {
         Gaussian::from_standard_deviations(mean, &deviations)
     }
 
-    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Self {
-        Self {
+    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<8>> {
+        Some(Arc::new(Self {
             gusts: Gusts {
                 deviation,
                 per_wind: 0.0,
                 correlation_time,
             },
             ..*self
-        }
+        }))
     }
 }

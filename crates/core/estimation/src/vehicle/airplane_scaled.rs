@@ -1,12 +1,14 @@
 //! Airplane in wind and gusts whose airspeed reads by a factor wrong and whose heading by an angle.
 
+use std::sync::Arc;
+
 use nalgebra::{SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::{AirData, AirMotion};
 use super::noise::add_integrated_random_walk;
 use super::parts::{Gusts, add_velocity_noise, mean_squared_wind, position_effect};
-use super::{ControlInput, StateComponent, VehicleModel};
+use super::{AnyVehicle, ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -207,14 +209,14 @@ impl VehicleModel<8> for AirplaneScaled {
         Gaussian::from_standard_deviations(mean, &deviations)
     }
 
-    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Self {
-        Self {
+    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<8>> {
+        Some(Arc::new(Self {
             gusts: Gusts {
                 deviation,
                 per_wind: 0.0,
                 correlation_time,
             },
             ..*self
-        }
+        }))
     }
 }

@@ -1,11 +1,13 @@
 //! Airplane in a steady wind with gusts.
 
+use std::sync::Arc;
+
 use nalgebra::{SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
 use super::parts::{Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind};
-use super::{ControlInput, StateComponent, UnmodelledAir, VehicleModel};
+use super::{AnyVehicle, ControlInput, StateComponent, UnmodelledAir, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
 
@@ -127,14 +129,14 @@ impl VehicleModel<6> for AirplaneWindGust {
         Gaussian::from_standard_deviations(mean, &deviations)
     }
 
-    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Self {
-        Self {
+    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<6>> {
+        Some(Arc::new(Self {
             gusts: Gusts {
                 deviation,
                 per_wind: 0.0,
                 correlation_time,
             },
             ..*self
-        }
+        }))
     }
 }

@@ -43,6 +43,10 @@ impl<const N: usize> VehicleModel<N> for AnyVehicle<N> {
         self.as_ref().noise_of_belief(belief, input, dt)
     }
 
+    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<N>> {
+        self.as_ref().in_gusts(deviation, correlation_time)
+    }
+
     fn ground_velocity(
         &self,
         state: &SVector<f64, N>,

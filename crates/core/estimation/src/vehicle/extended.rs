@@ -1,5 +1,7 @@
 //! A vehicle with two states more, that neither move it nor are moved by it.
 
+use std::sync::Arc;
+
 use nalgebra::{SMatrix, SVector, Vector2};
 
 use super::{AnyVehicle, ControlInput, StateComponent, VehicleModel};
@@ -117,6 +119,11 @@ macro_rules! extended {
                 );
                 let noise = self.vehicle.noise_of_belief(&own, input, dt);
                 beside(&noise, self.added(&own.mean, input, dt))
+            }
+
+            fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<$n>> {
+                let vehicle = self.vehicle.in_gusts(deviation, correlation_time)?;
+                Some(Arc::new(Self::new(vehicle, self.pair.clone())))
             }
 
             fn ground_velocity(

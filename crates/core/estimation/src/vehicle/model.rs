@@ -3,7 +3,7 @@
 use nalgebra::{DVector, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
-use super::StateComponent;
+use super::{AnyVehicle, StateComponent};
 use crate::filter::{Gaussian, partial_jacobian};
 use pilotage_base::frames::{Attitude, GroundPoint};
 
@@ -125,15 +125,11 @@ pub trait VehicleModel<const N: usize> {
         self.index_of(StateComponent::WindNorth)
     }
 
-    /// The same vehicle in gusts of `deviation` m/s per axis that fade over `correlation_time` seconds;
-    /// itself where the model knows no gusts.
-    #[must_use]
-    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Self
-    where
-        Self: Sized + Clone,
-    {
+    /// The same vehicle in gusts of `deviation` m/s per axis that fade over `correlation_time` seconds; `None` where the
+    /// model knows no gusts.
+    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<N>> {
         let _ = (deviation, correlation_time);
-        self.clone()
+        None
     }
 
     /// The steady wind of a state: velocity of the air, m/s north and east.
