@@ -1,6 +1,6 @@
 //! The filter's covariance along a planned flight, in many worlds at once.
 
-use nalgebra::{Matrix2, Matrix4, Matrix5, SMatrix, SVector, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix5, SMatrix, SVector, Vector2, Vector3};
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
