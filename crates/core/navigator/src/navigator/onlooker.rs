@@ -1,7 +1,5 @@
 //! A flight as its camera sees it, which may be late.
 
-use nalgebra::Vector4;
-
 use super::Control;
 use super::expected::AppearanceModel;
 use super::inputs::Inputs;
@@ -10,10 +8,12 @@ use pilotage_estimation::vehicle::ControlInput;
 use pilotage_flight::Flight;
 use pilotage_raster::camera::CameraModel;
 
-/// Readings that are taken together are at most so far from their middle, seconds …
-const EVENED: f64 = 0.1;
-/// … and how many on either side of it.
+/// Readings that are taken together are so far apart, seconds …
+const APART: f64 = 0.05;
+/// … and so many on either side of the middle …
 const READINGS: i32 = 2;
+/// … together:
+const COUNT: usize = 2 * READINGS as usize + 1;
 /// Longest input that is assumed to be even when the way is followed back, seconds.
 const PIECE: f64 = 0.1;
 
@@ -34,6 +34,12 @@ impl<'a> Onlooker<'a> {
         AppearanceModel::of(self.flight, self.camera, &control)
     }
 
+    /// The same by the readings as they are.
+    pub fn model_as_read(&self, lag: f64) -> AppearanceModel<'a> {
+        let control = Control::of(self.flight, self.time - lag);
+        AppearanceModel::of(self.flight, self.camera, &control)
+    }
+
     /// Inputs that drove the aircraft in the last `lag` seconds, with their lengths in seconds, the latest
     /// first.
     pub fn past(&self, lag: f64) -> Vec<(ControlInput, f64)> {
@@ -49,33 +55,40 @@ impl<'a> Onlooker<'a> {
     }
 }
 
-/// Readings of the instruments of `flight` about `time`, seconds: their mean from a little before to a little
-/// after, so that turns still count as they are.
+/// Readings of the instruments of `flight` about `time`, seconds: their median from a little before to a little after.
 ///
 /// A camera shakes as much for every lag that is assumed, but each reads its attitude at a time of its own, with a
 /// noise of its own: of two lags, neither of them likelier, it makes the odds of one wander by more with every picture.
-/// An aircraft does not roll as fast as a reading errs.
+/// An aircraft does not roll as fast as a reading errs. Where it begins to roll, a mean would be off by what it has rolled
+/// a moment later; the median of readings that rise or fall is the one in their middle.
 fn evened(flight: &Flight, time: f64) -> Control {
     let about = Control::of(flight, time);
-    let mut off = Vector4::zeros();
-    for reading in -READINGS..=READINGS {
-        let share = f64::from(reading) / f64::from(READINGS);
-        let near = Control::of(flight, time + share * EVENED);
-        off += Vector4::new(
+    let mut off = [[0.0; COUNT]; 4];
+    for (index, reading) in (-READINGS..=READINGS).enumerate() {
+        let near = Control::of(flight, time + f64::from(reading) * APART);
+        let differences = [
             near.roll - about.roll,
             near.pitch - about.pitch,
             wrap_pi(near.heading - about.heading),
             near.height - about.height,
-        );
+        ];
+        for (off, difference) in off.iter_mut().zip(differences) {
+            off[index] = difference;
+        }
     }
-    off /= f64::from(2 * READINGS + 1);
+    let [roll, pitch, heading, height] = off.map(median);
     Control {
-        roll: about.roll + off[0],
-        pitch: about.pitch + off[1],
-        heading: wrap_pi(about.heading + off[2]),
-        height: about.height + off[3],
+        roll: about.roll + roll,
+        pitch: about.pitch + pitch,
+        heading: wrap_pi(about.heading + heading),
+        height: about.height + height,
         ..about
     }
+}
+
+fn median(mut values: [f64; COUNT]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[COUNT / 2]
 }
 
 #[cfg(test)]
@@ -94,7 +107,8 @@ mod tests {
             values: times.iter().map(|time| value(*time)).collect(),
             times: times.clone(),
         };
-        // A heading that turns through south, a roll that errs by a fifth of a radian in one reading.
+        // A heading that turns through south, a roll that errs by a fifth of a radian in one reading, a pitch that begins to
+        // rise.
         let flight = Flight {
             name: "turning".to_owned(),
             frame_on_globe: None,
@@ -104,6 +118,7 @@ mod tests {
                 channel(ChannelName::Heading, &|time| {
                     wrap_pi(PI + 0.5 * (time - 1.0))
                 }),
+                channel(ChannelName::Pitch, &|time| (time - 1.0).max(0.0)),
                 channel(ChannelName::Roll, &|time| {
                     if (time - 1.0).abs() < 1e-9 { 0.2 } else { 0.0 }
                 }),
@@ -118,7 +133,8 @@ mod tests {
         };
         let now = evened(&flight, 1.0);
         assert!(wrap_pi(now.heading - PI).abs() < 1e-9, "{}", now.heading);
-        assert!((now.roll - 0.04).abs() < 1e-9, "{}", now.roll);
+        assert!(now.roll.abs() < 1e-9, "{}", now.roll);
+        assert!(now.pitch.abs() < 1e-9, "{}", now.pitch);
         let later = evened(&flight, 1.3);
         assert!(wrap_pi(later.heading - PI - 0.15).abs() < 1e-9 && later.roll.abs() < 1e-9);
     }

@@ -144,14 +144,30 @@ impl PictureLag {
                 model,
                 (seer.frame, seer.looks),
             );
-            let found = all_seen_anew(found, seer, &judge);
-            let (log_likelihood, agreed) = judged(&judge, &found, reports)?;
+            let places = all_seen_anew(found, seer, &judge);
+            let (log_likelihood, agreed) = judged(&judge, &places, reports)?;
+            let agreed: Vec<usize> = agreed.iter().map(|m| m.report).collect();
+            rival.weigh(found, log_likelihood - own);
+            // By the readings as they are, as the first: who was corrected by better ones would be the better filter.
+            let model = onlooker.model_as_read(rival.lag);
+            let corrector = Associator::new(
+                seer.settings,
+                rival.engine.as_ref(),
+                model,
+                (seer.frame, seer.looks),
+            );
+            let places = all_seen_anew(found, seer, &corrector).into_iter();
+            let agreed: Vec<_> = places
+                .filter(|(_, report, _)| agreed.contains(report))
+                .filter_map(|(landmark, report, place)| {
+                    corrector.measurement(landmark, report, place)
+                })
+                .collect();
             if !agreed.is_empty() {
-                let pose = judge.pose;
+                let pose = corrector.pose;
                 let seen = observation(seer.settings, &agreed, &model, &pose);
                 seen.correct(rival.engine.as_mut())?;
             }
-            rival.weigh(&found, log_likelihood - own);
         }
         self.share();
         let is_doubted = self.weight < 0.5;
@@ -293,8 +309,11 @@ fn spread_over_cell(mut belief: Estimate, engine: &dyn Engine, lag: f64) -> Esti
 }
 
 /// Logarithm of the likelihood that `judge` gives to what was found, up to what is the same for every judge,
-/// and the measurements that `judge` believes. What `judge` does not believe counts as if it lay on the
-/// border of the gate.
+/// and the measurements that `judge` believes.
+///
+/// Everything found counts together, whether believed or not: errors that landmarks share make their joint density many
+/// times that of each by itself. Either all of it is right, or those that are not believed lie anywhere, as if each were on
+/// the border of its gate; the likelier of the two counts.
 fn judged<'l>(
     judge: &Associator<'_>,
     found: &[FoundPlace<'l>],
@@ -302,23 +321,20 @@ fn judged<'l>(
 ) -> Result<(f64, Vec<Measurement<'l>>), FilterError> {
     let mut reports = reports.to_vec();
     let (agreed, _, _) = believed(judge, found, &mut reports)?;
-    let mut log_likelihood = 0.0;
+    let all = found.iter();
+    let all =
+        all.filter_map(|(landmark, index, place)| judge.measurement(landmark, *index, *place));
+    let all: Vec<_> = all.collect();
+    if all.is_empty() {
+        return Ok((0.0, agreed));
+    }
+    let is_agreed = |report: usize| agreed.iter().any(|m| m.report == report);
+    let without = all.iter().filter(|m| !is_agreed(m.report));
+    let mut apart: f64 = without.map(|m| reports[m.report].threshold).sum();
     if !agreed.is_empty() {
-        log_likelihood += judge.surprise(&agreed)?.log_likelihood(f64::INFINITY)?;
+        apart += judge.surprise(&agreed)?.nis()?;
     }
-    for (landmark, index, place) in found {
-        if agreed
-            .iter()
-            .any(|measurement| measurement.report == *index)
-        {
-            continue;
-        }
-        if let Some(measurement) = judge.measurement(landmark, *index, *place) {
-            let most = reports[*index].threshold;
-            log_likelihood += judge.surprise(&[measurement])?.log_likelihood(most)?;
-        }
-    }
-    Ok((log_likelihood, agreed))
+    Ok((judge.surprise(&all)?.log_likelihood(apart)?, agreed))
 }
 
 /// Places that were `found` by `from`, for `to`, who assumes another pose.
