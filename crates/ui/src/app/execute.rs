@@ -107,7 +107,7 @@ impl App {
             }
             Command::FlyAgain => self.fly_again(host),
             // The feature that plans takes it before it comes here.
-            Command::FlyRoute(_) => self.tell_undone("plan", host),
+            Command::FlyRoute(_) => self.tell_undone(crate::plan::ID, host),
             Command::CancelJob => self.cancel_job(context, host),
             Command::Open => host.ask_for_files(),
             Command::TogglePalette => self.dialogs.palette.toggle(),

@@ -82,7 +82,7 @@ mod way_points;
 mod words;
 mod work;
 
-pub use command::PlanCommand;
+pub use command::{ID, PlanCommand};
 pub use find_command::{FindCommand, FindPick};
 pub use heat_command::HeatCommand;
 pub use kept::MEASURED_KEY;
