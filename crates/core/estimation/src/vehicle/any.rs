@@ -1,15 +1,10 @@
 //! A vehicle model of which only the number of states is known.
 
-use std::sync::Arc;
-
 use nalgebra::{SMatrix, SVector, Vector2};
 
-use super::{ControlInput, StateComponent, VehicleModel};
+use super::{AnyVehicle, ControlInput, StateComponent, VehicleModel};
 use crate::filter::Gaussian;
 use pilotage_base::frames::GroundPoint;
-
-/// A vehicle model of any kind with `N` states: a filter of it is compiled once for every size, not for every model.
-pub type AnyVehicle<const N: usize> = Arc<dyn VehicleModel<N> + Send + Sync>;
 
 impl<const N: usize> VehicleModel<N> for AnyVehicle<N> {
     fn propagate(&self, state: &SVector<f64, N>, input: &ControlInput, dt: f64) -> SVector<f64, N> {

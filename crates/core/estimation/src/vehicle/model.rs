@@ -1,9 +1,11 @@
 //! Interface of a vehicle to the filter.
 
+use std::sync::Arc;
+
 use nalgebra::{DVector, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
-use super::{AnyVehicle, StateComponent};
+use super::StateComponent;
 use crate::filter::{Gaussian, partial_jacobian};
 use pilotage_base::frames::{Attitude, GroundPoint};
 
@@ -60,6 +62,9 @@ impl ControlInput {
         self.attitude.yaw
     }
 }
+
+/// A vehicle model of any kind with `N` states: a filter of it is compiled once for every size, not for every model.
+pub type AnyVehicle<const N: usize> = Arc<dyn VehicleModel<N> + Send + Sync>;
 
 /// Motion of a vehicle: a process model over `N` state components.
 ///
