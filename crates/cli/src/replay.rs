@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Run, Summary, summarize};
+use pilotage_core::navigator::{Run, Summary, summarize, unused_pictures};
 use pilotage_core::simulate::SimulationChoice;
 use pilotage_jobs::{FlightSource, JobEvent, SummaryOrder};
 use serde::Serialize;
@@ -176,6 +176,9 @@ fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) 
     if arguments.verbose {
         print_frames(flight, run);
         print_refusals(summary);
+    }
+    if let Some(why) = unused_pictures(run) {
+        eprintln!("{why}");
     }
     println!("{}", serde_json::to_string_pretty(summary)?);
     if let Some(path) = &arguments.summary {

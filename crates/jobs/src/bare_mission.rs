@@ -81,6 +81,7 @@ mod tests {
 
     use pilotage_core::frames::Geodetic;
     use pilotage_core::imagery::Blank;
+    use pilotage_core::navigator::unused_pictures;
     use pilotage_core::simulate::{Overrides, Scenario};
 
     use super::super::flights::OpenFlight;
@@ -156,5 +157,42 @@ mod tests {
     fn the_order_of_page_and_terminal_decides_by_it_and_says_so() {
         assert!(is_flown_by_pictures(MapSource::Files("map".to_owned())));
         assert!(!is_flown_by_pictures(MapSource::Nothing));
+    }
+
+    #[test]
+    fn a_run_whose_pictures_could_not_be_used_says_so_and_why() {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let flight = scenario.simulate(1, &Overrides::default()).flight;
+        let count = flight.frames.len();
+        let map = MapSource::Files("map".to_owned());
+        let mut worker = WorkerState::new(Abilities::WHOLE.opens);
+        worker.keep_flight("log", OpenFlight::without_pictures(flight));
+        worker.insert_map(&map, Arc::new(Blank));
+        let order = FlyOrder {
+            flight: FlightSource::Files("log".to_owned()),
+            map,
+            mission: None,
+        };
+        let mut run = None;
+        let mut job = order.begin(&mut worker);
+        let mut more = Advance::More;
+        while more == Advance::More {
+            more = job
+                .advance(&mut worker, &|| 0.0, &mut |event| match event {
+                    JobEvent::RunStarted(head) => run = Some(*head),
+                    JobEvent::Steps(steps) => run.as_mut().unwrap().steps.extend(steps),
+                    _ => {}
+                })
+                .unwrap();
+        }
+        let mut run = run.unwrap();
+        let told = unused_pictures(&run).unwrap();
+        let beginning = format!("None of its {count} pictures corrected the estimate");
+        assert!(told.starts_with(&beginning), "{told}");
+        let frames = run.steps.iter().filter_map(|step| step.frame.as_ref());
+        let trouble = frames.filter_map(|frame| frame.trouble.as_deref()).next();
+        assert!(told.contains(trouble.unwrap()), "{told}");
+        run.steps.retain(|step| step.frame.is_none());
+        assert_eq!(unused_pictures(&run), None);
     }
 }

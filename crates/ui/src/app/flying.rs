@@ -2,7 +2,7 @@
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::Run;
+use pilotage_core::navigator::{Run, unused_pictures};
 
 use super::App;
 use super::fly_work::{FlyJob, ShownFlight};
@@ -189,6 +189,10 @@ impl App {
                 // Where a recorded flight went may be known only now.
                 if !again && self.views.map.is_fitted() && !self.is_flight_hidden() {
                     self.fit_to_flight_and_map();
+                }
+                let run = self.documents.run.as_ref();
+                if let Some(why) = run.and_then(unused_pictures) {
+                    self.toasts.trouble(host.now(), "No picture helped", why);
                 }
                 self.tell_of_run_over(true, egui, host);
             }

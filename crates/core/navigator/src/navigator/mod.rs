@@ -37,6 +37,7 @@ mod smooth;
 mod summary;
 mod ticks;
 mod tilt;
+mod unused_pictures;
 
 pub use aids::{AidError, AidInfo, AidNumber};
 pub use bound::position_bound;
@@ -61,3 +62,4 @@ pub use smooth::smooth;
 pub use summary::{
     ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, place_error, summarize,
 };
+pub use unused_pictures::unused_pictures;
