@@ -164,6 +164,7 @@ impl GeoreferencerFeature {
             }
             JobEvent::Failed(why) if self.places == Some(id) => {
                 self.places = None;
+                let why = format!("{why} A flight opens once the georeferencer is closed.");
                 context.trouble("No places were read", why);
             }
             JobEvent::Failed(_) => {
