@@ -32,18 +32,22 @@ fn commands() -> Vec<CommandEntry> {
         (save_geojson, ExportCommand::MissionAsGeoJson),
         ("Save the run".to_owned(), ExportCommand::Run),
     ];
+    let label = |menu: BarMenu, format: Format| {
+        let beginning = menu.beginning().unwrap_or_default();
+        format!("{beginning} {}", format.as_words())
+    };
     let routes = Format::all().map(|format| {
-        let label = format!("Export the route as {}", format.as_words());
+        let label = label(BarMenu::ExportRoute, format);
         (label, ExportCommand::Route(format))
     });
     let landmarks = Format::all().filter(|f| f.holds_landmarks());
     let landmarks = landmarks.map(|format| {
-        let label = format!("Export the landmarks as {}", format.as_words());
+        let label = label(BarMenu::ExportLandmarks, format);
         (label, ExportCommand::Landmarks(format))
     });
     let tracks = Format::all().filter(|f| f.holds_tracks());
     let tracks = tracks.map(|format| {
-        let label = format!("Save the flown track as {}", format.as_words());
+        let label = label(BarMenu::ExportTrack, format);
         (label, ExportCommand::Track(format))
     });
     let rally = format!(
@@ -60,6 +64,9 @@ fn commands() -> Vec<CommandEntry> {
         };
         let menu = match command {
             ExportCommand::Mission | ExportCommand::Run => BarMenu::Save,
+            ExportCommand::Route(_) => BarMenu::ExportRoute,
+            ExportCommand::Landmarks(_) => BarMenu::ExportLandmarks,
+            ExportCommand::Track(_) => BarMenu::ExportTrack,
             _ => BarMenu::Export,
         };
         entry(CommandGroup::Document, label, keys, command.into()).under(menu)

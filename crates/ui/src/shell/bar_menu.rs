@@ -72,7 +72,8 @@ impl BarButton<'_> {
     }
 }
 
-/// Draws the menu that `button` opens: the commands of each of `menus`, with a line between them.
+/// Draws the menu that `button` opens: the commands of each of `menus`, with a line between them; those of one that opens by
+/// itself behind a row of it.
 pub fn bar_menu(
     button: &Response,
     tokens: &Tokens,
@@ -87,25 +88,50 @@ pub fn bar_menu(
             .max_height(room)
             .min_scrolled_height(room)
             .show(ui, |ui| {
-                for (place, menu) in menus.iter().enumerate() {
-                    if place > 0 {
+                let mut is_first = true;
+                for menu in menus {
+                    let rows = catalog.iter().filter(|entry| entry.menu == Some(*menu));
+                    let rows: Vec<_> = rows.collect();
+                    if rows.is_empty() {
+                        continue;
+                    }
+                    if let Some(beginning) = menu.beginning() {
+                        ui.menu_button(format!("{beginning} …"), |ui| {
+                            ui.set_min_width(220.0);
+                            entries(ui, tokens, beginning, &rows, commands);
+                        });
+                        continue;
+                    }
+                    if !std::mem::take(&mut is_first) {
                         ui.separator();
                     }
-                    let rows = catalog.iter().filter(|entry| entry.menu == Some(*menu));
-                    for entry in rows {
-                        if row(ui, tokens, entry).clicked() {
-                            commands.push(entry.command.clone());
-                            ui.close();
-                        }
-                    }
+                    entries(ui, tokens, "", &rows, commands);
                 }
             });
     });
 }
 
-fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry) -> Response {
+/// Rows of a menu, without the `beginning` of their labels.
+fn entries(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    beginning: &str,
+    rows: &[&CommandEntry],
+    commands: &mut Vec<Command>,
+) {
+    for entry in rows {
+        let label = entry.label.as_ref();
+        let shown = label.strip_prefix(beginning).unwrap_or(label).trim_start();
+        if row(ui, tokens, entry, shown).clicked() {
+            commands.push(entry.command.clone());
+            ui.close();
+        }
+    }
+}
+
+fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, shown: &str) -> Response {
     let keys = egui::RichText::new(entry.keys()).color(tokens.muted);
-    let button = egui::Button::new(entry.label.as_ref()).shortcut_text(keys);
+    let button = egui::Button::new(shown).shortcut_text(keys);
     let response = ui.add(button);
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, entry.label.as_ref()));

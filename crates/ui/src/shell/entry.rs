@@ -52,12 +52,30 @@ pub enum BarMenu {
     Save,
     /// Files for other programs, below what can be saved.
     Export,
+    /// The same of routes, a menu by itself among them.
+    ExportRoute,
+    /// The same of landmarks.
+    ExportLandmarks,
+    /// The same of where a flight went.
+    ExportTrack,
     /// Settings, where they have no button of their own.
     Settings,
     /// Panels, units, colours and map.
     View,
     /// Explanations of the app.
     Help,
+}
+
+impl BarMenu {
+    /// Words with which every label in it begins, where it opens as a menu by itself out of another.
+    pub fn beginning(self) -> Option<&'static str> {
+        match self {
+            Self::ExportRoute => Some("Export the route as"),
+            Self::ExportLandmarks => Some("Export the landmarks as"),
+            Self::ExportTrack => Some("Save the flown track as"),
+            _ => None,
+        }
+    }
 }
 
 /// Row of the table.

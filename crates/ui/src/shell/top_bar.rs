@@ -100,6 +100,7 @@ fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: 
     if width < NARROW {
         let rest = [
             BarMenu::Save,
+            BarMenu::ExportRoute,
             BarMenu::Settings,
             BarMenu::View,
             BarMenu::Help,
@@ -116,7 +117,14 @@ fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: 
         ..button(Icon::Settings, "Filter settings", "Filter")
     };
     let filter = filter.show(ui, tokens);
-    menu(ui, Icon::Save, "Save", &[BarMenu::Save, BarMenu::Export]);
+    let save = [
+        BarMenu::Save,
+        BarMenu::Export,
+        BarMenu::ExportRoute,
+        BarMenu::ExportLandmarks,
+        BarMenu::ExportTrack,
+    ];
+    menu(ui, Icon::Save, "Save", &save);
     menu(ui, Icon::Open, "Open", &[BarMenu::Open]);
     if find.clicked() {
         commands.push(Command::TogglePalette);

@@ -127,6 +127,23 @@ fn files_are_placed_around_the_open_mission() {
 }
 
 #[test]
+fn the_route_is_exported_from_a_menu_of_formats_behind_what_can_be_saved() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (60.0, 300.0)]);
+    let label = "Export the route as a QGroundControl plan";
+    rig.harness.get_by_label("Save").click();
+    rig.frames(3);
+    assert!(rig.harness.query_by_label(label).is_none());
+    rig.harness.get_by_label("Export the route as …").click();
+    rig.frames(3);
+    rig.harness.get_by_label(label).click();
+    rig.frames(3);
+    let (name, _) = rig.host().saved.pop().expect("a file");
+    assert_eq!(name, "Route-1.plan");
+    assert!(rig.harness.query_by_label("Save the run").is_none());
+}
+
+#[test]
 fn the_route_is_exported_from_the_menu_and_reads_again() {
     let mut rig = planning();
     draw(&mut rig, &[(0.0, -300.0), (60.0, 300.0)]);
