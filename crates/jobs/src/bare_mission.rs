@@ -189,8 +189,8 @@ mod tests {
         let told = unused_pictures(&run).unwrap();
         let beginning = format!("None of its {count} pictures corrected the estimate");
         assert!(told.starts_with(&beginning), "{told}");
-        let frames = run.steps.iter().filter_map(|step| step.frame.as_ref());
-        let trouble = frames.filter_map(|frame| frame.trouble.as_deref()).next();
+        let mut frames = run.steps.iter().filter_map(|step| step.frame.as_ref());
+        let trouble = frames.find_map(|frame| frame.trouble.as_deref());
         assert!(told.contains(trouble.unwrap()), "{told}");
         run.steps.retain(|step| step.frame.is_none());
         assert_eq!(unused_pictures(&run), None);

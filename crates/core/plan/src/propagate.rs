@@ -1,5 +1,7 @@
 //! The filter's covariance along a planned flight, in many worlds at once.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix2, Matrix5, SMatrix, SVector, Vector2, Vector3};
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
@@ -64,17 +66,26 @@ impl VehicleVisitor for Propagation<'_> {
     where
         V: VehicleModel<N> + Clone + Send + Sync + 'static,
     {
+        let model: AnyVehicle<N> = Arc::new(model);
+        self.propagate(&model)
+    }
+}
+
+impl Propagation<'_> {
+    /// Moments of the worlds along the flight of `model`; compiled once for every size, not for every model.
+    fn propagate<const N: usize>(
+        self,
+        model: &AnyVehicle<N>,
+    ) -> Result<Vec<WorldsMoment>, PredictionError> {
         let request = self.request;
         let plan = request.plan;
         let states = &self.flight.states;
         let first = states.first().ok_or(PredictionError::NoRoute)?;
         let seen = seen(&model.layout());
-        let gusty = self.gusts_of(&model);
-        let vehicle = gusty
-            .as_deref()
-            .map_or(&model as &dyn VehicleModel<N>, |v| v);
+        let gusty = self.gusts_of(model);
+        let vehicle = gusty.as_ref().unwrap_or(model);
         let mut draws = Draws::new(self.seed);
-        let prior = self.prior((&model, vehicle), first);
+        let prior = self.prior((model, vehicle), first);
         let worlds = self.worlds.iter().map(|recognised| FlightWorld {
             recognised: recognised.clone(),
             ..prior.clone()
@@ -94,9 +105,9 @@ impl VehicleVisitor for Propagation<'_> {
             }
             if dt > 0.0 {
                 let airspeed = self.flight.airspeeds[index];
-                let step = step((&model, vehicle), state, airspeed, dt)?;
+                let step = step((model, vehicle), state, airspeed, dt)?;
                 for world in &mut worlds {
-                    let believed = world.believed_noise(&model, &step, dt);
+                    let believed = world.believed_noise(model, &step, dt);
                     world.predict(&step, &believed);
                 }
                 time = state.time;
@@ -117,11 +128,9 @@ impl VehicleVisitor for Propagation<'_> {
         }
         Ok(moments)
     }
-}
 
-impl Propagation<'_> {
     /// The vehicle in the gusts that go with a wind that is not known (MIL-F-8785C), whatever the filter is told of them.
-    fn gusts_of<const N: usize>(&self, model: &impl VehicleModel<N>) -> Option<AnyVehicle<N>> {
+    fn gusts_of<const N: usize>(&self, model: &AnyVehicle<N>) -> Option<AnyVehicle<N>> {
         let wind = self.unknown_wind?;
         let speed = (wind.mean.norm_squared() + wind.covariance.trace()).sqrt();
         let gusts = Turbulence::low_altitude(self.request.plan.height, speed);
@@ -132,7 +141,7 @@ impl Propagation<'_> {
     /// too.
     fn prior<const N: usize>(
         &self,
-        (model, vehicle): (&impl VehicleModel<N>, &dyn VehicleModel<N>),
+        (model, vehicle): (&AnyVehicle<N>, &AnyVehicle<N>),
         first: &TruthState,
     ) -> FlightWorld<N> {
         let start = GroundPoint::new(first.position.x, first.position.y);
@@ -247,7 +256,7 @@ struct PlanStep<const N: usize> {
 
 /// The step that ends in `state`, for the filter's model and the vehicle as it is.
 fn step<const N: usize>(
-    (model, vehicle): (&impl VehicleModel<N>, &dyn VehicleModel<N>),
+    (model, vehicle): (&AnyVehicle<N>, &AnyVehicle<N>),
     state: &TruthState,
     airspeed: f64,
     dt: f64,
@@ -303,9 +312,9 @@ impl<const N: usize> FlightWorld<N> {
 
     /// Noise that the filter believes is added in the `dt` seconds of a step, on average over what it may
     /// have come to believe of the state.
-    fn believed_noise<V: VehicleModel<N>>(
+    fn believed_noise(
         &self,
-        model: &V,
+        model: &AnyVehicle<N>,
         step: &PlanStep<N>,
         dt: f64,
     ) -> SMatrix<f64, N, N> {
@@ -345,7 +354,7 @@ impl<const N: usize> FlightWorld<N> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Matrix4x5;
+    use nalgebra::{Matrix4, Matrix4x5};
     use pilotage_estimation::vehicle::StateComponent;
 
     use super::*;

@@ -1,6 +1,6 @@
 //! Runs whose pictures were of no use, told in words.
 
-use super::{FrameReport, Outcome, Run, StepReport};
+use super::{FrameReport, Outcome, Run, StepReport, UpdateReport};
 
 /// Sentences that say that no picture of a run corrected the estimate, and most often why; `None` where any did, or where
 /// nothing was looked for in them.
@@ -49,7 +49,7 @@ pub fn unused_pictures(run: &Run) -> Option<String> {
 /// Whether something that was seen in a picture corrected the estimate in this step.
 fn is_corrected_by_picture(step: &StepReport) -> bool {
     let is_joined = |frame: &FrameReport| frame.joint.is_some();
-    let by_aid = !step.sightings.is_empty() && step.updates.iter().any(|u| u.is_accepted());
+    let by_aid = !step.sightings.is_empty() && step.updates.iter().any(UpdateReport::is_accepted);
     step.frame.as_ref().is_some_and(is_joined) || by_aid
 }
 
