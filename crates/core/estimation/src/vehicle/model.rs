@@ -132,6 +132,7 @@ pub trait VehicleModel<const N: usize> {
 
     /// The same vehicle in gusts of `deviation` m/s per axis that fade over `correlation_time` seconds; `None` where the
     /// model knows no gusts.
+    #[must_use]
     fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<N>> {
         let _ = (deviation, correlation_time);
         None

@@ -58,7 +58,7 @@ impl<'a> Onlooker<'a> {
 /// Readings of the instruments of `flight` about `time`, seconds: their median from a little before to a little after.
 ///
 /// A camera shakes as much for every lag that is assumed, but each reads its attitude at a time of its own, with a
-/// noise of its own: of two lags, neither of them likelier, it makes the odds of one wander by more with every picture.
+/// noise of its own, which tells nothing of either.
 /// An aircraft does not roll as fast as a reading errs. Where it begins to roll, a mean would be off by what it has rolled
 /// a moment later; the median of readings that rise or fall is the one in their middle.
 fn evened(flight: &Flight, time: f64) -> Control {

@@ -21,7 +21,7 @@ use super::observation::Observation;
 use super::observed_at::ObservedAt;
 use super::onlooker::Onlooker;
 use super::recovery::believed;
-use super::see::{Associator, FoundPlace, Measurement, SightedPlace, observation};
+use super::see::{Associator, FoundPlace, SightedPlace, observation};
 use super::{CandidateReport, Doubt, Estimate, Instrument, SensorFault};
 use pilotage_base::frames::{Pose, wrap_pi};
 use pilotage_estimation::filter::{FilterError, Gate};
@@ -134,7 +134,7 @@ impl PictureLag {
         self.let_begin(seer.engine, onlooker.time)?;
         let model = onlooker.model(self.assumed);
         let first = Associator::new(seer.settings, seer.engine, model, (seer.frame, seer.looks));
-        let (own, _) = judged(&first, &all_seen_anew(found, seer, &first), reports)?;
+        let own = judged(&first, &all_seen_anew(found, seer, &first), reports)?;
         for rival in &mut self.rivals {
             rival.engine.look_back(onlooker.past(rival.lag));
             let model = onlooker.model(rival.lag);
@@ -145,10 +145,9 @@ impl PictureLag {
                 (seer.frame, seer.looks),
             );
             let places = all_seen_anew(found, seer, &judge);
-            let (log_likelihood, agreed) = judged(&judge, &places, reports)?;
-            let agreed: Vec<usize> = agreed.iter().map(|m| m.report).collect();
-            rival.weigh(found, log_likelihood - own);
-            // By the readings as they are, as the first: who was corrected by better ones would be the better filter.
+            rival.weigh(found, judged(&judge, &places, reports)? - own);
+            // Believed and corrected by the readings as they are, as the first: who was corrected by better ones would be the
+            // better filter.
             let model = onlooker.model_as_read(rival.lag);
             let corrector = Associator::new(
                 seer.settings,
@@ -156,13 +155,8 @@ impl PictureLag {
                 model,
                 (seer.frame, seer.looks),
             );
-            let places = all_seen_anew(found, seer, &corrector).into_iter();
-            let agreed: Vec<_> = places
-                .filter(|(_, report, _)| agreed.contains(report))
-                .filter_map(|(landmark, report, place)| {
-                    corrector.measurement(landmark, report, place)
-                })
-                .collect();
+            let places = all_seen_anew(found, seer, &corrector);
+            let (agreed, _, _) = believed(&corrector, &places, &mut reports.to_vec())?;
             if !agreed.is_empty() {
                 let pose = corrector.pose;
                 let seen = observation(seer.settings, &agreed, &model, &pose);
@@ -308,17 +302,16 @@ fn spread_over_cell(mut belief: Estimate, engine: &dyn Engine, lag: f64) -> Esti
     belief
 }
 
-/// Logarithm of the likelihood that `judge` gives to what was found, up to what is the same for every judge,
-/// and the measurements that `judge` believes.
+/// Logarithm of the likelihood that `judge` gives to what was found, up to what is the same for every judge.
 ///
 /// Everything found counts together, whether believed or not: errors that landmarks share make their joint density many
 /// times that of each by itself. Either all of it is right, or those that are not believed lie anywhere, as if each were on
 /// the border of its gate; the likelier of the two counts.
-fn judged<'l>(
+fn judged(
     judge: &Associator<'_>,
-    found: &[FoundPlace<'l>],
+    found: &[FoundPlace<'_>],
     reports: &[CandidateReport],
-) -> Result<(f64, Vec<Measurement<'l>>), FilterError> {
+) -> Result<f64, FilterError> {
     let mut reports = reports.to_vec();
     let (agreed, _, _) = believed(judge, found, &mut reports)?;
     let all = found.iter();
@@ -326,7 +319,7 @@ fn judged<'l>(
         all.filter_map(|(landmark, index, place)| judge.measurement(landmark, *index, *place));
     let all: Vec<_> = all.collect();
     if all.is_empty() {
-        return Ok((0.0, agreed));
+        return Ok(0.0);
     }
     let is_agreed = |report: usize| agreed.iter().any(|m| m.report == report);
     let without = all.iter().filter(|m| !is_agreed(m.report));
@@ -334,7 +327,7 @@ fn judged<'l>(
     if !agreed.is_empty() {
         apart += judge.surprise(&agreed)?.nis()?;
     }
-    Ok((judge.surprise(&all)?.log_likelihood(apart)?, agreed))
+    judge.surprise(&all)?.log_likelihood(apart)
 }
 
 /// Places that were `found` by `from`, for `to`, who assumes another pose.
