@@ -183,7 +183,7 @@ impl App {
                 self.tell_of_run_over(false, egui, host);
             }
             JobEvent::Finished => {
-                let again = fly.again;
+                let (again, fly_shows_run) = (fly.again, fly.shown == ShownFlight::Run);
                 self.documents.run_complete = true;
                 self.fly_work.job = None;
                 // Where a recorded flight went may be known only now.
@@ -191,6 +191,7 @@ impl App {
                     self.fit_to_flight_and_map();
                 }
                 let run = self.documents.run.as_ref();
+                let run = run.filter(|_| !again && fly_shows_run);
                 if let Some(why) = run.and_then(unused_pictures) {
                     self.toasts.trouble(host.now(), "No picture helped", why);
                 }
