@@ -8,7 +8,7 @@ use super::request::{PredictionError, PredictionRequest};
 use super::{day_factor, winds};
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::settings::NavigatorSettings;
-use pilotage_navigator::navigator::visit_model;
+use pilotage_navigator::navigator::{vehicle, visit_model};
 use pilotage_simulate::simulate::{FlightPlan, TrueFlight};
 
 /// Probability with which the true error lies inside the corridor.
@@ -145,9 +145,7 @@ impl PredictionRequest<'_> {
             .flat_map(|part| std::iter::repeat_n(part.weight, per_wind))
             .collect();
         let recognised = self.recognised(&weights);
-        // Heights are predicted as read.
         let settings = NavigatorSettings {
-            estimates_height: false,
             sensors: self.settings.sensors.with_biases_within(),
             ..self.settings.clone()
         };
@@ -177,7 +175,12 @@ impl PredictionRequest<'_> {
                     covariance: part.covariance * self.wind_deviation.powi(2),
                 }),
             };
-            let way = visit_model(&settings, propagation)?;
+            // A height that the filter estimates is predicted as read.
+            let way = if settings.estimates_height {
+                vehicle(&settings).visit(propagation)?
+            } else {
+                visit_model(&settings, propagation)?
+            };
             ways.push((part.weight, way));
         }
         let samples = samples(&flight, brought_together(&self.track(&flight), &ways))?;

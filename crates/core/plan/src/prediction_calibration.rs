@@ -246,6 +246,41 @@ mod tests {
         assert!((0.925..0.975).contains(&mean), "{mean}");
     }
 
+    /// Flights of the same route are predicted for filters that are told other things of it, as each will believe.
+    #[test]
+    fn filters_with_other_states_and_noise_are_predicted_as_they_will_believe() {
+        let scenario = Scenario::named("distinct-1000ft-extended").unwrap();
+        let usual = scenario.navigator(&SensorSpec::default());
+        let mut of_height = usual.clone();
+        of_height.estimates_height = true;
+        let mut of_map = usual.clone();
+        of_map.detector.map_deviation = 3.0;
+        let mut of_frames = usual.clone();
+        of_frames.measurement_scale = 4.0;
+        for (what, settings) in [("height", of_height), ("map", of_map), ("scale", of_frames)] {
+            let route = (
+                scenario.plan(&Overrides::default()),
+                scenario.mission().landmarks,
+            );
+            let flown = flown(route, &settings, expected(1.0, 0.9), (7, 6));
+            println!("{what}: {flown:.3?}");
+            // A filter that takes noise for more than it is believes too little of itself: its errors are predicted.
+            let is_scaled = settings.measurement_scale > 1.0;
+            let flown_rms = if is_scaled {
+                assert!(
+                    flown.believed_rms_m > 1.2 * flown.predicted_rms_m,
+                    "{flown:?}"
+                );
+                flown.rms_m
+            } else {
+                flown.believed_rms_m
+            };
+            let share = flown.predicted_rms_m / flown_rms;
+            let near = if is_scaled { 0.8..1.3 } else { 0.93..1.07 };
+            assert!(near.contains(&share), "{what}: {flown:?}");
+        }
+    }
+
     /// From 300 m, over landmarks that are seen again and again, what stays of tilt and height over a flight is most of the
     /// error.
     #[test]

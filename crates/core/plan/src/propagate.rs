@@ -12,7 +12,9 @@ use super::request::{PredictionError, PredictionRequest};
 use super::view::{Information, PlannedFrame, PlannedLook, seen};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::{Gaussian, numerical_jacobian};
-use pilotage_estimation::vehicle::{AnyVehicle, ControlInput, VehicleModel, VehicleVisitor};
+use pilotage_estimation::vehicle::{
+    AnyVehicle, ControlInput, StateComponent, VehicleModel, VehicleVisitor,
+};
 use pilotage_flight::TruthState;
 use pilotage_mission::settings::SensorNoise;
 use pilotage_navigator::navigator::{LooksAtLandmarks, frame_noise};
@@ -94,7 +96,7 @@ impl Propagation<'_> {
         let noise = frame_noise(request.settings);
         let period = 1.0 / plan.sensors.frame_rate;
         let mut next_frame = first.time;
-        let mut time = first.time;
+        let (mut time, mut from) = (first.time, first.position);
         let mut moments = Vec::new();
         for (index, state) in states.iter().enumerate() {
             let is_frame = state.time >= next_frame - 1e-6;
@@ -105,12 +107,13 @@ impl Propagation<'_> {
             }
             if dt > 0.0 {
                 let airspeed = self.flight.airspeeds[index];
-                let step = step((model, vehicle), state, airspeed, dt)?;
+                let velocity = (state.position - from).xy() / dt;
+                let step = step((model, vehicle), state, (airspeed, velocity), dt)?;
                 for world in &mut worlds {
                     let believed = world.believed_noise(model, &step, dt);
                     world.predict(&step, &believed);
                 }
-                time = state.time;
+                (time, from) = (state.time, state.position);
             }
             if !is_frame {
                 continue;
@@ -185,12 +188,14 @@ impl Propagation<'_> {
                 attitude: state.attitude.unwrap_or_default(),
             },
             ground_down: request.plan.ground_down,
+            noise,
+            map_deviation: request.settings.detector.map_deviation,
         };
         let looks: Vec<PlannedLook> = request
             .landmarks
             .iter()
             .enumerate()
-            .filter_map(|(i, l)| frame.look(i, l, noise))
+            .filter_map(|(i, l)| frame.look(i, l))
             .collect();
         let mut found = vec![0.0; request.landmarks.len()];
         let mut any = 0.0;
@@ -199,6 +204,7 @@ impl Propagation<'_> {
             return Ok((found, any));
         }
         let pose_noise = noise.pose_covariance();
+        let scale = request.settings.measurement_scale;
         for (index, world) in worlds.iter_mut().enumerate() {
             world.looks.forget(state.time);
             let mut seen: Vec<&PlannedLook> = looks
@@ -229,7 +235,7 @@ impl Propagation<'_> {
                     .looks
                     .note(seen.iter().map(|look| id(look)), state.time);
                 said.about_state(&pose_noise)
-                    .and_then(|said| world.correct(&said, on_state))
+                    .and_then(|said| world.correct(&said, on_state, scale))
                     .ok_or(PredictionError::NotFinite { time: state.time })?;
             }
         }
@@ -254,20 +260,39 @@ struct PlanStep<const N: usize> {
     true_noise: SMatrix<f64, N, N>,
 }
 
-/// The step that ends in `state`, for the filter's model and the vehicle as it is.
+/// The step of `dt` seconds that ends in `state`, for the filter's model and the vehicle as it is, at a true airspeed, m/s,
+/// and a velocity over ground, m/s north and east.
 fn step<const N: usize>(
     (model, vehicle): (&AnyVehicle<N>, &AnyVehicle<N>),
     state: &TruthState,
-    airspeed: f64,
+    (airspeed, velocity): (f64, Vector2<f64>),
     dt: f64,
 ) -> Result<PlanStep<N>, PredictionError> {
     let input = ControlInput::new(airspeed, state.attitude.unwrap_or_default());
+    let wind = state.wind.unwrap_or_default();
+    let (sin, cos) = input.heading().sin_cos();
+    let through_air = velocity - wind;
+    let known = [
+        (StateComponent::PositionNorth, state.position.x),
+        (StateComponent::PositionEast, state.position.y),
+        (StateComponent::VelocityNorth, velocity.x),
+        (StateComponent::VelocityEast, velocity.y),
+        (
+            StateComponent::VelocityForward,
+            cos * through_air.x + sin * through_air.y,
+        ),
+        (
+            StateComponent::VelocityRight,
+            cos * through_air.y - sin * through_air.x,
+        ),
+        (StateComponent::WindNorth, wind.x),
+        (StateComponent::WindEast, wind.y),
+    ];
     let mut place = SVector::<f64, N>::zeros();
-    place[0] = state.position.x;
-    place[1] = state.position.y;
-    if let Some((i, wind)) = model.wind_index().zip(state.wind) {
-        place[i] = wind.x;
-        place[i + 1] = wind.y;
+    for (component, value) in known {
+        if let Some(index) = model.index_of(component) {
+            place[index] = value;
+        }
     }
     let transition = numerical_jacobian(
         |x: &SVector<f64, N>| Some(model.propagate(x, &input, dt)),
@@ -333,20 +358,26 @@ impl<const N: usize> FlightWorld<N> {
     ///
     /// With the information `Λ = HᵀR⁻¹H` about what is `seen` of the state, `Eᵀx`, the gain is `P⁺E HᵀR⁻¹`: what is left of
     /// an error is `I - P E Λ (I + EᵀP E Λ)⁻¹ Eᵀ`, and `K R Kᵀ = P⁺E Λ EᵀP⁺`. Five rows are all that has to be inverted,
-    /// however many landmarks there are.
-    fn correct(&mut self, said: &Matrix5<f64>, seen: &SMatrix<f64, N, 5>) -> Option<()> {
+    /// however many landmarks there are. The filter takes the noise for `scale` times as much as it is.
+    fn correct(
+        &mut self,
+        said: &Matrix5<f64>,
+        seen: &SMatrix<f64, N, 5>,
+        scale: f64,
+    ) -> Option<()> {
+        let said = said / scale;
         let before = self.covariance * seen;
         let own = seen.transpose() * before;
         let gain = before * said * (Matrix5::identity() + own * said).try_inverse()?;
         let kept = SMatrix::<f64, N, N>::identity() - gain * seen.transpose();
         let after = kept * before;
         let added = after * said * after.transpose();
-        let joseph = |before: &SMatrix<f64, N, N>| {
+        let joseph = |before: &SMatrix<f64, N, N>, added: SMatrix<f64, N, N>| {
             let after = kept * before * kept.transpose() + added;
             (after + after.transpose()) * 0.5
         };
-        self.covariance = joseph(&self.covariance);
-        self.scatter = joseph(&self.scatter);
+        self.covariance = joseph(&self.covariance, added);
+        self.scatter = joseph(&self.scatter, added / scale);
         self.error = kept * self.error;
         Some(())
     }
@@ -355,7 +386,6 @@ impl<const N: usize> FlightWorld<N> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{Matrix4, Matrix4x5};
-    use pilotage_estimation::vehicle::StateComponent;
 
     use super::*;
 
@@ -390,6 +420,7 @@ mod tests {
             size * (0.4 + 5.0 * i as f64 + 11.0 * j as f64).cos()
         });
         let noise = Matrix4::from_diagonal_element(2.0);
+        let scale = 3.0;
         let over_map = LAYOUT.map(|component| match component {
             StateComponent::RollBias => StateComponent::MapErrorNorth,
             StateComponent::PitchBias => StateComponent::MapErrorEast,
@@ -409,7 +440,7 @@ mod tests {
         ] {
             let mut found = world();
             let said = slope.transpose() * noise.try_inverse().unwrap() * slope;
-            found.correct(&said, &seen(&layout)).unwrap();
+            found.correct(&said, &seen(&layout), scale).unwrap();
             let mut h = SMatrix::<f64, 4, 6>::zeros();
             for (to, from) in places.into_iter().enumerate() {
                 if let Some(from) = from {
@@ -417,11 +448,11 @@ mod tests {
                 }
             }
             let w = world();
-            let innovation = h * w.covariance * h.transpose() + noise;
+            let innovation = h * w.covariance * h.transpose() + noise * scale;
             let gain = w.covariance * h.transpose() * innovation.try_inverse().unwrap();
             let kept = SMatrix::<f64, 6, 6>::identity() - gain * h;
             let added = gain * noise * gain.transpose();
-            let covariance = kept * w.covariance * kept.transpose() + added;
+            let covariance = kept * w.covariance * kept.transpose() + added * scale;
             let scatter = kept * w.scatter * kept.transpose() + added;
             assert!((found.covariance - covariance).norm() < 1e-9 * covariance.norm());
             assert!((found.scatter - scatter).norm() < 1e-9 * scatter.norm());

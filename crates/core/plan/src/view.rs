@@ -101,6 +101,10 @@ pub(super) struct PlannedFrame<'a> {
     pub camera: &'a CameraModel,
     pub pose: Pose,
     pub ground_down: f64,
+    /// Noise that is new in each frame.
+    pub noise: &'a SensorNoise,
+    /// Error of the map at a landmark, standard deviation per axis, metres.
+    pub map_deviation: f64,
 }
 
 impl PlannedFrame<'_> {
@@ -118,14 +122,9 @@ impl PlannedFrame<'_> {
             .holds(&pose, &landmark.landmark.bounds, self.ground_down, 0.0)
     }
 
-    /// Look at landmark `index` with the noise `sensors` of each frame; `None` if it is out of reach of any shake, or is not expected to be found
-    /// from this height.
-    pub fn look(
-        &self,
-        index: usize,
-        landmark: &PlannedLandmark,
-        sensors: &SensorNoise,
-    ) -> Option<PlannedLook> {
+    /// Look at landmark `index`; `None` if it is out of reach of any shake, or is not expected to be found from this height.
+    pub fn look(&self, index: usize, landmark: &PlannedLandmark) -> Option<PlannedLook> {
+        let sensors = self.noise;
         let height = self.height();
         let center = landmark.landmark.reference_in_world(self.ground_down);
         let pixel = self.camera.project(&self.pose, &center)?;
@@ -163,8 +162,11 @@ impl PlannedFrame<'_> {
             ground: sensors.ground,
         };
         let focal = self.camera.focal / height;
-        let covariance = to_picture * expected.covariance * to_picture.transpose()
+        let mut covariance = to_picture * expected.covariance * to_picture.transpose()
             + unknown.covariance(&to_pixel, focal, half);
+        let mut of_place = covariance.fixed_view_mut::<2, 2>(0, 0);
+        of_place += to_pixel * to_pixel.transpose() * self.map_deviation.powi(2);
+        covariance.try_inverse()?;
         let on_ground = AppearanceError {
             pixel: 0.0,
             ..unknown
