@@ -74,6 +74,9 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "pitch" => settings.sensors.pitch = number()?.to_radians(),
         "yaw" => settings.sensors.yaw = number()?.to_radians(),
         "height" => settings.sensors.height = number()?,
+        "tilt-bias" => settings.sensors.tilt_bias = number()?.to_radians(),
+        "yaw-bias" => settings.sensors.yaw_bias = number()?.to_radians(),
+        "height-bias" => settings.sensors.height_bias = number()?,
         "pixel" => settings.sensors.pixel = number()?,
         "ground" => settings.sensors.ground = number()?,
         "features" => {
@@ -155,6 +158,12 @@ mod tests {
         );
         assert!((frames.heading_limit() - 15_f64.to_radians()).abs() < 1e-12);
         assert!((frames.height_limit() - 0.12).abs() < 1e-12);
+        apply(&mut settings, "tilt-bias=0.9,yaw-bias=0.4,height-bias=2").unwrap();
+        let sensors = settings.sensors;
+        assert_eq!(
+            (sensors.tilt_bias, sensors.yaw_bias, sensors.height_bias),
+            (0.9_f64.to_radians(), 0.4_f64.to_radians(), 2.0)
+        );
         apply(&mut settings, "whole-frames=false").unwrap();
         assert!(settings.whole_frames.is_none());
         apply(&mut settings, "gps-velocity.noise=0.4,gps-position=true").unwrap();

@@ -2,14 +2,12 @@
 
 use egui::Ui;
 use pilotage_core::landmark::{TemplateFeatures, TemplateSettings};
+use pilotage_core::registration::USUAL_MAP_DEVIATION;
 
 use super::setting_rows::{linear, meaning};
 use crate::shell::caption;
 use crate::tokens::Tokens;
 use crate::units::Units;
-
-/// Standard deviation first assumed of a map of another date, metres per axis.
-const USUAL_MAP_DEVIATION: f64 = 3.0;
 
 /// Draws the rows.
 pub(super) fn landmarks(

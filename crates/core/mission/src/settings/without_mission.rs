@@ -1,7 +1,7 @@
 //! Settings of flights of which no mission says how they are navigated.
 
 use pilotage_flight::{ChannelName, Flight};
-use pilotage_vision::registration::FollowSettings;
+use pilotage_vision::registration::{FollowSettings, USUAL_MAP_DEVIATION};
 
 use super::{NavigatorSettings, VehicleChoice};
 
@@ -17,7 +17,8 @@ impl NavigatorSettings {
     ///
     /// Where airspeed and heading were measured they carry the estimate from picture to picture, as in a flight
     /// with a mission. Where they were not, whole frames tell the velocity well enough to be kept; without them
-    /// nothing does, and the position can be anywhere that a random walk leads to.
+    /// nothing does, and the position can be anywhere that a random walk leads to. Nobody says how well the map lies:
+    /// it is taken for one that somebody already had.
     pub fn without_mission(flight: &Flight, by_whole_frames: bool) -> Self {
         let has = |name| flight.channel(name).is_some_and(|c| !c.times.is_empty());
         let vehicle = if has(ChannelName::Airspeed) && has(ChannelName::Heading) {
@@ -32,6 +33,7 @@ impl NavigatorSettings {
             shortest_step: shortest_step(flight),
             whole_frames: by_whole_frames.then(|| FollowSettings {
                 farthest: Some(FARTHEST),
+                map_deviation: USUAL_MAP_DEVIATION,
                 ..FollowSettings::default()
             }),
             ..Self::default()
@@ -99,7 +101,8 @@ mod tests {
             let flight = flight(channels);
             let seeing = NavigatorSettings::without_mission(&flight, true);
             assert_eq!(seeing.vehicle, by_frames, "{channels:?}");
-            assert!(seeing.whole_frames.is_some());
+            let frames = seeing.whole_frames.unwrap();
+            assert_eq!(frames.map_deviation, USUAL_MAP_DEVIATION);
             let blind = NavigatorSettings::without_mission(&flight, false);
             assert_eq!(blind.vehicle, by_nothing, "{channels:?}");
             assert!(blind.whole_frames.is_none());

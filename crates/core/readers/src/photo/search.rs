@@ -8,7 +8,8 @@ use super::read::Photo;
 use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_raster::camera::CameraModel;
 use pilotage_vision::registration::{
-    HeadingPrior, MapShape, PosePrior, StoredTurn, deviation_within, log_deviation_within,
+    HeadingPrior, MapShape, PosePrior, StoredTurn, USUAL_MAP_DEVIATION, deviation_within,
+    log_deviation_within,
 };
 
 /// Height that is assumed where nothing tells it: metres, and the share by which it may be exceeded.
@@ -52,7 +53,7 @@ impl Default for PhotoSearch {
             heading_within: 40_f64.to_radians(),
             ahead: None,
             focal: None,
-            map_deviation: 3.0,
+            map_deviation: USUAL_MAP_DEVIATION,
         }
     }
 }

@@ -8,6 +8,9 @@ use super::register::Registration;
 use super::shape::MapShape;
 use pilotage_base::frames::GroundPoint;
 
+/// Deviation per axis of the place of a map that somebody already had, a satellite's or an aerial one, metres.
+pub const USUAL_MAP_DEVIATION: f64 = 3.0;
+
 /// Assumptions about a flight over a map; deviations are standard ones.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FollowSettings {

@@ -38,7 +38,7 @@ pub use camera_place::CameraPlace;
 pub use drape::{Draped, drape, outline};
 pub use evidence::Evidence;
 pub use fit::{PoseFit, UNKNOWNS};
-pub use follower::{FollowSettings, Follower, InstrumentReadings};
+pub use follower::{FollowSettings, Follower, InstrumentReadings, USUAL_MAP_DEVIATION};
 pub use guess::PoseGuess;
 pub use limits::{deviation_within, limit_of, log_deviation_within, share_of};
 pub use look::{FrameLook, MapPose};
