@@ -9,6 +9,7 @@ pub mod files;
 pub mod frames;
 pub mod gazetteer;
 pub mod georeference;
+pub mod hemisphere_in_name;
 pub mod place_text;
 pub mod sorting;
 pub mod statistics;

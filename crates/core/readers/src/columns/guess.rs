@@ -8,7 +8,9 @@ use super::physics::{self, Hint, TableEvidence};
 use super::rows::EvenRows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
-use super::several::{degrees_and_minutes, hemispheres, parts_of_time, places};
+use super::several::{
+    degrees_and_minutes, hemispheres, parts_of_time, parts_without_hemispheres, places,
+};
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, parts};
 use crate::cells::time::unit_of_time;
@@ -211,10 +213,7 @@ fn guess_columns(
     share: f64,
 ) -> (Vec<MappedColumn>, Vec<Hint>, Vec<ColumnGroup>, Vec<String>) {
     let time = guess_time(samples, share);
-    let names: Vec<NameParts> = samples
-        .iter()
-        .map(|s| parts_of_name(&s.name, &s.unit))
-        .collect();
+    let names = parts_without_hemispheres(samples);
     let is_numeric: Vec<bool> = samples.iter().map(ColumnSample::is_numeric).collect();
     let groups = groups(file, &names, &is_numeric);
     let mut guesses: Vec<Vec<NameGuess>> = names.iter().map(|p| by_name(file, p)).collect();

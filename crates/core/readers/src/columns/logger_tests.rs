@@ -618,3 +618,29 @@ fn pictures_that_a_table_names_are_the_frames_of_its_flight() {
             .any(|note| note.contains("names 6 pictures"))
     );
 }
+
+#[test]
+fn hemispheres_in_the_names_of_columns_turn_places() {
+    for (names, turned) in [
+        (["Latitude (S)", "Longitude (W)"], [-1.0, -1.0]),
+        (["Lat S", "Lon E"], [-1.0, 1.0]),
+        (["lat_n", "lon_w"], [1.0, -1.0]),
+        (["LAT [°N]", "LON [°E]"], [1.0, 1.0]),
+    ] {
+        let row = |i: usize| {
+            let time = 0.1 * i as f64;
+            format!("{time:.1},{:.6},8.25,{i}\n", 47.0 + 1e-5 * i as f64)
+        };
+        let rows: String = (0..60).map(row).collect();
+        let table = format!("time,{},heading\n{rows}", names.join(","));
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        let origin = flight.frame_on_globe.expect(names[0]).origin;
+        let found = [origin.latitude, origin.longitude].map(f64::to_degrees);
+        let right = [47.0 * turned[0], 8.25 * turned[1]];
+        for (found, right) in found.iter().zip(right) {
+            assert!((found - right).abs() < 1e-6, "{names:?}: {found}");
+        }
+    }
+}

@@ -2,11 +2,12 @@
 //! hemispheres.
 
 use super::ColumnRole::{Latitude, Longitude};
-use super::header::parts;
+use super::header::{NameParts, parts};
 use super::rows::pair;
 use super::settle::{give_up, unused};
 use super::{ColumnRole, ColumnSample, MappedColumn};
 use crate::cells::DEGREES_AND_MINUTES;
+use pilotage_base::hemisphere_in_name::hemispheres_in_names;
 
 /// Finds the column that has latitude and longitude in each cell.
 pub(super) fn places(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
@@ -88,14 +89,38 @@ pub(super) fn parts_of_time(samples: &[ColumnSample], columns: &mut [MappedColum
     }
 }
 
-/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west, and those
-/// with a small s behind them, which is no second there.
+/// The letters of hemispheres that the names of columns state.
+fn named(samples: &[ColumnSample]) -> Vec<Option<char>> {
+    let names: Vec<&str> = samples.iter().map(|sample| sample.name.as_str()).collect();
+    hemispheres_in_names(&names)
+}
+
+/// The names of columns taken apart, without the letters of hemispheres.
+pub(super) fn parts_without_hemispheres(samples: &[ColumnSample]) -> Vec<NameParts> {
+    let name = |(sample, letter): (&ColumnSample, Option<char>)| match letter {
+        None => parts(&sample.name, &sample.unit),
+        Some('N' | 'S') => parts("latitude", ""),
+        Some(_) => parts("longitude", ""),
+    };
+    samples.iter().zip(named(samples)).map(name).collect()
+}
+
+/// Turns latitudes and longitudes whose hemisphere stands in a column of its own or in their name, where that is south or
+/// west, and those with a small s behind them, which is no second there.
 pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
     for (sample, column) in samples.iter().zip(columns.iter_mut()) {
         let is_south = column.role == Latitude && sample.unit.trim() == "s";
         if is_south && sample.range().is_some_and(|(low, _)| low >= 0.0) {
             column.scale = -1.0;
             column.reason = format!("{}; its cells end in s for south", column.reason);
+        }
+    }
+    for ((sample, column), letter) in samples.iter().zip(columns.iter_mut()).zip(named(samples)) {
+        let is_place = [Latitude, Longitude].contains(&column.role);
+        let is_positive = sample.range().is_some_and(|(low, _)| low >= 0.0);
+        if let Some(letter @ ('S' | 'W')) = letter.filter(|_| is_place && is_positive) {
+            column.scale = -1.0;
+            column.reason = format!("{}; its name says {letter}", column.reason);
         }
     }
     for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
