@@ -178,7 +178,7 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
         let advice = match () {
             () if has_ending(&["zip"]) => "; unpack it, and open a zip that was in it",
             () if has_ending(&["png", "tif", "tiff", "webp", "heic", "jxl"]) => {
-                "; photos with places are read from JPEG: save them so"
+                "; photos with places are read from JPEG and PNG: save them so"
             }
             () => "",
         };

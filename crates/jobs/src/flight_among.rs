@@ -15,7 +15,7 @@ use super::log_flights::{head, log_among};
 
 /// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
 /// satellite receiver said.
-const FLOWN: [&str; 4] = ["jpg", "jpeg", "srt", "nmea"];
+const FLOWN: [&str; 5] = ["jpg", "jpeg", "png", "srt", "nmea"];
 
 /// The flight among files: that of tables whose columns somebody said the `maps` of, a flight folder, or what says itself
 /// where it was: subtitles, sentences, photos. `None` beside a log, which is read piece by piece and whose camera frames

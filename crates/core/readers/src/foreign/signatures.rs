@@ -35,7 +35,7 @@ const NETWORK: &str = "open the telemetry log that the ground station wrote";
 const RECEIVER: &str = "make a CSV or GPX of it (u-center, gpsbabel) and open that";
 const GPX_OF: &str = "make a GPX or CSV of it (gpsbabel) and open that";
 const MAP: &str = "open it as a map";
-const TIFF: &str = "open it as a map; photos with places are read from JPEG: save them so";
+const TIFF: &str = "open it as a map; photos with places are read from JPEG and PNG: save them so";
 const SHAPE: &str = "save its layer as GeoJSON (QGIS, `ogr2ogr out.geojson in.shp`) and open that";
 
 /// Every signature, in the order in which they are tried.
@@ -79,7 +79,7 @@ const MARKS: &[FileSignature] = &[
     mark_at(257, b"ustar", "a tar archive", UNPACK),
     // Pictures.
     mark(&[0xff, 0xd8, 0xff], "a photo (JPEG)", PHOTO),
-    mark(b"\x89PNG\r\n\x1a\n", "a picture (PNG)", "open it as a map, with a world file beside it; photos with places are read from JPEG: save them so"),
+    mark(b"\x89PNG\r\n\x1a\n", "a picture (PNG)", "open it as a map, with a world file beside it; photos say where they were taken in EXIF, and two of them make a flight"),
     mark(b"II*\0\x10\0\0\0CR", "a raw photo (CR2)", JPEG),
     mark(b"IIRO", "a raw photo (ORF)", JPEG),
     mark(b"IIU\0", "a raw photo (RW2)", JPEG),

@@ -87,7 +87,7 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
 /// Photos of one size, in the order of their times.
 fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     let mut names = files.names();
-    names.retain(|name| is_photo(name));
+    names.retain(|name| is_photo(name) || is_png(name));
     names.sort();
     let mut photos = Vec::new();
     let mut unread = Vec::new();
@@ -96,6 +96,8 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
             .source(&name)
             .map(|source| read_photo(source.as_ref()))
         {
+            // A PNG without a place is some other picture: a map, a screen.
+            Some(read) if is_png(&name) && read.as_ref().map_or(true, |it| it.place.is_none()) => {}
             Some(Ok(photo)) => photos.push(Photo { name, ..photo }),
             Some(Err(cause)) => unread.push(cause.to_string()),
             None => {}
@@ -203,13 +205,19 @@ fn of_one_camera(photos: &mut Vec<Photo>, notes: &mut Vec<String>) {
 }
 
 pub(super) fn is_photo(name: &str) -> bool {
+    ends_in(name, &["jpg", "jpeg"])
+}
+
+fn is_png(name: &str) -> bool {
+    ends_in(name, &["png"])
+}
+
+fn ends_in(name: &str, endings: &[&str]) -> bool {
     let file = name.rsplit('/').next().unwrap_or(name);
     let ending = file.rsplit('.').next().unwrap_or_default();
-    let is_jpeg = ["jpg", "jpeg"]
-        .iter()
-        .any(|e| ending.eq_ignore_ascii_case(e));
+    let is_one = endings.iter().any(|e| ending.eq_ignore_ascii_case(e));
     // What macOS leaves in zips begins with a dot.
-    is_jpeg && !file.starts_with('.')
+    is_one && !file.starts_with('.')
 }
 
 fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<TimedPhoto> {

@@ -2,6 +2,7 @@
 
 use super::exif::{self, Exif, ExifDirectory};
 use super::head::{HeadSearch, head};
+use super::png::{self, png_head};
 use super::xmp::Xmp;
 use crate::cells::{Moment, date_and_time, has_zone};
 use pilotage_base::angle_text::degrees_of_text;
@@ -81,8 +82,8 @@ pub enum PhotoError {
         /// Why, in words.
         cause: String,
     },
-    /// It is neither a JPEG nor a TIFF.
-    #[error("{file}: it is neither a JPEG nor a TIFF picture")]
+    /// It is no JPEG, PNG or TIFF.
+    #[error("{file}: it is neither a JPEG nor a PNG or TIFF picture")]
     NoJpeg {
         /// File.
         file: String,
@@ -112,6 +113,18 @@ pub fn read_photo(source: &dyn ByteSource) -> Result<Photo, PhotoError> {
         return Ok(Photo {
             bytes: length,
             ..found?
+        });
+    }
+    if bytes.starts_with(png::SIGNATURE) {
+        let head = png_head(source).map_err(|cause| PhotoError::Read {
+            file: file(),
+            cause,
+        })?;
+        let size = head.size;
+        let size = size.ok_or_else(|| PhotoError::NoPicture { file: file() })?;
+        return Ok(Photo {
+            bytes: length,
+            ..photo(file(), size, &Exif::read(&head.exif), &Xmp::read(&head.xmp))
         });
     }
     if matches!(head(&bytes), HeadSearch::Part(_)) && length > HEAD {
