@@ -2,6 +2,7 @@
 
 use pilotage_base::frames::AltitudeFrame;
 use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+use pilotage_base::hemisphere_in_name::hemispheres_in_names;
 
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,10 +35,35 @@ pub(super) enum CsvRole {
 
 /// Roles by what their columns are called, units and brackets aside; ours come first.
 const NAMES: [(CsvRole, &[&str]); 20] = [
-    (CsvRole::Latitude, &["latitude", "lat", "gps latitude"]),
+    // The German words for width and length alone are no places.
+    (
+        CsvRole::Latitude,
+        &[
+            "latitude",
+            "lat",
+            "gps latitude",
+            "latitud",
+            "latitudine",
+            "breitengrad",
+            "geographische breite",
+            "geogr breite",
+        ],
+    ),
     (
         CsvRole::Longitude,
-        &["longitude", "lon", "lng", "long", "gps longitude"],
+        &[
+            "longitude",
+            "lon",
+            "lng",
+            "long",
+            "gps longitude",
+            "longitud",
+            "longitudine",
+            "längengrad",
+            "laengengrad",
+            "geographische länge",
+            "geogr länge",
+        ],
     ),
     (
         CsvRole::NorthSouth,
@@ -208,6 +234,8 @@ pub(super) struct CsvColumn {
     pub unit: Option<Unit>,
     /// Reference of altitudes, where its name states that.
     pub frame: Option<AltitudeFrame>,
+    /// Letter of the hemisphere that its name states.
+    pub hemisphere: Option<char>,
 }
 
 /// Meanings of the columns of those names, or in words the error of one.
@@ -216,13 +244,19 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
     names
         .iter()
         .zip(parts_of_angles(names))
-        .map(|(name, part)| {
-            let mut column = match part {
+        .zip(hemispheres_in_names(names))
+        .map(|((name, part), hemisphere)| {
+            let of_letter = hemisphere.map(|letter| match letter {
+                'N' | 'S' => CsvRole::Latitude,
+                _ => CsvRole::Longitude,
+            });
+            let mut column = match of_letter.or(part) {
                 Some(role) => CsvColumn {
                     name: name.clone(),
                     role: Some(role),
                     unit: None,
                     frame: None,
+                    hemisphere,
                 },
                 None => column(name),
             };
@@ -368,6 +402,7 @@ fn column_of(name: &str, words: &str) -> CsvColumn {
                 role: Some(role),
                 unit,
                 frame,
+                hemisphere: None,
             };
         }
         let last = words.pop();
@@ -382,6 +417,7 @@ fn column_of(name: &str, words: &str) -> CsvColumn {
                     role: None,
                     unit: None,
                     frame: None,
+                    hemisphere: None,
                 };
             }
         }

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::csv_columns::{CsvRole, columns};
 use super::csv_geometry::geometry;
+use super::csv_preface::preface;
 use super::csv_table::{CsvRow, ReadCsvTable, Records};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::item::frame_of_number;
@@ -18,20 +19,16 @@ use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Reads a table with a header line.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
-    let header = content.lines().next().unwrap_or("");
-    let count = |c: char| header.matches(c).count();
-    let delimiter = [',', ';', '\t']
-        .into_iter()
-        .max_by_key(|c| (count(*c), *c == ','))
-        .unwrap_or(',');
+    let preface = preface(content);
+    let delimiter = preface.delimiter;
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(delimiter as u8)
         .flexible(true)
         .trim(csv::Trim::All)
-        .from_reader(content.as_bytes());
+        .from_reader(preface.table.as_bytes());
     let error = |line: u64, cause: String| ExchangeError::Place {
         file: file.to_owned(),
-        line: line as usize,
+        line: (line + preface.lines) as usize,
         column: 1,
         cause,
     };
@@ -54,7 +51,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         })?;
         let line = record.position().map_or(0, csv::Position::line);
         if record.iter().any(|cell| !cell.is_empty()) {
-            records.push((line as usize, record));
+            records.push(((line + preface.lines) as usize, record));
         }
     }
     table.leave_metres(&records);

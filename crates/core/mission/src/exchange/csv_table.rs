@@ -270,6 +270,21 @@ impl CsvRow<'_> {
         let is_below =
             plain.trim_start().starts_with(['-', '\u{2212}']) || degrees.is_sign_negative();
         degrees += if is_below { -rest } else { rest };
+        if let Some(letter) = column.hemisphere {
+            let other = if letter == letters.0 {
+                letters.1
+            } else {
+                letters.0
+            };
+            let of_cell = plain.chars().map(|c| c.to_ascii_uppercase());
+            if of_cell.clone().any(|c| c == other) && !of_cell.clone().any(|c| c == letter) {
+                let cause = format!("`{cell}` says {other}, and the column's name {letter}");
+                return Err(self.error(&column.name, &cause));
+            }
+            if letter == letters.1 {
+                degrees = -degrees.abs();
+            }
+        }
         let Some((column, word)) = self.cell(hemisphere) else {
             return Ok(Some(degrees));
         };

@@ -9,6 +9,7 @@ mod complex;
 mod csv_columns;
 mod csv_geometry;
 mod csv_place;
+mod csv_preface;
 mod csv_read;
 mod csv_table;
 mod csv_write;

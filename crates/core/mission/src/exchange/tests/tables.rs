@@ -249,3 +249,43 @@ fn a_height_in_a_geometry_counts_from_the_sea() {
         (430.0, AltitudeFrame::Amsl)
     );
 }
+
+#[test]
+fn hemispheres_in_the_names_of_columns_turn_places() {
+    for (head, right) in [
+        ("name,Latitude (S),Longitude (W)", [-47.5, -8.25]),
+        ("name,Lat S,Lon E", [-47.5, 8.25]),
+        ("name,lat_n,lon_w", [47.5, -8.25]),
+        ("name,LAT [°N],West Longitude", [47.5, -8.25]),
+    ] {
+        let table = format!("{head}\nA,47.5,8.25\n");
+        assert_at(&landmarks(&read(&table)), &[right]);
+    }
+    // Signs and letters that say the same count once; others are refused.
+    let signed = read("name,Lat (S),Lon (W)\nA,-47.5,8.25W\n");
+    assert_at(&landmarks(&signed), &[[-47.5, -8.25]]);
+    let error = read_any("a.csv", b"name,Lat (S),Lon (W)\nA,47.5N,8.25\n", None);
+    let error = error.unwrap_err().to_string();
+    assert!(
+        error.contains("Lat (S)") && error.contains("says N"),
+        "{error}"
+    );
+}
+
+#[test]
+fn tables_may_begin_with_other_lines_and_name_places_in_other_languages() {
+    for table in [
+        "sep=;\nname;lat;lon\nA;47,5;8,25\n",
+        "# exported, 2024\n\nname,lat,lon\nA,47.5,8.25\n",
+        "name|lat|lon\nA|47.5|8.25\n",
+        "Name;Breitengrad;Längengrad\nA;47,5;8,25\n",
+        "nombre,latitud,longitud\nA,47.5,8.25\n",
+        "nome,Latitudine,Longitudine\nA,47.5,8.25\n",
+    ] {
+        assert_at(&landmarks(&read(table)), &[[47.5, 8.25]]);
+    }
+    // Lines are counted in the file.
+    let error = read_any("a.csv", b"sep=,\nname,lat,lon\nA,47.5,8.25\nB,x,8\n", None);
+    let error = error.unwrap_err().to_string();
+    assert!(error.contains("line 4"), "{error}");
+}
