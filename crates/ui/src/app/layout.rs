@@ -206,7 +206,9 @@ impl App {
             });
         }
         let bottom = if narrow { 112.0 } else { 80.0 };
-        self.toasts.show(ui, tokens, now, bottom);
+        if self.toasts.show(ui, tokens, now, bottom) {
+            self.dialogs.notices = true;
+        }
     }
 }
 

@@ -28,7 +28,7 @@ pub fn notices_sheet(context: &Context, tokens: &Tokens, toasts: &Toasts, now: f
                     };
                     ui.horizontal_wrapped(|ui| {
                         ui.label(
-                            RichText::new(&toast.title)
+                            RichText::new(toast.heading())
                                 .font(tokens.heading())
                                 .color(color),
                         );

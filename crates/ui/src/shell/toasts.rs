@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Frame, Id, Order, RichText, Stroke, Ui, vec2};
 
 use super::icons::Icon;
-use super::widgets::icon_button;
+use super::widgets::{icon_button, text_button};
 use crate::tokens::Tokens;
 
 /// A notice.
@@ -17,11 +17,25 @@ pub struct Toast {
     pub trouble: bool,
     /// When it was said, milliseconds of the host's clock.
     pub born: f64,
+    /// Times it was said.
+    pub times: usize,
     /// Whether all of its text was asked for.
     is_open: bool,
 }
 
 impl Toast {
+    /// Its title, with the number of times it was said where it was more than once.
+    pub fn heading(&self) -> String {
+        match self.times {
+            1 => self.title.clone(),
+            times => format!("{} ({times} times)", self.title),
+        }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self.title == other.title && self.text == other.text
+    }
+
     /// The part of its text that is shown at `now`: of a long one the first sentence, of trouble that has been read
     /// for a while nothing.
     fn shown_text(&self, now: f64) -> &str {
@@ -38,7 +52,7 @@ impl Toast {
     }
 }
 
-/// The notices on screen, the oldest first.
+/// The notices that were neither dismissed nor are over, the oldest first; the newest of them are on screen.
 #[derive(Clone, Debug, Default)]
 pub struct Toasts {
     list: Vec<Toast>,
@@ -46,7 +60,8 @@ pub struct Toasts {
 }
 
 const LIFETIME: f64 = 9_000.0;
-const MOST: usize = 4;
+/// Notices on screen at a time.
+const MOST: usize = 3;
 /// Length of a text that is shown whole at once, bytes.
 const LONGEST: usize = 220;
 /// Notices that can be read again.
@@ -64,22 +79,24 @@ impl Toasts {
     }
 
     fn push(&mut self, born: f64, title: String, text: String, trouble: bool) {
-        self.list.retain(|t| t.title != title || t.text != text);
-        if self.list.len() >= MOST {
-            self.list.remove(0);
-        }
-        let toast = Toast {
+        let mut toast = Toast {
             title,
             text,
             trouble,
             born,
+            times: 1,
             is_open: false,
         };
-        if self.said.len() >= MOST_SAID {
-            self.said.remove(0);
+        if let Some(place) = self.said.iter().position(|said| said.is_same(&toast)) {
+            toast.times += self.said.remove(place).times;
         }
-        self.said.push(toast.clone());
-        self.list.push(toast);
+        self.list.retain(|said| !said.is_same(&toast));
+        for list in [&mut self.list, &mut self.said] {
+            if list.len() >= MOST_SAID {
+                list.remove(0);
+            }
+            list.push(toast.clone());
+        }
     }
 
     /// Notices that were said since the page was opened, the last first.
@@ -87,36 +104,53 @@ impl Toasts {
         self.said.iter().rev()
     }
 
-    /// Notices on screen.
+    /// Notices that were neither dismissed nor are over, the oldest first.
     pub fn list(&self) -> &[Toast] {
         &self.list
     }
 
-    /// Draws the notices above everything, at the bottom right over `bottom` points.
-    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, now: f64, bottom: f32) {
+    /// Draws the newest notices above everything, at the bottom right over `bottom` points, the newest first, and the
+    /// number of the rest; true when those are asked for.
+    #[must_use]
+    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, now: f64, bottom: f32) -> bool {
         self.list.retain(|t| t.trouble || now - t.born < LIFETIME);
         if self.list.is_empty() {
-            return;
+            return false;
         }
         let mut dismissed = None;
+        let mut is_rest_asked_for = false;
+        let rest = self.list.len().saturating_sub(MOST);
         Area::new(Id::unique("toasts"))
             .order(Order::Foreground)
             .anchor(Align2::RIGHT_BOTTOM, vec2(-16.0, -bottom))
             .show(ui.ctx(), |ui| {
                 ui.spacing_mut().item_spacing.y = tokens.space;
-                for (index, toast) in self.list.iter_mut().enumerate() {
+                for (index, toast) in self.list.iter_mut().enumerate().skip(rest).rev() {
                     if toast_ui(ui, tokens, toast, now) {
                         dismissed = Some(index);
                     }
+                }
+                if rest > 0 {
+                    let words = format!("and {rest} more");
+                    let frame = Frame::new()
+                        .fill(tokens.raised)
+                        .corner_radius(tokens.radius);
+                    let draw = |ui: &mut Ui| text_button(ui, tokens, None, &words, false).clicked();
+                    is_rest_asked_for = frame.show(ui, draw).inner;
                 }
             });
         if let Some(index) = dismissed {
             self.list.remove(index);
         }
+        // Whoever reads the list has the rest there.
+        if is_rest_asked_for {
+            self.list.drain(..rest);
+        }
         if self.list.iter().any(|t| now - t.born < LIFETIME) {
             ui.ctx()
                 .request_repaint_after(std::time::Duration::from_millis(500));
         }
+        is_rest_asked_for
     }
 }
 
@@ -144,7 +178,7 @@ fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
                 ui.vertical(|ui| {
                     ui.set_width(320.0_f32.min(ui.ctx().content_rect().width() - 120.0));
                     ui.spacing_mut().item_spacing.y = 4.0;
-                    let title = RichText::new(&toast.title).font(tokens.heading());
+                    let title = RichText::new(toast.heading()).font(tokens.heading());
                     ui.label(title.color(tokens.text));
                     let shown = toast.shown_text(now);
                     if !shown.is_empty() {
@@ -164,6 +198,7 @@ fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use egui_kittest::kittest::Queryable;
 
     #[test]
     fn long_texts_are_shown_by_their_first_sentence_and_old_trouble_by_its_title() {
@@ -183,9 +218,51 @@ mod tests {
         for i in 0..MOST_SAID + 5 {
             toasts.note(i as f64, format!("Note {i}"), "");
         }
-        assert_eq!(toasts.list().len(), MOST);
         let said: Vec<_> = toasts.said().collect();
         assert_eq!(said.len(), MOST_SAID);
         assert_eq!(said[0].title, format!("Note {}", MOST_SAID + 4));
+    }
+
+    #[test]
+    fn a_notice_said_again_stands_once_with_a_count() {
+        let mut toasts = Toasts::default();
+        for now in 0..3 {
+            toasts.trouble(f64::from(now), "a.csv was not opened", "It is empty.");
+            toasts.note(f64::from(now), format!("Note {now}"), "");
+        }
+        toasts.trouble(3.0, "a.csv was not opened", "It is no log.");
+        let headings = |list: &[Toast]| list.iter().map(Toast::heading).collect::<Vec<_>>();
+        let all = [
+            "Note 0",
+            "Note 1",
+            "a.csv was not opened (3 times)",
+            "Note 2",
+            "a.csv was not opened",
+        ];
+        assert_eq!(headings(toasts.list()), all);
+        assert_eq!(headings(&toasts.said), all);
+    }
+
+    #[test]
+    fn the_newest_three_are_on_screen_above_the_number_of_the_rest_which_opens_their_list() {
+        let asked = std::rc::Rc::new(std::cell::Cell::new(false));
+        let is_asked = asked.clone();
+        let mut toasts = Toasts::default();
+        for i in 0..7 {
+            toasts.trouble(f64::from(i), format!("Trouble {i}"), "");
+        }
+        let mut harness = egui_kittest::Harness::new_ui(move |ui| {
+            if toasts.show(ui, &Tokens::dark(), 10.0, 80.0) {
+                is_asked.set(true);
+            }
+        });
+        harness.run_steps(3);
+        let top = |name: &str| harness.query_by_label(name).map(|node| node.rect().top());
+        assert!(top("Trouble 6") < top("Trouble 5") && top("Trouble 5") < top("Trouble 4"));
+        assert!(top("Trouble 6").is_some() && top("Trouble 3").is_none());
+        harness.get_by_label("and 4 more").click();
+        harness.run_steps(3);
+        assert!(asked.get());
+        assert!(harness.query_by_label("and 4 more").is_none());
     }
 }
