@@ -48,7 +48,7 @@ impl ContestState {
         });
         for row in &found.rows {
             let cells = figures(row, factor);
-            table::row(ui, tokens, &cells, tokens.text, |ui| {
+            table::named_row(ui, tokens, &cells, (&name(row), 0.0), |ui| {
                 let label = RichText::new(name(row)).size(tokens.text_sizes[1]);
                 let hint = format!(
                     "{}: {:.3} ms a step, {} landmarks accepted, {} refused",

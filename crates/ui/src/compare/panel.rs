@@ -174,7 +174,12 @@ impl CompareView {
         for row in &self.results.rows {
             let is_reference = row.comparison.is_none();
             let cells = figures(row.comparison.as_ref(), factor);
-            table::row(ui, tokens, &cells, tokens.text, |ui| {
+            // The line of its colour, and the sign by which it is let go of.
+            let signs = match row.id {
+                TrackId::Kept(_) => 60.0,
+                _ => 28.0,
+            };
+            table::named_row(ui, tokens, &cells, (&row.name, signs), |ui| {
                 swatch(ui, row, context, scene);
                 if let TrackId::Kept(number) = row.id {
                     let name = format!("Let go of {}", row.name);

@@ -130,7 +130,7 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
         let cells: Vec<String> = (TOLD.map(at).into_iter().chain(ends))
             .map(|value| value.map_or_else(|| "–".into(), |v| parts::figures(factor * v)))
             .collect();
-        table::row(ui, tokens, &cells, tokens.text, |ui| {
+        table::named_row(ui, tokens, &cells, (&result.label, 16.0), |ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
             let stroke = Stroke::new(2.5, colour(tokens, number));
             let ends = [rect.left_center(), rect.right_center()];
@@ -191,7 +191,7 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
             parts::figures(factor * row.error_quantile(0.9)),
             format!("{:.0} %", 100.0 * row.covered()),
         ];
-        table::row(ui, tokens, &cells, tokens.text, |ui| {
+        table::named_row(ui, tokens, &cells, (&row.label, 0.0), |ui| {
             let label = RichText::new(&row.label).color(tokens.text);
             ui.add(egui::Label::new(label).truncate());
         });

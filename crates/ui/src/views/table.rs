@@ -19,7 +19,9 @@ pub(crate) fn row(
     let height = tokens.text_sizes[1] + 1.5 * tokens.space;
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    parts::name(&response, cells.join(" "));
+    if !cells.is_empty() {
+        parts::name(&response, cells.join(" "));
+    }
     let column = COLUMN * tokens.text_sizes[1];
     let mut right = rect.right() - 0.5 * tokens.space;
     for cell in cells.iter().rev() {
@@ -38,4 +40,56 @@ pub(crate) fn row(
     inside.set_clip_rect(left.intersect(ui.clip_rect()));
     inside.spacing_mut().item_spacing.x = 0.5 * tokens.space;
     lead(&mut inside);
+}
+
+/// Draws a row whose lead is a `name` with `beside` points of signs before it: where these do not fit beside the `cells`,
+/// the cells go below them, so that no name is cut off.
+pub(crate) fn named_row(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    cells: &[String],
+    (name, beside): (&str, f32),
+    lead: impl FnOnce(&mut Ui),
+) {
+    let font = parts::normal(tokens);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(name.to_owned(), font, tokens.text);
+    // A name that can be clicked has a margin at both sides.
+    let margin = 2.0 * ui.spacing().button_padding.x;
+    let needed = beside + galley.size().x + margin + tokens.space;
+    let of_cells = COLUMN * tokens.text_sizes[1] * cells.len() as f32;
+    if needed + of_cells > ui.available_width() {
+        row(ui, tokens, &[], tokens.text, lead);
+        row(ui, tokens, cells, tokens.text, |_| {});
+    } else {
+        row(ui, tokens, cells, tokens.text, lead);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use egui_kittest::kittest::Queryable as _;
+
+    use super::*;
+
+    #[test]
+    fn numbers_go_below_a_name_that_has_no_room_beside_them() {
+        for (width, is_below) in [(240.0, true), (600.0, false)] {
+            let draw = move |ui: &mut Ui| {
+                ui.set_width(width);
+                let (tokens, name) = (Tokens::dark(), "Dead reckoning alone");
+                let cells = ["1.2", "3.4", "5.6"].map(str::to_owned);
+                named_row(ui, &tokens, &cells, (name, 24.0), |ui| {
+                    ui.add(egui::Label::new(name).truncate());
+                });
+            };
+            let harness = egui_kittest::Harness::builder()
+                .with_size(egui::vec2(700.0, 200.0))
+                .build_ui(draw);
+            let numbers = harness.get_by_label("1.2 3.4 5.6").rect();
+            let name = harness.get_by_label("Dead reckoning alone").rect();
+            assert_eq!(numbers.top() >= name.bottom(), is_below, "{width}");
+        }
+    }
 }
