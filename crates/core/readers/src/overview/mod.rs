@@ -75,7 +75,9 @@ pub fn overview(log: &Log, measured: &MeasuredSeries<'_>) -> Overview {
     let of = |role| found.iter().find(|s| s.role == role);
     let span = log.span().unwrap_or((0.0, 0.0));
     // What the autopilot says of itself outweighs what speeds and heights look like.
-    let airborne = states::airborne(log).unwrap_or_else(|| airborne(found));
+    let said = states::airborne(log);
+    let is_said = said.is_some();
+    let airborne = said.unwrap_or_else(|| airborne(found));
     let sensors: Vec<Sensor> = found.iter().map(Sensor::of).collect();
     let air_data = fit_air_data(found, &airborne);
     let speed = of(Role::GpsVelocityNorth).zip(of(Role::GpsVelocityEast));
@@ -99,7 +101,9 @@ pub fn overview(log: &Log, measured: &MeasuredSeries<'_>) -> Overview {
         .map(|w| (w[1].position - w[0].position).xy().norm())
         .fold(0.0, |sum, step| sum + step);
     let mut findings = reading::of_reading(log, found);
-    findings.extend(states::several(log, &airborne));
+    findings.extend(states::several(log, &airborne, |pause| {
+        is_said || states::is_watched(found, pause)
+    }));
     findings.extend(causes::findings(&sensors, &airborne));
     findings.extend(glitch::findings(found, states));
     findings.extend(air_data.iter().flat_map(AirDataFit::findings));

@@ -1,5 +1,6 @@
 //! Flying and landed, as the autopilot itself says.
 
+use super::super::interpret::RoleSeries;
 use super::{Finding, Severity};
 use crate::log::{Log, Topic};
 
@@ -70,12 +71,32 @@ fn stretches(topic: &Topic, field: &str, says: Says, end: f64) -> Vec<(f64, f64)
     found
 }
 
-/// That a log holds several flights, with their times and modes.
-pub fn several(log: &Log, airborne: &[(f64, f64)]) -> Option<Finding> {
+/// Whether rows were close together for most of a time, seconds: what nobody looked at, such as the minutes between two
+/// photos, need not have been spent on the ground.
+pub fn is_watched(found: &[RoleSeries], (from, to): (f64, f64)) -> bool {
+    let watched = |series: &RoleSeries| {
+        let steps = series.times.windows(2);
+        let close = steps.filter(|step| step[1] - step[0] <= PAUSE);
+        close
+            .map(|step| (step[1].min(to) - step[0].max(from)).max(0.0))
+            .sum::<f64>()
+    };
+    found
+        .iter()
+        .any(|series| watched(series) > 0.5 * (to - from))
+}
+
+/// That a log holds several flights, with their times and modes; `is_known` tells of a time between two whether it is
+/// known that it was not flown in.
+pub fn several(
+    log: &Log,
+    airborne: &[(f64, f64)],
+    is_known: impl Fn((f64, f64)) -> bool,
+) -> Option<Finding> {
     let mut flights: Vec<(f64, f64)> = Vec::new();
     for (from, to) in airborne {
         match flights.last_mut() {
-            Some(last) if from - last.1 < PAUSE => last.1 = *to,
+            Some(last) if from - last.1 < PAUSE || !is_known((last.1, *from)) => last.1 = *to,
             _ => flights.push((*from, *to)),
         }
     }

@@ -186,13 +186,13 @@ fn what_the_autopilot_says_of_flying_is_believed_and_two_flights_are_two() {
     }
     let flights = states::airborne(&log).unwrap();
     assert_eq!(flights, [(5.0, 40.0), (60.0, 90.0)]);
-    let told = states::several(&log, &flights).unwrap();
+    let told = states::several(&log, &flights, |_| true).unwrap();
     assert_eq!(told.title, "2 flights in one log");
     assert_eq!(
         told.text,
         "It was in the air from 5 to 40 s (STABILIZE, AUTO), from 60 to 90 s (LOITER)."
     );
-    assert_eq!(states::several(&log, &flights[..1]), None);
+    assert_eq!(states::several(&log, &flights[..1], |_| true), None);
 }
 
 #[test]
@@ -311,4 +311,29 @@ fn a_jump_of_the_position_that_no_velocity_explains_is_a_glitch() {
     assert_eq!(findings[0].title, "GPS jumps by 40 m");
     assert!((findings[0].span.unwrap().0 - 30.2).abs() < 1e-6);
     assert!(glitch::findings(&found, &states(0.0)).is_empty());
+}
+
+#[test]
+fn photos_with_minutes_between_them_are_one_set_and_landings_between_rows_part_flights() {
+    // Six times four photos, two seconds apart, with three minutes in between.
+    let taken: Vec<f64> = (0..24)
+        .map(|i| f64::from(180 * (i / 4) + 2 * (i % 4)))
+        .collect();
+    let high = vec![80.0; taken.len()];
+    let photos = [series(Role::HeightAboveGround, taken, high)];
+    // A flight, a minute on the ground, a flight.
+    let rows = times(180);
+    let height = |t: &f64| if (60.0..120.0).contains(t) { 0.0 } else { 80.0 };
+    let heights = rows.iter().map(height).collect();
+    let landed = [series(Role::HeightAboveGround, rows, heights)];
+    for (found, parts, flights) in [
+        (&photos, 6, None),
+        (&landed, 2, Some("2 flights in one log")),
+    ] {
+        let airborne = airborne(found);
+        assert_eq!(airborne.len(), parts);
+        let log = Log::new("rows", super::super::log::LogFormat::Dataflash);
+        let told = states::several(&log, &airborne, |pause| states::is_watched(found, pause));
+        assert_eq!(told.map(|told| told.title).as_deref(), flights);
+    }
 }
