@@ -11,6 +11,7 @@ use super::{Georeferencer, NamedPlace};
 use crate::command::Workspace;
 use crate::documents::kept::provide;
 use crate::feature::{FeatureContext, OpenedSet};
+use crate::host::OpenedFile;
 use crate::map::{TILES_AT_A_TIME, TileKey};
 
 /// Endings that formats of routes and landmarks share with too much else to be taken for named places.
@@ -34,8 +35,10 @@ pub struct GeoreferencerFeature {
     tiles: Vec<(JobId, TileKey)>,
     /// The question what the picture is.
     describe: Option<JobId>,
-    /// Named places being read.
-    places: Option<JobId>,
+    /// Named places being read, and the files out of which.
+    places: Option<(JobId, Vec<OpenedFile>)>,
+    /// Paths of files that hold no places and are opened as anything else.
+    without_places: Vec<String>,
 }
 
 impl GeoreferencerFeature {
@@ -91,6 +94,7 @@ impl GeoreferencerFeature {
             ..
         } = std::mem::take(self);
         let tiles = tiles.into_iter().map(|(id, _)| id);
+        let places = places.map(|(id, _)| id);
         for id in tiles.chain(describe).chain(places) {
             context.cancel(id);
         }
@@ -119,14 +123,18 @@ impl GeoreferencerFeature {
             }
             return true;
         }
+        let paths = set.files.iter().map(|file| &file.path);
+        let is_known = paths.eq(&std::mem::take(&mut self.without_places));
         let mut files = set.files.iter();
-        let has_places = files.all(|file| {
-            Format::is_extension_of_one(&file.path) && !has_ending(&file.path, &OF_ANYTHING)
-        });
+        let has_places = !is_known
+            && files.all(|file| {
+                Format::is_extension_of_one(&file.path) && !has_ending(&file.path, &OF_ANYTHING)
+            });
         if has_places {
             provide(context.host, &set.key, &set.files);
             let key = set.key.clone();
-            self.places = Some(context.start(Job::ReadPlaces(ReadPlacesOrder { key })));
+            let id = context.start(Job::ReadPlaces(ReadPlacesOrder { key }));
+            self.places = Some((id, set.files.clone()));
         }
         has_places
     }
@@ -148,6 +156,7 @@ impl GeoreferencerFeature {
                 picture.describe(&info);
                 context.egui.request_repaint();
             }
+            JobEvent::Places(places) if places.is_empty() => self.open_without_places(context),
             JobEvent::Places(places) => {
                 let title = match places.len() {
                     1 => "1 place to choose from".to_owned(),
@@ -162,10 +171,8 @@ impl GeoreferencerFeature {
                 context.trouble(&title, format!("{why} Everything open stays as it was."));
                 self.close(context);
             }
-            JobEvent::Failed(why) if self.places == Some(id) => {
-                self.places = None;
-                let why = format!("{why} A flight opens once the georeferencer is closed.");
-                context.trouble("No places were read", why);
+            JobEvent::Failed(_) if self.places.as_ref().is_some_and(|(job, _)| *job == id) => {
+                self.open_without_places(context);
             }
             JobEvent::Failed(_) => {
                 let place = self.tiles.iter().position(|(job, _)| *job == id);
@@ -178,9 +185,18 @@ impl GeoreferencerFeature {
             JobEvent::Finished | JobEvent::Cancelled => {
                 self.tiles.retain(|(job, _)| *job != id);
                 self.describe = self.describe.filter(|job| *job != id);
-                self.places = self.places.filter(|job| *job != id);
+                self.places.take_if(|(job, _)| *job == id);
             }
             _ => {}
+        }
+    }
+
+    /// Has files in which no places were found opened as anything else, such as a table of a flight; whoever opens files
+    /// also tells what is wrong with those that are nothing.
+    fn open_without_places(&mut self, context: &mut FeatureContext<'_>) {
+        if let Some((_, files)) = self.places.take() {
+            self.without_places = files.iter().map(|file| file.path.clone()).collect();
+            context.open(files);
         }
     }
 

@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{Job, OpenedFiles, Unplaced};
+use pilotage_jobs::{Job, JobEvent, OpenedFiles, Unplaced};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, rig};
@@ -163,4 +163,32 @@ fn points_and_places_that_are_opened_go_to_the_picture_that_is_put_on_the_ground
         1,
         "files for the picture were opened as others"
     );
+}
+
+#[test]
+fn files_without_places_that_are_opened_beside_a_picture_are_opened_as_anything_else() {
+    let no_places: [JobEvent; 2] = [
+        JobEvent::Failed("It has no places.".to_owned()),
+        JobEvent::Places(Vec::new()),
+    ];
+    for answer in no_places {
+        let mut rig = rig_with_a_picture();
+        let path = "flight.csv".to_owned();
+        let content = vec![1].into();
+        rig.host().opened.push(vec![OpenedFile { path, content }]);
+        rig.frames(3);
+        let jobs = &rig.host().jobs;
+        let asked = jobs
+            .iter()
+            .find(|(_, job)| matches!(job, Job::ReadPlaces(_)));
+        let id = asked.expect("places are looked for first").0;
+        rig.host().events.push((id, answer));
+        rig.frames(5);
+        let jobs = &rig.host().jobs;
+        let count = |is: fn(&Job) -> bool| jobs.iter().filter(|(_, job)| is(job)).count();
+        assert_eq!(count(|job| matches!(job, Job::ReadPlaces(_))), 1);
+        assert_eq!(count(|job| matches!(job, Job::Open(_))), 2);
+        let notices = rig.state()["toasts"].to_string();
+        assert!(!notices.contains("places"), "{notices}");
+    }
 }
