@@ -23,8 +23,8 @@ fn written() -> Vec<u8> {
     pairs.map(byte).collect()
 }
 
-fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
-    let body = [kind, contents].concat();
+fn chunk(kind: [u8; 4], contents: &[u8]) -> Vec<u8> {
+    let body = [&kind[..], contents].concat();
     let length = u32::try_from(contents.len()).unwrap().to_be_bytes();
     let sum = crc32fast::hash(&body).to_be_bytes();
     [&length[..], &body, &sum].concat()
@@ -69,7 +69,7 @@ fn placed_pngs_are_a_flight_and_other_pngs_are_none() {
         let mut contents = file[41..file.len() - 12].to_vec();
         contents[at - 41..at - 39].copy_from_slice(seconds.as_bytes());
         let length = u32::from_be_bytes(*file[33..].first_chunk().unwrap()) as usize;
-        let exif = chunk(b"eXIf", &contents[..length]);
+        let exif = chunk(*b"eXIf", &contents[..length]);
         [&file[..33], &exif, &file[33 + 12 + length..]].concat()
     };
     let plain = {
@@ -87,4 +87,20 @@ fn placed_pngs_are_a_flight_and_other_pngs_are_none() {
     assert!((folder.flight.frames[1].time - folder.flight.frames[0].time - 2.0).abs() < 1e-9);
     assert!(!folder.notes.iter().any(|note| note.contains("map.png")));
     assert!(read_photos(&files(&[("a.png", plain.clone()), ("b.png", plain)])).is_none());
+}
+
+#[test]
+fn a_png_without_exif_is_read_by_its_xmp() {
+    let file = written();
+    let length = u32::from_be_bytes(*file[33..].first_chunk().unwrap()) as usize;
+    let packet = br#"<x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
+<rdf:Description rdf:about="" xmlns:drone-dji="http://www.dji.com/drone-dji/1.0/" drone-dji:GpsLatitude="-33.5"
+drone-dji:GpsLongitude="-70.25"/></rdf:RDF></x:xmpmeta>"#;
+    let text = [&b"XML:com.adobe.xmp\0\0\0de\0Angaben\0"[..], packet].concat();
+    let told = chunk(*b"iTXt", &text);
+    let png = [&file[..33], &told, &file[33 + 12 + length..]].concat();
+    let photo = read_photo(&MemoryBytes::new("a.png", png)).unwrap();
+    let place = photo.place.unwrap();
+    assert!((place.latitude.to_degrees() + 33.5).abs() < 1e-9);
+    assert!((place.longitude.to_degrees() + 70.25).abs() < 1e-9);
 }
