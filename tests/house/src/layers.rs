@@ -28,6 +28,7 @@ pub const ORDERS: [&Order; 8] = [
             "frames",
             "gazetteer",
             "georeference",
+            "hemisphere_in_name",
             "place_text",
             "text",
             "tiff_entry",

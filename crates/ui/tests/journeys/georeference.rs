@@ -189,6 +189,6 @@ fn files_without_places_that_are_opened_beside_a_picture_are_opened_as_anything_
         assert_eq!(count(|job| matches!(job, Job::ReadPlaces(_))), 1);
         assert_eq!(count(|job| matches!(job, Job::Open(_))), 2);
         let notices = rig.state()["toasts"].to_string();
-        assert!(!notices.contains("places"), "{notices}");
+        assert!(!notices.contains("No places"), "{notices}");
     }
 }
