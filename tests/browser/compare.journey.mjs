@@ -21,6 +21,7 @@ export async function run(page, tools) {
   const smoothed = rows(two).find((r) => r.name.endsWith(", smoothed"));
   tools.say(`RMS ${own.rms.toFixed(2)} m in flight, ${smoothed.rms.toFixed(2)} m smoothed`);
   tools.check(smoothed.rms < own.rms, "all that was measured knows no more than what was measured so far");
+  await tools.waitFor((s) => s.toasts.length === 0, "the notices of what was kept to go", 30_000);
   await tools.click(await tools.find(null, `Let go of ${smoothed.name}`));
   await tools.waitFor((s) => s.compare.kept.length === 1 && rows(s).length === rows(two).length - 1, "the smoothed run to go");
   await page.waitForTimeout(300);
