@@ -8,7 +8,9 @@ use pilotage_estimation::vehicle::StateComponent;
 use pilotage_mission::settings::SensorNoise;
 use pilotage_navigator::navigator::{lasting_variances, weakened};
 use pilotage_raster::camera::CameraModel;
-use pilotage_vision::geometry::{AppearanceError, appearance, ground_jacobian, pose_jacobian};
+use pilotage_vision::geometry::{
+    AppearanceError, appearance, ground_jacobian, place_covariance, pose_jacobian,
+};
 
 /// Look at a landmark from one frame, linearized at the planned pose.
 #[derive(Clone, Copy, Debug)]
@@ -165,7 +167,7 @@ impl PlannedFrame<'_> {
         let mut covariance = to_picture * expected.covariance * to_picture.transpose()
             + unknown.covariance(&to_pixel, focal, half);
         let mut of_place = covariance.fixed_view_mut::<2, 2>(0, 0);
-        of_place += to_pixel * to_pixel.transpose() * self.map_deviation.powi(2);
+        of_place += place_covariance(&to_pixel, self.map_deviation);
         covariance.try_inverse()?;
         let on_ground = AppearanceError {
             pixel: 0.0,

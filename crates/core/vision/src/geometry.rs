@@ -98,6 +98,12 @@ pub fn joint_noise(
     noise
 }
 
+/// Covariance in the picture, px², of a place on the ground whose standard deviation is `deviation` metres per axis, where the
+/// ground maps into the picture by `to_pixel`, pixels per metre.
+pub fn place_covariance(to_pixel: &Matrix2<f64>, deviation: f64) -> Matrix2<f64> {
+    to_pixel * to_pixel.transpose() * deviation.powi(2)
+}
+
 /// Error that is added to what a detector says of the place, turn and size of a landmark, standard deviations per axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AppearanceError {
@@ -128,9 +134,8 @@ impl AppearanceError {
         let deviations = Vector4::new(self.pixel, self.pixel, angle, angle);
         let mut covariance = Matrix4::from_diagonal(&deviations.map(|sd| sd * sd));
         if self.ground > 0.0 {
-            let place = to_pixel * to_pixel.transpose() * self.ground.powi(2);
             let mut both = covariance.fixed_view_mut::<2, 2>(0, 0);
-            both += place;
+            both += place_covariance(to_pixel, self.ground);
             let turn = (self.ground / half).powi(2);
             covariance[(2, 2)] += turn;
             covariance[(3, 3)] += turn;

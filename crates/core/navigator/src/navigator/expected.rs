@@ -12,7 +12,7 @@ use super::Control;
 use pilotage_base::frames::{Attitude, GroundPoint, Pose};
 use pilotage_flight::Flight;
 use pilotage_raster::camera::CameraModel;
-use pilotage_vision::geometry::{COMPONENTS, ground_jacobian, pose_jacobian};
+use pilotage_vision::geometry::{COMPONENTS, ground_jacobian, place_covariance, pose_jacobian};
 
 /// A place in the picture, and how the ground around it maps into the picture.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +61,7 @@ impl Anchor {
     /// being so many metres per axis (a standard deviation) beside where the map has it.
     pub fn in_pixels(&self, deviation: f64) -> Matrix4<f64> {
         let mut covariance = Matrix4::zeros();
-        let place = self.to_pixel * self.to_pixel.transpose() * deviation.powi(2);
+        let place = place_covariance(&self.to_pixel, deviation);
         covariance.fixed_view_mut::<2, 2>(0, 0).copy_from(&place);
         covariance
     }
