@@ -132,29 +132,17 @@ impl PictureLag {
             return Ok(());
         }
         self.let_begin(seer.engine, onlooker.time)?;
-        let model = onlooker.model(self.assumed);
-        let first = Associator::new(seer.settings, seer.engine, model, (seer.frame, seer.looks));
+        let first = seer.seen_by(seer.engine, onlooker.model(self.assumed));
         let own = judged(&first, &all_seen_anew(found, seer, &first), reports)?;
         for rival in &mut self.rivals {
             rival.engine.look_back(onlooker.past(rival.lag));
-            let model = onlooker.model(rival.lag);
-            let judge = Associator::new(
-                seer.settings,
-                rival.engine.as_ref(),
-                model,
-                (seer.frame, seer.looks),
-            );
+            let judge = seer.seen_by(rival.engine.as_ref(), onlooker.model(rival.lag));
             let places = all_seen_anew(found, seer, &judge);
             rival.weigh(found, judged(&judge, &places, reports)? - own);
             // Believed and corrected by the readings as they are, as the first: who was corrected by better ones would be the
             // better filter.
             let model = onlooker.model_as_read(rival.lag);
-            let corrector = Associator::new(
-                seer.settings,
-                rival.engine.as_ref(),
-                model,
-                (seer.frame, seer.looks),
-            );
+            let corrector = seer.seen_by(rival.engine.as_ref(), model);
             let places = all_seen_anew(found, seer, &corrector);
             let (agreed, _, _) = believed(&corrector, &places, &mut reports.to_vec())?;
             if !agreed.is_empty() {

@@ -183,6 +183,14 @@ impl<'a> Associator<'a> {
         Associator { engine, ..*self }
     }
 
+    /// The same frame from where another filter believes to be, and by another `model`.
+    pub fn seen_by<'b>(&self, engine: &'b dyn Engine, model: AppearanceModel<'b>) -> Associator<'b>
+    where
+        'a: 'b,
+    {
+        Associator::new(self.settings, engine, model, (self.frame, self.looks))
+    }
+
     /// Least covariance of what is measured of `landmark`: what no detector knows of its own error, and the map's
     /// error.
     fn floor(&self, landmark: &Landmark, anchor: &Anchor) -> Matrix4<f64> {
