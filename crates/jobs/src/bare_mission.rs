@@ -124,9 +124,8 @@ mod tests {
         assert!(!is_laid(&blind, &MapSource::Files(key())));
     }
 
-    /// Whether the order of page and terminal lays whole pictures of a flight that came without a mission, once it is told
-    /// why.
-    fn is_flown_by_pictures(map: MapSource) -> bool {
+    /// A worker with a flight none of whose pictures can be had, over a map of one colour, and the order to fly it.
+    fn without_pictures(map: MapSource) -> (WorkerState, FlyOrder) {
         let scenario = Scenario::named("distinct-400ft-calm").unwrap();
         let flight = scenario.simulate(1, &Overrides::default()).flight;
         let mut worker = WorkerState::new(Abilities::WHOLE.opens);
@@ -137,6 +136,13 @@ mod tests {
             map,
             mission: None,
         };
+        (worker, order)
+    }
+
+    /// Whether the order of page and terminal lays whole pictures of a flight that came without a mission, once it is told
+    /// why.
+    fn is_flown_by_pictures(map: MapSource) -> bool {
+        let (mut worker, order) = without_pictures(map);
         let mut job = order.begin(&mut worker);
         let mut events = Vec::new();
         while !events
@@ -161,24 +167,14 @@ mod tests {
 
     #[test]
     fn a_run_whose_pictures_could_not_be_used_says_so_and_why() {
-        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
-        let flight = scenario.simulate(1, &Overrides::default()).flight;
-        let count = flight.frames.len();
-        let map = MapSource::Files("map".to_owned());
-        let mut worker = WorkerState::new(Abilities::WHOLE.opens);
-        worker.keep_flight("log", OpenFlight::without_pictures(flight));
-        worker.insert_map(&map, Arc::new(Blank));
-        let order = FlyOrder {
-            flight: FlightSource::Files("log".to_owned()),
-            map,
-            mission: None,
-        };
-        let mut run = None;
+        let (mut worker, order) = without_pictures(MapSource::Files("map".to_owned()));
+        let (mut run, mut count) = (None, 0);
         let mut job = order.begin(&mut worker);
         let mut more = Advance::More;
         while more == Advance::More {
             more = job
                 .advance(&mut worker, &|| 0.0, &mut |event| match event {
+                    JobEvent::Flight(flight) => count = flight.frames.len(),
                     JobEvent::RunStarted(head) => run = Some(*head),
                     JobEvent::Steps(steps) => run.as_mut().unwrap().steps.extend(steps),
                     _ => {}

@@ -34,6 +34,8 @@ mod run_files_before;
 mod see;
 mod sighting;
 mod smooth;
+#[cfg(test)]
+mod step_for_tests;
 mod summary;
 mod ticks;
 mod tilt;

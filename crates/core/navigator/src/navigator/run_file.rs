@@ -111,11 +111,8 @@ pub fn decode_run(file: &str, bytes: &[u8]) -> Result<Run, RunFileError> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{DMatrix, dvector};
-
     use super::*;
-    use crate::navigator::{Control, Estimate, SigmaSets, StepReport, StepTiming};
-    use pilotage_base::frames::GroundPoint;
+    use crate::navigator::step_for_tests::step_at;
     use pilotage_mission::settings::{ChosenAid, NavigatorSettings};
 
     fn run() -> Run {
@@ -154,38 +151,8 @@ mod tests {
 
     #[test]
     fn runs_of_the_versions_before_open() {
-        let estimate = Estimate {
-            mean: dvector![3.0, -4.0],
-            covariance: DMatrix::identity(2, 2),
-        };
-        let step = |time| StepReport {
-            time,
-            dt: 0.5,
-            control: Control {
-                airspeed: Some(18.0),
-                heading: 1.0,
-                roll: 0.1,
-                pitch: 0.0,
-                height: 120.0,
-            },
-            before: estimate.clone(),
-            predicted: estimate.clone(),
-            after: estimate.clone(),
-            sigma: SigmaSets {
-                before_predict: DMatrix::zeros(2, 5),
-                after_predict: DMatrix::zeros(2, 5),
-                before_correct: None,
-                after_correct: None,
-            },
-            dead_reckoned: GroundPoint::new(1.0, 2.0),
-            doubts: Vec::new(),
-            frame: None,
-            timing: StepTiming::default(),
-            updates: Vec::new(),
-            sightings: Vec::new(),
-        };
         let mut run = run();
-        run.steps = vec![step(0.5), step(1.0)];
+        run.steps = vec![step_at(0.5), step_at(1.0)];
         let step_bytes = |step| postcard::to_stdvec(step).expect("writes");
         let file = |header: &[u8], settings: Vec<u8>, steps: Vec<u8>| {
             let name = postcard::to_stdvec(&run.name).expect("writes");

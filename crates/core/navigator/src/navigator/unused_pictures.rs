@@ -69,7 +69,7 @@ fn looks(run: &Run) -> bool {
 
 /// Whether the aid of that name in files looks at pictures.
 fn sees(key: &str) -> bool {
-    AidInfo::ALL.iter().any(|aid| aid.key == key && aid.sees())
+    AidInfo::named(key).is_ok_and(AidInfo::sees)
 }
 
 /// Whether an aid that looks at pictures corrected the estimate in this step.

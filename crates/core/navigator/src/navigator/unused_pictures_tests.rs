@@ -1,11 +1,10 @@
-use nalgebra::{DMatrix, DVector, Matrix2, Point2, Point3, dvector};
+use nalgebra::{DMatrix, DVector, Matrix2, Point2, Point3};
 use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::{ChosenAid, NavigatorSettings};
 use pilotage_vision::landmark::{Landmark, Refusal};
 
-use super::super::{
-    CandidateReport, Control, Estimate, JointReport, SigmaSets, StepTiming, UpdateReport,
-};
+use super::super::step_for_tests::step_at;
+use super::super::{CandidateReport, JointReport, UpdateReport};
 use super::*;
 
 const PLACE: GroundPoint = GroundPoint {
@@ -61,35 +60,10 @@ fn update(aid: &str, is_accepted: bool) -> UpdateReport {
 }
 
 fn step(frame: Option<FrameReport>, updates: Vec<UpdateReport>) -> StepReport {
-    let estimate = Estimate {
-        mean: dvector![3.0, -4.0],
-        covariance: DMatrix::identity(2, 2),
-    };
     StepReport {
-        time: 1.0,
-        dt: 0.5,
-        control: Control {
-            airspeed: Some(18.0),
-            heading: 1.0,
-            roll: 0.1,
-            pitch: 0.0,
-            height: 120.0,
-        },
-        before: estimate.clone(),
-        predicted: estimate.clone(),
-        after: estimate,
-        sigma: SigmaSets {
-            before_predict: DMatrix::zeros(2, 5),
-            after_predict: DMatrix::zeros(2, 5),
-            before_correct: None,
-            after_correct: None,
-        },
-        dead_reckoned: PLACE,
-        doubts: Vec::new(),
         frame,
-        timing: StepTiming::default(),
         updates,
-        sightings: Vec::new(),
+        ..step_at(1.0)
     }
 }
 
