@@ -211,11 +211,7 @@ impl VehicleModel<8> for AirplaneScaled {
 
     fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<8>> {
         Some(Arc::new(Self {
-            gusts: Gusts {
-                deviation,
-                per_wind: 0.0,
-                correlation_time,
-            },
+            gusts: Gusts::even(deviation, correlation_time),
             ..*self
         }))
     }

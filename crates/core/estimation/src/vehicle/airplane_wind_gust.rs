@@ -131,11 +131,7 @@ impl VehicleModel<6> for AirplaneWindGust {
 
     fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Option<AnyVehicle<6>> {
         Some(Arc::new(Self {
-            gusts: Gusts {
-                deviation,
-                per_wind: 0.0,
-                correlation_time,
-            },
+            gusts: Gusts::even(deviation, correlation_time),
             ..*self
         }))
     }

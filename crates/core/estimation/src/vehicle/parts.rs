@@ -33,6 +33,15 @@ impl Default for Gusts {
 }
 
 impl Gusts {
+    /// Gusts as strong in any wind: `deviation` m/s per axis, that fade over `correlation_time` seconds.
+    pub(super) fn even(deviation: f64, correlation_time: f64) -> Self {
+        Self {
+            deviation,
+            per_wind: 0.0,
+            correlation_time,
+        }
+    }
+
     /// Standard deviation on each axis in winds whose mean square is `squared_wind` (m/s)².
     pub(super) fn deviation_in(&self, squared_wind: f64) -> f64 {
         self.deviation.max(self.per_wind * squared_wind.sqrt())
