@@ -67,11 +67,10 @@ fn words(name: &str) -> Vec<String> {
         {
             words.push(String::new());
         }
-        if letter.is_alphanumeric() || letter == '°' {
-            words
-                .last_mut()
-                .into_iter()
-                .for_each(|word| word.extend(letter.to_lowercase()));
+        if (letter.is_alphanumeric() || letter == '°')
+            && let Some(word) = words.last_mut()
+        {
+            word.extend(letter.to_lowercase());
         }
         before = letter;
     }

@@ -183,15 +183,15 @@ impl App {
                 self.tell_of_run_over(false, egui, host);
             }
             JobEvent::Finished => {
-                let (again, fly_shows_run) = (fly.again, fly.shown == ShownFlight::Run);
+                let again = fly.again;
+                let is_new_run = !again && fly.shown == ShownFlight::Run;
                 self.documents.run_complete = true;
                 self.fly_work.job = None;
                 // Where a recorded flight went may be known only now.
                 if !again && self.views.map.is_fitted() && !self.is_flight_hidden() {
                     self.fit_to_flight_and_map();
                 }
-                let run = self.documents.run.as_ref();
-                let run = run.filter(|_| !again && fly_shows_run);
+                let run = self.documents.run.as_ref().filter(|_| is_new_run);
                 if let Some(why) = run.and_then(unused_pictures) {
                     self.toasts.trouble(host.now(), "No picture helped", why);
                 }

@@ -1,9 +1,9 @@
 //! Photos that say where, when and how they were taken, and the flight that a folder of them tells of.
 //!
-//! Of a JPEG file the head is read, of a PNG the chunks beside its pixels, of a TIFF the tags, which are the same: EXIF 2.32 (CIPA DC-008), of which the tags about time, place and focal length
-//! count, and XMP, in which camera drones write the attitude of gimbal and aircraft. The crate `kamadak-exif` adds 9
-//! kB to a WebAssembly program and gives up a photo at the first tag that makes no sense; the reader here is
-//! our own.
+//! Of a JPEG file the head is read, of a PNG the chunks beside its pixels, of a TIFF the tags, which are the same: EXIF 2.32
+//! (CIPA DC-008), of which the tags about time, place and focal length count, and XMP, in which camera drones write the
+//! attitude of gimbal and aircraft. The crate `kamadak-exif` adds 9 kB to a WebAssembly program and gives up a photo at the
+//! first tag that makes no sense; the reader here is our own.
 
 mod camera;
 mod exif;
