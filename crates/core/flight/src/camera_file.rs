@@ -44,6 +44,15 @@ pub struct CameraFile {
     /// Mount of the camera in the body.
     #[serde(default)]
     pub mount_deg: MountFile,
+    /// Standard deviation of the mount's roll and of its pitch, degrees; zero if absent.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub mount_deviation_deg: f64,
+}
+
+/// Whether a number is not worth writing.
+#[allow(clippy::trivially_copy_pass_by_ref)] // as serde calls it
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
 }
 
 /// Mount of a camera, degrees.
@@ -130,6 +139,7 @@ impl CameraFile {
                 pitch: plain_degrees(camera.mount.pitch),
                 yaw: plain_degrees(camera.mount.yaw),
             },
+            mount_deviation_deg: plain_degrees(camera.mount_deviation),
         }
     }
 
@@ -143,6 +153,12 @@ impl CameraFile {
     /// // As many cameras are described: by the field of view instead of the focal length.
     /// (file.focal_px, file.horizontal_fov_deg) = (None, Some(90.0));
     /// assert!((file.camera()?.focal - 320.0).abs() < 1e-9);
+    /// // Nobody measured how it was mounted.
+    /// file.mount_deviation_deg = 10.0;
+    /// assert_eq!(file.camera()?.mount_deviation, 10_f64.to_radians());
+    /// file.mount_deviation_deg = -1.0;
+    /// assert!(file.camera().is_err());
+    /// file.mount_deviation_deg = 0.0;
     /// file.width = 0;
     /// assert!(file.camera().is_err());
     /// # Ok::<(), String>(())
@@ -177,6 +193,13 @@ impl CameraFile {
             pitch: self.mount_deg.pitch.to_radians(),
             yaw: self.mount_deg.yaw.to_radians(),
         };
+        if !(0.0..=45.0).contains(&self.mount_deviation_deg) {
+            return Err(format!(
+                "a mount that is known to {}° is not plausible",
+                self.mount_deviation_deg
+            ));
+        }
+        camera.mount_deviation = self.mount_deviation_deg.to_radians();
         Ok(camera)
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::folder::FolderFrames;
 use pilotage_base::files::{FileSet, folder_of, joined};
 use pilotage_flight::{Flight, Frame, FrameSource};
-use pilotage_raster::camera::CameraModel;
+use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 
 /// Name of the table of times that lies beside pictures.
 pub const PICTURE_TABLE: &str = "frames.csv";
@@ -78,7 +78,10 @@ pub(crate) fn pictures_counted_from(
     let folders = vec![folder_of(&table).to_owned()];
     let mut source = FolderFrames::new(files.clone(), folders, "", names);
     if let Ok(picture) = source.picture(0) {
-        flight.camera = CameraModel::pinhole(picture.width(), picture.height(), LIKELY_FIELD);
+        flight.camera = CameraModel {
+            mount_deviation: UNSTATED_MOUNT_DEVIATION,
+            ..CameraModel::pinhole(picture.width(), picture.height(), LIKELY_FIELD)
+        };
     }
     Ok(Some(source))
 }

@@ -8,6 +8,7 @@ use crate::beside_log::{BesideLogError, pictures_counted_from};
 use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
+use pilotage_flight::ChannelName;
 
 /// Columns of the table, each with the names that firmware has given to its value in subtitles.
 const VALUES: [(&str, &[&str]); 7] = [
@@ -47,6 +48,10 @@ pub fn flight_of_subtitles(files: &Arc<dyn FileSet>) -> Result<Option<FlightFold
         };
         if let Some(frames) = frames.map_err(broken)? {
             folder.frames = frames;
+        }
+        // Pitch is that of the camera itself.
+        if folder.flight.channel(ChannelName::Pitch).is_some() {
+            folder.flight.camera.mount_deviation = 0.0;
         }
         Ok(Some(folder))
     };

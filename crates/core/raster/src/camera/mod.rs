@@ -11,6 +11,6 @@ mod tests;
 
 pub use distortion::Distortion;
 pub use footprint::FARTHEST_HEIGHTS;
-pub use model::{CameraModel, Lens, Mount};
+pub use model::{CameraModel, Lens, Mount, UNSTATED_MOUNT_DEVIATION};
 pub use posed::PosedCamera;
 pub use rays::RayTable;

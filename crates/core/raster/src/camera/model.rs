@@ -55,7 +55,13 @@ pub struct CameraModel {
     pub distortion: Distortion,
     /// Mount angles.
     pub mount: Mount,
+    /// Standard deviation of the mount's roll and of its pitch, radians: zero where they are stated.
+    pub mount_deviation: f64,
 }
+
+/// Standard deviation of the roll and of the pitch of a mount that nobody states and that is taken to look straight down,
+/// radians.
+pub const UNSTATED_MOUNT_DEVIATION: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
 impl CameraModel {
     /// An undistorted pinhole with the principal point in the middle, looking straight down.
@@ -95,6 +101,7 @@ impl CameraModel {
             lens: Lens::Pinhole,
             distortion: Distortion::default(),
             mount: Mount::default(),
+            mount_deviation: 0.0,
         }
     }
 

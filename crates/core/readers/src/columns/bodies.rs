@@ -23,6 +23,14 @@ fn is_angle(column: &MappedColumn) -> bool {
         .any(|name| column.role == ColumnRole::Channel(*name))
 }
 
+/// Whether the pitch that is read is that of the camera itself.
+pub(super) fn tells_pitch_of_camera(columns: &[MappedColumn]) -> bool {
+    let is_pitch = |column: &MappedColumn| column.role == ColumnRole::Channel(ChannelName::Pitch);
+    columns
+        .iter()
+        .any(|column| is_pitch(column) && is_of_camera(column))
+}
+
 /// Leaves heading, roll and pitch to one body, so that no attitude is put together of two: to the one that has a heading,
 /// then to the one with more of the three, then to the aircraft. Returns which it is, in a sentence, where there are both.
 pub(super) fn of_one_body(columns: &mut [MappedColumn]) -> Option<String> {

@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use pilotage_base::files::{FileSet, find, folder_of};
 use pilotage_flight::{CameraFile, MountFile};
-use pilotage_raster::camera::{Distortion, Lens};
+use pilotage_raster::camera::{Distortion, Lens, UNSTATED_MOUNT_DEVIATION};
 use pilotage_raster::raster::decode_picture;
 
 use super::ColumnMap;
+use super::bodies::tells_pitch_of_camera;
 use crate::folder::{ChannelFile, CsvTable, FramesFile};
 
 /// Endings of pictures.
@@ -52,6 +53,11 @@ pub(super) fn named(
                 lens: Lens::default(),
                 distortion: Distortion::default(),
                 mount_deg: MountFile::default(),
+                mount_deviation_deg: if tells_pitch_of_camera(&map.columns) {
+                    0.0
+                } else {
+                    UNSTATED_MOUNT_DEVIATION.to_degrees()
+                },
             };
             let note = format!(
                 "{} names {} pictures; the camera is assumed to look straight down and to see {ACROSS:.0}° across",

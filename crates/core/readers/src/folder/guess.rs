@@ -14,7 +14,7 @@ use pilotage_base::files::{FileSet, find, folder_of};
 use pilotage_base::frames::wrap_pi;
 use pilotage_base::georeference::Georeference;
 use pilotage_flight::{CameraFile, MountFile, OriginFile};
-use pilotage_raster::camera::{Distortion, Lens};
+use pilotage_raster::camera::{Distortion, Lens, UNSTATED_MOUNT_DEVIATION};
 use pilotage_raster::raster::decode_picture;
 
 /// Columns without which nothing is guessed.
@@ -84,6 +84,11 @@ pub(super) fn guess(files: &Arc<dyn FileSet>) -> Option<(FlightFile, String, Vec
             lens: Lens::default(),
             distortion: Distortion::default(),
             mount_deg: MountFile::default(),
+            mount_deviation_deg: if table.has("gimbal_pitch") {
+                0.0
+            } else {
+                UNSTATED_MOUNT_DEVIATION.to_degrees()
+            },
         }),
         time_origin: None,
         start: StartFile {

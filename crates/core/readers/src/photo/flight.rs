@@ -16,7 +16,7 @@ use crate::times::most_told_era;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
 use pilotage_flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
-use pilotage_raster::camera::CameraModel;
+use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 
 /// Fewest photos that make a flight.
 const FEWEST: usize = 2;
@@ -43,7 +43,10 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
         longitude: origin.longitude,
         height: take_off,
     });
-    let camera = camera(&photos[0].photo, &mut notes);
+    let mut camera = camera(&photos[0].photo, &mut notes);
+    if photos.iter().all(|p| p.photo.gimbal.is_none()) {
+        camera.mount_deviation = UNSTATED_MOUNT_DEVIATION;
+    }
     let states = states(&photos, &frame);
     let start = states.first()?;
     let start = StartFix {
