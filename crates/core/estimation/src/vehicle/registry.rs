@@ -81,6 +81,22 @@ macro_rules! registry {
                 }
             }
 
+            /// The same with biases of the camera's roll and pitch over a map that is off, four states larger.
+            pub fn visit_tilted_over_map<V: VehicleVisitor>(
+                &self,
+                bias: TiltBias,
+                error: MapError,
+                visitor: V,
+            ) -> V::Output {
+                match self {
+                    $(Self::$variant(model) => {
+                        let tilted = Tilted::<$size>::new(Arc::new(*model), bias);
+                        let over_map = OverMap::<{ $size + 2 }>::new(Arc::new(tilted), error);
+                        visitor.visit::<{ $size + 4 }, _>(over_map)
+                    })+
+                }
+            }
+
             /// The same with the model over a map that is off, two states larger.
             pub fn visit_over_map<V: VehicleVisitor>(&self, error: MapError, visitor: V) -> V::Output {
                 match self {

@@ -1,15 +1,18 @@
 //! Settings of flights of which no mission says how they are navigated.
 
-use pilotage_flight::{ChannelName, Flight};
+use pilotage_flight::{ChannelName, Flight, Frame};
 use pilotage_vision::registration::{FollowSettings, USUAL_MAP_DEVIATION};
 
-use super::{NavigatorSettings, VehicleChoice};
+use super::{NavigatorSettings, SensorNoise, VehicleChoice};
 
 /// Steps between two pictures that people may still want to look at one by one: more are taken together.
 const MOST_STEPS: usize = 50_000;
 /// Farthest to each side that a picture is searched for, metres: where pictures are minutes apart the aircraft may be
 /// anywhere, and all of a large map would be compared with each.
 const FARTHEST: f64 = 1_000.0;
+/// Largest root mean square of roll and pitch of craft that carry their camera in a gimbal, radians: what banks more is an
+/// airplane, with which its camera turns.
+const MOST_SWUNG: f64 = 0.09;
 
 impl NavigatorSettings {
     /// Settings for a flight without a mission: by what it measured, and by whole frames laid on the map where
@@ -28,17 +31,45 @@ impl NavigatorSettings {
         } else {
             VehicleChoice::RandomWalk
         };
+        let usual = Self::default();
+        let mount = flight.camera.mount_deviation;
+        let usual_frames = FollowSettings::default();
+        let unknown = if mount > 0.0 {
+            swung(flight).min(MOST_SWUNG)
+        } else {
+            0.0
+        };
         Self {
             vehicle,
             shortest_step: shortest_step(flight),
+            sensors: SensorNoise {
+                roll: usual.sensors.roll.hypot(mount),
+                pitch: usual.sensors.pitch.hypot(mount),
+                tilt_bias: usual.sensors.tilt_bias.hypot(mount),
+                ..usual.sensors
+            },
             whole_frames: by_whole_frames.then(|| FollowSettings {
                 farthest: Some(FARTHEST),
                 map_deviation: USUAL_MAP_DEVIATION,
-                ..FollowSettings::default()
+                tilt_deviation: usual_frames.tilt_deviation.hypot(unknown),
+                ..usual_frames
             }),
-            ..Self::default()
+            ..usual
         }
     }
+}
+
+/// Root mean square of roll and pitch as they read when the pictures were taken, radians: by that a camera is tilted
+/// otherwise than the aircraft if it hangs in a gimbal, of which nothing is known where nobody states the mount.
+fn swung(flight: &Flight) -> f64 {
+    let mean_square = |name| {
+        let read = |frame: &Frame| flight.value(name, frame.time);
+        let readings: Vec<f64> = flight.frames.iter().filter_map(read).collect();
+        let squares: f64 = readings.iter().map(|angle| angle * angle).sum();
+        squares / readings.len().max(1) as f64
+    };
+    let both = mean_square(ChannelName::Roll) + mean_square(ChannelName::Pitch);
+    (0.5 * both).sqrt()
 }
 
 /// Shortest step by which a flight makes no more than [`MOST_STEPS`], seconds; zero if it makes fewer anyway.
@@ -107,6 +138,33 @@ mod tests {
             assert_eq!(blind.vehicle, by_nothing, "{channels:?}");
             assert!(blind.whole_frames.is_none());
         }
+    }
+
+    #[test]
+    fn a_mount_that_nobody_states_is_a_tilt_that_stays_and_one_that_comes_with_the_aircraft() {
+        use ChannelName::{Pitch, Roll};
+        let mut flown = flight(&[(Roll, 100), (Pitch, 100)]);
+        flown.channels[0].values = (0..100)
+            .map(|i| 0.06 * f64::from(1 - 2 * (i % 2)))
+            .collect();
+        flown.frames = (0..100)
+            .map(|i| Frame {
+                time: 0.01 * f64::from(i),
+                name: String::new(),
+                stored_turn: 0.0,
+            })
+            .collect();
+        let stated = NavigatorSettings::without_mission(&flown, true);
+        assert_eq!(stated.sensors, NavigatorSettings::default().sensors);
+        let usual = FollowSettings::default().tilt_deviation;
+        assert_eq!(stated.whole_frames.unwrap().tilt_deviation, usual);
+        flown.camera.mount_deviation = 0.17;
+        let unstated = NavigatorSettings::without_mission(&flown, true);
+        assert_eq!(unstated.sensors.tilt_bias, 0.17);
+        assert!((unstated.sensors.roll - 0.17_f64.hypot(stated.sensors.roll)).abs() < 1e-12);
+        let tilt = unstated.whole_frames.unwrap().tilt_deviation;
+        let expected = usual.hypot(0.06 / 2_f64.sqrt());
+        assert!((tilt - expected).abs() < 1e-9, "{tilt} {expected}");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::Estimate;
+use super::tilt::LastingTilt;
 use pilotage_base::frames::GroundPoint;
 use pilotage_vision::registration::Registration;
 
@@ -38,6 +39,10 @@ pub struct FoundPlaces {
     /// Down coordinate of the ground, metres.
     pub ground_down: f64,
     pub searched: SearchedRegion,
+    /// Biases of roll and pitch with which it was laid, radians.
+    pub tilt_biases: [f64; 2],
+    /// Where a filter has them.
+    pub tilt: LastingTilt,
     pub places: Vec<Registration>,
 }
 

@@ -7,12 +7,13 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, Matrix2, dvector};
+use nalgebra::{DMatrix, Matrix2, Vector2, dvector};
 
 use super::engine::{CorrectedStep, Engine, MeasurementModel, map_error};
 use super::found_places::{FoundPlaces, SearchedRegion};
 use super::inputs::Inputs;
 use super::observation::{GaussianInnovation, Observation};
+use super::tilt::LastingTilt;
 use super::{Estimate, JointReport, RegisteredPlace, RegistrationRefusal, RegistrationReport};
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::{FilterError, Gate, Verdict, fading_factor};
@@ -23,8 +24,8 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::registration::{
-    FollowSettings, Follower, FrameLook, FrameSighting, InstrumentReadings, NotRegistered,
-    Registration, RegistrationMethod, outline, sight,
+    CameraPlace, FollowSettings, Follower, FrameLook, FrameSighting, InstrumentReadings,
+    NotRegistered, Registration, RegistrationMethod, outline, sight,
 };
 
 /// Numbers of a place: north and east.
@@ -34,6 +35,7 @@ const COMPONENTS: usize = 2;
 pub struct FrameRegistration {
     map: Arc<dyn Imagery>,
     follower: Follower,
+    tilt: LastingTilt,
 }
 
 /// A frame, laid or not.
@@ -56,10 +58,12 @@ pub struct Believed {
 }
 
 impl FrameRegistration {
-    pub fn new(map: Arc<dyn Imagery>, assumed: FollowSettings) -> Self {
+    /// Over a map, assuming that of the flight, for a filter that knows so much of its tilt.
+    pub fn new(map: Arc<dyn Imagery>, assumed: FollowSettings, tilt: LastingTilt) -> Self {
         Self {
             map,
             follower: Follower::new(assumed),
+            tilt,
         }
     }
 
@@ -90,10 +94,23 @@ impl FrameRegistration {
         let time = flight.frames[index].time;
         let camera = flight.camera_of_frame(index);
         let look = self.look(&camera, flight.ground_down, luminance);
-        let searched = SearchedRegion::around(predicted);
+        let tilt_biases = self.tilt.biases(predicted);
+        let [roll, pitch] = [measured.roll, measured.pitch].map(Option::unwrap_or_default);
+        let upright = InstrumentReadings {
+            roll: Some(roll - tilt_biases[0]),
+            pitch: Some(pitch - tilt_biases[1]),
+            ..*measured
+        };
+        let mut searched = SearchedRegion::around(predicted);
         let prior = self
             .follower
-            .prior(time, searched.position, searched.deviation, measured);
+            .prior(time, searched.position, searched.deviation, &upright);
+        // A tilt that is wrong moves what is seen by the height times it.
+        let by_tilt = prior.height * self.tilt.variance(predicted).sqrt();
+        searched.deviation = searched.deviation.hypot(by_tilt);
+        let prior = self
+            .follower
+            .prior(time, searched.position, searched.deviation, &upright);
         let FrameSighting { verdict, places } = sight(&look, &prior);
         let (report, footprint) = match &verdict {
             Ok(found) => told(&look, found),
@@ -107,6 +124,8 @@ impl FrameRegistration {
                 time,
                 ground_down: flight.ground_down,
                 searched,
+                tilt_biases,
+                tilt: self.tilt,
                 places,
             },
         }
@@ -214,13 +233,26 @@ impl SeenPlace {
     pub fn by(
         settings: &NavigatorSettings,
         engine: &dyn Engine,
-        place: &RegisteredPlace,
+        found: &FoundPlaces,
+        place: &Registration,
     ) -> Result<Self, FilterError> {
-        let position = place.pose.position_in_world;
+        let CameraPlace {
+            pose,
+            covariance,
+            by_tilt,
+        } = place.camera;
+        let position = pose.position_in_world;
         // A map's error that is a state of the filter is no noise of its measurements.
         let of_map = map_error(settings).map_or(0.0, |error| error.deviation.powi(2));
-        let own = place.covariance.fixed_view::<2, 2>(0, 0) - Matrix2::identity() * of_map;
-        let on_map = |seen: &Kinematics| Some(dvector![seen.on_map.north, seen.on_map.east]);
+        let of_tilt = found.tilt.variance_of_noise() * by_tilt * by_tilt.transpose();
+        let own = covariance.fixed_view::<2, 2>(0, 0) - Matrix2::identity() * of_map + of_tilt;
+        let assumed = Vector2::from(found.tilt_biases);
+        let on_map = move |seen: &Kinematics| {
+            let biases = seen.tilt_bias.map_or(assumed, Vector2::from);
+            // The truth is smaller than a reading with a bias, and the camera is elsewhere by it.
+            let place = seen.on_map.to_vector() + by_tilt * (biases - assumed);
+            Some(dvector![place.x, place.y])
+        };
         let observation = Observation {
             measured: dvector![position.x, position.y],
             noise: DMatrix::from_fn(COMPONENTS, COMPONENTS, |i, j| {
@@ -266,10 +298,10 @@ impl RegisteredFrame {
         settings: &NavigatorSettings,
         engine: &mut Box<dyn Engine>,
     ) -> Result<Option<Believed>, FilterError> {
-        let Some(place) = &self.report.place else {
+        let Some(place) = &self.registered else {
             return Ok(None);
         };
-        let seen = SeenPlace::by(settings, engine.as_ref(), place)?;
+        let seen = SeenPlace::by(settings, engine.as_ref(), &self.found, place)?;
         let Verdict { nis, threshold, .. } = seen.verdict;
         let mut recovered = None;
         if nis > threshold {

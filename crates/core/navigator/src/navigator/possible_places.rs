@@ -48,8 +48,11 @@ struct PlaceBelief {
 /// searched.
 fn likelier(engine: &dyn Engine, found: &FoundPlaces) -> Vec<f64> {
     let state = engine.state();
-    let (mean, covariance) = (state.position().to_vector(), state.position_covariance());
-    let of_place = |place| density(&mean, &covariance, place) / found.searched.density(place);
+    let of_place = |place: &Registration| {
+        let by_tilt = &place.camera.by_tilt;
+        let (mean, covariance) = found.tilt.place(&state, by_tilt, found.tilt_biases);
+        density(&mean, &covariance, place) / found.searched.density(place)
+    };
     found.places.iter().map(of_place).collect()
 }
 
@@ -196,7 +199,7 @@ impl PossiblePlaces {
             };
             let (mut engine, mut follower) = (parent.engine.another(), parent.follower.clone());
             follower.learn(found.time, found.ground_down, place);
-            let seen = SeenPlace::by(settings, engine.as_ref(), &place.into())?;
+            let seen = SeenPlace::by(settings, engine.as_ref(), found, place)?;
             let believed = seen.correct(engine.as_mut(), None)?;
             if weight >= SURE {
                 sure = Some(Sure {

@@ -1,8 +1,11 @@
 //! Effect of a wrong tilt of the camera, where that is a state of the filter, on what is seen.
 
-use nalgebra::{DVector, Matrix4, MatrixXx2, MatrixXx4};
+use nalgebra::{DVector, Matrix2, Matrix4, MatrixXx2, MatrixXx4, Vector2};
 
-use pilotage_estimation::vehicle::Kinematics;
+use super::Estimate;
+use super::engine::visit_model;
+use pilotage_estimation::vehicle::{Kinematics, StateComponent, VehicleModel, VehicleVisitor};
+use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::geometry::COMPONENTS;
 
 /// Change of what is measured with the errors of roll and pitch, true less assumed, where the readings are assumed.
@@ -38,13 +41,90 @@ impl ByTilt {
     }
 }
 
+/// Part of the camera's tilt that stays over a flight, as a filter knows it.
+#[derive(Clone, Copy, Debug)]
+pub struct LastingTilt {
+    /// Place of the bias of roll in the state, that of pitch follows; `None` where they are no states.
+    index: Option<usize>,
+    /// Standard deviation of each where they are no states, beyond what frames are taken to be tilted by, radians.
+    deviation: f64,
+}
+
+/// Place of the bias of roll in the state of a model.
+struct PlaceOfTilt;
+
+impl VehicleVisitor for PlaceOfTilt {
+    type Output = Option<usize>;
+
+    fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
+        model.index_of(StateComponent::RollBias)
+    }
+}
+
+impl LastingTilt {
+    /// Of a filter with these settings.
+    pub fn of(settings: &NavigatorSettings) -> Self {
+        let index = visit_model(settings, PlaceOfTilt);
+        let is_noise = index.is_none();
+        let beyond = settings
+            .whole_frames
+            .filter(|_| is_noise)
+            .map(|frames| settings.sensors.tilt_bias.powi(2) - frames.tilt_deviation.powi(2));
+        Self {
+            index,
+            deviation: beyond.unwrap_or(0.0).max(0.0).sqrt(),
+        }
+    }
+
+    /// Biases of roll and pitch that are believed, radians.
+    pub fn biases(&self, believed: &Estimate) -> [f64; 2] {
+        let of = |i: usize| [believed.mean[i], believed.mean[i + 1]];
+        self.index.map_or([0.0; 2], of)
+    }
+
+    /// Variance of the two together, in the worst direction at most, radians².
+    pub fn variance(&self, believed: &Estimate) -> f64 {
+        let of = |i: usize| believed.covariance[(i, i)] + believed.covariance[(i + 1, i + 1)];
+        self.index.map_or(self.deviation.powi(2), of)
+    }
+
+    /// Variance of each where they are no states, radians².
+    pub fn variance_of_noise(&self) -> f64 {
+        self.deviation.powi(2)
+    }
+
+    /// Mean and covariance of the place, north and east, that a frame is expected to tell which moves with the tilt as
+    /// `by_tilt` says (metres per radian) and was laid as if the biases were `assumed`.
+    pub fn place(
+        &self,
+        believed: &Estimate,
+        by_tilt: &Matrix2<f64>,
+        assumed: [f64; 2],
+    ) -> (Vector2<f64>, Matrix2<f64>) {
+        let mean = believed.position().to_vector();
+        let own = believed.position_covariance();
+        let Some(i) = self.index else {
+            let noise = self.variance_of_noise() * by_tilt * by_tilt.transpose();
+            return (mean, own + noise);
+        };
+        let off = Vector2::from(self.biases(believed)) - Vector2::from(assumed);
+        let across = by_tilt * believed.covariance.fixed_view::<2, 2>(i, 0);
+        let of_tilt = by_tilt * believed.covariance.fixed_view::<2, 2>(i, i) * by_tilt.transpose();
+        (
+            mean + by_tilt * off,
+            own + across + across.transpose() + of_tilt,
+        )
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Point2, dvector};
+    use nalgebra::{DMatrix, Point2, dvector};
     use pilotage_base::frames::{Attitude, GroundPoint};
     use pilotage_raster::camera::CameraModel;
     use pilotage_vision::geometry::appearance;
     use pilotage_vision::landmark::Landmark;
+    use pilotage_vision::registration::FollowSettings;
 
     use super::super::expected::{Anchor, AppearanceModel, appearances};
     use super::*;
@@ -80,5 +160,41 @@ mod tests {
         ByTilt::of_landmarks(&[jacobian]).add_biases(&mut expected, Some(biases));
         let off = (expected - dvector![seen.x, seen.y, seen.z, seen.w]).norm();
         assert!(untilted > 1.5 && off < 0.02 * untilted, "{untilted} {off}");
+    }
+
+    #[test]
+    fn a_place_laid_with_a_wrong_tilt_is_expected_where_position_and_bias_have_it_together() {
+        let mut settings = NavigatorSettings::default();
+        settings.sensors.tilt_bias = 0.17;
+        settings.whole_frames = Some(FollowSettings {
+            map_deviation: 3.0,
+            ..FollowSettings::default()
+        });
+        let lasting = LastingTilt::of(&settings);
+        // North, east, two of the wind, roll, pitch, and two of the map.
+        let slopes = DMatrix::from_fn(8, 8, |i, j| ((3 * i + 5 * j) as f64).sin());
+        let believed = Estimate {
+            mean: DVector::from_fn(8, |i, _| 0.1 * i as f64),
+            covariance: &slopes * slopes.transpose(),
+        };
+        assert_eq!(lasting.biases(&believed), [0.4, 0.5]);
+        let by_tilt = Matrix2::new(20.0, -110.0, 115.0, 25.0);
+        let (mean, covariance) = lasting.place(&believed, &by_tilt, [0.3, 0.3]);
+        let mut jacobian = DMatrix::zeros(2, 8);
+        jacobian.view_mut((0, 0), (2, 2)).fill_with_identity();
+        jacobian.view_mut((0, 4), (2, 2)).copy_from(&by_tilt);
+        let all = &jacobian * &believed.covariance * jacobian.transpose();
+        assert!((covariance - all.fixed_view::<2, 2>(0, 0)).amax() < 1e-9);
+        assert!(
+            (mean - Vector2::new(20.0 * 0.1 - 110.0 * 0.2, 0.1 + 115.0 * 0.1 + 25.0 * 0.2)).amax()
+                < 1e-9
+        );
+        // A height that is estimated leaves no room: then it is noise of every frame, beyond that which frames have anyway.
+        settings.estimates_height = true;
+        let noise = LastingTilt::of(&settings);
+        let own = FollowSettings::default().tilt_deviation;
+        let beyond = 0.17_f64.powi(2) - own.powi(2);
+        assert!((noise.variance_of_noise() - beyond).abs() < 1e-12);
+        assert_eq!(noise.biases(&believed), [0.0, 0.0]);
     }
 }

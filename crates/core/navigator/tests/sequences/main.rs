@@ -18,6 +18,7 @@ use pilotage_base::frames::GroundPoint;
 use pilotage_flight::{Channel, ChannelName, Flight, Frame, FrameError, FrameSource, StartFix};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 use pilotage_navigator::navigator::{KnownGround, Navigator};
+use pilotage_raster::camera::UNSTATED_MOUNT_DEVIATION;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{Picture, decode_picture};
 use pilotage_vision::registration::FollowSettings;
@@ -90,11 +91,16 @@ struct Moment {
 
 /// Flies over the photos of a site; what came of each.
 fn fly(site: &Site, known: &Known) -> Vec<Moment> {
+    fly_by(site, flight(&site.photos, known), &settings())
+}
+
+/// The same of a flight of those photos with other settings.
+fn fly_by(site: &Site, flight: Flight, settings: &NavigatorSettings) -> Vec<Moment> {
     let photos = &site.photos;
     let map = Arc::new(site.map.clone());
-    let flight = Arc::new(flight(photos, known));
     let mut pictures = Pictures(photos.iter().map(|p| p.file.clone()).collect());
-    let mut navigator = Navigator::new(flight, &KnownGround::new(map), &settings()).unwrap();
+    let ground = KnownGround::new(map);
+    let mut navigator = Navigator::new(Arc::new(flight), &ground, settings).unwrap();
     let mut moments = Vec::new();
     let begun = std::time::Instant::now();
     let clock = || begun.elapsed().as_secs_f64() * 1e3;
@@ -178,6 +184,35 @@ fn a_drone_finds_itself_anywhere_on_the_map_of_a_town_without_a_heading() {
         laid >= 27 && wrong == 0 && median <= 6.0,
         "{laid}, {wrong}, {median}"
     );
+}
+
+#[test]
+fn a_camera_whose_mount_nobody_states_is_told_by_the_start_and_believed_no_better() {
+    let Some(mut site) = photos::fengyuan() else {
+        return;
+    };
+    site.photos = site.photos.into_iter().step_by(either(3, 1)).collect();
+    let known = Known {
+        start: (site.photos[0].below, 5.0),
+        heading: true,
+    };
+    // It looks 9.5° ahead of straight down: some 20 m.
+    let flown = |deviation: f64| {
+        let mut flight = flight(&site.photos, &known);
+        flight.channels.retain(|c| c.name != ChannelName::Pitch);
+        flight.camera.mount_deviation = deviation;
+        let settings = NavigatorSettings::without_mission(&flight, true);
+        let moments = fly_by(&site, flight, &settings);
+        let mean = |of: &dyn Fn(&Moment) -> f64| {
+            moments.iter().map(of).sum::<f64>() / moments.len() as f64
+        };
+        let square = mean(&|m| m.off.powi(2));
+        (square.sqrt(), mean(&|m| 2.0 * m.off.powi(2) / m.stated))
+    };
+    let (taken, squared) = flown(0.0);
+    assert!(taken > 15.0 && squared > 20.0, "{taken} {squared}");
+    let (told, squared) = flown(UNSTATED_MOUNT_DEVIATION);
+    assert!(told < 8.0 && squared < 4.0, "{told} {squared}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The camera's tilt told from the slope of the ground.
 
-use nalgebra::{Matrix6, SMatrix};
+use nalgebra::{Matrix2, Matrix6, SMatrix};
 
 use super::fit::{PoseFit, UNKNOWNS, differences, moved};
 use super::look::{FrameLook, MapPose};
@@ -14,6 +14,8 @@ pub struct CameraPlace {
     pub pose: Pose,
     /// Covariance of north, east, down (metres), roll, pitch, yaw (radians).
     pub covariance: Matrix6<f64>,
+    /// Change of north and east with the camera's roll and pitch where the middle of the picture stays, metres per radian.
+    pub by_tilt: Matrix2<f64>,
 }
 
 impl PoseFit {
@@ -47,8 +49,8 @@ impl PoseFit {
         jacobian[(3, 3)] = share;
         jacobian[(4, 4)] = share;
         let mut own = SMatrix::<f64, 6, 2>::zeros();
-        own.fixed_view_mut::<2, 2>(0, 0)
-            .copy_from(&by_tilt.fixed_view::<2, 2>(0, 3));
+        let by_tilt = by_tilt.fixed_view::<2, 2>(0, 3).into_owned();
+        own.fixed_view_mut::<2, 2>(0, 0).copy_from(&by_tilt);
         own[(3, 0)] = 1.0;
         own[(4, 1)] = 1.0;
         let left = (1.0 - share) * prior.tilt_deviation.powi(2);
@@ -56,6 +58,7 @@ impl PoseFit {
             pose: at.pose,
             covariance: jacobian * self.covariance * jacobian.transpose()
                 + left * own * own.transpose(),
+            by_tilt,
         })
     }
 }

@@ -8,14 +8,15 @@ use pilotage_estimation::vehicle::{
 use pilotage_mission::settings::{MAP_ERRORS, NavigatorSettings, SensorNoise, VehicleChoice};
 
 /// Works with the model that the filter of a run has: that of the vehicle, with its height where that is asked for, else with
-/// the error of the map where that is known to be off.
+/// the error of the map where that is known to be off, and with the biases of a tilt that is.
 pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) -> V::Output {
     let vehicle = vehicle(settings);
     if settings.estimates_height {
         return vehicle.visit_at_height(HeightModel::default(), visitor);
     }
     match (map_error(settings), tilt_bias(settings)) {
-        (Some(error), _) => vehicle.visit_over_map(error, visitor),
+        (Some(error), Some(bias)) => vehicle.visit_tilted_over_map(bias, error, visitor),
+        (Some(error), None) => vehicle.visit_over_map(error, visitor),
         (None, Some(bias)) => vehicle.visit_tilted(bias, visitor),
         (None, None) => vehicle.visit(visitor),
     }
@@ -24,8 +25,13 @@ pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) 
 /// Model of the biases of roll and pitch, if they are states of the filter.
 fn tilt_bias(settings: &NavigatorSettings) -> Option<TiltBias> {
     let deviation = settings.sensors.tilt_bias;
-    let has_room = !settings.estimates_height && map_error(settings).is_none();
-    (deviation > 0.0 && has_room).then_some(TiltBias { deviation })
+    // A bias that is within what frames are taken to be tilted by anyway is noise where the map's error is a state.
+    let frames = settings
+        .whole_frames
+        .map_or(0.0, |frames| frames.tilt_deviation);
+    let counts =
+        map_error(settings).is_none() || deviation > frames && settings.whole_frames.is_some();
+    (deviation > 0.0 && counts && !settings.estimates_height).then_some(TiltBias { deviation })
 }
 
 /// Noise of what the camera's pose is computed from that is new to the filter in each frame: without what is a state of it.
