@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use pilotage_core::flight::Flight;
+use pilotage_core::flight::{Flight, Truth};
 use pilotage_core::navigator::{
     CandidateReport, FrameReport, Outcome, Refusal, RegistrationRefusal, RegistrationReport, Run,
     StepReport, Summary, is_wrong, place_error,
@@ -31,15 +31,19 @@ pub fn print_frames(flight: &Flight, run: &Run) {
 
 fn frame_line(flight: &Flight, step: &StepReport, frame: &FrameReport) -> String {
     let name = flight.frames.get(frame.index).map_or("", |f| &f.name);
+    let of_frame = |t: &Truth| Some(t.frames.get(frame.index)?.position);
     let truth = flight.truth.as_ref();
-    let truth = truth.and_then(|t| t.frames.get(frame.index));
+    let truth = truth.and_then(|t| of_frame(t).or_else(|| Some(t.position(step.time)?)));
     let position = step.after.position();
-    let error = truth.map_or(f64::NAN, |t| {
-        (position.north - t.position.x).hypot(position.east - t.position.y)
+    let error = truth.map_or("unknown".to_owned(), |t| {
+        format!(
+            "{:6.2} m",
+            (position.north - t.x).hypot(position.east - t.y)
+        )
     });
     let spread = step.after.position_covariance().trace().sqrt();
     format!(
-        "{:8.2} s {name:14} error {error:6.2} m, 1σ {spread:5.2} m, see {:6.1} ms",
+        "{:8.2} s {name:14} error {error}, 1σ {spread:5.2} m, see {:6.1} ms",
         step.time, step.timing.see
     )
 }
