@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 use super::attitude::attitude;
 use super::body_velocity::{has_body_velocity, turn};
@@ -23,6 +23,10 @@ use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 const GPS_DEVIATION: f64 = 5.0;
 /// Places further than this from the first are none, metres: a receiver without a fix says 0° north, 0° east.
 const FARTHEST: f64 = 1e6;
+/// Mean radius of the earth, metres.
+const RADIUS: f64 = 6_371_000.0;
+/// First places of which all but the last may be damaged.
+const MOST_DAMAGED: usize = 20;
 /// Times beyond this are counted from elsewhere than the flight, seconds: they are counted from the first.
 const LONGEST: f64 = 1e6;
 /// Name of the column of times that rows are given where none is measured.
@@ -441,10 +445,11 @@ fn first_place(
                 && longitude.abs() <= std::f64::consts::TAU
                 && (*latitude, *longitude) != (0.0, 0.0)
         };
-        let mut places = pairs
+        let places: Vec<_> = pairs
             .enumerate()
-            .filter_map(|(row, (a, b))| Some((row, Some((a?, b?)).filter(is_place)?)));
-        let (row, (latitude, longitude)) = places.next()?;
+            .filter_map(|(row, (a, b))| Some((row, Some((a?, b?)).filter(is_place)?)))
+            .collect();
+        let (row, (latitude, longitude)) = first_of_most(&places)?;
         let origin = OriginFile {
             latitude_deg: latitude.to_degrees(),
             longitude_deg: longitude.to_degrees(),
@@ -456,6 +461,27 @@ fn first_place(
         let time = time.and_then(|time| table.times(time, None).ok()?.get(row).copied());
         Some((origin, time))
     })
+}
+
+/// The first of these places, latitude and longitude in radians, that most of the others are near to: the first may be
+/// the damaged one.
+fn first_of_most(places: &[(usize, (f64, f64))]) -> Option<(usize, (f64, f64))> {
+    let on_sphere = |(latitude, longitude): (f64, f64)| {
+        let (up, around) = (latitude.sin_cos(), longitude.sin_cos());
+        RADIUS * Vector3::new(up.1 * around.1, up.1 * around.0, up.0)
+    };
+    let all: Vec<_> = places.iter().map(|place| on_sphere(place.1)).collect();
+    let is_among = |(place, _): &(&Vector3<f64>, _)| {
+        let near = all
+            .iter()
+            .filter(|other| (*other - *place).norm() <= FARTHEST);
+        2 * near.count() >= all.len()
+    };
+    let mut found = all.iter().zip(places).take(MOST_DAMAGED).filter(is_among);
+    found
+        .next()
+        .map(|(_, place)| *place)
+        .or(places.first().copied())
 }
 
 /// Leaves out what a receiver without a fix told.

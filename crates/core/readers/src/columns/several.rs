@@ -164,7 +164,7 @@ pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]
 }
 
 /// Reads latitudes and longitudes whose degrees and minutes stand in one number, as satellite receivers write them: one of
-/// both has numbers that no degrees reach, with a fraction, and no number of either has sixty minutes or more.
+/// both has numbers mostly that no degrees reach, some with a fraction, and no number of either has sixty minutes or more.
 pub(super) fn degrees_and_minutes(samples: &[ColumnSample], columns: &mut [MappedColumn]) {
     let of = |role| columns.iter().position(|column| column.role == role);
     let Some(places) = of(Latitude).zip(of(Longitude)) else {
@@ -172,8 +172,9 @@ pub(super) fn degrees_and_minutes(samples: &[ColumnSample], columns: &mut [Mappe
     };
     let places = [(places.0, 90.0), (places.1, 180.0)];
     let are_beyond = |(at, most): &(usize, f64)| {
-        let mut numbers = samples[*at].numbers.iter();
-        numbers.any(|n| n.fract() != 0.0 && n.abs() > *most)
+        let numbers = &samples[*at].numbers;
+        let beyond: Vec<&f64> = numbers.iter().filter(|n| n.abs() > *most).collect();
+        2 * beyond.len() > numbers.len() && beyond.iter().any(|n| n.fract() != 0.0)
     };
     let fit = |(at, most): &(usize, f64)| {
         let mut numbers = samples[*at].numbers.iter();

@@ -226,6 +226,38 @@ fn places_of_a_receiver_without_a_fix_are_left_out() {
 }
 
 #[test]
+fn one_damaged_place_says_nothing_of_the_unit_of_the_others() {
+    for (factor, digits) in [(1.0, 7), (1e7, 0), (1.0_f64.to_radians(), 10)] {
+        for damaged in [0, 1, 30, 58, 59] {
+            for (off, is_latitude) in [(30.0, true), (300.0, true), (-60.0, false), (150.0, false)]
+            {
+                let mut table = String::from("time,lat,lon\n");
+                for row in 0..60 {
+                    let mut place = [47.1 + 1e-5 * f64::from(row), 8.5 + 2e-5 * f64::from(row)];
+                    if row == damaged {
+                        place[usize::from(!is_latitude)] += off;
+                    }
+                    let [latitude, longitude] = place.map(|degrees| degrees * factor);
+                    writeln!(table, "{row},{latitude:.digits$},{longitude:.digits$}").unwrap();
+                }
+                let files = files(&[("flight.csv", &table)]);
+                let maps: Vec<_> = tables(&files).into_iter().map(|t| t.map).collect();
+                let folder = flight_of_tables(&files, &maps).unwrap();
+                let case = format!("{factor} {damaged} {off}");
+                let origin = folder.flight.frame_on_globe.unwrap().origin;
+                assert!(
+                    (origin.latitude.to_degrees() - 47.1).abs() < 0.01,
+                    "{case}: {origin:?}"
+                );
+                let north = &folder.flight.channel(ChannelName::GpsNorth).unwrap().values;
+                assert_eq!(north.len(), 59, "{case}");
+                assert!(north.iter().all(|north| north.abs() < 100.0), "{case}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_preview_shows_the_first_rows_as_the_map_reads_them() {
     let map = guess_table("east.csv", eastward().as_bytes()).unwrap();
     let shown = preview(eastward().as_bytes(), &map, 3);

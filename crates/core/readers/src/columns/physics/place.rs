@@ -30,6 +30,9 @@ const USUAL: std::ops::Range<f64> = 0.3..120.0;
 /// Nothing that is meant here flies faster, m/s.
 const FASTEST: f64 = 400.0;
 
+/// A place is wrong by itself if the way to it and on is so many times the way past it, and so many usual steps.
+const SPIKE: [f64; 2] = [100.0, 1000.0];
+
 /// Cells over which a velocity that jumps is averaged.
 const SMOOTHED: usize = 7;
 
@@ -142,7 +145,7 @@ fn readings(board: &mut FlightColumns, known: &Known, pair: (Id, Id)) -> Vec<Pla
     let (latitude, longitude) = pair;
     let stated = board.basis(latitude) == UnitBasis::Stated;
     let present = board.column(latitude).unit.clone();
-    let reach = |id: Id| quantile(&board.raw(id).map(f64::abs).values, 0.99);
+    let reach = |id: Id| quantile(&board.raw(id).map(f64::abs).values, 0.9);
     let reach = (reach(latitude), reach(longitude));
     // Hardly any place on the globe has so few degrees that they could be radians.
     let is_small = reach.0 < std::f64::consts::FRAC_PI_2 && reach.1 < std::f64::consts::PI;
@@ -252,6 +255,7 @@ fn track(
             places.push((*time, a, b));
         }
     }
+    leave_out_spikes(&mut places);
     let reach = |part: fn(&(f64, f64, f64)) -> f64| {
         let sizes: Vec<f64> = places.iter().map(|place| part(place).abs()).collect();
         quantile(&sizes, 0.99)
@@ -269,6 +273,30 @@ fn track(
         TimedNumbers::new(&times, north),
         TimedNumbers::new(&times, east),
     ])
+}
+
+/// Leaves out places from which the track comes back at once: one damaged digit says nothing of the unit of the rest.
+fn leave_out_spikes(places: &mut Vec<(f64, f64, f64)>) {
+    let apart = |a: (f64, f64, f64), b: (f64, f64, f64)| (a.1 - b.1).abs() + (a.2 - b.2).abs();
+    let steps: Vec<f64> = places.windows(2).map(|w| apart(w[0], w[1])).collect();
+    let usual = quantile(&steps, 0.5);
+    let is_spike = |i: usize| {
+        let (way, past) = match (i.checked_sub(1), i + 1 < places.len()) {
+            (Some(before), true) => (
+                steps[before] + steps[i],
+                apart(places[before], places[i + 1]),
+            ),
+            (Some(before), false) => (steps[before], usual),
+            (None, true) => (steps[i], usual),
+            (None, false) => return false,
+        };
+        way > SPIKE[0] * past && way > SPIKE[1] * usual
+    };
+    let mut spikes = (0..places.len())
+        .map(is_spike)
+        .collect::<Vec<_>>()
+        .into_iter();
+    places.retain(|_| !spikes.next().unwrap_or(false));
 }
 
 /// Distance of the ratio of the columns' speed and the track's from a unit, as a logarithm; `None` without either.
