@@ -8,14 +8,18 @@ use crate::beside_log::{BesideLogError, pictures_counted_from};
 use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
+use pilotage_base::frames::units::METRES_PER_FOOT;
 use pilotage_flight::ChannelName;
 
 /// Columns of the table, each with the names that firmware has given to its value in subtitles.
 const VALUES: [(&str, &[&str]); 7] = [
-    ("latitude [deg]", &["latitude"]),
-    ("longitude [deg]", &["longitude", "longtitude"]),
+    ("latitude [deg]", &["latitude", "lat"]),
+    (
+        "longitude [deg]",
+        &["longitude", "longtitude", "lon", "lng"],
+    ),
     ("height above takeoff [m]", &["rel_alt", "barometer", "h"]),
-    ("altitude msl [m]", &["abs_alt", "altitude"]),
+    ("altitude msl [m]", &["abs_alt", "altitude", "alt"]),
     ("heading [deg]", &["gb_yaw"]),
     ("pitch [deg]", &["gb_pitch"]),
     ("roll [deg]", &["gb_roll"]),
@@ -83,7 +87,7 @@ fn of_film(name: &str, bytes: &[u8]) -> Result<Option<(FlightFolder, f64)>, Fold
 /// Table with a line for each subtitle with a place, the time of the first, and what people should know of it.
 fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
     let mut rows: Vec<(f64, [Option<f64>; 7])> = Vec::new();
-    let (mut cues, mut time, mut words) = (0, None, String::new());
+    let (mut cues, mut time, mut words, mut before) = (0, None, String::new(), String::new());
     let mut end = |time: Option<f64>, words: &str| {
         let Some(time) = time else { return };
         cues += 1;
@@ -94,16 +98,19 @@ fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
         }
     };
     for line in text.lines() {
-        if let Some((start, _)) = line.split_once(" --> ") {
+        if let Some((start, _)) = line.split_once("-->") {
             end(time, &words);
             time = seconds(start);
-            words.clear();
+            before = std::mem::take(&mut words);
         } else {
             words.push_str(line);
             words.push('\n');
         }
     }
-    end(time, &words);
+    let is_cut = is_cut(text, &before, words.trim_end());
+    if !is_cut {
+        end(time, &words);
+    }
     if rows.len() < 2 {
         return None;
     }
@@ -111,6 +118,9 @@ fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
     let mut notes = vec!["times are those of the film beside it".to_owned()];
     if has_attitude {
         notes.push("heading, pitch and roll are those of the camera's gimbal".to_owned());
+    }
+    if is_cut {
+        notes.push("it ends within its last subtitle, which was left out".to_owned());
     }
     if rows.len() < cues {
         notes.push(format!(
@@ -126,6 +136,16 @@ fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
     Some((table("time [s]", columns, &rows), begins, notes))
 }
 
+/// Whether a text ends within its last subtitle: without the end of a line, in a number or in other words than the
+/// subtitle before it.
+fn is_cut(text: &str, before: &str, words: &str) -> bool {
+    // Behind the words of a subtitle stands the number of the next one.
+    let is_number = |c: char| c.is_ascii_digit() || c.is_whitespace() || "-.".contains(c);
+    let plain = |text: &str| text.replace(is_number, "");
+    !text.ends_with(['\n', '\r', '\0'])
+        && (words.ends_with(|c: char| c.is_ascii_digit()) || plain(words) != plain(before))
+}
+
 /// Seconds of `00:01:02,033`.
 fn seconds(text: &str) -> Option<f64> {
     let text = text.trim().replace(',', ".");
@@ -139,7 +159,7 @@ fn seconds(text: &str) -> Option<f64> {
 /// `GPS (8.5, 47.1, 15)` with the longitude first, `H 20.0m`, `G.PRY (-90.0°, 0.0°, 90.0°)`, and Autel's
 /// `GPS(W: 8.5, N: 47.1, 20.00m)` with the height above take-off last.
 fn values(words: &str) -> [Option<f64>; 7] {
-    let plain: String = words.to_lowercase();
+    let plain = with_points(&words.to_lowercase());
     let seam = |c: char| c.is_whitespace() || "[]<>,".contains(c);
     // `name: value` may have a blank behind the colon.
     let plain = plain.replace(": ", ":").replace(" :", ":");
@@ -147,8 +167,7 @@ fn values(words: &str) -> [Option<f64>; 7] {
     let mut before = "";
     for part in plain.split(seam).filter(|part| !part.is_empty()) {
         let (name, value) = part.split_once(':').unwrap_or((before, part));
-        let value = value.trim_end_matches('m');
-        if let Ok(value) = value.parse::<f64>() {
+        if let Some(value) = amount(value) {
             found.entry(name).or_insert(value);
         }
         before = part;
@@ -167,8 +186,8 @@ fn values(words: &str) -> [Option<f64>; 7] {
                 values[index] = Some(value);
             }
         }
-        let metres = parts.next().and_then(|height| height.strip_suffix('m'));
-        if let Some(height) = metres.and_then(|metres| metres.trim().parse().ok()) {
+        let height = parts.next().filter(|height| height.ends_with(['m', 't']));
+        if let Some(height) = height.and_then(amount) {
             values[HEIGHT] = values[HEIGHT].or(Some(height));
         }
     }
@@ -189,6 +208,37 @@ fn values(words: &str) -> [Option<f64>; 7] {
     }
     values[PITCH] = values[PITCH].map(|pitch| pitch + 90.0);
     values
+}
+
+/// The words with a point for the decimal comma of `latitude: 47,1`.
+fn with_points(words: &str) -> String {
+    let mut pointed = String::with_capacity(words.len());
+    let mut is_behind_colon = false;
+    let mut letters = words.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let is_between = pointed.ends_with(|c: char| c.is_ascii_digit())
+            && letters.peek().is_some_and(char::is_ascii_digit);
+        let is_decimal = letter == ',' && is_behind_colon && is_between;
+        is_behind_colon = match letter {
+            ':' => true,
+            '0'..='9' | '-' | ' ' => is_behind_colon,
+            _ => false,
+        };
+        pointed.push(if is_decimal { '.' } else { letter });
+    }
+    pointed
+}
+
+/// The number of `12.5`, `12.5m` in metres, `41.0ft` in metres, `33.9s` and `70.6w` in degrees north and east.
+fn amount(text: &str) -> Option<f64> {
+    let number = text.trim_end_matches(|c: char| c.is_ascii_lowercase());
+    let factor = match &text[number.len()..] {
+        "" | "m" | "n" | "e" => 1.0,
+        "s" | "w" => -1.0,
+        "ft" => METRES_PER_FOOT,
+        _ => return None,
+    };
+    Some(number.trim().parse::<f64>().ok()? * factor)
 }
 
 /// Text in round brackets behind a word.
@@ -309,6 +359,56 @@ mod tests {
         // What the file is called does not matter.
         let folder = read_srt("HOME_max.SRT", film(words).as_bytes());
         assert!(folder.unwrap().is_some());
+    }
+
+    #[test]
+    fn numbers_are_read_with_decimal_commas_in_feet_and_by_short_names() {
+        for (words, expected) in [
+            (
+                "[latitude: 47,123456] [longitude: -8,500000] [rel_alt: 10,500 abs_alt: 440,250]",
+                [47.123_456, -8.5, 10.5, 440.25],
+            ),
+            (
+                "F/2.8, GPS (-8.5000, 47.1000, 18), D 24.6ft, H 100.0ft, H.S 0.1ft/s",
+                [47.1, -8.5, 30.48, f64::NAN],
+            ),
+            (
+                "GPS(W: 8.5, N: 47.1, 100.0ft)",
+                [47.1, -8.5, 30.48, f64::NAN],
+            ),
+            (
+                "LAT: 33.9S LON: 70.6W ALT: 100.0ft",
+                [-33.9, -70.6, f64::NAN, 30.48],
+            ),
+        ] {
+            for (found, expected) in values(words).iter().zip(expected) {
+                assert!(
+                    found.map_or(expected.is_nan(), |f| (f - expected).abs() < 1e-9),
+                    "{words}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_last_subtitle_that_is_cut_off_is_left_out_and_told() {
+        let words = |i: usize| {
+            format!("[latitude: 47.{i:06}] [longitude: 8.512345] [rel_alt: 10.5 abs_alt: 440.0]")
+        };
+        let whole = film(words).replace(" --> ", "-->");
+        let begin = whole.rfind("[latitude").unwrap();
+        for cut in begin + 1..whole.len() {
+            let (table, _, notes) = table_of(&whole[..cut]).unwrap();
+            let is_told = notes.iter().any(|note| note.contains("ends within"));
+            let rows = table.lines().count() - 1;
+            let ends = whole[..cut].ends_with("440.0]") || whole[..cut].ends_with('\n');
+            assert_eq!(
+                (rows, is_told),
+                if ends { (50, false) } else { (49, true) },
+                "{}",
+                &whole[begin..cut]
+            );
+        }
     }
 
     #[test]
