@@ -6,7 +6,7 @@ use crate::cells::{DEGREES_AND_MINUTES, days_since_1970, linear};
 use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
-use pilotage_base::frames::units::MPS_PER_KNOT;
+use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 use pilotage_base::text::utc_text;
 
 const DAY: f64 = 86_400.0;
@@ -143,18 +143,21 @@ fn table_of(epochs: &[Epoch]) -> String {
 
 fn sentences(text: &str) -> Sentences {
     let mut found = Sentences::default();
-    for line in text.lines() {
-        // Loggers put times of their own before a sentence.
-        let Some((_, sentence)) = line.rsplit_once('$') else {
-            continue;
-        };
+    // Loggers put times of their own before a sentence.
+    let all = || {
+        text.lines()
+            .filter_map(|line| Some(line.rsplit_once('$')?.1))
+    };
+    // Where sentences have check sums, those without were cut off.
+    let has_sums = 2 * all().filter(|sentence| sentence.contains('*')).count() > all().count();
+    for sentence in all() {
         let body = match sentence.trim_end().split_once('*') {
             Some((body, sum)) if is_whole(body, sum) => body,
-            Some(_) => {
+            None if !has_sums => sentence.trim_end(),
+            _ => {
                 found.damaged += 1;
                 continue;
             }
-            None => sentence.trim_end(),
         };
         let fields: Vec<&str> = body.split(',').collect();
         let name = fields[0];
@@ -167,6 +170,7 @@ fn sentences(text: &str) -> Sentences {
             "GLL" => found.place_alone(&fields),
             "RMC" => found.least(&fields),
             "VTG" => found.velocity(&fields),
+            "ZDA" => found.date(&fields),
             _ => {}
         }
     }
@@ -201,7 +205,12 @@ impl Sentences {
         let [_, time, rest @ ..] = fields else { return };
         let is_fixed = !matches!(rest.get(4), None | Some(&("" | "0")));
         let place = place(rest).filter(|_| is_fixed);
-        self.place(time, place, rest.get(7));
+        // Some write the height in feet, and say so.
+        let unit = match rest.get(8) {
+            Some(&("F" | "f")) => METRES_PER_FOOT,
+            _ => 1.0,
+        };
+        self.place(time, place, height(rest.get(7), unit));
     }
 
     /// GNS: time, latitude, its hemisphere, longitude, its hemisphere, a letter for each satellite system that says its
@@ -212,7 +221,7 @@ impl Sentences {
             .get(4)
             .is_some_and(|modes| modes.contains(|mode| mode != 'N'));
         let place = place(rest).filter(|_| is_fixed);
-        self.place(time, place, rest.get(7));
+        self.place(time, place, height(rest.get(7), 1.0));
     }
 
     /// GLL: latitude, its hemisphere, longitude, its hemisphere, time, whether it is valid.
@@ -224,8 +233,7 @@ impl Sentences {
     }
 
     /// Takes the place of a moment. Of several receivers the first that says a height counts.
-    fn place(&mut self, time: &str, place: Option<[f64; 2]>, height: Option<&&str>) {
-        let height = height.and_then(|height| number(height));
+    fn place(&mut self, time: &str, place: Option<[f64; 2]>, height: Option<f64>) {
         self.unfixed += usize::from(place.is_none());
         let (Some(epoch), Some([latitude, longitude])) = (self.epoch(time), place) else {
             return;
@@ -261,6 +269,18 @@ impl Sentences {
         epoch.values[4] = course.or(epoch.values[4]);
     }
 
+    /// ZDA: time, day, month, year.
+    fn date(&mut self, fields: &[&str]) {
+        let [_, time, date @ ..] = fields else { return };
+        let part = |index: usize| date.get(index)?.parse::<i64>().ok();
+        let day = part(0).zip(part(1)).zip(part(2));
+        let day =
+            day.filter(|((day, month), _)| (1..=31).contains(day) && (1..=12).contains(month));
+        if let (Some(((day, month), year)), Some(epoch)) = (day, self.epoch(time)) {
+            epoch.day = Some(days_since_1970(year, month, day));
+        }
+    }
+
     /// VTG: true course, T, magnetic course, M, knots, N: of the moment before it.
     fn velocity(&mut self, fields: &[&str]) {
         let of = |index: usize| fields.get(index).and_then(|field| number(field));
@@ -271,6 +291,11 @@ impl Sentences {
         epoch.values[3] = epoch.values[3].or(speed.map(|knots| knots * MPS_PER_KNOT));
         epoch.values[4] = epoch.values[4].or(course);
     }
+}
+
+/// A height in metres that a sentence tells in that unit.
+fn height(text: Option<&&str>, unit: f64) -> Option<f64> {
+    Some(number(text?)? * unit)
 }
 
 fn number(text: &str) -> Option<f64> {
@@ -379,6 +404,41 @@ mod tests {
             .map(|line| sentence(&line[1..line.len() - 3]))
             .collect();
         assert!(read_nmea("a.nmea", unfixed.as_bytes()).unwrap().is_none());
+    }
+
+    #[test]
+    fn a_sentence_that_is_cut_off_is_left_out_and_told_where_others_have_sums() {
+        let fix = |i: u32| {
+            sentence(&format!(
+                "GPGGA,1200{i:02}.00,4730.{i:02}0,N,00830.000,E,1,8,1,440.5,M,47.0,M,,"
+            ))
+        };
+        let text: String = (0..10).map(fix).collect();
+        let begin = text.rfind('$').unwrap();
+        for cut in begin + 1..text.rfind('*').unwrap() + 3 {
+            let read = sentences(&text[..cut]);
+            assert_eq!(
+                (read.epochs.len(), read.damaged),
+                (9, 1),
+                "{}",
+                &text[begin..cut]
+            );
+        }
+        let bare: String = text
+            .lines()
+            .map(|line| line[..line.len() - 3].to_owned() + "\n")
+            .collect();
+        assert_eq!(sentences(&bare).epochs.len(), 10);
+    }
+
+    #[test]
+    fn heights_in_feet_and_dates_alone_are_read() {
+        let text = sentence("GPZDA,120000.00,13,05,2024,00,00")
+            + &sentence("GPGGA,120000.00,4730.000,N,00830.000,E,1,8,1,1000.0,F,47.0,M,,");
+        let read = sentences(&text);
+        assert_eq!(read.epochs.len(), 1);
+        assert_eq!(read.epochs[0].day, Some(days_since_1970(2024, 5, 13)));
+        assert!((read.epochs[0].values[2].unwrap() - 304.8).abs() < 1e-9);
     }
 
     #[test]
