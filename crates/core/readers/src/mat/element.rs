@@ -24,7 +24,7 @@ pub struct MatElement<'a> {
 }
 
 /// A number of two or four bytes.
-fn number(bytes: &[u8], is_big: bool) -> u32 {
+pub fn number(bytes: &[u8], is_big: bool) -> u32 {
     let one = |value: u32, byte: &u8| value << 8 | u32::from(*byte);
     if is_big {
         bytes.iter().fold(0, one)
@@ -33,9 +33,9 @@ fn number(bytes: &[u8], is_big: bool) -> u32 {
     }
 }
 
-/// The elements of a file one after the other, those that are compressed unpacked; `None` if it is no such file.
-/// Ends before what is cut off or damaged.
-pub fn elements(bytes: &[u8]) -> Option<Vec<MatElement<'_>>> {
+/// The elements of a file one after the other, those that are compressed unpacked, and whether that is all of it;
+/// `None` if it is no such file. Ends before what is cut off or damaged.
+pub fn elements(bytes: &[u8]) -> Option<(Vec<MatElement<'_>>, bool)> {
     let mark = bytes.get(126..HEADER)?;
     let is_big = match mark {
         b"IM" => false,
@@ -46,32 +46,41 @@ pub fn elements(bytes: &[u8]) -> Option<Vec<MatElement<'_>>> {
     if version >> 8 != 1 {
         return None;
     }
-    let unpacked = split(&bytes[HEADER..], is_big)
-        .into_iter()
-        .filter_map(|element| {
-            if element.kind != COMPRESSED {
-                return Some(element);
-            }
-            let mut data = Vec::new();
-            let decoder = ZlibDecoder::new(element.data.as_ref());
-            // What comes before damage is kept.
-            let _ = decoder.take(MOST).read_to_end(&mut data);
-            let inner = split(&data, is_big).into_iter().next()?;
-            Some(MatElement {
-                kind: inner.kind,
-                data: Cow::Owned(inner.data.into_owned()),
-                is_big,
-            })
+    let (packed, mut is_whole) = split(&bytes[HEADER..], is_big);
+    let mut elements = Vec::new();
+    for element in packed {
+        if element.kind != COMPRESSED {
+            elements.push(element);
+            continue;
+        }
+        let mut data = Vec::new();
+        let decoder = ZlibDecoder::new(element.data.as_ref());
+        let unpacked = decoder.take(MOST).read_to_end(&mut data);
+        let Some(inner) = split(&data, is_big)
+            .0
+            .into_iter()
+            .next()
+            .filter(|_| unpacked.is_ok())
+        else {
+            is_whole = false;
+            break;
+        };
+        elements.push(MatElement {
+            kind: inner.kind,
+            data: Cow::Owned(inner.data.into_owned()),
+            is_big,
         });
-    Some(unpacked.collect())
+    }
+    Some((elements, is_whole))
 }
 
 /// The elements within others.
 pub fn inside<'a>(element: &'a MatElement<'_>) -> Vec<MatElement<'a>> {
-    split(&element.data, element.is_big)
+    split(&element.data, element.is_big).0
 }
 
-fn split(mut bytes: &[u8], is_big: bool) -> Vec<MatElement<'_>> {
+/// The elements one after the other, and whether they reach to the end.
+fn split(mut bytes: &[u8], is_big: bool) -> (Vec<MatElement<'_>>, bool) {
     let mut elements = Vec::new();
     while let Some(tag) = bytes.get(..8) {
         let first = number(&tag[..4], is_big);
@@ -85,7 +94,7 @@ fn split(mut bytes: &[u8], is_big: bool) -> Vec<MatElement<'_>> {
             .checked_add(length)
             .and_then(|end| bytes.get(start..end))
         else {
-            break;
+            return (elements, false);
         };
         elements.push(MatElement {
             kind,
@@ -102,7 +111,7 @@ fn split(mut bytes: &[u8], is_big: bool) -> Vec<MatElement<'_>> {
         };
         bytes = bytes.get(end..).unwrap_or_default();
     }
-    elements
+    (elements, bytes.is_empty())
 }
 
 impl MatElement<'_> {

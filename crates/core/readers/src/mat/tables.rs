@@ -35,7 +35,7 @@ pub fn of(stem: &str, variables: &[(String, MatValue)]) -> BTreeMap<String, Vec<
             },
             MatValue::Fields(fields) => {
                 let mut columns = Vec::new();
-                flatten("", fields, &mut columns);
+                flatten(name, "", fields, &mut columns, &mut found);
                 by_length(name, columns, &mut found);
             }
             _ => {}
@@ -150,23 +150,44 @@ fn columns(name: &str, value: &MatValue) -> NamedColumns {
         .collect()
 }
 
-/// The columns that the fields of a structure are, and those of structures in it.
-fn flatten(prefix: &str, fields: &[(String, MatValue)], found: &mut NamedColumns) {
+/// The columns that the fields of the structure `table` are, and those of structures in it; structures that have times of
+/// their own are tables of their own.
+fn flatten(
+    table: &str,
+    prefix: &str,
+    fields: &[(String, MatValue)],
+    columns: &mut NamedColumns,
+    found: &mut BTreeMap<String, NamedColumns>,
+) {
     for (name, value) in fields {
-        let name = if prefix.is_empty() {
-            name.clone()
-        } else {
-            format!("{prefix}.{name}")
+        let full = match name.as_str() {
+            _ if prefix.is_empty() => name.clone(),
+            // What Simulink and time series call the values of a signal that has a name.
+            "values" | "Values" | "data" | "Data" => prefix.to_owned(),
+            _ => format!("{prefix}.{name}"),
         };
         match value {
             MatValue::Numbers { .. } => match labels(name.as_str(), fields) {
-                Some(labels) => found.extend(named(value, &labels)),
-                None => found.extend(columns(&name, value)),
+                Some(labels) => columns.extend(named(value, &labels)),
+                None => columns.extend(self::columns(&full, value)),
             },
-            MatValue::Fields(inner) => flatten(&name, inner, found),
+            MatValue::Fields(inner) if inner.iter().any(is_time) => {
+                let table = format!("{table}.{name}");
+                let mut own = Vec::new();
+                flatten(&table, "", inner, &mut own, found);
+                by_length(&table, own, found);
+            }
+            MatValue::Fields(inner) => flatten(table, &full, inner, columns, found),
             _ => {}
         }
     }
+}
+
+/// Whether a field is a column of times by its name.
+fn is_time((name, value): &(String, MatValue)) -> bool {
+    let name = name.to_ascii_lowercase();
+    let is_column = matches!(value, MatValue::Numbers { values, .. } if values.len() >= LEAST);
+    is_column && (name == "t" || name.starts_with("time"))
 }
 
 /// Puts columns of each length into a table of their own, called `name`, or `name_2` and so on.

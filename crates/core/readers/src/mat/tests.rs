@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 
+use super::value::MatValue;
 use super::*;
 
 /// Written by scipy.io.savemat (1.17) with `do_compression`: `t` and `roll` of 5 rows, `GPS` of 4 rows and 3 columns with
@@ -36,6 +37,83 @@ fn what_is_no_such_file_is_refused_with_a_word() {
     assert!(refused(b"MATLAB 7.3 MAT-file").contains("-v7"));
     assert!(refused(b"t,lat,lon").contains("no MATLAB file"));
     assert!(refused(&SCIPY[..128]).contains("no variable"));
+}
+
+#[test]
+fn what_is_cut_off_or_damaged_is_refused_and_says_behind_what() {
+    for cut in [200, SCIPY.len() / 2, SCIPY.len() - 1] {
+        let told = MatFiles::open("a.mat", &SCIPY[..cut]).unwrap_err();
+        assert!(matches!(told, MatError::Damaged(..)), "{cut}: {told}");
+    }
+    let mut flipped = SCIPY.to_vec();
+    flipped[SCIPY.len() - 20] ^= 0x40;
+    let told = MatFiles::open("a.mat", &flipped).unwrap_err().to_string();
+    assert!(told.contains("damaged behind"), "{told}");
+}
+
+/// A variable of version 4: `kind` by its digits, numbers of eight bytes or letters of one.
+fn fourth(kind: u32, name: &str, rows: u32, values: &[f64]) -> Vec<u8> {
+    let columns = values.len() as u32 / rows;
+    let is_big = kind >= 1000;
+    let mut bytes = Vec::new();
+    for part in [kind, rows, columns, 0, name.len() as u32 + 1] {
+        let part = part.to_le_bytes();
+        bytes.extend(if is_big {
+            [part[3], part[2], part[1], part[0]]
+        } else {
+            part
+        });
+    }
+    bytes.extend(name.bytes().chain([0]));
+    for value in values {
+        match (kind / 10 % 10, is_big) {
+            (0, false) => bytes.extend(value.to_le_bytes()),
+            (0, true) => bytes.extend(value.to_be_bytes()),
+            _ => bytes.push(*value as u8),
+        }
+    }
+    bytes
+}
+
+#[test]
+fn files_of_version_four_are_read_in_both_orders_of_bytes_and_by_labels_of_letters() {
+    for order in [0, 1000] {
+        let numbers = [0.0, 1.0, 2.0, 47.25, 47.5, -47.75];
+        let letters = [b't', b'L', b' ', b'a', b' ', b't'].map(f64::from);
+        let file = [
+            fourth(order, "GPS", 3, &numbers),
+            fourth(51 + order, "GPS_label", 2, &letters),
+        ];
+        let files = MatFiles::open("a.mat", &file.concat()).unwrap();
+        assert_eq!(
+            table(&files, "a/GPS.csv"),
+            "\"t\",\"Lat\"\n0,47.25\n1,47.5\n2,-47.75\n"
+        );
+        let file = file.concat();
+        let told = MatFiles::open("a.mat", &file[..file.len() - 1]).unwrap_err();
+        assert_eq!(
+            told,
+            MatError::Damaged("a.mat".to_owned(), "GPS".to_owned())
+        );
+    }
+}
+
+#[test]
+fn arrays_of_structures_and_structures_with_times_of_their_own_are_tables() {
+    let column = |values: &[f64]| MatValue::Numbers {
+        rows: values.len(),
+        columns: 1,
+        values: values.to_vec(),
+    };
+    let field = |name: &str, value: MatValue| (name.to_owned(), value);
+    let signal = |of: f64| MatValue::Fields(vec![field("values", column(&[of, of, of]))]);
+    let times = || field("time", column(&[0.0, 1.0, 2.0]));
+    let own = MatValue::Fields(vec![times(), field("roll", column(&[4.0, 5.0, 6.0]))]);
+    let log = MatValue::Fields(vec![times(), field("Lat", signal(7.0)), field("att", own)]);
+    let tables = tables::of("a", &[field("log", log)]);
+    let text = |name: &str| String::from_utf8_lossy(&tables[name]).into_owned();
+    assert_eq!(text("a/log.csv"), "\"time\",\"Lat\"\n0,7\n1,7\n2,7\n");
+    assert_eq!(text("a/log.att.csv"), "\"time\",\"roll\"\n0,4\n1,5\n2,6\n");
 }
 
 #[test]

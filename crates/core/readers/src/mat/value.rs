@@ -6,6 +6,8 @@ use super::element::{MatElement, elements, inside};
 const DEEPEST: usize = 8;
 /// Type of an element that is an array.
 const MATRIX: u32 = 14;
+/// Class of tables, dates and other objects, which MATLAB stores in ways of its own.
+const OBJECT: u32 = 17;
 
 /// Value of a variable.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,11 +28,22 @@ pub enum MatValue {
     Other,
 }
 
-/// The variables of a file by their names; `None` if it is no such file.
-pub fn variables(bytes: &[u8]) -> Option<Vec<(String, MatValue)>> {
-    let elements = elements(bytes)?;
+/// The variables of a file by their names.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MatVariables {
+    pub all: Vec<(String, MatValue)>,
+    /// Whether the file is cut off or damaged behind them.
+    pub is_damaged: bool,
+}
+
+/// The variables of a file of version 5 to 7; `None` if it is no such file.
+pub fn variables(bytes: &[u8]) -> Option<MatVariables> {
+    let (elements, is_whole) = elements(bytes)?;
     let matrices = elements.iter().filter(|element| element.kind == MATRIX);
-    Some(matrices.filter_map(|element| array(element, 0)).collect())
+    Some(MatVariables {
+        all: matrices.filter_map(|element| array(element, 0)).collect(),
+        is_damaged: !is_whole,
+    })
 }
 
 /// The array that an element is, with its name.
@@ -43,6 +56,9 @@ fn array(element: &MatElement<'_>, depth: usize) -> Option<(String, MatValue)> {
         return None;
     };
     let class = flags.numbers()?.first().copied()? as u32 & 0xff;
+    if class == OBJECT {
+        return Some((dimensions.text(), MatValue::Other));
+    }
     let dimensions: Vec<usize> = dimensions
         .numbers()?
         .iter()
@@ -58,8 +74,8 @@ fn array(element: &MatElement<'_>, depth: usize) -> Option<(String, MatValue)> {
             let cell = |part| array(part, depth + 1).map_or(MatValue::Other, |(_, value)| value);
             MatValue::Cells(cells.map(cell).collect())
         }
-        2 => fields(rest, depth).unwrap_or(MatValue::Other),
-        4 => MatValue::Text(letters(rest.first()?, rows)),
+        2 => fields(rest, depth, rows.checked_mul(columns)?).unwrap_or(MatValue::Other),
+        4 => text_of(rest.first()?.text().chars().collect(), rows),
         6..=15 => {
             let values = rest.first()?.numbers()?;
             if rows.checked_mul(columns)? == values.len() {
@@ -77,18 +93,18 @@ fn array(element: &MatElement<'_>, depth: usize) -> Option<(String, MatValue)> {
     Some((name.text(), value))
 }
 
-/// The text of letters that are stored column by column, of one row.
-fn letters(element: &MatElement<'_>, rows: usize) -> String {
-    let text = element.text();
-    if rows > 1 {
-        let every = text.chars().step_by(rows);
-        return every.collect();
+/// The text of letters that are stored column by column; of several rows a cell for each.
+pub fn text_of(letters: Vec<char>, rows: usize) -> MatValue {
+    let row = |row: usize| MatValue::Text(letters.iter().skip(row).step_by(rows).collect());
+    match rows {
+        0 | 1 => MatValue::Text(letters.into_iter().collect()),
+        _ => MatValue::Cells((0..rows).map(row).collect()),
     }
-    text
 }
 
-/// The fields of a structure; `None` of several structures.
-fn fields(parts: &[MatElement<'_>], depth: usize) -> Option<MatValue> {
+/// The fields of `count` structures. Of several, numbers one a structure are a column, and all else stands in a structure
+/// for each, by its label or its number.
+fn fields(parts: &[MatElement<'_>], depth: usize, count: usize) -> Option<MatValue> {
     let [length, names, values @ ..] = parts else {
         return None;
     };
@@ -101,10 +117,51 @@ fn fields(parts: &[MatElement<'_>], depth: usize) -> Option<MatValue> {
         String::from_utf8_lossy(&name[..end]).into_owned()
     });
     let names: Vec<String> = names.collect();
-    if values.len() != names.len() {
+    if names.is_empty() || Some(values.len()) != names.len().checked_mul(count) {
         return None;
     }
     let value = |part| array(part, depth + 1).map_or(MatValue::Other, |(_, value)| value);
-    let values = values.iter().map(value);
-    Some(MatValue::Fields(names.into_iter().zip(values).collect()))
+    let mut each: Vec<Vec<(String, MatValue)>> = (values.chunks_exact(names.len()))
+        .map(|values| {
+            names
+                .iter()
+                .cloned()
+                .zip(values.iter().map(value))
+                .collect()
+        })
+        .collect();
+    if count == 1 {
+        return each.pop().map(MatValue::Fields);
+    }
+    let mut found = Vec::new();
+    for (place, name) in names.iter().enumerate() {
+        let single = |fields: &Vec<(String, MatValue)>| match &fields[place].1 {
+            MatValue::Numbers { values, .. } if values.len() == 1 => Some(values[0]),
+            _ => None,
+        };
+        if let Some(values) = each.iter().map(single).collect::<Option<Vec<f64>>>() {
+            found.push((
+                name.clone(),
+                MatValue::Numbers {
+                    rows: count,
+                    columns: 1,
+                    values,
+                },
+            ));
+        }
+    }
+    for (number, fields) in each.into_iter().enumerate() {
+        let label = fields.iter().find_map(|(name, value)| match value {
+            MatValue::Text(text) if name == "label" || name == "name" => {
+                Some(text.trim().to_owned())
+            }
+            _ => None,
+        });
+        let label = label.filter(|label| !label.is_empty());
+        found.push((
+            label.unwrap_or_else(|| (number + 1).to_string()),
+            MatValue::Fields(fields),
+        ));
+    }
+    Some(MatValue::Fields(found))
 }
