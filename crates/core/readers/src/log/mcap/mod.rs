@@ -15,6 +15,7 @@ mod decode;
 mod inside;
 mod magic;
 mod message_topic;
+mod order;
 mod reader;
 mod record;
 mod ros;

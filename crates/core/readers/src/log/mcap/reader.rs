@@ -7,6 +7,7 @@ use super::chunk::{self, Packing};
 use super::contents::McapContents;
 use super::inside::ChunkRecords;
 use super::magic::MAGIC;
+use super::order::put_in_order;
 use super::record::{
     ATTACHMENT, CHUNK, FRAME, MESSAGE, Record, frame, is_known, parse, whole_length,
 };
@@ -71,6 +72,9 @@ impl LogSteps for Mcap {
             );
         }
         self.contents.end(log);
+        log.topics.iter_mut().for_each(put_in_order);
+        log.modes.sort_by(|a, b| a.time.total_cmp(&b.time));
+        log.messages.sort_by(|a, b| a.time.total_cmp(&b.time));
         log.leave_out_wrong_times(|_| true);
     }
 }

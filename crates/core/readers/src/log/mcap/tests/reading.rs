@@ -62,6 +62,31 @@ fn messages_wait_for_a_description_that_comes_with_the_summary() {
 }
 
 #[test]
+fn messages_out_of_order_are_put_in_order_and_a_clock_set_back_is_not_hidden() {
+    let times = |order: &[u64]| {
+        let all: Vec<u8> = order.iter().flat_map(|index| messages(*index, 1)).collect();
+        let file = Written::new().and(&description()).and(&all);
+        let log = read(&file.end(order.len() as u64, &description()));
+        let topic = log.first("/turn").expect("there are turns");
+        let angles = topic.values("angle").expect("there are angles");
+        let zero = order[0] as f64;
+        for (time, angle) in topic.times.iter().zip(angles) {
+            // Messages are a tenth of a second apart, and angles grow by an eighth.
+            assert!((10.0 * time + zero - 8.0 * angle).abs() < 1e-6);
+        }
+        topic
+            .times
+            .iter()
+            .map(|time| (10.0 * time + zero).round() as u64)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(times(&[3, 1, 2, 0, 5, 4]), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(times(&[3, 4, 5, 0, 1, 2]), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(times(&[5, 4, 3, 2, 1, 0]), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(times(&[0, 1, 2, 3, 1, 2, 3, 4]), [0, 1, 2, 3, 1, 2, 3, 4]);
+}
+
+#[test]
 fn messages_that_nobody_describes_keep_their_times_and_lengths() {
     let file = Written::new()
         .and(&message(9, 5_000, b"abc"))
