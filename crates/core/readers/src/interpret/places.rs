@@ -4,7 +4,7 @@ use super::{Role, RoleSeries};
 use pilotage_base::frames::Geodetic;
 
 /// Kinds of fix from which on a position counts.
-const FLAT_FIX: f64 = 2.0;
+pub(super) const FLAT_FIX: f64 = 2.0;
 
 /// Source of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,9 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::origin;
+use super::places::FLAT_FIX;
 use super::source::{factor_of_unit, sources};
-use crate::log::{FieldLayout, Log, Topic, system_of};
+use crate::log::{FieldLayout, Log, LogFormat, Topic, system_of};
 use crate::role::{Role, RoleSeries, RoleSource, RowReading};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
@@ -127,8 +128,8 @@ fn standard_height(pressure: f64) -> f64 {
     TEMPERATURE / LAPSE * (1.0 - (pressure / 101_325.0).powf(1.0 / EXPONENT))
 }
 
-/// Topics that `source` names: the first of that name, or else all of that kind; where several vehicles fly, those of the
-/// chosen one.
+/// Topics that `source` names: those of that name, or else all of that kind; where several vehicles fly, that of the
+/// chosen one. Of several sensors the first, but a receiver with a fix before one that never has any.
 fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     if let Some(system) = log.chosen_vehicle() {
         let is_own = |topic: &&Topic| {
@@ -137,11 +138,35 @@ fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
         return log.topics.iter().find(is_own).into_iter().collect();
     }
     if let Some(topic) = log.first(source.topic) {
-        return vec![topic];
+        if log.format == LogFormat::Tlog {
+            return vec![topic];
+        }
+        let same = log
+            .topics
+            .iter()
+            .filter(|topic| topic.name.name == source.topic);
+        let mut same: Vec<&Topic> = same.collect();
+        if same.len() > 1 {
+            same.sort_by_cached_key(|topic| (never_has_fix(log, topic), topic.name.instance));
+        }
+        return same;
     }
     let (kind, part) = source.topic.split_once('@').unwrap_or((source.topic, ""));
     let is_it = |topic: &&Topic| topic.kind() == kind && topic.name.name.contains(part);
     log.topics.iter().filter(is_it).collect()
+}
+
+/// Whether a topic is that of a receiver that never knows where it is.
+fn never_has_fix(log: &Log, topic: &Topic) -> bool {
+    let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == topic.name.name;
+    let mut fixes = sources(log.format).filter(is_fix);
+    fixes.any(|source| match source.reading {
+        RowReading::Field(name, _) => {
+            let values = topic.values(name);
+            values.is_some_and(|values| values.iter().all(|fix| *fix < FLAT_FIX))
+        }
+        _ => false,
+    })
 }
 
 /// The series that `source` names in a topic, or `None` if it has no such fields or no row of them.
@@ -165,7 +190,7 @@ fn is_alive(series: &RoleSeries) -> bool {
 }
 
 /// The series of a role: as it was given, else from the best place that says anything, else from the best that is
-/// there.
+/// there. A place is the autopilot's own where no receiver is logged.
 ///
 /// ```
 /// # use pilotage_readers::bytes::MemoryBytes;
@@ -196,5 +221,17 @@ pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
             dead.get_or_insert(found);
         }
     }
-    dead
+    // Where no receiver is logged, the autopilot's own place is what there is.
+    let own = match role {
+        Role::Latitude => Role::AutopilotLatitude,
+        Role::Longitude => Role::AutopilotLongitude,
+        Role::GpsHeight => Role::AutopilotHeight,
+        _ => return dead,
+    };
+    dead.or_else(|| {
+        Some(RoleSeries {
+            role,
+            ..series(log, own)?
+        })
+    })
 }

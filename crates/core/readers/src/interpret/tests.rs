@@ -10,6 +10,11 @@ use pilotage_flight::ChannelName;
 
 /// Adds a topic of double-precision numbers: names with units, and rows that begin with their time.
 fn add(log: &mut Log, name: &str, fields: &[(&str, &str)], rows: &[Vec<f64>]) {
+    add_topic(log, &TopicName::single(name), fields, rows);
+}
+
+/// Adds a topic of that name and instance.
+fn add_topic(log: &mut Log, name: &TopicName, fields: &[(&str, &str)], rows: &[Vec<f64>]) {
     let layouts = || {
         let fields = fields.iter().enumerate();
         let layout = |(i, (name, unit)): (usize, &(&str, &str))| FieldLayout {
@@ -18,7 +23,7 @@ fn add(log: &mut Log, name: &str, fields: &[(&str, &str)], rows: &[Vec<f64>]) {
         };
         fields.map(layout).collect()
     };
-    let place = log.topic_or_new(&TopicName::single(name), layouts);
+    let place = log.topic_or_new(name, layouts);
     for row in rows {
         let bytes: Vec<u8> = row[1..].iter().flat_map(|v| v.to_le_bytes()).collect();
         log.topics[place].push(row[0], &bytes);
@@ -290,6 +295,64 @@ fn the_autopilots_own_place_stands_beside_that_of_the_receiver() {
         "{north} {east}"
     );
     assert_eq!(flight.value(ChannelName::AutopilotHeight, 5.0), Some(507.0));
+}
+
+#[test]
+fn the_first_receiver_that_has_a_fix_says_where_it_was_in_whatever_order_they_are_logged() {
+    let fields = [
+        ("Status", ""),
+        ("Lat", "deglatitude"),
+        ("Lng", "deglongitude"),
+        ("Alt", "m"),
+    ];
+    let rows = |status: f64, latitude: f64| -> Vec<Vec<f64>> {
+        let row = |i: f64| vec![i, status, latitude + 1e-5 * i, 8.0, 500.0 + i];
+        (0..5).map(|i| row(f64::from(i))).collect()
+    };
+    for (receivers, expected) in [
+        ([(0, 0.0, 0.0), (1, 3.0, 47.0)], Some(47.0)),
+        ([(1, 3.0, 47.0), (0, 1.0, 9.0)], Some(47.0)),
+        ([(1, 3.0, 47.0), (0, 3.0, 48.0)], Some(48.0)),
+        ([(0, 3.0, 48.0), (1, 3.0, 47.0)], Some(48.0)),
+        ([(0, 0.0, 9.0), (1, 0.0, 10.0)], None),
+    ] {
+        let mut log = Log::new("two.bin", LogFormat::Dataflash);
+        for (instance, status, latitude) in receivers {
+            let name = TopicName {
+                name: "GPS".to_owned(),
+                instance: Some(instance),
+            };
+            add_topic(&mut log, &name, &fields, &rows(status, latitude));
+        }
+        let found = places(&super::flight::all_series(&log), Navigation::Gps);
+        let first = found
+            .first()
+            .map(|place| place.1.latitude.to_degrees().round());
+        assert_eq!(first, expected, "{receivers:?}");
+    }
+}
+
+#[test]
+fn a_log_without_a_receiver_is_placed_by_the_autopilot() {
+    let mut log = Log::new("own.bin", LogFormat::Dataflash);
+    let fields = [
+        ("Lat", "deglatitude"),
+        ("Lng", "deglongitude"),
+        ("Alt", "m"),
+    ];
+    let rows: Vec<_> = (0..5)
+        .map(|i| vec![f64::from(i), 47.0 + 1e-5 * f64::from(i), 8.0, 500.0])
+        .collect();
+    add(&mut log, "POS", &fields, &rows);
+    let latitude = series(&log, Role::Latitude).unwrap();
+    assert_eq!(
+        (latitude.role, latitude.source.as_str()),
+        (Role::Latitude, "POS.Lat")
+    );
+    assert_eq!(
+        places(&super::flight::all_series(&log), Navigation::Gps).len(),
+        5
+    );
 }
 
 #[test]
