@@ -166,10 +166,15 @@ fn time_of_day(text: &str) -> Option<((i64, f64), bool)> {
     ))
 }
 
-/// Days from 1970-01-01 to a date of three numbers.
+/// Days from 1970-01-01 to a date of three numbers, or to a day of the year (`2024-122`).
 fn day(text: &str, has_half: bool) -> Option<i64> {
     let separator = text.chars().find(|letter| "-/.:".contains(*letter))?;
     let parts: Vec<&str> = text.split(separator).collect();
+    if let [year, day] = parts.as_slice() {
+        let (year, day) = (digits(year, 4, 4)?, digits(day, 3, 3)?);
+        let is_day = (1..=366).contains(&day) && separator != '.';
+        return is_day.then(|| days_since_1970(year, 1, day));
+    }
     let [first, second, third] = parts.as_slice() else {
         return None;
     };
@@ -269,6 +274,9 @@ mod tests {
             "6/23/2016 4:31:59 p.m.",
             "20160623T163159Z",
             "20160623 16:31:59",
+            "2016-175T16:31:59Z",
+            "2016/175 16:31:59",
+            "2016:175:16:31:59",
             "2016-06-23-16-31-59",
             "2016-06-23_16:31:59",
             "23 Jun 2016 16:31:59",
@@ -308,6 +316,8 @@ mod tests {
             "24-05-13 10:00:00",
             "24/05/13 10:00:00",
             "12345.5s",
+            "2024-367 10:00:00",
+            "2024.122 10:00:00",
             "10:20:30 10:20:31",
         ] {
             assert_eq!(date_and_time(text), None, "{text}");

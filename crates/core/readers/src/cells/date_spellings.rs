@@ -68,13 +68,17 @@ fn without_seams(text: &str) -> Option<String> {
     ))
 }
 
-/// `2024-05-13-10-00-00.5`, `2024-05-13_10:00:00`, `2024_05_13_10_00_00`.
+/// `2024-05-13-10-00-00.5`, `2024-05-13_10:00:00`, `2024_05_13_10_00_00`; `2024:134:10:00:00.5` by the day of the year.
 fn with_dashes(text: &str) -> Option<String> {
     let end = text
         .find(|c: char| !(c.is_ascii_digit() || "-_:.".contains(c)))
         .unwrap_or(text.len());
     let (clock, zone) = text.split_at(end);
     let parts: Vec<&str> = clock.splitn(6, ['-', '_', ':']).collect();
+    if let [year, day, hour, minute, second] = parts.as_slice() {
+        let fit = year.len() == 4 && day.len() == 3 && are_digits(day);
+        return fit.then(|| format!("{year}-{day}T{hour}:{minute}:{second}{zone}"));
+    }
     let [year, month, day, hour, minute, second] = parts.as_slice() else {
         return None;
     };
