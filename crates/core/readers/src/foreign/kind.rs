@@ -15,8 +15,7 @@ pub(super) const fn kind(what: &'static str, advice: &'static str) -> Foreign {
 
 pub(super) const UNPACK: &str = "unpack it and open what is in it";
 pub(super) const LOG: &str = "open the log of its flight";
-pub(super) const FILM: &str =
-    "open it in the page beside the log of its flight; a film alone tells of no flight";
+pub(super) const FILM: &str = "open it in the page beside the log of its flight; of places that it holds itself make a CSV (ExifTool, gopro2gpx)";
 pub(super) const PHOTO: &str =
     "put it into a folder with the other photos of the flight and open that";
 pub(super) const JPEG: &str = "save it as JPEG and open its folder";
@@ -26,6 +25,8 @@ pub(super) const TO_CSV: &str = "save its tables as CSV and open those";
 pub(super) const TO_GEOJSON: &str = "save its layers as GeoJSON (QGIS, `ogr2ogr`), or as GeoTIFF where they are pictures, and open those";
 pub(super) const CONVERT: &str =
     "it holds routes or landmarks: `pilotage convert`, or open it in Plan";
+pub(super) const FLIGHT_PLAN: &str =
+    "save it as GPX (Little Navmap, or the program that made it) and open that in Plan";
 pub(super) const AGAIN: &str = "copy it again from where it comes from";
 
 /// Bytes of a file's beginning and end in which archives and databases tell what is in them.

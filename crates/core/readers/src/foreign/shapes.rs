@@ -314,6 +314,9 @@ mod tests {
             ("0.5\n0\n0\n-0.5\n2600000\n1200000\n", "world file"),
             ("ncols 4\nnrows 4\nxllcorner 8\n", "grid of heights"),
             ("<?xml version=\"1.0\"?>\n<TrainingCenterDatabase/>", "TCX"),
+            ("<flight-plan xmlns=\"http://www8.garmin.com/\"/>", ".fpl"),
+            ("<DivelementsFlightPlanner/>", ".flightplan"),
+            ("<?xml version=\"1.0\"?><SimBase.Document/>", ".pln"),
             ("<mission><MISSIONITEM no=\"1\"/></mission>", "INAV"),
             ("{ \"type\" : \"Topology\" }", "TopoJSON"),
             (

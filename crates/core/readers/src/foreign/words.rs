@@ -1,6 +1,6 @@
 //! Words near the beginning of a text that tell what it is, one kind a line.
 
-use super::kind::{CONVERT, Foreign, LOG, MODEL, TO_CSV, TO_GEOJSON, kind};
+use super::kind::{CONVERT, FLIGHT_PLAN, Foreign, LOG, MODEL, TO_CSV, TO_GEOJSON, kind};
 
 const NMEA: &str = "no two places could be read in them: they need GGA or RMC with a fix";
 const PAGE: &str = "what was downloaded is a page about the file, not the file: download it again";
@@ -41,6 +41,10 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\nmtllib ", "a model (OBJ)", MODEL),
     word("<missionitem", "a mission of INAV or Multiwii (.mission, XML)", "save it in QGroundControl or Mission Planner as .plan or .waypoints, or its places as CSV, and open that"),
     word("<trainingcenterdatabase", "an activity of Garmin (TCX)", "make a GPX or CSV of it (gpsbabel -i gtrnctr) and open that"),
+    word("<flight-plan", "a flight plan of Garmin (.fpl)", FLIGHT_PLAN),
+    word("<divelementsflightplanner", "a flight plan of SkyDemon (.flightplan)", FLIGHT_PLAN),
+    word("<simbase.document", "a flight plan of a simulator (.pln)", FLIGHT_PLAN),
+    word("<littlenavmap", "a flight plan of Little Navmap (.lnmpln)", FLIGHT_PLAN),
     word("<gpx", "a GPX file", CONVERT),
     word("<kml", "a KML file", CONVERT),
     word("<osm ", "a road map of OpenStreetMap", "import it: `pilotage roads import`"),
