@@ -69,6 +69,7 @@ pub(super) fn count_by_messages(log: &mut Log) {
             continue;
         };
         let reference: Vec<Start> = most.starts.iter().map(|(_, start)| *start).collect();
+        let step = step_of(most, &log.topics[most.place].times);
         // Received and sent, on one clock, of every message with a time.
         let mut known: Vec<(f64, f64)> = Vec::new();
         for timed in &timed {
@@ -95,7 +96,16 @@ pub(super) fn count_by_messages(log: &mut Log) {
             .collect();
         if !delays.is_empty() {
             let late = delays.len() * 9 / 10;
-            latest = latest.max(*delays.select_nth_unstable_by(late, f64::total_cmp).1);
+            let late = *delays.select_nth_unstable_by(late, f64::total_cmp).1;
+            latest = latest.max(if step.is_some() { 0.0 } else { late });
+        }
+        if let Some((at, by)) = step {
+            let way = if by > 0.0 { "forward" } else { "back" };
+            log.report.remark(format!(
+                "the receiver's clock was set {way} by {:.1} s at {at:.0} s, while the vehicle's own went on: times are the \
+                 vehicle's, on the clock that was the earlier",
+                by.abs()
+            ));
         }
         let is_timed = |place: &usize| timed.iter().any(|timed| timed.place == *place);
         for place in places.iter().filter(|place| !is_timed(place)) {
@@ -115,6 +125,40 @@ pub(super) fn count_by_messages(log: &mut Log) {
              receiver's clock; a message without a time has that of the one before it"
         ));
     }
+}
+
+/// The time of the vehicle, on the receiver's clock, at which the latter was set by less than links pause for, and by how much,
+/// seconds: behind it every message is later than before, or prompter, and not only for a while.
+fn step_of(most: &TimedTopic, received: &[f64]) -> Option<(f64, f64)> {
+    let [(rows, start)] = most.starts.as_slice() else {
+        return None;
+    };
+    let times = rows
+        .clone()
+        .map(|row| (start.time(most.sent[row]), received[row]));
+    let times: Vec<(f64, f64)> = times
+        .filter(|(sent, received)| (received - sent).is_finite())
+        .collect();
+    let delays: Vec<f64> = times
+        .iter()
+        .map(|(sent, received)| received - sent)
+        .collect();
+    let is_late = |delay: &f64| *delay > LATE;
+    let first = delays.iter().position(is_late)?;
+    let behind = delays.iter().rposition(is_late)? + 1;
+    let (at, late, sign) = if behind == delays.len() {
+        (first, first..behind, 1.0)
+    } else if first == 0 {
+        (behind, first..behind, -1.0)
+    } else {
+        return None;
+    };
+    let late = &delays[late];
+    let least = late.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = late.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let is_step = least > LATE && most - least < LATE && late.len() >= ENOUGH;
+    let is_known = delays.len() - late.len() >= ENOUGH;
+    (is_step && is_known).then(|| (times[at].0, sign * least))
 }
 
 /// The start that holds at a moment of the receiver's clock.

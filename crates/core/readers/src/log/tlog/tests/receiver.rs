@@ -57,6 +57,34 @@ fn a_clock_set_by_an_hour_or_minutes_leaves_one_flight_with_all_its_rows() {
 }
 
 #[test]
+fn a_clock_set_by_seconds_is_told_as_one_and_a_late_link_is_not() {
+    for by in [10.0, -15.0, 1.5] {
+        let log = log(|i, r| r + if i > 150 { by } else { 0.0 }, regular);
+        let times = times(&log, "ATTITUDE");
+        assert!((times[299] - times[0] - 59.8).abs() < 1e-3, "{by}");
+        let way = if by > 0.0 { "forward" } else { "back" };
+        let wanted = format!("set {way} by {:.1} s", f64::abs(by));
+        let remarks = &log.report.remarks;
+        assert!(
+            remarks.len() == 1 && remarks[0].contains(&wanted),
+            "{by} {remarks:?}"
+        );
+    }
+    let late = |i: u32, r: f64| {
+        r + if i < 150 {
+            0.0
+        } else {
+            0.1 * f64::from((i - 150).min(225 - i.min(225)))
+        }
+    };
+    let remarks = log(late, regular).report.remarks;
+    assert!(
+        remarks.iter().all(|remark| !remark.contains("set")),
+        "{remarks:?}"
+    );
+}
+
+#[test]
 fn a_clock_set_forth_and_back_again_leaves_one_flight() {
     let log = log(
         |i, r| r + if (60..200).contains(&i) { 3600.0 } else { 0.0 },
