@@ -8,12 +8,13 @@ use super::decoded_text::decoded;
 use super::embedded::{self, EmbeddedItem};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::kml_links::{LinkedDocuments, linked, resolved};
+use super::kmz::{KmzFiles, document_of};
 use super::shadow::is_shadow;
 use super::xml::{NamedText, XmlElement};
 use super::{ExchangeError, kml_write};
 use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
-use pilotage_base::files::{FileSet, ZipFiles};
+use pilotage_base::files::FileSet;
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Geometries that a placemark may have.
@@ -36,7 +37,7 @@ pub(super) fn read_packed(file: &str, bytes: &[u8]) -> Result<GeodeticContent, E
         file: file.to_owned(),
         cause,
     };
-    let zip = ZipFiles::open(bytes).map_err(error)?;
+    let zip = KmzFiles::open(bytes).map_err(error)?;
     let names = zip.names();
     let main =
         main_document(&names).ok_or_else(|| error("there is no .kml in the zip".to_owned()))?;
@@ -241,9 +242,10 @@ impl KmlReader<'_> {
         let (Some(href), Some(archive)) = (linked(element), self.archive) else {
             return self.count("NetworkLink without a reference is left out");
         };
-        match resolved(archive.names, archive.document, href) {
-            Some(name) if name.to_ascii_lowercase().ends_with(".kml") => self.links.push(name),
-            _ => self.count(format!(
+        let file = resolved(archive.names, archive.document, href);
+        match file.and_then(|file| document_of(archive.names, file)) {
+            Some(name) => self.links.push(name),
+            None => self.count(format!(
                 "link to {href} leads out of the file, and is not followed"
             )),
         }

@@ -35,6 +35,7 @@ mod kml;
 mod kml_links;
 mod kml_read;
 mod kml_write;
+mod kmz;
 pub mod labels;
 mod litchi;
 mod litchi_actions;

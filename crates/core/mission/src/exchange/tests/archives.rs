@@ -5,9 +5,17 @@ use crate::exchange::read_any;
 use pilotage_base::files::{FileSink, ZipSink};
 
 fn kmz(files: &[(&str, &str)]) -> Vec<u8> {
+    let files: Vec<_> = files
+        .iter()
+        .map(|(name, text)| (*name, text.as_bytes()))
+        .collect();
+    packed(&files)
+}
+
+fn packed(files: &[(&str, &[u8])]) -> Vec<u8> {
     let mut sink = ZipSink::default();
-    for (name, text) in files {
-        sink.write(name, text.as_bytes()).unwrap();
+    for (name, bytes) in files {
+        sink.write(name, bytes).unwrap();
     }
     sink.finish().unwrap()
 }
@@ -49,6 +57,24 @@ fn links_within_an_archive_are_followed_as_deep_as_they_go_and_never_in_circles(
     assert_eq!(found.routes[0].name, "way");
     assert_noted(&found.notes, |note| note.contains("http://there/x.kml"));
     assert_noted(&found.notes, |note| note.contains("1 other .kml"));
+}
+
+#[test]
+fn links_to_archives_within_an_archive_are_followed() {
+    let part = document(&[place("part"), link("more.kml")]);
+    let more = document(&[place("more"), link("../other.kml")]);
+    let inner = kmz(&[("a.kml", &part), ("more.kml", &more)]);
+    let main = document(&[link("files/part.kmz"), link("files/broken.kmz")]);
+    let bytes = packed(&[
+        ("doc.kml", main.as_bytes()),
+        ("files/part.kmz", &inner),
+        ("files/broken.kmz", b"PK"),
+        ("files/other.kml", document(&[place("other")]).as_bytes()),
+    ]);
+    let found = read_any("a.kmz", &bytes, None).unwrap();
+    let names: Vec<&str> = found.landmarks.iter().map(|l| l.name.as_str()).collect();
+    assert_eq!(names, ["part", "more", "other"]);
+    assert_noted(&found.notes, |note| note.contains("files/broken.kmz"));
 }
 
 #[test]
