@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, UnitQuaternion};
 use super::origin;
 use super::places::FLAT_FIX;
 use super::source::{factor_of_unit, sources};
-use crate::log::{FieldLayout, Log, LogFormat, Topic, system_of};
+use crate::log::{FieldKind, FieldLayout, Log, LogFormat, Topic, system_of};
 use crate::role::{Role, RoleSeries, RoleSource, RowReading};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
@@ -23,7 +23,13 @@ impl<'a> Scaled<'a> {
         Some(Self { field, factor })
     }
 
+    /// The value in SI; `None` where it is the largest of its whole numbers, by which MAVLink says that nobody knows it.
     fn value(&self, row: &[u8]) -> Option<f64> {
+        let stored = self.field.bytes(row)?;
+        let is_short = matches!(self.field.kind, FieldKind::U8 | FieldKind::U16);
+        if is_short && stored.iter().all(|byte| *byte == u8::MAX) {
+            return None;
+        }
         Some(self.field.value(row)? * self.factor)
     }
 }
@@ -40,7 +46,10 @@ fn reader<'a>(log: &Log, source: &RoleSource, topic: &'a Topic) -> Option<RowRea
             (Box::new(move |row| field.value(row)), name.to_owned())
         }
         RowReading::Quaternion(name) => {
-            let part = |i: usize| Scaled::new(topic, &format!("{name}[{i}]"), 1.0);
+            let part = |i: usize| {
+                let numbered = || Scaled::new(topic, &format!("{name}{}", i + 1), 1.0);
+                Scaled::new(topic, &format!("{name}[{i}]"), 1.0).or_else(numbered)
+            };
             let parts = [part(0)?, part(1)?, part(2)?, part(3)?];
             let angle = move |row: &[u8]| {
                 let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));

@@ -356,6 +356,49 @@ fn a_log_without_a_receiver_is_placed_by_the_autopilot() {
 }
 
 #[test]
+fn what_mavlink_says_nobody_knows_is_no_value() {
+    let mut log = Log::new("link.tlog", LogFormat::Tlog);
+    let fields = || {
+        vec![
+            FieldLayout::plain("vel", FieldKind::U16, 0),
+            FieldLayout::plain("cog", FieldKind::U16, 2),
+            FieldLayout::plain("satellites_visible", FieldKind::U8, 4),
+        ]
+    };
+    let place = log.topic_or_new(&TopicName::single("GPS_RAW_INT"), fields);
+    // 5 m/s northward by 9 satellites; nothing is known; a speed without a course.
+    for (time, row) in [
+        (0.0, [0xf4, 1, 0, 0, 9]),
+        (1.0, [255; 5]),
+        (2.0, [0xf4, 1, 255, 255, 8]),
+    ] {
+        log.topics[place].push(time, &row);
+    }
+    let of = |role| series(&log, role).unwrap();
+    for role in [Role::GroundSpeed, Role::GpsSatellites] {
+        assert_eq!(of(role).times, [0.0, 2.0], "{role:?}");
+    }
+    let north = of(Role::GpsVelocityNorth);
+    assert_eq!((north.times, north.values), (vec![0.0], vec![5.0]));
+}
+
+#[test]
+fn a_quaternion_whose_parts_are_numbered_from_one_is_an_attitude() {
+    let mut log = Log::new("link.tlog", LogFormat::Tlog);
+    let names = ["q1", "q2", "q3", "q4"];
+    let half = 0.4_f64;
+    let row = |time| vec![time, half.cos(), 0.0, 0.0, half.sin()];
+    add(
+        &mut log,
+        "ATTITUDE_QUATERNION",
+        &names.map(|name| (name, "")),
+        &[row(0.0), row(1.0)],
+    );
+    let heading = series(&log, Role::Heading).unwrap();
+    assert!((heading.values[1] - 2.0 * half).abs() < 1e-12);
+}
+
+#[test]
 fn metres_from_the_origin_of_the_filter_are_a_place_as_the_autopilot_reckons() {
     let mut log = eastward();
     let metres = [("PN", "m"), ("PE", "m"), ("PD", "m")];

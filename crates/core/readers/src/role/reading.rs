@@ -12,7 +12,7 @@ pub enum RowReading {
     /// A field; the factor to SI counts where the log states no unit itself.
     Field(&'static str, f64),
     /// An angle of the attitude that takes body to world, as a quaternion in the fields `name[0]` to
-    /// `name[3]`, the real part first.
+    /// `name[3]` or `name1` to `name4`, the real part first.
     Quaternion(&'static str),
     /// The north or east part of a speed along a course: speed with its factor, course with its factor.
     Course(&'static str, f64, &'static str, f64),

@@ -19,6 +19,21 @@ const TLOG: &[RoleSource] = &[
     field(Role::Heading, "ATTITUDE", "yaw", 1.0),
     field(Role::Roll, "ATTITUDE", "roll", 1.0),
     field(Role::Pitch, "ATTITUDE", "pitch", 1.0),
+    of(
+        Role::Heading,
+        "ATTITUDE_QUATERNION",
+        RowReading::Quaternion("q"),
+    ),
+    of(
+        Role::Roll,
+        "ATTITUDE_QUATERNION",
+        RowReading::Quaternion("q"),
+    ),
+    of(
+        Role::Pitch,
+        "ATTITUDE_QUATERNION",
+        RowReading::Quaternion("q"),
+    ),
     field(
         Role::HeightAboveGround,
         "TERRAIN_REPORT",
@@ -31,7 +46,19 @@ const TLOG: &[RoleSource] = &[
         "relative_alt",
         1e-3,
     ),
+    field(
+        Role::HeightAboveGround,
+        "ALTITUDE",
+        "altitude_relative",
+        1.0,
+    ),
     field(Role::BarometricHeight, "VFR_HUD", "alt", 1.0),
+    field(
+        Role::BarometricHeight,
+        "ALTITUDE",
+        "altitude_monotonic",
+        1.0,
+    ),
     field(Role::Latitude, "GPS_RAW_INT", "lat", 1e-7 * DEGREE),
     field(Role::Longitude, "GPS_RAW_INT", "lon", 1e-7 * DEGREE),
     field(Role::GpsHeight, "GPS_RAW_INT", "alt", 1e-3),
