@@ -54,6 +54,19 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             records.push(((line + preface.lines) as usize, record));
         }
     }
+    if let Some((last, others)) = records.split_last()
+        && !content.ends_with(['\n', '\r'])
+        && last.1.len() < names.len()
+        && others.last().is_some_and(|row| row.1.len() >= names.len())
+    {
+        return Err(ExchangeError::Place {
+            file: file.to_owned(),
+            line: last.0,
+            column: 1,
+            cause: "the file ends within this line: it was cut off; copy or export it again"
+                .to_owned(),
+        });
+    }
     table.leave_metres(&records);
     if let Some(geometries) = table.geometries(&records) {
         return shapes(&table, &records, geometries);

@@ -37,6 +37,27 @@ fn assert_at(found: &[[f64; 2]], expected: &[[f64; 2]]) {
 }
 
 #[test]
+fn a_table_that_was_cut_off_is_refused_with_its_line() {
+    let whole = "name,lat,lon,height\nA,47.1,8.5,10\nB,47.2,8.654321,11";
+    assert_eq!(read(whole).landmarks.len(), 2);
+    for cut in whole.rfind("8.6").unwrap()..whole.rfind(',').unwrap() {
+        let told = read_any("a.csv", &whole.as_bytes()[..cut], None).unwrap_err();
+        let told = told.to_string();
+        assert!(
+            told.contains("line 3") && told.contains("cut off"),
+            "{told}"
+        );
+    }
+    // Others leave out their last cells all along.
+    assert_eq!(
+        read("name,lat,lon,height\nA,47.1,8.5\nB,47.2,8.6")
+            .landmarks
+            .len(),
+        2
+    );
+}
+
+#[test]
 fn both_numbers_may_stand_in_one_cell() {
     let both = [[47.5, 8.5], [47.6, 8.6]];
     for table in [
