@@ -61,6 +61,12 @@ pub fn flight_of_tables(
     let mut start_of_time = f64::INFINITY;
     for map in maps {
         let (mut table, time) = table_of(files.as_ref(), map)?;
+        if table.is_cut {
+            notes.push(format!(
+                "{}: it was cut off: it ends within its last line, which was left out",
+                map.file
+            ));
+        }
         let dropped = table.keep_rows_in_time(&time);
         if dropped > 0 {
             notes.push(format!(

@@ -258,6 +258,31 @@ fn one_damaged_place_says_nothing_of_the_unit_of_the_others() {
 }
 
 #[test]
+fn a_last_line_that_is_cut_off_is_left_out_and_told() {
+    let whole = eastward();
+    let begin = whole.trim_end().rfind('\n').unwrap() + 1;
+    let last = whole.rfind(';').unwrap();
+    for cut in begin + 1..whole.len() {
+        let files = files(&[("flight.csv", &whole[..cut])]);
+        let maps: Vec<_> = tables(&files).into_iter().map(|t| t.map).collect();
+        let folder = flight_of_tables(&files, &maps).unwrap();
+        let is_told = folder.notes.iter().any(|note| note.contains("was cut off"));
+        let rows = folder
+            .flight
+            .channel(ChannelName::GpsEast)
+            .unwrap()
+            .values
+            .len();
+        let expected = if cut <= last {
+            (99, true)
+        } else {
+            (100, false)
+        };
+        assert_eq!((rows, is_told), expected, "{}", &whole[begin..cut]);
+    }
+}
+
+#[test]
 fn a_preview_shows_the_first_rows_as_the_map_reads_them() {
     let map = guess_table("east.csv", eastward().as_bytes()).unwrap();
     let shown = preview(eastward().as_bytes(), &map, 3);

@@ -24,6 +24,8 @@ pub(crate) struct CsvTable {
     /// Whether cells that are no numbers count as empty.
     is_lenient: bool,
     has_decimal_comma: bool,
+    /// Whether it was cut off within its last line, which is left out.
+    pub(crate) is_cut: bool,
     /// Bytes of its file.
     bytes: u64,
     /// Columns that stand in its file.
@@ -66,6 +68,7 @@ impl CsvTable {
             rows,
             is_lenient: false,
             has_decimal_comma: false,
+            is_cut: false,
             bytes: length,
         })
     }
@@ -90,11 +93,25 @@ impl CsvTable {
         }
         let mut rows = records(file, rest, shape.separator, Some(b'#'), skipped as u64)?;
         rows.retain(|(_, row)| row.iter().any(|cell| !cell.is_empty()));
+        let is_whole = |row: Option<&(u64, csv::StringRecord)>| {
+            row.is_none_or(|(_, row)| row.len() >= header.len())
+        };
+        let is_cut = !rest.ends_with(b"\n")
+            && !is_whole(rows.last())
+            && is_whole(
+                rows.len()
+                    .checked_sub(2)
+                    .and_then(|before| rows.get(before)),
+            );
+        if is_cut {
+            rows.pop();
+        }
         Ok(Self {
             file: file.to_owned(),
             written: header.len(),
             header,
             rows,
+            is_cut,
             is_lenient: true,
             has_decimal_comma: shape.has_decimal_comma,
             bytes: length,
