@@ -120,7 +120,9 @@ fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
         notes.push("heading, pitch and roll are those of the camera's gimbal".to_owned());
     }
     if is_cut {
-        notes.push("it ends within its last subtitle, which was left out".to_owned());
+        notes.push(
+            "its last subtitle has no end and was left out: the file may be cut off".to_owned(),
+        );
     }
     if rows.len() < cues {
         notes.push(format!(
@@ -399,7 +401,7 @@ mod tests {
         let begin = whole.rfind("[latitude").unwrap();
         for cut in begin + 1..whole.len() {
             let (table, _, notes) = table_of(&whole[..cut]).unwrap();
-            let is_told = notes.iter().any(|note| note.contains("ends within"));
+            let is_told = notes.iter().any(|note| note.contains("has no end"));
             let rows = table.lines().count() - 1;
             let ends = whole[..cut].ends_with("440.0]") || whole[..cut].ends_with('\n');
             assert_eq!(

@@ -151,6 +151,16 @@ fn an_export_of_mission_planner_is_a_flight() {
     assert!((north - 11.68 * course.cos()).abs() < 1e-3, "{north}");
 }
 
+#[test]
+fn rows_of_no_letters_take_no_room() {
+    let mut file = fourth(51, "GPS_label", 1, &[]);
+    file[4..8].copy_from_slice(&u32::MAX.to_le_bytes());
+    assert!(matches!(
+        MatFiles::open("a.mat", &file),
+        Err(MatError::Empty(_))
+    ));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 

@@ -96,10 +96,10 @@ fn array(element: &MatElement<'_>, depth: usize) -> Option<(String, MatValue)> {
 /// The text of letters that are stored column by column; of several rows a cell for each.
 pub fn text_of(letters: Vec<char>, rows: usize) -> MatValue {
     let row = |row: usize| MatValue::Text(letters.iter().skip(row).step_by(rows).collect());
-    match rows {
-        0 | 1 => MatValue::Text(letters.into_iter().collect()),
-        _ => MatValue::Cells((0..rows).map(row).collect()),
+    if rows > 1 && rows <= letters.len() {
+        return MatValue::Cells((0..rows).map(row).collect());
     }
+    MatValue::Text(letters.into_iter().collect())
 }
 
 /// The fields of `count` structures. Of several, numbers one a structure are a column, and all else stands in a structure
