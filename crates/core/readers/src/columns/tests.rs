@@ -258,6 +258,98 @@ fn one_damaged_place_says_nothing_of_the_unit_of_the_others() {
 }
 
 #[test]
+fn one_damaged_time_or_direction_says_nothing_of_the_units_of_the_others() {
+    // A circle flown at 15 m/s, 54 km/h, three degrees a half second.
+    let table = |damaged: Option<(usize, usize, f64)>| {
+        let mut table = String::from("time,lat,lon,heading,course,speed\n");
+        for row in 0..100 {
+            let turned = 3.0 * f64::from(row);
+            let (sin, cos) = turned.to_radians().sin_cos();
+            let radius = 15.0 / (2.0 * 3.0_f64.to_radians());
+            let place = [
+                47.1 + radius * sin / 111_190.0,
+                8.5 + radius * (1.0 - cos) / 75_690.0,
+            ];
+            let mut cells = [
+                0.5 * f64::from(row),
+                place[0],
+                place[1],
+                turned,
+                turned,
+                54.0,
+            ];
+            if let Some((_, column, value)) = damaged.filter(|d| d.0 == row as usize) {
+                cells[column] = value;
+            }
+            let [time, latitude, longitude, heading, course, speed] = cells;
+            writeln!(
+                table,
+                "{time},{latitude:.7},{longitude:.7},{heading},{course},{speed}"
+            )
+            .unwrap();
+        }
+        let files = files(&[("flight.csv", &table)]);
+        let map = tables(&files).remove(0).map;
+        ["heading", "course", "speed"].map(|column| guessed(&map, column))
+    };
+    let sound = table(None);
+    assert_eq!(sound[0], is(Channel(ChannelName::Heading), "deg"));
+    assert_eq!(sound[2], is(SpeedOverGround, "km/h"));
+    for row in [0, 50, 99] {
+        for (column, value) in [(0, 1e9), (3, 1e9), (3, 150_000.0), (4, 1e9), (4, 1500.0)] {
+            assert_eq!(
+                table(Some((row, column, value))),
+                sound,
+                "{row} {column} {value}"
+            );
+        }
+    }
+}
+
+#[test]
+fn one_damaged_height_or_velocity_says_nothing_of_the_units_of_the_others() {
+    // A circle flown at 15 m/s up and down, velocities in cm/s, heights in mm.
+    let table = |damaged: Option<(usize, usize, f64)>| {
+        let mut table = String::from("time,lat,lon,alt,vn,ve,vd\n");
+        for row in 0..150 {
+            let (sin, cos) = (3.0 * f64::from(row)).to_radians().sin_cos();
+            let (wave, slope) = (f64::from(row) / 9.0).sin_cos();
+            let radius = 15.0 / (2.0 * 3.0_f64.to_radians());
+            let mut cells = [
+                0.5 * f64::from(row),
+                47.1 + radius * sin / 111_190.0,
+                8.5 + radius * (1.0 - cos) / 75_690.0,
+                440_000.0 + 6750.0 * wave,
+                1500.0 * cos,
+                1500.0 * sin,
+                -150.0 * slope,
+            ];
+            if let Some((_, column, value)) = damaged.filter(|d| d.0 == row as usize) {
+                cells[column] = value;
+            }
+            let [time, latitude, longitude, rest @ ..] = cells;
+            let rest = rest.map(|cell| format!("{cell:.2}")).join(",");
+            writeln!(table, "{time},{latitude:.7},{longitude:.7},{rest}").unwrap();
+        }
+        let files = files(&[("flight.csv", &table)]);
+        let map = tables(&files).remove(0).map;
+        ["alt", "vn", "ve", "vd"].map(|column| guessed(&map, column))
+    };
+    let sound = table(None);
+    assert_eq!(sound[0], is(Channel(ChannelName::GpsHeight), "mm"));
+    assert_eq!(sound[3], is(Channel(ChannelName::GpsVelocityDown), "cm/s"));
+    for row in [0, 75, 149] {
+        for (column, value) in [(3, 0.0), (3, 1e9), (4, 1e9), (5, 1e9), (6, -1e6)] {
+            assert_eq!(
+                table(Some((row, column, value))),
+                sound,
+                "{row} {column} {value}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_last_line_that_is_cut_off_is_left_out_and_told() {
     let whole = eastward();
     let begin = whole.trim_end().rfind('\n').unwrap() + 1;

@@ -4,7 +4,7 @@ use pilotage_base::sorting::sort;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::board::{FlightColumns, Id, UnitBasis};
-use super::grid::TimeCells;
+use super::grid::{TimeCells, quantile};
 use crate::cells::Dimension;
 
 /// From where and in which sense a direction is counted.
@@ -113,10 +113,8 @@ pub(super) fn readings(
     conventions: &[Convention],
 ) -> Vec<DirectionReading> {
     let raw = board.raw(id);
-    let reach = raw
-        .values
-        .iter()
-        .fold(0.0_f64, |reach, value| reach.max(value.abs()));
+    // A few damaged cells say nothing of the unit.
+    let reach = quantile(&raw.map(f64::abs).values, 0.95);
     let is_stated = board.basis(id) == UnitBasis::Stated;
     let expected = board.column(id).unit.clone();
     let mut found = Vec::new();

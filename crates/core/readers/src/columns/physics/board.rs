@@ -5,6 +5,10 @@ use super::grid::{TimeCells, TimedNumbers, quantile};
 use crate::cells::{Dimension, linear};
 use crate::columns::settle::give_up;
 use crate::columns::{ColumnMap, ColumnRole, MappedColumn};
+use crate::times::{TimeVerdict, judge};
+
+/// Fewer numbers do not tell which of them are damaged.
+const ENOUGH: usize = 50;
 
 /// A column: which table, which of its columns.
 pub(super) type Id = (usize, usize);
@@ -25,6 +29,8 @@ pub(super) struct FlightColumns<'a, 'b> {
     pub maps: &'a mut [&'b mut ColumnMap],
     pub evidence: &'a [TableEvidence],
     times: Vec<Vec<f64>>,
+    /// Least and greatest number of each column that is believed.
+    bounds: Vec<Vec<(f64, f64)>>,
     bases: Vec<Vec<UnitBasis>>,
 }
 
@@ -32,7 +38,9 @@ impl<'a, 'b> FlightColumns<'a, 'b> {
     /// Those of tables with these maps.
     pub fn new(maps: &'a mut [&'b mut ColumnMap], evidence: &'a [TableEvidence]) -> Self {
         let pairs = || maps.iter().zip(evidence);
-        let times = pairs().map(|(map, known)| known.rows.times(map)).collect();
+        let times = pairs()
+            .map(|(map, known)| sound_times(known, map))
+            .collect();
         let basis = |is_stated| {
             if is_stated {
                 UnitBasis::Stated
@@ -42,8 +50,11 @@ impl<'a, 'b> FlightColumns<'a, 'b> {
         };
         let of_table =
             |known: &TableEvidence| known.hints.iter().map(|h| basis(h.is_stated)).collect();
+        let of_columns =
+            |known: &TableEvidence| known.rows.columns.iter().map(|c| bounds(c)).collect();
         Self {
             times,
+            bounds: evidence.iter().map(of_columns).collect(),
             bases: evidence.iter().map(of_table).collect(),
             maps,
             evidence,
@@ -125,7 +136,17 @@ impl<'a, 'b> FlightColumns<'a, 'b> {
         let values = &self.evidence[id.0].rows.columns;
         let values = values.get(id.1).map_or(&[][..], Vec::as_slice);
         let unit = &self.column(id).unit;
-        let numbers = values.iter().map(|value| linear(unit, *value));
+        let bounds = self.bounds[id.0].get(id.1).copied();
+        let (least, greatest) = bounds.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        let is_believed = |value: f64| (least..=greatest).contains(&value);
+        let believed = |value: &f64| {
+            if is_believed(*value) {
+                *value
+            } else {
+                f64::NAN
+            }
+        };
+        let numbers = values.iter().map(|value| linear(unit, believed(value)));
         TimedNumbers::new(&self.times[id.0], numbers)
     }
 
@@ -204,8 +225,33 @@ impl<'a, 'b> FlightColumns<'a, 'b> {
         if let Some(column) = self.maps[table].columns.iter_mut().find(is_time) {
             unit.clone_into(&mut column.unit);
         }
-        self.times[table] = self.evidence[table].rows.times(self.maps[table]);
+        self.times[table] = sound_times(&self.evidence[table], self.maps[table]);
     }
+}
+
+/// The numbers of a column that may be measured: within ten times the span of most of them. One damaged cell says nothing
+/// of the units of the rest.
+fn bounds(values: &[f64]) -> (f64, f64) {
+    let [least, greatest] = [0.02, 0.98].map(|share| quantile(values, share));
+    let beyond = 10.0 * (greatest - least);
+    if values.len() >= ENOUGH && beyond > 0.0 {
+        (least - beyond, greatest + beyond)
+    } else {
+        (f64::NEG_INFINITY, f64::INFINITY)
+    }
+}
+
+/// Times of the rows of a table, seconds, without the few that lie far from those around them: one damaged time says nothing
+/// of the units of the rest.
+fn sound_times(evidence: &TableEvidence, map: &ColumnMap) -> Vec<f64> {
+    let mut times = evidence.rows.times(map);
+    let verdicts = judge(&times).unwrap_or_default();
+    let is_wrong = |verdict: &TimeVerdict| *verdict == TimeVerdict::Wrong;
+    if 10 * verdicts.iter().copied().filter(is_wrong).count() <= times.len() {
+        let wrong = times.iter_mut().zip(&verdicts).filter(|(_, v)| is_wrong(v));
+        wrong.for_each(|(time, _)| *time = f64::NAN);
+    }
+    times
 }
 
 fn steps(times: &[f64]) -> Vec<f64> {
