@@ -5,8 +5,7 @@
 use pilotage_base::files::FileSet;
 
 use super::ExchangeError;
-use super::kml_links::{LinkedDocuments, linked, resolved};
-use super::kml_read::main_document;
+use super::kml_links::{LinkedDocuments, linked, main_document, resolved};
 use super::xml::{NamedText, XmlElement};
 
 /// Most files that links lead to.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::shadow::is_shadow;
 use super::xml::XmlElement;
 
 /// Documents of an archive in the order in which links lead to them, each once.
@@ -54,6 +55,14 @@ impl LinkedDocuments {
     pub fn has(&self, name: &str) -> bool {
         self.known.contains(name) || self.beyond.contains(name)
     }
+}
+
+/// The document of a KMZ that others hang on.
+pub(super) fn main_document(names: &[String]) -> Option<String> {
+    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !is_shadow(name);
+    let mut all = names.iter();
+    let main = all.find(|name| *name == "doc.kml");
+    main.or_else(|| names.iter().find(is_kml)).cloned()
 }
 
 /// Reference of a `NetworkLink`; `None` where it has none.

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::decoded_text::decoded;
 use super::embedded::{self, EmbeddedItem};
 use super::found::{GeodeticContent, POINT_BOX};
-use super::kml_links::{LinkedDocuments, linked, resolved};
+use super::kml_links::{LinkedDocuments, linked, main_document, resolved};
 use super::kmz::{KmzFiles, document_of};
 use super::shadow::is_shadow;
 use super::xml::{NamedText, XmlElement};
@@ -160,14 +160,6 @@ struct KmlDocument {
 struct KmlArchive<'a> {
     names: &'a [String],
     document: &'a str,
-}
-
-/// The document of a KMZ that others hang on.
-pub(super) fn main_document(names: &[String]) -> Option<String> {
-    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !is_shadow(name);
-    let mut all = names.iter();
-    let main = all.find(|name| *name == "doc.kml");
-    main.or_else(|| names.iter().find(is_kml)).cloned()
 }
 
 /// Reads all placemarks, however they lie in folders.

@@ -1,6 +1,6 @@
 //! KMZ: a zip of KML documents, and of further KMZ that links lead to.
 
-use super::kml_read::main_document;
+use super::kml_links::main_document;
 use pilotage_base::files::{FileSet, ZipFiles};
 
 /// Most archives within an archive that are looked into.
