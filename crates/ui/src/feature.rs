@@ -61,6 +61,15 @@ pub struct FeatureInfo {
     pub commands: fn() -> Vec<CommandEntry>,
 }
 
+/// Lack for which a command can do nothing now.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// Lack, in a few words.
+    pub what: &'static str,
+    /// Advice to whoever wants the command nevertheless.
+    pub advice: &'static str,
+}
+
 /// Button of a feature on the camera picture.
 #[derive(Clone, Debug)]
 pub struct PictureButton {
@@ -378,6 +387,11 @@ pub trait Feature {
 
     /// Carries out a command that is addressed to it; false if it is none of its own.
     fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool;
+
+    /// Lack of the documents for which a command of its own can do nothing now.
+    fn missing(&self, _command: &FeatureCommand, _documents: &Documents) -> Option<Missing> {
+        None
+    }
 
     /// Draws its panel.
     fn panel(&mut self, _ui: &mut Ui, _context: &mut ViewContext<'_>, _documents: &Documents) {}

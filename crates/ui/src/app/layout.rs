@@ -84,6 +84,14 @@ impl App {
         let workspace = self.view.workspace;
         let mut features = self.views.features.iter();
         let next = features.find_map(|it| it.next_step(workspace, &self.documents));
+        let missing = |command: &Command| {
+            let Command::Feature(command) = command else {
+                return None;
+            };
+            let mut features = self.views.features.iter();
+            let owner = features.find(|it| it.info().id == command.to())?;
+            owner.missing(command, &self.documents)
+        };
         bar(&tokens, BAR_HEIGHT).show(ui, |ui| {
             let bar = TopBar {
                 workspace,
@@ -92,6 +100,7 @@ impl App {
                 settings_open: self.dialogs.settings,
                 next,
                 catalog: &self.catalog,
+                missing: &missing,
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });

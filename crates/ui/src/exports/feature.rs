@@ -3,12 +3,13 @@
 use pilotage_core::exchange::Format;
 use pilotage_jobs::{ExportOrder, Job, JobEvent, JobId};
 
+use super::missing::missing;
 use super::mission_file::MissionFile;
 use super::places::{landmarks_file, rally_file, route_file};
 use super::track::track_file;
-use crate::documents::encode_run;
+use crate::documents::{Documents, encode_run};
 use crate::export_command::{EXPORTS, ExportCommand, ExportedFile};
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, Missing};
 use crate::host::stem;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, control, entry};
 use crate::shell::sentences;
@@ -98,6 +99,10 @@ impl Feature for ExportsFeature {
         let Some(command) = command.action() else {
             return false;
         };
+        if let Some(Missing { what, advice }) = missing(command, context.documents) {
+            context.note(what, advice);
+            return true;
+        }
         let made = match command {
             ExportCommand::Mission => {
                 self.mission.make(context);
@@ -112,8 +117,8 @@ impl Feature for ExportsFeature {
                 None
             }
             ExportCommand::Route(format) => route_file(*format, context),
-            ExportCommand::Landmarks(format) => landmarks_file(*format, context),
-            ExportCommand::Rally => rally_file(context),
+            ExportCommand::Landmarks(format) => Some(landmarks_file(*format, context)),
+            ExportCommand::Rally => Some(rally_file(context)),
             ExportCommand::Track(format) => track_file(*format, context),
             ExportCommand::File(made) => Some(made.as_ref().clone()),
         };
@@ -121,6 +126,10 @@ impl Feature for ExportsFeature {
             self.make(file, order, context);
         }
         true
+    }
+
+    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<Missing> {
+        missing(command.action()?, documents)
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
@@ -157,7 +166,7 @@ fn save_run(context: &mut FeatureContext<'_>) {
             context.note("Run saved", name);
         }
         Some(Err(error)) => context.trouble(title, error.to_string()),
-        None => context.note("No run to save", "Simulate or open a flight first."),
+        None => {}
     }
 }
 

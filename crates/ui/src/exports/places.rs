@@ -7,16 +7,12 @@ use crate::export_command::ExportedFile;
 use crate::feature::FeatureContext;
 use crate::host::stem;
 
-/// File of the selected route, and how it is made; none without a route, which people are told.
+/// File of the selected route, and how it is made; none without a route.
 pub(super) fn route_file(
     format: Format,
-    context: &mut FeatureContext<'_>,
+    context: &FeatureContext<'_>,
 ) -> Option<(ExportedFile, ExportOrder)> {
-    let Some(route) = context.documents.selected_route() else {
-        let text = "Draw one in the Plan workspace, or open a file with one.";
-        context.note("No route to export", text);
-        return None;
-    };
+    let route = context.documents.selected_route()?;
     let mission = &context.documents.mission;
     let file = ExportedFile {
         what: "Route",
@@ -34,17 +30,12 @@ pub(super) fn route_file(
     Some((file, order))
 }
 
-/// File of all landmarks, and how it is made; none without a landmark, which people are told.
+/// File of all landmarks, and how it is made.
 pub(super) fn landmarks_file(
     format: Format,
-    context: &mut FeatureContext<'_>,
-) -> Option<(ExportedFile, ExportOrder)> {
+    context: &FeatureContext<'_>,
+) -> (ExportedFile, ExportOrder) {
     let mission = &context.documents.mission;
-    if mission.landmarks.is_empty() {
-        let text = "Draw one on the map, or open a file with some.";
-        context.note("No landmarks to export", text);
-        return None;
-    }
     let (name, extension) = (stem(&mission.name), format.extensions()[0]);
     let file = ExportedFile {
         what: "Landmarks",
@@ -59,17 +50,12 @@ pub(super) fn landmarks_file(
         landmarks: mission.landmarks.clone(),
         origin: mission.origin,
     };
-    Some((file, order))
+    (file, order)
 }
 
-/// File of all rally points, and how it is made; none without one, which people are told.
-pub(super) fn rally_file(context: &mut FeatureContext<'_>) -> Option<(ExportedFile, ExportOrder)> {
+/// File of all rally points, and how it is made.
+pub(super) fn rally_file(context: &FeatureContext<'_>) -> (ExportedFile, ExportOrder) {
     let mission = &context.documents.mission;
-    if mission.rally.is_empty() {
-        let text = "Mark one on the map in the Plan workspace.";
-        context.note("No rally points to export", text);
-        return None;
-    }
     let format = Format::Waypoints;
     let (name, extension) = (stem(&mission.name), format.extensions()[0]);
     let file = ExportedFile {
@@ -85,5 +71,5 @@ pub(super) fn rally_file(context: &mut FeatureContext<'_>) -> Option<(ExportedFi
         landmarks: Vec::new(),
         origin: mission.origin,
     };
-    Some((file, order))
+    (file, order)
 }

@@ -9,16 +9,12 @@ use crate::feature::FeatureContext;
 use crate::host::stem;
 
 /// File of where the filter thought the aircraft was, with the field beside it that colours the recorded track, and how
-/// it is made; none without a run, which people are told.
+/// it is made; none without a run.
 pub(super) fn track_file(
     format: Format,
-    context: &mut FeatureContext<'_>,
+    context: &FeatureContext<'_>,
 ) -> Option<(ExportedFile, ExportOrder)> {
-    let Some(track) = flown_track(context) else {
-        let text = "Open a flight or simulate one, and let it be navigated.";
-        context.note("No flown track to save", text);
-        return None;
-    };
+    let track = flown_track(context)?;
     let name = stem(&context.documents.mission.name);
     let file = ExportedFile {
         what: "Flown track",
@@ -30,7 +26,7 @@ pub(super) fn track_file(
 
 fn flown_track(context: &FeatureContext<'_>) -> Option<FlownTrack> {
     let documents = &*context.documents;
-    let run = documents.run.as_ref().filter(|run| !run.steps.is_empty())?;
+    let run = documents.run.as_ref()?;
     let flight = documents.flight.as_ref()?;
     let frame = flight.frame_on_globe;
     let frame = frame.unwrap_or_else(|| LocalFrame::new(documents.mission.origin));

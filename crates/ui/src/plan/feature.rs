@@ -9,13 +9,14 @@ use super::catalog::commands;
 use super::command::{ID, PlanCommand};
 use super::landmark_commands::delete;
 use super::planner::{Planner, Seen};
+use super::print::NO_ROUTE;
 use super::readouts::plan_readouts;
 use super::tab::PlanTab;
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::{Documents, planned_ground};
 use crate::export_command::ExportCommand;
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, Missing};
 use crate::map::MapTool;
 use crate::shell::icons::Icon;
 use crate::shell::{BELOW_HUD, NextStep};
@@ -41,6 +42,11 @@ impl Feature for Planner {
             self.carry_out(command, context);
         }
         is_known
+    }
+
+    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<Missing> {
+        let is_brief = command.action() == Some(&PlanCommand::PrintBrief);
+        (is_brief && documents.selected_route().is_none()).then_some(NO_ROUTE)
     }
 
     /// Keeps to the landmark that is selected, and has its own answers to what is asked of the map and of landmarks

@@ -13,17 +13,22 @@ use super::planner::Planner;
 use super::printing::{BriefLandmark, Printing};
 use super::route_tab::assumptions;
 use crate::documents::Documents;
-use crate::feature::FeatureContext;
+use crate::feature::{FeatureContext, Missing};
 use crate::units::Units;
 use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent, JobId};
+
+/// Lack of a route, which a brief is of.
+pub(super) const NO_ROUTE: Missing = Missing {
+    what: "No route to print",
+    advice: "Draw a route in the Plan workspace first.",
+};
 
 impl Planner {
     /// Has the pictures of the brief made.
     pub(super) fn ask_for_brief(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
         let Some(route) = documents.selected_route() else {
-            let text = "Draw a route in the Plan workspace first.";
-            context.note("No route to print", text);
+            context.note(NO_ROUTE.what, NO_ROUTE.advice);
             return;
         };
         let (landmarks, more) = self.brief_landmarks(documents);

@@ -4,7 +4,9 @@ use egui::{Color32, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, v
 
 use super::entry::{BarMenu, CommandEntry};
 use super::icons::Icon;
+use super::top_bar::TopBar;
 use crate::command::Command;
+use crate::feature::Missing;
 use crate::tokens::Tokens;
 
 /// Face of a button of the top bar.
@@ -73,11 +75,11 @@ impl BarButton<'_> {
 }
 
 /// Draws the menu that `button` opens: the commands of each of `menus`, with a line between them; those of one that opens by
-/// itself behind a row of it.
+/// itself behind a row of it. Rows that can do nothing now say what is missing.
 pub fn bar_menu(
     button: &Response,
     tokens: &Tokens,
-    catalog: &[CommandEntry],
+    bar: &TopBar<'_>,
     menus: &[BarMenu],
     commands: &mut Vec<Command>,
 ) {
@@ -90,22 +92,28 @@ pub fn bar_menu(
             .show(ui, |ui| {
                 let mut is_first = true;
                 for menu in menus {
-                    let rows = catalog.iter().filter(|entry| entry.menu == Some(*menu));
+                    let rows = bar.catalog.iter().filter(|entry| entry.menu == Some(*menu));
                     let rows: Vec<_> = rows.collect();
                     if rows.is_empty() {
                         continue;
                     }
                     if let Some(beginning) = menu.beginning() {
-                        ui.menu_button(format!("{beginning} …"), |ui| {
+                        let title = format!("{beginning} …");
+                        // What all of its rows lack is said before it is opened.
+                        if let Some(missing) = (bar.missing)(&rows[0].command) {
+                            missing_row(ui, tokens, &title, missing);
+                            continue;
+                        }
+                        ui.menu_button(title, |ui| {
                             ui.set_min_width(220.0);
-                            entries(ui, tokens, beginning, &rows, commands);
+                            entries(ui, tokens, beginning, (&rows, bar), commands);
                         });
                         continue;
                     }
                     if !std::mem::take(&mut is_first) {
                         ui.separator();
                     }
-                    entries(ui, tokens, "", &rows, commands);
+                    entries(ui, tokens, "", (&rows, bar), commands);
                 }
             });
     });
@@ -116,12 +124,16 @@ fn entries(
     ui: &mut Ui,
     tokens: &Tokens,
     beginning: &str,
-    rows: &[&CommandEntry],
+    (rows, bar): (&[&CommandEntry], &TopBar<'_>),
     commands: &mut Vec<Command>,
 ) {
     for entry in rows {
         let label = entry.label.as_ref();
         let shown = label.strip_prefix(beginning).unwrap_or(label).trim_start();
+        if let Some(missing) = (bar.missing)(&entry.command) {
+            missing_row(ui, tokens, shown, missing);
+            continue;
+        }
         if row(ui, tokens, entry, shown).clicked() {
             commands.push(entry.command.clone());
             ui.close();
@@ -136,4 +148,23 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, shown: &str) -> Respo
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, entry.label.as_ref()));
     response
+}
+
+/// A row that can do nothing now, above what is missing; advice under the pointer.
+fn missing_row(ui: &mut Ui, tokens: &Tokens, shown: &str, missing: Missing) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let response = ui.add_enabled(false, egui::Button::new(shown));
+    let label = format!("{shown} ({})", missing.what);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, false, &label));
+    response.on_disabled_hover_text(missing.advice);
+    let lack = egui::RichText::new(missing.what).font(tokens.small());
+    let lack = egui::Label::new(lack.color(tokens.muted));
+    let margin = egui::Margin {
+        left: 10,
+        bottom: 4,
+        ..egui::Margin::ZERO
+    };
+    let line = egui::Frame::new().inner_margin(margin);
+    let line = line.show(ui, |ui| ui.add(lack)).response;
+    line.on_hover_text(missing.advice);
 }

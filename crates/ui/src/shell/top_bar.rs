@@ -7,6 +7,7 @@ use super::entry::{BarMenu, CommandEntry};
 use super::icons::Icon;
 use super::widgets::{icon_button, muted, tab_in, text_button};
 use crate::command::{Command, Workspace};
+use crate::feature::Missing;
 use crate::tokens::Tokens;
 
 /// Bars at least as wide as this have words beside their signs.
@@ -39,6 +40,8 @@ pub struct TopBar<'a> {
     pub next: Option<NextStep>,
     /// Table of all commands, of which the menus show theirs.
     pub catalog: &'a [CommandEntry],
+    /// Lack for which a command can do nothing now.
+    pub missing: &'a dyn Fn(&Command) -> Option<Missing>,
 }
 
 /// Draws the bar.
@@ -95,7 +98,7 @@ fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: 
             ..button(icon, name, name)
         };
         let opened = face.show(ui, tokens);
-        bar_menu(&opened, tokens, bar.catalog, menus, commands);
+        bar_menu(&opened, tokens, bar, menus, commands);
     };
     if width < NARROW {
         let rest = [

@@ -45,3 +45,26 @@ fn a_menu_is_opened_walked_and_left_by_keyboard() {
     rig.frames(2);
     assert_eq!(rig.state()["dialogs"]["simulate"], true);
 }
+
+#[test]
+fn what_cannot_be_saved_now_says_in_the_menu_what_is_missing() {
+    let lacks = [
+        "Print the mission brief (No route to print)",
+        "Export the route as … (No route to export)",
+        "Export the rally points as way-points (QGC WPL) (No rally points to export)",
+    ];
+    let shown = |rig: &mut Rig| {
+        rig.harness.get_by_label("Save").click();
+        rig.frames(3);
+        let shown = lacks.map(|label| rig.harness.query_by_label(label).is_some());
+        rig.key(Key::Escape);
+        rig.frames(2);
+        shown
+    };
+    let mut rig = rig();
+    assert_eq!(shown(&mut rig), [true; 3]);
+    rig.open_tab("Plan");
+    rig.key(Key::I);
+    rig.key(Key::I);
+    assert_eq!(shown(&mut rig), [false, false, true]);
+}
