@@ -132,6 +132,18 @@ impl Feature for ExportsFeature {
         missing(command.action()?, documents)
     }
 
+    fn progress(&self) -> Option<(f32, &str)> {
+        let making = self.making.last().map(|_| "Making the file");
+        let words = making.or(self.mission.is_made().then_some("Saving the mission"));
+        words.map(|words| (0.0, words))
+    }
+
+    fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
+        let mission = self.mission.stop();
+        let jobs = self.making.drain(..).map(|(job, _)| job).chain(mission);
+        jobs.map(|job| context.cancel(job)).count() > 0
+    }
+
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
         let Some(place) = self.making.iter().position(|(id, _)| *id == job) else {
             self.mission.take(job, event, context);

@@ -31,6 +31,16 @@ impl MissionFile {
         self.0 = Some((id, name));
     }
 
+    /// Whether it is being made.
+    pub(super) fn is_made(&self) -> bool {
+        self.0.is_some()
+    }
+
+    /// Gives it up; its job.
+    pub(super) fn stop(&mut self) -> Option<JobId> {
+        self.0.take().map(|(job, _)| job)
+    }
+
     /// Takes what the worker says of the file.
     pub(super) fn take(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
         let Some((_, name)) = self.0.as_ref().filter(|(id, _)| *id == job) else {

@@ -1,4 +1,6 @@
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::Job;
 use pilotage_ui::documents::decode_run;
 
 use super::support::{flight::mission, rig};
@@ -69,4 +71,21 @@ fn open_asks_for_files() {
     rig.menu("Open", "Open a flight, map, mission, route or run…");
     rig.frames(2);
     assert_eq!(rig.host().file_dialogs, 1);
+}
+
+#[test]
+fn a_mission_that_takes_long_to_save_says_so_and_can_be_stopped() {
+    let mut rig = rig();
+    rig.host().silent_packs = true;
+    rig.key_with(Modifiers::COMMAND, Key::S);
+    rig.frames(3);
+    rig.harness.get_by_label("Saving the mission");
+    rig.harness.get_by_label("Stop computing").click();
+    rig.frames(3);
+    assert!(rig.harness.query_by_label("Saving the mission").is_none());
+    let jobs = rig.host().jobs.iter();
+    let packs = jobs.filter(|(_, job)| matches!(job, Job::Pack(_)));
+    let packs: Vec<_> = packs.map(|(id, _)| *id).collect();
+    assert_eq!(rig.host().cancelled, packs);
+    assert!(rig.host().saved.is_empty());
 }

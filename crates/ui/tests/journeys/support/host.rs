@@ -127,6 +127,8 @@ pub struct ScriptedHost {
     pub silent_flights: bool,
     /// Leave contests of all estimators without an answer.
     pub silent_contests: bool,
+    /// Leave missions that are to be saved without an answer.
+    pub silent_packs: bool,
     /// Fate of the flights of studies.
     pub studies: Studies,
     /// Error that is told of opened files.
@@ -309,6 +311,9 @@ impl ScriptedHost {
             return self.invent_log(id, file);
         }
         if self.studies == Studies::Left && matches!(job, Job::StudyFlights(_)) {
+            return;
+        }
+        if self.silent_packs && matches!(job, Job::Pack(_)) {
             return;
         }
         if is_real(job) || self.is_of_a_log(job) {
