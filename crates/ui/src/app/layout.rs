@@ -108,8 +108,8 @@ impl App {
         let is_flight_hidden = views.hide_flight(scene.view.workspace);
         let filling = views.fills_window(scene.view.workspace);
         if let Some(index) = views.beside_map() {
-            beside_map(ui, &mut scene, views, index, commands);
-            self.overlays(ui, &tokens, now, commands, narrow);
+            let room = beside_map(ui, &mut scene, views, index, commands);
+            self.overlays(ui, &tokens, now, commands, room);
             return;
         }
         if is_flight_hidden {
@@ -120,8 +120,8 @@ impl App {
             timeline(ui, &scene, views, commands);
         }
         if let Some(index) = filling {
-            window(ui, &scene, views, index, commands, narrow);
-            self.overlays(ui, &tokens, now, commands, narrow);
+            let room = window(ui, &scene, views, index, commands, narrow);
+            self.overlays(ui, &tokens, now, commands, room);
             return;
         }
         if is_side_open || *scene.settings {
@@ -134,7 +134,9 @@ impl App {
         let has_plots = plots_open && !narrow && !is_flight_hidden;
         let documents = scene.documents;
         let mut features = views.features.iter();
+        let room;
         if has_plots && features.any(|it| it.leaves_map_empty(documents)) {
+            room = ui.available_rect_before_wrap();
             egui::CentralPanel::default()
                 .frame(plain_frame(&tokens, Margin::symmetric(8, 8)))
                 .show(ui, |ui| all_plots(ui, &scene, views, commands));
@@ -142,9 +144,10 @@ impl App {
             if has_plots {
                 plots(ui, &mut scene, views, commands);
             }
+            room = ui.available_rect_before_wrap();
             map(ui, &scene, views, commands);
         }
-        self.overlays(ui, &tokens, now, commands, narrow);
+        self.overlays(ui, &tokens, now, commands, room);
     }
 
     /// Turns to the panels of the workspace; a recorded flight has others than a simulated one.
@@ -183,13 +186,14 @@ impl App {
         self.view.side_open.unwrap_or(is_usual)
     }
 
+    /// Draws what lies over the rest; notices lie over `room`, which the panels leave.
     fn overlays(
         &mut self,
         ui: &mut Ui,
         tokens: &Tokens,
         now: f64,
         commands: &mut Vec<Command>,
-        narrow: bool,
+        room: egui::Rect,
     ) {
         self.dialogs
             .palette
@@ -214,14 +218,11 @@ impl App {
                 feature.overlay(ui, context, scene.documents);
             });
         }
-        let bottom = if narrow { 112.0 } else { 80.0 };
-        if self.toasts.show(ui, tokens, now, bottom) {
-            self.dialogs.notices = true;
-        }
+        self.dialogs.notices |= self.toasts.show(ui, tokens, now, room);
     }
 }
 
-/// The window as the feature at `index` fills it, and its panel beside that or below.
+/// The window as the feature at `index` fills it, and its panel beside that or below, which leaves the room returned.
 fn window(
     ui: &mut Ui,
     scene: &Scene<'_>,
@@ -229,7 +230,7 @@ fn window(
     index: usize,
     commands: &mut Vec<Command>,
     narrow: bool,
-) {
+) -> egui::Rect {
     let (tokens, documents) = (scene.tokens, scene.documents);
     let feature = &mut views.features[index];
     let panel = if narrow {
@@ -248,19 +249,21 @@ fn window(
                 scene.with_context(commands, |context| feature.panel(ui, context, documents));
             });
     });
+    let room = ui.available_rect_before_wrap();
     scene.with_context(commands, |context| {
         feature.window(ui, context, documents, &mut views.camera);
     });
+    room
 }
 
-/// The picture of the feature at `index`, the map beside it, and its panel.
+/// The picture of the feature at `index`, the map beside it, and its panel, which leaves the room returned.
 fn beside_map(
     ui: &mut Ui,
     scene: &mut Scene<'_>,
     views: &mut Views,
     index: usize,
     commands: &mut Vec<Command>,
-) {
+) -> egui::Rect {
     let (tokens, documents) = (scene.tokens, scene.documents);
     let feature = &mut views.features[index];
     let width = ui.ctx().content_rect().width();
@@ -276,7 +279,8 @@ fn beside_map(
                     scene.with_context(commands, |context| feature.panel(ui, context, documents));
                 });
         });
-    let half = 0.5 * ui.available_width();
+    let room = ui.available_rect_before_wrap();
+    let half = 0.5 * room.width();
     Panel::left("picture")
         .resizable(true)
         .default_size(half)
@@ -288,6 +292,7 @@ fn beside_map(
             });
         });
     map(ui, scene, views, commands);
+    room
 }
 
 fn plain_frame(tokens: &Tokens, margin: Margin) -> Frame {

@@ -1,6 +1,6 @@
 //! Notices: what happened, to which file, why, and what to do.
 
-use egui::{Align2, Area, Frame, Id, Order, RichText, Stroke, Ui, vec2};
+use egui::{Align2, Area, Frame, Id, Order, Rect, RichText, Stroke, Ui, Vec2, vec2};
 
 use super::icons::Icon;
 use super::widgets::{icon_button, text_button};
@@ -60,8 +60,12 @@ pub struct Toasts {
 }
 
 const LIFETIME: f64 = 9_000.0;
-/// Notices on screen at a time.
+/// Notices on screen at a time, where there is room.
 const MOST: usize = 3;
+/// Height that a notice is given of the room, points.
+const ROOM_OF_ONE: f32 = 130.0;
+/// Distance from the lower edge of the room, points.
+const MARGIN: Vec2 = vec2(0.0, 16.0);
 /// Length of a text that is shown whole at once, bytes.
 const LONGEST: usize = 220;
 /// Notices that can be read again.
@@ -109,24 +113,27 @@ impl Toasts {
         &self.list
     }
 
-    /// Draws the newest notices above everything, at the bottom right over `bottom` points, the newest first, and the
-    /// number of the rest; true when those are asked for.
+    /// Draws the newest notices at the middle of the lower edge of `room`, between what a map has in its corners, the
+    /// newest first, and the number of the rest; true when those are asked for.
     #[must_use]
-    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, now: f64, bottom: f32) -> bool {
+    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, now: f64, room: Rect) -> bool {
         self.list.retain(|t| t.trouble || now - t.born < LIFETIME);
         if self.list.is_empty() {
             return false;
         }
         let mut dismissed = None;
         let mut is_rest_asked_for = false;
-        let rest = self.list.len().saturating_sub(MOST);
+        let most = ((room.height() / ROOM_OF_ONE) as usize).clamp(1, MOST);
+        let rest = self.list.len().saturating_sub(most);
+        let width = (room.width() - 120.0).clamp(160.0, 320.0);
         Area::new(Id::unique("toasts"))
             .order(Order::Foreground)
-            .anchor(Align2::RIGHT_BOTTOM, vec2(-16.0, -bottom))
+            .pivot(Align2::CENTER_BOTTOM)
+            .fixed_pos(room.center_bottom() - MARGIN)
             .show(ui.ctx(), |ui| {
                 ui.spacing_mut().item_spacing.y = tokens.space;
                 for (index, toast) in self.list.iter_mut().enumerate().skip(rest).rev() {
-                    if toast_ui(ui, tokens, toast, now) {
+                    if toast_ui(ui, tokens, toast, (now, width)) {
                         dismissed = Some(index);
                     }
                 }
@@ -154,7 +161,7 @@ impl Toasts {
     }
 }
 
-fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
+fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, (now, width): (f64, f32)) -> bool {
     let tone = if toast.trouble {
         tokens.warning
     } else {
@@ -176,7 +183,7 @@ fn toast_ui(ui: &mut Ui, tokens: &Tokens, toast: &mut Toast, now: f64) -> bool {
                 };
                 icon.paint(ui.painter(), rect, tone);
                 ui.vertical(|ui| {
-                    ui.set_width(320.0_f32.min(ui.ctx().content_rect().width() - 120.0));
+                    ui.set_width(width);
                     ui.spacing_mut().item_spacing.y = 4.0;
                     let title = RichText::new(toast.heading()).font(tokens.heading());
                     ui.label(title.color(tokens.text));
@@ -252,7 +259,7 @@ mod tests {
             toasts.trouble(f64::from(i), format!("Trouble {i}"), "");
         }
         let mut harness = egui_kittest::Harness::new_ui(move |ui| {
-            if toasts.show(ui, &Tokens::dark(), 10.0, 80.0) {
+            if toasts.show(ui, &Tokens::dark(), 10.0, ui.max_rect()) {
                 is_asked.set(true);
             }
         });
