@@ -487,7 +487,7 @@ mod tests {
         let bounds = GroundRect::centered(GroundPoint::new(30.0, 300.0), 20.0, 20.0);
         let landmarks = [BriefLandmark {
             landmark: Landmark::new(1, "Barn <old>", bounds),
-            found: "found 80 % of the time".into(),
+            found: "found in 80 % of pictures".into(),
         }];
         let corner = |n, e| GroundPoint::new(n, e);
         let zones = [NoFlyZone {

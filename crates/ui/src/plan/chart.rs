@@ -74,7 +74,7 @@ impl Chart {
             galley.size().x
         };
         let (blips, lanes) = blips(samples, |blip| {
-            samples[blip.samples[1]].distance + f64::from(text_width(blip) + 84.0) / per_metre
+            samples[blip.samples[1]].distance + f64::from(text_width(blip) + 132.0) / per_metre
         });
         let lanes = lanes.min(MOST_LANES);
         let below = BOTTOM + LANE * lanes as f32 + if lanes > 0 { 4.0 } else { 0.0 };
@@ -265,8 +265,8 @@ fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, uni
     }
 }
 
-/// A bar as high as the probability in each frame, with the landmark's name and the greatest of them. In tests of the
-/// landmark another share may be found: those look at it from other places.
+/// A bar as high as the probability in each frame, with the landmark's name and the greatest of them, said as what it is:
+/// a share of the simulated flights. In tests of the landmark another share may be found: those look at it from other places.
 fn paint_blip(
     painter: &Painter,
     samples: &[PredictionSample],
@@ -302,7 +302,7 @@ fn paint_blip(
     painter.line_segment(line, Stroke::new(1.0, color));
     let font = tokens.small();
     let name = painter.layout_no_wrap(name.to_owned(), font.clone(), tokens.text);
-    let text = format!("up to {:.0} %", 100.0 * blip.best);
+    let text = format!("up to {:.0} % of flights", 100.0 * blip.best);
     let best = painter.layout_no_wrap(text, font, tokens.muted);
     let width = name.size().x + 5.0 + best.size().x;
     let behind = right.max(left + 3.0) + 5.0;

@@ -14,6 +14,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{caption, chip, icon_button, icons::Icon, muted, text_button};
+use crate::units::Units;
 use crate::views::ellipse::largest_sigma;
 use pilotage_jobs::MeasuredLandmark;
 
@@ -206,7 +207,7 @@ fn result(ui: &mut Ui, measured: &MeasuredLandmark, context: &ViewContext<'_>) {
             LandmarkVerdict::Weak => tokens.warning,
         };
         chip(ui, tokens, verdict.word(), tone);
-        let text = format!("found {:.0} % of the time", 100.0 * probability);
+        let text = format!("found in {:.0} % of pictures", 100.0 * probability);
         chip(ui, tokens, &text, tone);
         let tone = if found.false_matches > 0.0 {
             tokens.warning
@@ -231,20 +232,21 @@ fn result(ui: &mut Ui, measured: &MeasuredLandmark, context: &ViewContext<'_>) {
             chip(ui, tokens, &text, tokens.muted);
         }
     });
-    ui.label(egui::RichText::new(sentence(measured)).color(tokens.text));
+    ui.label(egui::RichText::new(sentence(measured, context.units)).color(tokens.text));
     rose(ui, measured, context);
 }
 
-fn sentence(measured: &MeasuredLandmark) -> String {
+fn sentence(measured: &MeasuredLandmark, units: Units) -> String {
     let found = &measured.last;
     let days = 1 + found.views.iter().map(|v| v.day).max().unwrap_or(0);
     let good = |day| found.views.iter().any(|v| v.day == day && v.found);
     let recognised = (0..days).filter(|d| good(*d)).count();
     let hits = found.views.iter().filter(|v| v.found).count();
+    let (factor, unit) = units.length();
     format!(
-        "Recognised on {recognised} of {days} other days, found in {hits} of {} views from {:.0} m.",
+        "Recognised on {recognised} of {days} other days, found in {hits} of {} views from {:.0} {unit}.",
         found.views.len(),
-        found.height
+        found.height * factor
     )
 }
 

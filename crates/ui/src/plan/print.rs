@@ -95,7 +95,7 @@ impl Planner {
             let found = match self.assessments.of(landmark) {
                 Some(measured) => {
                     let percent = 100.0 * measured.last.expected.probability();
-                    format!("found {percent:.0} % of the time")
+                    format!("found in {percent:.0} % of pictures")
                 }
                 None => "not tested".to_owned(),
             };

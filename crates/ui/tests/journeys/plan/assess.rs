@@ -23,7 +23,7 @@ fn a_measured_landmark_is_believed_instead_of_the_assumption() {
     assert_eq!(number(&rig, "/measured/0/id"), 2.0);
     assert!((number(&rig, "/measured/0/probability") - 0.45).abs() < 1e-9);
     rig.harness.get_by_label("weak");
-    rig.harness.get_by_label("found 45 % of the time");
+    rig.harness.get_by_label("found in 45 % of pictures");
     rig.harness.get_by_label("wrong 3 %");
     rig.harness
         .get_by_label("place ±0.20 m towards 0°, ±0.20 m across");
