@@ -11,7 +11,7 @@ use super::flown::{camera, cruise, way_back};
 use super::legs::legs;
 use super::planner::Planner;
 use super::printing::{BriefLandmark, Printing};
-use super::route_tab::assumptions;
+use super::route_tab::{assumptions, misled};
 use crate::documents::Documents;
 use crate::feature::{FeatureContext, Missing};
 use crate::units::Units;
@@ -186,7 +186,8 @@ impl Planner {
             ),
         ];
         assumed.extend(assumptions(self, documents, route, units));
-        let warnings = self.no_fly_sentences(units);
+        let mut warnings = self.no_fly_sentences(units);
+        warnings.extend(misled(self, documents));
         let scene = BriefScene {
             mission: &documents.mission.name,
             route,

@@ -265,6 +265,9 @@ fn prediction(
         }
         planner.remedies_card(ui, context);
     }
+    if let Some(sentence) = misled(planner, documents) {
+        ui.label(egui::RichText::new(sentence).color(tokens.warning));
+    }
     for sentence in assumptions(planner, documents, route, context.units) {
         ui.label(muted(tokens, sentence));
     }
@@ -302,7 +305,6 @@ pub fn assumptions(
     } else {
         list.push(format!("All {measured} landmarks in use are tested."));
     }
-    list.extend(misled(planner, &used));
     let climbs = route
         .way_points
         .windows(2)
@@ -342,12 +344,13 @@ pub fn assumptions(
 }
 
 /// Landmarks for which something else is often taken, which no prediction counts.
-fn misled(planner: &Planner, used: &[Landmark]) -> Option<String> {
+pub fn misled(planner: &Planner, documents: &Documents) -> Option<String> {
     let misleads = |landmark: &&Landmark| {
         let measured = planner.assessments.of(landmark);
         measured.is_some_and(|it| LandmarkVerdict::misleads(&it.last))
     };
-    let names = used.iter().filter(misleads).map(|it| it.name.as_str());
+    let used = documents.mission.landmarks.iter().filter(|it| it.enabled);
+    let names = used.filter(misleads).map(|it| it.name.as_str());
     let names: Vec<&str> = names.collect();
     (!names.is_empty()).then(|| {
         format!(

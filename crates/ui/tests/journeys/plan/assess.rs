@@ -113,6 +113,11 @@ fn landmarks_for_which_something_else_is_often_taken_are_named_beside_the_predic
             .harness
             .query_by_label_contains("Something else is often taken for");
         assert_eq!(told.is_some(), is_told, "{wrong}");
+        rig.key_with(egui::Modifiers::COMMAND, egui::Key::P);
+        rig.settle();
+        let (_, brief) = rig.host().printed.take().expect("a brief");
+        let warns = brief.contains("class=\"warning\">Something else is often taken for");
+        assert_eq!(warns, is_told, "{wrong}");
     }
 }
 
