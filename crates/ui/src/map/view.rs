@@ -616,7 +616,7 @@ fn paint_look_alike(
         rank: LOOK_ALIKE_RANK,
         around: Rect::from_points(&corners),
         top: super::transform::topmost(&corners),
-        text: format!("look-alike {score:.2}, margin {:.2}", most - score),
+        text: format!("look-alike {score:.2}, refused from {most:.2}"),
         color: tokens.warning,
     })
 }

@@ -407,9 +407,9 @@ fn found_words(
 ) -> (String, egui::FontId, egui::Color32) {
     let percent = |p: f64| format!("{:.0} %", 100.0 * p);
     let under_way = assessments.under_way();
-    if let Some((_, fraction, _)) = under_way.filter(|(of, ..)| *of == landmark.id) {
-        let words = format!("{} …", percent(f64::from(fraction)));
-        return (words, tokens.small(), tokens.accent);
+    // No share of the test that is done: it would stand among shares of pictures.
+    if under_way.is_some_and(|(of, ..)| of == landmark.id) {
+        return ("testing …".to_owned(), tokens.small(), tokens.accent);
     }
     if let Some(measured) = assessments.of(landmark) {
         let p = measured.last.expected.probability();

@@ -136,8 +136,11 @@ fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut Vi
         } else {
             "Test how well it is found"
         };
-        let test = PlanCommand::AssessSelected;
-        button(ui, context, None, label, !is_tested, test);
+        let mut under_way = planner.assessments.under_way().into_iter();
+        if under_way.all(|(of, ..)| of != landmark.id) {
+            let test = PlanCommand::AssessSelected;
+            button(ui, context, None, label, !is_tested, test);
+        }
         let survey = PlanCommand::SurveyEnvelope;
         button(ui, context, None, "Best altitude", false, survey);
         let copy = PlanCommand::DuplicateLandmark;

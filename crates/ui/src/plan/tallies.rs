@@ -18,13 +18,15 @@ const CELL: f32 = 30.0;
 const LEFT: f32 = 64.0;
 /// Height of a line of small text, points.
 const LINE: f32 = 15.0;
+/// Height of a line of the legend, points.
+const LEGEND_LINE: f32 = 18.0;
 
 /// The name of a strip, what each of its cells is of, and the cells.
 type Strip<'a> = (&'a str, Vec<String>, &'a [LookTally]);
 
 /// Draws by what the views of a landmark differ.
 pub fn breakdown(ui: &mut Ui, counted: &ViewBreakdown, context: &ViewContext<'_>) {
-    let words = "Found of the looks, and the deviation of the place where it was found:";
+    let words = "Found / looked for, and how far the found place scatters (±1σ):";
     ui.label(muted(context.tokens, words));
     let [small, great] = counted.edges.map(f64::to_degrees);
     let strips: [Strip<'_>; 3] = [
@@ -137,28 +139,30 @@ pub fn envelope(ui: &mut Ui, envelope: &Envelope, height: f64, context: &ViewCon
 
 /// Draws the legend of the cells.
 pub fn legend(ui: &mut Ui, tokens: &Tokens) {
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 18.0), Sense::hover());
+    let size = vec2(ui.available_width(), 2.0 * LEGEND_LINE);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     let painter = ui.painter_at(rect);
-    let text = |x: f32, words: &str| {
-        let at = pos2(x, rect.center().y);
+    let (upper, lower) = rect.split_top_bottom_at_fraction(0.5);
+    let text = |line: Rect, x: f32, words: &str| {
+        let at = pos2(x, line.center().y);
         let font = tokens.small();
         let drawn = painter.text(at, Align2::LEFT_CENTER, words, font, tokens.muted);
         drawn.right()
     };
-    let x = text(rect.left(), "Found: never") + 6.0;
+    let x = text(upper, upper.left(), "Found: never") + 6.0;
     for i in 0..24 {
         let left = x + 3.0 * i as f32;
         let piece =
-            Rect::from_x_y_ranges(left..=left + 3.5, rect.top() + 4.0..=rect.bottom() - 4.0);
+            Rect::from_x_y_ranges(left..=left + 3.5, upper.top() + 4.0..=upper.bottom() - 4.0);
         painter.rect_filled(piece, 0.0, viridis(i as f32 / 23.0));
     }
-    let x = text(x + 78.0, "always") + 14.0;
-    let hollow = Rect::from_min_size(pos2(x, rect.top() + 4.0), vec2(16.0, 10.0));
+    text(upper, x + 78.0, "always");
+    let hollow = Rect::from_min_size(lower.left_top() + vec2(0.0, 4.0), vec2(16.0, 10.0));
     let line = Stroke::new(1.0, tokens.muted);
     painter.rect_stroke(hollow, 2.0, line, StrokeKind::Inside);
-    let x = text(x + 22.0, "no look") + 14.0;
-    painter.circle_filled(pos2(x + 3.0, rect.center().y), 3.5, tokens.warning);
-    text(x + 11.0, "wrong place");
+    let x = text(lower, lower.left() + 22.0, "not looked for") + 14.0;
+    painter.circle_filled(pos2(x + 3.0, lower.center().y), 3.5, tokens.warning);
+    text(lower, x + 11.0, "a wrong place believed");
 }
 
 /// A cell: its colour is the share that was found; hollow without a look, a dot where wrong places were

@@ -1,6 +1,6 @@
 use egui::Vec2;
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::Job;
+use pilotage_jobs::{Job, JobEvent};
 
 use super::super::support::{Ahead, ScriptedHost, rig_on};
 use super::{draw, number, planning};
@@ -218,4 +218,68 @@ fn testing_ahead_ends_where_people_switch_it_off() {
         .click();
     rig.settle();
     assert!(!measured_ahead(&mut rig).is_empty());
+}
+
+/// Texts on the screen, each with its right edge and that of what is shown of it, points.
+fn texts(rig: &super::Rig) -> Vec<(String, f32, f32)> {
+    let shapes = rig.harness.output().shapes.iter();
+    let texts = shapes.filter_map(|s| match &s.shape {
+        egui::Shape::Text(text) => {
+            let right = text.pos.x + text.galley.size().x;
+            Some((text.galley.text().to_owned(), right, s.clip_rect.right()))
+        }
+        _ => None,
+    });
+    texts.collect()
+}
+
+#[test]
+fn a_test_under_way_tells_no_share_among_those_of_pictures_and_is_not_offered_again() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    let offer = "Test how well it is found";
+    rig.harness.get_by_label(offer).click();
+    let is_asked = |rig: &mut super::Rig| {
+        let mut jobs = rig.host().jobs.iter();
+        jobs.any(|(_, job)| matches!(job, Job::Assess(_)))
+    };
+    while !is_asked(&mut rig) {
+        rig.frames(1);
+    }
+    // The worker has done half of it.
+    let events = &mut rig.host().events;
+    events.retain(|(_, event)| matches!(event, JobEvent::Progress(..)));
+    rig.frames(3);
+    let texts = texts(&rig);
+    assert!(texts.iter().any(|(text, ..)| text == "testing …"));
+    assert!(texts.iter().all(|(text, ..)| text != "50 % …"));
+    assert!(rig.harness.query_by_label(offer).is_none());
+}
+
+#[test]
+fn the_legend_of_a_test_is_whole_in_a_narrow_column() {
+    let mut rig = rig_on(ScriptedHost::default(), Vec2::new(1000.0, 1400.0));
+    rig.open_tab("Plan");
+    rig.settle();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    rig.harness
+        .get_by_label("Test how well it is found")
+        .click();
+    rig.settle();
+    rig.frames(3);
+    let texts = texts(&rig);
+    for words in [
+        "Found: never",
+        "always",
+        "not looked for",
+        "a wrong place believed",
+    ] {
+        let mut drawn = texts.iter().filter(|(text, ..)| text == words);
+        assert!(drawn.clone().count() > 0, "{words} is not drawn");
+        assert!(drawn.all(|(_, right, end)| right <= end), "{words} is cut");
+    }
 }

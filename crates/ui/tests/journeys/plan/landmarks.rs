@@ -239,7 +239,7 @@ fn the_look_alike_is_told_with_its_margin_and_marked_on_the_map() {
         egui::Shape::Text(text) => Some(text.galley.text()),
         _ => None,
     });
-    assert!(words.any(|w| w == "look-alike 0.41, margin 0.44"));
+    assert!(words.any(|w| w == "look-alike 0.41, refused from 0.85"));
     // As far around as the detector comes to look for it.
     let radius = |rig: &Rig| {
         let jobs = rig.harness.state().host.jobs.iter().rev();
