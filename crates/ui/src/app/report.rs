@@ -14,6 +14,7 @@ use crate::documents::{Documents, ViewState};
 use crate::shell::Toasts;
 use crate::timeline::Playback;
 use crate::units::clock;
+use crate::views::ellipse::radius_held;
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {
@@ -276,13 +277,12 @@ impl Report<'_> {
         let Some(step) = run.step_at(now) else {
             return time;
         };
-        let (factor, unit) = self.view.units.length();
-        let deviation = factor * step.after.position_covariance().trace().max(0.0).sqrt();
+        let radius = self.view.units.short(radius_held(step));
         let state = if run.frame_step_at(now).is_some_and(StepReport::corrected) {
             "corrected by landmarks"
         } else {
             "dead reckoning"
         };
-        format!("{time} The aircraft is {state}, its position known to {deviation:.1} {unit}.")
+        format!("{time} The aircraft is {state}, its position within {radius} (95 %).")
     }
 }

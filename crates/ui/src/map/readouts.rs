@@ -1,7 +1,6 @@
 //! The few numbers that matter at the time cursor, above the map.
 
 use egui::{Rect, Ui};
-use pilotage_core::filter::circle_radius;
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::vehicle::StateComponent;
@@ -10,9 +9,7 @@ use crate::context::ViewContext;
 use crate::documents::OpenedTerrain;
 use crate::shell::{Headline, Light, Readout, hud};
 use crate::units::with_minus;
-
-/// Probability with which the position is within the distance that is told.
-const HELD: f64 = 0.95;
+use crate::views::ellipse::radius_held;
 
 /// Stretch of time whose course is drawn, seconds.
 const COURSE: f64 = 60.0;
@@ -137,7 +134,7 @@ pub fn paint_readouts(
     left_top: egui::Pos2,
     room: f32,
 ) -> Rect {
-    let radius = circle_radius(&step.after.position_covariance(), HELD);
+    let radius = radius_held(step);
     let headline = headline(context, step, radius);
     let rest = readouts(context, ground, step, radius);
     hud(ui, context.tokens, &headline, &rest, left_top, room)

@@ -14,6 +14,7 @@ use crate::shell::{icon_button, icon_toggle};
 use crate::still::Still;
 use crate::tokens::Tokens;
 use crate::units::clock;
+use crate::views::ellipse::radius_held;
 
 /// Data that the strip needs beside what every view is given.
 pub struct TimelineExtra<'a> {
@@ -281,9 +282,8 @@ fn paint_hover(
     let mut text = clock(time, scale.span.0);
     let step = context.run.and_then(|r| r.step_at(time));
     if let Some(step) = step.filter(|s| (s.time - time).abs() < 2.0) {
-        let (factor, unit) = context.units.length();
-        let deviation = step.after.position_covariance().trace().max(0.0).sqrt() * factor;
-        text = format!("{text}   ±{deviation:.1} {unit}");
+        let radius = context.units.short(radius_held(step));
+        text = format!("{text}   within {radius} (95 %)");
         if let Some(frame) = context
             .run
             .and_then(|r| r.frame_step_at(time))

@@ -1,5 +1,5 @@
 use egui::Vec2;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pilotage_jobs::{FlightSource, FlyOrder, Job};
 
 use super::support::{Scheme, ScriptedHost, rig, rig_on};
@@ -96,4 +96,22 @@ fn while_the_first_flight_is_computed_nothing_says_that_there_is_none() {
     for words in ["No run yet", "No flight yet"] {
         assert!(rig.harness.query_by_label_contains(words).is_none());
     }
+}
+
+#[test]
+fn the_position_is_told_within_the_same_distance_on_the_map_and_to_screen_readers() {
+    let rig = rig();
+    let headline = rig
+        .harness
+        .get_by_label_contains("Position (95 %): within ");
+    let node = headline.accesskit_node();
+    let words = node.label().or_else(|| node.value()).expect("words");
+    let radius = words.split("(95 %): ").nth(1).expect("a radius");
+    let radius = radius.split(',').next().unwrap_or_default().to_owned();
+    let app = rig.harness.state().app.as_ref().expect("the app");
+    let summary = app.summary_text();
+    assert!(
+        summary.contains(&format!("its position {radius} (95 %).")),
+        "{summary} beside {words}"
+    );
 }
