@@ -53,6 +53,8 @@ pub struct ViewContext<'a> {
     pub mission: &'a Mission,
     /// Measured flight.
     pub flight: Option<&'a Flight>,
+    /// Whether it was recorded: what is known of its true track is what a receiver said.
+    pub is_recorded: bool,
     /// Run of the navigator so far.
     pub run: Option<&'a Run>,
     /// The run before the last change, for comparison.

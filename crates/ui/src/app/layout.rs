@@ -58,6 +58,7 @@ impl Scene<'_> {
             ghost: self.documents.ghost.as_ref(),
             time: self.playback.time,
             clock_zero: self.documents.clock_zero(),
+            is_recorded: self.documents.log.is_some(),
             selected_span: self.playback.selected_span,
             playing: self.playback.playing,
             motion: self.playback.motion(),

@@ -138,7 +138,13 @@ impl MapView {
         let at = Align2::LEFT_BOTTOM.anchor_size(corner, size);
         self.cover(at);
         let mut ui = ui.new_child(UiBuilder::new().max_rect(at).id_salt("legend"));
-        self.layers.legend(&mut ui, context.tokens, present);
+        let name = |layer: Layer| match layer {
+            Layer::Truth if context.is_recorded => "Recorded track",
+            _ => layer.label(),
+        };
+        self.layers.legend(&mut ui, context.tokens, |layer| {
+            present(layer).then(|| name(layer))
+        });
     }
 
     /// The field that names a landmark in place.

@@ -276,8 +276,13 @@ impl Layers {
         }
     }
 
-    /// Draws the legend; `present` says which layers have anything to show.
-    pub fn legend(&mut self, ui: &mut Ui, tokens: &Tokens, present: impl Fn(Layer) -> bool) {
+    /// Draws the legend; `shown` names the layers that have anything to show.
+    pub fn legend(
+        &mut self,
+        ui: &mut Ui,
+        tokens: &Tokens,
+        shown: impl Fn(Layer) -> Option<&'static str>,
+    ) {
         Frame::new()
             .fill(tokens.over_map())
             .stroke(Stroke::new(1.0, tokens.line))
@@ -291,12 +296,13 @@ impl Layers {
                 if !self.is_open {
                     return;
                 }
-                for layer in Layer::ALL.into_iter().filter(|l| present(*l)) {
+                for layer in Layer::ALL {
+                    let Some(name) = shown(layer) else { continue };
                     let on = self.shows(layer);
                     if row(
                         ui,
                         tokens,
-                        (layer.label(), self.row_height()),
+                        (name, self.row_height()),
                         on,
                         |painter, rect| {
                             if on {

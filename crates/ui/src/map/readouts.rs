@@ -79,7 +79,11 @@ fn readouts(
         let error = (own.north - truth.x).hypot(own.east - truth.y);
         let (value, unit) = context.units.short_distance(error);
         list.push(Readout {
-            name: "True error",
+            name: if context.is_recorded {
+                "Off the recorded track"
+            } else {
+                "True error"
+            },
             value: format!("{value} {unit}"),
             color: (error > radius).then_some(context.tokens.warning),
         });

@@ -20,16 +20,25 @@ const TOLD: [f64; 2] = [10.0, 30.0];
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
 
+/// Measure of the error after a cut: simulated flights have no receiver.
+fn judge(context: &ViewContext<'_>) -> &'static str {
+    if context.is_recorded {
+        "the receiver's track"
+    } else {
+        "the true track"
+    }
+}
+
 /// Draws the view of a cut.
 pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
-    wrapped(
-        ui,
-        tokens.muted,
+    let words = format!(
         "How far off would it be if GPS failed here? The program learns from the flight up to the cut, goes on by \
-             airspeed and heading alone, and is compared with the receiver.",
+         airspeed and heading alone, and is compared with {}.",
+        judge(context)
     );
+    wrapped(ui, tokens.muted, &words);
     choose(ui, context, outages);
     if let Some(words) = &outages.work.words
         && at_work(ui, tokens, words)
@@ -147,9 +156,11 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
         context.units.length(),
         Some(since),
     );
-    let caption = "Lines: distance from the receiver's position. Dashes: the radius that should hold it in 95 of \
-                   100 cases.";
-    ui.add(egui::Label::new(small(caption.into())).wrap());
+    let caption = format!(
+        "Lines: distance from {}. Dashes: the radius that should hold it in 95 of 100 cases.",
+        judge(context)
+    );
+    ui.add(egui::Label::new(small(caption)).wrap());
     for remark in &report.remarks {
         wrapped(ui, tokens.warning, remark);
     }

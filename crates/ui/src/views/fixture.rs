@@ -163,6 +163,7 @@ impl Fixture {
             run: Some(&self.run),
             ghost: None,
             time,
+            is_recorded: false,
             clock_zero: 0.0,
             motion: 0.0,
             selected_span: None,

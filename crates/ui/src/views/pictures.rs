@@ -149,6 +149,7 @@ impl ViewDocuments {
                         run: Some(&self.run),
                         ghost: self.ghost.as_ref(),
                         time,
+                        is_recorded: false,
                         clock_zero: 0.0,
                         motion: 0.0,
                         selected_span: None,

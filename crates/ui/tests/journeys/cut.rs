@@ -115,3 +115,13 @@ fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
     assert_eq!(label, "Airspeed, wind, landmarks");
     assert!(fixes.len() > 3, "{}", fixes.len());
 }
+
+#[test]
+fn a_simulated_flight_is_compared_with_its_true_track_since_it_has_no_receiver() {
+    let mut simulated = rig();
+    simulated.open_tab("GPS cut");
+    let told = |rig: &Rig, words: &str| rig.harness.query_by_label_contains(words).is_some();
+    assert!(told(&simulated, "is compared with the true track"));
+    let recorded = rig_with_rounds();
+    assert!(told(&recorded, "is compared with the receiver's track"));
+}

@@ -1,5 +1,6 @@
 use egui_kittest::kittest::Queryable as _;
 
+use super::log::rig_with_a_log;
 use super::support::rig;
 
 #[test]
@@ -11,4 +12,14 @@ fn the_legend_is_a_chip_until_it_is_opened() {
     rig.harness.get_by_label("Legend").click();
     rig.frames(3);
     assert!(rig.harness.query_by_label("True track").is_some());
+}
+
+#[test]
+fn a_recorded_track_is_not_called_true() {
+    let mut rig = rig_with_a_log();
+    rig.harness.get_by_label("Legend").click();
+    rig.frames(3);
+    assert!(rig.harness.query_by_label("Recorded track").is_some());
+    assert!(rig.harness.query_by_label("True track").is_none());
+    assert!(rig.harness.query_by_label_contains("True error").is_none());
 }
