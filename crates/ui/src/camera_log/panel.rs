@@ -52,7 +52,7 @@ impl CameraLogView {
             .auto_shrink(false)
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
-                let words = "When and whither the camera looked by the flight log: each picture is laid on the map \
+                let words = "When and where the camera looked by the flight log: each picture is laid on the map \
                              and compared with GPS, heading and height.";
                 ui.add(egui::Label::new(muted(tokens, words)).wrap());
                 if let Some(words) = &scene.job.words

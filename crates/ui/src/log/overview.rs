@@ -193,7 +193,7 @@ fn height_words(least: f64, greatest: f64) -> (&'static str, String) {
 fn findings(ui: &mut Ui, context: &mut ViewContext<'_>, findings: &[Finding], first: f64) {
     let tokens = context.tokens;
     let title = match findings.len() {
-        0 => "Nothing looks wrong".to_owned(),
+        0 => "Nothing was found wrong".to_owned(),
         1 => "One thing to know".to_owned(),
         n => format!("{n} things to know"),
     };
