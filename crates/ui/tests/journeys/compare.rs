@@ -127,7 +127,7 @@ fn the_column_keeps_its_width() {
 #[test]
 fn a_contest_under_way_can_be_stopped_after_a_run_was_smoothed() {
     let mut rig = rig();
-    rig.host().silent_contests = true;
+    rig.host().left = Some(|job| matches!(job, Job::Contest(_)));
     rig.open_tab("Compare");
     rig.harness.get_by_label("Fly by all estimators").click();
     rig.frames(4);

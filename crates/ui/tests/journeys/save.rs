@@ -76,7 +76,7 @@ fn open_asks_for_files() {
 #[test]
 fn a_mission_that_takes_long_to_save_says_so_and_can_be_stopped() {
     let mut rig = rig();
-    rig.host().silent_packs = true;
+    rig.host().left = Some(|job| matches!(job, Job::Pack(_)));
     rig.key_with(Modifiers::COMMAND, Key::S);
     rig.frames(3);
     rig.harness.get_by_label("Saving the mission");

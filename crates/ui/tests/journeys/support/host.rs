@@ -125,10 +125,8 @@ pub struct ScriptedHost {
     pub laying: Laying,
     /// Leave flights without an answer.
     pub silent_flights: bool,
-    /// Leave contests of all estimators without an answer.
-    pub silent_contests: bool,
-    /// Leave missions that are to be saved without an answer.
-    pub silent_packs: bool,
+    /// Jobs that are left without an answer.
+    pub left: Option<fn(&Job) -> bool>,
     /// Fate of the flights of studies.
     pub studies: Studies,
     /// Error that is told of opened files.
@@ -313,7 +311,7 @@ impl ScriptedHost {
         if self.studies == Studies::Left && matches!(job, Job::StudyFlights(_)) {
             return;
         }
-        if self.silent_packs && matches!(job, Job::Pack(_)) {
+        if self.left.is_some_and(|left| left(job)) {
             return;
         }
         if is_real(job) || self.is_of_a_log(job) {
@@ -328,7 +326,7 @@ impl ScriptedHost {
                 say(picture(order.index));
                 say(JobEvent::Finished);
             }
-            Job::Contest(order) if !self.silent_contests => {
+            Job::Contest(order) => {
                 say(JobEvent::Progress(0.5, "Extended Kalman filter".into()));
                 say(JobEvent::ContestJudged(Box::new(contest(order))));
                 say(JobEvent::Finished);
