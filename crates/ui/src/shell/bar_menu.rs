@@ -152,19 +152,21 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, shown: &str) -> Respo
 
 /// A row that can do nothing now, above what is missing; advice under the pointer.
 fn missing_row(ui: &mut Ui, tokens: &Tokens, shown: &str, missing: Missing) {
-    ui.spacing_mut().item_spacing.y = 0.0;
-    let response = ui.add_enabled(false, egui::Button::new(shown));
-    let label = format!("{shown} ({})", missing.what);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, false, &label));
-    response.on_disabled_hover_text(missing.advice);
-    let lack = egui::RichText::new(missing.what).font(tokens.small());
-    let lack = egui::Label::new(lack.color(tokens.muted));
-    let margin = egui::Margin {
-        left: 10,
-        bottom: 4,
-        ..egui::Margin::ZERO
-    };
-    let line = egui::Frame::new().inner_margin(margin);
-    let line = line.show(ui, |ui| ui.add(lack)).response;
-    line.on_hover_text(missing.advice);
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let response = ui.add_enabled(false, egui::Button::new(shown));
+        let label = format!("{shown} ({})", missing.what);
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, false, &label));
+        response.on_disabled_hover_text(missing.advice);
+        let lack = egui::RichText::new(missing.what).font(tokens.small());
+        let lack = egui::Label::new(lack.color(tokens.muted));
+        let margin = egui::Margin {
+            left: 10,
+            bottom: 4,
+            ..egui::Margin::ZERO
+        };
+        let line = egui::Frame::new().inner_margin(margin);
+        let line = line.show(ui, |ui| ui.add(lack)).response;
+        line.on_hover_text(missing.advice);
+    });
 }
