@@ -33,7 +33,7 @@ fn frame_line(flight: &Flight, step: &StepReport, frame: &FrameReport) -> String
     let name = flight.frames.get(frame.index).map_or("", |f| &f.name);
     let of_frame = |t: &Truth| Some(t.frames.get(frame.index)?.position);
     let truth = flight.truth.as_ref();
-    let truth = truth.and_then(|t| of_frame(t).or_else(|| Some(t.position(step.time)?)));
+    let truth = truth.and_then(|t| of_frame(t).or_else(|| t.position(step.time)));
     let position = step.after.position();
     let error = truth.map_or("unknown".to_owned(), |t| {
         format!(

@@ -41,7 +41,7 @@ pub struct FoundPlaces {
     pub searched: SearchedRegion,
     /// Biases of roll and pitch with which it was laid, radians.
     pub tilt_biases: [f64; 2],
-    /// Where a filter has them.
+    /// Place of these in the state of a filter.
     pub tilt: LastingTilt,
     pub places: Vec<Registration>,
 }
