@@ -19,7 +19,7 @@ use crate::job_owners::JobOwner;
 use crate::map::{MapButton, MapLayer, MapTool, MapView};
 use crate::shell::catalog::CommandEntry;
 use crate::shell::icons::Icon;
-use crate::shell::{NextStep, Toasts};
+use crate::shell::{CommandLack, NextStep, Toasts};
 use crate::timeline::Playback;
 use crate::units::Units;
 use crate::views::CameraView;
@@ -61,13 +61,17 @@ pub struct FeatureInfo {
     pub commands: fn() -> Vec<CommandEntry>,
 }
 
-/// Lack for which a command can do nothing now.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Missing {
-    /// Lack, in a few words.
-    pub what: &'static str,
-    /// Advice to whoever wants the command nevertheless.
-    pub advice: &'static str,
+/// Lack for which `command` can do nothing now, as the feature says that it is for.
+pub fn lack(
+    command: &Command,
+    features: &[Box<dyn Feature>],
+    documents: &Documents,
+) -> Option<CommandLack> {
+    let Command::Feature(command) = command else {
+        return None;
+    };
+    let owner = features.iter().find(|it| it.info().id == command.to())?;
+    owner.missing(command, documents)
 }
 
 /// Button of a feature on the camera picture.
@@ -389,7 +393,7 @@ pub trait Feature {
     fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool;
 
     /// Lack of the documents for which a command of its own can do nothing now.
-    fn missing(&self, _command: &FeatureCommand, _documents: &Documents) -> Option<Missing> {
+    fn missing(&self, _command: &FeatureCommand, _documents: &Documents) -> Option<CommandLack> {
         None
     }
 

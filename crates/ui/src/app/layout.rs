@@ -9,9 +9,11 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton};
+use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton, lack};
 use crate::map::{MapExtra, MapTool};
-use crate::shell::{TopBar, column_tabs, help_sheet, icon_button, notices_sheet, top_bar};
+use crate::shell::{
+    MenuTable, TopBar, column_tabs, help_sheet, icon_button, notices_sheet, top_bar,
+};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 
@@ -85,14 +87,7 @@ impl App {
         let workspace = self.view.workspace;
         let mut features = self.views.features.iter();
         let next = features.find_map(|it| it.next_step(workspace, &self.documents));
-        let missing = |command: &Command| {
-            let Command::Feature(command) = command else {
-                return None;
-            };
-            let mut features = self.views.features.iter();
-            let owner = features.find(|it| it.info().id == command.to())?;
-            owner.missing(command, &self.documents)
-        };
+        let lack = |command: &Command| lack(command, &self.views.features, &self.documents);
         bar(&tokens, BAR_HEIGHT).show(ui, |ui| {
             let bar = TopBar {
                 workspace,
@@ -100,8 +95,10 @@ impl App {
                 progress: self.progress(),
                 settings_open: self.dialogs.settings,
                 next,
-                catalog: &self.catalog,
-                missing: &missing,
+                table: MenuTable {
+                    catalog: &self.catalog,
+                    lack: &lack,
+                },
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });

@@ -14,7 +14,6 @@ use crate::documents::{Documents, ViewState};
 use crate::shell::Toasts;
 use crate::timeline::Playback;
 use crate::units::clock;
-use crate::views::ellipse::radius_held;
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {
@@ -277,7 +276,7 @@ impl Report<'_> {
         let Some(step) = run.step_at(now) else {
             return time;
         };
-        let radius = self.view.units.short(radius_held(step));
+        let radius = self.view.units.short(step.radius_held());
         let state = if run.frame_step_at(now).is_some_and(StepReport::corrected) {
             "corrected by landmarks"
         } else {

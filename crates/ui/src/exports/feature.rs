@@ -9,8 +9,9 @@ use super::places::{landmarks_file, rally_file, route_file};
 use super::track::track_file;
 use crate::documents::{Documents, encode_run};
 use crate::export_command::{EXPORTS, ExportCommand, ExportedFile};
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, Missing};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::host::stem;
+use crate::shell::CommandLack;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, control, entry};
 use crate::shell::sentences;
 
@@ -99,7 +100,7 @@ impl Feature for ExportsFeature {
         let Some(command) = command.action() else {
             return false;
         };
-        if let Some(Missing { what, advice }) = missing(command, context.documents) {
+        if let Some(CommandLack { what, advice }) = missing(command, context.documents) {
             context.note(what, advice);
             return true;
         }
@@ -128,7 +129,7 @@ impl Feature for ExportsFeature {
         true
     }
 
-    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<Missing> {
+    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<CommandLack> {
         missing(command.action()?, documents)
     }
 

@@ -2,10 +2,10 @@
 
 use crate::documents::Documents;
 use crate::export_command::ExportCommand;
-use crate::feature::Missing;
+use crate::shell::CommandLack;
 
 /// Lack of `documents` for which a file cannot be saved; none if it can.
-pub(super) fn missing(command: &ExportCommand, documents: &Documents) -> Option<Missing> {
+pub(super) fn missing(command: &ExportCommand, documents: &Documents) -> Option<CommandLack> {
     let mission = &documents.mission;
     let has_steps = || {
         let run = documents.run.as_ref();
@@ -41,5 +41,5 @@ pub(super) fn missing(command: &ExportCommand, documents: &Documents) -> Option<
             return None;
         }
     };
-    (!is_there).then_some(Missing { what, advice })
+    (!is_there).then_some(CommandLack { what, advice })
 }

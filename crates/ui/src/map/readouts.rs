@@ -9,7 +9,6 @@ use crate::context::ViewContext;
 use crate::documents::OpenedTerrain;
 use crate::shell::{Headline, Light, Readout, hud};
 use crate::units::with_minus;
-use crate::views::ellipse::radius_held;
 
 /// Stretch of time whose course is drawn, seconds.
 const COURSE: f64 = 60.0;
@@ -138,7 +137,7 @@ pub fn paint_readouts(
     left_top: egui::Pos2,
     room: f32,
 ) -> Rect {
-    let radius = radius_held(step);
+    let radius = step.radius_held();
     let headline = headline(context, step, radius);
     let rest = readouts(context, ground, step, radius);
     hud(ui, context.tokens, &headline, &rest, left_top, room)

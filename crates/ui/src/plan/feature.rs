@@ -16,8 +16,9 @@ use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::documents::{Documents, planned_ground};
 use crate::export_command::ExportCommand;
-use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, Missing};
+use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapTool;
+use crate::shell::CommandLack;
 use crate::shell::icons::Icon;
 use crate::shell::{BELOW_HUD, NextStep};
 use crate::units::Units;
@@ -44,7 +45,7 @@ impl Feature for Planner {
         is_known
     }
 
-    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<Missing> {
+    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<CommandLack> {
         let is_brief = command.action() == Some(&PlanCommand::PrintBrief);
         (is_brief && documents.selected_route().is_none()).then_some(NO_ROUTE)
     }

@@ -13,12 +13,13 @@ use super::planner::Planner;
 use super::printing::{BriefLandmark, Printing};
 use super::route_tab::{assumptions, misled};
 use crate::documents::Documents;
-use crate::feature::{FeatureContext, Missing};
+use crate::feature::FeatureContext;
+use crate::shell::CommandLack;
 use crate::units::Units;
 use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent, JobId};
 
 /// Lack of a route, which a brief is of.
-pub(super) const NO_ROUTE: Missing = Missing {
+pub(super) const NO_ROUTE: CommandLack = CommandLack {
     what: "No route to print",
     advice: "Draw a route in the Plan workspace first.",
 };

@@ -2,11 +2,9 @@
 
 use egui::{Color32, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
-use super::entry::{BarMenu, CommandEntry};
+use super::entry::{BarMenu, CommandEntry, CommandLack, MenuTable};
 use super::icons::Icon;
-use super::top_bar::TopBar;
 use crate::command::Command;
-use crate::feature::Missing;
 use crate::tokens::Tokens;
 
 /// Face of a button of the top bar.
@@ -79,7 +77,7 @@ impl BarButton<'_> {
 pub fn bar_menu(
     button: &Response,
     tokens: &Tokens,
-    bar: &TopBar<'_>,
+    table: &MenuTable<'_>,
     menus: &[BarMenu],
     commands: &mut Vec<Command>,
 ) {
@@ -92,7 +90,10 @@ pub fn bar_menu(
             .show(ui, |ui| {
                 let mut is_first = true;
                 for menu in menus {
-                    let rows = bar.catalog.iter().filter(|entry| entry.menu == Some(*menu));
+                    let rows = table
+                        .catalog
+                        .iter()
+                        .filter(|entry| entry.menu == Some(*menu));
                     let rows: Vec<_> = rows.collect();
                     if rows.is_empty() {
                         continue;
@@ -100,20 +101,20 @@ pub fn bar_menu(
                     if let Some(beginning) = menu.beginning() {
                         let title = format!("{beginning} …");
                         // What all of its rows lack is said before it is opened.
-                        if let Some(missing) = (bar.missing)(&rows[0].command) {
-                            missing_row(ui, tokens, &title, missing);
+                        if let Some(lack) = (table.lack)(&rows[0].command) {
+                            lacking_row(ui, tokens, &title, lack);
                             continue;
                         }
                         ui.menu_button(title, |ui| {
                             ui.set_min_width(220.0);
-                            entries(ui, tokens, beginning, (&rows, bar), commands);
+                            entries(ui, tokens, beginning, (&rows, table), commands);
                         });
                         continue;
                     }
                     if !std::mem::take(&mut is_first) {
                         ui.separator();
                     }
-                    entries(ui, tokens, "", (&rows, bar), commands);
+                    entries(ui, tokens, "", (&rows, table), commands);
                 }
             });
     });
@@ -124,14 +125,14 @@ fn entries(
     ui: &mut Ui,
     tokens: &Tokens,
     beginning: &str,
-    (rows, bar): (&[&CommandEntry], &TopBar<'_>),
+    (rows, table): (&[&CommandEntry], &MenuTable<'_>),
     commands: &mut Vec<Command>,
 ) {
     for entry in rows {
         let label = entry.label.as_ref();
         let shown = label.strip_prefix(beginning).unwrap_or(label).trim_start();
-        if let Some(missing) = (bar.missing)(&entry.command) {
-            missing_row(ui, tokens, shown, missing);
+        if let Some(lack) = (table.lack)(&entry.command) {
+            lacking_row(ui, tokens, shown, lack);
             continue;
         }
         if row(ui, tokens, entry, shown).clicked() {
@@ -151,22 +152,22 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, shown: &str) -> Respo
 }
 
 /// A row that can do nothing now, above what is missing; advice under the pointer.
-fn missing_row(ui: &mut Ui, tokens: &Tokens, shown: &str, missing: Missing) {
+fn lacking_row(ui: &mut Ui, tokens: &Tokens, shown: &str, lack: CommandLack) {
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         let response = ui.add_enabled(false, egui::Button::new(shown));
-        let label = format!("{shown} ({})", missing.what);
+        let label = format!("{shown} ({})", lack.what);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, false, &label));
-        response.on_disabled_hover_text(missing.advice);
-        let lack = egui::RichText::new(missing.what).font(tokens.small());
-        let lack = egui::Label::new(lack.color(tokens.muted));
+        response.on_disabled_hover_text(lack.advice);
+        let words = egui::RichText::new(lack.what).font(tokens.small());
+        let words = egui::Label::new(words.color(tokens.muted));
         let margin = egui::Margin {
             left: 10,
             bottom: 4,
             ..egui::Margin::ZERO
         };
         let line = egui::Frame::new().inner_margin(margin);
-        let line = line.show(ui, |ui| ui.add(lack)).response;
-        line.on_hover_text(missing.advice);
+        let line = line.show(ui, |ui| ui.add(words)).response;
+        line.on_hover_text(lack.advice);
     });
 }

@@ -95,6 +95,23 @@ pub struct CommandEntry {
     pub menu: Option<BarMenu>,
 }
 
+/// Lack for which a command can do nothing now.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CommandLack {
+    /// Lack, in a few words.
+    pub what: &'static str,
+    /// Advice to whoever wants the command nevertheless.
+    pub advice: &'static str,
+}
+
+/// Commands of which menus show theirs.
+pub struct MenuTable<'a> {
+    /// All commands.
+    pub catalog: &'a [CommandEntry],
+    /// Lack for which a command can do nothing now.
+    pub lack: &'a dyn Fn(&Command) -> Option<CommandLack>,
+}
+
 impl CommandEntry {
     /// The same command, found by other words as well.
     #[must_use]

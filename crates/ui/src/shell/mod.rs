@@ -20,6 +20,7 @@ mod touch;
 mod widgets;
 
 pub use clicks::keep_slow_clicks;
+pub use entry::{CommandLack, MenuTable};
 pub use fonts::fonts;
 pub use help::help_sheet;
 pub use hud::{BELOW_HUD, Headline, Light, Readout, hud};

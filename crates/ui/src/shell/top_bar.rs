@@ -3,11 +3,10 @@
 use egui::{Align, Layout, RichText, Ui};
 
 use super::bar_menu::{BarButton, bar_menu};
-use super::entry::{BarMenu, CommandEntry};
+use super::entry::{BarMenu, MenuTable};
 use super::icons::Icon;
 use super::widgets::{icon_button, muted, tab_in, text_button};
 use crate::command::{Command, Workspace};
-use crate::feature::Missing;
 use crate::tokens::Tokens;
 
 /// Bars at least as wide as this have words beside their signs.
@@ -38,10 +37,8 @@ pub struct TopBar<'a> {
     pub settings_open: bool,
     /// The step that comes next.
     pub next: Option<NextStep>,
-    /// Table of all commands, of which the menus show theirs.
-    pub catalog: &'a [CommandEntry],
-    /// Lack for which a command can do nothing now.
-    pub missing: &'a dyn Fn(&Command) -> Option<Missing>,
+    /// Commands of its menus.
+    pub table: MenuTable<'a>,
 }
 
 /// Draws the bar.
@@ -98,7 +95,7 @@ fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: 
             ..button(icon, name, name)
         };
         let opened = face.show(ui, tokens);
-        bar_menu(&opened, tokens, bar, menus, commands);
+        bar_menu(&opened, tokens, &bar.table, menus, commands);
     };
     if width < NARROW {
         let rest = [

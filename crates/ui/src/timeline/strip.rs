@@ -14,7 +14,6 @@ use crate::shell::{icon_button, icon_toggle};
 use crate::still::Still;
 use crate::tokens::Tokens;
 use crate::units::clock;
-use crate::views::ellipse::radius_held;
 
 /// Data that the strip needs beside what every view is given.
 pub struct TimelineExtra<'a> {
@@ -282,7 +281,7 @@ fn paint_hover(
     let mut text = clock(time, scale.span.0);
     let step = context.run.and_then(|r| r.step_at(time));
     if let Some(step) = step.filter(|s| (s.time - time).abs() < 2.0) {
-        let radius = context.units.short(radius_held(step));
+        let radius = context.units.short(step.radius_held());
         text = format!("{text}   within {radius} (95 %)");
         if let Some(frame) = context
             .run

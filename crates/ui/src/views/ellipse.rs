@@ -1,8 +1,6 @@
 //! Ellipses of two-dimensional covariances.
 
 use nalgebra::{Matrix2, Vector2};
-use pilotage_core::filter::circle_radius;
-use pilotage_core::navigator::StepReport;
 
 /// Points on the ellipse {v : vᵀ C⁻¹ v = `squared_radius`} around zero, closed, in C's axes.
 ///
@@ -32,12 +30,6 @@ pub(crate) fn largest_sigma(covariance: &Matrix2<f64>) -> f64 {
     let larger =
         half_trace + half_difference.hypot(0.5 * (covariance[(0, 1)] + covariance[(1, 0)]));
     larger.max(0.0).sqrt()
-}
-
-/// Radius around the estimated position of `step` within which it is in 95 of 100 cases, metres: what a position is
-/// "within" wherever it is told.
-pub(crate) fn radius_held(step: &StepReport) -> f64 {
-    circle_radius(&step.after.position_covariance(), 0.95)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::engine::{CorrectedStep, PredictedStep};
 use super::{Doubt, Estimate, RegistrationRefusal, SightingReport};
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
+use pilotage_base::statistics::circle_radius;
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_vision::landmark::Refusal;
 use pilotage_vision::registration::{MapShape, RegistrationMethod};
@@ -287,6 +288,12 @@ pub struct StepReport {
 }
 
 impl StepReport {
+    /// Radius around the estimated position within which the vehicle is in 95 of 100 cases, metres: what a position is
+    /// "within" wherever it is told.
+    pub fn radius_held(&self) -> f64 {
+        circle_radius(&self.after.position_covariance(), 0.95)
+    }
+
     /// Another belief took over, which was moved here by `step`.
     pub(super) fn begun_by(&mut self, step: PredictedStep) {
         self.before = step.before;
