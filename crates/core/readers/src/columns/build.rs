@@ -104,6 +104,9 @@ pub fn flight_of_tables(
     let (pictures, note) = pictures::named(files, maps, &tables, &channels).unzip();
     let (frames, camera) = pictures.unzip();
     notes.extend(note);
+    if frames.is_some() {
+        notes.extend(pictures::without_those_of_flight(&mut channels));
+    }
     let layout = FlightFile {
         pilotage_flight: VERSION,
         name: common_name(maps),

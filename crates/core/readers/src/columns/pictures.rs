@@ -10,6 +10,7 @@ use pilotage_raster::raster::decode_picture;
 
 use super::ColumnMap;
 use super::bodies::tells_pitch_of_camera;
+use super::header::parts;
 use crate::folder::{ChannelFile, CsvTable, FramesFile};
 
 /// Endings of pictures.
@@ -60,11 +61,99 @@ pub(super) fn named(
                 },
             };
             let note = format!(
-                "{} names {} pictures; the camera is assumed to look straight down and to see {ACROSS:.0}° across",
+                "{} names {} pictures; the camera is assumed to look straight down, to within 10° if nothing tells its \
+                 angles, and to see {ACROSS:.0}° across",
                 column.name,
                 names.len()
             );
             Some(((frames, camera), note))
         })
     })
+}
+
+/// Takes the roll and the pitch out of `channels` that are told beside a gimbal's: a maker that names angles those of the
+/// flight has others for the camera, which does not turn with the aircraft. Says so, if there were any.
+pub(super) fn without_those_of_flight(channels: &mut Vec<ChannelFile>) -> Option<String> {
+    let mut names = Vec::new();
+    channels.retain(|channel| {
+        let column = channel.value.as_ref().map(|value| &value.column);
+        let is_tilt = ["roll", "pitch"].contains(&channel.name.as_str());
+        let of_flight = column.filter(|column| {
+            is_tilt && parts(column, "").words.first().map(String::as_str) == Some("flight")
+        });
+        names.extend(of_flight.cloned());
+        of_flight.is_none()
+    });
+    (!names.is_empty()).then(|| {
+        format!(
+            "{} are the aircraft's, not those of its camera, whose gimbal's angles nothing tells: it counts as level",
+            names.join(", ")
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write as _;
+
+    use pilotage_base::files::MemoryFiles;
+    use pilotage_flight::ChannelName;
+    use pilotage_raster::raster::{Picture, encode_png};
+
+    use super::super::{flight_of_tables, guess_table};
+    use super::*;
+
+    #[test]
+    fn a_camera_turns_with_the_aircraft_unless_its_table_names_angles_of_the_flight() {
+        let picture = encode_png(&Picture::filled(8, 6, [7; 3])).unwrap();
+        for (heading, roll, pitch, (has_tilt, is_known)) in [
+            ("heading_deg", "roll_deg", "pitch_deg", (true, false)),
+            (
+                "flight_yaw_deg",
+                "flight_roll_deg",
+                "flight_pitch_deg",
+                (false, false),
+            ),
+            (
+                "FlightYawDegree",
+                "FlightRollDegree",
+                "FlightPitchDegree",
+                (false, false),
+            ),
+            (
+                "gimbal_yaw_deg",
+                "gimbal_roll_deg",
+                "gimbal_pitch_deg",
+                (true, true),
+            ),
+        ] {
+            let mut table = format!("file,time_s,lat,lon,height_agl_m,{heading},{roll},{pitch}\n");
+            let mut files = MemoryFiles::default();
+            for i in 0..8 {
+                let latitude = 47.0 + 1e-4 * f64::from(i);
+                let (roll, pitch) = (3.5 + f64::from(i % 3), -4.5 + f64::from(i % 2));
+                let time = 5 * i;
+                writeln!(
+                    table,
+                    "p{i}.png,{time},{latitude:.6},8.0,120,1.{i},{roll},{pitch}"
+                )
+                .unwrap();
+                files.0.insert(format!("p{i}.png"), picture.clone());
+            }
+            let bytes = table.into_bytes();
+            files.0.insert("t.csv".to_owned(), bytes.clone());
+            let files: Arc<dyn FileSet> = Arc::new(files);
+            let maps = [guess_table("t.csv", &bytes).unwrap()];
+            let folder = flight_of_tables(&files, &maps).unwrap();
+            let flight = &folder.flight;
+            for name in [ChannelName::Roll, ChannelName::Pitch] {
+                assert_eq!(flight.channel(name).is_some(), has_tilt, "{roll}: {name:?}");
+            }
+            assert!(flight.channel(ChannelName::Heading).is_some(), "{heading}");
+            let told = folder.notes.iter().any(|note| note.starts_with(roll));
+            assert_eq!(told, !has_tilt, "{:?}", folder.notes);
+            let known = flight.camera.mount_deviation == 0.0;
+            assert_eq!(known, is_known, "{pitch}");
+        }
+    }
 }
