@@ -24,8 +24,20 @@ pub trait VehicleVisitor {
         V: VehicleModel<N> + Clone + Send + Sync + 'static;
 }
 
+/// A filter of twelve states would be code of its own, as much as all that a page's program may still grow by.
+macro_rules! tilted_over_map {
+    (8, $model:expr, $bias:ident, $error:ident, $visitor:ident) => {
+        $visitor.visit::<10, _>(OverMap::<8>::new($model, $error))
+    };
+    ($size:tt, $model:expr, $bias:ident, $error:ident, $visitor:ident) => {{
+        let tilted = Tilted::<$size>::new($model, $bias);
+        let over_map = OverMap::<{ $size + 2 }>::new(Arc::new(tilted), $error);
+        $visitor.visit::<{ $size + 4 }, _>(over_map)
+    }};
+}
+
 macro_rules! registry {
-    ($($(#[$doc:meta])* $variant:ident = $key:literal, $label:literal, $size:literal, $kept:literal;)+) => {
+    ($($(#[$doc:meta])* $variant:ident = $key:literal, $label:literal, $size:tt, $kept:literal;)+) => {
         /// A vehicle model with its settings, by name in files and messages.
         #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
         #[serde(tag = "model", rename_all = "kebab-case")]
@@ -81,7 +93,8 @@ macro_rules! registry {
                 }
             }
 
-            /// The same with biases of the camera's roll and pitch over a map that is off, four states larger.
+            /// The same with biases of the camera's roll and pitch over a map that is off, four states larger; the largest
+            /// models go without these biases.
             pub fn visit_tilted_over_map<V: VehicleVisitor>(
                 &self,
                 bias: TiltBias,
@@ -90,9 +103,7 @@ macro_rules! registry {
             ) -> V::Output {
                 match self {
                     $(Self::$variant(model) => {
-                        let tilted = Tilted::<$size>::new(Arc::new(*model), bias);
-                        let over_map = OverMap::<{ $size + 2 }>::new(Arc::new(tilted), error);
-                        visitor.visit::<{ $size + 4 }, _>(over_map)
+                        tilted_over_map!($size, Arc::new(*model), bias, error, visitor)
                     })+
                 }
             }

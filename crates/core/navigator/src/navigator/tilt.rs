@@ -3,8 +3,8 @@
 use nalgebra::{DVector, Matrix2, Matrix4, MatrixXx2, MatrixXx4, Vector2};
 
 use super::Estimate;
-use super::engine::visit_model;
-use pilotage_estimation::vehicle::{Kinematics, StateComponent, VehicleModel, VehicleVisitor};
+use super::engine::place_of_tilt;
+use pilotage_estimation::vehicle::Kinematics;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::geometry::COMPONENTS;
 
@@ -50,21 +50,10 @@ pub struct LastingTilt {
     deviation: f64,
 }
 
-/// Place of the bias of roll in the state of a model.
-struct PlaceOfTilt;
-
-impl VehicleVisitor for PlaceOfTilt {
-    type Output = Option<usize>;
-
-    fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
-        model.index_of(StateComponent::RollBias)
-    }
-}
-
 impl LastingTilt {
     /// Of a filter with these settings.
     pub fn of(settings: &NavigatorSettings) -> Self {
-        let index = visit_model(settings, PlaceOfTilt);
+        let index = place_of_tilt(settings);
         let is_noise = index.is_none();
         let beyond = settings
             .whole_frames
@@ -126,9 +115,11 @@ mod tests {
     use pilotage_vision::landmark::Landmark;
     use pilotage_vision::registration::FollowSettings;
 
+    use super::super::engine::frame_noise;
     use super::super::expected::{Anchor, AppearanceModel, appearances};
     use super::*;
     use pilotage_base::frames::GroundRect;
+    use pilotage_mission::settings::VehicleChoice;
 
     #[test]
     fn a_landmark_is_expected_where_a_camera_sees_it_that_is_tilted_otherwise_than_it_reads() {
@@ -188,6 +179,13 @@ mod tests {
         assert!(
             (mean - Vector2::new(20.0 * 0.1 - 110.0 * 0.2, 0.1 + 115.0 * 0.1 + 25.0 * 0.2)).amax()
                 < 1e-9
+        );
+        // The largest model leaves none beside the error of the map.
+        settings.vehicle = VehicleChoice::AirplaneFull;
+        assert_eq!(LastingTilt::of(&settings).biases(&believed), [0.0, 0.0]);
+        assert_eq!(
+            frame_noise(&settings),
+            settings.sensors.without_biases(false, true)
         );
         // A height that is estimated leaves no room: then it is noise of every frame, beyond that which frames have anyway.
         settings.estimates_height = true;

@@ -14,7 +14,8 @@ pub struct CameraPlace {
     pub pose: Pose,
     /// Covariance of north, east, down (metres), roll, pitch, yaw (radians).
     pub covariance: Matrix6<f64>,
-    /// Change of north and east with the camera's roll and pitch where the middle of the picture stays, metres per radian.
+    /// Change of north and east with the roll and the pitch that were assumed before the picture was seen, metres per
+    /// radian: the middle of the picture stays, and so does as much of the tilt as the picture told.
     pub by_tilt: Matrix2<f64>,
 }
 
@@ -53,6 +54,13 @@ impl PoseFit {
         own.fixed_view_mut::<2, 2>(0, 0).copy_from(&by_tilt);
         own[(3, 0)] = 1.0;
         own[(4, 1)] = 1.0;
+        // The apparent tilt follows its prior mean by as much as the picture left of its variance.
+        let all = prior.apparent_tilt_deviation().powi(2);
+        let followed = |axis: usize| {
+            let told = 1.0 - self.covariance[(axis, axis)] / all;
+            1.0 - share * told.clamp(0.0, 1.0)
+        };
+        let by_tilt = by_tilt * Matrix2::new(followed(3), 0.0, 0.0, followed(4));
         let left = (1.0 - share) * prior.tilt_deviation.powi(2);
         Some(CameraPlace {
             pose: at.pose,
@@ -60,5 +68,86 @@ impl PoseFit {
                 + left * own * own.transpose(),
             by_tilt,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Point3, Vector2};
+    use pilotage_base::frames::{Attitude, GroundPoint};
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::imagery::Blank;
+    use pilotage_raster::raster::{Gray, Pyramid};
+
+    use super::super::prior::HeadingPrior;
+    use super::super::shape::MapShape;
+    use super::*;
+
+    /// Prior of a camera 120 m up with this roll and pitch.
+    fn prior(roll: f64, pitch: f64) -> PosePrior {
+        PosePrior {
+            position: GroundPoint::new(0.0, 0.0),
+            position_deviation: 10.0,
+            height: 120.0,
+            log_height_deviation: 0.05,
+            heading: HeadingPrior::Unknown,
+            roll,
+            pitch,
+            tilt_deviation: 0.08,
+            slope_deviation: 0.05,
+            shape: MapShape::default(),
+            shape_deviation: 0.01,
+            map_deviation: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_camera_moves_with_the_tilt_that_was_assumed_as_far_as_the_picture_did_not_tell_it() {
+        let camera = CameraModel::pinhole(400, 300, 1.0);
+        let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
+        let look = FrameLook {
+            camera: &camera,
+            ground_down: 0.0,
+            luminance: &luminance,
+            map: &Blank,
+        };
+        let at = MapPose {
+            pose: Pose {
+                position_in_world: Point3::new(5.0, -7.0, -120.0),
+                attitude: Attitude {
+                    roll: 0.03,
+                    pitch: 0.12,
+                    yaw: 0.7,
+                },
+            },
+            shape: MapShape::default(),
+        };
+        let assumed = prior(0.01, 0.02);
+        let all = assumed.apparent_tilt_deviation().powi(2);
+        for told in [0.0, 0.4, 0.95] {
+            let mut covariance = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::identity() * 1e-4;
+            covariance[(3, 3)] = (1.0 - told) * all;
+            covariance[(4, 4)] = (1.0 - told) * all;
+            let fit = PoseFit {
+                at,
+                covariance,
+                deviation: 1.0,
+            };
+            let place = fit.camera(&look, &assumed).unwrap();
+            let step = Vector2::new(1e-4, -2e-4);
+            // The fit of a prior that is moved is moved by what the picture left, about the same middle.
+            let mut moved = fit;
+            moved.at.pose.attitude.roll += (1.0 - told) * step.x;
+            moved.at.pose.attitude.pitch += (1.0 - told) * step.y;
+            let back =
+                look.centre(&at).unwrap().to_vector() - look.centre(&moved.at).unwrap().to_vector();
+            moved.at.pose.position_in_world.x += back.x;
+            moved.at.pose.position_in_world.y += back.y;
+            let elsewhere = prior(0.01 + step.x, 0.02 + step.y);
+            let other = moved.camera(&look, &elsewhere).unwrap();
+            let went = (other.pose.position_in_world - place.pose.position_in_world).xy();
+            let off = (went - place.by_tilt * step).norm();
+            assert!(off < 0.01 * went.norm(), "{told}: {off} of {went}");
+        }
     }
 }

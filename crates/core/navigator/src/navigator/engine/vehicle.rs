@@ -2,8 +2,8 @@
 
 use pilotage_estimation::vehicle::{
     AirData, AirDataBiases, AirplaneFull, AirplaneWind, AirplaneWindGust, ConstantVelocity, Gusts,
-    HeightModel, MapError, Multirotor, RandomWalk, ThesisNoise, TiltBias, UnmodelledAir,
-    VehicleSettings, VehicleVisitor, VelocityDriven,
+    HeightModel, MapError, Multirotor, RandomWalk, StateComponent, ThesisNoise, TiltBias,
+    UnmodelledAir, VehicleModel, VehicleSettings, VehicleVisitor, VelocityDriven,
 };
 use pilotage_mission::settings::{MAP_ERRORS, NavigatorSettings, SensorNoise, VehicleChoice};
 
@@ -34,10 +34,23 @@ fn tilt_bias(settings: &NavigatorSettings) -> Option<TiltBias> {
     (deviation > 0.0 && counts && !settings.estimates_height).then_some(TiltBias { deviation })
 }
 
+/// Place of the bias of roll in the state of the filter, that of pitch follows; `None` where they are no states.
+pub fn place_of_tilt(settings: &NavigatorSettings) -> Option<usize> {
+    struct PlaceOfTilt;
+    impl VehicleVisitor for PlaceOfTilt {
+        type Output = Option<usize>;
+
+        fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
+            model.index_of(StateComponent::RollBias)
+        }
+    }
+    visit_model(settings, PlaceOfTilt)
+}
+
 /// Noise of what the camera's pose is computed from that is new to the filter in each frame: without what is a state of it.
 pub fn frame_noise(settings: &NavigatorSettings) -> SensorNoise {
     let knows_heading = settings.vehicle == VehicleChoice::AirplaneFull;
-    let knows_tilt = tilt_bias(settings).is_some();
+    let knows_tilt = place_of_tilt(settings).is_some();
     settings.sensors.without_biases(knows_tilt, knows_heading)
 }
 
