@@ -87,7 +87,8 @@ impl Compare {
         let documents = &*context.documents;
         let utc = utc_at_zero(documents);
         let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
-        let open = open_tracks(flight, run, documents.ghost.as_ref(), utc);
+        let is_recorded = documents.log.is_some();
+        let open = open_tracks(flight, run, documents.ghost.as_ref(), utc, is_recorded);
         let wanted = open.into_iter().find(|(found, _)| *found == id);
         let Some((_, mut track)) = wanted else {
             let text = "Simulate or open a flight first.".to_owned();
@@ -95,6 +96,7 @@ impl Compare {
         };
         let of = flight.map_or("the flight", |f| f.name.as_str());
         track.name = match id {
+            TrackId::Truth if is_recorded => format!("{of}, recorded"),
             TrackId::Truth => format!("{of}, true"),
             TrackId::Unaided => format!("{of}, dead reckoning"),
             _ => named_after(of, run),

@@ -55,12 +55,14 @@ pub struct CompareScene<'a> {
     pub utc_at_zero: Option<f64>,
 }
 
-/// The trajectories of what is open; `utc_at_zero` as in [`CompareScene`].
+/// The trajectories of what is open; `utc_at_zero` as in [`CompareScene`]. A track that a log has recorded counts as the
+/// truth and is not called so.
 pub fn open_tracks(
     flight: Option<&Flight>,
     run: Option<&Run>,
     ghost: Option<&Run>,
     utc_at_zero: Option<f64>,
+    is_recorded: bool,
 ) -> Vec<(TrackId, Trajectory)> {
     let frame = flight.and_then(|f| f.frame_on_globe);
     let of_run = |id, run: &Run, name: &str, place: fn(&StepReport) -> GroundPoint| {
@@ -75,7 +77,12 @@ pub fn open_tracks(
     let estimate = |step: &StepReport| step.after.position();
     let mut found = Vec::new();
     if let Some(mut truth) = flight.and_then(Trajectory::of_truth) {
-        "Truth".clone_into(&mut truth.name);
+        let name = if is_recorded {
+            "Recorded track"
+        } else {
+            "Truth"
+        };
+        name.clone_into(&mut truth.name);
         truth.utc_at_zero = utc_at_zero;
         found.push((TrackId::Truth, truth));
     }
@@ -113,7 +120,7 @@ impl Results {
         self.key = Some(key);
         self.steps = (steps, scene.is_complete);
         let (flight, run, ghost) = (context.flight, context.run, context.ghost);
-        let mut tracks = open_tracks(flight, run, ghost, scene.utc_at_zero);
+        let mut tracks = open_tracks(flight, run, ghost, scene.utc_at_zero, context.is_recorded);
         let kept = scene.shelf.kept().iter();
         tracks.extend(kept.map(|k| (TrackId::Kept(k.number), k.track.clone())));
         let reference = tracks.iter().position(|(id, _)| *id == wanted).unwrap_or(0);

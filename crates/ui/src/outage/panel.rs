@@ -20,10 +20,10 @@ const TOLD: [f64; 2] = [10.0, 30.0];
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
 
-/// Measure of the error after a cut: simulated flights have no receiver.
+/// Measure of the error after a cut: a log tells where its receiver or its autopilot had it, a simulation where it was.
 fn judge(context: &ViewContext<'_>) -> &'static str {
     if context.is_recorded {
-        "the receiver's track"
+        "the recorded track"
     } else {
         "the true track"
     }

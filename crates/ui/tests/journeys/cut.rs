@@ -117,11 +117,18 @@ fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
 }
 
 #[test]
-fn a_simulated_flight_is_compared_with_its_true_track_since_it_has_no_receiver() {
+fn a_simulated_flight_has_a_true_track_and_a_log_a_recorded_one() {
     let mut simulated = rig();
     simulated.open_tab("GPS cut");
     let told = |rig: &Rig, words: &str| rig.harness.query_by_label_contains(words).is_some();
     assert!(told(&simulated, "is compared with the true track"));
-    let recorded = rig_with_rounds();
-    assert!(told(&recorded, "is compared with the receiver's track"));
+    let mut recorded = rig_with_rounds();
+    assert!(told(&recorded, "is compared with the recorded track"));
+    for (rig, words) in [
+        (&mut simulated, "Keep the true track"),
+        (&mut recorded, "Keep the recorded track"),
+    ] {
+        rig.open_tab("Compare");
+        assert!(told(rig, words), "{words}");
+    }
 }
