@@ -229,14 +229,18 @@ impl KmlReader<'_> {
         Ok(())
     }
 
-    /// Takes note of the document that a link leads to, or that it leads out of the file.
+    /// Takes note of the document that a link leads to, or that it leads to none or out of the file.
     fn link(&mut self, element: &XmlElement) {
         let (Some(href), Some(archive)) = (linked(element), self.archive) else {
             return self.count("NetworkLink without a reference is left out");
         };
         let file = resolved(archive.names, archive.document, href);
-        match file.and_then(|file| document_of(archive.names, file)) {
-            Some(name) => self.links.push(name),
+        let document = file.map(|file| document_of(archive.names, file));
+        match document {
+            Some(Some(name)) => self.links.push(name),
+            Some(None) => self.count(format!(
+                "link to {href} leads to no KML that can be read, and is not followed"
+            )),
             None => self.count(format!(
                 "link to {href} leads out of the file, and is not followed"
             )),

@@ -175,3 +175,26 @@ fn three_digits_behind_a_comma_are_decimals_only_where_other_fields_are() {
         assert_eq!(found.routes[0].way_points[0].altitude.metres, metres);
     }
 }
+
+#[test]
+fn a_link_to_a_file_of_the_archive_that_is_no_kml_is_not_told_as_one_that_leads_out() {
+    let main = document(&[
+        place("first"),
+        link("broken.kmz"),
+        link("notes.txt"),
+        link("gone.kml"),
+    ]);
+    let bytes = kmz(&[
+        ("doc.kml", &main),
+        ("broken.kmz", "no zip"),
+        ("notes.txt", "words"),
+    ]);
+    let notes = read_any("a.kmz", &bytes, None).unwrap().notes;
+    for (name, told) in [
+        ("broken.kmz", "leads to no KML that can be read"),
+        ("notes.txt", "leads to no KML that can be read"),
+        ("gone.kml", "leads out of the file"),
+    ] {
+        assert_noted(&notes, |note| note.contains(name) && note.contains(told));
+    }
+}
