@@ -35,6 +35,82 @@ pub fn of_utf_16(bytes: &[u8]) -> Option<String> {
     Some(String::from_utf16_lossy(&units))
 }
 
+/// What the end of a table's text tells of its last row.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LastRow {
+    /// Nothing speaks against it.
+    #[default]
+    Whole,
+    /// It has all that is needed; whether more stood behind, nobody can tell.
+    MayBeCut,
+    /// It lacks a cell that is needed, or ends within one.
+    Cut,
+}
+
+/// Rows before the last one that it is held against.
+const COMPARED_ROWS: usize = 20;
+
+/// Judges the last row of a table by those before it: a line without an end may have been cut off. `cell` is the cell of a row
+/// in a column, and `is_needed` says of each column whether a row is of no use without it.
+///
+/// A needed cell at the very end counts as cut where it has fewer decimals than all of the column before it, and other cells are
+/// missing behind it.
+pub fn last_row<R>(
+    text: &[u8],
+    rows: &[R],
+    cell: impl Fn(&R, usize) -> Option<&str>,
+    is_needed: &[bool],
+) -> LastRow {
+    let [others @ .., last] = rows else {
+        return LastRow::Whole;
+    };
+    let others = &others[others.len().saturating_sub(COMPARED_ROWS)..];
+    let Some(before) = others
+        .last()
+        .filter(|_| !text.ends_with(b"\n") && !text.ends_with(b"\r"))
+    else {
+        return LastRow::Whole;
+    };
+    let mut lacking = (0..is_needed.len())
+        .filter(|column| cell(before, *column).is_some() && cell(last, *column).is_none())
+        .peekable();
+    let is_short = lacking.peek().is_some();
+    if lacking.any(|column| is_needed[column]) {
+        return LastRow::Cut;
+    }
+    let written = |row: &R| (0..is_needed.len()).rfind(|column| cell(row, *column).is_some());
+    let is_within = written(last)
+        .filter(|column| is_needed[*column])
+        .is_some_and(|column| {
+            let before: Vec<&str> = others.iter().filter_map(|row| cell(row, column)).collect();
+            cell(last, column).is_some_and(|cell| lacks_letters(cell, &before))
+        });
+    match (is_short, is_within) {
+        (true, true) => LastRow::Cut,
+        (false, false) => LastRow::Whole,
+        _ => LastRow::MayBeCut,
+    }
+}
+
+/// Whether a cell seems to lack its last letters: it has fewer decimals than any other of its column, or whole numbers of far
+/// fewer digits, or does not end in a letter or mark as all others do.
+fn lacks_letters(cell: &str, others: &[&str]) -> bool {
+    let decimals = |cell: &str| {
+        let rest = cell.rsplit_once(['.', ',']).map_or("", |(_, rest)| rest);
+        rest.bytes().take_while(u8::is_ascii_digit).count()
+    };
+    let digits = |cell: &str| cell.bytes().filter(u8::is_ascii_digit).count();
+    let ends_in_mark = |cell: &str| !cell.ends_with(|c: char| c.is_ascii_digit());
+    let least = |count: &dyn Fn(&str) -> usize| others.iter().map(|cell| count(cell)).min();
+    let has_fewer_decimals = least(&decimals).is_some_and(|least| decimals(cell) < least);
+    let are_whole = others.iter().all(|cell| !cell.contains(['.', ',']));
+    let has_fewer_digits =
+        are_whole && least(&digits).is_some_and(|least| digits(cell) + 2 <= least);
+    let lacks_mark =
+        !others.is_empty() && others.iter().all(|cell| ends_in_mark(cell)) && !ends_in_mark(cell);
+    has_fewer_decimals || has_fewer_digits || lacks_mark
+}
+
 /// A text with its first letter in capitals.
 pub fn capitalised(text: &str) -> String {
     let mut letters = text.chars();

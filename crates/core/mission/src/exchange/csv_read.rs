@@ -16,6 +16,7 @@ use crate::mission::found::{FoundLandmark, LandmarkExtent, ReadRoute};
 use crate::mission::way_point_file::{ACTION_WORDS, StatedCircles, action_of_word, frame_of_word};
 use crate::mission::{USUAL_ALTITUDE, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
+use pilotage_base::text::{LastRow, last_row};
 
 /// Reads a table with a header line.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
@@ -54,22 +55,35 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             records.push(((line + preface.lines) as usize, record));
         }
     }
-    if let Some((last, others)) = records.split_last()
-        && !content.ends_with(['\n', '\r'])
-        && last.1.len() < names.len()
-        && others.last().is_some_and(|row| row.1.len() >= names.len())
-    {
-        return Err(ExchangeError::Place {
-            file: file.to_owned(),
-            line: last.0,
-            column: 1,
-            cause: "the file ends within this line: it was cut off; copy or export it again"
-                .to_owned(),
-        });
-    }
+    let line = records.last().map_or(0, |(line, _)| *line);
+    let needed = table.needed();
+    let end = last_row(
+        content.as_bytes(),
+        &records,
+        |(_, row), column| row.get(column),
+        &needed,
+    );
+    let end = match end {
+        LastRow::Whole => None,
+        LastRow::MayBeCut => Some(format!(
+            "line {line}, the last, has no end, and fewer cells or digits than those before it: the file may be cut off there"
+        )),
+        LastRow::Cut => {
+            return Err(ExchangeError::Place {
+                file: file.to_owned(),
+                line,
+                column: 1,
+                cause: "the file ends within this line, as if it was cut off; copy or export it again, or put an end to the line \
+                        if nothing is missing"
+                    .to_owned(),
+            });
+        }
+    };
     table.leave_metres(&records);
     if let Some(geometries) = table.geometries(&records) {
-        return shapes(&table, &records, geometries);
+        let mut found = shapes(&table, &records, geometries)?;
+        found.notes.extend(end);
+        return Ok(found);
     }
     let has_both = [CsvRole::Latitude, CsvRole::Longitude]
         .iter()
@@ -109,6 +123,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         landmarks(&table, &rows)?
     };
     found.notes.extend(xy);
+    found.notes.extend(end);
     if let Some(places) = table.places.filter(|places| !places.is_told) {
         found.notes.push(format!(
             "nothing tells which number of `{}` is the latitude: the first is taken; call the column `lon lat` if it is the \

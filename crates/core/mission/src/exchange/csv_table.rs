@@ -158,6 +158,29 @@ impl ReadCsvTable<'_> {
         ))
     }
 
+    /// Of each column, whether a row is of no use without it: those of latitude and longitude, and all where nothing is called
+    /// so and any may have the places.
+    pub(super) fn needed(&self) -> Vec<bool> {
+        use CsvRole::{EastWest, Latitude, LatitudeMinutes, LatitudeSeconds};
+        use CsvRole::{Longitude, LongitudeMinutes, LongitudeSeconds, NorthSouth};
+        let of_place = [
+            Latitude,
+            LatitudeMinutes,
+            LatitudeSeconds,
+            NorthSouth,
+            Longitude,
+            LongitudeMinutes,
+            LongitudeSeconds,
+            EastWest,
+        ];
+        let is_told = self.has(Latitude) && self.has(Longitude);
+        let is_of_place = |column: &CsvColumn| column.role.is_some_and(|r| of_place.contains(&r));
+        self.columns
+            .iter()
+            .map(|column| !is_told || is_of_place(column))
+            .collect()
+    }
+
     /// Whether something says how places are flown over.
     pub(super) fn is_flown(&self) -> bool {
         let roles = [

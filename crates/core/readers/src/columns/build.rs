@@ -17,6 +17,7 @@ use crate::folder::{
     TimeFormat, VERSION, ValueColumn, read_tables,
 };
 use pilotage_base::files::FileSet;
+use pilotage_base::text::LastRow;
 use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 
 /// Standard deviation per axis of the first position, metres.
@@ -61,9 +62,20 @@ pub fn flight_of_tables(
     let mut start_of_time = f64::INFINITY;
     for map in maps {
         let (mut table, time) = table_of(files.as_ref(), map)?;
-        if table.is_cut {
+        let (line, end) = table.end;
+        let said = match end {
+            LastRow::Whole => None,
+            LastRow::MayBeCut => Some("fewer cells or digits than those before it"),
+            LastRow::Cut => Some("not all that is read of a row"),
+        };
+        if let Some(said) = said {
+            let is_left_out = if end == LastRow::Cut {
+                "was left out"
+            } else {
+                "was read as it is"
+            };
             notes.push(format!(
-                "{}: it was cut off: it ends within its last line, which was left out",
+                "{}, line {line}: the last line has no end, and {said}: the file may be cut off there; the line {is_left_out}",
                 map.file
             ));
         }
@@ -161,7 +173,9 @@ fn table_of(files: &dyn FileSet, map: &ColumnMap) -> Result<(CsvTable, TimeColum
         .iter()
         .map(|column| column.name.clone())
         .collect();
-    let mut table = CsvTable::shaped(&map.file, &bytes, &map.shape, names)?;
+    let is_read = |column: &MappedColumn| column.role != ColumnRole::Nothing;
+    let is_read: Vec<bool> = map.columns.iter().map(is_read).collect();
+    let mut table = CsvTable::shaped(&map.file, &bytes, &map.shape, names, &is_read)?;
     let time = time_column(map);
     if let Some(rate) = map
         .rows_per_second

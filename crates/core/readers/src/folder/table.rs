@@ -10,7 +10,7 @@ use crate::cells::shortened;
 use crate::cells::{Dimension, linear};
 use crate::cells::{Separator, TableShape, number};
 use crate::times::{TimeVerdict, judge};
-use pilotage_base::text::of_utf_16;
+use pilotage_base::text::{LastRow, last_row, of_utf_16};
 
 /// Longest cell in quotation marks that may have several lines, bytes.
 const LONGEST_CELL: usize = 1 << 14;
@@ -24,8 +24,8 @@ pub(crate) struct CsvTable {
     /// Whether cells that are no numbers count as empty.
     is_lenient: bool,
     has_decimal_comma: bool,
-    /// Whether it was cut off within its last line, which is left out.
-    pub(crate) is_cut: bool,
+    /// Whether its last line, with its number, may have been cut off; where it was, it is left out.
+    pub(crate) end: (u64, LastRow),
     /// Bytes of its file.
     bytes: u64,
     /// Columns that stand in its file.
@@ -68,17 +68,19 @@ impl CsvTable {
             rows,
             is_lenient: false,
             has_decimal_comma: false,
-            is_cut: false,
+            end: (0, LastRow::Whole),
             bytes: length,
         })
     }
 
-    /// Reads a table of that shape whose columns are called so. Cells that make no sense count as empty.
+    /// Reads a table of that shape whose columns are called so, and of which those are read that `is_read` says so of. Cells
+    /// that make no sense count as empty.
     pub(crate) fn shaped(
         file: &str,
         bytes: &[u8],
         shape: &TableShape,
         header: Vec<String>,
+        is_read: &[bool],
     ) -> Result<Self, FolderError> {
         let length = bytes.len() as u64;
         let bytes = decoded_table(bytes);
@@ -93,17 +95,9 @@ impl CsvTable {
         }
         let mut rows = records(file, rest, shape.separator, Some(b'#'), skipped as u64)?;
         rows.retain(|(_, row)| row.iter().any(|cell| !cell.is_empty()));
-        let is_whole = |row: Option<&(u64, csv::StringRecord)>| {
-            row.is_none_or(|(_, row)| row.len() >= header.len())
-        };
-        let is_cut = !rest.ends_with(b"\n")
-            && !is_whole(rows.last())
-            && is_whole(
-                rows.len()
-                    .checked_sub(2)
-                    .and_then(|before| rows.get(before)),
-            );
-        if is_cut {
+        let verdict = last_row(rest, &rows, |(_, row), column| row.get(column), is_read);
+        let line = rows.last().map_or(0, |(line, _)| *line);
+        if verdict == LastRow::Cut {
             rows.pop();
         }
         Ok(Self {
@@ -111,7 +105,7 @@ impl CsvTable {
             written: header.len(),
             header,
             rows,
-            is_cut,
+            end: (line, verdict),
             is_lenient: true,
             has_decimal_comma: shape.has_decimal_comma,
             bytes: length,

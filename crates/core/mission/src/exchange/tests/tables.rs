@@ -38,9 +38,12 @@ fn assert_at(found: &[[f64; 2]], expected: &[[f64; 2]]) {
 
 #[test]
 fn a_table_that_was_cut_off_is_refused_with_its_line() {
-    let whole = "name,lat,lon,height\nA,47.1,8.5,10\nB,47.2,8.654321,11";
-    assert_eq!(read(whole).landmarks.len(), 2);
-    for cut in whole.rfind("8.6").unwrap()..whole.rfind(',').unwrap() {
+    let whole = "name,lat,lon,height\nA,47.123456,8.512345,10\nB,47.234567,8.654321,11";
+    let found = read(whole);
+    assert_eq!(found.landmarks.len(), 2);
+    assert!(!found.notes.iter().any(|note| note.contains("cut off")));
+    let end_of_place = whole.rfind(',').unwrap();
+    for cut in whole.rfind("B,").unwrap() + 1..end_of_place {
         let told = read_any("a.csv", &whole.as_bytes()[..cut], None).unwrap_err();
         let told = told.to_string();
         assert!(
@@ -48,13 +51,22 @@ fn a_table_that_was_cut_off_is_refused_with_its_line() {
             "{told}"
         );
     }
+    let short = &whole[..end_of_place];
+    for table in [short, "name,lat,lon,note\nA,47.1,8.5,church\nB,47.2,8.6"] {
+        let found = read(table);
+        assert_eq!(found.landmarks.len(), 2);
+        assert_noted(&found.notes, |note| {
+            note.contains("line 3") && note.contains("may be cut off")
+        });
+        assert_eq!(read(&format!("{table}\r")).landmarks.len(), 2);
+    }
+    // The last number of all may lack digits as well.
+    let full = read("name,lat,lon\nA,47.123456,8.512345\nB,47.234567,8.6");
+    assert_noted(&full.notes, |note| note.contains("may be cut off"));
     // Others leave out their last cells all along.
-    assert_eq!(
-        read("name,lat,lon,height\nA,47.1,8.5\nB,47.2,8.6")
-            .landmarks
-            .len(),
-        2
-    );
+    let found = read("name,lat,lon,height\nA,47.1,8.5\nB,47.2,8.6");
+    assert_eq!(found.landmarks.len(), 2);
+    assert!(!found.notes.iter().any(|note| note.contains("cut off")));
 }
 
 #[test]
