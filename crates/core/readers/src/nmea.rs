@@ -1,5 +1,6 @@
 //! Sentences of a satellite receiver (NMEA 0183: GGA, RMC, VTG), as a flight.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::cells::{DEGREES_AND_MINUTES, days_since_1970, linear};
@@ -102,7 +103,7 @@ pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folde
     let mut findings = Vec::new();
     if sentences.damaged > 0 {
         findings.push(format!(
-            "{} sentences were left out: their check sums say that they are damaged",
+            "{} sentences were left out: their check sums are wrong or missing",
             sentences.damaged
         ));
     }
@@ -148,12 +149,13 @@ fn sentences(text: &str) -> Sentences {
         text.lines()
             .filter_map(|line| Some(line.rsplit_once('$')?.1))
     };
-    // Where sentences have check sums, those without were cut off.
-    let has_sums = 2 * all().filter(|sentence| sentence.contains('*')).count() > all().count();
+    // Where sentences of a kind have check sums, those without were cut off.
+    let mut sums = SumCounts::default();
+    all().for_each(|sentence| sums.add(sentence));
     for sentence in all() {
         let body = match sentence.trim_end().split_once('*') {
             Some((body, sum)) if is_whole(body, sum) => body,
-            None if !has_sums => sentence.trim_end(),
+            None if !sums.are_usual(sentence) => sentence.trim_end(),
             _ => {
                 found.damaged += 1;
                 continue;
@@ -175,6 +177,40 @@ fn sentences(text: &str) -> Sentences {
         }
     }
     found
+}
+
+/// Numbers of sentences with a check sum and of all, by their kinds and together: a program may give sums to some kinds only.
+#[derive(Default)]
+struct SumCounts<'a> {
+    kinds: BTreeMap<&'a str, [usize; 2]>,
+    all: [usize; 2],
+}
+
+impl<'a> SumCounts<'a> {
+    fn add(&mut self, sentence: &'a str) {
+        let has_sum = usize::from(sentence.contains('*'));
+        let kind = self.kinds.entry(kind_of(sentence)).or_default();
+        for count in [kind, &mut self.all] {
+            count[0] += has_sum;
+            count[1] += 1;
+        }
+    }
+
+    /// Whether most sentences of the same kind have check sums; of all, where it is the only one of its kind.
+    fn are_usual(&self, sentence: &str) -> bool {
+        let own = self.kinds.get(kind_of(sentence)).filter(|own| own[1] > 1);
+        let [with, all] = own.copied().unwrap_or(self.all);
+        2 * with > all
+    }
+}
+
+/// Letters before the first comma of a sentence: talker and kind.
+fn kind_of(sentence: &str) -> &str {
+    sentence
+        .split([',', '*'])
+        .next()
+        .unwrap_or_default()
+        .trim_end()
 }
 
 /// Whether the letters of a sentence have the check sum behind its star.
@@ -429,6 +465,33 @@ mod tests {
             .map(|line| line[..line.len() - 3].to_owned() + "\n")
             .collect();
         assert_eq!(sentences(&bare).epochs.len(), 10);
+    }
+
+    #[test]
+    fn check_sums_of_some_kinds_of_sentences_do_not_condemn_the_others() {
+        let bare = |line: &str| line.trim_end()[..line.trim_end().len() - 3].to_owned() + "\n";
+        let epoch = |i: u32| {
+            let place = format!("1200{i:02}.00");
+            let fix = sentence(&format!(
+                "GPGGA,{place},4730.0{i:02},N,00830.000,E,1,8,1,440.5,M,47.0,M,,"
+            ));
+            let others = ["GPRMC", "GPGSA", "GPGSV"].map(|kind| {
+                sentence(&format!(
+                    "{kind},{place},A,4730.0{i:02},N,00830.000,E,1,2,130524,,"
+                ))
+            });
+            bare(&fix) + &others.concat()
+        };
+        let text: String = (0..10).map(epoch).collect();
+        let read = sentences(&text);
+        assert_eq!((read.epochs.len(), read.damaged), (10, 0));
+        assert!(
+            read.epochs
+                .iter()
+                .all(|epoch| epoch.values[2] == Some(440.5))
+        );
+        let begin = text.rfind("$GPRMC").unwrap();
+        assert_eq!(sentences(&text[..begin + 40]).damaged, 1);
     }
 
     #[test]
