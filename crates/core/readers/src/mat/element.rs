@@ -11,6 +11,8 @@ const HEADER: usize = 128;
 const MOST: u64 = 1 << 30;
 /// Type of a compressed element.
 const COMPRESSED: u32 = 15;
+/// Type of an element that is an array.
+pub const ARRAY: u32 = 14;
 
 /// An element.
 #[derive(Clone, Debug)]
@@ -111,7 +113,9 @@ fn split(mut bytes: &[u8], is_big: bool) -> (Vec<MatElement<'_>>, bool) {
         };
         bytes = bytes.get(end..).unwrap_or_default();
     }
-    (elements, bytes.is_empty())
+    // Bytes too few for a tag say nothing, but for those that begin an array or a compressed element: it was cut off.
+    let begins = number(&bytes[..bytes.len().min(4)], is_big);
+    (elements, !matches!(begins, ARRAY | COMPRESSED))
 }
 
 impl MatElement<'_> {

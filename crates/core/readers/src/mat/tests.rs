@@ -51,6 +51,20 @@ fn what_is_cut_off_or_damaged_is_refused_and_says_behind_what() {
     assert!(told.contains("damaged behind"), "{told}");
 }
 
+#[test]
+fn a_few_bytes_behind_the_last_variable_are_no_damage_unless_they_begin_another() {
+    for strays in 1..8 {
+        for stray in [0, b'\n', 0xff] {
+            let file = [SCIPY, &vec![stray; strays]].concat();
+            let files = MatFiles::open("a.mat", &file).unwrap();
+            assert_eq!(files.names().len(), 3);
+        }
+        let begun = [SCIPY, &[15, 0, 0, 0, 9, 1, 0][..strays]].concat();
+        let told = MatFiles::open("a.mat", &begun).unwrap_err();
+        assert!(matches!(told, MatError::Damaged(..)), "{strays}: {told}");
+    }
+}
+
 /// A variable of version 4: `kind` by its digits, numbers of eight bytes or letters of one.
 fn fourth(kind: u32, name: &str, rows: u32, values: &[f64]) -> Vec<u8> {
     let columns = values.len() as u32 / rows;

@@ -1,11 +1,9 @@
 //! Variables of a MATLAB file.
 
-use super::element::{MatElement, elements, inside};
+use super::element::{ARRAY, MatElement, elements, inside};
 
 /// Depth to which structures and cells are looked into.
 const DEEPEST: usize = 8;
-/// Type of an element that is an array.
-const MATRIX: u32 = 14;
 /// Class of tables, dates and other objects, which MATLAB stores in ways of its own.
 const OBJECT: u32 = 17;
 
@@ -39,7 +37,7 @@ pub struct MatVariables {
 /// The variables of a file of version 5 to 7; `None` if it is no such file.
 pub fn variables(bytes: &[u8]) -> Option<MatVariables> {
     let (elements, is_whole) = elements(bytes)?;
-    let matrices = elements.iter().filter(|element| element.kind == MATRIX);
+    let matrices = elements.iter().filter(|element| element.kind == ARRAY);
     Some(MatVariables {
         all: matrices.filter_map(|element| array(element, 0)).collect(),
         is_damaged: !is_whole,
@@ -70,7 +68,7 @@ fn array(element: &MatElement<'_>, depth: usize) -> Option<(String, MatValue)> {
         .try_fold(1_usize, |all, size| all.checked_mul(*size))?;
     let value = match class {
         1 => {
-            let cells = rest.iter().filter(|part| part.kind == MATRIX);
+            let cells = rest.iter().filter(|part| part.kind == ARRAY);
             let cell = |part| array(part, depth + 1).map_or(MatValue::Other, |(_, value)| value);
             MatValue::Cells(cells.map(cell).collect())
         }
@@ -158,10 +156,57 @@ fn fields(parts: &[MatElement<'_>], depth: usize, count: usize) -> Option<MatVal
             _ => None,
         });
         let label = label.filter(|label| !label.is_empty());
-        found.push((
-            label.unwrap_or_else(|| (number + 1).to_string()),
-            MatValue::Fields(fields),
-        ));
+        let label = label.unwrap_or_else(|| (number + 1).to_string());
+        let is_given = |label: &str| found.iter().any(|(given, _)| given == label);
+        let mut own = label.clone();
+        let mut next = 2;
+        while is_given(&own) {
+            own = format!("{label}_{next}");
+            next += 1;
+        }
+        found.push((own, MatValue::Fields(fields)));
     }
     Some(MatValue::Fields(found))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An element with its tag, filled up to eight bytes.
+    fn element(kind: u32, data: &[u8]) -> Vec<u8> {
+        let mut bytes = [kind.to_le_bytes(), (data.len() as u32).to_le_bytes()].concat();
+        bytes.extend(data);
+        bytes.resize(bytes.len().next_multiple_of(8), 0);
+        bytes
+    }
+
+    fn letters(text: &str) -> Vec<u8> {
+        let rows = [1_i32.to_le_bytes(), (text.len() as i32).to_le_bytes()].concat();
+        let parts = [
+            element(6, &[4, 0, 0, 0, 0, 0, 0, 0]),
+            element(5, &rows),
+            element(1, &[]),
+            element(16, text.as_bytes()),
+        ];
+        element(ARRAY, &parts.concat())
+    }
+
+    #[test]
+    fn structures_of_an_array_with_the_same_label_keep_names_of_their_own() {
+        let mut parts = element(5, &8_i32.to_le_bytes());
+        parts.extend(element(1, b"label\0\0\0"));
+        let labels = ["GPS", "IMU", "GPS", "GPS_2", "GPS"];
+        parts.extend(labels.iter().flat_map(|label| letters(label)));
+        let array = MatElement {
+            kind: ARRAY,
+            data: parts.into(),
+            is_big: false,
+        };
+        let Some(MatValue::Fields(found)) = fields(&inside(&array), 0, labels.len()) else {
+            panic!("no structures");
+        };
+        let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["GPS", "IMU", "GPS_2", "GPS_2_2", "GPS_3"]);
+    }
 }
