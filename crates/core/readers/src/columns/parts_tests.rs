@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{flight_of_tables, guess_tables};
+use super::{ColumnRole, flight_of_tables, guess_table, guess_tables};
 use crate::folder::FlightFolder;
 use pilotage_base::files::{FileSet, MemoryFiles};
 
@@ -188,4 +188,23 @@ fn deviations_in_millimetres_are_no_minutes_of_places() {
         )
     };
     assert_regular(&flight(&table(names, row)), 0.1);
+}
+
+#[test]
+fn rows_without_a_fix_do_not_hide_degrees_and_minutes() {
+    let row = |i: u32| {
+        let fix = if i < 140 {
+            "0.0,0.0".to_owned()
+        } else {
+            format!("4730.{:03},00830.{:03}", i, 2 * i)
+        };
+        format!("{:.1},{fix},440.5\n", 0.1 * f64::from(i))
+    };
+    let table =
+        "time,latitude,longitude,altitude\n".to_owned() + &(0..200).map(row).collect::<String>();
+    let map = guess_table("a.csv", table.as_bytes()).unwrap();
+    for role in [ColumnRole::Latitude, ColumnRole::Longitude] {
+        let column = map.columns.iter().find(|column| column.role == role);
+        assert_eq!(column.unwrap().unit, "ddmm");
+    }
 }

@@ -172,9 +172,10 @@ pub(super) fn degrees_and_minutes(samples: &[ColumnSample], columns: &mut [Mappe
     };
     let places = [(places.0, 90.0), (places.1, 180.0)];
     let are_beyond = |(at, most): &(usize, f64)| {
-        let numbers = &samples[*at].numbers;
-        let beyond: Vec<&f64> = numbers.iter().filter(|n| n.abs() > *most).collect();
-        2 * beyond.len() > numbers.len() && beyond.iter().any(|n| n.fract() != 0.0)
+        // Zeros stand for no fix.
+        let numbers = samples[*at].numbers.iter().filter(|n| **n != 0.0);
+        let beyond: Vec<&f64> = numbers.clone().filter(|n| n.abs() > *most).collect();
+        2 * beyond.len() > numbers.count() && beyond.iter().any(|n| n.fract() != 0.0)
     };
     let fit = |(at, most): &(usize, f64)| {
         let mut numbers = samples[*at].numbers.iter();
