@@ -23,6 +23,9 @@ const FASTEST_DRIFT: f64 = 2e-4;
 const TOGETHER: f64 = 0.5;
 /// Delays that most messages stay below, seconds; what comes later is not timed by this clock.
 const LATEST: f64 = 60.0;
+/// A clock that was set leaves at least so much of the vehicle's time before and behind it, seconds: shorter ones may be stalls
+/// of the link.
+const STRETCH: f64 = 20.0;
 /// A delay that people are told of, seconds.
 const LATE: f64 = 0.5;
 
@@ -153,6 +156,18 @@ fn step_of(most: &TimedTopic, received: &[f64]) -> Option<(f64, f64)> {
     } else {
         return None;
     };
+    let others = if sign > 0.0 {
+        &times[..first]
+    } else {
+        &times[behind..]
+    };
+    let lasts = |part: &[(f64, f64)]| {
+        let ends = part.first().zip(part.last());
+        ends.is_some_and(|(first, last)| last.0 - first.0 >= STRETCH)
+    };
+    if !lasts(&times[late.clone()]) || !lasts(others) {
+        return None;
+    }
     let late = &delays[late];
     let least = late.iter().copied().fold(f64::INFINITY, f64::min);
     let most = late.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -70,6 +70,15 @@ fn a_clock_set_by_seconds_is_told_as_one_and_a_late_link_is_not() {
             "{by} {remarks:?}"
         );
     }
+    // Links stall as they begin and end.
+    for stall in [0..30, 270..300] {
+        let stalled = |i: u32, r: f64| r + if stall.contains(&i) { 2.0 } else { 0.0 };
+        let remarks = log(stalled, regular).report.remarks;
+        assert!(
+            remarks.iter().all(|remark| !remark.contains("set")),
+            "{stall:?} {remarks:?}"
+        );
+    }
     let late = |i: u32, r: f64| {
         r + if i < 150 {
             0.0
