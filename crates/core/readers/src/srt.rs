@@ -142,7 +142,7 @@ fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
 /// subtitle before it.
 fn is_cut(text: &str, before: &str, words: &str) -> bool {
     // Behind the words of a subtitle stands the number of the next one.
-    let is_number = |c: char| c.is_ascii_digit() || c.is_whitespace() || "-.".contains(c);
+    let is_number = |c: char| c.is_ascii_digit() || c.is_whitespace() || "+-.".contains(c);
     let plain = |text: &str| text.replace(is_number, "");
     !text.ends_with(['\n', '\r', '\0'])
         && (words.ends_with(|c: char| c.is_ascii_digit()) || plain(words) != plain(before))
@@ -411,6 +411,17 @@ mod tests {
                 &whole[begin..cut]
             );
         }
+    }
+
+    #[test]
+    fn a_last_number_may_change_its_sign_and_is_not_cut_off() {
+        let words = |i: usize| {
+            let sign = if i == 49 { '+' } else { '-' };
+            format!("[latitude: 47.{i:06}] [longitude: 8.512345] [rel_alt: 10.5] [ev : {sign}0.7]")
+        };
+        let whole = film(words).replace(" --> ", "-->");
+        let (table, _, notes) = table_of(whole.trim_end()).unwrap();
+        assert_eq!(table.lines().count(), 51, "{notes:?}");
     }
 
     #[test]
