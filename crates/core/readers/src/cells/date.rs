@@ -172,7 +172,8 @@ fn day(text: &str, has_half: bool) -> Option<i64> {
     let parts: Vec<&str> = text.split(separator).collect();
     if let [year, day] = parts.as_slice() {
         let (year, day) = (digits(year, 4, 4)?, digits(day, 3, 3)?);
-        let is_day = (1..=366).contains(&day) && separator != '.';
+        let days = days_since_1970(year + 1, 1, 1) - days_since_1970(year, 1, 1);
+        let is_day = (1..=days).contains(&day) && separator != '.';
         return is_day.then(|| days_since_1970(year, 1, day));
     }
     let [first, second, third] = parts.as_slice() else {
@@ -317,11 +318,17 @@ mod tests {
             "24/05/13 10:00:00",
             "12345.5s",
             "2024-367 10:00:00",
+            "2023-366 10:00:00",
+            "1900-366 10:00:00",
             "2024.122 10:00:00",
             "10:20:30 10:20:31",
         ] {
             assert_eq!(date_and_time(text), None, "{text}");
         }
+        assert_eq!(
+            date_and_time("2024-366 10:00:00"),
+            date_and_time("2024-12-31 10:00:00")
+        );
         assert_eq!(of_clock_number(100_059.5), Some(36_059.5));
         assert_eq!(of_clock_number(100_060.0), None);
     }
