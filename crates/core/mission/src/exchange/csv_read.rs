@@ -55,30 +55,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
             records.push(((line + preface.lines) as usize, record));
         }
     }
-    let line = records.last().map_or(0, |(line, _)| *line);
-    let needed = table.needed();
-    let end = last_row(
-        content.as_bytes(),
-        &records,
-        |(_, row), column| row.get(column),
-        &needed,
-    );
-    let end = match end {
-        LastRow::Whole => None,
-        LastRow::MayBeCut => Some(format!(
-            "line {line}, the last, has no end, and fewer cells or digits than those before it: the file may be cut off there"
-        )),
-        LastRow::Cut => {
-            return Err(ExchangeError::Place {
-                file: file.to_owned(),
-                line,
-                column: 1,
-                cause: "the file ends within this line, as if it was cut off; copy or export it again, or put an end to the line \
-                        if nothing is missing"
-                    .to_owned(),
-            });
-        }
-    };
+    let end = end_of_file(&table, content, &records)?;
     table.leave_metres(&records);
     if let Some(geometries) = table.geometries(&records) {
         let mut found = shapes(&table, &records, geometries)?;
@@ -132,6 +109,41 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         ));
     }
     Ok(found)
+}
+
+/// What is to be told of a last line that may be cut off.
+///
+/// # Errors
+/// It lacks a place, or digits of one.
+fn end_of_file(
+    table: &ReadCsvTable,
+    content: &str,
+    records: &Records,
+) -> Result<Option<String>, ExchangeError> {
+    let line = records.last().map_or(0, |(line, _)| *line);
+    let needed = table.needed();
+    let end = last_row(
+        content.as_bytes(),
+        records,
+        |(_, row), column| row.get(column),
+        &needed,
+    );
+    match end {
+        LastRow::Whole => Ok(None),
+        LastRow::MayBeCut => Ok(Some(format!(
+            "line {line}, the last, has no end, and fewer cells or digits than those before it: the file may be cut off there"
+        ))),
+        LastRow::Cut => {
+            Err(ExchangeError::Place {
+                file: table.file.to_owned(),
+                line,
+                column: 1,
+                cause: "the file ends within this line, as if it was cut off; copy or export it again, or put an end to the line \
+                        if nothing is missing"
+                    .to_owned(),
+            })
+        }
+    }
 }
 
 fn way_points(table: &ReadCsvTable, rows: &[CsvRow]) -> Result<GeodeticContent, ExchangeError> {
