@@ -35,7 +35,7 @@ pub fn of_utf_16(bytes: &[u8]) -> Option<String> {
     Some(String::from_utf16_lossy(&units))
 }
 
-/// What the end of a table's text tells of its last row.
+/// Verdict of the end of a table's text on its last row.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LastRow {
     /// Nothing speaks against it.

@@ -111,7 +111,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     Ok(found)
 }
 
-/// What is to be told of a last line that may be cut off.
+/// Words on a last line that may be cut off.
 ///
 /// # Errors
 /// It lacks a place, or digits of one.

@@ -135,7 +135,11 @@ impl LinkWalk<'_> {
             Some(name) if name.to_ascii_lowercase().ends_with(".kml") => {
                 self.documents.link_to(name);
             }
-            _ => self.found.notes.push(format!(
+            Some(_) => self.found.notes.push(format!(
+                "{}: the link to {href} leads to no KML and is not followed.",
+                source.file
+            )),
+            None => self.found.notes.push(format!(
                 "{}: the link to {href} leads out of the file and is not followed.",
                 source.file
             )),

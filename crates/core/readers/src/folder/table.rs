@@ -24,7 +24,7 @@ pub(crate) struct CsvTable {
     /// Whether cells that are no numbers count as empty.
     is_lenient: bool,
     has_decimal_comma: bool,
-    /// Whether its last line, with its number, may have been cut off; where it was, it is left out.
+    /// Last line, counted from 1, and the verdict on it; one that was cut off is left out.
     pub(crate) end: (u64, LastRow),
     /// Bytes of its file.
     bytes: u64,

@@ -38,6 +38,11 @@ pub fn number(bytes: &[u8], is_big: bool) -> u32 {
 /// The elements of a file one after the other, those that are compressed unpacked, and whether that is all of it;
 /// `None` if it is no such file. Ends before what is cut off or damaged.
 pub fn elements(bytes: &[u8]) -> Option<(Vec<MatElement<'_>>, bool)> {
+    elements_within(bytes, MOST)
+}
+
+/// The same, without those of `most` bytes or more once they are unpacked.
+fn elements_within(bytes: &[u8], most: u64) -> Option<(Vec<MatElement<'_>>, bool)> {
     let mark = bytes.get(126..HEADER)?;
     let is_big = match mark {
         b"IM" => false,
@@ -57,7 +62,10 @@ pub fn elements(bytes: &[u8]) -> Option<(Vec<MatElement<'_>>, bool)> {
         }
         let mut data = Vec::new();
         let decoder = ZlibDecoder::new(element.data.as_ref());
-        let unpacked = decoder.take(MOST).read_to_end(&mut data);
+        let unpacked = decoder.take(most).read_to_end(&mut data);
+        if unpacked.is_ok() && data.len() as u64 == most {
+            continue;
+        }
         let Some(inner) = split(&data, is_big)
             .0
             .into_iter()
@@ -160,5 +168,52 @@ impl MatElement<'_> {
             }
             _ => String::from_utf8_lossy(&self.data).into_owned(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write as _;
+
+    use flate2::Compression;
+    use flate2::write::ZlibEncoder;
+
+    use super::*;
+
+    /// An element of doubles, compressed as version 7 writes them.
+    fn compressed(numbers: &[f64]) -> Vec<u8> {
+        let bytes: Vec<u8> = numbers.iter().flat_map(|n| n.to_le_bytes()).collect();
+        let length = bytes.len() as u32;
+        let plain = [
+            9_u32.to_le_bytes().as_slice(),
+            &length.to_le_bytes(),
+            &bytes,
+        ]
+        .concat();
+        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+        encoder.write_all(&plain).unwrap();
+        let data = encoder.finish().unwrap();
+        let length = data.len() as u32;
+        [
+            COMPRESSED.to_le_bytes().as_slice(),
+            &length.to_le_bytes(),
+            &data,
+        ]
+        .concat()
+    }
+
+    #[test]
+    fn an_element_that_is_too_large_once_unpacked_takes_no_other_with_it() {
+        let mut file = vec![b' '; HEADER];
+        file[124..HEADER].copy_from_slice(&[0, 1, b'I', b'M']);
+        file.extend(compressed(&[1.5; 200]));
+        file.extend(compressed(&[2.5; 3]));
+        let (all, is_whole) = elements_within(&file, MOST).unwrap();
+        assert!(all.len() == 2 && is_whole, "{}", all.len());
+        let (small, is_whole) = elements_within(&file, 200).unwrap();
+        assert!(small.len() == 1 && is_whole, "{}", small.len());
+        assert_eq!(small[0].data.len(), 24);
+        file.truncate(file.len() - 4);
+        assert!(!elements_within(&file, MOST).unwrap().1);
     }
 }
