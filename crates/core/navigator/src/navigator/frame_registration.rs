@@ -102,11 +102,9 @@ impl FrameRegistration {
             ..*measured
         };
         let mut searched = SearchedRegion::around(predicted);
-        let prior = self
-            .follower
-            .prior(time, searched.position, searched.deviation, &upright);
+        let (height, _) = self.follower.height(time, measured);
         // A tilt that is wrong moves what is seen by the height times it.
-        let by_tilt = prior.height * self.tilt.variance(predicted).sqrt();
+        let by_tilt = height * self.tilt.variance(predicted).sqrt();
         searched.deviation = searched.deviation.hypot(by_tilt);
         let prior = self
             .follower

@@ -154,6 +154,20 @@ impl Follower {
         }
     }
 
+    /// Height above the ground at `time`, metres, and the standard deviation of its natural logarithm.
+    pub fn height(&self, time: f64, measured: &InstrumentReadings) -> (f64, f64) {
+        let s = &self.settings;
+        match (measured.height, self.height) {
+            (Some(height), _) => (height, s.measured_log_height_deviation),
+            (None, Some((belief, then))) => {
+                let wander = s.log_height_walk.powi(2) * (time - then).abs();
+                let deviation = (belief.variance + wander).sqrt();
+                (belief.mean.exp(), deviation.min(s.log_height_deviation))
+            }
+            (None, None) => (s.height, s.log_height_deviation),
+        }
+    }
+
     /// Prior of the pose at `time` when the vehicle is believed to be at `position`, with this standard
     /// deviation per axis in metres.
     pub fn prior(
@@ -164,15 +178,7 @@ impl Follower {
         measured: &InstrumentReadings,
     ) -> PosePrior {
         let s = &self.settings;
-        let (height, log_height_deviation) = match (measured.height, self.height) {
-            (Some(height), _) => (height, s.measured_log_height_deviation),
-            (None, Some((belief, then))) => {
-                let wander = s.log_height_walk.powi(2) * (time - then).abs();
-                let deviation = (belief.variance + wander).sqrt();
-                (belief.mean.exp(), deviation.min(s.log_height_deviation))
-            }
-            (None, None) => (s.height, s.log_height_deviation),
-        };
+        let (height, log_height_deviation) = self.height(time, measured);
         let heading = match measured.heading {
             None => HeadingPrior::Unknown,
             Some(heading) => HeadingPrior::Around {
