@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use pilotage_base::files::{FileSet, find, folder_of};
-use pilotage_flight::{CameraFile, MountFile};
-use pilotage_raster::camera::{Distortion, Lens, UNSTATED_MOUNT_DEVIATION};
+use pilotage_flight::CameraFile;
+use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 use pilotage_raster::raster::decode_picture;
 
 use super::ColumnMap;
@@ -45,21 +45,15 @@ pub(super) fn named(
                 directory: folder_of(&path).to_owned(),
                 stored_turn_deg: BTreeMap::new(),
             };
-            let camera = CameraFile {
-                width: picture.width(),
-                height: picture.height(),
-                focal_px: None,
-                horizontal_fov_deg: Some(ACROSS),
-                principal_px: None,
-                lens: Lens::default(),
-                distortion: Distortion::default(),
-                mount_deg: MountFile::default(),
-                mount_deviation_deg: if tells_pitch_of_camera(&map.columns) {
-                    0.0
-                } else {
-                    UNSTATED_MOUNT_DEVIATION.to_degrees()
-                },
+            let mount_deviation = if tells_pitch_of_camera(&map.columns) {
+                0.0
+            } else {
+                UNSTATED_MOUNT_DEVIATION
             };
+            let camera = CameraFile::of(&CameraModel {
+                mount_deviation,
+                ..CameraModel::pinhole(picture.width(), picture.height(), ACROSS.to_radians())
+            });
             let note = format!(
                 "{} names {} pictures; the camera is assumed to look straight down, to within 10° if nothing tells its \
                  angles, and to see {ACROSS:.0}° across",

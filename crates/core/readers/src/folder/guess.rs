@@ -13,8 +13,8 @@ use crate::cells::Dimension;
 use pilotage_base::files::{FileSet, find, folder_of};
 use pilotage_base::frames::wrap_pi;
 use pilotage_base::georeference::Georeference;
-use pilotage_flight::{CameraFile, MountFile, OriginFile};
-use pilotage_raster::camera::{Distortion, Lens, UNSTATED_MOUNT_DEVIATION};
+use pilotage_flight::{CameraFile, OriginFile};
+use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 use pilotage_raster::raster::decode_picture;
 
 /// Columns without which nothing is guessed.
@@ -68,6 +68,15 @@ pub(super) fn guess(files: &Arc<dyn FileSet>) -> Option<(FlightFile, String, Vec
     let truth = georeference
         .filter(|_| map_pixels.iter().all(|column| table.has(column)))
         .map(|(georeference, _)| truth(&file, georeference));
+    let mount_deviation = if table.has("gimbal_pitch") {
+        0.0
+    } else {
+        UNSTATED_MOUNT_DEVIATION
+    };
+    let camera = CameraModel {
+        mount_deviation,
+        ..CameraModel::of_focal(width, height, FOCAL_PER_WIDTH * width as f64)
+    };
     let layout = FlightFile {
         pilotage_flight: VERSION,
         name: base.rsplit('/').next().unwrap_or("Flight").to_owned(),
@@ -75,21 +84,7 @@ pub(super) fn guess(files: &Arc<dyn FileSet>) -> Option<(FlightFile, String, Vec
         data: None,
         origin: Some(origin),
         ground_down_m: 0.0,
-        camera: Some(CameraFile {
-            width,
-            height,
-            focal_px: Some(FOCAL_PER_WIDTH * width as f64),
-            horizontal_fov_deg: None,
-            principal_px: None,
-            lens: Lens::default(),
-            distortion: Distortion::default(),
-            mount_deg: MountFile::default(),
-            mount_deviation_deg: if table.has("gimbal_pitch") {
-                0.0
-            } else {
-                UNSTATED_MOUNT_DEVIATION.to_degrees()
-            },
-        }),
+        camera: Some(CameraFile::of(&camera)),
         time_origin: None,
         start: StartFile {
             time_s: None,
