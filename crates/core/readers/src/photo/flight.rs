@@ -44,7 +44,7 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
         height: take_off,
     });
     let mut camera = camera(&photos[0].photo, &mut notes);
-    if photos.iter().all(|p| p.photo.gimbal.is_none()) {
+    if !tell_gimbal(&photos) {
         camera.mount_deviation = UNSTATED_MOUNT_DEVIATION;
     }
     let states = states(&photos, &frame);
@@ -380,7 +380,7 @@ fn channels(photos: &[TimedPhoto], states: &[TruthState], notes: &mut Vec<String
         notes.push("no photo says how high it was taken above the ground".to_owned());
     }
     channels.extend(height);
-    let of_gimbal = photos.iter().any(|p| p.photo.gimbal.is_some());
+    let of_gimbal = tell_gimbal(photos);
     // Zero angles of a gimbal say nothing, but that there is one: the camera does not roll with the aircraft.
     let is_blank = !of_gimbal && photos.iter().any(|p| p.photo.is_gimbal_blank);
     let attitude = |photo: &Photo| {
@@ -420,6 +420,11 @@ fn channels(photos: &[TimedPhoto], states: &[TruthState], notes: &mut Vec<String
         Some(wrap_pi(attitude(p)?.roll))
     }));
     channels
+}
+
+/// Whether any photo tells the angles of its camera's gimbal.
+fn tell_gimbal(photos: &[TimedPhoto]) -> bool {
+    photos.iter().any(|p| p.photo.gimbal.is_some())
 }
 
 /// Says what else people should know.
