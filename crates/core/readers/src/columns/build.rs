@@ -10,7 +10,7 @@ use super::body_velocity::{has_body_velocity, turn};
 use super::groups::quaternion_roles;
 use super::rows::pair;
 use super::together::common_name;
-use super::{ColumnMap, ColumnRole, MappedColumn, parts, pictures, time};
+use super::{ColumnMap, ColumnRole, EARTH_RADIUS, MappedColumn, parts, pictures, time};
 use crate::cells::{Moment, date_and_time};
 use crate::folder::{
     ChannelFile, CsvTable, FlightFile, FlightFolder, FolderError, StartFile, TimeColumn,
@@ -24,8 +24,6 @@ use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 const GPS_DEVIATION: f64 = 5.0;
 /// Places further than this from the first are none, metres: a receiver without a fix says 0° north, 0° east.
 const FARTHEST: f64 = 1e6;
-/// Mean radius of the earth, metres.
-const RADIUS: f64 = 6_371_000.0;
 /// First places of which all but the last may be damaged.
 const MOST_DAMAGED: usize = 20;
 /// Times beyond this are counted from elsewhere than the flight, seconds: they are counted from the first.
@@ -491,7 +489,7 @@ fn first_place(
 fn first_of_most(places: &[(usize, (f64, f64))]) -> Option<(usize, (f64, f64))> {
     let on_sphere = |(latitude, longitude): (f64, f64)| {
         let (up, around) = (latitude.sin_cos(), longitude.sin_cos());
-        RADIUS * Vector3::new(up.1 * around.1, up.1 * around.0, up.0)
+        EARTH_RADIUS * Vector3::new(up.1 * around.1, up.1 * around.0, up.0)
     };
     let all: Vec<_> = places.iter().map(|place| on_sphere(place.1)).collect();
     let is_among = |(place, _): &(&Vector3<f64>, _)| {

@@ -9,10 +9,8 @@ use super::board::{FlightColumns, Id};
 use super::grid::{TimedNumbers, quantile};
 use super::inertial::course_rate;
 use crate::cells::Dimension;
-use crate::columns::ColumnRole;
+use crate::columns::{ColumnRole, EARTH_RADIUS};
 
-/// Mean radius of the earth, metres.
-const RADIUS: f64 = 6_371_000.0;
 const GRAVITY: f64 = 9.806_65;
 /// Speeds that a track reaches, m/s: something that flies, and nothing faster.
 const FLOWN: std::ops::Range<f64> = 1.5..200.0;
@@ -100,7 +98,11 @@ fn is_flown(latitude: &TimedNumbers, longitude: &TimedNumbers) -> bool {
     for (time, degrees) in latitude.times.iter().zip(&latitude.values) {
         let beside = longitude.at(*time);
         let (north, east) = (degrees.to_radians(), beside.to_radians());
-        let place = (*time, north * RADIUS, east * RADIUS * north.cos());
+        let place = (
+            *time,
+            north * EARTH_RADIUS,
+            east * EARTH_RADIUS * north.cos(),
+        );
         let is_new = |last: &(f64, f64, f64)| (last.1, last.2) != (place.1, place.2);
         // A receiver without a fix says zero.
         if (*degrees, beside) != (0.0, 0.0)

@@ -7,10 +7,8 @@ use super::axes::EARTH;
 use super::board::{FlightColumns, Id, UnitBasis, nearest};
 use super::grid::{self, TimeCells, TimedNumbers, quantile};
 use crate::cells::{DEGREES_AND_MINUTES, Dimension};
-use crate::columns::ColumnRole;
+use crate::columns::{ColumnRole, EARTH_RADIUS};
 
-/// Mean radius of the earth, metres.
-const RADIUS: f64 = 6_371_000.0;
 /// Units of places on the globe, and how likely each is before anything is known.
 const UNITS: [(&str, f64); 5] = [
     ("deg", 1.0),
@@ -264,11 +262,13 @@ fn track(
         && reach(|p| p.2) <= std::f64::consts::TAU + 1e-9;
     let first = *places.first().filter(|_| is_globe && places.len() > 3)?;
     let times: Vec<f64> = places.iter().map(|place| place.0).collect();
-    let north = places.iter().map(|place| (place.1 - first.1) * RADIUS);
+    let north = places
+        .iter()
+        .map(|place| (place.1 - first.1) * EARTH_RADIUS);
     let turn = |place: &(f64, f64, f64)| pilotage_base::frames::wrap_pi(place.2 - first.2);
     let east = places
         .iter()
-        .map(|place| turn(place) * RADIUS * first.1.cos());
+        .map(|place| turn(place) * EARTH_RADIUS * first.1.cos());
     Some([
         TimedNumbers::new(&times, north),
         TimedNumbers::new(&times, east),
