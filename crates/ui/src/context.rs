@@ -87,6 +87,16 @@ pub struct ViewContext<'a> {
 }
 
 impl<'a> ViewContext<'a> {
+    /// Track that counts as where the aircraft was: a log tells where its receiver or its autopilot had it, a simulation
+    /// where it was.
+    pub fn known_track(&self) -> &'static str {
+        if self.is_recorded {
+            "recorded track"
+        } else {
+            "true track"
+        }
+    }
+
     /// The selected route.
     pub fn selected_route(&self) -> Option<&'a Route> {
         route_of(self.mission, self.route?)

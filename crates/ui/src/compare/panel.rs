@@ -140,12 +140,8 @@ impl CompareView {
         let tokens = context.tokens;
         ui.horizontal_wrapped(|ui| {
             let can_keep = |id| self.results.rows.iter().any(|row| row.id == id);
-            let truth = if context.is_recorded {
-                "Keep the recorded track"
-            } else {
-                "Keep the true track"
-            };
-            for (id, text) in [(TrackId::Run, "Keep this run"), (TrackId::Truth, truth)] {
+            let truth = format!("Keep the {}", context.known_track());
+            for (id, text) in [(TrackId::Run, "Keep this run"), (TrackId::Truth, &truth)] {
                 if can_keep(id) && text_button(ui, tokens, None, text, false).clicked() {
                     let keep = CompareCommand::Keep(id);
                     context.commands.push(keep.into());

@@ -20,23 +20,14 @@ const TOLD: [f64; 2] = [10.0, 30.0];
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
 
-/// Measure of the error after a cut: a log tells where its receiver or its autopilot had it, a simulation where it was.
-fn judge(context: &ViewContext<'_>) -> &'static str {
-    if context.is_recorded {
-        "the recorded track"
-    } else {
-        "the true track"
-    }
-}
-
 /// Draws the view of a cut.
 pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
     let words = format!(
         "How far off would it be if GPS failed here? The program learns from the flight up to the cut, goes on by \
-         airspeed and heading alone, and is compared with {}.",
-        judge(context)
+         airspeed and heading alone, and is compared with the {}.",
+        context.known_track()
     );
     wrapped(ui, tokens.muted, &words);
     choose(ui, context, outages);
@@ -157,8 +148,8 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
         Some(since),
     );
     let caption = format!(
-        "Lines: distance from {}. Dashes: the radius that should hold it in 95 of 100 cases.",
-        judge(context)
+        "Lines: distance from the {}. Dashes: the radius that should hold it in 95 of 100 cases.",
+        context.known_track()
     );
     ui.add(egui::Label::new(small(caption)).wrap());
     for remark in &report.remarks {
