@@ -135,14 +135,13 @@ impl LinkWalk<'_> {
             Some(name) if name.to_ascii_lowercase().ends_with(".kml") => {
                 self.documents.link_to(name);
             }
-            Some(_) => self.found.notes.push(format!(
-                "{}: the link to {href} leads to no KML and is not followed.",
-                source.file
-            )),
-            None => self.found.notes.push(format!(
-                "{}: the link to {href} leads out of the file and is not followed.",
-                source.file
-            )),
+            other => {
+                let end = other.map_or("out of the file", |_| "to no KML");
+                self.found.notes.push(format!(
+                    "{}: the link to {href} leads {end} and is not followed.",
+                    source.file
+                ));
+            }
         }
     }
 }
