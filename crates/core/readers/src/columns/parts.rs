@@ -82,9 +82,11 @@ pub(super) fn calendar(samples: &[ColumnSample], columns: &mut [MappedColumn]) -
     };
     let hours = &CALENDAR[0];
     for (hour, (last, stem)) in split.iter().enumerate() {
-        let is_hour = hours.1.contains(&last.as_str()) && is_within(&samples[hour], hours.2, true);
-        let seconds = find(&SECONDS, SECONDS_REACH, stem, hour);
-        let Some(seconds) = seconds.filter(|_| is_hour) else {
+        // Before the others are sought: a table may have thousands of columns.
+        if !hours.1.contains(&last.as_str()) || !is_within(&samples[hour], hours.2, true) {
+            continue;
+        }
+        let Some(seconds) = find(&SECONDS, SECONDS_REACH, stem, hour) else {
             continue;
         };
         let of = |number: usize, near: usize| {
