@@ -132,3 +132,42 @@ impl Unaided {
         navigate(flight, map, &mut self.folder.frames, &settings)
     }
 }
+
+/// Distances from where something is, metres, from the smallest to the largest.
+#[derive(Debug)]
+pub struct Errors(Vec<f64>);
+
+impl Errors {
+    /// These, in order.
+    pub fn of(values: impl Iterator<Item = f64>) -> Self {
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        Self(values)
+    }
+
+    /// Their number.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Half of them are larger. There has to be one.
+    pub fn median(&self) -> f64 {
+        let middle = self.0.len() / 2;
+        0.5 * (self.0[(self.0.len() - 1) / 2] + self.0[middle])
+    }
+
+    /// The largest, or zero of none.
+    pub fn greatest(&self) -> f64 {
+        self.0.last().copied().unwrap_or(0.0)
+    }
+
+    /// In words, as errors of `what`.
+    pub fn told(&self, what: &str) -> String {
+        format!(
+            "{what}: {} frames, median {:.2} m, largest {:.2} m",
+            self.count(),
+            self.median(),
+            self.greatest()
+        )
+    }
+}

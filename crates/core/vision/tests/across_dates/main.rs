@@ -10,6 +10,7 @@
 mod maps;
 mod photos;
 
+use photos::studies::either;
 use photos::{Photo, Site};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Imagery;
@@ -162,11 +163,12 @@ fn tally(outcomes: &[Outcome], metres: f64) -> (usize, usize) {
     (near, wrong)
 }
 
-/// Number of frames that lie on two maps at one place within 3 m, the local shift between the maps taken
-/// away.
-fn at_one_place(january: &Site, march: &Site, one: &[Outcome], two: &[Outcome]) -> usize {
+/// Number of frames, of every `each`-th, that lie on two maps at one place within 3 m, the local shift between the maps
+/// taken away.
+fn at_one_place([january, march]: [&Site; 2], [one, two]: [&[Outcome]; 2], each: usize) -> usize {
     let (mut same, mut by_median, mut both) = (0, 0, 0);
-    for ((a, b), photo) in one.iter().zip(two).zip(&january.photos) {
+    let photos = january.photos.iter().step_by(each);
+    for ((a, b), photo) in one.iter().zip(two).zip(photos) {
         let Some((a, b)) = a.error.zip(b.error) else {
             continue;
         };
@@ -222,8 +224,10 @@ fn photos_over_a_town_are_found_with_a_compass_forty_degrees_off() {
         heading: Some(within(40_f64.to_radians())),
         log_height: within(0.15),
     };
-    let (near, wrong) = tally(&lay(&site, doubt, 1), 15.0);
-    assert!(near >= 29 && wrong == 0, "{near}, {wrong}");
+    let each = either(2, 1);
+    let outcomes = lay(&site, doubt, each);
+    let (near, wrong) = tally(&outcomes, 15.0);
+    assert!(near + 1 >= outcomes.len() && wrong == 0, "{near}, {wrong}");
 }
 
 #[test]
@@ -252,8 +256,9 @@ fn frames_over_fields_and_river_lie_at_one_place_on_maps_of_two_dates() {
         // As far as photos are searched where nobody says otherwise: the stated height is not the one above ground.
         log_height: within(0.2),
     };
-    let (one, two) = (lay(&january, doubt, 1), lay(&march, doubt, 1));
-    let same = at_one_place(&january, &march, &one, &two);
+    let each = either(2, 1);
+    let (one, two) = (lay(&january, doubt, each), lay(&march, doubt, each));
+    let same = at_one_place([&january, &march], [&one, &two], each);
     for outcomes in [&one, &two] {
         // Its own navigation is off by 12 m for nine in ten.
         let (_, wrong) = tally(outcomes, 15.0);
@@ -263,7 +268,11 @@ fn frames_over_fields_and_river_lie_at_one_place_on_maps_of_two_dates() {
     let both = both
         .filter(|(a, b)| a.result.is_ok() && b.result.is_ok())
         .count();
-    assert!(same >= 52 && both - same <= 4, "{same} of {both}");
+    let (least, most_apart) = either((26, 2), (52, 4));
+    assert!(
+        same >= least && both - same <= most_apart,
+        "{same} of {both}"
+    );
 }
 
 #[test]
@@ -271,7 +280,10 @@ fn a_map_of_another_country_does_not_show_a_photo() {
     let Some((town, fields)) = photos::fengyuan().zip(photos::adm("map_january")) else {
         return;
     };
-    for (photos, map, each) in [(&town, &fields, 3), (&fields, &town, 4)] {
+    for (photos, map, each) in [
+        (&town, &fields, either(6, 3)),
+        (&fields, &town, either(8, 4)),
+    ] {
         let (believed, highest) = believed_elsewhere(photos, map, each);
         println!("{believed} believed, the highest probability is {highest:.3}");
         assert!(believed == 0 && highest < 0.9, "{believed} {highest}");
