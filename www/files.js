@@ -7,9 +7,9 @@ const LARGE = 4 << 20;
 const MANY = 16 << 20;
 const PICTURE = /\.(jpe?g|png)$/i;
 const MAPS = /\.(tiff?|pmtiles|hgt)$/i;
-/** Endings of logs, as the page names them. */
-const LOGS = document.getElementById("logs").textContent.split(", ");
-const isReadByPieces = (path) => MAPS.test(path) || LOGS.some((ending) => path.toLowerCase().endsWith(ending));
+/** Endings of logs, as the program names them on the page once it is there. */
+const logs = () => document.getElementById("logs").textContent.split(", ");
+const isReadByPieces = (path) => MAPS.test(path) || logs().some((ending) => path.toLowerCase().endsWith(ending));
 async function gather(list) {
   const paths = [], contents = [];
   const pictures = list.filter(([path]) => PICTURE.test(path));

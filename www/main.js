@@ -128,6 +128,7 @@ async function start() {
   }
   const [{ tab, storage }, told] = await loading;
   const loaded = performance.now();
+  document.getElementById("logs").textContent = WebHandle.log_endings();
   const app = new WebHandle();
   for (const [key, bytes] of told) app.remember(key, bytes);
   for (const [key, kept] of storage.loaded) {

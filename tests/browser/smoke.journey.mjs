@@ -7,5 +7,8 @@ export async function run(page, tools) {
   tools.check(state && typeof state === "object", "the program tells nothing about itself");
   const title = await page.title();
   tools.check(title.includes("Pilotage"), `the window is called "${title}"`);
+  // Large logs are read by pieces: `www/files.js` knows them by what the program says here.
+  const logs = await page.textContent("#logs");
+  tools.check(logs.startsWith(".bin, "), `files that are dropped are told "${logs}"`);
   await tools.screenshot("smoke");
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::log::all_formats;
+use pilotage_core::flight::log::LogFormat;
 use pilotage_core::flight::photo::read_photo;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_core::frames::{Geodetic, LocalFrame};
@@ -308,15 +308,9 @@ fn unknown(pool: &dyn FileSet) -> String {
          these, a film beside its log or its subtitles (.srt), a map picture with its world file, a GeoTIFF, PMTiles, \
          an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, roads of \
          OpenStreetMap (.osm, .pbf), and routes and landmarks as {}.",
-        log_endings().join(", "),
+        LogFormat::ENDINGS.join(", "),
         exchange_names().join(", ")
     )
-}
-
-/// Endings of the names of flight logs, with their dots.
-fn log_endings() -> Vec<String> {
-    let endings = all_formats().iter().flat_map(|info| info.endings);
-    endings.map(|ending| format!(".{ending}")).collect()
 }
 
 /// Names of the formats of routes and landmarks.
@@ -492,18 +486,11 @@ mod tests {
         assert!((last - first - 29.0).abs() < 1e-9);
     }
 
-    /// The page says what can be dropped before any program is there, in a text of its own.
     #[test]
-    fn the_page_names_every_kind_of_log_that_is_read() {
-        let page = include_str!("../../../index.html");
-        let drop = page.lines().find(|line| line.contains("id=\"drop\""));
-        let drop = drop.expect("the page has a place for files");
-        // `www/files.js` takes the endings of the files that are read by pieces from there.
-        let logs = format!("<span id=\"logs\">{}</span>", log_endings().join(", "));
-        assert!(drop.contains(&logs), "write {logs} in {drop}");
+    fn what_opens_is_named_where_something_else_is_refused() {
         let refused = look(&[("letter.xyz", &b"Dear all"[..])]).unwrap_err();
-        for ending in log_endings() {
-            assert!(refused.contains(&ending), "{refused}");
+        for ending in LogFormat::ENDINGS {
+            assert!(refused.contains(ending), "{refused}");
         }
         assert!(
             refused.contains("QGroundControl plan, QGC WPL 110, KML"),

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use js_sys::{Array, Uint8Array};
+use pilotage_core::flight::log::LogFormat;
 use pilotage_jobs::FileContent;
 use pilotage_ui::host::OpenedFile;
 use pilotage_ui::kept_mesh::install;
@@ -40,6 +41,11 @@ impl WebHandle {
             remembered_files: Rc::default(),
             running: Rc::default(),
         }
+    }
+
+    /// Endings of the names of logs, for the page to name and `www/files.js` to know.
+    pub fn log_endings() -> String {
+        LogFormat::ENDINGS.join(", ")
     }
 
     /// Tells, before the start, what the browser remembered under a key.

@@ -2,28 +2,28 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Hands the table to a macro. Each line has the name for people, the folder, and the folder's constant that knows the
-/// reader; the order is that in which formats are tried.
+/// Hands the table to a macro. Each line has the name for people, the ending of its files' names in small letters, the
+/// folder, and the folder's constant that knows the reader; the order is that in which formats are tried.
 macro_rules! log_formats {
     ($make:ident) => {
         $make! {
             /// `ArduPilot`'s dataflash log, binary.
-            Dataflash("ArduPilot dataflash", dataflash BINARY),
+            Dataflash("ArduPilot dataflash", ".bin", dataflash BINARY),
             /// `ArduPilot`'s dataflash log as text.
-            DataflashText("ArduPilot dataflash, text", dataflash TEXT),
+            DataflashText("ArduPilot dataflash, text", ".log", dataflash TEXT),
             /// PX4's `ULog`.
-            Ulog("PX4 ULog", ulog INFO),
+            Ulog("PX4 ULog", ".ulg", ulog INFO),
             /// MCAP, the container of Foxglove and ROS 2.
-            Mcap("MCAP", mcap INFO),
+            Mcap("MCAP", ".mcap", mcap INFO),
             /// `MAVLink` messages with times, as ground stations write them.
-            Tlog("MAVLink telemetry log", tlog INFO),
+            Tlog("MAVLink telemetry log", ".tlog", tlog INFO),
         }
     };
 }
 
 /// Makes the enum: who only shows names needs no reader.
 macro_rules! names {
-    ($($(#[$about:meta])* $name:ident($label:literal, $folder:ident $info:ident),)*) => {
+    ($($(#[$about:meta])* $name:ident($label:literal, $ending:literal, $folder:ident $info:ident),)*) => {
         /// A format of logs.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
         pub enum LogFormat {
@@ -35,6 +35,14 @@ macro_rules! names {
         }
 
         impl LogFormat {
+            /// Endings of the names of logs, in the order of their formats.
+            ///
+            /// ```
+            /// # use pilotage_readers::log::LogFormat;
+            /// assert_eq!(LogFormat::ENDINGS.join(", "), ".bin, .log, .ulg, .mcap, .tlog");
+            /// ```
+            pub const ENDINGS: &[&str] = &[$($ending,)*];
+
             /// Name for people.
             pub const fn label(self) -> &'static str {
                 match self {

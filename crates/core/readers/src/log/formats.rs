@@ -6,7 +6,7 @@ use crate::role::Meaning;
 
 /// Makes the table of readers, and apart from it that of meanings.
 macro_rules! works {
-    ($($(#[$about:meta])* $name:ident($label:literal, $folder:ident $info:ident),)*) => {
+    ($($(#[$about:meta])* $name:ident($label:literal, $ending:literal, $folder:ident $info:ident),)*) => {
         /// Every format, in the order in which they are tried.
         pub fn all_formats() -> &'static [LogFormatInfo] {
             &[$(super::$folder::$info,)*]

@@ -18,8 +18,6 @@ pub trait LogReader: Send {
 pub struct LogFormatInfo {
     /// The format.
     pub format: LogFormat,
-    /// Endings of its files, in small letters.
-    pub endings: &'static [&'static str],
     /// Whether a file that begins so is of this format.
     pub begins: fn(&[u8]) -> bool,
     /// A reader at the beginning of a file.

@@ -32,7 +32,6 @@ use super::{LogFormat, LogFormatInfo};
 /// The binary format.
 pub(super) const BINARY: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Dataflash,
-    endings: &["bin"],
     begins,
     reader: || Box::new(DataflashReader::new()),
 };
@@ -40,7 +39,6 @@ pub(super) const BINARY: LogFormatInfo = LogFormatInfo {
 /// The same as text.
 pub(super) const TEXT: LogFormatInfo = LogFormatInfo {
     format: LogFormat::DataflashText,
-    endings: &["log"],
     begins: text_begins,
     reader: || Box::new(DataflashTextReader::new()),
 };

@@ -37,7 +37,6 @@ use super::{LogFormat, LogFormatInfo};
 /// The format.
 pub(super) const INFO: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Mcap,
-    endings: &["mcap"],
     begins: |head| head.starts_with(&MAGIC),
     reader: || Box::new(Stepping::<reader::Mcap>::default()),
 };

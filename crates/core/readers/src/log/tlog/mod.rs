@@ -32,7 +32,6 @@ use super::{LogFormat, LogFormatInfo};
 /// The format.
 pub(super) const INFO: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Tlog,
-    endings: &["tlog"],
     begins: frame::begins,
     reader: || Box::new(Stepping::<reader::Tlog>::default()),
 };

@@ -30,7 +30,6 @@ use super::{LogFormat, LogFormatInfo};
 /// The format.
 pub(super) const INFO: LogFormatInfo = LogFormatInfo {
     format: LogFormat::Ulog,
-    endings: &["ulg"],
     begins: |head| head.starts_with(&MAGIC),
     reader: || Box::new(Stepping::<reader::Ulog>::default()),
 };
