@@ -4,7 +4,6 @@ use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
 use crate::feature_command::FeatureCommand;
-use pilotage_jobs::SimulationOptions;
 use serde::{Deserialize, Serialize};
 
 /// Something to do, sent by a view and carried out by the app at the end of the frame.
@@ -69,8 +68,6 @@ pub enum Command {
     },
     /// Delete a landmark.
     DeleteLandmark(u32),
-    /// Simulate a flight and navigate it.
-    Simulate(Box<SimulationOptions>),
     /// Navigate with other settings; the run recomputes.
     SetNavigator(Box<NavigatorSettings>),
     /// Take the last edit back.
@@ -87,8 +84,6 @@ pub enum Command {
     ToggleHelp,
     /// Show or hide the sheet of notices.
     ToggleNotices,
-    /// Show or hide the dialog that simulates a flight.
-    ToggleSimulate,
     /// Show or hide the filter settings.
     ToggleSettings,
     /// Open files.
@@ -105,8 +100,6 @@ pub enum Command {
     OpenDemo,
     /// Show a workspace.
     ShowWorkspace(Workspace),
-    /// Fly the selected route in the simulation, with that seed.
-    FlyRoute(u64),
     /// Show or hide the column at the right.
     ToggleSide,
     /// Show or hide the plots.

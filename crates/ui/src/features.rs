@@ -21,12 +21,15 @@ use crate::plan::Planner;
 use crate::roads::Roads;
 use crate::screenshot::Screenshot;
 use crate::shell::catalog::{self, CommandEntry};
+use crate::simulate::SimulateFeature;
 use crate::study::StudyFeature;
 use crate::web_map::WebMapFeature;
 
 /// Every feature, as it is when the app starts.
 pub fn all() -> Vec<Box<dyn Feature>> {
     vec![
+        // As those of the app that open something, its command comes before all that save.
+        Box::new(SimulateFeature::default()),
         // Its commands stand behind those of the app that open files.
         Box::new(ExportsFeature::default()),
         // Before whatever else draws on the map, for what the others draw lies over photos.

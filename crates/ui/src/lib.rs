@@ -35,6 +35,7 @@ pub mod plan;
 pub mod roads;
 pub mod screenshot;
 pub mod shell;
+pub mod simulate;
 pub mod short_map;
 mod state_json;
 pub mod still;

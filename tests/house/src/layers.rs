@@ -164,6 +164,7 @@ const UI: Order = Order {
         "columns",
         "exports",
         "link",
+        "simulate",
         "dialogs",
         "features",
         "app",

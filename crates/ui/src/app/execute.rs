@@ -96,24 +96,16 @@ impl App {
                     self.run_is_stale(now);
                 }
             }
-            Command::Simulate(options) => {
-                let map = options.map();
-                let flight = pilotage_jobs::FlightSource::Simulated(*options);
-                self.fly_new(context, host, flight, map, None);
-            }
             Command::OpenDemo => {
                 let demo = Session::demo();
                 self.fly_new(context, host, demo.flight, demo.map, None);
             }
             Command::FlyAgain => self.fly_again(host),
-            // The feature that plans takes it before it comes here.
-            Command::FlyRoute(_) => self.tell_undone(crate::plan::ID, host),
             Command::CancelJob => self.cancel_job(context, host),
             Command::Open => host.ask_for_files(),
             Command::TogglePalette => self.dialogs.palette.toggle(),
             Command::ToggleHelp => self.dialogs.help = !self.dialogs.help,
             Command::ToggleNotices => self.dialogs.notices = !self.dialogs.notices,
-            Command::ToggleSimulate => self.dialogs.simulate.toggle(),
             Command::ToggleSettings => self.dialogs.settings = !self.dialogs.settings,
             Command::ToggleTrackUp => self.toggle_track_up(),
             Command::FitMap => {

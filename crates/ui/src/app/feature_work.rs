@@ -222,7 +222,7 @@ impl App {
     }
 
     /// Tells of a command that nobody carries out.
-    pub(super) fn tell_undone(&mut self, of: FeatureId, host: &dyn Host) {
+    fn tell_undone(&mut self, of: FeatureId, host: &dyn Host) {
         let text =
             format!("Nobody carries out this command of {of}. This is a fault of the program.");
         self.toasts.trouble(host.now(), "Nothing was done", text);

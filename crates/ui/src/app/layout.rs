@@ -196,11 +196,6 @@ impl App {
         self.dialogs
             .palette
             .show(ui, tokens, &self.catalog, commands);
-        let units = self.view.units;
-        let route = self.documents.selected_route().map(|it| it.name.as_str());
-        self.dialogs
-            .simulate
-            .show(ui.ctx(), tokens, units, route, commands);
         if self.dialogs.help && help_sheet(ui.ctx(), tokens, &self.catalog) {
             self.dialogs.help = false;
         }

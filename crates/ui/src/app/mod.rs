@@ -126,7 +126,6 @@ impl App {
         let is_taken = context.text_edit_focused()
             || egui::Popup::is_any_open(context)
             || dialogs.palette.is_open()
-            || dialogs.simulate.is_open()
             || dialogs.help
             || dialogs.notices
             || views.map.picking

@@ -186,7 +186,6 @@ impl Report<'_> {
                 "palette": self.dialogs.palette.is_open(),
                 "help": self.dialogs.help,
                 "notices": self.dialogs.notices,
-                "simulate": self.dialogs.simulate.is_open(),
                 "settings": self.dialogs.settings,
             }),
             "map": object!({

@@ -65,10 +65,6 @@ impl Feature for Planner {
                 self.drawing = false;
                 self.marking = None;
             }
-            Command::FlyRoute(seed) => {
-                self.watch(Some(*seed), context);
-                return true;
-            }
             Command::Feature(command)
                 if matches!(command.action(), Some(ExportCommand::Route(_))) =>
             {

@@ -230,13 +230,6 @@ fn document() -> Vec<CommandEntry> {
     let of = |label, shortcuts, command| entry(CommandGroup::Document, label, shortcuts, command);
     vec![
         of(
-            "Simulate a flight…",
-            vec![plain(Key::M)],
-            Command::ToggleSimulate,
-        )
-        .also("scenario demo seed wind new")
-        .under(BarMenu::Open),
-        of(
             "Filter settings",
             vec![plain(Key::S)],
             Command::ToggleSettings,

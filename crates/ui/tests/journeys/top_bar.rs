@@ -43,7 +43,7 @@ fn a_menu_is_opened_walked_and_left_by_keyboard() {
     rig.frames(2);
     rig.key(Key::Enter);
     rig.frames(2);
-    assert_eq!(rig.state()["dialogs"]["simulate"], true);
+    assert_eq!(rig.state()["simulate"]["open"], true);
 }
 
 #[test]

@@ -3,8 +3,11 @@
 use egui::{DragValue, Frame, Id, Modal, RichText, Ui};
 use pilotage_core::simulate::SimulationChoice;
 
+use super::command::SimulateCommand;
 use crate::command::Command;
+use crate::context::ViewContext;
 use crate::feature_command::{FeatureCommand, STUDIES};
+use crate::plan::{PlanCommand, RehearseCommand};
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -17,7 +20,8 @@ use pilotage_jobs::SimulationOptions;
     reason = "each is a box of its own to tick"
 )]
 pub struct SimulateDialog {
-    open: bool,
+    /// Whether it is open.
+    pub(super) is_open: bool,
     /// Whether the selected route is flown in the place of a scenario.
     of_route: bool,
     choices: Vec<SimulationChoice>,
@@ -50,7 +54,7 @@ impl Default for SimulateDialog {
         let demo = SimulationOptions::demo().scenario;
         let scenario = choices.iter().position(|c| c.name == demo);
         let mut dialog = Self {
-            open: false,
+            is_open: false,
             of_route: false,
             choices,
             scenario: scenario.unwrap_or(0),
@@ -68,16 +72,6 @@ impl Default for SimulateDialog {
 }
 
 impl SimulateDialog {
-    /// Opens or closes the dialog.
-    pub fn toggle(&mut self) {
-        self.open = !self.open;
-    }
-
-    /// Whether it is open.
-    pub fn is_open(&self) -> bool {
-        self.open
-    }
-
     /// Takes wind and height of the chosen scenario where the user did not set them.
     fn adopt(&mut self) {
         let choice = &self.choices[self.scenario];
@@ -104,17 +98,10 @@ impl SimulateDialog {
     }
 
     /// Draws the dialog.
-    pub fn show(
-        &mut self,
-        context: &egui::Context,
-        tokens: &Tokens,
-        units: Units,
-        route: Option<&str>,
-        commands: &mut Vec<Command>,
-    ) {
-        if !self.open {
-            return;
-        }
+    pub(super) fn show(&mut self, ui: &Ui, view: &mut ViewContext<'_>) {
+        let (context, tokens, units) = (ui.ctx(), view.tokens, view.units);
+        let route = view.selected_route().map(|it| it.name.as_str());
+        let commands = &mut *view.commands;
         let screen = context.content_rect();
         let response = Modal::new(Id::unique("simulate"))
             .frame(Frame::window(&context.global_style()).inner_margin(24))
@@ -129,9 +116,9 @@ impl SimulateDialog {
                 ui.horizontal(|ui| {
                     if text_button(ui, tokens, Some(Icon::Play), "Fly", true).clicked() {
                         commands.push(if self.of_route && route.is_some() {
-                            Command::FlyRoute(self.seed)
+                            PlanCommand::Rehearse(RehearseCommand::Watch(Some(self.seed))).into()
                         } else {
-                            Command::Simulate(Box::new(self.options()))
+                            SimulateCommand(self.options()).into()
                         });
                         close = true;
                     }
@@ -151,7 +138,7 @@ impl SimulateDialog {
                 close
             });
         if response.inner || response.should_close() {
-            self.open = false;
+            self.is_open = false;
         }
     }
 
