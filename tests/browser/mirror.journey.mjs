@@ -104,14 +104,14 @@ export async function run(page, tools) {
   await page.getByRole("button", { name: /Simulate/ }).first().waitFor();
   await inspect(page, tools, "the palette");
   await page.keyboard.press("Enter");
-  await tools.waitFor((s) => s.dialogs.simulate && !s.dialogs.palette, "the simulation");
+  await tools.waitFor((s) => s.simulate.open && !s.dialogs.palette, "the simulation");
   await page.getByRole("dialog", { name: "Simulate a flight" }).getByRole("spinbutton", { name: "Seed" }).waitFor();
   await waitInStep(page, tools, "a dialog");
   await inspect(page, tools, "a dialog");
   await page.getByRole("spinbutton", { name: "Seed" }).focus();
   await page.keyboard.press("Escape");
   await page.keyboard.press("Escape");
-  await tools.waitFor((s) => !s.dialogs.simulate, "the dialog to be left");
+  await tools.waitFor((s) => !s.simulate.open, "the dialog to be left");
   await click(tab("Learn"));
   await tools.waitFor((s) => s.workspace === "Learn", "the tour");
   await waitInStep(page, tools, "Learn");
