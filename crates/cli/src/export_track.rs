@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use pilotage_core::exchange::{FlownPoint, FlownTrack, FlownValues, Format, write_flown};
-use pilotage_core::flight::interpret::{Navigation, Role, flight_from_log, places};
+use pilotage_core::flight::interpret::{
+    Navigation, Role, estimated_places, flight_from_log, places,
+};
 use pilotage_core::flight::log::{Log, Topic};
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::frames::{Geodetic, GroundPoint};
@@ -49,6 +51,14 @@ pub fn track(
                 TrackKind::Ekf => (Navigation::Autopilot, Role::AutopilotHeight),
             };
             let has_height = found.iter().any(|series| series.role == height);
+            if kind == TrackKind::Gps
+                && let Some(source) = estimated_places(found)
+            {
+                return Err(format!(
+                    "{}: no places by a satellite receiver in it; --track ekf writes the autopilot's own ({source})",
+                    log.name
+                ));
+            }
             (*log, places(found, by), has_height)
         }
         OpenedPath::Folder(folder) => {

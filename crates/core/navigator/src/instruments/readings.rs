@@ -84,9 +84,12 @@ impl Readings {
     }
 
     /// Lets the truth stand in for satellite navigation, five times a second, where there is none but the
-    /// truth is known, as in a simulated flight.
+    /// truth is known, as in a simulated flight. Where an autopilot estimated its place, that is what passes for the truth,
+    /// and is none to cut or to compare with.
     fn stand_in(&mut self, flight: &Flight) {
-        let Some(truth) = flight.truth.as_ref().filter(|_| self.positions.is_empty()) else {
+        let is_estimated = flight.channel(ChannelName::AutopilotNorth).is_some();
+        let stands_in = self.positions.is_empty() && !is_estimated;
+        let Some(truth) = flight.truth.as_ref().filter(|_| stands_in) else {
             return;
         };
         let ends = truth.states.first().zip(truth.states.last());

@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 
-use super::{Navigation, Role, RoleSeries, places, series};
+use super::{Navigation, Role, RoleSeries, estimated_places, places, series};
 use crate::log::Log;
 use pilotage_base::frames::{Geodetic, LocalFrame};
 use pilotage_flight::{Channel, ChannelName, Flight, StartFix, Truth, TruthState};
@@ -16,7 +16,7 @@ const GPS_DEVIATION: f64 = 5.0;
 pub struct MeasuredSeries<'a> {
     /// Every role that was found.
     pub found: &'a [RoleSeries],
-    /// The track of the satellite receiver, heights above its first place.
+    /// The track of the satellite receiver, or of the autopilot where no receiver knows its place; heights above its first.
     pub track: &'a [TruthState],
     /// Why there is no flight to be navigated, if so.
     pub trouble: Option<&'a InterpretError>,
@@ -57,16 +57,24 @@ impl Interpreted {
             times: states.iter().map(|s| s.time).collect(),
             values: states.iter().map(|s| part(&s.position)).collect(),
         };
-        let mut derived = vec![
-            track(ChannelName::GpsNorth, |p| p.x),
-            track(ChannelName::GpsEast, |p| p.y),
-        ];
+        let mut derived = Vec::new();
+        if estimated_places(&self.found).is_none() {
+            derived.push(track(ChannelName::GpsNorth, |p| p.x));
+            derived.push(track(ChannelName::GpsEast, |p| p.y));
+        }
         let has_height = |s: &RoleSeries| s.role == Role::HeightAboveGround;
         if !self.found.iter().any(has_height) {
             derived.push(height_above_start(&self.found, states));
         }
         derived.extend(autopilot_track(&self.found, flight.frame_on_globe.as_ref()));
-        flight.channels = self.found.into_iter().filter_map(channel).collect();
+        let mut found = self.found;
+        let stand_in: Vec<Role> = found
+            .iter()
+            .filter(|series| series.stands_in(&found))
+            .map(|series| series.role)
+            .collect();
+        found.retain(|series| !stand_in.contains(&series.role));
+        flight.channels = found.into_iter().filter_map(channel).collect();
         flight.channels.extend(derived);
         Ok(flight)
     }
@@ -98,7 +106,8 @@ pub enum InterpretError {
 /// Reads the series of every role, of which [`Interpreted::into_flight`] makes a flight.
 ///
 /// World is the tangent plane at the first fix; heights are above the ground there. The truth is the track
-/// of the satellite receiver: it is what there is, and no better than it.
+/// of the satellite receiver, or the autopilot's own estimate where no receiver knows its place: it is what there is, and no
+/// better than it. There are channels of a receiver only where one measured.
 ///
 /// ```
 /// use pilotage_flight::ChannelName;

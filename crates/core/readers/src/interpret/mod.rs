@@ -12,7 +12,7 @@ mod tracks;
 
 pub use beside_flight::{BesideFlight, log_of_flight};
 pub use flight::{InterpretError, Interpreted, MeasuredSeries, flight_from_log};
-pub use places::{Navigation, places};
+pub use places::{Navigation, estimated_places, places};
 pub use series::series;
 pub use tracks::{RecordedTrack, recorded_tracks};
 

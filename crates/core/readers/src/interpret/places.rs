@@ -9,7 +9,7 @@ pub(super) const FLAT_FIX: f64 = 2.0;
 /// Source of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Navigation {
-    /// The satellite receiver.
+    /// The satellite receiver; where none knows its place, the autopilot's estimate in its stead.
     Gps,
     /// The autopilot's own estimate, of satellites and inertial sensors together.
     Autopilot,
@@ -30,7 +30,8 @@ pub fn places(found: &[RoleSeries], by: Navigation) -> Vec<(f64, Geodetic)> {
     let (Some(latitude), Some(longitude)) = (of(latitude), of(longitude)) else {
         return Vec::new();
     };
-    let fixes = of(Role::GpsFix).filter(|_| by == Navigation::Gps);
+    // A fix says nothing of places that the autopilot estimates.
+    let fixes = of(Role::GpsFix).filter(|_| by == Navigation::Gps && !latitude.stands_in(found));
     let heights = of(height);
     let place = |(time, latitude): (&f64, &f64)| {
         let longitude = longitude.at(*time)?;
@@ -49,4 +50,12 @@ pub fn places(found: &[RoleSeries], by: Navigation) -> Vec<(f64, Geodetic)> {
     };
     let pairs = latitude.times.iter().zip(&latitude.values);
     pairs.filter_map(place).collect()
+}
+
+/// Field of the log from which the places come in the stead of a receiver's: the autopilot's own estimate.
+pub fn estimated_places(found: &[RoleSeries]) -> Option<&str> {
+    let latitude = found.iter().find(|s| s.role == Role::Latitude)?;
+    latitude
+        .stands_in(found)
+        .then_some(latitude.source.as_str())
 }

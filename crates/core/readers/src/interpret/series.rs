@@ -199,7 +199,7 @@ fn is_alive(series: &RoleSeries) -> bool {
 }
 
 /// The series of a role: as it was given, else from the best place that says anything, else from the best that is
-/// there. A place is the autopilot's own where no receiver is logged.
+/// there. A place is the autopilot's own where no receiver with a fix is logged.
 ///
 /// ```
 /// # use pilotage_readers::bytes::MemoryBytes;
@@ -230,17 +230,14 @@ pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
             dead.get_or_insert(found);
         }
     }
-    // Where no receiver is logged, the autopilot's own place is what there is.
-    let own = match role {
-        Role::Latitude => Role::AutopilotLatitude,
-        Role::Longitude => Role::AutopilotLongitude,
-        Role::GpsHeight => Role::AutopilotHeight,
-        _ => return dead,
+    // Where no receiver knows where it is, the autopilot's own place is what there is.
+    let Some(own) = role.autopilots_own() else {
+        return dead;
     };
-    dead.or_else(|| {
-        Some(RoleSeries {
-            role,
-            ..series(log, own)?
-        })
-    })
+    let tells_nothing = |found: &RoleSeries| found.values.iter().all(|value| *value == 0.0);
+    if dead.as_ref().is_some_and(|found| !tells_nothing(found)) {
+        return dead;
+    }
+    let own = series(log, own).map(|own| RoleSeries { role, ..own });
+    own.or(dead)
 }

@@ -344,15 +344,35 @@ fn a_log_without_a_receiver_is_placed_by_the_autopilot() {
         .map(|i| vec![f64::from(i), 47.0 + 1e-5 * f64::from(i), 8.0, 500.0])
         .collect();
     add(&mut log, "POS", &fields, &rows);
-    let latitude = series(&log, Role::Latitude).unwrap();
-    assert_eq!(
-        (latitude.role, latitude.source.as_str()),
-        (Role::Latitude, "POS.Lat")
-    );
-    assert_eq!(
-        places(&super::flight::all_series(&log), Navigation::Gps).len(),
-        5
-    );
+    // With a receiver that never knows where it is, it is the same.
+    for has_receiver in [false, true] {
+        if has_receiver {
+            let fields = [fields.as_slice(), &[("Status", "")]].concat();
+            let unfixed = (0..5).map(|i| vec![f64::from(i), 0.0, 0.0, 0.0, 1.0]);
+            add(&mut log, "GPS", &fields, &unfixed.collect::<Vec<_>>());
+        }
+        let latitude = series(&log, Role::Latitude).unwrap();
+        assert_eq!(
+            (latitude.role, latitude.source.as_str()),
+            (Role::Latitude, "POS.Lat")
+        );
+        let interpreted = flight_from_log(&log);
+        let found = &interpreted.measured().found;
+        assert_eq!(places(found, Navigation::Gps).len(), 5);
+        assert_eq!(estimated_places(found), Some("POS.Lat"));
+        let told = crate::overview::overview(&log, &interpreted.measured());
+        let is_told =
+            |f: &crate::overview::Finding| f.text.contains("autopilot's own estimate (POS.Lat)");
+        assert!(told.findings.iter().any(is_told), "{:?}", told.findings);
+        let is_called_gps = |s: &crate::overview::Sensor| s.role == Role::GpsHeight;
+        assert!(!told.sensors.iter().any(is_called_gps));
+        // No channel says that a receiver measured it.
+        let flight = interpreted.into_flight().unwrap();
+        assert_eq!(flight.truth.as_ref().map(|t| t.states.len()), Some(5));
+        let has = |name| flight.channel(name).is_some();
+        assert!(!has(ChannelName::GpsNorth) && has(ChannelName::AutopilotNorth));
+    }
+    assert_eq!(estimated_places(&flight_from_log(&eastward()).found), None);
 }
 
 #[test]

@@ -7,6 +7,13 @@ use pilotage_base::frames::Geodetic;
 
 /// Most points of a track: more cannot be told apart on a screen.
 const MOST: usize = 2000;
+/// Roles that places need, and that tell whether a receiver measured them.
+const PLACED: [Role; 4] = [
+    Role::Latitude,
+    Role::Longitude,
+    Role::GpsFix,
+    Role::AutopilotLatitude,
+];
 
 /// A track in a log.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,35 +45,15 @@ pub fn recorded_tracks(log: &mut Log, found: &[RoleSeries]) -> Vec<RecordedTrack
             continue;
         }
         let track = log.with_vehicle(system, |log| {
-            let by_satellites = places(&series_for(log, Navigation::Gps), Navigation::Gps);
-            if by_satellites.is_empty() {
-                places(
-                    &series_for(log, Navigation::Autopilot),
-                    Navigation::Autopilot,
-                )
-            } else {
-                by_satellites
-            }
+            let found: Vec<RoleSeries> = PLACED
+                .into_iter()
+                .filter_map(|role| series(log, role))
+                .collect();
+            places(&found, Navigation::Gps)
         });
         add(format!("System {system}"), track);
     }
     tracks
-}
-
-/// The series that places need.
-fn series_for(log: &Log, by: Navigation) -> Vec<RoleSeries> {
-    let roles = match by {
-        Navigation::Gps => [Role::Latitude, Role::Longitude, Role::GpsFix],
-        Navigation::Autopilot => [
-            Role::AutopilotLatitude,
-            Role::AutopilotLongitude,
-            Role::AutopilotHeight,
-        ],
-    };
-    roles
-        .into_iter()
-        .filter_map(|role| series(log, role))
-        .collect()
 }
 
 #[cfg(test)]

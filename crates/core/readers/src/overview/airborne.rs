@@ -68,7 +68,10 @@ fn height_of_slow_flight<'a>(
     let Some(height) = of(Role::GpsHeight) else {
         return Box::new(|_| false);
     };
-    let fix = of(Role::GpsFix);
+    // A fix says nothing of heights that the autopilot estimates.
+    let own = of(Role::AutopilotHeight);
+    let is_measured = own.is_none_or(|own| own.source != height.source);
+    let fix = of(Role::GpsFix).filter(|_| is_measured);
     let is_fixed = move |time: f64| fix.is_none_or(|fix| fix.at(time).is_some_and(|f| f >= FIX));
     let fixed = pairs(height).filter(|(time, _)| is_fixed(*time));
     let mut heights: Vec<f64> = fixed.map(|(_, height)| height).collect();

@@ -78,7 +78,9 @@ pub fn overview(log: &Log, measured: &MeasuredSeries<'_>) -> Overview {
     let said = states::airborne(log);
     let is_said = said.is_some();
     let airborne = said.unwrap_or_else(|| airborne(found));
-    let sensors: Vec<Sensor> = found.iter().map(Sensor::of).collect();
+    // What the autopilot estimates is told as such, and no second time as a receiver's.
+    let measured_here = found.iter().filter(|series| !series.stands_in(found));
+    let sensors: Vec<Sensor> = measured_here.map(Sensor::of).collect();
     let air_data = fit_air_data(found, &airborne);
     let speed = of(Role::GpsVelocityNorth).zip(of(Role::GpsVelocityEast));
     let greatest_speed = speed.map(|(north, east)| {

@@ -1,6 +1,6 @@
 //! Findings of the reading of the file.
 
-use super::super::interpret::RoleSeries;
+use super::super::interpret::{RoleSeries, estimated_places};
 use super::super::log::Log;
 use super::{Finding, Severity};
 
@@ -47,6 +47,15 @@ pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
             text: remark.clone(),
             span: None,
         }
+    }));
+    findings.extend(estimated_places(found).map(|source| Finding {
+        severity: Severity::Note,
+        title: "No satellite receiver tells a place".to_owned(),
+        text: format!(
+            "The track is the autopilot's own estimate ({source}): nothing here tells how far off it is, and GPS outages \
+             cannot be cut."
+        ),
+        span: None,
     }));
     findings.extend(
         together(found, |series| series.out_of_order).map(|(sources, of)| Finding {

@@ -187,6 +187,16 @@ impl Role {
         })
     }
 
+    /// The autopilot's estimate of what a satellite receiver measures of a place; `None` of other roles.
+    pub fn autopilots_own(self) -> Option<Self> {
+        match self {
+            Self::Latitude => Some(Self::AutopilotLatitude),
+            Self::Longitude => Some(Self::AutopilotLongitude),
+            Self::GpsHeight => Some(Self::AutopilotHeight),
+            _ => None,
+        }
+    }
+
     /// The role of a channel: that which becomes it, and airspeed of either kind as measured.
     pub fn of_channel(name: ChannelName) -> Option<Self> {
         if name == ChannelName::EquivalentAirspeed {

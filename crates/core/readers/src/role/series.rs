@@ -83,6 +83,16 @@ impl RoleSeries {
         self.out_of_order += kept.iter().filter(|kept| !**kept).count();
     }
 
+    /// Whether it is the autopilot's own estimate among `found`, which stands in for what a receiver would measure.
+    pub fn stands_in(&self, found: &[Self]) -> bool {
+        let Some(own) = self.role.autopilots_own() else {
+            return false;
+        };
+        found
+            .iter()
+            .any(|other| other.role == own && other.source == self.source)
+    }
+
     /// The last value at or before `time`, or else the first; `None` without any.
     pub fn at(&self, time: f64) -> Option<f64> {
         let after = self.times.partition_point(|t| *t <= time + 1e-9);
