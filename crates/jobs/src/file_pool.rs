@@ -99,6 +99,11 @@ impl FileSet for FilePool {
         self.inner.iter().find_map(|files| files.read(name))
     }
 
+    fn left_out(&self) -> Vec<String> {
+        let inner = self.inner.iter();
+        inner.flat_map(|files| files.left_out()).collect()
+    }
+
     fn source(&self, name: &str) -> Option<Arc<dyn ByteSource>> {
         let plain = self.plain.get(name).cloned();
         plain.or_else(|| self.inner.iter().find_map(|files| files.source(name)))

@@ -19,6 +19,11 @@ pub trait FileSet: Send + Sync {
     /// Contents of a file, `None` if there is none of that name.
     fn read(&self, name: &str) -> Option<Vec<u8>>;
 
+    /// Sentences about what was left out when the set was opened, each with the name of its file.
+    fn left_out(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// A file for reading by pieces, `None` if there is none of that name. Whoever can read pieces
     /// does not keep large files in memory.
     fn source(&self, name: &str) -> Option<Arc<dyn ByteSource>> {

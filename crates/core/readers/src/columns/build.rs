@@ -55,7 +55,7 @@ pub fn flight_of_tables(
     maps: &[ColumnMap],
 ) -> Result<FlightFolder, FolderError> {
     let mut tables = BTreeMap::new();
-    let mut notes = Vec::new();
+    let mut notes = files.left_out();
     let mut channels = Vec::new();
     let mut start_of_time = f64::INFINITY;
     for map in maps {

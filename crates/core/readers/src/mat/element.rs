@@ -8,7 +8,9 @@ use flate2::bufread::ZlibDecoder;
 /// Bytes of the header before the first element.
 const HEADER: usize = 128;
 /// Most bytes that one compressed element is unpacked to.
-const MOST: u64 = 1 << 30;
+pub const MOST: u64 = 1 << 30;
+/// Bytes in which an array tells its class, its size and its name.
+const HEADED: usize = 512;
 /// Type of a compressed element.
 const COMPRESSED: u32 = 15;
 /// Type of an element that is an array.
@@ -35,14 +37,20 @@ pub fn number(bytes: &[u8], is_big: bool) -> u32 {
     }
 }
 
-/// The elements of a file one after the other, those that are compressed unpacked, and whether that is all of it;
-/// `None` if it is no such file. Ends before what is cut off or damaged.
-pub fn elements(bytes: &[u8]) -> Option<(Vec<MatElement<'_>>, bool)> {
-    elements_within(bytes, MOST)
+/// The elements of a file in their order.
+#[derive(Debug, Default)]
+pub struct MatElements<'a> {
+    /// Those that were read, unpacked where they are compressed.
+    pub all: Vec<MatElement<'a>>,
+    /// The beginnings of those that were left out, as they are too large once they are unpacked.
+    pub too_large: Vec<MatElement<'a>>,
+    /// Whether the file is cut off or damaged behind them.
+    pub is_damaged: bool,
 }
 
-/// The same, without those of `most` bytes or more once they are unpacked.
-fn elements_within(bytes: &[u8], most: u64) -> Option<(Vec<MatElement<'_>>, bool)> {
+/// The elements of a file one after the other, without those of `most` bytes or more once they are unpacked; `None` if it is
+/// no such file. Ends before what is cut off or damaged.
+pub fn elements(bytes: &[u8], most: u64) -> Option<MatElements<'_>> {
     let mark = bytes.get(126..HEADER)?;
     let is_big = match mark {
         b"IM" => false,
@@ -53,17 +61,27 @@ fn elements_within(bytes: &[u8], most: u64) -> Option<(Vec<MatElement<'_>>, bool
     if version >> 8 != 1 {
         return None;
     }
-    let (packed, mut is_whole) = split(&bytes[HEADER..], is_big);
-    let mut elements = Vec::new();
+    let (packed, is_whole) = split(&bytes[HEADER..], is_big);
+    let mut found = MatElements {
+        is_damaged: !is_whole,
+        ..MatElements::default()
+    };
     for element in packed {
         if element.kind != COMPRESSED {
-            elements.push(element);
+            found.all.push(element);
             continue;
         }
         let mut data = Vec::new();
         let decoder = ZlibDecoder::new(element.data.as_ref());
         let unpacked = decoder.take(most).read_to_end(&mut data);
         if unpacked.is_ok() && data.len() as u64 == most {
+            let head = data.get(8..).unwrap_or_default();
+            let head = &head[..head.len().min(HEADED)];
+            found.too_large.push(MatElement {
+                kind: ARRAY,
+                data: Cow::Owned(head.to_vec()),
+                is_big,
+            });
             continue;
         }
         let Some(inner) = split(&data, is_big)
@@ -72,16 +90,16 @@ fn elements_within(bytes: &[u8], most: u64) -> Option<(Vec<MatElement<'_>>, bool
             .next()
             .filter(|_| unpacked.is_ok())
         else {
-            is_whole = false;
+            found.is_damaged = true;
             break;
         };
-        elements.push(MatElement {
+        found.all.push(MatElement {
             kind: inner.kind,
             data: Cow::Owned(inner.data.into_owned()),
             is_big,
         });
     }
-    Some((elements, is_whole))
+    Some(found)
 }
 
 /// The elements within others.
@@ -208,12 +226,14 @@ mod tests {
         file[124..HEADER].copy_from_slice(&[0, 1, b'I', b'M']);
         file.extend(compressed(&[1.5; 200]));
         file.extend(compressed(&[2.5; 3]));
-        let (all, is_whole) = elements_within(&file, MOST).unwrap();
-        assert!(all.len() == 2 && is_whole, "{}", all.len());
-        let (small, is_whole) = elements_within(&file, 200).unwrap();
-        assert!(small.len() == 1 && is_whole, "{}", small.len());
-        assert_eq!(small[0].data.len(), 24);
+        let of = |most| {
+            let found = elements(&file, most).unwrap();
+            assert!(!found.is_damaged);
+            (found.all.len(), found.too_large.len())
+        };
+        assert_eq!((of(MOST), of(200)), ((2, 0), (1, 1)));
+        assert_eq!(elements(&file, 200).unwrap().all[0].data.len(), 24);
         file.truncate(file.len() - 4);
-        assert!(!elements_within(&file, MOST).unwrap().1);
+        assert!(elements(&file, MOST).unwrap().is_damaged);
     }
 }

@@ -32,6 +32,9 @@ pub enum MatError {
              (`s = table2struct(t, 'ToScalar', true)` of a table)"
     )]
     Empty(String),
+    /// Nothing but variables that are too large.
+    #[error("{0}")]
+    TooLarge(String),
     /// It is cut off or damaged.
     #[error(
         "{0}: it is cut off or damaged behind {1}; copy it again, or save it anew where it was made"
@@ -43,33 +46,49 @@ pub enum MatError {
 #[derive(Clone, Debug, Default)]
 pub struct MatFiles {
     tables: BTreeMap<String, Vec<u8>>,
+    left_out: Vec<String>,
 }
 
 impl MatFiles {
-    /// Reads the file that is called `name`. Variables of a kind that is no table are left out.
+    /// Reads the file that is called `name`. Variables of a kind that is no table are left out, and, with a sentence, those that
+    /// are too large.
     ///
     /// # Errors
     /// It is no such file, is damaged, or has no table.
     pub fn open(name: &str, bytes: &[u8]) -> Result<Self, MatError> {
-        let name = || name.to_owned();
+        Self::open_within(name, bytes, element::MOST)
+    }
+
+    /// The same, without variables of `most` bytes or more once they are unpacked.
+    fn open_within(name: &str, bytes: &[u8], most: u64) -> Result<Self, MatError> {
+        let named = name;
+        let name = || named.to_owned();
         if bytes.starts_with(b"MATLAB 7.3") {
             return Err(MatError::Newer(name()));
         }
-        let variables = value::variables(bytes).or_else(|| fourth::variables(bytes));
+        let variables = value::variables(bytes, most).or_else(|| fourth::variables(bytes));
         let variables = variables.ok_or_else(|| MatError::Other(name()))?;
         if variables.is_damaged {
             let last = variables.all.last();
             let behind = last.map_or("its beginning", |(name, _)| name.as_str());
             return Err(MatError::Damaged(name(), behind.to_owned()));
         }
+        let left_out = variables.too_large.iter().map(|variable| {
+            format!(
+                "{named}: {variable} was left out, as it is larger than 1 GiB once it is unpacked; save it in a file of its own, \
+                 in parts"
+            )
+        });
+        let left_out: Vec<String> = left_out.collect();
         let variables = variables.all;
         let stem = name();
         let stem = stem.strip_suffix(".mat").unwrap_or(&stem);
         let tables = tables::of(stem, &variables);
-        if tables.is_empty() {
-            return Err(MatError::Empty(name()));
+        match (tables.is_empty(), left_out.is_empty()) {
+            (true, true) => Err(MatError::Empty(name())),
+            (true, false) => Err(MatError::TooLarge(left_out.join("; "))),
+            _ => Ok(Self { tables, left_out }),
         }
-        Ok(Self { tables })
     }
 }
 
@@ -80,5 +99,9 @@ impl FileSet for MatFiles {
 
     fn read(&self, name: &str) -> Option<Vec<u8>> {
         self.tables.get(name).cloned()
+    }
+
+    fn left_out(&self) -> Vec<String> {
+        self.left_out.clone()
     }
 }

@@ -32,6 +32,28 @@ fn variables_of_all_kinds_are_tables() {
 }
 
 #[test]
+fn variables_that_are_too_large_are_left_out_and_told_by_their_names() {
+    let files = MatFiles::open_within("a.mat", SCIPY, 300).unwrap();
+    assert_eq!(files.names(), ["a/GPS.csv", "a/variables.csv"]);
+    let told = files.left_out();
+    assert!(
+        matches!(told.as_slice(), [one] if one.starts_with("a.mat: imu was left out")),
+        "{told:?}"
+    );
+    let none = MatFiles::open_within("a.mat", SCIPY, 60).unwrap_err();
+    assert!(
+        none.to_string().contains("a.mat: GPS was left out"),
+        "{none}"
+    );
+    assert!(
+        MatFiles::open("a.mat", SCIPY)
+            .unwrap()
+            .left_out()
+            .is_empty()
+    );
+}
+
+#[test]
 fn what_is_no_such_file_is_refused_with_a_word() {
     let refused = |bytes: &[u8]| MatFiles::open("a.mat", bytes).unwrap_err().to_string();
     assert!(refused(b"MATLAB 7.3 MAT-file").contains("-v7"));

@@ -30,17 +30,27 @@ pub enum MatValue {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MatVariables {
     pub all: Vec<(String, MatValue)>,
+    /// Names of those that were left out, as they are too large once they are unpacked.
+    pub too_large: Vec<String>,
     /// Whether the file is cut off or damaged behind them.
     pub is_damaged: bool,
 }
 
-/// The variables of a file of version 5 to 7; `None` if it is no such file.
-pub fn variables(bytes: &[u8]) -> Option<MatVariables> {
-    let (elements, is_whole) = elements(bytes)?;
-    let matrices = elements.iter().filter(|element| element.kind == ARRAY);
+/// The variables of a file of version 5 to 7, without those of `most` bytes or more once they are unpacked; `None` if it is
+/// no such file.
+pub fn variables(bytes: &[u8], most: u64) -> Option<MatVariables> {
+    let elements = elements(bytes, most)?;
+    let matrices = (elements.all.iter()).filter(|element| element.kind == ARRAY);
+    let name = |element: &MatElement<'_>| {
+        let parts = inside(element);
+        parts
+            .get(2)
+            .map_or_else(|| "a variable".to_owned(), MatElement::text)
+    };
     Some(MatVariables {
         all: matrices.filter_map(|element| array(element, 0)).collect(),
-        is_damaged: !is_whole,
+        too_large: elements.too_large.iter().map(name).collect(),
+        is_damaged: elements.is_damaged,
     })
 }
 
