@@ -113,8 +113,9 @@ pub(super) fn readings(
     conventions: &[Convention],
 ) -> Vec<DirectionReading> {
     let raw = board.raw(id);
-    // A few damaged cells say nothing of the unit.
-    let reach = quantile(&raw.map(f64::abs).values, 0.95);
+    // A few damaged cells say nothing of the unit, nor does what it shows as long as nothing tells a direction.
+    let told = grid.where_known(&raw.map(f64::abs), reference);
+    let reach = quantile(&told, 0.95);
     let is_stated = board.basis(id) == UnitBasis::Stated;
     let expected = board.column(id).unit.clone();
     let mut found = Vec::new();

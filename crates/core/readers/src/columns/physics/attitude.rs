@@ -75,7 +75,7 @@ fn heading(board: &mut FlightColumns, known: &mut Known, id: Id) {
         Convention::FromNorthLeft,
     ];
     let readings = angles::readings(board, &known.grid, id, &course, &conventions);
-    let speed = quantile(&known.speed(), 0.9);
+    let speed = known.fast();
     let turns = spread(&course) > 0.1;
     let best = readings
         .first()

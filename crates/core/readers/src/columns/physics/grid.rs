@@ -119,6 +119,17 @@ impl TimeCells {
         sums.into_iter().enumerate().map(cell).collect()
     }
 
+    /// The values of the samples in cells of which `reference` says something.
+    pub fn where_known(&self, series: &TimedNumbers, reference: &[f64]) -> Vec<f64> {
+        let is_known = |time: f64| {
+            let cell = ((time - self.start) / self.step).floor();
+            cell >= 0.0 && reference.get(cell as usize).is_some_and(|v| v.is_finite())
+        };
+        let samples = series.times.iter().zip(&series.values);
+        let known = samples.filter(|(time, _)| is_known(**time));
+        known.map(|(_, value)| *value).collect()
+    }
+
     fn in_middle(&self, series: &TimedNumbers, index: usize) -> f64 {
         series.at(self.edge(index) + 0.5 * self.step)
     }

@@ -4,6 +4,9 @@ use super::axes::AxesFit;
 use super::board::Id;
 use super::grid::{TimeCells, quantile};
 
+/// Slower is at rest, m/s.
+const AT_REST: f64 = 1.0;
+
 /// References that the columns are compared with, once they are known; values per cell of the grid, NaN where
 /// there is none.
 pub(super) struct Known {
@@ -53,10 +56,17 @@ impl Known {
         north.iter().zip(east).map(|(n, e)| n.hypot(*e)).collect()
     }
 
+    /// Speed over ground that it stays below nine tenths of the time that it moves, m/s; 0 where it never does.
+    pub fn fast(&self) -> f64 {
+        let mut speed = self.speed();
+        speed.retain(|speed| *speed > AT_REST);
+        quantile(&speed, 0.9).max(0.0)
+    }
+
     /// Course over ground per cell, radians clockwise from north, NaN where it is too slow to have one.
     pub fn course(&self) -> Vec<f64> {
         let speed = self.speed();
-        let least = (0.3 * quantile(&speed, 0.9)).max(1.0);
+        let least = (0.3 * self.fast()).max(AT_REST);
         let [north, east, _] = &self.velocity;
         let course = |index: usize| {
             if speed[index] > least {

@@ -157,7 +157,7 @@ fn speed(board: &mut FlightColumns, known: &mut Known, id: Id) {
 }
 
 fn course(board: &mut FlightColumns, known: &mut Known, id: Id) {
-    if !is_moving(known) {
+    if !known.is_of_track || known.fast() < MOVING {
         return;
     }
     let reference = known.course();
