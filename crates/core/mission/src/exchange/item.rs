@@ -151,22 +151,27 @@ impl MissionItem {
 /// The command that stands for an action, and its parameters one to four.
 pub(super) fn command_of(action: &WayPointAction) -> (u16, [Option<f64>; 4]) {
     let plain = [Some(0.0), Some(0.0), Some(0.0), None];
+    // The fourth says where or with which heading the circle is left; ArduPilot takes nothing but a number.
+    let circling = |first, radius| [first, 0.0, radius, 0.0].map(Some);
     match *action {
         WayPointAction::FlyBy => (WAY_POINT, plain),
-        WayPointAction::Loiter { radius, turns } => {
-            (LOITER_TURNS, [Some(turns), Some(0.0), Some(radius), None])
-        }
+        WayPointAction::Loiter { radius, turns } => (LOITER_TURNS, circling(turns, radius)),
         WayPointAction::TakeOff => (TAKE_OFF, plain),
         WayPointAction::Land => (LAND, plain),
         WayPointAction::Wait {
             radius,
             seconds: Some(seconds),
-        } => (LOITER_TIME, [Some(seconds), Some(0.0), Some(radius), None]),
+        } => (LOITER_TIME, circling(seconds, radius)),
         WayPointAction::Wait {
             radius,
             seconds: None,
-        } => (LOITER_UNLIMITED, [Some(0.0), Some(0.0), Some(radius), None]),
+        } => (LOITER_UNLIMITED, circling(0.0, radius)),
     }
+}
+
+/// Whether the fourth parameter of a command is a heading that may be left to the aircraft, which is no number then.
+pub(super) fn may_leave_heading(command: u16) -> bool {
+    [WAY_POINT, LAND, TAKE_OFF, VTOL_TAKE_OFF, VTOL_LAND].contains(&command)
 }
 
 /// The return to launch.

@@ -11,7 +11,7 @@ use super::fence::{self, is_fence};
 use super::format_info::FormatInfo;
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
-use super::item::{JUMP, MissionItem, WAY_POINT, counted};
+use super::item::{JUMP, MissionItem, WAY_POINT, counted, may_leave_heading};
 use super::item_route::{Home, MissionStep, route_of};
 use super::rally::{self, RALLY_POINT};
 use super::route_items::{RouteStep, home_of, steps_of};
@@ -239,14 +239,18 @@ fn line(text: &str, has_decimal_commas: bool) -> Result<WaypointLine, (usize, St
     for (i, parameter) in parameters.iter_mut().enumerate() {
         *parameter = Some(number(4 + i)?).filter(|v| v.is_finite());
     }
-    // The file has no word for a heading that is left to the aircraft; people write 0.
-    parameters[3] = parameters[3].filter(|heading| *heading != 0.0);
+    let command = whole(3, 65535.0)? as u16;
+    // The file has no word for a heading that is left to the aircraft; people write 0. Of all other commands a 0 is one, and
+    // ArduPilot refuses them without a number there.
+    if may_leave_heading(command) {
+        parameters[3] = parameters[3].filter(|heading| *heading != 0.0);
+    }
     Ok(WaypointLine {
         sequence: whole(0, 65535.0)? as usize,
         is_current: whole(1, 1.0)? == 1.0,
         item: MissionItem {
             frame: whole(2, 255.0)? as u8,
-            command: whole(3, 65535.0)? as u16,
+            command,
             parameters,
             is_continued: whole(11, 1.0)? == 1.0,
         },
@@ -356,8 +360,9 @@ pub(super) fn write(
         ));
     }
     let current = own.as_ref().map_or(Some(0), |own| {
-        own.current
-            .and_then(|id| items.iter().position(|item| item.1 == Some(id)))
+        // Commands have numbers only where something jumps to them.
+        let place = |id| items.iter().position(|item| item.1 == Some(id));
+        own.current.map(|id| place(id).unwrap_or(id))
     });
     let version = own.as_ref().map_or(VERSION, |own| &own.version);
     let mut text = format!("{HEADER} {version}\n");

@@ -52,6 +52,46 @@ fn home_is_line_0_whatever_its_current_flag_and_every_line_comes_back() {
 }
 
 #[test]
+fn only_a_heading_that_is_left_to_the_aircraft_is_no_number_in_a_plan() {
+    let commands = [
+        16, 22, 21, 84, 85, 17, 18, 19, 31, 82, 177, 178, 115, 206, 1000,
+    ];
+    for command in commands {
+        let line = format!("2 0 3 {command} 1 2 3 0 47.001 8 50 1");
+        let (imported, text) = read(&[
+            "0 0 0 16 0 0 0 0 47 8 430 1",
+            "1 1 3 22 0 0 0 0 47 8 30 1",
+            &line,
+        ]);
+        assert_eq!(written(&imported), text);
+        let places = Places {
+            routes: &imported.routes,
+            ..Places::default()
+        };
+        let plan = write_places(Format::Plan, &places, &imported.frame).unwrap();
+        let plan: serde_json::Value = serde_json::from_slice(&plan.bytes).unwrap();
+        let items = plan["mission"]["items"].as_array().unwrap();
+        let item = items.iter().find(|item| item["params"][0] == 1.0).unwrap();
+        let is_heading = [16, 22, 21, 84, 85].contains(&command);
+        assert_eq!(item["params"][3].is_null(), is_heading, "{item}");
+    }
+    // Of a circle that nobody has stated, too.
+    for action in [
+        WayPointAction::Loiter {
+            radius: 30.0,
+            turns: 2.0,
+        },
+        WayPointAction::Wait {
+            radius: 30.0,
+            seconds: Some(9.0),
+        },
+    ] {
+        let (_, parameters) = super::super::item::command_of(&action);
+        assert_eq!(parameters[3], Some(0.0));
+    }
+}
+
+#[test]
 fn jumps_follow_their_commands_when_the_route_is_edited() {
     let (mut imported, _) = read(&MISSION);
     let copy = imported.routes[0].way_points[0].clone();
