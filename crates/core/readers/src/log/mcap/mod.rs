@@ -4,7 +4,7 @@
 //! that makes no sense, so that this reader is our own. Chunks may be packed with LZ4 or Zstandard.
 //! Messages are JSON, Protocol Buffers, or those of ROS 1 and ROS 2; of any other, times and sizes are kept.
 //!
-//! Times are those at which messages were logged, counted from the first message of the file, so that
+//! Times are those at which messages were logged (of topics that were logged in bursts those that they carry), counted from the first message of the file, so that
 //! nothing of their nanoseconds is lost; [`Log::utc_at_zero`](super::Log::utc_at_zero) tells its date.
 
 mod attachment;
@@ -21,6 +21,7 @@ mod record;
 mod ros;
 mod schema;
 mod search;
+mod stamps;
 #[cfg(test)]
 mod tests;
 mod units;

@@ -12,6 +12,7 @@ use super::record::{
     ATTACHMENT, CHUNK, FRAME, MESSAGE, Record, frame, is_known, parse, whole_length,
 };
 use super::search::{followed, next_sure};
+use super::stamps::count_by_stamps;
 use crate::log::stepping::{LogStep, LogSteps};
 use crate::log::{Fact, Log};
 
@@ -73,6 +74,7 @@ impl LogSteps for Mcap {
         }
         self.contents.end(log);
         log.topics.iter_mut().for_each(put_in_order);
+        count_by_stamps(log);
         log.modes.sort_by(|a, b| a.time.total_cmp(&b.time));
         log.messages.sort_by(|a, b| a.time.total_cmp(&b.time));
         log.leave_out_wrong_times(|_| true);

@@ -106,6 +106,53 @@ fn messages_out_of_order_are_put_in_order_and_a_clock_set_back_is_not_hidden() {
 }
 
 #[test]
+fn messages_logged_in_bursts_have_the_times_of_their_headers() {
+    let definition = b"std_msgs/Header header\nfloat64 angle\n";
+    let read_with = |has_stamps: bool, burst: u64| {
+        let mut file = Written::new()
+            .and(&schema(3, "my_msgs/msg/Turn", "ros2msg", definition))
+            .and(&channel(7, 3, "/turn", "cdr"));
+        for index in 0..120_u64 {
+            let made = 1_000 + index / 10 * u64::from(has_stamps);
+            let mut data = vec![0, 1, 0, 0];
+            data.extend((made as i32).to_le_bytes());
+            let part = if has_stamps {
+                index % 10 * 100_000_000
+            } else {
+                0
+            };
+            data.extend((part as u32).to_le_bytes());
+            data.extend([1, 0, 0, 0, 0, 0, 0, 0]);
+            data.extend((index as f64).to_le_bytes());
+            // Handed over every two seconds, when the last of them is made.
+            let logged =
+                1_700_000_000_000_000_000 + (index / burst * burst + burst - 1) * 100_000_000;
+            file = file.and(&message(7, logged, &data));
+        }
+        read(&file.end(120, &[]))
+    };
+    let log = read_with(true, 20);
+    let times = &log.first("/turn").expect("there are turns").times;
+    assert_eq!(times.len(), 120);
+    for (index, time) in times.iter().enumerate() {
+        // The first burst was logged at second 0, with its last message.
+        let expected = 0.1 * (index as f64 - 19.0);
+        assert!((time - expected).abs() < 1e-6, "{index}: {time}");
+    }
+    let remarks = &log.report.remarks;
+    assert!(
+        remarks.iter().any(|r| r.contains("in bursts")),
+        "{remarks:?}"
+    );
+    // Stamps that stand still say nothing, and what is logged at once needs none.
+    for (has_stamps, burst) in [(false, 20), (true, 1)] {
+        let log = read_with(has_stamps, burst);
+        let told = log.report.remarks.iter().any(|r| r.contains("in bursts"));
+        assert!(!told, "{has_stamps} {burst}");
+    }
+}
+
+#[test]
 fn messages_that_nobody_describes_keep_their_times_and_lengths() {
     let file = Written::new()
         .and(&message(9, 5_000, b"abc"))
