@@ -137,27 +137,37 @@ fn standard_height(pressure: f64) -> f64 {
     TEMPERATURE / LAPSE * (1.0 - (pressure / 101_325.0).powf(1.0 / EXPONENT))
 }
 
+/// Messages of a second receiver that are of a kind of their own, behind those of the first.
+const SECOND_RECEIVERS: [(&str, &str); 2] = [("GPS", "GPS2"), ("GPS_RAW_INT", "GPS2_RAW")];
+
 /// Topics that `source` names: those of that name, or else all of that kind; where several vehicles fly, that of the
 /// chosen one. Of several sensors the first, but a receiver with a fix before one that never has any.
 fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
-    if let Some(system) = log.chosen_vehicle() {
+    let chosen = log.chosen_vehicle();
+    let named = |name: &str| -> Vec<&'a Topic> {
         let is_own = |topic: &&Topic| {
-            topic.name.name == source.topic && topic.name.instance.map(system_of) == Some(system)
+            topic.name.name == name
+                && (chosen.is_none() || topic.name.instance.map(system_of) == chosen)
         };
-        return log.topics.iter().find(is_own).into_iter().collect();
+        let own = log.topics.iter().filter(is_own);
+        let is_one = chosen.is_some() || log.format == LogFormat::Tlog;
+        own.take(if is_one { 1 } else { usize::MAX }).collect()
+    };
+    let mut same = named(source.topic);
+    let second = SECOND_RECEIVERS
+        .iter()
+        .find(|(first, _)| *first == source.topic);
+    let is_lost = |topic: &&Topic| never_has_fix(log, topic, source.topic);
+    if let Some((_, second)) = second.filter(|_| same.iter().all(is_lost)) {
+        same.extend(named(second));
     }
-    if let Some(topic) = log.first(source.topic) {
-        if log.format == LogFormat::Tlog {
-            return vec![topic];
-        }
-        let same = log
-            .topics
-            .iter()
-            .filter(|topic| topic.name.name == source.topic);
-        let mut same: Vec<&Topic> = same.collect();
-        if same.len() > 1 {
-            same.sort_by_cached_key(|topic| (never_has_fix(log, topic), topic.name.instance));
-        }
+    if same.len() > 1 {
+        same.sort_by_cached_key(|topic| {
+            let is_second = topic.name.name != source.topic;
+            (is_lost(topic), is_second, topic.name.instance)
+        });
+    }
+    if !same.is_empty() || chosen.is_some() {
         return same;
     }
     let (kind, part) = source.topic.split_once('@').unwrap_or((source.topic, ""));
@@ -165,9 +175,9 @@ fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     log.topics.iter().filter(is_it).collect()
 }
 
-/// Whether a topic is that of a receiver that never knows where it is.
-fn never_has_fix(log: &Log, topic: &Topic) -> bool {
-    let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == topic.name.name;
+/// Whether a topic is that of a receiver, with the fields of the topic `like`, that never knows where it is.
+fn never_has_fix(log: &Log, topic: &Topic, like: &str) -> bool {
+    let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == like;
     let mut fixes = sources(log.format).filter(is_fix);
     fixes.any(|source| match source.reading {
         RowReading::Field(name, _) => {

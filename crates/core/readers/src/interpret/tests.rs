@@ -333,6 +333,45 @@ fn the_first_receiver_that_has_a_fix_says_where_it_was_in_whatever_order_they_ar
 }
 
 #[test]
+fn a_second_receiver_of_a_kind_of_its_own_is_taken_where_the_first_has_no_fix() {
+    let row = |i: f64, fix: f64, unit: f64, place: [f64; 2]| {
+        vec![i, fix, unit * (place[0] + 1e-5 * i), unit * place[1]]
+    };
+    let kinds = [
+        (
+            LogFormat::Dataflash,
+            ["GPS", "GPS2"],
+            ["Status", "Lat", "Lng"],
+            1.0,
+        ),
+        (
+            LogFormat::Tlog,
+            ["GPS_RAW_INT", "GPS2_RAW"],
+            ["fix_type", "lat", "lon"],
+            1e7,
+        ),
+    ];
+    for (format, names, fields, unit) in kinds {
+        for (fix, expected) in [(1.0, 48.0), (3.0, 47.0)] {
+            let mut log = Log::new("two", format);
+            let fields = fields.map(|field| (field, ""));
+            let rows = |fix: f64, place| -> Vec<Vec<f64>> {
+                (0..5)
+                    .map(|i| row(f64::from(i), fix, unit, place))
+                    .collect()
+            };
+            let first = if fix < 2.0 { [0.0; 2] } else { [47.0, 8.0] };
+            add(&mut log, names[0], &fields, &rows(fix, first));
+            add(&mut log, names[1], &fields, &rows(3.0, [48.0, 9.0]));
+            let found = places(&super::flight::all_series(&log), Navigation::Gps);
+            assert_eq!(found.len(), 5, "{format:?} {fix}");
+            let latitude = found[0].1.latitude.to_degrees();
+            assert!((latitude - expected).abs() < 1e-3, "{format:?}: {latitude}");
+        }
+    }
+}
+
+#[test]
 fn a_log_without_a_receiver_is_placed_by_the_autopilot() {
     let mut log = Log::new("own.bin", LogFormat::Dataflash);
     let fields = [
