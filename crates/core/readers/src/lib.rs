@@ -10,6 +10,7 @@ pub mod interpret;
 pub mod log;
 pub mod mat;
 pub mod nmea;
+mod nmea_receivers;
 pub mod overview;
 pub mod photo;
 pub mod role;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::cells::{DEGREES_AND_MINUTES, days_since_1970, linear};
 use crate::folder::{FlightFolder, FolderError, decoded};
+use crate::nmea_receivers::{SaidPlace, of_others};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
@@ -13,6 +14,8 @@ use pilotage_base::text::utc_text;
 const DAY: f64 = 86_400.0;
 /// Receivers write two digits of a year; from this one on they are of the century before.
 const CENTURY: i64 = 80;
+/// Sentences of a moment.
+const TIMED: [&str; 5] = ["GGA", "GNS", "GLL", "RMC", "VTG"];
 /// Columns behind the time.
 const COLUMNS: [&str; 5] = [
     "latitude [deg]",
@@ -39,6 +42,12 @@ struct Sentences {
     epochs: Vec<Epoch>,
     damaged: usize,
     unfixed: usize,
+    /// Whether the sentence of a moment's velocity comes before the others of the moment.
+    velocity_leads: bool,
+    /// Course in degrees and speed in m/s of the moment that comes next.
+    next_velocity: [Option<f64>; 2],
+    /// Words about receivers that are left out.
+    others: Vec<String>,
 }
 
 /// Whether the first bytes of a file are sentences of a receiver: most lines are, and one says a place.
@@ -113,6 +122,7 @@ pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folde
             sentences.unfixed
         ));
     }
+    findings.extend(sentences.others);
     flight_of_table(name, table_of(&sentences.epochs), findings)
 }
 
@@ -152,6 +162,13 @@ fn sentences(text: &str) -> Sentences {
     // Where sentences of a kind have check sums, those without were cut off.
     let mut sums = SumCounts::default();
     all().for_each(|sentence| sums.add(sentence));
+    let kinds = all().map(|sentence| kind_of(sentence).get(2..).unwrap_or_default());
+    let kinds: Vec<&str> = kinds.filter(|kind| TIMED.contains(kind)).collect();
+    let leads = |kind: Option<&&str>| kind == Some(&"VTG");
+    found.velocity_leads = leads(kinds.first()) && !leads(kinds.last());
+    let places: Vec<SaidPlace> = all().filter_map(said_place).collect();
+    let (others, told) = of_others(&places);
+    found.others = told;
     for sentence in all() {
         let body = match sentence.trim_end().split_once('*') {
             Some((body, sum)) if is_whole(body, sum) => body,
@@ -163,7 +180,7 @@ fn sentences(text: &str) -> Sentences {
         };
         let fields: Vec<&str> = body.split(',').collect();
         let name = fields[0];
-        if name.len() != 5 || !name.is_ascii() {
+        if name.len() != 5 || !name.is_ascii() || others.contains(&name[..2]) {
             continue;
         }
         match &name[2..] {
@@ -227,8 +244,10 @@ impl Sentences {
     fn epoch(&mut self, time: &str) -> Option<&mut Epoch> {
         let second = second_of_day(time)?;
         if self.epochs.last().is_none_or(|last| last.second != second) {
+            let [course, speed] = std::mem::take(&mut self.next_velocity);
             self.epochs.push(Epoch {
                 second,
+                values: [None, None, None, speed, course],
                 ..Epoch::default()
             });
         }
@@ -317,16 +336,36 @@ impl Sentences {
         }
     }
 
-    /// VTG: true course, T, magnetic course, M, knots, N: of the moment before it.
+    /// VTG: true course, T, magnetic course, M, knots, N: of the moment before it, or of that which follows.
     fn velocity(&mut self, fields: &[&str]) {
         let of = |index: usize| fields.get(index).and_then(|field| number(field));
-        let (course, speed) = (of(1), of(5));
+        let (course, speed) = (of(1), of(5).map(|knots| knots * MPS_PER_KNOT));
+        if self.velocity_leads {
+            self.next_velocity = [course, speed];
+            return;
+        }
         let Some(epoch) = self.epochs.last_mut() else {
             return;
         };
-        epoch.values[3] = epoch.values[3].or(speed.map(|knots| knots * MPS_PER_KNOT));
+        epoch.values[3] = epoch.values[3].or(speed);
         epoch.values[4] = epoch.values[4].or(course);
     }
+}
+
+/// The place that a sentence tells, whether it is sound or not.
+fn said_place(sentence: &str) -> Option<SaidPlace<'_>> {
+    let fields: Vec<&str> = sentence.trim_end().split(',').collect();
+    let (time, at) = match kind_of(sentence).get(2..)? {
+        "GGA" | "GNS" => (1, 2),
+        "RMC" => (1, 3),
+        "GLL" => (5, 1),
+        _ => return None,
+    };
+    Some((
+        sentence.get(..2)?,
+        fields.get(time)?,
+        place(fields.get(at..)?)?,
+    ))
 }
 
 /// A height in metres that a sentence tells in that unit.
@@ -492,6 +531,61 @@ mod tests {
         );
         let begin = text.rfind("$GPRMC").unwrap();
         assert_eq!(sentences(&text[..begin + 40]).damaged, 1);
+    }
+
+    #[test]
+    fn a_velocity_that_comes_before_the_place_of_its_moment_is_of_that_moment() {
+        let places = |i: u32| {
+            let place = format!("4730.{i:02}0,N,00830.000,E");
+            sentence(&format!(
+                "GPGGA,1200{i:02}.00,{place},1,8,1,440.5,M,47.0,M,,"
+            ))
+        };
+        let velocity = |i: u32| sentence(&format!("GPVTG,0.0,T,,M,{i}.0,N,,K,A"));
+        let speeds = |text: String| -> Vec<Option<f64>> {
+            let epochs = sentences(&text).epochs;
+            epochs.iter().map(|epoch| epoch.values[3]).collect()
+        };
+        let expected: Vec<_> = (0..9).map(|i| Some(f64::from(i) * MPS_PER_KNOT)).collect();
+        let before = (0..9).map(|i| velocity(i) + &places(i)).collect();
+        assert_eq!(speeds(before), expected);
+        let behind = (0..9).map(|i| places(i) + &velocity(i)).collect();
+        assert_eq!(speeds(behind), expected);
+        // A recording that begins within a moment.
+        let within = velocity(7) + &(0..9).map(|i| places(i) + &velocity(i)).collect::<String>();
+        assert_eq!(speeds(within), expected);
+    }
+
+    #[test]
+    fn of_two_receivers_in_turn_the_one_with_most_places_counts() {
+        let of = |talker: &str, tenth: u32, minutes: f64| {
+            let clock = format!("1200{:02}.{}0", tenth / 10, tenth % 10);
+            sentence(&format!(
+                "{talker}GGA,{clock},47{minutes:08.5},N,00830.00000,E,1,8,1,440.5,M,47.0,M,,"
+            ))
+        };
+        // 18.5 m/s northward, the second half a second later; it is lost from second 40 on.
+        let read = |second: &str, apart: f64| {
+            let mut text = String::new();
+            for i in 0..60 {
+                let minutes = 30.0 + 0.01 * f64::from(i);
+                text += &of("GP", 10 * i, minutes);
+                if i < 40 {
+                    text += &of(second, 10 * i + 5, minutes + 0.005 + apart);
+                }
+            }
+            sentences(&text)
+        };
+        let two = read("GN", 0.1);
+        assert_eq!(two.epochs.len(), 60);
+        assert!(
+            two.others[0].contains("40 places of GN are left out"),
+            "{:?}",
+            two.others
+        );
+        // One receiver that names itself after the satellites that it uses makes one track.
+        let one = read("GN", 0.0);
+        assert_eq!((one.epochs.len(), one.others.len()), (100, 0));
     }
 
     #[test]

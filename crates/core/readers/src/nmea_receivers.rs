@@ -1,0 +1,61 @@
+//! Receivers that take turns in one file of sentences.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Metres of a degree of latitude.
+const DEGREE: f64 = 111_195.0;
+/// Fewest times that two receivers take turns.
+const TURNS: usize = 4;
+/// Steps from one receiver's place to the other's are so many times as long as those of one of them, and so many metres longer.
+const TIMES: f64 = 1.5;
+const MORE: f64 = 5.0;
+
+/// Place in a sentence: the receiver's letters, its time of the day and its latitude and longitude in degrees.
+pub(super) type SaidPlace<'a> = (&'a str, &'a str, [f64; 2]);
+
+/// Letters of the receivers whose places make the track leap to and fro, as another receiver with more places tells other
+/// ones at other moments; and a sentence about each.
+pub(super) fn of_others<'a>(places: &[SaidPlace<'a>]) -> (BTreeSet<&'a str>, Vec<String>) {
+    let mut moments: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for (talker, time, _) in places {
+        moments.entry(talker).or_default().insert(time);
+    }
+    let most = moments.iter().max_by_key(|(_, times)| times.len());
+    let Some((main, main_times)) = most else {
+        return Default::default();
+    };
+    let (mut others, mut told) = (BTreeSet::new(), Vec::new());
+    for (talker, times) in moments.iter().filter(|(talker, _)| *talker != main) {
+        let of_both = |place: &&SaidPlace| [main, talker].contains(&&place.0);
+        let both: Vec<&SaidPlace> = places.iter().filter(of_both).collect();
+        let step = |pair: &[&SaidPlace]| {
+            let [a, b] = [pair[0].2, pair[1].2];
+            let north = DEGREE * (b[0] - a[0]);
+            north.hypot(DEGREE * (b[1] - a[1]) * a[0].to_radians().cos())
+        };
+        let turns = both.windows(2).filter(|pair| pair[0].0 != pair[1].0);
+        let turns: Vec<f64> = turns.map(step).collect();
+        let alone = [main, talker].map(|name| {
+            let own = both.iter().copied().filter(|place| place.0 == *name);
+            let own: Vec<&SaidPlace> = own.collect();
+            own.windows(2).map(step).collect::<Vec<f64>>()
+        });
+        let apart = median(turns.clone());
+        let is_apart = apart > TIMES * median(alone.concat()) + MORE;
+        if turns.len() >= TURNS && is_apart && times.is_disjoint(main_times) {
+            others.insert(*talker);
+            told.push(format!(
+                "two receivers take turns, {apart:.0} m apart: the {} places of {talker} are left out, and the {} of {main} \
+                 read",
+                times.len(),
+                main_times.len()
+            ));
+        }
+    }
+    (others, told)
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
