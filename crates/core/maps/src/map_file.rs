@@ -5,7 +5,7 @@ use crate::map_error::MapFileError;
 use crate::map_options::{MapOptions, frame_of, is_geo_tiff};
 use crate::mosaic::{self, Mosaic};
 use crate::overlay::{is_overlay, open_overlay};
-use crate::place_beside::{place_beside, refuse_unnamed, system_beside};
+use crate::place_beside::{mask_beside, place_beside, refuse_unnamed, system_beside};
 use crate::web_tiles::{PmTiles, WebTiles};
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
 use pilotage_base::files::FileSet;
@@ -51,7 +51,7 @@ impl OpenMap {
         }
     }
 
-    /// Notes on the place of the map, in sentences that name the file: another datum than WGS 84.
+    /// Notes on the map, in sentences that name the file: another datum than WGS 84, a mask that is not read.
     pub fn notes(&self) -> Vec<String> {
         if let Self::Mosaic(map) = self {
             return map.notes().to_vec();
@@ -59,7 +59,11 @@ impl OpenMap {
         let georeference = self.placement().and_then(Placement::georeference);
         let system = georeference.and_then(Georeference::system);
         let note = system.and_then(|system| system.note_on(self.name()));
-        note.into_iter().collect()
+        let mask = match self {
+            Self::GeoTiff(map) => map.note_on_mask(),
+            _ => None,
+        };
+        note.into_iter().chain(mask).collect()
     }
 
     fn imagery(&self) -> &dyn Imagery {
@@ -202,7 +206,8 @@ fn open_geo_tiff(
     let file = GeoTiffFile::open(source, beside, system)?;
     refuse_unnamed(&file.georeference, name, options)?;
     let frame = frame_of(options, file.origin());
-    Ok(GeoTiff::new(file, &frame, options.memory)?)
+    let map = GeoTiff::new(file, &frame, options.memory)?;
+    Ok(map.with_mask(mask_beside(files, name)))
 }
 
 fn open_pm_tiles(

@@ -95,6 +95,12 @@ pub(crate) fn system_beside(
     SideFiles::of(files, picture).system()
 }
 
+/// Name of the mask that GDAL wrote beside a picture.
+pub(crate) fn mask_beside(files: &dyn FileSet, picture: &str) -> Option<String> {
+    let found = SideFiles::of(files, picture).with_ending(picture, ".msk");
+    found.map(|(name, _)| name)
+}
+
 /// Files beside a picture.
 struct SideFiles<'a> {
     files: &'a dyn FileSet,

@@ -97,6 +97,8 @@ pub struct GeoTiff {
     tiles: ColouredTiles,
     placement: Placement,
     coarse: Option<Mutex<Coarse>>,
+    /// Name of the file beside it that hides parts of it, and is not heeded.
+    mask: Option<String>,
 }
 
 impl GeoTiffFile {
@@ -213,6 +215,23 @@ impl GeoTiff {
             tiles,
             placement,
             coarse,
+            mask: None,
+        })
+    }
+
+    /// The same with the name of the file beside it that hides parts of it, if there is one.
+    #[must_use]
+    pub fn with_mask(self, mask: Option<String>) -> Self {
+        Self { mask, ..self }
+    }
+
+    /// That parts are shown which a mask beside it hides, if so.
+    pub fn note_on_mask(&self) -> Option<String> {
+        self.mask.as_ref().map(|mask| {
+            format!(
+                "{mask}: this mask hides parts of the map and is not read, so that they are shown; `gdalwarp -dstalpha` \
+                 writes the map with it"
+            )
         })
     }
 

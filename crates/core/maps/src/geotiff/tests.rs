@@ -63,6 +63,24 @@ fn large(is_tiled: bool) -> Vec<u8> {
 }
 
 #[test]
+fn a_mask_beside_a_map_is_told() {
+    let mut files = pilotage_base::files::MemoryFiles::default();
+    let tiff = write(&Recipe::default(), &tags());
+    files.0.insert("a/map.tif".to_owned(), tiff);
+    let notes = |files: &pilotage_base::files::MemoryFiles| {
+        let map = crate::open_map(files, "a/map.tif", None).unwrap();
+        map.notes()
+    };
+    assert_eq!(notes(&files), Vec::<String>::new());
+    files.0.insert("a/map.TIF.msk".to_owned(), b"II*".to_vec());
+    let told = notes(&files);
+    assert!(
+        told.len() == 1 && told[0].starts_with("a/map.TIF.msk: this mask"),
+        "{told:?}"
+    );
+}
+
+#[test]
 fn a_map_equals_the_same_picture_in_memory() {
     let recipe = Recipe::default();
     let map = map(write(&recipe, &tags()), MapMemory::default()).unwrap();
