@@ -38,8 +38,10 @@ pub(super) const LONGITUDE: u16 = 4;
 pub(super) const ALTITUDE_REF: u16 = 5;
 pub(super) const ALTITUDE: u16 = 6;
 pub(super) const GPS_TIME: u16 = 7;
+pub(super) const GPS_STATUS: u16 = 9;
 pub(super) const DIRECTION_REF: u16 = 0x10;
 pub(super) const DIRECTION: u16 = 0x11;
+pub(super) const MAP_DATUM: u16 = 0x12;
 pub(super) const GPS_DATE: u16 = 0x1d;
 
 /// Entry of one tag: its number, the type of its values, and their bytes.

@@ -20,6 +20,8 @@ use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 
 /// Fewest photos that make a flight.
 const FEWEST: usize = 2;
+/// Most photos that are named in a note.
+const NAMED: usize = 5;
 /// Standard deviation per axis of the position of a photo, metres.
 const GPS_DEVIATION: f64 = 5.0;
 
@@ -427,14 +429,36 @@ fn tell_gimbal(photos: &[TimedPhoto]) -> bool {
     photos.iter().any(|p| p.photo.gimbal.is_some())
 }
 
+/// The first of some names.
+fn some(names: &[&str]) -> String {
+    let more = if names.len() > NAMED { ", …" } else { "" };
+    names[..names.len().min(NAMED)].join(", ") + more
+}
+
 /// Says what else people should know.
 fn tell(photos: &[TimedPhoto], notes: &mut Vec<String>) {
     let count = |is: &dyn Fn(&Photo) -> bool| photos.iter().filter(|p| is(&p.photo)).count();
     let total = photos.len();
-    let nowhere = count(&|p| p.place.is_none());
-    if nowhere > 0 {
+    let nowhere = photos.iter().filter(|p| p.photo.place.is_none());
+    let nowhere: Vec<&str> = nowhere.map(|p| p.photo.name.as_str()).collect();
+    if !nowhere.is_empty() {
         notes.push(format!(
-            "{nowhere} of {total} photos do not say where they were taken"
+            "{} of {total} photos do not say where they were taken: {}",
+            nowhere.len(),
+            some(&nowhere)
+        ));
+    }
+    let mut doubts: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for photo in photos.iter().map(|p| &p.photo) {
+        for doubt in &photo.doubts {
+            doubts.entry(doubt).or_default().push(&photo.name);
+        }
+    }
+    for (doubt, names) in doubts {
+        notes.push(format!(
+            "{} of {total} photos: {doubt}: {}",
+            names.len(),
+            some(&names)
         ));
     }
     let oblique = count(&|p| {

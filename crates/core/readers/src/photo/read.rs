@@ -7,13 +7,18 @@ use super::xmp::Xmp;
 use crate::cells::{Moment, date_and_time, has_zone};
 use pilotage_base::angle_text::degrees_of_text;
 use pilotage_base::bytes::ByteSource;
-use pilotage_base::frames::Attitude;
+use pilotage_base::frames::{Attitude, wrap_pi};
 
 /// Bytes that mostly hold the head of a photo, and those that always do.
 const HEAD: u64 = 1 << 17;
 const LONGEST_HEAD: u64 = 1 << 24;
 /// Longest TIFF that is read: its tags may stand at its end.
 const LONGEST_TIFF: u64 = 1 << 28;
+
+/// Radius of the earth that tells far from near, metres.
+const EARTH: f64 = 6.371e6;
+/// Places that one photo tells twice and that lie farther apart are told, metres.
+const APART: f64 = 100.0;
 
 /// Place at which a photo was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +72,8 @@ pub struct Photo {
     /// Turn of the stored picture for people, as EXIF counts it: 1 not at all, 3 half round, 6 a quarter clockwise, 8
     /// a quarter the other way, the even ones between also mirrored.
     pub orientation: u8,
+    /// What is not sure of its place, in words: a hemisphere that is not named, another datum.
+    pub doubts: Vec<String>,
     /// The program that saved it again after it was taken, where one did: it may have turned the picture.
     pub saved_again_by: Option<String>,
 }
@@ -201,6 +208,7 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
             .whole(exif::ORIENTATION)
             .filter(|o| (1..=8).contains(o))
             .unwrap_or(1) as u8,
+        doubts: doubts(&exif.gps, xmp),
         saved_again_by: saved_again(exif),
     }
 }
@@ -306,6 +314,49 @@ fn place(gps: &ExifDirectory, xmp: &Xmp) -> Option<PhotoPlace> {
     })
 }
 
+/// What is not sure of the place of a photo, in words.
+fn doubts(gps: &ExifDirectory, xmp: &Xmp) -> Vec<String> {
+    let mut doubts = Vec::new();
+    let Some(of_exif) = place(gps, &Xmp::default()) else {
+        return doubts;
+    };
+    for (tag, name, meant) in [
+        (exif::LATITUDE_REF, "GPSLatitudeRef", "north"),
+        (exif::LONGITUDE_REF, "GPSLongitudeRef", "east"),
+    ] {
+        if gps.text(tag).is_none_or(|letter| letter.trim().is_empty()) {
+            doubts.push(format!("{name} is missing, and {meant} is taken"));
+        }
+    }
+    let datum = gps.text(exif::MAP_DATUM).unwrap_or_default();
+    let plain: String = datum.chars().filter(char::is_ascii_alphanumeric).collect();
+    if !plain.is_empty() && !["WGS84", "CGCS2000"].contains(&plain.to_uppercase().as_str()) {
+        doubts.push(format!(
+            "GPSMapDatum says {}, and WGS 84 is taken: places may be hundreds of metres off",
+            datum.trim()
+        ));
+    }
+    if gps
+        .text(exif::GPS_STATUS)
+        .is_some_and(|it| it.trim() == "V")
+    {
+        doubts.push(
+            "GPSStatus says that the receiver had lost its fix, and its last place is taken"
+                .to_owned(),
+        );
+    }
+    if let Some((latitude, longitude)) = place_of_xmp(xmp) {
+        let north = EARTH * (latitude - of_exif.latitude);
+        let east = EARTH * wrap_pi(longitude - of_exif.longitude) * latitude.cos();
+        if north.hypot(east) > APART {
+            doubts.push(format!(
+                "EXIF and XMP tell places more than {APART:.0} m apart, and that of EXIF is taken"
+            ));
+        }
+    }
+    doubts
+}
+
 /// Heights above take-off, and altitudes, as makers call them.
 const HEIGHTS: [&str; 3] = [
     "drone-dji:RelativeAltitude",
@@ -353,6 +404,7 @@ fn place_of_xmp(xmp: &Xmp) -> Option<(f64, f64)> {
             "drone-dji:GpsLatitude",
             ["drone-dji:GpsLongitude", "drone-dji:GpsLongtitude"],
         ),
+        ("drone-dji:Latitude", ["drone-dji:Longitude"; 2]),
         ("drone-skydio:Latitude", ["drone-skydio:Longitude"; 2]),
         ("drone-parrot:GPSLatitude", ["drone-parrot:GPSLongitude"; 2]),
     ];

@@ -140,6 +140,43 @@ fn a_photo_says_when_and_where_it_was_taken() {
 }
 
 #[test]
+fn what_is_not_sure_of_a_place_is_told_with_the_photos_that_say_so() {
+    let sound = photo("30", "25", 10, "");
+    let doubts = |bytes: &[u8]| {
+        let source = MemoryBytes::new("a.jpg", bytes.to_vec());
+        read_photo(&source).unwrap().doubts
+    };
+    assert_eq!(doubts(&sound), Vec::<String>::new());
+    let letter = b"\x03\0\x02\0\x02\0\0\0W";
+    let at = sound.windows(9).position(|nine| nine == letter).unwrap();
+    let mut nameless = sound.clone();
+    nameless[at + 8] = 0;
+    assert!(doubts(&nameless)[0].contains("GPSLongitudeRef is missing, and east is taken"));
+    let mut lost = nameless.clone();
+    (lost[at], lost[at + 8]) = (exif::GPS_STATUS as u8, b'V');
+    assert!(doubts(&lost)[1].contains("had lost its fix"));
+    let mut local = nameless.clone();
+    (local[at], local[at + 8]) = (exif::MAP_DATUM as u8, b'T');
+    assert!(doubts(&local)[1].contains("GPSMapDatum says T"));
+    let of_xmp = |south: f64| {
+        let xmp = format!("drone-dji:GpsLatitude=\"-{south}\" drone-dji:GpsLongitude=\"-60.5\"");
+        doubts(&photo("30", "25", 10, &xmp))
+    };
+    assert!(of_xmp(30.1)[0].contains("EXIF and XMP"));
+    assert!(of_xmp(30.003).is_empty());
+    let files = files(&[
+        ("a.jpg", sound),
+        ("b.jpg", photo("31", "25", 11, "")),
+        ("c.jpg", nameless),
+    ]);
+    let notes = read_photos(&files).unwrap().notes;
+    let is_told = |note: &String| {
+        note.starts_with("1 of 3 photos: GPSLongitudeRef") && note.ends_with(": c.jpg")
+    };
+    assert!(notes.iter().any(is_told), "{notes:?}");
+}
+
+#[test]
 fn photos_are_a_log_of_what_they_tell_and_of_what_that_is() {
     let files = files(&[
         ("shots/a.jpg", photo("32", "5", 8, &gimbal(180.0, -80.0))),
