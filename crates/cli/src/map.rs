@@ -10,14 +10,17 @@ use pilotage_core::frames::{
 use pilotage_core::imagery::systems;
 use pilotage_core::imagery::terrain::{Dem, Terrain};
 use pilotage_core::imagery::{GeoTiffFile, Georeference, Imagery, Placement, Window};
-use pilotage_core::mission::{MapOptions, OpenMap, open_map_with};
+use pilotage_core::mission::{MapFileError, MapOptions, OpenMap, open_map_with};
 use pilotage_core::raster::encode_png_with_coverage;
 use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, DiskFile};
 use crate::numbers::numbers;
+use crate::opening::foreign_words;
 
+/// Endings of pictures, which may be maps.
+const PICTURES: [&str; 6] = ["png", "jpg", "jpeg", "webp", "tif", "tiff"];
 /// Most pixels of a picture that is written.
 const MOST_PIXELS: usize = 100_000_000;
 
@@ -175,7 +178,7 @@ fn info(arguments: &MapArguments, height_at: Option<&str>) -> CommandResult {
     let is_height = arguments.has_ending(&["hgt"]);
     if place.is_some() && !is_tiff && !is_height {
         return Err(format!(
-            "--height-at: {} is no elevation model; a GeoTIFF or a .hgt file may be one",
+            "--height-at: {} is no elevation model; a GeoTIFF or a .hgt file may be one: `gdal_translate` makes a GeoTIFF of other models",
             arguments.name()
         )
         .into());
@@ -211,7 +214,8 @@ fn elevation(
     place: Option<Geodetic>,
 ) -> Result<Info, Box<dyn std::error::Error>> {
     let frame = place.map(LocalFrame::new);
-    let dem = Dem::open(disk_file(arguments)?, frame, system)?;
+    let directory = DirectoryFiles::around(&arguments.file)?;
+    let dem = Dem::open_among(&directory, &arguments.name(), frame, system)?;
     let (width, height) = dem.placement().size();
     let middle = Point2::new(0.5 * width as f64, 0.5 * height as f64);
     let file = geo_tiff(arguments, system).ok();
@@ -401,7 +405,14 @@ fn open(
         system,
         ..MapOptions::default()
     };
-    Ok(open_map_with(&directory, &arguments.name(), &options)?)
+    let map = open_map_with(&directory, &arguments.name(), &options);
+    Ok(map.map_err(|error| match error {
+        // What is of another kind is called by its name.
+        MapFileError::NoGeoreference { .. } if !arguments.has_ending(&PICTURES) => {
+            foreign_words(&arguments.file).unwrap_or_else(|| error.to_string())
+        }
+        _ => error.to_string(),
+    })?)
 }
 
 fn tile(

@@ -241,12 +241,11 @@ pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, O
 
 /// The elevation model among the files, in the world frame `frame` or else its own.
 pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<Dem>, String> {
-    let names = names_ending_in(pool, &["hgt", "tif", "tiff"]).into_iter();
-    let mut sources = names.filter_map(|name| pool.source(&name));
-    let Some(source) = sources.find(|source| Dem::is_one(Arc::clone(source))) else {
+    let mut names = names_ending_in(pool, &["hgt", "tif", "tiff"]).into_iter();
+    let Some(name) = names.find(|name| pool.source(name).is_some_and(Dem::is_one)) else {
         return Ok(None);
     };
-    let dem = Dem::open(source, frame, None).map_err(|cause| cause.to_string())?;
+    let dem = Dem::open_among(pool, &name, frame, None).map_err(|cause| cause.to_string())?;
     Ok(Some(dem))
 }
 

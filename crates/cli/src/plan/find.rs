@@ -1,7 +1,5 @@
 //! `pilotage plan --find FROM TO`: a route over ground where a fix will be had, beside the straight one.
 
-use std::sync::Arc;
-
 use pilotage_core::frames::units::GRAVITY;
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, Terrain as _};
@@ -20,7 +18,7 @@ use super::arguments::{Arguments, FindArguments, Least, Of, Over};
 use super::ground::way_points;
 use super::landmarks::expected;
 use super::planned_flight::PlannedFlight;
-use crate::files::DiskFile;
+use crate::files::DirectoryFiles;
 use crate::workers;
 
 /// Standard deviation of the position with which the field is computed, metres.
@@ -232,9 +230,8 @@ fn high_ground(
     };
     let frame = LocalFrame::new(ground.mission.origin);
     let name = path.file_name().unwrap_or(path.as_os_str());
-    let file = DiskFile::open(path, &name.to_string_lossy())
-        .map_err(|e| format!("{}: {e}", path.display()))?;
-    let dem = Dem::open(Arc::new(file), Some(frame), None)?;
+    let files = DirectoryFiles::around(path)?;
+    let dem = Dem::open_among(&files, &name.to_string_lossy(), Some(frame), None)?;
     let base = dem.height_at(&GroundPoint::default()).unwrap_or(0.0);
     let mut heights = dem.grid(ground.map.bounds(), MOST_POSTS);
     while !heights.take_rows(&dem, usize::MAX) {}

@@ -3,6 +3,7 @@
 use crate::GeoTiffError;
 use crate::corners_error::CornersError;
 use crate::systems::SystemError;
+use crate::terrain::TerrainError;
 use crate::web_tiles::PmTilesError;
 use pilotage_base::georeference::GeoreferenceError;
 use pilotage_raster::raster::CodecError;
@@ -10,6 +11,9 @@ use pilotage_raster::raster::CodecError;
 /// Why a picture cannot be a map.
 #[derive(Debug, thiserror::Error)]
 pub enum MapFileError {
+    /// An elevation model that cannot be read.
+    #[error(transparent)]
+    Terrain(#[from] TerrainError),
     /// The picture is not there.
     #[error("{file}: there is no such file")]
     Missing {

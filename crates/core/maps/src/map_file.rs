@@ -187,12 +187,25 @@ fn open_geo_tiff(
     name: &str,
     options: &MapOptions,
 ) -> Result<GeoTiff, MapFileError> {
-    let source = files.source(name).ok_or_else(|| missing(name))?;
     if let Some(place) = options.place {
+        let source = files.source(name).ok_or_else(|| missing(name))?;
         let file = GeoTiffFile::put(source, place)?;
         let frame = frame_of(options, file.origin());
         return Ok(GeoTiff::new(file, &frame, options.memory)?);
     }
+    let file = geo_tiff_file(files, name, options)?;
+    let frame = frame_of(options, file.origin());
+    let map = GeoTiff::new(file, &frame, options.memory)?;
+    Ok(map.with_mask(mask_beside(files, name)))
+}
+
+/// The `GeoTIFF` that is called `name`, placed by what it says itself, or else by what lies beside it.
+pub(crate) fn geo_tiff_file(
+    files: &dyn FileSet,
+    name: &str,
+    options: &MapOptions,
+) -> Result<GeoTiffFile, MapFileError> {
+    let source = files.source(name).ok_or_else(|| missing(name))?;
     let beside = place_beside(files, name, options)?.map(|(_, place)| place);
     let system = match options.system {
         Some(system) => Some(system),
@@ -205,9 +218,7 @@ fn open_geo_tiff(
     };
     let file = GeoTiffFile::open(source, beside, system)?;
     refuse_unnamed(&file.georeference, name, options)?;
-    let frame = frame_of(options, file.origin());
-    let map = GeoTiff::new(file, &frame, options.memory)?;
-    Ok(map.with_mask(mask_beside(files, name)))
+    Ok(file)
 }
 
 fn open_pm_tiles(
@@ -234,7 +245,7 @@ fn open_pm_tiles(
     ))
 }
 
-fn missing(name: &str) -> MapFileError {
+pub(crate) fn missing(name: &str) -> MapFileError {
     MapFileError::Missing {
         file: name.to_owned(),
     }

@@ -7,9 +7,12 @@ use nalgebra::Point2;
 use super::hgt::Hgt;
 use super::tiff_posts::{TiffPosts, holds_heights};
 use super::{HeightDatum, HeightGrid, Terrain, TerrainError, between_posts};
-use crate::map_options::is_geo_tiff;
+use crate::map_error::MapFileError;
+use crate::map_file::{geo_tiff_file, missing};
+use crate::map_options::{MapOptions, is_geo_tiff};
 use crate::tiff::{TiffError, TiffFile};
 use crate::{GeoTiffError, GeoTiffFile};
+use pilotage_base::files::FileSet;
 use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_base::{bytes::ByteSource, georeference::GeoreferenceError};
 use pilotage_raster::imagery::Placement;
@@ -56,8 +59,35 @@ impl Dem {
         if source.name().to_ascii_lowercase().ends_with(HGT) {
             return Self::open_hgt(source.as_ref(), frame);
         }
-        let file = GeoTiffFile::open(source, None, system)?;
-        let posts = Box::new(TiffPosts::new(&file)?);
+        Self::of_geo_tiff(&GeoTiffFile::open(source, None, system)?, frame)
+    }
+
+    /// The model that is called `name` among files, by what it says itself of its place, or else by what lies beside it: a
+    /// world file, a `.prj`. The rest is as for [`Dem::open`].
+    ///
+    /// # Errors
+    /// It is none, or does not lie anywhere.
+    pub fn open_among(
+        files: &dyn FileSet,
+        name: &str,
+        frame: Option<LocalFrame>,
+        system: Option<ReferenceSystem>,
+    ) -> Result<Self, MapFileError> {
+        if name.to_ascii_lowercase().ends_with(HGT) {
+            let source = files.source(name).ok_or_else(|| missing(name))?;
+            return Ok(Self::open_hgt(source.as_ref(), frame)?);
+        }
+        let options = MapOptions {
+            frame,
+            system,
+            ..MapOptions::default()
+        };
+        let file = geo_tiff_file(files, name, &options)?;
+        Ok(Self::of_geo_tiff(&file, frame)?)
+    }
+
+    fn of_geo_tiff(file: &GeoTiffFile, frame: Option<LocalFrame>) -> Result<Self, TerrainError> {
+        let posts = Box::new(TiffPosts::new(file)?);
         let own = file.origin().map(LocalFrame::new);
         let frame = frame.or(own).ok_or_else(|| GeoTiffError::Georeference {
             file: file.tiff.name().to_owned(),

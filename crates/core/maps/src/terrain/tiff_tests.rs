@@ -258,3 +258,27 @@ fn a_system_that_is_named_leaves_the_unit_and_the_place_of_pixels() {
     assert!((at(-0.4, -0.4).unwrap() - 365.76).abs() < 1e-9);
     assert_eq!(at(-0.6, 1.0), None);
 }
+
+#[test]
+fn a_model_is_placed_by_what_lies_beside_it_where_it_says_nothing_itself() {
+    let mut bytes = Made::level(16, 2, &300_i16.to_le_bytes()).write();
+    // Scale, tie and keys under numbers that mean nothing.
+    for (tag, kind) in [(33_550_u16, 12_u16), (33_922, 12), (34_735, 3)] {
+        let head = [tag.to_le_bytes(), kind.to_le_bytes()].concat();
+        let at = bytes.windows(4).position(|four| four == head).unwrap();
+        bytes[at] += 1;
+    }
+    let mut files = pilotage_base::files::MemoryFiles::default();
+    files.0.insert("a/dem.tif".to_owned(), bytes);
+    let refused = Dem::open_among(&files, "a/dem.tif", None, None).err();
+    assert!(refused.unwrap().to_string().contains("world file"));
+    let world = format!("{STEP}\n0\n0\n-{STEP}\n10.0005\n50.0\n");
+    files.0.insert("a/dem.tfw".to_owned(), world.into_bytes());
+    files
+        .0
+        .insert("a/dem.prj".to_owned(), b"EPSG:4326".to_vec());
+    let dem = Dem::open_among(&files, "a/dem.tif", None, None).unwrap();
+    let origin = dem.frame().origin;
+    assert!((origin.longitude.to_degrees() - 10.002).abs() < 1e-9);
+    assert_eq!(dem.height_at(&GroundPoint::default()), Some(300.0));
+}
