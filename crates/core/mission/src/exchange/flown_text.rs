@@ -93,7 +93,7 @@ pub(super) fn csv(track: &FlownTrack) -> String {
     }
     text.push_str(",latitude_deg,longitude_deg");
     if track.has_height {
-        text.push_str(",height_m");
+        text.push_str(",altitude_m");
     }
     if let Some(values) = &track.values {
         text.push(',');

@@ -32,7 +32,7 @@ fn a_table_has_a_row_for_every_place() {
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(
         lines[0],
-        "time_s,utc,latitude_deg,longitude_deg,height_m,ATT.Roll [deg]"
+        "time_s,utc,latitude_deg,longitude_deg,altitude_m,ATT.Roll [deg]"
     );
     assert_eq!(lines[2], "0.25,2014-05-18T10:20:31.250Z,47.0001,8,501.5,1");
     assert!(lines[3].ends_with(",502.5,"), "{}", lines[3]);
