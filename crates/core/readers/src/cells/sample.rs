@@ -78,6 +78,13 @@ impl ColumnSample {
         sorted.get(sorted.len() / 2).copied()
     }
 
+    /// Whether the numbers hardly ever go back, and grow now and then: a clock may be coarser than the rows.
+    pub fn goes_on(&self) -> bool {
+        let steps = self.numbers.windows(2).filter(|w| w[1] > w[0]).count();
+        let back = self.numbers.windows(2).filter(|w| w[1] < w[0]).count();
+        steps >= 10 && 100 * steps >= self.numbers.len() && 50 * back < self.numbers.len()
+    }
+
     /// Whether the numbers hardly ever stand still or go back.
     pub fn grows(&self) -> bool {
         let steps = self.numbers.windows(2).filter(|w| w[1] > w[0]).count();

@@ -101,7 +101,8 @@ pub(crate) fn unit_of_time(
     if dates > 0 && 10 * dates >= 9 * (sample.texts.len() + sample.numbers.len()) {
         return Some((DATE, 1.0, "cells are dates and times".to_owned()));
     }
-    if !sample.is_numeric() || !sample.grows() {
+    let may_stand = !sample.name.starts_with('#') && sample.goes_on();
+    if !sample.is_numeric() || !(sample.grows() || may_stand) {
         return None;
     }
     let are_digits = |n: &f64| seconds_of(DATE, *n).is_finite() && DIGITS.contains(n);

@@ -84,6 +84,12 @@ pub fn flight_of_tables(
                 map.file
             ));
         }
+        if table.has_coarse_clock(&time) {
+            notes.push(format!(
+                "{}: its clock is coarser than its rows: those of one time are spread until it goes on",
+                map.file
+            ));
+        }
         let first = table
             .times(&time, None)
             .ok()

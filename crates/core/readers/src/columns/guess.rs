@@ -172,7 +172,8 @@ pub(super) fn times(samples: &[ColumnSample], share: f64) -> Vec<TimeGuess> {
             .iter()
             .any(|word| NUMBERS.contains(&word.as_str()));
         let found = unit_of_time(sample, parts.time_unit(), share);
-        let is_called_time = named >= SURELY_TIME && sample.is_numeric() && sample.grows();
+        let grows = sample.grows() || sample.goes_on();
+        let is_called_time = named >= SURELY_TIME && sample.is_numeric() && grows;
         let in_seconds = || {
             let reason =
                 "its name says that it is the time, and nothing its unit: taken in seconds";

@@ -42,32 +42,6 @@ fn a_wrong_time_costs_its_row_wherever_it_stands_and_is_told() {
 }
 
 #[test]
-fn directions_of_a_flight_that_waits_for_long_are_judged_by_the_time_that_it_flies() {
-    // At rest for 40 minutes, then a circle at 15 m/s for one; directions in hundredths of a degree, at rest 0 and noise.
-    let mut table = String::from("time,lat,lon,heading,course,speed\n");
-    for row in 0..2460 {
-        let turned = 6.0 * (f64::from(row) - 2400.0).max(0.0);
-        let (sin, cos) = turned.to_radians().sin_cos();
-        let radius = 15.0 / 6.0_f64.to_radians();
-        let (north, east) = (radius * sin, radius * (1.0 - cos));
-        let heading = 100.0 * (turned % 360.0) + f64::from(row % 2);
-        table += &format!(
-            "{row},{:.7},{:.7},{heading},{},{}\n",
-            47.1 + north / 111_190.0,
-            8.5 + east / 75_690.0,
-            100.0 * (turned % 360.0),
-            if row < 2400 { 0 } else { 15 }
-        );
-    }
-    let map = guess_table("a.csv", table.as_bytes()).unwrap();
-    assert_eq!(
-        guessed(&map, "heading"),
-        is(Channel(ChannelName::Heading), "cdeg")
-    );
-    assert_eq!(guessed(&map, "course").1, "cdeg");
-}
-
-#[test]
 fn degrees_and_minutes_with_hemispheres_are_places() {
     for (latitude, longitude) in [
         ("33°51'{}\"S", "18°25'12\"W"),

@@ -37,6 +37,8 @@ mod studies;
 mod tests;
 mod together;
 mod values;
+#[cfg(test)]
+mod waiting_tests;
 
 use crate::cells::{ColumnSample, time};
 

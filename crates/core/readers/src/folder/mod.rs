@@ -12,6 +12,7 @@ mod log;
 mod pictures;
 mod position;
 mod read;
+mod standing;
 mod table;
 #[cfg(test)]
 mod tests;

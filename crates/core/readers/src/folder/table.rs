@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::clock::count_midnights;
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
+use super::standing::spread;
 use crate::cells::Moment;
 use crate::cells::shortened;
 use crate::cells::{Dimension, linear};
@@ -263,7 +264,7 @@ impl CsvTable {
         map: &TimeColumn,
         origin: Option<(i64, f64)>,
     ) -> Result<Vec<f64>, FolderError> {
-        let times: Vec<f64> = self
+        let mut times: Vec<f64> = self
             .moments(map)?
             .into_iter()
             .map(|moment| moment.since(origin) + map.offset_s)
@@ -279,7 +280,37 @@ impl CsvTable {
                 ),
             ));
         }
+        let at = self.index(&map.column)?;
+        spread(&mut times, |row| self.are_measurements(row, at));
         Ok(times)
+    }
+
+    /// Whether a row and the next one measure the same columns, and not the same values, beside the column `at`.
+    fn are_measurements(&self, row: usize, at: usize) -> bool {
+        let (first, second) = (&self.rows[row].1, &self.rows[row + 1].1);
+        let mut is_other = false;
+        for (column, (a, b)) in first.iter().zip(second.iter()).enumerate() {
+            if a.is_empty() != b.is_empty() {
+                return false;
+            }
+            is_other |= column != at && a != b;
+        }
+        is_other
+    }
+
+    /// Whether its clock is coarser than its rows, so that [`times`](Self::times) spreads those of one time.
+    pub(crate) fn has_coarse_clock(&self, map: &TimeColumn) -> bool {
+        let Ok(moments) = self.moments(map) else {
+            return false;
+        };
+        let origin = moments.iter().find_map(|moment| match moment {
+            Moment::Absolute(whole, fraction) => Some((*whole, *fraction)),
+            Moment::Relative(_) => None,
+        });
+        let seconds = moments.iter().map(|moment| moment.since(origin));
+        let mut seconds: Vec<f64> = seconds.collect();
+        self.index(&map.column)
+            .is_ok_and(|at| spread(&mut seconds, |row| self.are_measurements(row, at)))
     }
 
     /// Values of a column in SI and radians; `None` where the cell is empty or says nan.

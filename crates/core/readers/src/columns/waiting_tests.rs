@@ -1,0 +1,76 @@
+//! Tables of flights that wait for long, and of clocks that are coarser than their rows.
+
+use pilotage_flight::ChannelName;
+
+use super::ColumnRole::Channel;
+use super::tests::{files, guessed, is};
+use super::{flight_of_tables, guess_table};
+
+#[test]
+fn rows_of_a_clock_that_is_coarser_than_they_are_keep_their_places_and_are_spread() {
+    let clock = |row: u32| row / 5;
+    let times: [(&str, &dyn Fn(u32) -> String); 3] = [
+        ("time [s]", &|row| clock(row).to_string()),
+        ("time", &|row| {
+            format!("10:{:02}:{:02}", clock(row) / 60, clock(row) % 60)
+        }),
+        ("timestamp", &|row| (1_714_557_600 + clock(row)).to_string()),
+    ];
+    for (name, time) in times {
+        for (is_doubled, rows) in [(false, 200), (true, 40)] {
+            let place = |row: u32| if is_doubled { clock(row) } else { row };
+            let row = |row: u32| {
+                let north = 47.1 + 2e-5 * f64::from(place(row));
+                format!("{},{north:.6},8.5,{}\n", time(row), 500 + place(row))
+            };
+            let table =
+                format!("{name},lat,lon,altitude [m]\n") + &(0..200).map(row).collect::<String>();
+            let files = files(&[("a.csv", &table)]);
+            let maps = [guess_table("a.csv", table.as_bytes()).expect(name)];
+            let folder = flight_of_tables(&files, &maps).expect(name);
+            let states = &folder.flight.truth.as_ref().expect(name).states;
+            assert_eq!(states.len(), rows, "{name}");
+            let step = 200.0 / rows as f64 / 5.0;
+            for (i, state) in states.iter().enumerate() {
+                let since = state.time - states[0].time;
+                assert!(
+                    (since - step * i as f64).abs() < 1e-6,
+                    "{name} {i}: {since}"
+                );
+                let north = state.position.x - states[0].position.x;
+                assert!(
+                    (north - 2.2238 * i as f64).abs() < 0.1,
+                    "{name} {i}: {north}"
+                );
+            }
+            let is_told = |note: &String| note.contains("clock is coarser");
+            assert_eq!(folder.notes.iter().any(is_told), !is_doubled, "{name}");
+        }
+    }
+}
+
+#[test]
+fn directions_of_a_flight_that_waits_for_long_are_judged_by_the_time_that_it_flies() {
+    // At rest for 40 minutes, then a circle at 15 m/s for one; directions in hundredths of a degree, at rest 0 and noise.
+    let mut table = String::from("time,lat,lon,heading,course,speed\n");
+    for row in 0..2460 {
+        let turned = 6.0 * (f64::from(row) - 2400.0).max(0.0);
+        let (sin, cos) = turned.to_radians().sin_cos();
+        let radius = 15.0 / 6.0_f64.to_radians();
+        let (north, east) = (radius * sin, radius * (1.0 - cos));
+        let heading = 100.0 * (turned % 360.0) + f64::from(row % 2);
+        table += &format!(
+            "{row},{:.7},{:.7},{heading},{},{}\n",
+            47.1 + north / 111_190.0,
+            8.5 + east / 75_690.0,
+            100.0 * (turned % 360.0),
+            if row < 2400 { 0 } else { 15 }
+        );
+    }
+    let map = guess_table("a.csv", table.as_bytes()).unwrap();
+    assert_eq!(
+        guessed(&map, "heading"),
+        is(Channel(ChannelName::Heading), "cdeg")
+    );
+    assert_eq!(guessed(&map, "course").1, "cdeg");
+}
