@@ -7,6 +7,7 @@ mod clock;
 mod error;
 mod files;
 mod guess;
+mod hemispheres;
 mod layout;
 mod log;
 mod pictures;

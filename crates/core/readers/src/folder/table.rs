@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use super::clock::count_midnights;
 use super::error::FolderError;
+use super::hemispheres::with_signs;
 use super::layout::{TimeColumn, ValueColumn};
 use super::standing::spread;
 use crate::cells::Moment;
@@ -417,8 +418,13 @@ pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     text
 }
 
-/// The text of a table, in which every row is one line: blanks stand for the ends of lines within quotation marks.
+/// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
+    with_signs(rows_of_one_line(bytes))
+}
+
+/// The text of a table, in which every row is one line: blanks stand for the ends of lines within quotation marks.
+fn rows_of_one_line(bytes: &[u8]) -> Cow<'_, [u8]> {
     let text = decoded(bytes);
     if !text.contains(&b'"') {
         return text;
