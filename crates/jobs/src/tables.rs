@@ -19,7 +19,7 @@ use super::{JobEvent, MadeFlight, RunningJob, WorkerState};
 pub const COLUMNS_FILE: &str = "columns.json";
 
 /// Endings of the names of tables.
-pub const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
+pub const TABLES: [&str; 4] = ["csv", "tsv", "txt", "pos"];
 
 /// Encodes the meanings that people gave to the columns, as the file [`COLUMNS_FILE`] has them.
 pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::{ColumnSample, TableShape};
-use crate::cells::unit_behind;
+use crate::cells::{Moment, date_and_time, unit_behind};
 use crate::folder::{decoded, decoded_table};
 
 /// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
@@ -49,6 +49,26 @@ fn text(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
+/// Gives date and time of day names of their own where one name stands over both, as RTKLIB has it (`GPST`).
+fn name_date_and_time(names: &mut Vec<String>, head: &str, shape: &TableShape) {
+    let rows = head.lines().skip(shape.skipped_lines + shape.head_lines());
+    let cells = rows.map(|row| shape.separator.cells(row));
+    let Some(cells) = { cells }.find(|cells| cells.len() > 2) else {
+        return;
+    };
+    let is_clock = cells[1].contains(':') && date_and_time(&cells[0]).is_none_or(is_day);
+    let moment = date_and_time(&format!("{} {}", cells[0], cells[1]));
+    let is_date = matches!(moment, Some(Moment::Absolute(..)));
+    if names.len() + 1 == cells.len() && is_clock && is_date {
+        names.splice(..1, ["date".to_owned(), "time".to_owned()]);
+    }
+}
+
+/// Whether a moment is the beginning of a day.
+fn is_day(moment: Moment) -> bool {
+    matches!(moment, Moment::Absolute(whole, part) if whole % 86_400 == 0 && part == 0.0)
+}
+
 /// Samples of all columns, and which share of all rows they are, about.
 fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, f64) {
     let mut lines = head.lines().skip(shape.skipped_lines);
@@ -65,7 +85,8 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, 
             .unwrap_or_default();
         cells.into_iter().map(Cow::into_owned).collect()
     };
-    let (names, units) = (cells(names), cells(units));
+    let (mut names, units) = (cells(names), cells(units));
+    name_date_and_time(&mut names, head, shape);
     let mut samples: Vec<ColumnSample> = Vec::new();
     let (mut rows, mut looked_at) = (0_usize, 0_usize);
     let mut add = |line: &str| {

@@ -105,3 +105,23 @@ fn places_over_the_equator_and_greenwich_keep_the_hemispheres_of_their_rows() {
         );
     }
 }
+
+#[test]
+fn one_name_over_date_and_time_does_not_shift_the_others() {
+    let row = |row: u32| {
+        let latitude = 47.1 + 1e-5 * f64::from(row);
+        format!("2024/05/01 10:00:{row:02}.000   {latitude:.9}    8.500000000   512.3  1  12\n")
+    };
+    let table = "% program   : RTKLIB ver.2.4.3\n%\n%  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns\n"
+        .to_owned()
+        + &(0..50).map(row).collect::<String>();
+    let map = guess_table("a.pos", table.as_bytes()).unwrap();
+    let files = files(&[("a.pos", &table)]);
+    let flight = flight_of_tables(&files, &[map]).unwrap().flight;
+    let origin = flight.frame_on_globe.unwrap().origin;
+    assert!((origin.latitude.to_degrees() - 47.1).abs() < 1e-9);
+    assert!((origin.longitude.to_degrees() - 8.5).abs() < 1e-9);
+    let states = flight.truth.unwrap().states;
+    assert_eq!(states.len(), 50);
+    assert!((states[49].time - states[0].time - 49.0).abs() < 1e-9);
+}

@@ -89,6 +89,7 @@ mod tests {
             (b"$GPGGA,1,2\r\n".to_vec(), "NMEA"),
             (with(16, b"BUILD"), "DJI aircraft"),
             (b"<!DOCTYPE html>".to_vec(), "web page"),
+            (b"[ {\"t\": 1}, {\"t\": 2} ]".to_vec(), "JSON of no kind"),
             (Vec::new(), "empty"),
             (vec![0; 64], "zeros"),
         ] {

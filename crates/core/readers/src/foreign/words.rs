@@ -84,10 +84,16 @@ pub(super) fn of(text: &str) -> Option<Foreign> {
         None => text.contains(word),
     };
     let found = WORDS.iter().find(|(word, _)| is_there(word));
-    if found.is_some() || !text.trim_start().starts_with('{') {
+    if found.is_some() || !text.trim_start().starts_with(['{', '[']) {
         return found.map(|(_, is)| *is);
     }
     let bare: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     let found = MEMBERS.iter().find(|(member, _)| bare.contains(member));
-    found.map(|(_, is)| *is)
+    // Files of our own have words of their own where they cannot be read.
+    let is_own = bare.contains("\"pilotage");
+    let is_json = ["{\"", "[{\"", "[["]
+        .iter()
+        .any(|begin| bare.starts_with(begin));
+    let of_any = (is_json && !is_own).then(|| kind("JSON of no kind that is known here", TO_CSV));
+    found.map(|(_, is)| *is).or(of_any)
 }
