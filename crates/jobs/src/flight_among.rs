@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables};
 use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::gpmf::{FILMS, flight_of_film, read_gpmf};
 use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
 use pilotage_core::flight::photo::read_photos;
 use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
@@ -41,22 +42,29 @@ pub fn flight_among(
     {
         return Ok(Some(flown));
     }
-    if names_ending_in(files.as_ref(), &FLOWN).is_empty() || log_among(files.as_ref()).is_some() {
+    let has_none = |endings: &[&str]| names_ending_in(files.as_ref(), endings).is_empty();
+    if has_none(&FLOWN) && has_none(&FILMS) || log_among(files.as_ref()).is_some() {
         return Ok(None);
     }
     if let Some(filmed) = flight_of_subtitles(files).map_err(told)? {
+        return Ok(Some(filmed));
+    }
+    if let Some(filmed) = flight_of_film(files).map_err(told)? {
         return Ok(Some(filmed));
     }
     let recorded = flight_of_sentences(files).map_err(told)?;
     Ok(recorded.or_else(|| read_photos(files)))
 }
 
-/// The flight of one file that says itself where it was: subtitles of a film, or what a satellite receiver said, which are
+/// The flight of one file that says itself where it was: subtitles of a film, a film of GoPro, or what a satellite receiver said, which are
 /// known by their content, whatever their name. `None` of any other file.
 ///
 /// # Errors
 /// A file of these that cannot be read, or that tells of no flight, in words.
 pub fn flight_of_file(name: &str, source: &dyn ByteSource) -> Result<Option<FlightFolder>, String> {
+    if has_ending(name, &FILMS) {
+        return read_gpmf(name, source).map_err(|cause| cause.to_string());
+    }
     let read = if has_ending(name, &["srt"]) {
         read_srt
     } else if head(source).is_some_and(|head| is_nmea(&head)) {

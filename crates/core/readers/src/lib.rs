@@ -6,6 +6,7 @@ pub mod columns;
 pub mod expression;
 mod folder;
 pub mod foreign;
+pub mod gpmf;
 pub mod interpret;
 pub mod log;
 pub mod mat;

@@ -41,26 +41,35 @@ const ENDING: &str = ".srt";
 /// Subtitles of which no flight can be made, or a table of frames that cannot be read.
 pub fn flight_of_subtitles(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
     let with_frames = |name: &str, bytes: &[u8]| {
-        let Some((mut folder, begins)) = of_film(name, bytes)? else {
-            return Ok(None);
-        };
-        let zero = folder.flight.span().0 - begins;
-        let frames = pictures_counted_from(zero, &mut folder.flight, files);
-        let broken = |cause: BesideLogError| FolderError::File {
-            file: name.to_owned(),
-            cause: cause.to_string(),
-        };
-        if let Some(frames) = frames.map_err(broken)? {
-            folder.frames = frames;
-        }
-        // Pitch is that of the camera itself.
-        if folder.flight.channel(ChannelName::Pitch).is_some() {
-            folder.flight.camera.mount_deviation = 0.0;
-        }
-        Ok(Some(folder))
+        let film = of_film(name, bytes)?;
+        film.map(|(folder, begins)| with_frames_of_film(name, folder, begins, files))
+            .transpose()
     };
     let because = "it belongs to another film";
     first_flight(files.as_ref(), ENDING, because, with_frames)
+}
+
+/// The flight of a film that begins at that second of it, with the frames that lie beside it.
+pub(crate) fn with_frames_of_film(
+    name: &str,
+    mut folder: FlightFolder,
+    begins: f64,
+    files: &Arc<dyn FileSet>,
+) -> Result<FlightFolder, FolderError> {
+    let zero = folder.flight.span().0 - begins;
+    let frames = pictures_counted_from(zero, &mut folder.flight, files);
+    let broken = |cause: BesideLogError| FolderError::File {
+        file: name.to_owned(),
+        cause: cause.to_string(),
+    };
+    if let Some(frames) = frames.map_err(broken)? {
+        folder.frames = frames;
+    }
+    // Pitch is that of the camera itself.
+    if folder.flight.channel(ChannelName::Pitch).is_some() {
+        folder.flight.camera.mount_deviation = 0.0;
+    }
+    Ok(folder)
 }
 
 /// The flight that subtitles tell of; `None` if `bytes` are no subtitles with places in them.

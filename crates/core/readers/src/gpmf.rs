@@ -1,0 +1,339 @@
+//! Places in the films of GoPro (GPMF), as a flight at the times of the film.
+//!
+//! A track of the film (`gpmd`) has a payload a second, of nested pieces: key, type, size, number, data, filled up to four
+//! bytes (<https://github.com/gopro/gpmf-parser>). Of its streams `GPS9` (each place with its fix) and `GPS5` (one fix for all)
+//! tell places.
+
+use std::sync::Arc;
+
+use crate::folder::{FlightFolder, FolderError};
+use crate::srt::with_frames_of_film;
+use crate::text_tables::{flight_of_table, table};
+use pilotage_base::bytes::ByteSource;
+use pilotage_base::files::FileSet;
+
+/// Endings of films.
+pub const FILMS: [&str; 3] = ["mp4", "mov", "360"];
+/// Longest index of a film that is read, bytes.
+const LONGEST: u64 = 1 << 26;
+/// Longest payload, bytes.
+const LONGEST_PAYLOAD: u64 = 1 << 22;
+/// Most payloads of a film: one is a second.
+const MOST: u64 = 1 << 20;
+/// Kinds of fix from which on a place counts.
+const FLAT_FIX: f64 = 2.0;
+/// Columns behind the time; latitude, longitude, height and speed are the first numbers of either stream.
+const COLUMNS: [&str; 4] = [
+    "latitude [deg]",
+    "longitude [deg]",
+    "altitude [m]",
+    "speed over ground [m/s]",
+];
+
+/// Place at a second of the film.
+type FilmedRow = (f64, [Option<f64>; 4]);
+
+/// Places of either stream, and those without a fix.
+#[derive(Default)]
+struct FilmedPlaces {
+    rows: Vec<FilmedRow>,
+    unfixed: usize,
+}
+
+/// The flight of the first film among `files` that tells where it was taken, with the frames of the film beside it; `None` if
+/// there is none.
+///
+/// # Errors
+/// Places of which no flight can be made, or a table of frames that cannot be read.
+pub fn flight_of_film(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
+    let mut names = files.names();
+    names.retain(|name| is_film(name));
+    names.sort();
+    for name in names {
+        let read = files
+            .source(&name)
+            .map(|film| of_film(&name, film.as_ref()));
+        if let Some((folder, begins)) = read.transpose()?.flatten() {
+            return with_frames_of_film(&name, folder, begins, files).map(Some);
+        }
+    }
+    Ok(None)
+}
+
+/// Whether a file is a film by its name.
+fn is_film(name: &str) -> bool {
+    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+    FILMS.iter().any(|film| film.eq_ignore_ascii_case(ending))
+}
+
+/// The flight that a film tells of; `None` if it has no such track with two places.
+///
+/// # Errors
+/// Places of which no flight can be made, as the tables of a flight.
+pub fn read_gpmf(name: &str, film: &dyn ByteSource) -> Result<Option<FlightFolder>, FolderError> {
+    Ok(of_film(name, film)?.map(|(folder, _)| folder))
+}
+
+/// That flight, and the second of the film at which it begins.
+fn of_film(name: &str, film: &dyn ByteSource) -> Result<Option<(FlightFolder, f64)>, FolderError> {
+    let Some((places, is_cut)) = places_of(film) else {
+        return Ok(None);
+    };
+    let Some((begins, _)) = places.rows.first().filter(|_| places.rows.len() > 1) else {
+        return Ok(None);
+    };
+    let mut notes = vec!["times are those of the film".to_owned()];
+    if places.unfixed > 0 {
+        notes.push(format!(
+            "{} places without a fix were left out",
+            places.unfixed
+        ));
+    }
+    if is_cut {
+        notes.push("the film is cut off: its last places cannot be read".to_owned());
+    }
+    let rows = places.rows.iter();
+    let rows: Vec<_> = rows
+        .map(|(time, row)| (format!("{time:.3}"), *row))
+        .collect();
+    let folder = flight_of_table(name, table("time [s]", COLUMNS, &rows), notes)?;
+    Ok(folder.map(|folder| (folder, *begins)))
+}
+
+/// The places of a film, and whether it ends before its last; `None` if it has no track of such.
+fn places_of(film: &dyn ByteSource) -> Option<(FilmedPlaces, bool)> {
+    let index = index_of(film)?;
+    let tracks = boxes(&index).filter(|(kind, _)| *kind == b"trak");
+    let samples = tracks.filter_map(|(_, track)| samples_of(track)).next()?;
+    let [mut each, mut together] = [FilmedPlaces::default(), FilmedPlaces::default()];
+    let mut is_cut = false;
+    for (offset, length, time, duration) in samples {
+        let Some(payload) = read(film, offset, length) else {
+            is_cut = true;
+            break;
+        };
+        let streams = pieces(&payload).filter(|piece| piece.key == b"DEVC");
+        let streams = streams.flat_map(|device| pieces(device.data));
+        for stream in streams.filter(|piece| piece.key == b"STRM") {
+            take_stream(stream.data, (time, duration), &mut each, &mut together);
+        }
+    }
+    let has_each = !each.rows.is_empty();
+    Some((if has_each { each } else { together }, is_cut))
+}
+
+/// So many bytes of a film; `None` where it does not reach so far.
+fn read(film: &dyn ByteSource, offset: u64, length: u64) -> Option<Vec<u8>> {
+    let is_there = offset.checked_add(length)? <= film.length();
+    is_there.then(|| film.read(offset, length as usize).ok())?
+}
+
+/// A number of four bytes, the largest first.
+fn whole(bytes: &[u8], at: usize) -> Option<u64> {
+    let bytes = bytes.get(at..)?.first_chunk()?;
+    Some(u64::from(u32::from_be_bytes(*bytes)))
+}
+
+/// The same of eight bytes.
+fn long(bytes: &[u8], at: usize) -> Option<u64> {
+    Some(u64::from_be_bytes(*bytes.get(at..)?.first_chunk()?))
+}
+
+/// The contents of the box that tells what is where in a film.
+fn index_of(film: &dyn ByteSource) -> Option<Vec<u8>> {
+    let mut at = 0;
+    loop {
+        let head = read(film, at, 16)?;
+        let (size, before) = match whole(&head, 0)? {
+            1 => (long(&head, 8)?, 16),
+            size => (size, 8),
+        };
+        let length = size.checked_sub(before)?;
+        match &head[4..8] {
+            b"moov" if length > LONGEST => return None,
+            b"moov" => return read(film, at + before, length),
+            kind if at == 0 && kind != b"ftyp" => return None,
+            _ => at = at.checked_add(size)?,
+        }
+    }
+}
+
+/// Kinds and contents of boxes one after the other.
+fn boxes(bytes: &[u8]) -> impl Iterator<Item = (&[u8], &[u8])> {
+    let mut rest = bytes;
+    std::iter::from_fn(move || {
+        let size = whole(rest, 0)? as usize;
+        let found = (rest.get(4..8)?, rest.get(8..size)?);
+        rest = &rest[size..];
+        Some(found)
+    })
+}
+
+/// The contents of the box at the end of a path.
+fn inside<'a>(bytes: &'a [u8], path: &[&[u8; 4]]) -> Option<&'a [u8]> {
+    path.iter().try_fold(bytes, |bytes, kind| {
+        let found = boxes(bytes).find(|(found, _)| found == kind);
+        found.map(|(_, contents)| contents)
+    })
+}
+
+/// Offset, length, time and duration in seconds of the payloads of a track; `None` if it is another.
+fn samples_of(track: &[u8]) -> Option<Vec<(u64, u64, f64, f64)>> {
+    let media = inside(track, &[b"mdia"])?;
+    let table = inside(media, &[b"minf", b"stbl"])?;
+    if inside(table, &[b"stsd"])?.get(12..16)? != b"gpmd" {
+        return None;
+    }
+    let header = inside(media, &[b"mdhd"])?;
+    let is_long = header.first()? == &1;
+    let per_second = whole(header, if is_long { 20 } else { 12 })?.max(1) as f64;
+    let sizes = inside(table, &[b"stsz"])?;
+    let size = |sample: usize| match whole(sizes, 4)? {
+        0 => whole(sizes, 12 + 4 * sample),
+        size => Some(size),
+    };
+    let chunk = |index: usize| match inside(table, &[b"stco"]) {
+        Some(chunks) => whole(chunks, 8 + 4 * index),
+        None => long(inside(table, &[b"co64"])?, 8 + 8 * index),
+    };
+    let counts = inside(table, &[b"stsc"])?;
+    let durations = inside(table, &[b"stts"])?;
+    let mut lasting = (8..durations.len()).step_by(8).flat_map(|run| {
+        let [count, ticks] = [run, run + 4].map(|at| whole(durations, at).unwrap_or(0));
+        std::iter::repeat_n(ticks, count as usize)
+    });
+    let total = whole(sizes, 8)?.min(MOST) as usize;
+    let (mut samples, mut ticks, mut run) = (Vec::new(), 0, 8);
+    for index in 0..total {
+        let Some(mut offset) = chunk(index) else {
+            break;
+        };
+        // The last run that begins at the chunk, counted from one, or before it.
+        while whole(counts, run + 12).is_some_and(|first| first <= index as u64 + 1) {
+            run += 12;
+        }
+        for _ in 0..whole(counts, run + 4)? {
+            let next = size(samples.len()).filter(|_| samples.len() < total);
+            let Some((length, lasts)) = next.zip(lasting.next()) else {
+                return Some(samples);
+            };
+            if length > LONGEST_PAYLOAD {
+                return Some(samples);
+            }
+            let [time, duration] = [ticks, lasts].map(|ticks| ticks as f64 / per_second);
+            samples.push((offset, length, time, duration));
+            offset = offset.saturating_add(length);
+            ticks += lasts;
+        }
+    }
+    Some(samples)
+}
+
+/// A piece of a payload.
+struct GpmfPiece<'a> {
+    key: &'a [u8],
+    kind: u8,
+    size: usize,
+    data: &'a [u8],
+}
+
+/// The pieces one after the other; ends before what is cut off.
+fn pieces(bytes: &[u8]) -> impl Iterator<Item = GpmfPiece<'_>> {
+    let mut rest = bytes;
+    std::iter::from_fn(move || {
+        let head: &[u8; 8] = rest.first_chunk()?;
+        let (size, count) = (usize::from(head[5]), u16::from_be_bytes([head[6], head[7]]));
+        let length = size * usize::from(count);
+        let piece = GpmfPiece {
+            key: rest.get(..4)?,
+            kind: head[4],
+            size,
+            data: rest.get(8..8 + length)?,
+        };
+        rest = rest
+            .get(8 + length.next_multiple_of(4)..)
+            .unwrap_or_default();
+        Some(piece)
+    })
+}
+
+/// Numbers of these types (one letter each) one after the other; those of other types are none.
+fn numbers(kinds: &[u8], data: &[u8]) -> Vec<f64> {
+    let mut rest = data;
+    let number = |kind: &u8| {
+        let size = match kind {
+            b'b' | b'B' => 1,
+            b's' | b'S' => 2,
+            b'l' | b'L' | b'f' => 4,
+            _ => 8,
+        };
+        let (bytes, behind) = rest.split_at_checked(size)?;
+        rest = behind;
+        let raw = bytes
+            .iter()
+            .fold(0_u64, |all, byte| all << 8 | u64::from(*byte));
+        Some(match kind {
+            b'b' => f64::from((raw as u8).cast_signed()),
+            b's' => f64::from((raw as u16).cast_signed()),
+            b'l' => f64::from((raw as u32).cast_signed()),
+            b'f' => f64::from(f32::from_bits(raw as u32)),
+            b'd' => f64::from_bits(raw),
+            b'B' | b'S' | b'L' | b'J' => raw as f64,
+            _ => f64::NAN,
+        })
+    };
+    kinds.iter().map_while(number).collect()
+}
+
+/// Takes the places of a stream of a payload that begins at a time and has a duration, seconds.
+fn take_stream(
+    stream: &[u8],
+    (time, duration): (f64, f64),
+    each: &mut FilmedPlaces,
+    together: &mut FilmedPlaces,
+) {
+    let (mut scales, mut kinds, mut fix) = (vec![1.0], Vec::new(), f64::INFINITY);
+    for piece in pieces(stream) {
+        let of_one_kind = || {
+            let count = piece.data.len() / piece.size.max(1);
+            numbers(&vec![piece.kind; count], piece.data)
+        };
+        match piece.key {
+            b"SCAL" => scales = of_one_kind(),
+            b"TYPE" => kinds = piece.data.to_vec(),
+            b"GPSF" => fix = of_one_kind().first().copied().unwrap_or(0.0),
+            b"GPS5" | b"GPS9" if piece.size > 0 => {
+                let is_each = piece.key == b"GPS9";
+                let places = if is_each { &mut *each } else { &mut *together };
+                let kinds = if is_each { kinds.as_slice() } else { b"lllll" };
+                let rows = piece.data.chunks_exact(piece.size);
+                let step = duration / rows.len().max(1) as f64;
+                for (index, row) in rows.enumerate() {
+                    let raw = numbers(kinds, row);
+                    let value = |at: usize| {
+                        let scale = scales.get(at).or(scales.first())?;
+                        Some(raw.get(at)? / scale).filter(|value| value.is_finite())
+                    };
+                    let fix = if is_each {
+                        value(8).unwrap_or(0.0)
+                    } else {
+                        fix
+                    };
+                    let values = [0, 1, 2, 3].map(value);
+                    let is_place = values[..2].iter().all(Option::is_some)
+                        && values[..2] != [Some(0.0), Some(0.0)];
+                    if fix >= FLAT_FIX && is_place {
+                        places.rows.push((time + step * index as f64, values));
+                    } else {
+                        places.unfixed += 1;
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "gpmf_tests.rs"]
+mod tests;
