@@ -10,7 +10,7 @@ use pilotage_core::frames::{
 use pilotage_core::imagery::systems;
 use pilotage_core::imagery::terrain::{Dem, Terrain};
 use pilotage_core::imagery::{GeoTiffFile, Georeference, Imagery, Placement, Window};
-use pilotage_core::mission::{MapFileError, MapOptions, OpenMap, open_map_with};
+use pilotage_core::mission::{MapFileError, MapOptions, OpenMap, open_dem, open_map_with};
 use pilotage_core::raster::encode_png_with_coverage;
 use serde::Serialize;
 
@@ -215,7 +215,7 @@ fn elevation(
 ) -> Result<Info, Box<dyn std::error::Error>> {
     let frame = place.map(LocalFrame::new);
     let directory = DirectoryFiles::around(&arguments.file)?;
-    let dem = Dem::open_among(&directory, &arguments.name(), frame, system)?;
+    let dem = open_dem(&directory, &arguments.name(), frame, system)?;
     let (width, height) = dem.placement().size();
     let middle = Point2::new(0.5 * width as f64, 0.5 * height as f64);
     let file = geo_tiff(arguments, system).ok();

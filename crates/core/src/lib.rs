@@ -42,7 +42,7 @@ pub mod flight {
 /// Missions that people author, and the map that they lie on.
 pub mod mission {
     pub use pilotage_maps::{
-        CornersError, MapFileError, MapOptions, Mosaic, OpenMap, open_map, open_map_with,
+        CornersError, MapFileError, MapOptions, Mosaic, OpenMap, open_dem, open_map, open_map_with,
     };
     pub use pilotage_mission::mission::*;
 }

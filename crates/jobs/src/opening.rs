@@ -13,7 +13,7 @@ use pilotage_core::imagery::terrain::{Dem, Terrain as _};
 use pilotage_core::imagery::{ByteSource, GeoTiffError};
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{
-    MapFileError, MapOptions, Mission, OpenMap, open_map_with, read_mission,
+    MapFileError, MapOptions, Mission, OpenMap, open_dem, open_map_with, read_mission,
 };
 use pilotage_core::navigator::{Run, decode_run};
 use pilotage_core::text::capitalised;
@@ -245,7 +245,7 @@ pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<D
     let Some(name) = names.find(|name| pool.source(name).is_some_and(Dem::is_one)) else {
         return Ok(None);
     };
-    let dem = Dem::open_among(pool, &name, frame, None).map_err(|cause| cause.to_string())?;
+    let dem = open_dem(pool, &name, frame, None).map_err(|cause| cause.to_string())?;
     Ok(Some(dem))
 }
 

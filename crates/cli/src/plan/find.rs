@@ -2,8 +2,8 @@
 
 use pilotage_core::frames::units::GRAVITY;
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use pilotage_core::imagery::terrain::{Dem, Terrain as _};
-use pilotage_core::mission::{Route, WayPoint};
+use pilotage_core::imagery::terrain::Terrain as _;
+use pilotage_core::mission::{Route, WayPoint, open_dem};
 use pilotage_core::plan::{
     Aim, BudgetOf, FieldView, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns,
 };
@@ -231,7 +231,7 @@ fn high_ground(
     let frame = LocalFrame::new(ground.mission.origin);
     let name = path.file_name().unwrap_or(path.as_os_str());
     let files = DirectoryFiles::around(path)?;
-    let dem = Dem::open_among(&files, &name.to_string_lossy(), Some(frame), None)?;
+    let dem = open_dem(&files, &name.to_string_lossy(), Some(frame), None)?;
     let base = dem.height_at(&GroundPoint::default()).unwrap_or(0.0);
     let mut heights = dem.grid(ground.map.bounds(), MOST_POSTS);
     while !heights.take_rows(&dem, usize::MAX) {}

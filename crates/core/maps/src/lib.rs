@@ -2,6 +2,7 @@
 
 mod auxiliary_xml;
 mod corners_error;
+mod dem_file;
 pub mod georeferencer;
 mod geotiff;
 mod map_error;
@@ -18,6 +19,7 @@ pub mod tiff;
 pub mod web_tiles;
 
 pub use corners_error::CornersError;
+pub use dem_file::open_dem;
 pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
 pub use map_error::MapFileError;
 pub use map_file::{OpenMap, open_map, open_map_with};

@@ -1,4 +1,4 @@
-//! Places in the films of GoPro (GPMF), as a flight at the times of the film.
+//! Places in the films of `GoPro` (GPMF), as a flight at the times of the film.
 //!
 //! A track of the film (`gpmd`) has a payload a second, of nested pieces: key, type, size, number, data, filled up to four
 //! bytes (<https://github.com/gopro/gpmf-parser>). Of its streams `GPS9` (each place with its fix) and `GPS5` (one fix for all)
@@ -103,8 +103,8 @@ fn of_film(name: &str, film: &dyn ByteSource) -> Result<Option<(FlightFolder, f6
 /// The places of a film, and whether it ends before its last; `None` if it has no track of such.
 fn places_of(film: &dyn ByteSource) -> Option<(FilmedPlaces, bool)> {
     let index = index_of(film)?;
-    let tracks = boxes(&index).filter(|(kind, _)| *kind == b"trak");
-    let samples = tracks.filter_map(|(_, track)| samples_of(track)).next()?;
+    let mut tracks = boxes(&index).filter(|(kind, _)| *kind == b"trak");
+    let samples = tracks.find_map(|(_, track)| samples_of(track))?;
     let [mut each, mut together] = [FilmedPlaces::default(), FilmedPlaces::default()];
     let mut is_cut = false;
     for (offset, length, time, duration) in samples {

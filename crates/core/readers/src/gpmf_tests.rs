@@ -5,17 +5,17 @@ use pilotage_base::files::MemoryFiles;
 
 use super::*;
 
-fn boxed(kind: &[u8; 4], parts: &[&[u8]]) -> Vec<u8> {
+fn boxed(kind: [u8; 4], parts: &[&[u8]]) -> Vec<u8> {
     let contents = parts.concat();
     let size = (contents.len() as u32 + 8).to_be_bytes();
-    [&size[..], kind, &contents].concat()
+    [&size[..], &kind, &contents].concat()
 }
 
 fn words(words: &[u32]) -> Vec<u8> {
     words.iter().flat_map(|word| word.to_be_bytes()).collect()
 }
 
-fn piece(key: &[u8; 4], kind: u8, size: u8, data: &[u8]) -> Vec<u8> {
+fn piece(key: [u8; 4], kind: u8, size: u8, data: &[u8]) -> Vec<u8> {
     let count = (data.len() / usize::from(size)) as u16;
     let mut bytes = [&key[..], &[kind, size], &count.to_be_bytes(), data].concat();
     bytes.resize(bytes.len().next_multiple_of(4), 0);
@@ -46,28 +46,28 @@ fn payload(first: i32, fix: u32, is_each: bool) -> Vec<u8> {
     let tens = [10_000_000, 10_000_000, 1000, 1000, 100, 1, 1000, 100, 1];
     let stream = if is_each {
         [
-            piece(b"SCAL", b'l', 4, &signed(&tens)),
-            piece(b"TYPE", b'c', 9, b"lllllllSS"),
-            piece(b"GPS9", b'?', 32, &rows),
+            piece(*b"SCAL", b'l', 4, &signed(&tens)),
+            piece(*b"TYPE", b'c', 9, b"lllllllSS"),
+            piece(*b"GPS9", b'?', 32, &rows),
         ]
         .concat()
     } else {
         [
-            piece(b"GPSF", b'L', 4, &words(&[fix])),
-            piece(b"GPSU", b'c', 16, b"240501100000.000"),
-            piece(b"SCAL", b'l', 4, &signed(&tens[..5])),
-            piece(b"GPS5", b'l', 20, &rows),
+            piece(*b"GPSF", b'L', 4, &words(&[fix])),
+            piece(*b"GPSU", b'c', 16, b"240501100000.000"),
+            piece(*b"SCAL", b'l', 4, &signed(&tens[..5])),
+            piece(*b"GPS5", b'l', 20, &rows),
         ]
         .concat()
     };
-    let other = piece(b"STRM", 0, 1, &piece(b"ACCL", b's', 6, &[0; 60]));
-    let stream = [other, piece(b"STRM", 0, 1, &stream)].concat();
-    piece(b"DEVC", 0, 1, &stream)
+    let other = piece(*b"STRM", 0, 1, &piece(*b"ACCL", b's', 6, &[0; 60]));
+    let stream = [other, piece(*b"STRM", 0, 1, &stream)].concat();
+    piece(*b"DEVC", 0, 1, &stream)
 }
 
 /// A film of these payloads, of 1.001 s each, two in a chunk.
 fn film(payloads: &[Vec<u8>]) -> Vec<u8> {
-    let head = boxed(b"ftyp", &[b"mp41"]);
+    let head = boxed(*b"ftyp", &[b"mp41"]);
     let mut media = Vec::new();
     let mut chunks = Vec::new();
     for (index, payload) in payloads.iter().enumerate() {
@@ -80,25 +80,28 @@ fn film(payloads: &[Vec<u8>]) -> Vec<u8> {
     let count = payloads.len() as u32;
     let sizes: Vec<u32> = payloads.iter().map(|p| p.len() as u32).collect();
     let table = boxed(
-        b"stbl",
+        *b"stbl",
         &[
-            &boxed(b"stsd", &[&words(&[0, 1, 16]), b"gpmd", &[0; 8]]),
-            &boxed(b"stts", &[&words(&[0, 1, count, 1001])]),
-            &boxed(b"stsc", &[&words(&[0, 1, 1, 2, 1])]),
-            &boxed(b"stsz", &[&words(&[0, 0, count]), &words(&sizes)]),
+            &boxed(*b"stsd", &[&words(&[0, 1, 16]), b"gpmd", &[0; 8]]),
+            &boxed(*b"stts", &[&words(&[0, 1, count, 1001])]),
+            &boxed(*b"stsc", &[&words(&[0, 1, 1, 2, 1])]),
+            &boxed(*b"stsz", &[&words(&[0, 0, count]), &words(&sizes)]),
             &boxed(
-                b"stco",
+                *b"stco",
                 &[&words(&[0, chunks.len() as u32]), &words(&chunks)],
             ),
         ],
     );
-    let header = boxed(b"mdhd", &[&words(&[0, 0, 0, 1000, 0, 0])]);
+    let header = boxed(*b"mdhd", &[&words(&[0, 0, 0, 1000, 0, 0])]);
     let track = boxed(
-        b"trak",
-        &[&boxed(b"mdia", &[&header, &boxed(b"minf", &[&table])])],
+        *b"trak",
+        &[&boxed(*b"mdia", &[&header, &boxed(*b"minf", &[&table])])],
     );
-    let index = boxed(b"moov", &[&boxed(b"trak", &[&boxed(b"mdia", &[])]), &track]);
-    [head, boxed(b"mdat", &[&media]), index].concat()
+    let index = boxed(
+        *b"moov",
+        &[&boxed(*b"trak", &[&boxed(*b"mdia", &[])]), &track],
+    );
+    [head, boxed(*b"mdat", &[&media]), index].concat()
 }
 
 #[test]
@@ -139,7 +142,7 @@ fn films_without_places_are_none_and_damaged_ones_never_panic() {
     let read = |bytes: &[u8]| {
         read_gpmf("a.mp4", &MemoryBytes::new("a.mp4", bytes.to_vec())).map(|f| f.is_some())
     };
-    assert_eq!(read(&boxed(b"ftyp", &[b"mp42"])).unwrap(), false);
+    assert!(!read(&boxed(*b"ftyp", &[b"mp42"])).unwrap());
     let sound = film(&[
         payload(0, 3, false),
         payload(10, 3, false),

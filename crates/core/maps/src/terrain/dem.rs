@@ -7,12 +7,9 @@ use nalgebra::Point2;
 use super::hgt::Hgt;
 use super::tiff_posts::{TiffPosts, holds_heights};
 use super::{HeightDatum, HeightGrid, Terrain, TerrainError, between_posts};
-use crate::map_error::MapFileError;
-use crate::map_file::{geo_tiff_file, missing};
-use crate::map_options::{MapOptions, is_geo_tiff};
+use crate::map_options::is_geo_tiff;
 use crate::tiff::{TiffError, TiffFile};
 use crate::{GeoTiffError, GeoTiffFile};
-use pilotage_base::files::FileSet;
 use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_base::{bytes::ByteSource, georeference::GeoreferenceError};
 use pilotage_raster::imagery::Placement;
@@ -62,31 +59,14 @@ impl Dem {
         Self::of_geo_tiff(&GeoTiffFile::open(source, None, system)?, frame)
     }
 
-    /// The model that is called `name` among files, by what it says itself of its place, or else by what lies beside it: a
-    /// world file, a `.prj`. The rest is as for [`Dem::open`].
+    /// The model of a file whose place is known, in the world frame `frame` or else around its own middle.
     ///
     /// # Errors
-    /// It is none, or does not lie anywhere.
-    pub fn open_among(
-        files: &dyn FileSet,
-        name: &str,
+    /// Its samples are no heights, or it does not lie anywhere.
+    pub fn of_geo_tiff(
+        file: &GeoTiffFile,
         frame: Option<LocalFrame>,
-        system: Option<ReferenceSystem>,
-    ) -> Result<Self, MapFileError> {
-        if name.to_ascii_lowercase().ends_with(HGT) {
-            let source = files.source(name).ok_or_else(|| missing(name))?;
-            return Ok(Self::open_hgt(source.as_ref(), frame)?);
-        }
-        let options = MapOptions {
-            frame,
-            system,
-            ..MapOptions::default()
-        };
-        let file = geo_tiff_file(files, name, &options)?;
-        Ok(Self::of_geo_tiff(&file, frame)?)
-    }
-
-    fn of_geo_tiff(file: &GeoTiffFile, frame: Option<LocalFrame>) -> Result<Self, TerrainError> {
+    ) -> Result<Self, TerrainError> {
         let posts = Box::new(TiffPosts::new(file)?);
         let own = file.origin().map(LocalFrame::new);
         let frame = frame.or(own).ok_or_else(|| GeoTiffError::Georeference {

@@ -270,14 +270,14 @@ fn a_model_is_placed_by_what_lies_beside_it_where_it_says_nothing_itself() {
     }
     let mut files = pilotage_base::files::MemoryFiles::default();
     files.0.insert("a/dem.tif".to_owned(), bytes);
-    let refused = Dem::open_among(&files, "a/dem.tif", None, None).err();
+    let refused = crate::open_dem(&files, "a/dem.tif", None, None).err();
     assert!(refused.unwrap().to_string().contains("world file"));
     let world = format!("{STEP}\n0\n0\n-{STEP}\n10.0005\n50.0\n");
     files.0.insert("a/dem.tfw".to_owned(), world.into_bytes());
     files
         .0
         .insert("a/dem.prj".to_owned(), b"EPSG:4326".to_vec());
-    let dem = Dem::open_among(&files, "a/dem.tif", None, None).unwrap();
+    let dem = crate::open_dem(&files, "a/dem.tif", None, None).unwrap();
     let origin = dem.frame().origin;
     assert!((origin.longitude.to_degrees() - 10.002).abs() < 1e-9);
     assert_eq!(dem.height_at(&GroundPoint::default()), Some(300.0));

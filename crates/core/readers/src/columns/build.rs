@@ -60,23 +60,7 @@ pub fn flight_of_tables(
     let mut start_of_time = f64::INFINITY;
     for map in maps {
         let (mut table, time) = table_of(files.as_ref(), map)?;
-        let (line, end) = table.end;
-        let said = match end {
-            LastRow::Whole => None,
-            LastRow::MayBeCut => Some("fewer cells or digits than those before it"),
-            LastRow::Cut => Some("not all that is read of a row"),
-        };
-        if let Some(said) = said {
-            let is_left_out = if end == LastRow::Cut {
-                "was left out"
-            } else {
-                "was read as it is"
-            };
-            notes.push(format!(
-                "{}, line {line}: the last line has no end, and {said}: the file may be cut off there; the line {is_left_out}",
-                map.file
-            ));
-        }
+        notes.extend(cut_off(&table, &map.file));
         let dropped = table.keep_rows_in_time(&time);
         if dropped > 0 {
             notes.push(format!(
@@ -158,6 +142,22 @@ pub fn flight_of_tables(
     folder.notes.splice(0..0, notes);
     folder.flight.truth = track(&folder);
     Ok(folder)
+}
+
+/// Sentence about the last line of a table, where the file may be cut off in it.
+fn cut_off(table: &CsvTable, file: &str) -> Option<String> {
+    let (line, end) = table.end;
+    let (said, is_left_out) = match end {
+        LastRow::Whole => return None,
+        LastRow::MayBeCut => (
+            "fewer cells or digits than those before it",
+            "was read as it is",
+        ),
+        LastRow::Cut => ("not all that is read of a row", "was left out"),
+    };
+    Some(format!(
+        "{file}, line {line}: the last line has no end, and {said}: the file may be cut off there; the line {is_left_out}"
+    ))
 }
 
 /// The table of a map with what only several columns say, and its column of times.

@@ -1,5 +1,7 @@
 //! Tables of flights that wait for long, and of clocks that are coarser than their rows.
 
+use std::fmt::Write as _;
+
 use pilotage_flight::ChannelName;
 
 use super::ColumnRole::Channel;
@@ -59,8 +61,9 @@ fn directions_of_a_flight_that_waits_for_long_are_judged_by_the_time_that_it_fli
         let radius = 15.0 / 6.0_f64.to_radians();
         let (north, east) = (radius * sin, radius * (1.0 - cos));
         let heading = 100.0 * (turned % 360.0) + f64::from(row % 2);
-        table += &format!(
-            "{row},{:.7},{:.7},{heading},{},{}\n",
+        let _ = writeln!(
+            table,
+            "{row},{:.7},{:.7},{heading},{},{}",
             47.1 + north / 111_190.0,
             8.5 + east / 75_690.0,
             100.0 * (turned % 360.0),

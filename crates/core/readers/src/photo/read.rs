@@ -72,7 +72,7 @@ pub struct Photo {
     /// Turn of the stored picture for people, as EXIF counts it: 1 not at all, 3 half round, 6 a quarter clockwise, 8
     /// a quarter the other way, the even ones between also mirrored.
     pub orientation: u8,
-    /// What is not sure of its place, in words: a hemisphere that is not named, another datum.
+    /// Doubts about its place, in words: a hemisphere that is not named, another datum.
     pub doubts: Vec<String>,
     /// The program that saved it again after it was taken, where one did: it may have turned the picture.
     pub saved_again_by: Option<String>,
@@ -314,7 +314,7 @@ fn place(gps: &ExifDirectory, xmp: &Xmp) -> Option<PhotoPlace> {
     })
 }
 
-/// What is not sure of the place of a photo, in words.
+/// Doubts about the place of a photo, in words.
 fn doubts(gps: &ExifDirectory, xmp: &Xmp) -> Vec<String> {
     let mut doubts = Vec::new();
     let Some(of_exif) = place(gps, &Xmp::default()) else {
