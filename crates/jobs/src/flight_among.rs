@@ -56,7 +56,7 @@ pub fn flight_among(
     Ok(recorded.or_else(|| read_photos(files)))
 }
 
-/// The flight of one file that says itself where it was: subtitles of a film, a film of GoPro, or what a satellite receiver said, which are
+/// The flight of one file that says itself where it was: subtitles of a film, a film of `GoPro`, or what a satellite receiver said, which are
 /// known by their content, whatever their name. `None` of any other file.
 ///
 /// # Errors
