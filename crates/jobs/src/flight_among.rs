@@ -56,8 +56,8 @@ pub fn flight_among(
     Ok(recorded.or_else(|| read_photos(files)))
 }
 
-/// The flight of one file that says itself where it was: subtitles of a film, a film of `GoPro`, or what a satellite receiver said, which are
-/// known by their content, whatever their name. `None` of any other file.
+/// The flight of one file that says itself where it was: subtitles of a film, a film of `GoPro`, or what a satellite receiver
+/// said, which is known by its content, whatever its name. `None` of any other file.
 ///
 /// # Errors
 /// A file of these that cannot be read, or that tells of no flight, in words.
