@@ -149,7 +149,7 @@ fn films_without_places_are_none_and_damaged_ones_never_panic() {
         payload(20, 3, false),
     ]);
     assert!(read(&sound).unwrap());
-    for cut in 0..sound.len() {
+    for cut in (0..sound.len()).step_by(3) {
         let _ = read(&sound[..cut]);
         let mut flipped = sound.clone();
         flipped[cut] ^= 0x91;
