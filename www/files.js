@@ -1,5 +1,5 @@
 // Reads what was dropped or chosen: files, and folders with everything in them.
-import { framesOf, isFilm } from "./video.js";
+import { framesOf, isFilm, tellsPlaces } from "./video.js";
 
 /** Maps, heights and logs larger than this many bytes stay where they are; workers read pieces of them. */
 const LARGE = 4 << 20;
@@ -17,6 +17,7 @@ async function gather(list) {
   for (const [path, file] of list) {
     try {
       if (isFilm(path)) {
+        if (await tellsPlaces(file)) { paths.push(path); contents.push(file); }
         for (const [frame, content] of await framesOf(path, file)) { paths.push(frame); contents.push(content); }
         continue;
       }

@@ -8,6 +8,22 @@ const PATIENCE = 20_000;
 
 export const isFilm = (path) => FILM.test(path);
 
+/** Whether a film has a track of places (GoPro's, `gpmd`), by its index. */
+export async function tellsPlaces(film) {
+  for (let at = 0; at + 16 <= film.size;) {
+    const head = new DataView(await film.slice(at, at + 16).arrayBuffer());
+    let size = head.getUint32(0);
+    if (size === 0) size = film.size - at;
+    if (size === 1) size = Number(head.getBigUint64(8));
+    if (size < 8) return false;
+    if (head.getUint32(4) === 0x6d6f6f76) { // moov
+      return (await film.slice(at, at + Math.min(size, 1 << 26)).text()).includes("gpmd");
+    }
+    at += size;
+  }
+  return false;
+}
+
 /** Waits for an event of the film, or throws what went wrong with it. */
 function next(film, event) {
   return new Promise((resolve, reject) => {

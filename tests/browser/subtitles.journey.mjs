@@ -1,10 +1,12 @@
 // DJI's subtitles dropped beside their film are a flight: position, height and gimbal, and the film's frames at its times.
+// GoPro's film has its places within itself.
 import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { filmed } from "./films.mjs";
+import { gopro } from "./gpmf.mjs";
 
-export const name = "subtitles beside their film become a flight with its frames, and a bag of ROS is refused by its name";
+export const name = "subtitles beside their film become a flight with its frames, so do places within a film, and a bag of ROS is refused by its name";
 export const tags = ["readers"];
 
 /** Subtitles of `count` tenths of a second, as DJI writes them, along a way to the north. */
@@ -36,4 +38,11 @@ export async function run(page, tools) {
   tools.check(flown.frames >= wanted - 1 && flown.frames <= wanted + 2, `${flown.frames} frames of ${duration} s`);
   await page.waitForTimeout(800);
   await tools.screenshot("subtitles");
+
+  // No picture in it can be decoded: it is a flight all the same.
+  await page.setInputFiles("#files", [{ name: "GX010001.MP4", mimeType: "video/mp4", buffer: gopro(20) }]);
+  const places = await tools.waitFor((s) => s.flight === "GX010001" && s.log?.read, "the flight of the film itself", 90_000);
+  tools.check(Math.abs(places.origin[0] - 47.3) < 1e-6 && Math.abs(places.origin[1] - 8.5) < 1e-6, `it begins at ${places.origin}`);
+  await page.waitForTimeout(800);
+  await tools.screenshot("places-in-film");
 }
