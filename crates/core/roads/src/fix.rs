@@ -88,6 +88,24 @@ pub struct RoadFix {
 
 /// Correction of a pose by which `sightings` were put on the ground, which is believed to be above `centre`; `None`
 /// where too few of them lie by roads, or nothing is told well enough.
+///
+/// ```
+/// use pilotage_base::frames::GroundPoint;
+/// use pilotage_roads::{RoadFixSettings, RoadJoining, RoadLine, RoadMap, RoadSighting, fix_on_roads};
+///
+/// let points = |ends: [(f64, f64); 2]| ends.map(|(north, east)| GroundPoint::new(north, east)).to_vec();
+/// let road = |ends| RoadLine { course: points(ends), ..RoadLine::default() };
+/// let roads = vec![road([(-100.0, 0.0), (100.0, 0.0)]), road([(0.0, -100.0), (0.0, 100.0)])];
+/// let map = RoadMap::new(roads, RoadJoining { crossings: true, ..RoadJoining::SHARED_POINTS });
+/// // The road to the north and that to the east are seen 3 m too far south and 2 m too far west.
+/// let seen = |north, east, direction| RoadSighting { place: GroundPoint::new(north - 3.0, east - 2.0), direction };
+/// let ways: Vec<f64> = (-8..=8).map(|i| 10.0 * f64::from(i)).collect();
+/// let all = ways.iter().flat_map(|way| [seen(*way, 0.0, 0.0), seen(0.0, *way, 90_f64.to_radians())]);
+/// let all: Vec<RoadSighting> = all.collect();
+/// let fix = fix_on_roads(&map, &all, GroundPoint::default(), &RoadFixSettings::default()).ok_or("no fix")?;
+/// assert!((fix.correction.x - 3.0).abs() < 0.01 && (fix.correction.y - 2.0).abs() < 0.01);
+/// # Ok::<(), &str>(())
+/// ```
 pub fn fix_on_roads(
     map: &RoadMap,
     sightings: &[RoadSighting],

@@ -151,6 +151,20 @@ impl RoadMap {
     }
 
     /// The nearest road within `reach` metres of `point`.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_roads::{RoadJoining, RoadLine, RoadMap};
+    ///
+    /// let course = vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(100.0, 0.0)];
+    /// let map = RoadMap::new(vec![RoadLine { course, ..RoadLine::default() }], RoadJoining::SHARED_POINTS);
+    /// // Five metres beyond its northern end and twelve to the east: √(5² + 12²) from it.
+    /// let place = GroundPoint::new(105.0, 12.0);
+    /// let road = map.nearest(place, 20.0).ok_or("no road")?;
+    /// assert_eq!((road.distance, road.along, road.right), (13.0, 100.0, 12.0));
+    /// assert!(map.nearest(place, 12.5).is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn nearest(&self, point: GroundPoint, reach: f64) -> Option<NearRoad> {
         self.grid.nearest(point, reach, None)
     }

@@ -31,6 +31,20 @@ pub fn names_roads(bytes: &[u8]) -> bool {
 
 /// Reads the roads of a file, whose kind its first bytes tell.
 ///
+/// ```
+/// use pilotage_roads::files::read_roads;
+///
+/// let xml = r#"<osm version="0.6">
+///     <node id="1" lat="47.0" lon="8.0"/><node id="2" lat="47.2" lon="8.4"/>
+///     <way id="7"><nd ref="1"/><nd ref="2"/><nd ref="3"/><tag k="highway" v="track"/><tag k="lanes" v="2"/></way>
+/// </osm>"#;
+/// let read = read_roads(xml.as_bytes())?;
+/// assert_eq!(read.roads[0].course, [(8.0, 47.0), (8.4, 47.2)]);
+/// assert_eq!(read.roads[0].width, 6.5); // two lanes of 3.25 m
+/// assert_eq!(read.missing_points, 1);
+/// # Ok::<(), pilotage_roads::files::RoadFileError>(())
+/// ```
+///
 /// # Errors
 /// The file is of another kind, or broken.
 pub fn read_roads(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
