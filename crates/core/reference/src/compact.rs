@@ -90,6 +90,22 @@ impl ReferenceTable {
 
     /// The table of such bytes.
     ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_reference::{CompactTableError, GenericClass, GenericLandmark, ReferenceTable};
+    ///
+    /// let pond = GenericLandmark {
+    ///     place: GroundPoint::new(1234.5, -678.9),
+    ///     class: GenericClass::Water,
+    ///     size: 20.0, orientation: 1.0,
+    ///     confidence: 0.9, stability: 0.8,
+    /// };
+    /// let read = ReferenceTable::from_bytes(&ReferenceTable::new(vec![pond], Vec::new()).to_bytes())?;
+    /// let [kept] = read.landmarks() else { panic!("one pond") };
+    /// assert!(kept.place.distance(&pond.place) < 0.18 && (kept.size / 20.0 - 1.0).abs() < 0.03);
+    /// # Ok::<(), CompactTableError>(())
+    /// ```
+    ///
     /// # Errors
     /// The bytes are no table, or damaged.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, CompactTableError> {

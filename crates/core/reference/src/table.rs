@@ -74,6 +74,14 @@ impl ReferenceTable {
     }
 
     /// The same table of landmarks that were sought in pixels of `gsd` metres, at most [`ReferenceTable::WIDEST_PIXEL`].
+    ///
+    /// ```
+    /// use pilotage_reference::ReferenceTable;
+    ///
+    /// let gsd = |metres| ReferenceTable::default().sought_in(metres).gsd();
+    /// assert_eq!(gsd(0.5), Some(0.5));
+    /// assert_eq!([0.0, f64::NAN, 20_000.0].map(gsd), [None; 3]);
+    /// ```
     #[must_use]
     pub fn sought_in(self, gsd: f64) -> Self {
         let gsd = (gsd > 0.0 && gsd <= Self::WIDEST_PIXEL).then_some(gsd);
@@ -106,6 +114,24 @@ impl ReferenceTable {
     }
 
     /// Landmarks at most `reach` metres from `place`.
+    ///
+    /// ```
+    /// use pilotage_base::frames::GroundPoint;
+    /// use pilotage_reference::{GenericClass, GenericLandmark, ReferenceTable};
+    ///
+    /// let tree = |(north, east)| GenericLandmark {
+    ///     place: GroundPoint::new(north, east),
+    ///     class: GenericClass::Tree,
+    ///     size: 8.0,
+    ///     orientation: 0.0,
+    ///     confidence: 1.0,
+    ///     stability: 1.0,
+    /// };
+    /// let table = ReferenceTable::new([(3.0, 4.0), (3.0, 5.0), (0.0, -5.0)].map(tree).to_vec(), Vec::new());
+    /// // √(3² + 4²) is within reach, √(3² + 5²) is not.
+    /// let near: Vec<f64> = table.near(GroundPoint::default(), 5.0).map(|tree| tree.place.east).collect();
+    /// assert_eq!(near, [-5.0, 4.0]);
+    /// ```
     pub fn near(
         &self,
         place: GroundPoint,

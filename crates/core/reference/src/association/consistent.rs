@@ -54,6 +54,25 @@ struct Hypothesis {
 
 /// Associates what was observed with what is possible.
 ///
+/// ```
+/// use nalgebra::{Matrix2, Matrix2x4, Matrix4, Vector2};
+/// use pilotage_reference::association::*;
+/// use pilotage_reference::GenericClass::Building;
+///
+/// // Five houses, and the aircraft 30 m north and 10 m west of where it is believed to be.
+/// let offset = Vector2::new(30.0, -10.0);
+/// let places = [[0.0, 0.0], [60.0, 5.0], [-20.0, 70.0], [45.0, -80.0], [-90.0, -30.0]].map(Vector2::from);
+/// let (class, covariance, size, by_pose) = (Building, Matrix2::identity(), 12.0, Matrix2x4::zeros());
+/// let possible = places.map(|place| PossibleLandmark { class, place, covariance, size, detection: 0.9 });
+/// let seen = places.map(|place| ObservedLandmark { class, place: place - offset, covariance, size, by_pose });
+/// let view = [[-150.0, -150.0], [-150.0, 150.0], [150.0, 150.0], [150.0, -150.0]].map(Vector2::from);
+/// let common = CommonError { position: covariance * 900.0, pose: Matrix4::identity() * 1e-4 };
+/// let problem = AssociationProblem { observed: &seen, possible: &possible, common, view: &view };
+/// let fix = associate(&problem, &AssociationSettings::default()).fix.ok_or("no fix")?;
+/// assert!((fix.offset - offset).norm() < 1e-6);
+/// # Ok::<(), &str>(())
+/// ```
+///
 /// The densest clique of the agreement graph gives a place; pairs are gathered around it, one to one; the next clique
 /// is sought among the pairs that do not lie there. Each place is weighed by the pairs that it explains and its
 /// distance from the belief. A pair is believed if its probability is, and the pairs together if their joint

@@ -98,6 +98,23 @@ const AROUND: [GenericClass; 3] = [
 
 impl Scoreboard {
     /// Scores of `observed` against `possible`, with the road as observed and as the map has it, if both are known.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix2, Matrix2x4, Vector2};
+    /// use pilotage_reference::GenericClass::{Building, Tree};
+    /// use pilotage_reference::association::*;
+    ///
+    /// let (covariance, size, by_pose) = (Matrix2::identity(), 9.0, Matrix2x4::zeros());
+    /// let at = |north| Vector2::new(north, 0.0);
+    /// let known = |class, north| PossibleLandmark { class, place: at(north), covariance, size, detection: 0.9 };
+    /// let seen = |class, north| ObservedLandmark { class, place: at(north), covariance, size, by_pose };
+    /// let known = [known(Tree, 20.0), known(Building, 0.0), known(Building, 40.0)];
+    /// let seen = [seen(Building, 1.0), seen(Tree, 21.0)];
+    /// let board = Scoreboard::of(&seen, &known, None, &ScoreboardSettings::of_thesis(0.3));
+    /// // Both houses are near (1 each); only the first has the tree to its north, as it is seen (1 more).
+    /// assert_eq!(board.rows[0].terms.iter().map(ScoreboardTerms::total).collect::<Vec<_>>(), [2.0, 1.0]);
+    /// assert_eq!(board.rows[0].chosen, Some(1));
+    /// ```
     pub fn of(
         observed: &[ObservedLandmark],
         possible: &[PossibleLandmark],

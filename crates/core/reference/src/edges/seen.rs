@@ -21,6 +21,19 @@ const AROUND: f64 = 48.0;
 
 /// Straight edges of `picture`, which shows `window`, north up, as landmarks of `class`: the place is the middle, the
 /// size the length and the orientation the direction.
+///
+/// ```
+/// use pilotage_raster::imagery::Window;
+/// use pilotage_raster::raster::Raster;
+/// use pilotage_reference::edges::{EDGES, edges_seen};
+///
+/// // Dark ground west of 20 m east, bright ground east of it, in pixels of half a metre.
+/// let window = Window { north_edge: 40.0, west_edge: 0.0, gsd: 0.5, width: 80, height: 80 };
+/// let shade = |column| if column < 40 { 60 } else { 180 };
+/// let picture = Raster::from_fn(80, 80, |column, _| [shade(column), shade(column), shade(column), 255]);
+/// let [edge] = &edges_seen(&window, &picture, EDGES)[..] else { panic!("one edge") };
+/// assert!((edge.place.east - 20.0).abs() < 0.5 && edge.orientation.sin().abs() < 0.02);
+/// ```
 pub fn edges_seen(
     window: &Window,
     picture: &Raster<Rgba>,

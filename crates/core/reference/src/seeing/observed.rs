@@ -37,6 +37,21 @@ pub fn possible(landmark: &GenericLandmark, below: GroundPoint) -> PossibleLandm
 }
 
 /// Change of the ground seen at the pixel of `place` with the assumed roll, pitch, yaw (radians) and height (metres).
+///
+/// ```
+/// use nalgebra::Point3;
+/// use pilotage_base::frames::{Attitude, GroundPoint, Pose};
+/// use pilotage_raster::camera::CameraModel;
+/// use pilotage_reference::seeing::ground_by_pose;
+///
+/// let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
+/// let pose = Pose { position_in_world: Point3::new(0.0, 0.0, -300.0), attitude: Attitude::level(0.0) };
+/// let moved = ground_by_pose(GroundPoint::new(0.0, 30.0), &camera, &pose, 0.0).ok_or("out of sight")?;
+/// // Nose up by a radian: 300 m ahead. Turned by a radian: 30 m south. Higher by a metre: 30 m / 300 m outward.
+/// let told = [moved[(0, 1)], moved[(0, 2)], moved[(1, 3)]];
+/// assert!(told.iter().zip([300.0, -30.0, 0.1]).all(|(told, known)| (told - known).abs() < 0.01));
+/// # Ok::<(), &str>(())
+/// ```
 pub fn ground_by_pose(
     place: GroundPoint,
     camera: &CameraModel,

@@ -25,6 +25,21 @@ const KINDS: [(GroundCover, GenericClass, f64, f64); 4] = [
 
 /// Buildings, trees, waters and paved places that lie whole in `map`. Their stability is one: a single look does not
 /// tell of other days.
+///
+/// ```
+/// use pilotage_raster::imagery::Window;
+/// use pilotage_reference::seeing::landmarks_seen;
+/// use pilotage_vision::ground_class::{CoverMap, GroundCover};
+///
+/// // Open ground of 30 m by 30 m with a building 8 m long from west to east and 6 m wide in its middle.
+/// let window = Window { north_edge: 30.0, west_edge: 0.0, gsd: 1.0, width: 30, height: 30 };
+/// let cover = |i| match (i % 30, i / 30) { (11..19, 12..18) => GroundCover::Building, _ => GroundCover::Open };
+/// let told = |i| { let mut shares = [0.0; 5]; shares[cover(i).index()] = 1.0; shares };
+/// let map = CoverMap { window, probabilities: (0..900).map(told).collect(), seen: vec![true; 900] };
+/// let [barn] = &landmarks_seen(&map)[..] else { panic!("one building") };
+/// assert_eq!((barn.place.north, barn.place.east), (15.0, 15.0));
+/// assert!((barn.orientation.to_degrees() - 90.0).abs() < 1e-6);
+/// ```
 pub fn landmarks_seen(map: &CoverMap) -> Vec<GenericLandmark> {
     let window = &map.window;
     let cell = window.gsd * window.gsd;
