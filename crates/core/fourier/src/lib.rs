@@ -9,6 +9,18 @@ use rustfft::Fft;
 pub use rustfft::num_complex::Complex32;
 
 /// The transforms of one length.
+///
+/// ```
+/// use pilotage_fourier::{Complex32, plan};
+///
+/// let samples = [1.0, -2.0, 0.5, 3.0, 0.0].map(|value| Complex32::new(value, 0.0));
+/// let (transforms, mut bins) = (plan(5), samples);
+/// transforms.forward.process(&mut bins);
+/// assert!((bins[0].re - 2.5).abs() < 1e-5); // the sum
+/// // There and back is five times the samples: nothing divides by the length.
+/// transforms.inverse.process(&mut bins);
+/// assert!((bins[3].re - 15.0).abs() < 1e-4);
+/// ```
 #[derive(Clone)]
 pub struct Transforms {
     /// Σ x(n) exp(-2πi kn/N).
