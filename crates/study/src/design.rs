@@ -109,6 +109,24 @@ impl StudyDesign {
 
     /// Run number `number`.
     ///
+    /// ```
+    /// use pilotage_study::{StudyDesign, StudyPlan};
+    ///
+    /// let design = StudyDesign::new(StudyPlan::read(r#"
+    ///     name = "gusts"
+    ///     question = "Does a gust in the state pay?"
+    ///     draws = 50
+    ///     cross.vehicle = ["airplane-wind", "airplane-gust"]
+    ///     draw.wind-speed = { uniform = [2, 8] }
+    ///     measure = [{ of = "error-rms" }]
+    /// "#)?);
+    /// // Each draw is flown in both cells, in the same wind: runs 6 and 7 are the fourth draw.
+    /// let [first, second] = [design.run(6)?, design.run(7)?];
+    /// assert_eq!((first.draw, first.cell, second.draw, second.cell), (3, 0, 3, 1));
+    /// assert_eq!(first.settings.wind_speed, second.settings.wind_speed);
+    /// # Ok::<(), pilotage_study::StudyError>(())
+    /// ```
+    ///
     /// # Errors
     /// Where a drawn setting makes no sense beside the others.
     pub fn run(&self, number: u64) -> Result<StudyRun, StudyError> {

@@ -51,6 +51,23 @@ impl Study {
 
     /// Flies run number `number`. The same number gives the same row to the bit, whoever flies it and when.
     ///
+    /// ```
+    /// use pilotage_study::{Study, StudyPlan};
+    ///
+    /// let study = Study::new(StudyPlan::read(r#"
+    ///     name = "offset"
+    ///     question = "What becomes of a wrong start without landmarks?"
+    ///     draws = 1
+    ///     fixed = { seconds = 5, wind-speed = 0, found = 0, offset-north = 300, offset-east = 400 }
+    ///     measure = [{ of = "error-rms" }, { of = "places-used" }]
+    /// "#)?)?;
+    /// // √(300² + 400²), but for what the sensors add in five seconds.
+    /// let row = study.fly(0)?;
+    /// assert!((row.measured[0].unwrap_or_default() - 500.0).abs() < 20.0);
+    /// assert_eq!(row.measured[1], Some(0.0));
+    /// # Ok::<(), pilotage_study::StudyError>(())
+    /// ```
+    ///
     /// # Errors
     /// Where its settings make no sense.
     pub fn fly(&self, number: u64) -> Result<StudyRow, StudyError> {

@@ -72,6 +72,16 @@ impl SobolPoints {
     }
 
     /// Coordinate in (0, 1) of point number `number` after the scramble with this key.
+    ///
+    /// ```
+    /// use pilotage_study::SobolPoints;
+    ///
+    /// // Of four points one lies in each quarter, whatever the scramble.
+    /// let points = SobolPoints::new(2);
+    /// let mut quarters = [0, 1, 2, 3].map(|number| (4.0 * points.scrambled(number, 1, 99)) as u8);
+    /// quarters.sort_unstable();
+    /// assert_eq!(quarters, [0, 1, 2, 3]);
+    /// ```
     pub fn scrambled(&self, number: u32, dimension: usize, key: u64) -> f64 {
         let bits = scramble(self.bits(number, dimension), dimension as u32, key);
         (f64::from(bits) + 0.5) / 2.0_f64.powi(BITS as i32)

@@ -117,6 +117,21 @@ impl<'a> StudyTally<'a> {
 
     /// Takes in the next row; rows after it was enough are left out.
     ///
+    /// ```
+    /// use pilotage_study::{StudyDesign, StudyPlan, StudyRow, StudyTally};
+    ///
+    /// let plan = "name = 'end'\nquestion = 'How far off?'\ndraws = 3\nmeasure = [{ of = 'error-end' }]";
+    /// let design = StudyDesign::new(StudyPlan::read(plan)?);
+    /// let mut tally = StudyTally::new(&design);
+    /// for (run, metres) in [(0, Some(2.0)), (1, None), (2, Some(6.0))] {
+    ///     tally.take(StudyRow { run, measured: vec![metres] })?;
+    /// }
+    /// let summary = tally.summary();
+    /// let mean = summary.cells[0].measures[0].mean.as_ref();
+    /// assert_eq!(mean.map(|mean| (mean.count, mean.missing, mean.mean)), Some((2, 1, 4.0)));
+    /// # Ok::<(), pilotage_study::StudyError>(())
+    /// ```
+    ///
     /// # Errors
     /// Where another row is the next.
     pub fn take(&mut self, row: StudyRow) -> Result<(), StudyError> {
