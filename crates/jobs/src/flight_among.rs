@@ -59,6 +59,21 @@ pub fn flight_among(
 /// The flight of one file that says itself where it was: subtitles of a film, a film of `GoPro`, or what a satellite receiver
 /// said, which is known by its content, whatever its name. `None` of any other file.
 ///
+/// ```
+/// use pilotage_core::imagery::MemoryBytes;
+/// use pilotage_jobs::flight_of_file;
+///
+/// // Two sentences of a receiver, a second and 0.006' of latitude (11.1 m) apart.
+/// let text = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n\
+///             $GPGGA,123520,4807.044,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n";
+/// let source = MemoryBytes::new("walk.txt", text.as_bytes());
+/// let folder = flight_of_file("walk.txt", &source)?.ok_or("no flight")?;
+/// let states = folder.flight.truth.as_ref().map(|truth| &truth.states[..]).unwrap_or_default();
+/// assert!(((states[1].position - states[0].position).norm() - 11.1).abs() < 0.05);
+/// assert!(flight_of_file("notes.txt", &MemoryBytes::new("notes.txt", &b"a word"[..]))?.is_none());
+/// # Ok::<(), String>(())
+/// ```
+///
 /// # Errors
 /// A file of these that cannot be read, or that tells of no flight, in words.
 pub fn flight_of_file(name: &str, source: &dyn ByteSource) -> Result<Option<FlightFolder>, String> {

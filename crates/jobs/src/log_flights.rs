@@ -15,6 +15,16 @@ use super::flights::{KeptFrames, OpenFlight};
 use super::vehicle::choose_vehicle;
 
 /// The first log among files, by what is in it.
+///
+/// ```
+/// use pilotage_core::flight::files::MemoryFiles;
+/// use pilotage_jobs::log_among;
+///
+/// let file = |(name, bytes): (&str, &[u8])| (name.to_owned(), bytes.to_vec());
+/// let files = [("a.ulg", &b"a word"[..]), ("flight.dat", &b"ULog\x01\x12\x35\x01"[..])].map(file);
+/// // By its first bytes, whatever it is called.
+/// assert_eq!(log_among(&MemoryFiles(files.into())).as_deref(), Some("flight.dat"));
+/// ```
 pub fn log_among(pool: &dyn FileSet) -> Option<String> {
     let mut names = pool.names();
     names.sort();

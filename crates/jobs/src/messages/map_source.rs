@@ -74,6 +74,17 @@ impl MapSource {
     }
 
     /// The same map in the world around another origin, if it can be put there.
+    ///
+    /// ```
+    /// use pilotage_core::frames::Geodetic;
+    /// use pilotage_jobs::MapSource;
+    ///
+    /// let [here, there] = [47.0, 48.0].map(|latitude| Geodetic::from_degrees(latitude, 8.0, 0.0));
+    /// let town = MapSource::Placed { key: "town".to_owned(), origin: here };
+    /// assert_eq!(town.moved(there).origin(), Some(there));
+    /// // A built-in world is where it is.
+    /// assert_eq!(MapSource::world("hall").moved(there), MapSource::world("hall"));
+    /// ```
     #[must_use]
     pub fn moved(&self, to: Geodetic) -> Self {
         let mut moved = self.clone();

@@ -61,6 +61,21 @@ impl WebMap {
     }
 
     /// Addresses of those tiles, coarse ones first.
+    ///
+    /// ```
+    /// use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
+    /// use pilotage_core::imagery::web_tiles::TileTemplate;
+    /// use pilotage_jobs::WebMap;
+    ///
+    /// let [name, attribution] = ["Tiles", "© Tiles"].map(str::to_owned);
+    /// let address = "https://example.org/{z}/{x}/{y}.png".to_owned();
+    /// let template = TileTemplate { name, address, attribution, least_zoom: 0, most_zoom: 18, side: 256 };
+    /// let map = WebMap { template, origin: Geodetic::from_degrees(0.0, 0.0, 0.0) };
+    /// // Just north-east of where the equator meets the meridian of Greenwich.
+    /// let area = GroundRect::centered(GroundPoint::new(500.0, 500.0), 100.0, 100.0);
+    /// let addresses = map.addresses_over(&area, (1, 2));
+    /// assert_eq!(addresses, ["https://example.org/1/1/0.png", "https://example.org/2/2/1.png"]);
+    /// ```
     pub fn addresses_over(&self, area: &GroundRect, zooms: (u8, u8)) -> Vec<String> {
         let of = |zoom| {
             let (first, last) = TileNumber::covering(area, &self.frame(), zoom);

@@ -39,6 +39,17 @@ impl Reply {
 
     /// Decodes a reply that [`Self::to_bytes`] wrote; an event that cannot be read becomes the failure of its
     /// job, so that nobody waits for it in vain. `None` if not even its job can be read.
+    ///
+    /// ```
+    /// use pilotage_jobs::{JobEvent, Reply};
+    ///
+    /// let bytes = Reply::Event(700, JobEvent::Progress(0.5, "Flying".to_owned())).to_bytes();
+    /// let lost = Reply::from_bytes(&bytes[..bytes.len() - 2]);
+    /// let Some(Reply::Event(job, JobEvent::Failed(why))) = lost else { return Err("it was read") };
+    /// assert!(job == 700 && why.contains("did not reach the page"));
+    /// assert_eq!(Reply::from_bytes(&[]), None);
+    /// # Ok::<(), &str>(())
+    /// ```
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         match from_bytes(bytes) {
