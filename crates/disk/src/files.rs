@@ -22,6 +22,19 @@ pub struct DiskFile {
 
 impl DiskFile {
     /// Opens the file at `path`; messages call it `name`.
+    ///
+    /// ```
+    /// use pilotage_core::imagery::ByteSource;
+    /// use pilotage_disk::files::DiskFile;
+    ///
+    /// let path = std::env::temp_dir().join(format!("pilotage-pieces-{}", std::process::id()));
+    /// std::fs::write(&path, "0123456789")?;
+    /// let file = DiskFile::open(&path, "digits")?;
+    /// assert_eq!((file.length(), file.read(3, 4)?), (10, b"3456".to_vec()));
+    /// assert!(file.read(8, 4).is_err()); // two bytes are left
+    /// std::fs::remove_file(&path)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn open(path: &Path, name: &str) -> std::io::Result<Self> {
         let file = File::open(path)?;
         Ok(Self {
@@ -79,6 +92,22 @@ impl DirectoryFiles {
     }
 
     /// Lists the files below `root`; a file stands for the directory it lies in.
+    ///
+    /// ```
+    /// use pilotage_core::flight::files::FileSet;
+    /// use pilotage_disk::files::DirectoryFiles;
+    ///
+    /// let folder = std::env::temp_dir().join(format!("pilotage-folder-{}", std::process::id()));
+    /// std::fs::create_dir_all(folder.join("maps"))?;
+    /// std::fs::write(folder.join("flight.json"), "{}")?;
+    /// std::fs::write(folder.join("maps/town.png"), "a picture")?;
+    /// // A file stands for its folder.
+    /// let files = DirectoryFiles::open(&folder.join("flight.json"))?;
+    /// assert_eq!(files.names(), ["flight.json", "maps/town.png"]);
+    /// assert_eq!(files.read("maps/town.png").as_deref(), Some(&b"a picture"[..]));
+    /// std::fs::remove_dir_all(&folder)?;
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
     pub fn open(root: &Path) -> std::io::Result<Self> {
         let root = if root.is_file() {
             root.parent().unwrap_or(root)
@@ -167,6 +196,21 @@ pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
 
 /// The picture with the georeference that lies beside it, in the world frame of a flight or mission;
 /// `megabytes` of its tiles are kept.
+///
+/// ```
+/// use pilotage_core::raster::{Raster, encode_png};
+/// use pilotage_disk::files::{MAP_CACHE, open_map};
+///
+/// let folder = std::env::temp_dir().join(format!("pilotage-map-{}", std::process::id()));
+/// std::fs::create_dir_all(&folder)?;
+/// std::fs::write(folder.join("town.png"), encode_png(&Raster::filled(40, 20, [90, 90, 90]))?)?;
+/// // Pixels of half a metre; the middle of the first is a quarter of a metre from the origin.
+/// std::fs::write(folder.join("town.pgw"), "0.5\n0\n0\n-0.5\n0.25\n-0.25\n")?;
+/// let map = open_map(&folder.join("town.png"), None, MAP_CACHE)?;
+/// assert_eq!((map.bounds().east, map.bounds().south), (20.0, -10.0));
+/// std::fs::remove_dir_all(&folder)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn open_map(
     path: &Path,
     frame: Option<LocalFrame>,

@@ -20,6 +20,21 @@ pub struct OpenMission {
 
 impl OpenMission {
     /// Reads the zip or the plain GeoJSON at `path`.
+    ///
+    /// ```
+    /// use pilotage_disk::mission_file::OpenMission;
+    ///
+    /// // A square of 0.001° by 0.001° is a landmark, whoever wrote it.
+    /// let path = std::env::temp_dir().join(format!("pilotage-square-{}.geojson", std::process::id()));
+    /// let square = "[[[8, 47], [8.001, 47], [8.001, 47.001], [8, 47.001], [8, 47]]]";
+    /// let geometry = format!(r#"{{"type": "Polygon", "coordinates": {square}}}"#);
+    /// let feature = format!(r#"{{"type": "Feature", "properties": {{}}, "geometry": {geometry}}}"#);
+    /// std::fs::write(&path, format!(r#"{{"type": "FeatureCollection", "features": [{feature}]}}"#))?;
+    /// let opened = OpenMission::read(&path)?;
+    /// assert_eq!((opened.package.mission.landmarks.len(), opened.is_over_scenery()), (1, false));
+    /// std::fs::remove_file(&path)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn read(path: &Path) -> Result<Self, String> {
         let name = path.display().to_string();
         let bytes = std::fs::read(path).map_err(|e| format!("{name}: {e}"))?;

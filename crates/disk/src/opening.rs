@@ -61,6 +61,20 @@ impl OpenedPath {
 /// Opens a path: a flight folder or its flight.json; tables, as `columns` or a file of that kind beside them says, else
 /// as their columns are guessed; a log; photos.
 ///
+/// ```
+/// use pilotage_disk::opening::{OpenedPath, open};
+///
+/// // What a satellite receiver said, under a name that does not tell.
+/// let path = std::env::temp_dir().join(format!("pilotage-walk-{}.txt", std::process::id()));
+/// let told = |at, minutes| format!("$GPGGA,{at},4807.{minutes},N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,\n");
+/// std::fs::write(&path, [told("123519", "038"), told("123521", "044")].concat())?;
+/// let OpenedPath::Folder(walk) = open(&path, None)? else { return Err("no flight".into()) };
+/// let states = walk.flight.truth.ok_or("no track")?.states;
+/// assert_eq!((states.len(), states[1].time - states[0].time), (2, 2.0));
+/// std::fs::remove_file(&path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Files that are there and cannot be read.
 pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn std::error::Error>> {

@@ -49,6 +49,18 @@ pub struct PlannedFlight {
 
 impl PlannedFlight {
     /// Opens the ground that a source names, to be flown along the first route of its mission.
+    ///
+    /// ```
+    /// use pilotage_disk::planned_flight::{PlanSource, PlannedFlight};
+    ///
+    /// let scenario = Some("distinct-400ft-calm".to_owned());
+    /// let ground = PlannedFlight::at(&PlanSource { scenario, ..PlanSource::default() })?;
+    /// assert!((ground.height - 400.0 * 0.3048).abs() < 0.5);
+    /// assert!(ground.plan.is_some_and(|plan| plan.landmarks.is_empty()));
+    /// let scenario = Some("to the moon".to_owned());
+    /// assert!(PlannedFlight::at(&PlanSource { scenario, ..PlanSource::default() }).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn at(arguments: &PlanSource) -> Result<Self, Box<dyn std::error::Error>> {
         Self::along(arguments, None)
     }

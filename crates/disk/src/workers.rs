@@ -102,6 +102,23 @@ impl Lent {
 /// Does the orders on as many threads as there are processors. `hear` is told the events of each with its number, all
 /// of the first before those of the second, whoever is done first; the last of an order is `Finished` or `Failed`.
 ///
+/// ```
+/// use pilotage_disk::workers::{Lent, run};
+/// use pilotage_jobs::{DescribeMapOrder, JobEvent, MapSource};
+///
+/// let orders = ["countryside", "hall", "moon"].map(|world| DescribeMapOrder(MapSource::world(world)));
+/// let mut told = Vec::new();
+/// run(orders.into(), &Lent::default(), &mut |number, event| {
+///     if event != JobEvent::Finished {
+///         told.push((number, matches!(event, JobEvent::MapInfo(_))));
+///     }
+///     Ok(())
+/// })?;
+/// // There is no world called moon, and nobody else fails for it.
+/// assert_eq!(told, [(0, true), (1, true), (2, false)]);
+/// # Ok::<(), String>(())
+/// ```
+///
 /// # Errors
 /// Whatever `hear` says; the orders that are left are not done then.
 pub fn run<O: Order + Send>(
