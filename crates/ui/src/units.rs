@@ -96,6 +96,13 @@ impl Units {
 
     /// An area of square metres with its unit: square metres, hectares or square kilometres, square feet, acres or
     /// square nautical miles.
+    ///
+    /// ```
+    /// use pilotage_ui::units::Units;
+    ///
+    /// assert_eq!(Units::Metric.area(25_000.0), "2.500 ha");
+    /// assert_eq!(Units::Aviation.area(8_093.712_844_8), "2.00 acres");
+    /// ```
     pub fn area(self, square_metres: f64) -> String {
         /// An international acre, square metres.
         const ACRE: f64 = 4_046.856_422_4;
@@ -120,6 +127,14 @@ pub fn with_minus(text: &str) -> String {
 }
 
 /// Minutes and seconds since `first`: `4:07.3`, and `\u{2212}0:05.0` before it.
+///
+/// ```
+/// use pilotage_ui::units::clock;
+///
+/// assert_eq!(clock(1247.34, 1000.0), "4:07.3");
+/// assert_eq!(clock(59.97, 0.0), "1:00.0");
+/// assert_eq!(clock(995.0, 1000.0), "\u{2212}0:05.0");
+/// ```
 pub fn clock(time: f64, first: f64) -> String {
     let tenths = ((time - first) * 10.0).round();
     let sign = if tenths < 0.0 { "\u{2212}" } else { "" };

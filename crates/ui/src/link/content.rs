@@ -59,6 +59,16 @@ impl Link {
     }
 
     /// Decodes a fragment; `None` if it is none of ours or makes no sense.
+    ///
+    /// ```
+    /// use pilotage_ui::link::Link;
+    ///
+    /// let link = Link::decode("scenario=indoor-hall&seed=7&north=12.5&east=-3&scale=99999&up=180").ok_or("no link")?;
+    /// assert_eq!((link.simulation.seed, link.center.north, link.center.east), (7, 12.5, -3.0));
+    /// assert_eq!((link.scale, link.up), (1000.0, std::f64::consts::PI));
+    /// assert!(Link::decode("scenario=moon&seed=7&north=0&east=0&scale=1").is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn decode(fragment: &str) -> Option<Self> {
         let part = |name: &str| {
             let mut parts = fragment.split('&').filter_map(|part| part.split_once('='));

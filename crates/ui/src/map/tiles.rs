@@ -48,6 +48,16 @@ impl TileKey {
     }
 
     /// The tile that shows `window`, if it is one of ours.
+    ///
+    /// ```
+    /// use pilotage_core::imagery::Window;
+    /// use pilotage_ui::map::TileKey;
+    ///
+    /// // Tiles of 256 pixels of 2 m begin at multiples of 512 m.
+    /// let of = |west_edge| TileKey::of(&Window { north_edge: 1024.0, west_edge, gsd: 2.0, width: 256, height: 256 });
+    /// assert_eq!(of(-512.0).map(|tile| tile.window().rect().east), Some(0.0));
+    /// assert_eq!(of(-500.0), None);
+    /// ```
     pub fn of(window: &Window) -> Option<Self> {
         let level = window.gsd.log2().round() as i32;
         let extent = Self::extent(level);

@@ -21,6 +21,21 @@ pub struct ScreenFromWorld {
 
 impl ScreenFromWorld {
     /// Screen point of a ground point.
+    ///
+    /// ```
+    /// use pilotage_core::frames::GroundPoint;
+    /// use pilotage_ui::map::ScreenFromWorld;
+    ///
+    /// // Two metres per point, and east at the top: what lies east is above, what lies north is to the left.
+    /// let map = ScreenFromWorld {
+    ///     center: GroundPoint::new(100.0, 0.0),
+    ///     metres_per_point: 2.0,
+    ///     up: 90_f64.to_radians(),
+    ///     middle: egui::pos2(400.0, 300.0),
+    /// };
+    /// let place = map.apply(&GroundPoint::new(120.0, 50.0));
+    /// assert!(place.distance(egui::pos2(390.0, 275.0)) < 1e-3);
+    /// ```
     pub fn apply(&self, p: &GroundPoint) -> Pos2 {
         let (sin, cos) = self.up.sin_cos();
         let (north, east) = (p.north - self.center.north, p.east - self.center.east);

@@ -82,6 +82,17 @@ impl Playback {
 
     /// Moves the cursor by `elapsed` seconds of real time. It waits at `streamed`, the last time
     /// computed so far, and ends or starts over at the end of the span.
+    ///
+    /// ```
+    /// use pilotage_ui::timeline::Playback;
+    ///
+    /// let mut playback = Playback { time: 10.0, speed: 4.0, ..Playback::default() };
+    /// playback.advance(0.2, Some((0.0, 60.0)), 60.0, true);
+    /// assert!((playback.time - 10.8).abs() < 1e-9);
+    /// // Nothing is computed beyond 11 s so far.
+    /// playback.advance(0.2, Some((0.0, 60.0)), 11.0, false);
+    /// assert_eq!(playback.time, 11.0);
+    /// ```
     pub fn advance(
         &mut self,
         elapsed: f64,
