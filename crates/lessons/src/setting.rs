@@ -91,6 +91,17 @@ impl Setting {
     }
 
     /// Sets a control to the nearest number that it has; `false` where there is no such control.
+    ///
+    /// ```
+    /// use pilotage_lessons::{LessonControl, Setting};
+    ///
+    /// const CONTROLS: &[LessonControl] = &[LessonControl::slider("wind", [0.0, 12.0], 0.5, 4.0, "m/s")];
+    /// let mut setting = Setting::usual(CONTROLS);
+    /// assert!(setting.set("wind", 3.3) && !setting.set("rain", 1.0));
+    /// assert_eq!(setting.get("wind"), 3.5); // the nearest step
+    /// setting.set("wind", 99.0);
+    /// assert_eq!(setting.get("wind"), 12.0);
+    /// ```
     pub fn set(&mut self, name: &str, number: f64) -> bool {
         let index = self.controls.iter().position(|own| own.name == name);
         if let Some(index) = index {

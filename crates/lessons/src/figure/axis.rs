@@ -27,6 +27,15 @@ impl Axis {
     }
 
     /// Round numbers along it, about `count` of them, with the decimals that they need.
+    ///
+    /// ```
+    /// use pilotage_lessons::figure::Axis;
+    ///
+    /// // A fifth of a kilometre apart: -0.2, 0.0, 0.2, 0.4 and 0.6 km.
+    /// let (ticks, decimals) = Axis::new([-0.3, 0.7], "distance, km").ticks(5);
+    /// assert_eq!((ticks.len(), decimals), (5, 1));
+    /// assert!((ticks[0] + 0.2).abs() < 1e-12 && (ticks[4] - 0.6).abs() < 1e-12);
+    /// ```
     pub fn ticks(&self, count: usize) -> (Vec<f64>, usize) {
         let span = (self.to - self.from).abs();
         let raw = span / count.max(1) as f64;

@@ -48,6 +48,16 @@ impl RouteBelief {
     }
 
     /// Looks at a landmark that tells the place to `deviation` metres on each axis; the gain.
+    ///
+    /// ```
+    /// use pilotage_lessons::models::RouteBelief;
+    ///
+    /// // A place known to 5 m on each axis and a look that tells as much: 5 m / √2 on each, 5 m together.
+    /// let mut belief = RouteBelief::new(5.0, 1.0).ok_or("no number")?;
+    /// belief.look(5.0).ok_or("no look")?;
+    /// assert!((belief.error() - 5.0).abs() < 1e-9);
+    /// # Ok::<(), &str>(())
+    /// ```
     pub fn look(&mut self, deviation: f64) -> Option<SMatrix<f64, 4, 2>> {
         let noise = Matrix2::from_diagonal_element(deviation * deviation);
         let predicted = self

@@ -33,6 +33,17 @@ impl Reader {
     }
 
     /// Sets several controls at once.
+    ///
+    /// ```
+    /// use pilotage_lessons::{Reader, all};
+    ///
+    /// let mut reader = Reader::open(all(), "wind-carries").ok_or("there is no such lesson")??;
+    /// // North at 20 m/s in a wind of 12 m/s from the west: √(20² + 12²) over the ground, atan(12 / 20) to the right.
+    /// let patch = reader.set_all(&[("wind", 12.0)])?;
+    /// let shown = |name: &str| patch.values.iter().find(|value| value.0 == name).map(|value| value.1.as_str());
+    /// assert_eq!((shown("ground-speed"), shown("course")), (Some("23.3\u{a0}m/s"), Some("31.0°")));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn set_all(&mut self, numbers: &[(&str, f64)]) -> Result<LessonPatch, TextError> {
         for (control, number) in numbers {
             self.open.setting.set(control, *number);

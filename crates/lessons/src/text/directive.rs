@@ -45,6 +45,17 @@ pub enum Directive<'a> {
 }
 
 /// Parts of a text in their order.
+///
+/// ```
+/// use pilotage_lessons::text::{Directive, Piece, pieces};
+///
+/// let parts = pieces("Blows with {{control: wind}} from the {{set: from = 270 | west}}.")?;
+/// assert_eq!(parts[1], Piece::Directive(Directive::Control("wind")));
+/// assert_eq!(parts[3], Piece::Directive(Directive::Set(vec![("from", 270.0)], "west")));
+/// assert_eq!(parts[4], Piece::Markdown("."));
+/// assert!(pieces("{{control: wind").is_err());
+/// # Ok::<(), pilotage_lessons::text::TextError>(())
+/// ```
 pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, TextError> {
     let mut found = Vec::new();
     let mut rest = text;
