@@ -1,5 +1,5 @@
 // Not once is the pointer used: a course from its first lesson to its last, each with its guess, its control and its
-// own turn; axe finds nothing serious, and what was passed is kept.
+// own turn; axe finds nothing serious, and what was passed is kept. A choice shows in each place where it stands.
 import { inspect } from "./axe.mjs";
 
 export const name = "a whole course is learned by the keyboard";
@@ -56,4 +56,19 @@ export async function run(page, tools) {
   const marks = await page.$$eval(`#${course} a[data-lesson] em`, (all) => all.length);
   tools.check(marks === lessons.length, `${marks} of ${lessons.length} lessons are marked in the contents`);
   await tools.screenshot("lessons");
+  await everyChoiceShows(page, tools);
+}
+
+/** In every lesson of every course, each choice shows what is chosen, wherever it stands. */
+async function everyChoiceShows(page, tools) {
+  const all = await page.$$eval("a[data-lesson]", (links) => links.map((link) => link.dataset.lesson));
+  let choices = 0;
+  for (const lesson of all) {
+    await page.evaluate((wanted) => { location.hash = wanted; }, lesson);
+    await page.waitForFunction((wanted) => document.getElementById("article").dataset.lesson === wanted, lesson);
+    const chosen = await page.$$eval("fieldset.control", (sets) => sets.map((set) => set.querySelectorAll(":checked").length));
+    tools.check(chosen.every((count) => count === 1), `${lesson}: of its choices ${chosen} are shown as chosen`);
+    choices += chosen.length;
+  }
+  tools.check(choices > 10, `only ${choices} choices were looked at`);
 }

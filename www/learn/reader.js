@@ -25,6 +25,10 @@ export class Reader {
     this.figure = figure;
     this.touched = false;
     article.innerHTML = this.program.open(name);
+    // A choice that stands in two places is two groups: in one, the browser would let only the last be chosen.
+    for (const [place, choice] of article.querySelectorAll("fieldset.control").entries()) {
+      for (const input of choice.querySelectorAll("input")) input.name += `-${place}`;
+    }
     article.dataset.lesson = name;
     this.apply("");
     const { guess, shown } = readProgress()[name] ?? {};
