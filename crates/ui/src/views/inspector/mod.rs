@@ -138,8 +138,8 @@ impl InspectorView {
             {
                 let mean = &step.after.mean;
                 let error = (mean[0] - truth.x).hypot(mean[1] - truth.y) * factor;
-                let reading = NumberReadout::new("distance from truth", figures(error), unit)
-                    .color(tokens.truth);
+                let name = format!("distance from the {}", context.known_track());
+                let reading = NumberReadout::new(name, figures(error), unit).color(tokens.truth);
                 parts::reading(ui, tokens, &reading);
             }
         });

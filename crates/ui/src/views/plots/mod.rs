@@ -216,7 +216,7 @@ impl PlotsView {
                 if !has_data(panel.kind, context) {
                     continue;
                 }
-                let title = panel.kind.title();
+                let title = panel.kind.title(context.is_recorded);
                 let name = format!("Show {title}");
                 let is_on = is_shown(panel, context);
                 if parts::chip(ui, tokens, is_on, title, &name).clicked() {
@@ -252,7 +252,8 @@ impl PlotsView {
         }
         let (outer, response) =
             ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click_and_drag());
-        parts::name(&response, format!("{} plot", kind.title()));
+        let title = kind.title(context.is_recorded);
+        parts::name(&response, format!("{title} plot"));
         let logarithmic = kind.logarithmic(choice);
         let mut axes = ChartAxes {
             rect: TimeAxis::curves_rect(outer, tokens),
@@ -317,7 +318,7 @@ impl PlotsView {
     ) -> Rect {
         let tokens = context.tokens;
         let panel = &mut self.panels[index];
-        let title = panel.kind.title();
+        let title = panel.kind.title(context.is_recorded);
         ui.allocate_ui_with_layout(
             vec2(ui.available_width(), height),
             Layout::left_to_right(Align::Center),
@@ -342,7 +343,7 @@ impl PlotsView {
                     );
                 }
                 if !(panel.folded && foldable) {
-                    choices(ui, tokens, panel);
+                    choices(ui, tokens, panel, title);
                 }
                 ui.available_rect_before_wrap()
             },
@@ -352,12 +353,12 @@ impl PlotsView {
 }
 
 /// Choices of a panel, which are seen while the pointer or the keyboard is at its heading; else what is chosen is, calmly.
-fn choices(ui: &mut Ui, tokens: &Tokens, panel: &mut PanelState) {
+fn choices(ui: &mut Ui, tokens: &Tokens, panel: &mut PanelState, title: &str) {
     let is_near = panel.is_at_choices || ui.rect_contains_pointer(ui.max_rect());
     panel.is_at_choices = false;
     for (i, (short, long)) in panel.kind.choices().into_iter().enumerate() {
         let is_chosen = panel.choice == i;
-        let name = format!("{}, {long}", panel.kind.title());
+        let name = format!("{title}, {long}");
         let opacity = match (is_near || tokens.touch, is_chosen) {
             (true, _) => 1.0,
             (false, true) => 0.6,

@@ -34,10 +34,11 @@ impl PanelKind {
         Self::Innovations,
     ];
 
-    /// Heading.
-    pub fn title(self) -> &'static str {
+    /// Heading; `is_recorded` is a flight of which no truth is known but what a receiver said.
+    pub fn title(self, is_recorded: bool) -> &'static str {
         match self {
             Self::PositionError => "Position error",
+            Self::Distance if is_recorded => "Distance from recorded track",
             Self::Distance => "Distance from truth",
             Self::Wind => "Wind",
             Self::Nis => "NIS",
