@@ -22,7 +22,7 @@ use crate::shell::catalog::{CommandEntry, CommandGroup, entry, shift};
 use crate::shell::icons::Icon;
 
 use panel::outage_panel;
-use state::{ID, OutageCommand};
+use state::{ID, OutageCommand, measures_airspeed};
 
 pub use state::Outages;
 
@@ -124,8 +124,10 @@ impl Feature for Outages {
     }
 
     fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
-        let is_log = documents.log.is_some() && documents.flight.is_some();
-        (is_log && workspace == Workspace::Replay).then(|| NextStep {
+        let flight = documents.log.as_ref().and(documents.flight.as_ref());
+        // Without airspeed little is known after a cut: that is no step to urge upon anybody.
+        let is_worth_it = flight.is_some_and(measures_airspeed);
+        (is_worth_it && workspace == Workspace::Replay).then(|| NextStep {
             icon: Icon::NoSignal,
             label: "Cut GPS",
             command: OutageCommand::Show.into(),

@@ -3,7 +3,7 @@
 use egui::{RichText, Stroke, Ui, vec2};
 
 use super::chart::{colour, growth_chart};
-use super::state::{OutageCommand, Outages};
+use super::state::{OutageCommand, Outages, measures_airspeed};
 use super::wind::winds;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -24,12 +24,22 @@ const REPORTS: f64 = 0.3;
 pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
+    let has_airspeed = context.flight.is_some_and(measures_airspeed);
+    let by = if has_airspeed {
+        "airspeed"
+    } else {
+        "mean speed"
+    };
     let words = format!(
         "How far off would it be if GPS failed here? The program learns from the flight up to the cut, goes on by \
-         airspeed and heading alone, and is compared with the {}.",
+         {by} and heading alone, and is compared with the {}.",
         context.known_track()
     );
     wrapped(ui, tokens.muted, &words);
+    if !has_airspeed {
+        let words = "This flight has no airspeed, so errors grow faster.";
+        wrapped(ui, tokens.warning, words);
+    }
     choose(ui, context, outages);
     if let Some(words) = &outages.work.words
         && at_work(ui, tokens, words)

@@ -1,5 +1,6 @@
 //! Results of outages, and what people can do about them.
 
+use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_jobs::{OutageReport, StudyReport};
 
 use crate::command::Command;
@@ -39,4 +40,9 @@ pub struct Outages {
     pub study: Option<StudyReport>,
     /// Computation of either.
     pub work: FeatureWork,
+}
+
+/// Whether a flight goes on by its airspeed after a cut.
+pub(super) fn measures_airspeed(flight: &Flight) -> bool {
+    flight.channel(ChannelName::Airspeed).is_some()
 }

@@ -39,11 +39,22 @@ pub fn rounds() -> Vec<u8> {
 }
 
 fn rig_with_rounds() -> Rig {
+    rig_with(rounds())
+}
+
+/// The same without airspeed.
+fn rig_without_airspeed() -> Rig {
+    let log = String::from_utf8(rounds()).expect("a text log");
+    let lines = log.lines().filter(|line| !line.contains("ARSP"));
+    rig_with(lines.collect::<Vec<_>>().join("\n").into_bytes())
+}
+
+fn rig_with(log: Vec<u8>) -> Rig {
     let mut rig = rig();
     rig.host().really_open = true;
     rig.host().opened.push(vec![OpenedFile {
         path: "rounds.log".to_owned(),
-        content: rounds().into(),
+        content: log.into(),
     }]);
     rig.settle();
     rig.open_tab("GPS cut");
@@ -130,5 +141,27 @@ fn a_simulated_flight_has_a_true_track_and_a_log_a_recorded_one() {
     ] {
         rig.open_tab("Compare");
         assert!(told(rig, words), "{words}");
+    }
+    assert!(told(&simulated, "Show Distance from truth"));
+    recorded.harness.get_by_label("Plots of the run").click();
+    recorded.frames(3);
+    assert!(told(&recorded, "Show Distance from recorded track"));
+}
+
+#[test]
+fn a_log_without_airspeed_is_not_urged_to_be_cut_and_says_what_a_cut_goes_by() {
+    for (rig, by, is_urged) in [
+        (rig_with_rounds(), "goes on by airspeed and heading", true),
+        (
+            rig_without_airspeed(),
+            "goes on by mean speed and heading",
+            false,
+        ),
+    ] {
+        let is_there = |words: &str| rig.harness.query_by_label_contains(words).is_some();
+        assert!(is_there(by), "{by}");
+        assert_eq!(is_there("This flight has no airspeed"), !is_urged);
+        let button = rig.harness.query_by_label("Cut GPS");
+        assert_eq!(button.is_some(), is_urged, "{by}");
     }
 }
