@@ -217,6 +217,10 @@ impl App {
         let is_log = log.is_some();
         let has_flight = flight.is_some() || is_log;
         let are_laid = !has_flight && !photos.is_empty();
+        if has_flight || map.is_some() {
+            // What lacked before may be here now.
+            self.toasts.withdraw_trouble();
+        }
         if has_flight || map.is_some() || terrain.is_some() {
             self.keeping.keep_few(opening, &mut self.toasts, host);
         }

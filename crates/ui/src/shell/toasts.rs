@@ -103,6 +103,11 @@ impl Toasts {
         }
     }
 
+    /// Takes trouble off the screen, as something else was opened; it can still be read again.
+    pub fn withdraw_trouble(&mut self) {
+        self.list.retain(|said| !said.trouble);
+    }
+
     /// Notices that were said since the page was opened, the last first.
     pub fn said(&self) -> impl ExactSizeIterator<Item = &Toast> {
         self.said.iter().rev()
@@ -228,6 +233,17 @@ mod tests {
         let said: Vec<_> = toasts.said().collect();
         assert_eq!(said.len(), MOST_SAID);
         assert_eq!(said[0].title, format!("Note {}", MOST_SAID + 4));
+    }
+
+    #[test]
+    fn trouble_that_is_withdrawn_can_be_read_again_and_notes_stay() {
+        let mut toasts = Toasts::default();
+        toasts.note(0.0, "A note", "");
+        toasts.trouble(0.0, "There is no map", "Open one.");
+        toasts.withdraw_trouble();
+        let titles: Vec<_> = toasts.list().iter().map(|said| &said.title).collect();
+        assert_eq!(titles, ["A note"]);
+        assert_eq!(toasts.said().len(), 2);
     }
 
     #[test]
