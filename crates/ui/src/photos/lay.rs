@@ -75,12 +75,8 @@ impl PhotosFeature {
         let documents = &*context.documents;
         let ground = ground_searched(documents, context.map);
         let (Some(ground), Some(origin)) = (ground, documents.world_origin()) else {
-            let name = names.first().map_or("", String::as_str);
             let title = "There is no map to lay the pictures on";
-            let text = format!(
-                "{name} does not say where it lies. Open a georeferenced map of its ground, and it is laid there; if it \
-                 is such a map itself, drop it together with its world file (.jgw, .pgw, .wld) or a georeference in JSON."
-            );
+            let text = words_without_map(&names);
             context.trouble(title, text);
             self.awaiting = Some((key, names));
             return;
@@ -185,4 +181,35 @@ fn ground_searched(documents: &Documents, map: &MapView) -> Option<GroundRect> {
             east: part.east.min(other.east),
         });
     (part.north > part.south && part.east > part.west).then_some(part)
+}
+
+/// Sentences for pictures that wait for a map.
+fn words_without_map(names: &[String]) -> String {
+    match names {
+        [first, _, rest @ ..] => format!(
+            "{first} and {} more wait for it: open a georeferenced map of their ground.",
+            rest.len() + 1
+        ),
+        _ => format!(
+            "{} does not say where it lies. Open a georeferenced map of its ground, and it is laid there; if it is such a \
+             map itself, drop it together with its world file (.jgw, .pgw, .wld) or a georeference in JSON.",
+            names.concat()
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_that_wait_for_a_map_are_all_counted() {
+        let words = |count: usize| {
+            let names: Vec<String> = (0..count).map(|i| format!("{i}.jpg")).collect();
+            words_without_map(&names)
+        };
+        assert!(words(1).starts_with("0.jpg does not say"));
+        assert!(words(2).starts_with("0.jpg and 1 more wait"));
+        assert!(words(75).starts_with("0.jpg and 74 more wait"));
+    }
 }

@@ -202,10 +202,7 @@ fn pictures_without_a_map_to_lay_them_on_are_told_in_words_and_laid_on_the_map_t
     };
     assert_eq!(orders(&mut rig), 0);
     let toasts = rig.state()["toasts"].to_string();
-    assert!(
-        toasts.contains("a.png does not say where it lies"),
-        "{toasts}"
-    );
+    assert!(toasts.contains("a.png and 1 more wait for it"), "{toasts}");
     rig.host().opened.push(map(&town(MAP.0, MAP.1, 7)));
     rig.settle();
     assert_eq!((orders(&mut rig), rows(&mut rig).len()), (1, 2));
