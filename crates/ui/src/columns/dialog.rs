@@ -77,6 +77,14 @@ impl ColumnsDraft {
         }
     }
 
+    /// The table's name if it is the only one: the drop may be called by a picture beside it.
+    fn heading(&self) -> &str {
+        match &self.tables[..] {
+            [only] => &only.guess.map.file,
+            _ => &self.name,
+        }
+    }
+
     /// The maps of the tables that are used.
     pub fn maps(&self) -> Vec<ColumnMap> {
         self.used().cloned().collect()
@@ -157,7 +165,7 @@ impl ColumnsDialog {
                     tokens,
                     format!(
                         "{}: guessed from names, units and values. Correct what is wrong, then open the flight.",
-                        draft.name
+                        draft.heading()
                     ),
                 ));
                 ui.add_space(tokens.space);

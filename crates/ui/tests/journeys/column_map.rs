@@ -183,3 +183,12 @@ fn the_dialog_fits_a_narrow_window() {
     let button = rig.harness.get_by_label("Open flight").rect();
     assert!(button.bottom() < 700.0, "{button:?}");
 }
+
+#[test]
+fn a_table_alone_is_called_by_its_own_name_whatever_lies_beside_it() {
+    let mut rig = rig();
+    let other = ("a/README.md", "A flight.".to_owned());
+    drop_files(&mut rig, &[other, ("a/gps.csv", gps())]);
+    let told = |words: &str| rig.harness.query_by_label_contains(words).is_some();
+    assert!(told("gps.csv: guessed from names"), "{}", rig.state());
+}
