@@ -241,7 +241,7 @@ fn document() -> Vec<CommandEntry> {
             vec![control(Key::O)],
             Command::Open,
         )
-        .also("load file import log bin ulog geotiff kml")
+        .also("load file import log bin ulog geotiff kml photo georeference")
         .under(BarMenu::Open),
         of("Stop computing", vec![], Command::CancelJob).also("cancel abort"),
         of("Open the built-in demo", vec![], Command::OpenDemo)

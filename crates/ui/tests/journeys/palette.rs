@@ -1,4 +1,5 @@
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
 
 use super::support::rig;
 
@@ -51,4 +52,19 @@ fn arrows_choose_in_the_palette_and_escape_closes_it() {
     let state = rig.state();
     assert_eq!(state["dialogs"]["palette"], false);
     assert_eq!(state["time"], before["time"]);
+}
+
+#[test]
+fn a_picture_is_georeferenced_by_whoever_searches_for_that_word() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    rig.harness
+        .event(egui::Event::Text("georeference photo".into()));
+    rig.frames(2);
+    let none = rig.harness.query_by_label_contains("No command found");
+    assert!(none.is_none());
+    let open = rig
+        .harness
+        .query_by_label_contains("Open a flight, map, mission");
+    assert!(open.is_some());
 }
