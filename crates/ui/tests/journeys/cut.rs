@@ -150,18 +150,17 @@ fn a_simulated_flight_has_a_true_track_and_a_log_a_recorded_one() {
 
 #[test]
 fn a_log_without_airspeed_is_not_urged_to_be_cut_and_says_what_a_cut_goes_by() {
-    for (rig, by, is_urged) in [
-        (rig_with_rounds(), "goes on by airspeed and heading", true),
-        (
-            rig_without_airspeed(),
-            "goes on by mean speed and heading",
-            false,
-        ),
-    ] {
+    let told = |rig: Rig, by: &str, is_urged: bool| {
         let is_there = |words: &str| rig.harness.query_by_label_contains(words).is_some();
         assert!(is_there(by), "{by}");
         assert_eq!(is_there("This flight has no airspeed"), !is_urged);
         let button = rig.harness.query_by_label("Cut GPS");
         assert_eq!(button.is_some(), is_urged, "{by}");
-    }
+    };
+    told(rig_with_rounds(), "goes on by airspeed and heading", true);
+    told(
+        rig_without_airspeed(),
+        "goes on by mean speed and heading",
+        false,
+    );
 }
