@@ -10,6 +10,7 @@ use super::camera::focal_in_pixels;
 use super::log::log;
 use super::pose::{looking_down, photo_pose};
 use super::read::{Photo, PhotoPlace, read_photo};
+use super::tabled::are_of_a_table;
 use super::timed::TimedPhoto;
 use crate::folder::{FlightFolder, FlightOrigin, FolderFrames};
 use crate::times::most_told_era;
@@ -25,7 +26,8 @@ const NAMED: usize = 5;
 /// Standard deviation per axis of the position of a photo, metres.
 const GPS_DEVIATION: f64 = 5.0;
 
-/// The flight of the photos among the files that say where they were taken; `None` if there are fewer than two.
+/// The flight of the photos among the files that say where they were taken; `None` if there are fewer than two, or if a
+/// table tells of most.
 ///
 /// Frames are the photos in the order of their times, counted in seconds from the first. Heading, pitch and roll are
 /// those of the camera where it tells them (zero looks straight down with the picture's top forward), else those of
@@ -96,23 +98,27 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     names.sort();
     let mut photos = Vec::new();
     let mut unread = Vec::new();
-    for name in names {
-        match files
-            .source(&name)
-            .map(|source| read_photo(source.as_ref()))
-        {
+    for name in &names {
+        match files.source(name).map(|source| read_photo(source.as_ref())) {
             // A PNG without a place is some other picture: a map, a screen.
-            Some(read) if is_png(&name) && read.as_ref().map_or(true, |it| it.place.is_none()) => {}
-            Some(Ok(photo)) => photos.push(Photo { name, ..photo }),
+            Some(read) if is_png(name) && read.as_ref().map_or(true, |it| it.place.is_none()) => {}
+            Some(Ok(photo)) => photos.push(Photo {
+                name: name.clone(),
+                ..photo
+            }),
             Some(Err(cause)) => unread.push(cause.to_string()),
             None => {}
         }
     }
     if let Some(first) = unread.first() {
-        notes.push(format!(
-            "{} files could not be read as photos: {first}",
-            unread.len()
-        ));
+        let them = match unread.len() {
+            1 => "a file".to_owned(),
+            more => format!("{more} files"),
+        };
+        notes.push(format!("{them} could not be read as photos: {first}"));
+    }
+    if are_of_a_table(&names, &photos, files) {
+        return Vec::new();
     }
     // Most photos decide, if enough of them are placed.
     let mut sizes: BTreeMap<(usize, usize), (usize, usize)> = BTreeMap::new();

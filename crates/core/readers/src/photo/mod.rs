@@ -19,6 +19,7 @@ mod png_tests;
 mod pose;
 mod read;
 mod search;
+mod tabled;
 #[cfg(test)]
 mod tests;
 mod timed;

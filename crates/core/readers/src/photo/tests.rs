@@ -273,14 +273,26 @@ fn frames_among_photos_that_have_no_place_are_told_with_what_would_give_them_one
         segment(0xc0, &[8, 0, 30, 0, 40, 3, 0, 0, 0]),
         segment(0xda, &[0]),
     ];
-    let folder = read_photos(&files(&[
-        ("a.jpg", photo("30", "0", 10, "")),
-        ("b.jpg", photo("31", "0", 11, "")),
-        ("frame1.jpg", bare.concat()),
-        ("frame2.jpg", bare.concat()),
-        ("frame3.jpg", bare.concat()),
-    ]));
-    let folder = folder.unwrap();
+    let beside = |table: &str| {
+        read_photos(&files(&[
+            ("a.jpg", photo("30", "0", 10, "")),
+            ("b.jpg", photo("31", "0", 11, "")),
+            ("of/frame1.jpg", bare.concat()),
+            ("of/frame2.jpg", bare.concat()),
+            ("of/frame3.jpg", bare.concat()),
+            ("of/frame4.png", Vec::new()),
+            ("frames.csv", table.as_bytes().to_vec()),
+        ]))
+    };
+    // A table of them is the flight, and two originals beside it are none.
+    let rows = [
+        "file,lat",
+        "\"frame1.jpg\",47",
+        "of/frame2.jpg,47",
+        "of\\frame3.jpg,47",
+    ];
+    assert!(beside(&rows.join("\r\n")).is_none());
+    let folder = beside(&rows[..3].join("\n")).unwrap();
     assert_eq!(folder.flight.frames.len(), 2);
     let told = |words: &str| folder.notes.iter().any(|note| note.starts_with(words));
     assert!(
