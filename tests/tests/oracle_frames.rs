@@ -3,10 +3,6 @@
 //!
 //! Truth are the places of the pictures in the orthophoto by SIFT, of others, good to some 2 m themselves: homographies
 //! through the same features differ from them by 1.3 to 2.3 m (median).
-#![expect(
-    clippy::unwrap_used,
-    reason = "a test stops where something is missing"
-)]
 
 use std::sync::LazyLock;
 
