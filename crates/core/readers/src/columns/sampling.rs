@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use super::header::parts;
 use super::{ColumnSample, TableShape};
 use crate::cells::{Moment, date_and_time, unit_behind};
 use crate::folder::{decoded, decoded_table};
@@ -12,6 +13,25 @@ const HEAD: usize = 1 << 16;
 const PIECE: usize = 1 << 12;
 /// Number of such places.
 const PLACES: usize = 64;
+/// Rows that tell whether one name stands over two columns.
+const ROWS_OF_NAMES: usize = 50;
+/// Words of names over times of a day or of a week, and over days.
+const CLOCKS: [&str; 13] = [
+    "time",
+    "datetime",
+    "timestamp",
+    "clock",
+    "utc",
+    "gmt",
+    "gpst",
+    "gpstime",
+    "jst",
+    "hour",
+    "tod",
+    "tow",
+    "zeit",
+];
+const DAYS: [&str; 4] = ["date", "day", "week", "datum"];
 /// Samples of all columns, each with a name of its own, how the table is written, and which share of all rows the samples
 /// are, about; `None` if it is no table.
 pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<ColumnSample>, f64)> {
@@ -49,19 +69,55 @@ fn text(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// Gives date and time of day names of their own where one name stands over both, as RTKLIB has it (`GPST`).
+/// Gives date and time of day, or week and seconds of it, names of their own where one name stands over both, as RTKLIB has
+/// it (`GPST`): in rows that have one cell more than there are names, and not an empty last one.
 fn name_date_and_time(names: &mut Vec<String>, head: &str, shape: &TableShape) {
     let rows = head.lines().skip(shape.skipped_lines + shape.head_lines());
-    let cells = rows.map(|row| shape.separator.cells(row));
-    let Some(cells) = { cells }.find(|cells| cells.len() > 2) else {
+    let rows = rows.map(|row| shape.separator.cells(row));
+    let rows: Vec<_> = rows
+        .filter(|cells| cells.len() > 2)
+        .take(ROWS_OF_NAMES)
+        .collect();
+    let has_more = |cells: &Vec<Cow<'_, str>>| {
+        cells.len() == names.len() + 1 && cells.last().is_some_and(|cell| !cell.is_empty())
+    };
+    let [Some(first), Some(second)] = [names.first(), names.get(1)] else {
         return;
     };
-    let is_clock = cells[1].contains(':') && date_and_time(&cells[0]).is_none_or(is_day);
-    let moment = date_and_time(&format!("{} {}", cells[0], cells[1]));
-    let is_date = matches!(moment, Some(Moment::Absolute(..)));
-    if names.len() + 1 == cells.len() && is_clock && is_date {
-        names.splice(..1, ["date".to_owned(), "time".to_owned()]);
+    let (first, second) = (words_of(first), words_of(second));
+    let says = |words: &[String], of: &[&str]| words.iter().any(|w| of.contains(&w.as_str()));
+    let is_over_one = says(&second, &CLOCKS)
+        || says(&second, &DAYS)
+        || says(&first, &DAYS) && !says(&first, &CLOCKS);
+    if is_over_one || !rows.iter().all(has_more) {
+        return;
     }
+    let is_dated = |cells: &Vec<Cow<'_, str>>| {
+        let is_clock = cells[1].contains(':') && date_and_time(&cells[0]).is_none_or(is_day);
+        let moment = date_and_time(&format!("{} {}", cells[0], cells[1]));
+        is_clock && matches!(moment, Some(Moment::Absolute(..)))
+    };
+    let seconds_of_week = |cells: &Vec<Cow<'_, str>>| {
+        let week: u32 = cells[0].parse().ok()?;
+        let second: f64 = cells[1].parse().ok()?;
+        let is_of_gps = (1000..4096).contains(&week) && (0.0..=604_800.0).contains(&second);
+        is_of_gps.then_some(604_800.0 * f64::from(week) + second)
+    };
+    let of_week: Option<Vec<f64>> = rows.iter().map(seconds_of_week).collect();
+    let goes_on = |times: Vec<f64>| times.len() > 1 && times.windows(2).all(|w| w[0] < w[1]);
+    let both = if !rows.is_empty() && rows.iter().all(is_dated) {
+        ["date", "time"]
+    } else if says(&first, &CLOCKS) && of_week.is_some_and(goes_on) {
+        ["GPS week", "time of week [s]"]
+    } else {
+        return;
+    };
+    names.splice(..1, both.map(str::to_owned));
+}
+
+/// Words of a name in small letters.
+fn words_of(name: &str) -> Vec<String> {
+    parts(name, "").words
 }
 
 /// Whether a moment is the beginning of a day.

@@ -111,20 +111,53 @@ fn places_over_the_equator_and_greenwich_keep_the_hemispheres_of_their_rows() {
 
 #[test]
 fn one_name_over_date_and_time_does_not_shift_the_others() {
-    let row = |row: u32| {
-        let latitude = 47.1 + 1e-5 * f64::from(row);
-        format!("2024/05/01 10:00:{row:02}.000   {latitude:.9}    8.500000000   512.3  1  12\n")
-    };
-    let table = "% program   : RTKLIB ver.2.4.3\n%\n%  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns\n"
-        .to_owned()
-        + &(0..50).map(row).collect::<String>();
-    let map = guess_table("a.pos", table.as_bytes()).unwrap();
-    let files = files(&[("a.pos", &table)]);
-    let flight = flight_of_tables(&files, &[map]).unwrap().flight;
-    let origin = flight.frame_on_globe.unwrap().origin;
-    assert!((origin.latitude.to_degrees() - 47.1).abs() < 1e-9);
-    assert!((origin.longitude.to_degrees() - 8.5).abs() < 1e-9);
-    let states = flight.truth.unwrap().states;
-    assert_eq!(states.len(), 50);
-    assert!((states[49].time - states[0].time - 49.0).abs() < 1e-9);
+    let dated = |row: u32| format!("2024/05/01 10:00:{row:02}.000");
+    // 2312 is the week of 28 April 2024.
+    let of_week = |row: u32| format!("2312 {:.3}", 345_600.0 + f64::from(row));
+    let times: [&dyn Fn(u32) -> String; 2] = [&dated, &of_week];
+    for time in times {
+        let row = |row: u32| {
+            let latitude = 47.1 + 1e-5 * f64::from(row);
+            format!(
+                "{}   {latitude:.9}    8.500000000   512.3  1  12\n",
+                time(row)
+            )
+        };
+        let table = "% program   : RTKLIB ver.2.4.3\n%\n%  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns\n"
+            .to_owned()
+            + &(0..50).map(row).collect::<String>();
+        let map = guess_table("a.pos", table.as_bytes()).unwrap();
+        let files = files(&[("a.pos", &table)]);
+        let flight = flight_of_tables(&files, &[map]).unwrap().flight;
+        let origin = flight.frame_on_globe.unwrap().origin;
+        assert!((origin.latitude.to_degrees() - 47.1).abs() < 1e-9);
+        assert!((origin.longitude.to_degrees() - 8.5).abs() < 1e-9);
+        let states = flight.truth.unwrap().states;
+        assert_eq!(states.len(), 50);
+        assert!((states[49].time - states[0].time - 49.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn rows_that_end_in_a_separator_keep_their_columns() {
+    for (names, end) in [
+        ("date,time,lat,lon,alt", ","),
+        ("Date,UTC,lat,lon,alt", ","),
+        ("date,time,lat,lon,alt", ",x"),
+        ("day,of,lat,lon,alt", ","),
+    ] {
+        let row = |row: u32| {
+            let latitude = 47.1 + 1e-4 * f64::from(row);
+            format!(
+                "2024/05/01,10:00:{row:02},{latitude:.6},8.5,{}{end}\n",
+                500 + row % 7
+            )
+        };
+        let table = format!("{names}\n") + &(0..50).map(row).collect::<String>();
+        let map = guess_table("a.csv", table.as_bytes()).expect(names);
+        let name = |role| map.column(role).map(|column| column.name.as_str());
+        assert_eq!(name(super::ColumnRole::Latitude), Some("lat"), "{names}");
+        let index = map.columns.iter().position(|column| column.name == "lat");
+        assert_eq!(index, Some(2), "{names}{end}");
+    }
 }
