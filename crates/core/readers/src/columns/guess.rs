@@ -148,9 +148,14 @@ pub(crate) struct TimeGuess {
 /// The column that is the time.
 pub(crate) fn guess_time(samples: &[ColumnSample], share: f64) -> Option<TimeGuess> {
     let candidates = times(samples, share).into_iter();
-    // Of equals the first.
+    // A clock that is coarser than the rows counts only where no other is; of equals the first.
+    let rank = |guess: &TimeGuess| {
+        let sample = &samples[guess.column];
+        let is_fine = sample.grows() || !sample.goes_on();
+        (is_fine, guess.confidence)
+    };
     candidates.fold(None, |best: Option<TimeGuess>, found| match best {
-        Some(best) if best.confidence >= found.confidence => Some(best),
+        Some(best) if rank(&best) >= rank(&found) => Some(best),
         _ => Some(found),
     })
 }

@@ -161,3 +161,22 @@ fn rows_that_end_in_a_separator_keep_their_columns() {
         assert_eq!(index, Some(2), "{names}{end}");
     }
 }
+
+#[test]
+fn a_clock_that_stands_is_not_taken_before_one_that_grows() {
+    // Pauses make the seconds of the fine clock uneven.
+    let row = |row: u32| {
+        let fine = 0.02 * f64::from(row) + f64::from(row / 37);
+        let latitude = 47.1 + 2e-6 * f64::from(row);
+        format!(
+            "{},{fine:.2},{latitude:.6},8.5,{}\n",
+            100_000.0 + fine.floor(),
+            500 + row % 3
+        )
+    };
+    let rows: String = (0..400).map(row).collect();
+    let table = format!("GPS time [s],time [s],lat,lon,altitude [m]\n{rows}");
+    let map = guess_table("a.csv", table.as_bytes()).unwrap();
+    let time = map.column(super::ColumnRole::Time).unwrap();
+    assert_eq!(time.name, "time [s]");
+}
