@@ -61,6 +61,8 @@ pub fn flight_of_tables(
     for map in maps {
         let (mut table, time) = table_of(files.as_ref(), map)?;
         notes.extend(cut_off(&table, &map.file));
+        let told = table.told.iter();
+        notes.extend(told.map(|note| format!("{}: {note}", map.file)));
         let dropped = table.keep_rows_in_time(&time);
         if dropped > 0 {
             notes.push(format!(

@@ -80,32 +80,46 @@ fn directions_of_a_flight_that_waits_for_long_are_judged_by_the_time_that_it_fli
 
 #[test]
 fn places_over_the_equator_and_greenwich_keep_the_hemispheres_of_their_rows() {
-    let cell = |angle: f64, letters: [&str; 2]| {
-        format!("{:.7},{}", angle.abs(), letters[usize::from(angle < 0.0)])
-    };
     let place = |row: f64| [1e-4 * row - 0.01, 0.012 - 1.5e-4 * row];
-    let row = |row: u32| {
+    let row = |row: u32, order: [usize; 4]| {
         let [latitude, longitude] = place(f64::from(row));
-        let (latitude, longitude) = (cell(latitude, ["N", "S"]), cell(longitude, ["E", "W"]));
-        format!("{row},{latitude},{longitude},500\n")
+        let letter = |angle: f64, of: [&str; 2]| of[usize::from(angle < 0.0)].to_owned();
+        let cells = [
+            format!("{:.7}", latitude.abs()),
+            letter(latitude, ["N", "S"]),
+            format!("{:.7}", longitude.abs()),
+            letter(longitude, ["E", "\"W\""]),
+        ];
+        let cells = order.map(|at| cells[at].clone()).join(",");
+        format!("{row},{cells},500\n")
     };
-    let table = "time [s],latitude,N/S,longitude,E/W,altitude [m]\n".to_owned()
-        + &(0..200).map(row).collect::<String>();
-    let files = files(&[("a.csv", &table)]);
-    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
-    let flight = flight_of_tables(&files, &maps).unwrap().flight;
-    let frame = flight.frame_on_globe.unwrap();
-    let states = flight.truth.unwrap().states;
-    assert_eq!(states.len(), 200);
-    for (i, state) in states.iter().enumerate() {
-        let ground = pilotage_base::frames::GroundPoint::new(state.position.x, state.position.y);
-        let found = frame.geodetic_from_ground(&ground);
-        let [latitude, longitude] = place(i as f64);
-        assert!((found.latitude.to_degrees() - latitude).abs() < 1e-6, "{i}");
-        assert!(
-            (found.longitude.to_degrees() - longitude).abs() < 1e-6,
-            "{i}"
-        );
+    for order in [[0, 1, 2, 3], [0, 2, 1, 3], [1, 0, 3, 2]] {
+        let names = order.map(|at| ["latitude", "N/S", "longitude", "E/W"][at]);
+        let names = format!("time [s],{},altitude [m]\n", names.join(","));
+        let rows: String = (0..200).map(|i| row(i, order)).collect();
+        // A letter that is none, and names again.
+        let table = format!("{names}{rows}")
+            .replace("\n150,", &format!("\n{names}150,"))
+            .replace("\n160,", "\n159.5,1,1,1,1,500\n160,");
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let folder = flight_of_tables(&files, &maps).unwrap();
+        let is_told = |note: &String| note.contains("1 rows have no place");
+        assert!(folder.notes.iter().any(is_told), "{:?}", folder.notes);
+        let frame = folder.flight.frame_on_globe.unwrap();
+        let states = folder.flight.truth.unwrap().states;
+        assert_eq!(states.len(), 200);
+        for (i, state) in states.iter().enumerate() {
+            let ground =
+                pilotage_base::frames::GroundPoint::new(state.position.x, state.position.y);
+            let found = frame.geodetic_from_ground(&ground);
+            let [latitude, longitude] = place(i as f64);
+            assert!((found.latitude.to_degrees() - latitude).abs() < 1e-6, "{i}");
+            assert!(
+                (found.longitude.to_degrees() - longitude).abs() < 1e-6,
+                "{i}"
+            );
+        }
     }
 }
 

@@ -1,24 +1,54 @@
-//! Hemispheres that change from row to row, in a column behind that of their angle.
+//! Hemispheres that change from row to row, in columns beside those of their angles.
 //!
 //! A flight over the equator or over Greenwich has `N` in some rows and `S` in others. South and west become signs of the
-//! angles, and all letters those of north and east, so that the rest of a table is read as any other.
+//! latitudes and longitudes, and all letters those of north and east, so that the rest of a table is read as any other.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::cells::TableShape;
+use crate::cells::{Separator, TableShape};
 
-/// Bytes of the beginning that tell the shape of a table.
+/// Bytes of the beginning that tell the shape of a table, and of each of the places that tell where letters stand.
 const HEAD: usize = 1 << 16;
 /// Letters that leave an angle as it is, and those that turn it.
 const PAIRS: [[u8; 2]; 2] = [*b"NS", *b"EW"];
+/// Words of names of latitudes and of longitudes.
+const ANGLES: [&[&str]; 2] = [
+    &["lat", "latitude", "latitud", "breite", "breitengrad"],
+    &[
+        "lon",
+        "lng",
+        "long",
+        "longitude",
+        "longitud",
+        "laenge",
+        "länge",
+    ],
+];
+/// Words of names of columns of letters.
+const LETTERS: [&[&str]; 2] = [
+    &["n", "s", "ns", "north", "south"],
+    &["e", "w", "ew", "east", "west"],
+];
+/// Words that names of either may have.
+const EITHER: [&str; 8] = [
+    "hemisphere",
+    "hemi",
+    "dir",
+    "direction",
+    "ref",
+    "ind",
+    "indicator",
+    "sign",
+];
+/// Of so many cells with something in them one may be no letter, or no angle without a sign.
+const ODD: usize = 10;
 
-/// A column of angles, and that of their letters behind it.
+/// A column of angles, that of their letters, and these.
 struct Letters {
+    angle: usize,
     at: usize,
     pair: [u8; 2],
-    /// Rows with either letter.
-    counts: [usize; 2],
 }
 
 /// The letter of a cell, alone or as the first of its word.
@@ -29,80 +59,188 @@ fn letter(cell: &str) -> Option<u8> {
     (is_word && PAIRS.concat().contains(&first)).then_some(first)
 }
 
-/// Whether a cell is an angle without a sign.
-fn is_angle(cell: &str) -> bool {
-    cell.starts_with(|c: char| c.is_ascii_digit())
-        && cell
-            .parse::<f64>()
-            .or_else(|_| cell.replacen(',', ".", 1).parse())
-            .is_ok()
+/// The number of a cell.
+fn number(cell: &str) -> Option<f64> {
+    let number = cell.parse().or_else(|_| cell.replacen(',', ".", 1).parse());
+    number.ok().filter(|number: &f64| number.is_finite())
 }
 
-/// The text of a table with the signs that its letters of hemispheres tell, where these change.
-pub(super) fn with_signs(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
-    let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]).into_owned();
-    let Some(shape) = TableShape::of(&head) else {
-        return text;
+/// Whether a cell is an angle without a sign.
+fn is_angle(cell: &str) -> bool {
+    cell.starts_with(|c: char| c.is_ascii_digit()) && number(cell).is_some()
+}
+
+/// Places of the cells of a line, without blanks and quotation marks around them.
+fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
+    let begin = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
+    let place = |cell: &str| {
+        let cell = cell.trim();
+        let bare = cell.strip_prefix('"').and_then(|c| c.strip_suffix('"'));
+        let cell = bare.unwrap_or(cell).trim();
+        begin(cell)..begin(cell) + cell.len()
     };
-    let skipped = shape.skipped_lines + shape.head_lines();
-    let Some(first) = head.lines().nth(skipped) else {
-        return text;
-    };
-    let cells = shape.separator.cells(first);
-    let found = (1..cells.len()).filter_map(|at| {
-        let pair = PAIRS
-            .into_iter()
-            .find(|pair| letter(&cells[at]).is_some_and(|l| pair.contains(&l)))?;
-        is_angle(&cells[at - 1]).then_some(Letters {
-            at,
-            pair,
-            counts: [0; 2],
-        })
-    });
-    let mut found: Vec<Letters> = found.collect();
-    if found.is_empty() {
-        return text;
+    if separator == Separator::Blanks {
+        return line.split_whitespace().map(place).collect();
     }
-    let Ok(whole) = std::str::from_utf8(&text) else {
-        return text;
-    };
-    let lines = whole.split('\n').skip(skipped);
-    for line in lines.clone() {
-        let cells = shape.separator.cells(line.trim_end_matches('\r'));
-        found.retain_mut(
-            |letters| match cells.get(letters.at).map(|cell| letter(cell)) {
-                Some(Some(letter)) if letters.pair.contains(&letter) => {
-                    letters.counts[usize::from(letter == letters.pair[1])] += 1;
-                    is_angle(&cells[letters.at - 1])
-                }
-                // A row without an angle, or one that is cut off.
-                Some(None) => cells[letters.at].is_empty() && cells[letters.at - 1].is_empty(),
-                None => true,
-                Some(Some(_)) => false,
-            },
-        );
-    }
-    found.retain(|letters| letters.counts.iter().all(|count| *count > 0));
-    if found.is_empty() {
-        return text;
-    }
-    let mut changes: Vec<(Range<usize>, Vec<u8>)> = Vec::new();
-    for line in lines {
-        let cells = shape.separator.cells(line.trim_end_matches('\r'));
-        for letters in &found {
-            let pair = cells.get(letters.at - 1).zip(cells.get(letters.at));
-            let Some((Cow::Borrowed(angle), Cow::Borrowed(word))) = pair else {
-                continue;
-            };
-            if letter(word) == Some(letters.pair[1]) {
-                // Cells are borrowed from the text.
-                let begin = |cell: &str| cell.as_ptr() as usize - whole.as_ptr() as usize;
-                let at = begin(angle);
-                changes.push((at..at, b"-".to_vec()));
-                let at = begin(word);
-                changes.push((at..at + word.len(), vec![letters.pair[0]]));
-            }
+    let mut places = Vec::new();
+    let mut start = 0;
+    let mut is_quoted = false;
+    for (at, byte) in line.bytes().enumerate() {
+        if byte == b'"' && (is_quoted || line[start..at].trim().is_empty()) {
+            is_quoted = !is_quoted;
+        } else if byte == separator.byte() && !is_quoted {
+            places.push(place(&line[start..at]));
+            start = at + 1;
         }
+    }
+    places.push(place(&line[start..]));
+    places
+}
+
+/// Words of a name in small letters.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut before = ' ';
+    for letter in name.chars() {
+        if !letter.is_alphabetic() || before.is_lowercase() && letter.is_uppercase() {
+            words.push(String::new());
+        }
+        if letter.is_alphabetic()
+            && let Some(word) = words.last_mut()
+        {
+            word.extend(letter.to_lowercase());
+        }
+        before = letter;
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// Columns of letters that belong to a latitude or a longitude, by the names of the columns and the cells of some rows. A
+/// column belongs to the one that it stands behind or before; that of a latitude is taken where its name says what it is, or
+/// that of a longitude stands so too.
+fn found(names: &[Vec<String>], rows: &[Vec<&str>]) -> Vec<Letters> {
+    let says = |at: usize, of: &[&str]| names[at].iter().any(|word| of.contains(&word.as_str()));
+    let cells = |at: usize| {
+        let cells = rows.iter().filter_map(move |row| row.get(at).copied());
+        cells.filter(|cell| !cell.is_empty())
+    };
+    let is_of = |at: usize, pair: [u8; 2]| {
+        let letters = cells(at).filter(|cell| letter(cell).is_some_and(|l| pair.contains(&l)));
+        let count = letters.count();
+        count > 0 && (cells(at).count() - count) * ODD <= cells(at).count()
+    };
+    let are_of: Vec<Option<usize>> = (0..names.len())
+        .map(|at| (0..2).find(|kind| is_of(at, PAIRS[*kind])))
+        .collect();
+    let mut taken = Vec::new();
+    let mut found: Vec<(Letters, usize, bool)> = Vec::new();
+    for (at, kind) in are_of.iter().enumerate() {
+        let Some(kind) = *kind else { continue };
+        let is_named = says(at, LETTERS[kind]) || says(at, &EITHER) || says(at, ANGLES[kind]);
+        let is_place = |angle: &usize| {
+            *angle < names.len()
+                && are_of[*angle].is_none()
+                && says(*angle, ANGLES[kind])
+                && !taken.contains(angle)
+        };
+        let beside = [at.checked_sub(1), Some(at + 1)];
+        let beside = beside.into_iter().flatten().find(is_place);
+        // Letters may stand behind both.
+        let mut others = (0..names.len()).filter(is_place);
+        let only = others
+            .next()
+            .filter(|_| is_named && others.next().is_none());
+        let Some(angle) = beside.or(only) else {
+            continue;
+        };
+        taken.push(angle);
+        let pair = PAIRS[kind];
+        found.push((Letters { angle, at, pair }, kind, is_named));
+    }
+    let is_there: Vec<(usize, bool)> = found
+        .iter()
+        .map(|(letters, kind, _)| (*kind, letters.angle.abs_diff(letters.at) == 1))
+        .collect();
+    found.retain(|(_, kind, is_named)| *is_named || is_there.contains(&(1 - kind, true)));
+    found.into_iter().map(|(letters, ..)| letters).collect()
+}
+
+/// Lines of the beginning, the middle and the end of the rows of a table.
+fn some_lines(rows: &str) -> Vec<&str> {
+    let piece = |from: usize| {
+        let mut from = from.min(rows.len());
+        let mut to = (from + HEAD).min(rows.len());
+        while !rows.is_char_boundary(from) {
+            from += 1;
+        }
+        while !rows.is_char_boundary(to) {
+            to -= 1;
+        }
+        let lines = rows[from..to.max(from)].split_inclusive('\n');
+        lines
+            .skip(usize::from(from > 0))
+            .filter(|l| l.ends_with('\n'))
+    };
+    if rows.len() <= 3 * HEAD {
+        return rows.lines().collect();
+    }
+    let starts = [0, rows.len() / 2, rows.len() - HEAD];
+    starts.into_iter().flat_map(piece).collect()
+}
+
+/// The text of a table with the signs that its letters of hemispheres tell, where these change, and sentences that tell it.
+/// A row whose letter or angle fits none has no place.
+pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
+    let Ok(whole) = std::str::from_utf8(&text) else {
+        return (text, Vec::new());
+    };
+    let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]).into_owned();
+    let Some(shape) = TableShape::of(&head).filter(|shape| shape.has_header) else {
+        return (text, Vec::new());
+    };
+    let mut lines = whole.split_inclusive('\n');
+    let header = lines.nth(shape.skipped_lines).unwrap_or_default();
+    let header = header.trim_start_matches(['#', '%', '!']).trim();
+    let titles = shape.separator.cells(header);
+    let names: Vec<Vec<String>> = titles.iter().map(|name| words(name)).collect();
+    let is_place = |words: &Vec<String>| {
+        let mut words = words.iter();
+        words.any(|word| ANGLES.concat().contains(&word.as_str()))
+    };
+    if !names.iter().any(is_place) {
+        return (text, Vec::new());
+    }
+    let skipped = shape.skipped_lines + shape.head_lines();
+    let lines = whole.split_inclusive('\n');
+    let start: usize = lines.take(skipped).map(str::len).sum();
+    let rows = &whole[start..];
+    let cells = |line| -> Vec<&str> {
+        let places = places(line, shape.separator).into_iter();
+        places.map(|place| &line[place]).collect()
+    };
+    let some: Vec<Vec<&str>> = some_lines(rows).into_iter().map(cells).collect();
+    let mut changes: Vec<(Range<usize>, Vec<u8>)> = Vec::new();
+    let mut notes = Vec::new();
+    for letters in found(&names, &some) {
+        let Some((own, lost)) = changes_by(&letters, rows, shape.separator) else {
+            continue;
+        };
+        let own = own.into_iter();
+        changes.extend(own.map(|(place, bytes)| (place.start + start..place.end + start, bytes)));
+        let (name, of) = (&titles[letters.at], &titles[letters.angle]);
+        notes.push(format!(
+            "column \"{name}\" has letters of hemispheres: {} is negative in \"{of}\"",
+            char::from(letters.pair[1])
+        ));
+        if lost > 0 {
+            notes.push(format!(
+                "{lost} rows have no place, as \"{name}\" has no letter of a hemisphere there, or \"{of}\" a sign of its own"
+            ));
+        }
+    }
+    if changes.is_empty() {
+        return (text, Vec::new());
     }
     changes.sort_by_key(|(range, _)| range.start);
     let mut signed = Vec::with_capacity(text.len() + changes.len());
@@ -113,7 +251,77 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
         done = range.end;
     }
     signed.extend_from_slice(&text[done..]);
-    Cow::Owned(signed)
+    (Cow::Owned(signed), notes)
+}
+
+/// The cells to change by a column of letters, and the number of rows that have no place then; `None` where letters neither
+/// change nor are odd, or where too many rows fit none.
+#[expect(
+    clippy::type_complexity,
+    reason = "places in the text and what comes there"
+)]
+fn changes_by(
+    letters: &Letters,
+    rows: &str,
+    separator: Separator,
+) -> Option<(Vec<(Range<usize>, Vec<u8>)>, usize)> {
+    let mut changes = Vec::new();
+    let mut counts = [0_usize; 2];
+    let (mut lost, mut odd, mut negative) = (0_usize, 0_usize, [0_usize; 2]);
+    let none: &[u8] = if separator == Separator::Blanks {
+        b"nan"
+    } else {
+        b""
+    };
+    let mut begin = 0;
+    for line in rows.split_inclusive('\n') {
+        let at = begin;
+        begin += line.len();
+        if line.trim().is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let places = places(line, separator);
+        let Some((angle, word)) = places.get(letters.angle).zip(places.get(letters.at)) else {
+            continue;
+        };
+        let found =
+            letter(&line[word.clone()]).and_then(|l| letters.pair.iter().position(|p| *p == l));
+        let (angle_text, word_text) = (&line[angle.clone()], &line[word.clone()]);
+        let moved = |place: &Range<usize>| at + place.start..at + place.end;
+        match found {
+            Some(side) if is_angle(angle_text) => {
+                counts[side] += 1;
+                if side == 1 {
+                    changes.push((at + angle.start..at + angle.start, b"-".to_vec()));
+                    changes.push((moved(word), vec![letters.pair[0]]));
+                }
+            }
+            // No fix.
+            _ if number(angle_text).map_or(
+                angle_text.is_empty() || angle_text.eq_ignore_ascii_case("nan"),
+                |number| number == 0.0 && word_text.is_empty(),
+            ) =>
+            {
+                changes.push((moved(angle), none.to_vec()));
+                if found == Some(1) {
+                    changes.push((moved(word), vec![letters.pair[0]]));
+                }
+            }
+            _ => {
+                if let Some((side, number)) = found.zip(number(angle_text)) {
+                    negative[side] += usize::from(number < 0.0);
+                }
+                lost += usize::from(number(angle_text).is_some());
+                odd += 1;
+                changes.push((moved(angle), none.to_vec()));
+                changes.push((moved(word), vec![letters.pair[0]]));
+            }
+        }
+    }
+    let total = counts[0] + counts[1];
+    let has_signs = negative[1] > 0 && counts[1] == 0;
+    let changes_side = counts.iter().all(|count| *count > 0) || counts[1] > 0 && odd > 0;
+    (changes_side && !has_signs && odd * ODD <= total).then_some((changes, lost))
 }
 
 #[cfg(test)]
@@ -121,7 +329,7 @@ mod tests {
     use super::*;
 
     fn signed(text: &str) -> String {
-        let text = with_signs(Cow::Borrowed(text.as_bytes())).into_owned();
+        let text = with_signs(Cow::Borrowed(text.as_bytes())).0.into_owned();
         String::from_utf8(text).unwrap()
     }
 
@@ -147,7 +355,115 @@ mod tests {
         ] {
             assert_eq!(signed(&same), same);
         }
-        let negative = rows("W", "E", "NS").replace("0.03", "-0.03");
-        assert_eq!(signed(&negative), negative);
+        // Where an angle has a sign beside its letter, its row has no place.
+        let negative = signed(&rows("W", "E", "NS").replace(",0.03,", ",-0.03,"));
+        assert!(negative.contains("\r\n3,47.3,N,,E,1\r\n"), "{negative}");
+        // Signs that say what letters say stay.
+        let mut own = rows("W", "E", "NS");
+        for row in 0..9 {
+            own = own.replace(&format!(",0.0{row},W"), &format!(",-0.0{row},W"));
+        }
+        assert_eq!(signed(&own), own);
+    }
+
+    /// A table of these columns, of flight north over the equator and east over Greenwich.
+    fn crossing(columns: &[(&str, &dyn Fn(i32) -> String)]) -> String {
+        let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+        let row = |i: i32| {
+            let cells: Vec<String> = columns.iter().map(|(_, cell)| cell(i)).collect();
+            cells.join(",") + "\n"
+        };
+        names.join(",") + "\n" + &(-50..50).map(row).collect::<String>()
+    }
+
+    #[test]
+    fn letters_turn_the_latitude_or_longitude_that_they_stand_beside_and_nothing_else() {
+        let time = |i: i32| (i + 50).to_string();
+        let angle = |i: i32| format!("0.{:04}", i.abs());
+        let ns = |i: i32| if i < 0 { "S" } else { "N" }.to_owned();
+        let ew = |i: i32| if i < 0 { "W" } else { "E" }.to_owned();
+        let height = |i: i32| (500 + i).to_string();
+        let after = crossing(&[
+            ("t", &time),
+            ("lat", &angle),
+            ("lon", &angle),
+            ("N/S", &ns),
+            ("E/W", &ew),
+            ("alt", &height),
+        ]);
+        assert!(signed(&after).contains("\n47,-0.0003,-0.0003,N,E,497\n"));
+        let before = crossing(&[
+            ("t", &time),
+            ("N/S", &ns),
+            ("lat", &angle),
+            ("E/W", &ew),
+            ("lon", &angle),
+            ("alt", &height),
+        ]);
+        assert!(signed(&before).contains("\n47,N,-0.0003,E,-0.0003,497\n"));
+        for (name, letters) in [("level", &ew as &dyn Fn(i32) -> String), ("mode", &ns)] {
+            let other = crossing(&[
+                ("t", &time),
+                ("lat", &angle),
+                ("lon", &angle),
+                ("alt", &height),
+                (name, letters),
+            ]);
+            assert_eq!(signed(&other), other);
+            let beside = crossing(&[
+                ("t", &time),
+                ("lat", &angle),
+                ("mode", &ns),
+                ("alt", &height),
+            ]);
+            assert_eq!(signed(&beside), beside);
+        }
+    }
+
+    #[test]
+    fn rows_that_do_not_fit_have_no_place_and_the_others_keep_theirs() {
+        let time = |i: i32| (i + 50).to_string();
+        let north = |_: i32| "51.5".to_owned();
+        let n = |_: i32| "N".to_owned();
+        let angle = |i: i32| format!("0.{:04}", i.abs());
+        let ew = |i: i32| if i < 0 { "W" } else { "E" }.to_owned();
+        let whole = crossing(&[
+            ("t", &time),
+            ("lat", &north),
+            ("N/S", &n),
+            ("lon", &angle),
+            ("E/W", &ew),
+        ]);
+        let row = "\n47,51.5,N,-0.0003,E\n";
+        let told = |text: &str| with_signs(Cow::Borrowed(text.as_bytes())).1;
+        assert!(signed(&whole).contains(row));
+        assert_eq!(told(&whole).len(), 1);
+        let odd = whole.replace("0.0020,E", "0.0020,X");
+        assert!(signed(&odd).contains(row) && signed(&odd).contains("\n70,51.5,N,,E\n"));
+        assert!(
+            told(&odd)[1].starts_with("1 rows have no place"),
+            "{:?}",
+            told(&odd)
+        );
+        let header = whole.lines().next().unwrap();
+        let repeated = whole.replace("\n60,", &format!("\n{header}\n60,"));
+        assert!(signed(&repeated).contains(row));
+        assert_eq!(told(&repeated).len(), 1);
+        for none in [",,,", "nan,N,nan,W", "0,,0,", ",N,,W"] {
+            let mut unfixed = whole.clone();
+            for i in 0..20 {
+                let fixed = format!("\n{i},51.5,N,{},W\n", angle(i - 50));
+                assert!(unfixed.contains(&fixed));
+                unfixed = unfixed.replace(&fixed, &format!("\n{i},{none}\n"));
+            }
+            assert!(signed(&unfixed).contains(row), "{none}");
+            assert_eq!(told(&unfixed).len(), 1, "{none}");
+        }
+        let quoted = whole
+            .replace(",N,", ",\"N\",")
+            .replace(",E\n", ",\"E\"\n")
+            .replace(",W\n", ",\"W\"\n");
+        let found = signed(&quoted);
+        assert!(found.contains("\n47,51.5,\"N\",-0.0003,\"E\"\n"), "{found}");
     }
 }

@@ -28,6 +28,8 @@ pub(crate) struct CsvTable {
     has_decimal_comma: bool,
     /// Last line, counted from 1, and the verdict on it; one that was cut off is left out.
     pub(crate) end: (u64, LastRow),
+    /// What is to be told of how it was read.
+    pub(crate) told: Vec<String>,
     /// Bytes of its file.
     bytes: u64,
     /// Columns that stand in its file.
@@ -68,6 +70,7 @@ impl CsvTable {
             written: header.len(),
             header,
             rows,
+            told: Vec::new(),
             is_lenient: false,
             has_decimal_comma: false,
             end: (0, LastRow::Whole),
@@ -85,7 +88,7 @@ impl CsvTable {
         is_read: &[bool],
     ) -> Result<Self, FolderError> {
         let length = bytes.len() as u64;
-        let bytes = decoded_table(bytes);
+        let (bytes, told) = with_signs(rows_of_one_line(bytes));
         let skipped = shape.skipped_lines + shape.head_lines();
         let mut rest = bytes.as_ref();
         for _ in 0..skipped {
@@ -108,6 +111,7 @@ impl CsvTable {
             header,
             rows,
             end: (line, verdict),
+            told,
             is_lenient: true,
             has_decimal_comma: shape.has_decimal_comma,
             bytes: length,
@@ -420,7 +424,7 @@ pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
 
 /// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
-    with_signs(rows_of_one_line(bytes))
+    with_signs(rows_of_one_line(bytes)).0
 }
 
 /// The text of a table, in which every row is one line: blanks stand for the ends of lines within quotation marks.
