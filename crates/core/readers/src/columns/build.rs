@@ -58,6 +58,7 @@ pub fn flight_of_tables(
     let mut notes = files.left_out();
     let mut channels = Vec::new();
     let mut start_of_time = f64::INFINITY;
+    let mut refused = None;
     for map in maps {
         let (mut table, time) = table_of(files.as_ref(), map)?;
         notes.extend(cut_off(&table, &map.file));
@@ -70,11 +71,18 @@ pub fn flight_of_tables(
                 map.file
             ));
         }
-        if table.has_coarse_clock(&time) {
-            notes.push(format!(
+        match table.spread_rows(&time) {
+            Ok(true) => notes.push(format!(
                 "{}: its clock is coarser than its rows: those of one time are spread until it goes on",
                 map.file
-            ));
+            )),
+            Ok(false) => {}
+            Err(cause) => {
+                // Other tables may be of the flight.
+                notes.push(format!("{cause}; the table was left out"));
+                refused = Some(cause);
+                continue;
+            }
         }
         let first = table
             .times(&time, None)
@@ -83,6 +91,9 @@ pub fn flight_of_tables(
         start_of_time = start_of_time.min(first.unwrap_or(f64::INFINITY));
         channels.extend(of_map(map, &time));
         tables.insert(map.file.clone(), Arc::new(table));
+    }
+    if let Some(cause) = refused.filter(|_| tables.is_empty()) {
+        return Err(cause);
     }
     let is_relative = channels
         .iter()

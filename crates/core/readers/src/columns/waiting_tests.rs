@@ -52,6 +52,72 @@ fn rows_of_a_clock_that_is_coarser_than_they_are_keep_their_places_and_are_sprea
 }
 
 #[test]
+fn rows_of_several_bodies_at_each_time_are_refused() {
+    for apart in ["A,B", "1,2", ","] {
+        let names: Vec<&str> = apart.split(',').collect();
+        let row = |row: usize| {
+            let latitude = 47.1 + 1e-4 * row as f64 + 0.1 * (row % 2) as f64;
+            format!(
+                "{},{},{latitude:.6},8.5,{}\n",
+                row / 2,
+                names[row % 2],
+                500 + row % 3
+            )
+        };
+        let table =
+            "time,id,lat,lon,altitude [m]\n".to_owned() + &(0..200).map(row).collect::<String>();
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let found = flight_of_tables(&files(&[("a.csv", &table)]), &maps);
+        let wrong = found.err().unwrap();
+        assert!(wrong.to_string().contains("several bodies"), "{wrong}");
+        // Another table is read without it.
+        let own: String = (0..100).map(|t| format!("{t},{}\n", 15 + t % 3)).collect();
+        let own = format!("time,airspeed [m/s]\n{own}");
+        let both = [
+            maps[0].clone(),
+            guess_table("b.csv", own.as_bytes()).unwrap(),
+        ];
+        let files = files(&[("a.csv", &table), ("b.csv", &own)]);
+        let folder = flight_of_tables(&files, &both).ok().unwrap();
+        assert!(
+            folder
+                .flight
+                .channel(pilotage_flight::ChannelName::Airspeed)
+                .is_some()
+        );
+        assert!(folder.notes.iter().any(|note| note.contains("left out")));
+    }
+}
+
+#[test]
+fn rows_of_several_cameras_or_sensors_at_each_time_are_not_refused() {
+    let row = |row: usize| {
+        let latitude = 47.1 + 1e-4 * (row / 2) as f64;
+        format!(
+            "10:00:{:02},{},{row}.jpg,{latitude:.6},8.5\n",
+            row / 2,
+            row % 2
+        )
+    };
+    let cameras = "time,camera,file,lat,lon\n".to_owned() + &(0..100).map(row).collect::<String>();
+    let maps = [guess_table("a.csv", cameras.as_bytes()).unwrap()];
+    let folder = flight_of_tables(&files(&[("a.csv", &cameras)]), &maps);
+    assert_eq!(folder.ok().unwrap().flight.truth.unwrap().states.len(), 50);
+    let row = |row: u32| {
+        let latitude = 47.1 + 1e-4 * f64::from(row);
+        format!(
+            "10:00:{row:02},GPS,{latitude:.6},8.5,500,\n10:00:{row:02},AIR,,,,{}\n",
+            15 + row % 3
+        )
+    };
+    let sensors = "time,of,lat,lon,altitude [m],airspeed [m/s]\n".to_owned()
+        + &(0..50).map(row).collect::<String>();
+    let maps = [guess_table("a.csv", sensors.as_bytes()).unwrap()];
+    let folder = flight_of_tables(&files(&[("a.csv", &sensors)]), &maps);
+    assert_eq!(folder.ok().unwrap().flight.truth.unwrap().states.len(), 50);
+}
+
+#[test]
 fn directions_of_a_flight_that_waits_for_long_are_judged_by_the_time_that_it_flies() {
     // At rest for 40 minutes, then a circle at 15 m/s for one; directions in hundredths of a degree, at rest 0 and noise.
     let mut table = String::from("time,lat,lon,heading,course,speed\n");

@@ -3,6 +3,11 @@
 //! A table of five rows a second by a clock of whole seconds has five rows of one time each: they are spread over the time
 //! until the clock goes on, as evenly as they were written.
 
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use crate::cells::number;
+
 /// Fewest rows that tell how coarse a clock is.
 const ENOUGH: usize = 10;
 /// Share of steps at which the clock stands, from which on it is coarse, and of those whose rows are measured one after the
@@ -11,15 +16,34 @@ const STANDING: f64 = 0.3;
 const MEASURED: f64 = 0.8;
 /// Longer than so many of its usual steps the clock waits for nothing but a pause.
 const PAUSE: f64 = 1.5;
+/// Times that tell whether rows are of several bodies.
+const MOST_RUNS: usize = 500;
+/// Below this share of the steps within one time, those from time to time are of one body of several.
+const TO_AND_FRO: f64 = 0.25;
+
+/// Rows whose clock stands until the next one.
+fn standing(times: &[f64]) -> impl Iterator<Item = usize> {
+    (1..times.len())
+        .filter(|row| times[row - 1] == times[*row])
+        .map(|row| row - 1)
+}
+
+/// Whether a clock stands so often that it is coarser than its rows.
+pub(super) fn is_coarse(times: &[f64]) -> bool {
+    let steps = times.len().saturating_sub(1);
+    times.len() >= ENOUGH && standing(times).count() as f64 >= STANDING * steps as f64
+}
+
+/// Whether that is so of most rows of one time and their next ones.
+pub(super) fn are_mostly(times: &[f64], is_so: impl Fn(usize) -> bool) -> bool {
+    let count = standing(times).filter(|row| is_so(*row)).count();
+    count as f64 >= MEASURED * standing(times).count() as f64
+}
 
 /// Spreads rows of one time, where they are many; `is_measured` says whether a row and the next one are two measurements of the
 /// same columns. Whether they were.
 pub(super) fn spread(times: &mut [f64], is_measured: impl Fn(usize) -> bool) -> bool {
-    let steps = times.len().saturating_sub(1);
-    let standing: Vec<usize> = (0..steps).filter(|i| times[*i] == times[i + 1]).collect();
-    let is_coarse = times.len() >= ENOUGH && standing.len() as f64 >= STANDING * steps as f64;
-    let measured = standing.iter().filter(|row| is_measured(**row)).count();
-    if !is_coarse || (measured as f64) < MEASURED * standing.len() as f64 {
+    if !is_coarse(times) || !are_mostly(times, is_measured) {
         return false;
     }
     let mut runs: Vec<(usize, usize)> = Vec::new();
@@ -62,6 +86,51 @@ pub(super) fn spread(times: &mut [f64], is_measured: impl Fn(usize) -> bool) -> 
     true
 }
 
+/// Whether rows of one time are of several bodies by the cells of a column: the same cells come again at the next time, all of
+/// them others, or its numbers go to and fro in step with the rows.
+pub(super) fn are_of_several<'a>(
+    times: &[f64],
+    cell: impl Fn(usize) -> &'a str,
+    has_decimal_comma: bool,
+) -> bool {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for (row, time) in times.iter().enumerate() {
+        match runs.last_mut() {
+            Some(run) if times[run.start] == *time => run.end = row + 1,
+            _ => runs.push(row..row + 1),
+        }
+    }
+    runs.truncate(MOST_RUNS);
+    let (mut rows, mut again) = (0, 0);
+    let (mut across, mut along) = (Vec::new(), Vec::new());
+    let value = |row: usize| number(cell(row), has_decimal_comma);
+    for pair in runs.windows(2) {
+        let (run, next) = (pair[0].clone(), pair[1].clone());
+        if run.len() < 2 {
+            continue;
+        }
+        let cells: BTreeSet<&str> = run.clone().map(&cell).collect();
+        let is_one_each = cells.len() == run.len() && !cells.contains("");
+        let others: BTreeSet<&str> = next.clone().map(&cell).collect();
+        rows += run.len();
+        again += cells
+            .iter()
+            .filter(|c| is_one_each && others.contains(*c))
+            .count();
+        if run.len() == next.len() {
+            for (row, later) in run.clone().zip(next) {
+                across.extend(value(row).zip(value(later)).map(|(a, b)| (a - b).abs()));
+            }
+        }
+        for row in run.start..run.end - 1 {
+            along.extend(value(row).zip(value(row + 1)).map(|(a, b)| (a - b).abs()));
+        }
+    }
+    let comes_again = rows >= ENOUGH && again as f64 >= MEASURED * rows as f64;
+    let steps = median(across).zip(median(along));
+    comes_again || steps.is_some_and(|(across, along)| across < TO_AND_FRO * along)
+}
+
 fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied()
@@ -98,5 +167,24 @@ mod tests {
         let before = regular.clone();
         assert!(!spread(&mut regular, |_| true));
         assert_eq!(regular, before);
+    }
+
+    #[test]
+    fn rows_of_several_bodies_are_known_by_cells_that_come_again_or_go_to_and_fro() {
+        let times: Vec<f64> = (0..60).map(|row| f64::from(row / 2)).collect();
+        let several = |cell: &dyn Fn(usize) -> String| {
+            let cells: Vec<String> = (0..60).map(cell).collect();
+            are_of_several(&times, |row| cells[row].as_str(), false)
+        };
+        assert!(several(&|row| ["A", "B"][row % 2].to_owned()));
+        // They may come in any order.
+        assert!(several(&|row| ["A", "B"][(row + row / 6) % 2].to_owned()));
+        let place = |row: usize, apart: f64| 47.1 + 1e-4 * row as f64 + apart * (row % 2) as f64;
+        assert!(several(&|row| format!("{:.6}", place(row, 0.1))));
+        assert!(!several(&|row| format!("{:.6}", place(row, 0.0))));
+        assert!(!several(&|row| (500 + row % 3).to_string()));
+        assert!(!several(&|_| "fixed".to_owned()));
+        // A sum that checks each row.
+        assert!(!several(&|row| format!("*{:02X}", row * row * 7 % 251)));
     }
 }

@@ -6,7 +6,7 @@ use super::clock::count_midnights;
 use super::error::FolderError;
 use super::hemispheres::with_signs;
 use super::layout::{TimeColumn, ValueColumn};
-use super::standing::spread;
+use super::standing::{are_mostly, are_of_several, is_coarse, spread};
 use crate::cells::Moment;
 use crate::cells::shortened;
 use crate::cells::{Dimension, linear};
@@ -30,6 +30,8 @@ pub(crate) struct CsvTable {
     pub(crate) end: (u64, LastRow),
     /// What is to be told of how it was read.
     pub(crate) told: Vec<String>,
+    /// Column of the clock that is coarser than the rows, and the seconds of each row after it.
+    spread: Option<(String, Vec<f64>)>,
     /// Bytes of its file.
     bytes: u64,
     /// Columns that stand in its file.
@@ -71,6 +73,7 @@ impl CsvTable {
             header,
             rows,
             told: Vec::new(),
+            spread: None,
             is_lenient: false,
             has_decimal_comma: false,
             end: (0, LastRow::Whole),
@@ -112,6 +115,7 @@ impl CsvTable {
             rows,
             end: (line, verdict),
             told,
+            spread: None,
             is_lenient: true,
             has_decimal_comma: shape.has_decimal_comma,
             bytes: length,
@@ -285,37 +289,80 @@ impl CsvTable {
                 ),
             ));
         }
-        let at = self.index(&map.column)?;
-        spread(&mut times, |row| self.are_measurements(row, at));
+        if let Some((column, after)) = &self.spread
+            && *column == map.column
+        {
+            times.iter_mut().zip(after).for_each(|(time, s)| *time += s);
+        }
         Ok(times)
     }
 
-    /// Whether a row and the next one measure the same columns, and not the same values, beside the column `at`.
-    fn are_measurements(&self, row: usize, at: usize) -> bool {
+    /// Whether a row and the next one measure the same columns, and not the same numbers in those that `counts` says so of.
+    fn are_measurements(&self, row: usize, counts: impl Fn(usize) -> bool) -> bool {
         let (first, second) = (&self.rows[row].1, &self.rows[row + 1].1);
+        let value = |cell: &str| number(cell, self.has_decimal_comma);
         let mut is_other = false;
         for (column, (a, b)) in first.iter().zip(second.iter()).enumerate() {
             if a.is_empty() != b.is_empty() {
                 return false;
             }
-            is_other |= column != at && a != b;
+            is_other = is_other
+                || a != b && counts(column) && value(a).zip(value(b)).is_some_and(|(a, b)| a != b);
         }
         is_other
     }
 
-    /// Whether its clock is coarser than its rows, so that [`times`](Self::times) spreads those of one time.
-    pub(crate) fn has_coarse_clock(&self, map: &TimeColumn) -> bool {
-        let Ok(moments) = self.moments(map) else {
-            return false;
+    /// Has [`times`](Self::times) spread the rows of one time where its clock is coarser than its rows; whether it does. Rows
+    /// of one time that are of several bodies are refused.
+    pub(crate) fn spread_rows(&mut self, map: &TimeColumn) -> Result<bool, FolderError> {
+        let (Ok(moments), Ok(at)) = (self.moments(map), self.index(&map.column)) else {
+            return Ok(false);
         };
         let origin = moments.iter().find_map(|moment| match moment {
             Moment::Absolute(whole, fraction) => Some((*whole, *fraction)),
             Moment::Relative(_) => None,
         });
         let seconds = moments.iter().map(|moment| moment.since(origin));
-        let mut seconds: Vec<f64> = seconds.collect();
-        self.index(&map.column)
-            .is_ok_and(|at| spread(&mut seconds, |row| self.are_measurements(row, at)))
+        let standing: Vec<f64> = seconds.collect();
+        let mut seconds = standing.clone();
+        if !is_coarse(&standing) {
+            return Ok(false);
+        }
+        let cell = |row: usize, column: usize| self.rows[row].1.get(column).unwrap_or("");
+        // Rows of several sensors fill other columns each, beside a name and the time; those of several cameras tell the same.
+        let is_other = |(a, b): &(&str, &str)| {
+            let both = number(a, self.has_decimal_comma).zip(number(b, self.has_decimal_comma));
+            both.is_some_and(|(a, b)| a != b && (a.fract() != 0.0 || b.fract() != 0.0))
+        };
+        let are_alike = are_mostly(&standing, |row| {
+            let cells = self.rows[row].1.iter().zip(self.rows[row + 1].1.iter());
+            let cells = cells.filter(|(a, b)| !a.is_empty() && !b.is_empty());
+            cells.clone().count() > 3 && cells.into_iter().any(|cells| is_other(&cells))
+        });
+        let tells_apart = |column: usize| {
+            let comma = self.has_decimal_comma;
+            column != at && are_of_several(&standing, |row| cell(row, column), comma)
+        };
+        let apart: Vec<bool> = (0..self.header.len()).map(tells_apart).collect();
+        let first = apart.iter().position(|is_apart| *is_apart);
+        if let Some(column) = first.filter(|_| are_alike) {
+            return Err(FolderError::File {
+                file: self.file.clone(),
+                cause: format!(
+                    "rows of one time in column \"{}\" tell of several bodies or parts, which column \"{}\" tells apart: leave one of them in the file",
+                    shortened(&map.column),
+                    shortened(&self.header[column])
+                ),
+            });
+        }
+        let counts = |column: usize| column != at && apart.get(column) == Some(&false);
+        if !spread(&mut seconds, |row| self.are_measurements(row, counts)) {
+            return Ok(false);
+        }
+        let after = seconds.iter().zip(&standing);
+        let after = after.map(|(spread, time)| spread - time).collect();
+        self.spread = Some((map.column.clone(), after));
+        Ok(true)
     }
 
     /// Values of a column in SI and radians; `None` where the cell is empty or says nan.
@@ -606,5 +653,20 @@ mod tests {
             matches!(wrong, FolderError::Cell { line: 4, .. }),
             "{wrong}"
         );
+    }
+
+    #[test]
+    fn rows_are_spread_only_where_that_is_asked_for() {
+        let rows: String = (0..40).map(|row| format!("{},{row}\n", row / 4)).collect();
+        let text = format!("t,v\n{rows}");
+        let mut table = CsvTable::parse("a.csv", text.as_bytes()).unwrap();
+        let map = TimeColumn {
+            column: "t".to_owned(),
+            format: TimeFormat::Seconds,
+            offset_s: 2.0,
+        };
+        assert_eq!(table.times(&map, None).unwrap()[..3], [2.0; 3]);
+        assert!(table.spread_rows(&map).unwrap());
+        assert_eq!(table.times(&map, None).unwrap()[..3], [2.0, 2.25, 2.5]);
     }
 }
