@@ -71,7 +71,8 @@ fn rows_of_several_bodies_at_each_time_are_refused() {
         let wrong = found.err().unwrap();
         assert!(wrong.to_string().contains("several bodies"), "{wrong}");
         // Another table is read without it.
-        let own: String = (0..100).map(|t| format!("{t},{}\n", 15 + t % 3)).collect();
+        let row = |t: u32| format!("{t},{}\n", 15 + t % 3);
+        let own: String = (0..100).map(row).collect();
         let own = format!("time,airspeed [m/s]\n{own}");
         let both = [
             maps[0].clone(),

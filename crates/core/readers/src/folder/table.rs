@@ -657,7 +657,8 @@ mod tests {
 
     #[test]
     fn rows_are_spread_only_where_that_is_asked_for() {
-        let rows: String = (0..40).map(|row| format!("{},{row}\n", row / 4)).collect();
+        let row = |row: u32| format!("{},{row}\n", row / 4);
+        let rows: String = (0..40).map(row).collect();
         let text = format!("t,v\n{rows}");
         let mut table = CsvTable::parse("a.csv", text.as_bytes()).unwrap();
         let map = TimeColumn {
