@@ -41,6 +41,10 @@ const EITHER: [&str; 8] = [
     "indicator",
     "sign",
 ];
+/// Words of names of minutes and seconds of angles.
+const PARTS: [&str; 8] = [
+    "m", "min", "minute", "minutes", "sec", "second", "seconds", "mins",
+];
 /// Of so many cells with something in them one may be no letter, or no angle without a sign.
 const ODD: usize = 10;
 
@@ -137,6 +141,10 @@ fn found(names: &[Vec<String>], rows: &[Vec<&str>]) -> Vec<Letters> {
     let mut found: Vec<(Letters, usize, bool)> = Vec::new();
     for (at, kind) in are_of.iter().enumerate() {
         let Some(kind) = *kind else { continue };
+        // Degrees with parts in other columns have a sign together.
+        if (0..names.len()).any(|part| says(part, ANGLES[kind]) && says(part, &PARTS)) {
+            continue;
+        }
         let is_named = says(at, LETTERS[kind]) || says(at, &EITHER) || says(at, ANGLES[kind]);
         let is_place = |angle: &usize| {
             *angle < names.len()
@@ -401,6 +409,13 @@ mod tests {
             ("alt", &height),
         ]);
         assert!(signed(&before).contains("\n47,N,-0.0003,E,-0.0003,497\n"));
+        let parts = crossing(&[
+            ("t", &time),
+            ("lat_deg", &|_| "0".to_owned()),
+            ("lat_min", &angle),
+            ("N/S", &ns),
+        ]);
+        assert_eq!(signed(&parts), parts);
         for (name, letters) in [("level", &ew as &dyn Fn(i32) -> String), ("mode", &ns)] {
             let other = crossing(&[
                 ("t", &time),
