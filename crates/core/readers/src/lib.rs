@@ -12,6 +12,7 @@ pub mod log;
 pub mod mat;
 pub mod nmea;
 mod nmea_receivers;
+mod nmea_velocity;
 pub mod overview;
 pub mod photo;
 pub mod role;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::cells::{DEGREES_AND_MINUTES, days_since_1970, linear};
 use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::nmea_receivers::{SaidPlace, of_others};
+use crate::nmea_velocity::{SaidMotion, velocity_leads};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
@@ -14,8 +15,6 @@ use pilotage_base::text::utc_text;
 const DAY: f64 = 86_400.0;
 /// Receivers write two digits of a year; from this one on they are of the century before.
 const CENTURY: i64 = 80;
-/// Sentences of a moment.
-const TIMED: [&str; 5] = ["GGA", "GNS", "GLL", "RMC", "VTG"];
 /// Columns behind the time.
 const COLUMNS: [&str; 5] = [
     "latitude [deg]",
@@ -162,13 +161,12 @@ fn sentences(text: &str) -> Sentences {
     // Where sentences of a kind have check sums, those without were cut off.
     let mut sums = SumCounts::default();
     all().for_each(|sentence| sums.add(sentence));
-    let kinds = all().map(|sentence| kind_of(sentence).get(2..).unwrap_or_default());
-    let kinds: Vec<&str> = kinds.filter(|kind| TIMED.contains(kind)).collect();
-    let leads = |kind: Option<&&str>| kind == Some(&"VTG");
-    found.velocity_leads = leads(kinds.first()) && !leads(kinds.last());
     let places: Vec<SaidPlace> = all().filter_map(said_place).collect();
     let (others, told) = of_others(&places);
     found.others = told;
+    let is_read = |sentence: &&str| !others.contains(sentence.get(..2).unwrap_or_default());
+    let said: Vec<SaidMotion> = all().filter(is_read).filter_map(said_motion).collect();
+    found.velocity_leads = velocity_leads(&said);
     for sentence in all() {
         let body = match sentence.trim_end().split_once('*') {
             Some((body, sum)) if is_whole(body, sum) => body,
@@ -352,6 +350,20 @@ impl Sentences {
     }
 }
 
+/// The place or the velocity that a sentence tells, whether it is sound or not.
+fn said_motion(sentence: &str) -> Option<SaidMotion> {
+    if kind_of(sentence).get(2..)? != "VTG" {
+        let (_, second, place) = said_place(sentence)?;
+        return Some(SaidMotion::Place(second, place));
+    }
+    let fields: Vec<&str> = sentence.trim_end().split(',').collect();
+    let of = |index: usize| fields.get(index).and_then(|field| number(field));
+    let velocity = of(1).zip(of(5));
+    Some(SaidMotion::Velocity(velocity.map(|(course, knots)| {
+        [course.to_radians(), knots * MPS_PER_KNOT]
+    })))
+}
+
 /// The place that a sentence tells, whether it is sound or not.
 fn said_place(sentence: &str) -> Option<SaidPlace<'_>> {
     let fields: Vec<&str> = sentence.trim_end().split(',').collect();
@@ -363,7 +375,7 @@ fn said_place(sentence: &str) -> Option<SaidPlace<'_>> {
     };
     Some((
         sentence.get(..2)?,
-        fields.get(time)?,
+        second_of_day(fields.get(time)?)?,
         place(fields.get(at..)?)?,
     ))
 }
@@ -416,243 +428,5 @@ fn day(text: &str) -> Option<i64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use pilotage_flight::ChannelName;
-
-    fn sentence(body: &str) -> String {
-        let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);
-        format!("${body}*{sum:02X}\r\n")
-    }
-
-    /// Southward and down at 36 km/h from 33° 30' S, 70° 30' W, over midnight.
-    fn recording() -> String {
-        let mut text = sentence("GPTXT,01,01,02,u-blox");
-        for i in 0..60_u32 {
-            let clock = if i < 30 {
-                format!("2359{:02}.00", 30 + i)
-            } else {
-                format!("0000{:02}.00", i - 30)
-            };
-            let date = if i < 30 { "311223" } else { "010124" };
-            let minutes = 30.0 + 10.0 / 1848.0 * f64::from(i);
-            let height = 900.0 - f64::from(i);
-            let place = format!("33{minutes:07.4},S,07030.0000,W");
-            text += &sentence(&format!(
-                "GNGGA,{clock},{place},1,12,0.8,{height:.1},M,24.0,M,,"
-            ));
-            text += &sentence(&format!("GNRMC,{clock},A,{place},19.438,180.0,{date},,,A"));
-            text += &sentence("GNVTG,180.0,T,,M,19.438,N,36.0,K,A");
-        }
-        text
-    }
-
-    #[test]
-    fn sentences_are_a_flight_with_heights_and_speeds_over_midnight() {
-        let text = recording();
-        assert!(is_nmea(text.as_bytes()));
-        let folder = read_nmea("flight.nmea", text.as_bytes()).unwrap().unwrap();
-        let flight = &folder.flight;
-        let (first, last) = flight.span();
-        assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");
-        // 31 December 2023, 23:59:30.
-        let utc = folder.log().utc_at_zero.unwrap() + first;
-        assert_eq!(utc, 1_704_067_170.0);
-        let origin = flight.frame_on_globe.unwrap().origin;
-        assert!((origin.latitude.to_degrees() + 33.5).abs() < 1e-9);
-        assert!((origin.longitude.to_degrees() + 70.5).abs() < 1e-9);
-        let last = |name| *flight.channel(name).unwrap().values.last().unwrap();
-        assert!((last(ChannelName::GpsNorth) + 590.0).abs() < 1.0);
-        assert!((last(ChannelName::GpsHeight) - 841.0).abs() < 1e-9);
-        assert!((last(ChannelName::GpsVelocityNorth) + 10.0).abs() < 0.01);
-    }
-
-    #[test]
-    fn damaged_sentences_and_those_without_a_fix_are_left_out_and_told() {
-        let text = recording().replacen("33.4", "33.5", 1) + &recording().replace("GNGGA", "GNGGB");
-        let read = sentences(&text);
-        assert_eq!(read.damaged, 60);
-        let unfixed = recording().replace(",A,33", ",V,33");
-        let unfixed: String = unfixed
-            .lines()
-            .filter(|line| line.contains("RMC"))
-            .map(|line| sentence(&line[1..line.len() - 3]))
-            .collect();
-        assert!(read_nmea("a.nmea", unfixed.as_bytes()).unwrap().is_none());
-    }
-
-    #[test]
-    fn a_sentence_that_is_cut_off_is_left_out_and_told_where_others_have_sums() {
-        let fix = |i: u32| {
-            sentence(&format!(
-                "GPGGA,1200{i:02}.00,4730.{i:02}0,N,00830.000,E,1,8,1,440.5,M,47.0,M,,"
-            ))
-        };
-        let text: String = (0..10).map(fix).collect();
-        let begin = text.rfind('$').unwrap();
-        for cut in begin + 1..text.rfind('*').unwrap() + 3 {
-            let read = sentences(&text[..cut]);
-            assert_eq!(
-                (read.epochs.len(), read.damaged),
-                (9, 1),
-                "{}",
-                &text[begin..cut]
-            );
-        }
-        let bare: String = text
-            .lines()
-            .map(|line| line[..line.len() - 3].to_owned() + "\n")
-            .collect();
-        assert_eq!(sentences(&bare).epochs.len(), 10);
-    }
-
-    #[test]
-    fn check_sums_of_some_kinds_of_sentences_do_not_condemn_the_others() {
-        let bare = |line: &str| line.trim_end()[..line.trim_end().len() - 3].to_owned() + "\n";
-        let epoch = |i: u32| {
-            let place = format!("1200{i:02}.00");
-            let fix = sentence(&format!(
-                "GPGGA,{place},4730.0{i:02},N,00830.000,E,1,8,1,440.5,M,47.0,M,,"
-            ));
-            let others = ["GPRMC", "GPGSA", "GPGSV"].map(|kind| {
-                sentence(&format!(
-                    "{kind},{place},A,4730.0{i:02},N,00830.000,E,1,2,130524,,"
-                ))
-            });
-            bare(&fix) + &others.concat()
-        };
-        let text: String = (0..10).map(epoch).collect();
-        let read = sentences(&text);
-        assert_eq!((read.epochs.len(), read.damaged), (10, 0));
-        assert!(
-            read.epochs
-                .iter()
-                .all(|epoch| epoch.values[2] == Some(440.5))
-        );
-        let begin = text.rfind("$GPRMC").unwrap();
-        assert_eq!(sentences(&text[..begin + 40]).damaged, 1);
-    }
-
-    #[test]
-    fn a_velocity_that_comes_before_the_place_of_its_moment_is_of_that_moment() {
-        let places = |i: u32| {
-            let place = format!("4730.{i:02}0,N,00830.000,E");
-            sentence(&format!(
-                "GPGGA,1200{i:02}.00,{place},1,8,1,440.5,M,47.0,M,,"
-            ))
-        };
-        let velocity = |i: u32| sentence(&format!("GPVTG,0.0,T,,M,{i}.0,N,,K,A"));
-        let speeds = |text: String| -> Vec<Option<f64>> {
-            let epochs = sentences(&text).epochs;
-            epochs.iter().map(|epoch| epoch.values[3]).collect()
-        };
-        let expected: Vec<_> = (0..9).map(|i| Some(f64::from(i) * MPS_PER_KNOT)).collect();
-        let before = (0..9).map(|i| velocity(i) + &places(i)).collect();
-        assert_eq!(speeds(before), expected);
-        let behind = (0..9).map(|i| places(i) + &velocity(i)).collect();
-        assert_eq!(speeds(behind), expected);
-        // A recording that begins within a moment.
-        let within = velocity(7) + &(0..9).map(|i| places(i) + &velocity(i)).collect::<String>();
-        assert_eq!(speeds(within), expected);
-    }
-
-    #[test]
-    fn of_two_receivers_in_turn_the_one_with_most_places_counts() {
-        let of = |talker: &str, tenth: u32, minutes: f64| {
-            let clock = format!("1200{:02}.{}0", tenth / 10, tenth % 10);
-            sentence(&format!(
-                "{talker}GGA,{clock},47{minutes:08.5},N,00830.00000,E,1,8,1,440.5,M,47.0,M,,"
-            ))
-        };
-        // 18.5 m/s northward, the second half a second later; it is lost from second 40 on.
-        let read = |second: &str, apart: f64| {
-            let mut text = String::new();
-            for i in 0..60 {
-                let minutes = 30.0 + 0.01 * f64::from(i);
-                text += &of("GP", 10 * i, minutes);
-                if i < 40 {
-                    text += &of(second, 10 * i + 5, minutes + 0.005 + apart);
-                }
-            }
-            sentences(&text)
-        };
-        let two = read("GN", 0.1);
-        assert_eq!(two.epochs.len(), 60);
-        assert!(
-            two.others[0].contains("40 places of GN are left out"),
-            "{:?}",
-            two.others
-        );
-        // One receiver that names itself after the satellites that it uses makes one track.
-        let one = read("GN", 0.0);
-        assert_eq!((one.epochs.len(), one.others.len()), (100, 0));
-    }
-
-    #[test]
-    fn heights_in_feet_and_dates_alone_are_read() {
-        let text = sentence("GPZDA,120000.00,13,05,2024,00,00")
-            + &sentence("GPGGA,120000.00,4730.000,N,00830.000,E,1,8,1,1000.0,F,47.0,M,,");
-        let read = sentences(&text);
-        assert_eq!(read.epochs.len(), 1);
-        assert_eq!(read.epochs[0].day, Some(days_since_1970(2024, 5, 13)));
-        assert!((read.epochs[0].values[2].unwrap() - 304.8).abs() < 1e-9);
-    }
-
-    #[test]
-    fn a_receiver_without_dates_goes_on_over_midnight() {
-        let text = recording();
-        let fixes = text.lines().filter(|line| line.contains("GGA"));
-        let alone: Vec<String> = fixes.map(|line| format!("12:00:01 {line}")).collect();
-        let alone = alone.join("\n");
-        let folder = read_nmea("a.nmea", alone.as_bytes()).unwrap().unwrap();
-        assert_eq!(folder.log().utc_at_zero, None);
-        let (first, last) = folder.flight.span();
-        assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");
-    }
-
-    #[test]
-    fn sentences_of_several_systems_and_of_places_alone_are_read() {
-        let of = |kinds: &[&str]| {
-            let mut text = String::new();
-            for (i, kind) in (0..3).flat_map(|i| kinds.iter().map(move |kind| (i, *kind))) {
-                let place = format!("4730.{i}00,N,00830.000,W");
-                let own = match kind {
-                    "GNS" => format!("GNGNS,12000{i}.00,{place},AN,12,0.8,440.5,47.0,,"),
-                    "GLL" => format!("GPGLL,{place},12000{i}.00,A,A"),
-                    // Another receiver, a minute of arc beside.
-                    _ => {
-                        format!("GLGGA,12000{i}.00,4731.{i}00,N,00830.000,W,1,8,1,99.0,M,47.0,M,,")
-                    }
-                };
-                for line in sentence(&own).lines() {
-                    text += "2024-05-13 12:00:00 ";
-                    text += line;
-                    text += "\n";
-                }
-            }
-            assert!(is_nmea(text.as_bytes()), "{kinds:?}");
-            read_nmea("a.nmea", text.as_bytes())
-                .unwrap()
-                .unwrap()
-                .flight
-        };
-        for kinds in [&["GNS"][..], &["GLL"], &["GNS", "GGA"]] {
-            let flight = of(kinds);
-            let origin = flight.frame_on_globe.unwrap().origin;
-            assert!(
-                (origin.latitude.to_degrees() - 47.5).abs() < 1e-9,
-                "{kinds:?}"
-            );
-            assert!((origin.longitude.to_degrees() + 8.5).abs() < 1e-9);
-            let height = flight.channel(ChannelName::GpsHeight).map(|c| c.values[0]);
-            assert_eq!(height, kinds.contains(&"GNS").then_some(440.5), "{kinds:?}");
-        }
-    }
-
-    #[test]
-    fn tables_and_texts_are_no_sentences() {
-        for text in ["time,lat\n0,47\n", "$5 for GGA,1\n", "$GPGSV,1\n", ""] {
-            assert!(!is_nmea(text.as_bytes()), "{text}");
-        }
-    }
-}
+#[path = "nmea_tests.rs"]
+mod tests;
