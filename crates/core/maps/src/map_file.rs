@@ -206,17 +206,19 @@ pub(crate) fn geo_tiff_file(
     options: &MapOptions,
 ) -> Result<GeoTiffFile, MapFileError> {
     let source = files.source(name).ok_or_else(|| missing(name))?;
-    let beside = place_beside(files, name, options)?.map(|(_, place)| place);
-    let system = match options.system {
-        Some(system) => Some(system),
-        // What the file says itself comes before what lies beside it.
-        None => match GeoTiffFile::open(source.clone(), beside, None) {
-            Err(GeoTiffError::NoSystem { .. }) => system_beside(files, name)?,
-            Err(other) => return Err(other.into()),
-            Ok(_) => None,
-        },
+    let open = |beside, system| GeoTiffFile::open(source.clone(), beside, system);
+    // Files beside it are read only for what it does not say itself: what is wrong in them is none of its concern else.
+    let (beside, opened) = match open(None, options.system) {
+        Err(GeoTiffError::NoPlace { .. }) => {
+            let beside = place_beside(files, name, options)?.map(|(_, place)| place);
+            (beside, open(beside, options.system))
+        }
+        other => (None, other),
     };
-    let file = GeoTiffFile::open(source, beside, system)?;
+    let file = match opened {
+        Err(GeoTiffError::NoSystem { .. }) => open(beside, system_beside(files, name)?),
+        other => other,
+    }?;
     refuse_unnamed(&file.georeference, name, options)?;
     Ok(file)
 }

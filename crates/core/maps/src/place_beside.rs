@@ -1,6 +1,7 @@
 //! The files beside a picture that say where it lies: world file, georeference in JSON, `.prj`.
 
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
 
 use crate::auxiliary_xml::AuxiliaryXml;
 use crate::map_error::MapFileError;
@@ -9,6 +10,7 @@ use crate::systems;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{LocalFrame, ReferenceSystem};
 use pilotage_base::georeference::Georeference;
+use serde::de::IgnoredAny;
 
 /// Endings of world files, which take the place of a picture's own or follow it.
 const WORLD_FILES: [&str; 11] = [
@@ -23,6 +25,9 @@ const GEOREFERENCES: [&str; 4] = [
     ".json",
 ];
 
+/// Members of a georeference in JSON; an object with none of them is something else.
+const MEMBERS: [&str; 5] = ["plane_from_pixel", "origin_lat", "origin_lon", "R", "T"];
+
 /// Georeference of a picture by the file beside it, with that file's name.
 pub(crate) fn place_beside(
     files: &dyn FileSet,
@@ -35,7 +40,7 @@ pub(crate) fn place_beside(
     let sides = SideFiles::of(files, picture);
     let world_file = WORLD_FILES.iter().find_map(|ending| sides.find(ending));
     let stated =
-        world_file.or_else(|| (GEOREFERENCES.iter()).find_map(|ending| sides.in_place(ending)));
+        world_file.or_else(|| (GEOREFERENCES.iter()).find_map(|ending| sides.georeference(ending)));
     let (side, place) = if let Some((side, bytes)) = stated {
         let place = Georeference::from_text(&String::from_utf8_lossy(&bytes));
         let place = place.map_err(|cause| MapFileError::Georeference {
@@ -97,8 +102,7 @@ pub(crate) fn system_beside(
 
 /// Name of the mask that GDAL wrote beside a picture.
 pub(crate) fn mask_beside(files: &dyn FileSet, picture: &str) -> Option<String> {
-    let found = SideFiles::of(files, picture).with_ending(picture, ".msk");
-    found.map(|(name, _)| name)
+    SideFiles::of(files, picture).name_with_ending(picture, ".msk")
 }
 
 /// Files beside a picture.
@@ -150,6 +154,15 @@ impl<'a> SideFiles<'a> {
         self.with_ending(stem, ending)
     }
 
+    /// The same, unless it is JSON of another kind, as catalogues of elevation models and surveys put beside pictures.
+    fn georeference(&self, ending: &str) -> Option<(String, Vec<u8>)> {
+        let is_other = |bytes: &[u8]| {
+            let members: Option<BTreeMap<String, IgnoredAny>> = serde_json::from_slice(bytes).ok();
+            members.is_some_and(|members| !MEMBERS.iter().any(|own| members.contains_key(*own)))
+        };
+        self.in_place(ending).filter(|(_, bytes)| !is_other(bytes))
+    }
+
     /// The same of the one that has `ending` behind `stem`, in small letters or in capitals; where the files can be
     /// listed, in any letters.
     fn with_ending(&self, stem: &str, ending: &str) -> Option<(String, Vec<u8>)> {
@@ -162,5 +175,18 @@ impl<'a> SideFiles<'a> {
                 let found = names.iter().find(|name| name.eq_ignore_ascii_case(&wanted));
                 read(found?.clone())
             })
+    }
+
+    /// Name of the file that has `ending` behind `stem`, in any letters, which is not read.
+    fn name_with_ending(&self, stem: &str, ending: &str) -> Option<String> {
+        let wanted = format!("{stem}{ending}");
+        let names = self.names.get_or_init(|| self.files.names());
+        let listed = names.iter().find(|name| name.eq_ignore_ascii_case(&wanted));
+        // Not all sets can list their files.
+        let is_listed = names.iter().any(|name| name == self.picture);
+        let unlisted = || Some(wanted.clone()).filter(|name| self.files.source(name).is_some());
+        listed
+            .cloned()
+            .or_else(|| if is_listed { None } else { unlisted() })
     }
 }

@@ -1,10 +1,11 @@
 //! World files and `.prj` files beside pictures.
 
-use pilotage_base::files::MemoryFiles;
+use pilotage_base::files::{FileSet, MemoryFiles};
 use pilotage_base::frames::{Geodetic, LocalFrame, ReferenceSystem};
 use pilotage_raster::imagery::Imagery as _;
 use pilotage_raster::raster::{Picture, encode_png};
 
+use crate::place_beside::mask_beside;
 use crate::{MapOptions, OpenMap, open_map_with};
 
 /// Half a metre a pixel around the central meridian of a UTM zone.
@@ -158,4 +159,47 @@ fn world_files_and_systems_are_found_by_all_names_that_programs_give_them() {
         );
         assert!((map.native_gsd() - 0.5 / 0.9996).abs() < 1e-6, "{files:?}");
     }
+}
+
+#[test]
+fn json_of_another_kind_is_no_georeference_and_a_damaged_one_is_told() {
+    let error = |text: &str| {
+        let opened = open(&[("map.json", text)], "map.png", &MapOptions::default());
+        opened.err().unwrap()
+    };
+    for other in ["{}", "{\"type\": \"Feature\", \"stac_version\": \"1.0.0\"}"] {
+        let told = error(other);
+        assert!(told.contains("does not say where it lies"), "{told}");
+    }
+    for damaged in ["{", "{\"origin_lat\": 47.0}"] {
+        let told = error(damaged);
+        assert!(told.starts_with("map.json"), "{told}");
+    }
+}
+
+/// Files of which a mask must not be read.
+struct Unread(MemoryFiles);
+
+impl FileSet for Unread {
+    fn names(&self) -> Vec<String> {
+        self.0.names()
+    }
+
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        assert!(!name.to_lowercase().ends_with(".msk"), "{name} is read");
+        self.0.read(name)
+    }
+}
+
+#[test]
+fn a_mask_is_found_by_its_name_alone() {
+    let mask = |name: &str| {
+        let files = [name, "a/map.tif"].map(|name| (name.to_owned(), vec![0]));
+        let files = MemoryFiles(files.into());
+        mask_beside(&Unread(files), "a/map.tif")
+    };
+    for name in ["a/map.tif.msk", "a/map.tif.MSK", "a/MAP.tif.msk"] {
+        assert_eq!(mask(name).as_deref(), Some(name));
+    }
+    assert_eq!(mask("map.tif.msk"), None);
 }

@@ -282,3 +282,24 @@ fn a_model_is_placed_by_what_lies_beside_it_where_it_says_nothing_itself() {
     assert!((origin.longitude.to_degrees() - 10.002).abs() < 1e-9);
     assert_eq!(dem.height_at(&GroundPoint::default()), Some(300.0));
 }
+
+#[test]
+fn what_lies_beside_a_model_that_says_its_place_itself_is_none_of_its_concern() {
+    let catalogue = "{\"type\": \"Feature\", \"stac_version\": \"1.0.0\", \"geometry\": null}";
+    let sound = format!("{STEP}\n0\n0\n-{STEP}\n99.0\n9.0\n");
+    for (name, text) in [
+        ("a/dem.json", catalogue),
+        ("a/dem.json", "{"),
+        ("a/dem.tfw", "no numbers"),
+        ("a/dem.tfw", &sound),
+        ("a/dem.prj", "PROJCS[\"Nowhere\""),
+    ] {
+        let bytes = Made::level(16, 2, &300_i16.to_le_bytes()).write();
+        let mut files = pilotage_base::files::MemoryFiles::default();
+        files.0.insert("a/dem.tif".to_owned(), bytes);
+        files.0.insert(name.to_owned(), text.as_bytes().to_vec());
+        let dem = crate::open_dem(&files, "a/dem.tif", None, None);
+        let dem = dem.unwrap_or_else(|error| panic!("{name} {text}: {error}"));
+        assert!(dem.frame().origin.longitude.to_degrees() < 20.0, "{name}");
+    }
+}
