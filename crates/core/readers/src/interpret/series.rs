@@ -209,7 +209,7 @@ fn is_alive(series: &RoleSeries) -> bool {
 }
 
 /// The series of a role: as it was given, else from the best place that says anything, else from the best that is
-/// there. A place is the autopilot's own where no receiver with a fix is logged.
+/// there. A place with its height is the autopilot's own where no receiver with a fix is logged.
 ///
 /// ```
 /// # use pilotage_readers::bytes::MemoryBytes;
@@ -227,9 +227,22 @@ pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
     if let Some(given) = log.given.iter().find(|given| given.role == role) {
         return Some(given.clone());
     }
-    let places = sources(log.format).filter(|s| s.role == role);
+    let found = measured(log, role);
+    // Where no receiver knows where it is, the autopilot's own place is what there is: of all roles of a place alike.
+    let Some(own) = role.autopilots_own() else {
+        return found;
+    };
+    if found.is_some() && !is_lost(log) {
+        return found;
+    }
+    let own = series(log, own).map(|own| RoleSeries { role, ..own });
+    own.or(found)
+}
+
+/// The series of a role from the best place that says anything, else from the best that is there.
+fn measured(log: &Log, role: Role) -> Option<RoleSeries> {
     let mut dead = None;
-    for source in places {
+    for source in sources(log.format).filter(|s| s.role == role) {
         for found in topics(log, source)
             .into_iter()
             .filter_map(|topic| read(log, topic, source))
@@ -240,14 +253,18 @@ pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
             dead.get_or_insert(found);
         }
     }
-    // Where no receiver knows where it is, the autopilot's own place is what there is.
-    let Some(own) = role.autopilots_own() else {
-        return dead;
-    };
-    let tells_nothing = |found: &RoleSeries| found.values.iter().all(|value| *value == 0.0);
-    if dead.as_ref().is_some_and(|found| !tells_nothing(found)) {
-        return dead;
+    dead
+}
+
+/// Whether the receiver never knows where it is: it never has a fix, or its places are noughts, or none.
+fn is_lost(log: &Log) -> bool {
+    let fix = series(log, Role::GpsFix);
+    if fix.is_some_and(|fix| fix.values.iter().all(|fix| *fix < FLAT_FIX)) {
+        return true;
     }
-    let own = series(log, own).map(|own| RoleSeries { role, ..own });
-    own.or(dead)
+    let tells_nothing = |role| {
+        let found = measured(log, role);
+        found.is_none_or(|found| found.values.iter().all(|value| *value == 0.0))
+    };
+    tells_nothing(Role::Latitude) && tells_nothing(Role::Longitude)
 }

@@ -415,6 +415,62 @@ fn a_log_without_a_receiver_is_placed_by_the_autopilot() {
 }
 
 #[test]
+fn of_a_receiver_that_never_has_a_fix_nothing_of_a_place_counts() {
+    let fields = [
+        ("Lat", "deglatitude"),
+        ("Lng", "deglongitude"),
+        ("Alt", "m"),
+        ("Status", ""),
+    ];
+    let flown = |i: u32, fix: f64| {
+        let north = 1e-5 * f64::from(i);
+        vec![f64::from(i), 47.0 + north, 8.0, 500.0 + f64::from(i), fix]
+    };
+    let last_known = |i: u32, fix: f64| vec![f64::from(i), 46.9, 8.4, 480.0, fix];
+    let nowhere = |i: u32, fix: f64| vec![f64::from(i), 0.0, 0.0, -17.0, fix];
+    let wandering = |i: u32, fix: f64| {
+        let east = 1e-4 * f64::from(i * i);
+        vec![f64::from(i), 46.9, 8.4 + east, 480.0 - f64::from(i), fix]
+    };
+    for (receiver, name) in [
+        (&last_known as &dyn Fn(u32, f64) -> Vec<f64>, "last known"),
+        (&nowhere, "nowhere"),
+        (&wandering, "wandering"),
+    ] {
+        // With a fix its places count, even if they stand still, but not noughts.
+        for fix in [1.0, 3.0] {
+            let mut log = Log::new("own.bin", LogFormat::Dataflash);
+            let rows = |of: &dyn Fn(u32, f64) -> Vec<f64>| -> Vec<Vec<f64>> {
+                (0..5).map(|i| of(i, fix)).collect()
+            };
+            add(
+                &mut log,
+                "POS",
+                &fields[..3],
+                &rows(&|i, fix| flown(i, fix)[..4].to_vec()),
+            );
+            add(&mut log, "GPS", &fields, &rows(receiver));
+            let is_lost = fix < 2.0 || name == "nowhere";
+            let expected = if is_lost { "POS" } else { "GPS" };
+            for (role, field) in [
+                (Role::Latitude, "Lat"),
+                (Role::Longitude, "Lng"),
+                (Role::GpsHeight, "Alt"),
+            ] {
+                let source = series(&log, role).unwrap().source;
+                assert_eq!(source, format!("{expected}.{field}"), "{name} {fix}");
+            }
+            if is_lost {
+                let interpreted = flight_from_log(&log);
+                let places = places(&interpreted.measured().found, Navigation::Gps);
+                assert_eq!(places.len(), 5, "{name}");
+                assert!((places[4].1.height - 504.0).abs() < 1e-9, "{name}");
+            }
+        }
+    }
+}
+
+#[test]
 fn what_mavlink_says_nobody_knows_is_no_value() {
     let mut log = Log::new("link.tlog", LogFormat::Tlog);
     let fields = || {
