@@ -67,9 +67,12 @@ struct WaypointFile {
     home: Option<HomeLine>,
     /// The line that is marked as current.
     current: Option<usize>,
+    /// Its command, by which it is found again in a route that was edited.
+    #[serde(default)]
+    current_command: Option<HomeLine>,
 }
 
-/// Line 0 where it is home: command, frame, parameters and continuation.
+/// Line as it was read, of home and of the current command: command, frame, parameters and continuation.
 #[derive(Serialize, Deserialize)]
 struct HomeLine(u16, u8, [Option<f64>; 7], bool);
 
@@ -104,7 +107,11 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     let own = WaypointFile {
         version: version.to_owned(),
         current: lines.iter().find(|l| l.is_current).map(|l| l.sequence),
-        home: home_line.map(|i| HomeLine(i.command, i.frame, i.parameters, i.is_continued)),
+        current_command: lines
+            .iter()
+            .find(|l| l.is_current)
+            .map(|l| line_as_read(&l.item)),
+        home: home_line.map(line_as_read),
     };
     let has_home_line = own.home.is_some();
     let home = home_line.and_then(stated_place);
@@ -360,9 +367,16 @@ pub(super) fn write(
         ));
     }
     let current = own.as_ref().map_or(Some(0), |own| {
-        // Commands have numbers only where something jumps to them.
+        // Commands have numbers only where something jumps to them; else the current one is known by what it says.
         let place = |id| items.iter().position(|item| item.1 == Some(id));
-        own.current.map(|id| place(id).unwrap_or(id))
+        own.current.and_then(|id| {
+            let is_it = |item: &MissionItem| {
+                let own = own.current_command.as_ref();
+                own.is_some_and(|own| is_same(own, item))
+            };
+            let alike = (0..items.len()).filter(|at| is_it(&items[*at].0));
+            place(id).or_else(|| alike.min_by_key(|at| at.abs_diff(id)))
+        })
     });
     let version = own.as_ref().map_or(VERSION, |own| &own.version);
     let mut text = format!("{HEADER} {version}\n");
@@ -384,6 +398,18 @@ pub(super) fn write(
         notes.push("fences of the plan are left out: WPL has none".to_owned());
     }
     (text, notes)
+}
+
+fn line_as_read(item: &MissionItem) -> HomeLine {
+    HomeLine(item.command, item.frame, item.parameters, item.is_continued)
+}
+
+/// Whether a line is the same command at the same place, as finely as files state it.
+fn is_same(line: &HomeLine, item: &MissionItem) -> bool {
+    let HomeLine(command, _, parameters, _) = line;
+    let mut both = parameters.iter().zip(&item.parameters);
+    *command == item.command
+        && both.all(|(a, b)| (a.unwrap_or(0.0) - b.unwrap_or(0.0)).abs() < 1e-7)
 }
 
 /// Rally points as lines of a file of their own, which has no home.
