@@ -151,7 +151,8 @@ impl MissionItem {
 /// The command that stands for an action, and its parameters one to four.
 pub(super) fn command_of(action: &WayPointAction) -> (u16, [Option<f64>; 4]) {
     let plain = [Some(0.0), Some(0.0), Some(0.0), None];
-    // The fourth says where or with which heading the circle is left; ArduPilot takes nothing but a number.
+    // The fourth says where the circle is left; ArduPilot takes nothing but a number. Of a circle without an end it is a
+    // heading, to which PX4 turns multicopters.
     let circling = |first, radius| [first, 0.0, radius, 0.0].map(Some);
     match *action {
         WayPointAction::FlyBy => (WAY_POINT, plain),
@@ -165,13 +166,21 @@ pub(super) fn command_of(action: &WayPointAction) -> (u16, [Option<f64>; 4]) {
         WayPointAction::Wait {
             radius,
             seconds: None,
-        } => (LOITER_UNLIMITED, circling(0.0, radius)),
+        } => (LOITER_UNLIMITED, [Some(0.0), Some(0.0), Some(radius), None]),
     }
 }
 
 /// Whether the fourth parameter of a command is a heading that may be left to the aircraft, which is no number then.
 pub(super) fn may_leave_heading(command: u16) -> bool {
-    [WAY_POINT, LAND, TAKE_OFF, VTOL_TAKE_OFF, VTOL_LAND].contains(&command)
+    [
+        WAY_POINT,
+        LOITER_UNLIMITED,
+        LAND,
+        TAKE_OFF,
+        VTOL_TAKE_OFF,
+        VTOL_LAND,
+    ]
+    .contains(&command)
 }
 
 /// The return to launch.

@@ -72,7 +72,7 @@ fn only_a_heading_that_is_left_to_the_aircraft_is_no_number_in_a_plan() {
         let plan: serde_json::Value = serde_json::from_slice(&plan.bytes).unwrap();
         let items = plan["mission"]["items"].as_array().unwrap();
         let item = items.iter().find(|item| item["params"][0] == 1.0).unwrap();
-        let is_heading = [16, 22, 21, 84, 85].contains(&command);
+        let is_heading = [16, 17, 22, 21, 84, 85].contains(&command);
         assert_eq!(item["params"][3].is_null(), is_heading, "{item}");
     }
     // Of a circle that nobody has stated, too.
@@ -89,6 +89,42 @@ fn only_a_heading_that_is_left_to_the_aircraft_is_no_number_in_a_plan() {
         let (_, parameters) = super::super::item::command_of(&action);
         assert_eq!(parameters[3], Some(0.0));
     }
+    let without_end = WayPointAction::Wait {
+        radius: 30.0,
+        seconds: None,
+    };
+    let (_, parameters) = super::super::item::command_of(&without_end);
+    assert_eq!(parameters[3], None);
+}
+
+#[test]
+fn the_mark_of_the_current_command_stays_with_it_or_goes() {
+    let mut lines: Vec<String> = vec!["0 0 0 16 0 0 0 0 47 8 430 1".to_owned()];
+    for i in 1..6 {
+        let mark = u8::from(i == 3);
+        lines.push(format!("{i} {mark} 3 16 0 0 0 0 47.00{i} 8 50 1"));
+    }
+    let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
+    let marked = |gone: &[usize]| {
+        let (mut imported, _) = read(&lines);
+        let way_points = &mut imported.routes[0].way_points;
+        for place in gone {
+            way_points.remove(*place);
+        }
+        let text = written(&imported);
+        let marked = text
+            .lines()
+            .filter(|line| line.split('\t').nth(1) == Some("1"));
+        marked
+            .map(|line| line.split('\t').nth(8).unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(marked(&[]), ["47.003"]);
+    for kept in [&[0][..], &[1], &[1, 0], &[4], &[4, 3, 1, 0]] {
+        assert_eq!(marked(kept), ["47.003"], "{kept:?}");
+    }
+    assert!(marked(&[2]).is_empty());
+    assert!(marked(&[2, 1]).is_empty());
 }
 
 #[test]
