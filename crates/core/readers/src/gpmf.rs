@@ -22,22 +22,33 @@ const LONGEST_PAYLOAD: u64 = 1 << 22;
 const MOST: u64 = 1 << 20;
 /// Kinds of fix from which on a place counts.
 const FLAT_FIX: f64 = 2.0;
-/// Columns behind the time; latitude, longitude, height and speed are the first numbers of either stream.
-const COLUMNS: [&str; 4] = [
-    "latitude [deg]",
-    "longitude [deg]",
-    "altitude [m]",
-    "speed over ground [m/s]",
-];
+/// Most places of a film.
+const MOST_PLACES: usize = 1 << 22;
 
 /// Place at a second of the film.
 type FilmedRow = (f64, [Option<f64>; 4]);
+
+/// Offset and length in bytes, time and duration in seconds.
+type FilmedPayload = (u64, u64, f64, f64);
 
 /// Places of either stream, and those without a fix.
 #[derive(Default)]
 struct FilmedPlaces {
     rows: Vec<FilmedRow>,
     unfixed: usize,
+    heights: FilmedHeights,
+}
+
+/// Surface from which heights are counted, as a stream says.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+enum FilmedHeights {
+    /// It does not say.
+    #[default]
+    Unstated,
+    /// Mean sea level.
+    Sea,
+    /// Ellipsoid of WGS 84.
+    Ellipsoid,
 }
 
 /// The flight of the first film among `files` that tells where it was taken, with the frames of the film beside it; `None` if
@@ -46,18 +57,63 @@ struct FilmedPlaces {
 /// # Errors
 /// Places of which no flight can be made, or a table of frames that cannot be read.
 pub fn flight_of_film(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
+    let (mut found, mut failed): (Option<FlightFolder>, Option<FolderError>) = (None, None);
+    for name in films(files.as_ref()) {
+        let Some(film) = files.source(&name) else {
+            continue;
+        };
+        if let Some(first) = &mut found {
+            if has_places(film.as_ref()) {
+                let note = format!("{name} was left out: it is a film of its own");
+                first.notes.push(note);
+            }
+            continue;
+        }
+        match of_film(&name, film.as_ref()) {
+            Ok(Some((folder, begins))) => {
+                found = Some(with_frames_of_film(&name, folder, begins, files)?);
+            }
+            Ok(None) => {}
+            Err(cause) => failed = failed.or(Some(cause)),
+        }
+    }
+    match (found, failed) {
+        (Some(mut found), failed) => {
+            found.notes.extend(failed.map(|cause| cause.to_string()));
+            Ok(Some(found))
+        }
+        (None, Some(cause)) => Err(cause),
+        (None, None) => Ok(None),
+    }
+}
+
+/// Sentences about the films among `files` that hold places, where a flight was made of other files.
+pub fn films_left_out(files: &dyn FileSet) -> Vec<String> {
+    let mut names = films(files);
+    names.retain(|name| {
+        let film = files.source(name);
+        film.is_some_and(|film| has_places(film.as_ref()))
+    });
+    let told = |name: String| {
+        format!(
+            "the places in {name} were left out: other files tell of a flight; open it alone for them"
+        )
+    };
+    names.into_iter().map(told).collect()
+}
+
+/// Names of films among files, in order.
+fn films(files: &dyn FileSet) -> Vec<String> {
     let mut names = files.names();
     names.retain(|name| is_film(name));
     names.sort();
-    for name in names {
-        let read = files
-            .source(&name)
-            .map(|film| of_film(&name, film.as_ref()));
-        if let Some((folder, begins)) = read.transpose()?.flatten() {
-            return with_frames_of_film(&name, folder, begins, files).map(Some);
-        }
-    }
-    Ok(None)
+    names
+}
+
+/// Whether a film has a track of places, by its index alone.
+fn has_places(film: &dyn ByteSource) -> bool {
+    let samples = index_of(film).and_then(|index| track_of(&index));
+    samples.is_some_and(|samples| !samples.is_empty())
 }
 
 /// Whether a file is a film by its name.
@@ -66,21 +122,35 @@ fn is_film(name: &str) -> bool {
     FILMS.iter().any(|film| film.eq_ignore_ascii_case(ending))
 }
 
-/// The flight that a film tells of; `None` if it has no such track with two places.
+/// The flight that a film tells of; `None` if it has no such track.
 ///
 /// # Errors
-/// Places of which no flight can be made, as the tables of a flight.
+/// Places of which no flight can be made, as the tables of a flight; places without a fix; a film that is cut off before its
+/// index.
 pub fn read_gpmf(name: &str, film: &dyn ByteSource) -> Result<Option<FlightFolder>, FolderError> {
     Ok(of_film(name, film)?.map(|(folder, _)| folder))
 }
 
 /// That flight, and the second of the film at which it begins.
 fn of_film(name: &str, film: &dyn ByteSource) -> Result<Option<(FlightFolder, f64)>, FolderError> {
+    let broken = |cause: String| FolderError::File {
+        file: name.to_owned(),
+        cause,
+    };
     let Some((places, is_cut)) = places_of(film) else {
-        return Ok(None);
+        return match is_cut_off(film) {
+            true => Err(broken(
+                "the film is cut off before the index at its end: copy it again".to_owned(),
+            )),
+            false => Ok(None),
+        };
     };
     let Some((begins, _)) = places.rows.first().filter(|_| places.rows.len() > 1) else {
-        return Ok(None);
+        return match (places.unfixed, places.rows.len()) {
+            (0, _) => Ok(None),
+            (count, 0) => Err(broken(format!("{count} places, none with a fix"))),
+            (count, _) => Err(broken(format!("{} places, one with a fix", count + 1))),
+        };
     };
     let mut notes = vec!["times are those of the film".to_owned()];
     if places.unfixed > 0 {
@@ -90,36 +160,72 @@ fn of_film(name: &str, film: &dyn ByteSource) -> Result<Option<(FlightFolder, f6
         ));
     }
     if is_cut {
-        notes.push("the film is cut off: its last places cannot be read".to_owned());
+        notes.push("the film is cut off or damaged: its last places cannot be read".to_owned());
     }
+    let height = match places.heights {
+        FilmedHeights::Unstated => "altitude [m]",
+        FilmedHeights::Sea => "altitude msl [m]",
+        FilmedHeights::Ellipsoid => {
+            let above =
+                "heights are above the ellipsoid of WGS 84, which lies up to 107 m from sea level";
+            notes.push(above.to_owned());
+            "ellipsoid height [m]"
+        }
+    };
+    // Latitude, longitude, height and speed are the first numbers of either stream.
+    let columns = [
+        "latitude [deg]",
+        "longitude [deg]",
+        height,
+        "speed over ground [m/s]",
+    ];
     let rows = places.rows.iter();
     let rows: Vec<_> = rows
         .map(|(time, row)| (format!("{time:.3}"), *row))
         .collect();
-    let folder = flight_of_table(name, table("time [s]", COLUMNS, &rows), notes)?;
+    let folder = flight_of_table(name, table("time [s]", columns, &rows), notes)?;
     Ok(folder.map(|folder| (folder, *begins)))
 }
 
 /// The places of a film, and whether it ends before its last; `None` if it has no track of such.
 fn places_of(film: &dyn ByteSource) -> Option<(FilmedPlaces, bool)> {
-    let index = index_of(film)?;
-    let mut tracks = boxes(&index).filter(|(kind, _)| *kind == b"trak");
-    let samples = tracks.find_map(|(_, track)| samples_of(track))?;
+    let samples = track_of(&index_of(film)?)?;
     let [mut each, mut together] = [FilmedPlaces::default(), FilmedPlaces::default()];
     let mut is_cut = false;
+    // An index can name the same bytes many times.
+    let mut unread = film.length();
     for (offset, length, time, duration) in samples {
-        let Some(payload) = read(film, offset, length) else {
+        let left = unread.checked_sub(length);
+        let is_short = each.count() + together.count() < MOST_PLACES;
+        let payload = left
+            .filter(|_| is_short)
+            .and_then(|_| read(film, offset, length));
+        let (Some(payload), Some(left)) = (payload, left) else {
             is_cut = true;
             break;
         };
+        unread = left;
         let streams = pieces(&payload).filter(|piece| piece.key == b"DEVC");
         let streams = streams.flat_map(|device| pieces(device.data));
         for stream in streams.filter(|piece| piece.key == b"STRM") {
             take_stream(stream.data, (time, duration), &mut each, &mut together);
         }
     }
-    let has_each = !each.rows.is_empty();
+    let has_each = !each.rows.is_empty() || together.rows.is_empty() && each.unfixed > 0;
     Some((if has_each { each } else { together }, is_cut))
+}
+
+impl FilmedPlaces {
+    /// Number of places, with and without a fix.
+    fn count(&self) -> usize {
+        self.rows.len() + self.unfixed
+    }
+}
+
+/// Payloads of the track of an index that tells places.
+fn track_of(index: &[u8]) -> Option<Vec<FilmedPayload>> {
+    let mut tracks = boxes(index).filter(|(kind, _)| *kind == b"trak");
+    tracks.find_map(|(_, track)| samples_of(track))
 }
 
 /// So many bytes of a film; `None` where it does not reach so far.
@@ -158,6 +264,37 @@ fn index_of(film: &dyn ByteSource) -> Option<Vec<u8>> {
     }
 }
 
+/// Whether a film ends before its index does.
+fn is_cut_off(film: &dyn ByteSource) -> bool {
+    let mut at = 0;
+    while at < film.length() {
+        let Some(head) = read(film, at, 16) else {
+            return at > 0;
+        };
+        let size = match whole(&head, 0) {
+            Some(1) => long(&head, 8),
+            // Up to the end, wherever that will be.
+            Some(0) => Some(u64::MAX),
+            size => size,
+        };
+        let kind = &head[4..8];
+        let Some(next) = size
+            .filter(|size| *size >= 8)
+            .and_then(|size| at.checked_add(size))
+        else {
+            return at > 0 && kind == b"mdat";
+        };
+        if at == 0 && kind != b"ftyp" || kind == b"moov" && next <= film.length() {
+            return false;
+        }
+        if next > film.length() {
+            return at > 0 && [&b"mdat"[..], b"moov", b"free", b"wide"].contains(&kind);
+        }
+        at = next;
+    }
+    false
+}
+
 /// Kinds and contents of boxes one after the other.
 fn boxes(bytes: &[u8]) -> impl Iterator<Item = (&[u8], &[u8])> {
     let mut rest = bytes;
@@ -178,7 +315,7 @@ fn inside<'a>(bytes: &'a [u8], path: &[&[u8; 4]]) -> Option<&'a [u8]> {
 }
 
 /// Offset, length, time and duration in seconds of the payloads of a track; `None` if it is another.
-fn samples_of(track: &[u8]) -> Option<Vec<(u64, u64, f64, f64)>> {
+fn samples_of(track: &[u8]) -> Option<Vec<FilmedPayload>> {
     let media = inside(track, &[b"mdia"])?;
     let table = inside(media, &[b"minf", b"stbl"])?;
     if inside(table, &[b"stsd"])?.get(12..16)? != b"gpmd" {
@@ -293,6 +430,7 @@ fn take_stream(
     together: &mut FilmedPlaces,
 ) {
     let (mut scales, mut kinds, mut fix) = (vec![1.0], Vec::new(), f64::INFINITY);
+    let mut heights = FilmedHeights::Unstated;
     for piece in pieces(stream) {
         let of_one_kind = || {
             let count = piece.data.len() / piece.size.max(1);
@@ -302,9 +440,14 @@ fn take_stream(
             b"SCAL" => scales = of_one_kind(),
             b"TYPE" => kinds = piece.data.to_vec(),
             b"GPSF" => fix = of_one_kind().first().copied().unwrap_or(0.0),
+            b"GPSA" if piece.data.starts_with(b"WGS") => heights = FilmedHeights::Ellipsoid,
+            b"GPSA" if piece.data.starts_with(b"MSL") => heights = FilmedHeights::Sea,
             b"GPS5" | b"GPS9" if piece.size > 0 => {
                 let is_each = piece.key == b"GPS9";
                 let places = if is_each { &mut *each } else { &mut *together };
+                if heights != FilmedHeights::Unstated {
+                    places.heights = heights;
+                }
                 let kinds = if is_each { kinds.as_slice() } else { b"lllll" };
                 let rows = piece.data.chunks_exact(piece.size);
                 let step = duration / rows.len().max(1) as f64;

@@ -67,6 +67,11 @@ fn payload(first: i32, fix: u32, is_each: bool) -> Vec<u8> {
 
 /// A film of these payloads, of 1.001 s each, two in a chunk.
 fn film(payloads: &[Vec<u8>]) -> Vec<u8> {
+    film_that_names(payloads, 1)
+}
+
+/// The same, whose index names all of them so many times.
+fn film_that_names(payloads: &[Vec<u8>], times: usize) -> Vec<u8> {
     let head = boxed(*b"ftyp", &[b"mp41"]);
     let mut media = Vec::new();
     let mut chunks = Vec::new();
@@ -77,8 +82,9 @@ fn film(payloads: &[Vec<u8>]) -> Vec<u8> {
         }
         media.extend(payload);
     }
-    let count = payloads.len() as u32;
+    let count = (payloads.len() * times) as u32;
     let sizes: Vec<u32> = payloads.iter().map(|p| p.len() as u32).collect();
+    let (sizes, chunks) = (sizes.repeat(times), chunks.repeat(times));
     let table = boxed(
         *b"stbl",
         &[
@@ -154,5 +160,99 @@ fn films_without_places_are_none_and_damaged_ones_never_panic() {
         let mut flipped = sound.clone();
         flipped[cut] ^= 0x91;
         let _ = read(&flipped);
+    }
+}
+
+fn film_set(films: &[(&str, Vec<u8>)]) -> Arc<dyn FileSet> {
+    let films = films.iter().cloned();
+    Arc::new(MemoryFiles(
+        films.map(|(name, film)| (name.to_owned(), film)).collect(),
+    ))
+}
+
+#[test]
+fn of_several_films_the_others_are_told_and_one_that_fails_stops_none() {
+    let sound = |first| film(&[payload(first, 3, true), payload(first + 10, 3, true)]);
+    let unfixed = film(&[payload(0, 0, true)]);
+    let other = boxed(*b"ftyp", &[b"mp42"]);
+    let files = film_set(&[
+        ("GX010000.MP4", unfixed.clone()),
+        ("GX010001.MP4", sound(0)),
+        ("GX020001.MP4", sound(20)),
+        ("phone.mp4", other.clone()),
+    ]);
+    let folder = flight_of_film(&files).unwrap().unwrap();
+    let told = |name: &str, words: &str| {
+        let mut notes = folder.notes.iter();
+        notes.any(|note| note.contains(name) && note.contains(words))
+    };
+    assert!(told("GX020001.MP4", "left out"), "{:?}", folder.notes);
+    assert!(told("GX010000.MP4", "10 places, none with a fix"));
+    assert!(!told("phone.mp4", ""), "{:?}", folder.notes);
+    assert_eq!(films_left_out(files.as_ref()).len(), 3);
+    assert!(
+        flight_of_film(&film_set(&[("a.mp4", other)]))
+            .unwrap()
+            .is_none()
+    );
+    let failed = flight_of_film(&film_set(&[("a.mp4", unfixed)]))
+        .err()
+        .unwrap();
+    assert_eq!(failed.to_string(), "a.mp4: 10 places, none with a fix");
+}
+
+#[test]
+fn a_film_that_is_cut_off_before_its_index_is_told() {
+    let sound = film(&[payload(0, 3, false), payload(10, 3, false)]);
+    let index = sound.windows(4).position(|four| four == b"moov").unwrap() - 4;
+    for cut in [40, index / 2, index - 1, index + 30, sound.len() - 1] {
+        let bytes = MemoryBytes::new("a.mp4", sound[..cut].to_vec());
+        let told = read_gpmf("a.mp4", &bytes).err().unwrap().to_string();
+        assert!(told.contains("copy it again"), "{cut}: {told}");
+    }
+    for other in [&b"a text that says nothing of a film"[..], b""] {
+        let bytes = MemoryBytes::new("a.mp4", other.to_vec());
+        assert!(read_gpmf("a.mp4", &bytes).unwrap().is_none());
+    }
+}
+
+#[test]
+fn an_index_that_names_the_same_bytes_many_times_is_read_as_far_as_the_film_is_long() {
+    let payloads = [payload(0, 3, false), payload(10, 3, false)];
+    let bytes = film_that_names(&payloads, 10_000);
+    let most = bytes.len() / payloads[0].len();
+    let index = index_of(&MemoryBytes::new("a.mp4", bytes.clone())).unwrap();
+    assert_eq!(track_of(&index).unwrap().len(), 20_000);
+    let (places, is_cut) = places_of(&MemoryBytes::new("a.mp4", bytes)).unwrap();
+    assert!(
+        is_cut && places.rows.len() <= 10 * most,
+        "{}",
+        places.rows.len()
+    );
+}
+
+#[test]
+fn heights_above_the_ellipsoid_are_told_as_such() {
+    for (stated, is_told) in [("MSLV", false), ("WGS84", true), ("", false)] {
+        for is_each in [false, true] {
+            let mut rows = payload(0, 3, is_each);
+            if !stated.is_empty() {
+                // In the stead of the acceleration of the other stream, in that of the places.
+                let piece = piece(*b"GPSA", b'c', 1, stated.as_bytes());
+                let streams: Vec<_> = pieces(&pieces(&rows).next().unwrap().data.to_vec())
+                    .map(|stream| [&piece[..], stream.data].concat())
+                    .map(|stream| super::tests::piece(*b"STRM", 0, 1, &stream))
+                    .collect();
+                rows = super::tests::piece(*b"DEVC", 0, 1, &streams.concat());
+            }
+            let bytes = MemoryBytes::new("a.mp4", film(&[rows.clone(), rows]));
+            let folder = read_gpmf("a.mp4", &bytes).unwrap().unwrap();
+            let told = folder.notes.iter().any(|note| note.contains("ellipsoid"));
+            assert_eq!(told, is_told, "{stated} {is_each}: {:?}", folder.notes);
+            let height = folder
+                .flight
+                .channel(pilotage_flight::ChannelName::GpsHeight);
+            assert!((height.unwrap().values[0] - 520.0).abs() < 0.01, "{stated}");
+        }
     }
 }
