@@ -11,6 +11,8 @@ const ENOUGH: usize = 10;
 const BURST: f64 = 0.1;
 /// The same of stamps, from which on they are regular.
 const REGULAR: f64 = 0.5;
+/// Largest share of stamps that repeat another or go back, whose rows are left out of a clock.
+const ASTRAY: f64 = 0.05;
 /// Topics whose stamps differ by less from the times of logging have one clock, seconds.
 const SAME: f64 = 5.0;
 /// Fields of a stamp: seconds, and nanoseconds beside them.
@@ -27,14 +29,28 @@ const NUMBERS: [(&str, f64); 2] = [("timestamp", 1e-6), ("publish_time", 1.0)];
 /// Gives the rows of topics that were logged in bursts the times that they carry, laid on the clock of the logger, and says so.
 pub(super) fn count_by_stamps(log: &mut Log) {
     let mut found: Vec<(usize, Vec<f64>, f64)> = Vec::new();
+    let mut unused = Vec::new();
     for (place, topic) in log.topics.iter().enumerate() {
-        if is_in_bursts(&topic.times)
-            && let Some(stamps) = stamps(topic)
-        {
-            let delays = topic.times.iter().zip(&stamps).map(|(time, s)| time - s);
-            let least = delays.fold(f64::INFINITY, f64::min);
-            found.push((place, stamps, least));
+        if !is_in_bursts(&topic.times) {
+            continue;
         }
+        match stamps(topic) {
+            Some(Stamps::Sound(stamps)) => {
+                let delays = topic.times.iter().zip(&stamps).map(|(time, s)| time - s);
+                let least = delays.fold(f64::INFINITY, f64::min);
+                found.push((place, stamps, least));
+            }
+            Some(Stamps::Astray(astray)) => unused.push(format!(
+                "messages of {} were logged in bursts, and {astray} of their {} own times repeat another or go back: they \
+                 have the times of logging",
+                topic.name,
+                topic.times.len()
+            )),
+            None => {}
+        }
+    }
+    for told in unused {
+        log.report.remark(told);
     }
     let mut names = Vec::new();
     for (place, stamps, own) in &found {
@@ -71,8 +87,17 @@ fn usual_step(times: &[f64]) -> Option<f64> {
     Some(usual / mean)
 }
 
-/// The stamps of a topic's rows in seconds, where they grow as regularly as a clock and as fast as that of the logger.
-fn stamps(topic: &Topic) -> Option<Vec<f64>> {
+/// Clock by stamps.
+enum Stamps {
+    /// Seconds of the rows; those that repeat another or go back have the latest before them.
+    Sound(Vec<f64>),
+    /// So many repeat another or go back.
+    Astray(usize),
+}
+
+/// The stamps of a topic's rows, where they grow as regularly as a clock and as fast as that of the logger but for a few;
+/// `None` of a topic without such.
+fn stamps(topic: &Topic) -> Option<Stamps> {
     let pairs = STAMPS.iter().filter_map(|[seconds, parts]| {
         let (seconds, parts) = (topic.values(seconds)?, topic.values(parts)?);
         let first = *seconds.first()?;
@@ -86,11 +111,24 @@ fn stamps(topic: &Topic) -> Option<Vec<f64>> {
         Some(values.iter().map(|v| factor * (v - first)).collect())
     });
     let lasts = topic.times.last()? - topic.times.first()?;
-    let is_clock = |stamps: &Vec<f64>| {
+    let judged = |mut stamps: Vec<f64>| {
         let span = stamps.last().copied().unwrap_or_default() - stamps[0];
-        (0.5 * lasts..2.0 * lasts).contains(&span)
-            && stamps.windows(2).all(|w| w[1] > w[0])
-            && usual_step(stamps).is_some_and(|step| step > REGULAR)
+        if !(0.5 * lasts..2.0 * lasts).contains(&span) {
+            return None;
+        }
+        let (mut latest, mut astray) = (f64::NEG_INFINITY, 0);
+        for stamp in &mut stamps {
+            astray += usize::from(*stamp <= latest);
+            latest = latest.max(*stamp);
+            *stamp = latest;
+        }
+        if astray as f64 > ASTRAY * stamps.len() as f64 {
+            return Some(Stamps::Astray(astray));
+        }
+        let is_regular = usual_step(&stamps).is_some_and(|step| step > REGULAR);
+        is_regular.then_some(Stamps::Sound(stamps))
     };
-    pairs.chain(numbers).find(is_clock)
+    let mut all: Vec<Stamps> = pairs.chain(numbers).filter_map(judged).collect();
+    let sound = (all.iter()).position(|found| matches!(found, Stamps::Sound(_)));
+    (!all.is_empty()).then(|| all.swap_remove(sound.unwrap_or(0)))
 }

@@ -108,16 +108,18 @@ fn messages_out_of_order_are_put_in_order_and_a_clock_set_back_is_not_hidden() {
 #[test]
 fn messages_logged_in_bursts_have_the_times_of_their_headers() {
     let definition = b"std_msgs/Header header\nfloat64 angle\n";
-    let read_with = |has_stamps: bool, burst: u64| {
+    // Of every so many stamps one repeats that before it.
+    let read_astray = |has_stamps: bool, burst: u64, every: u64| {
         let mut file = Written::new()
             .and(&schema(3, "my_msgs/msg/Turn", "ros2msg", definition))
             .and(&channel(7, 3, "/turn", "cdr"));
         for index in 0..120_u64 {
-            let made = 1_000 + index / 10 * u64::from(has_stamps);
+            let stamped = index - u64::from(index % every == every / 2);
+            let made = 1_000 + stamped / 10 * u64::from(has_stamps);
             let mut data = vec![0, 1, 0, 0];
             data.extend((made as i32).to_le_bytes());
             let part = if has_stamps {
-                index % 10 * 100_000_000
+                stamped % 10 * 100_000_000
             } else {
                 0
             };
@@ -131,6 +133,17 @@ fn messages_logged_in_bursts_have_the_times_of_their_headers() {
         }
         read(&file.end(120, &[]))
     };
+    let read_with = |has_stamps, burst| read_astray(has_stamps, burst, u64::MAX);
+    // A few that are wrong do not hide the others; of many nothing is known, which is told.
+    for (every, is_used) in [(100, true), (30, true), (5, false)] {
+        let log = read_astray(true, 20, every);
+        let times = &log.first("/turn").expect("there are turns").times;
+        let is_regular = (times[51] - times[41] - 1.0).abs() < 1e-6;
+        assert_eq!(is_regular, is_used, "{every}: {times:?}");
+        let mut told = log.report.remarks.iter();
+        let told = told.find(|r| r.contains("in bursts")).expect("it is told");
+        assert_eq!(told.contains("24 of their 120"), !is_used, "{told}");
+    }
     let log = read_with(true, 20);
     let times = &log.first("/turn").expect("there are turns").times;
     assert_eq!(times.len(), 120);
