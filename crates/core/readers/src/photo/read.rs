@@ -290,13 +290,29 @@ fn angle(gps: &ExifDirectory, tag: u16, reference: u16, negative: &str) -> Optio
     Some(sign * degrees.to_radians())
 }
 
+/// Whether EXIF says nothing of a hemisphere.
+fn lacks_letter(gps: &ExifDirectory, reference: u16) -> bool {
+    gps.text(reference)
+        .is_none_or(|letter| letter.trim().is_empty())
+}
+
 fn place(gps: &ExifDirectory, xmp: &Xmp) -> Option<PhotoPlace> {
-    let of_exif = angle(gps, exif::LATITUDE, exif::LATITUDE_REF, "S").zip(angle(
-        gps,
-        exif::LONGITUDE,
-        exif::LONGITUDE_REF,
-        "W",
-    ));
+    let by_xmp = place_of_xmp(xmp);
+    // Where EXIF names no hemisphere, XMP of the same photo may.
+    let signed = |value: f64, reference: u16, own: Option<f64>| match own {
+        Some(own) if lacks_letter(gps, reference) => value.copysign(own),
+        _ => value,
+    };
+    let latitude = angle(gps, exif::LATITUDE, exif::LATITUDE_REF, "S")
+        .map(|it| signed(it, exif::LATITUDE_REF, by_xmp.map(|(latitude, _)| latitude)));
+    let longitude = angle(gps, exif::LONGITUDE, exif::LONGITUDE_REF, "W").map(|it| {
+        signed(
+            it,
+            exif::LONGITUDE_REF,
+            by_xmp.map(|(_, longitude)| longitude),
+        )
+    });
+    let of_exif = latitude.zip(longitude);
     let is_place = |(latitude, longitude): &(f64, f64)| {
         latitude.abs() <= std::f64::consts::FRAC_PI_2
             && longitude.abs() <= std::f64::consts::PI
@@ -314,23 +330,66 @@ fn place(gps: &ExifDirectory, xmp: &Xmp) -> Option<PhotoPlace> {
     })
 }
 
+/// Names of WGS 84 and of the datums that are within a few metres of it, in capitals, without what is no letter or digit.
+const NEAR_WGS_84: [&str; 19] = [
+    "WGS84",
+    "WGS1984",
+    "GCSWGS1984",
+    "WORLDGEODETICSYSTEM1984",
+    "EPSG4326",
+    "EPSG4979",
+    "CGCS2000",
+    "ETRS89",
+    "ETRS1989",
+    "EPSG4258",
+    "ITRF",
+    "JGD2000",
+    "JGD2011",
+    "GDA94",
+    "GDA2020",
+    "NAD83",
+    "NAD1983",
+    "NZGD2000",
+    "SIRGAS2000",
+];
+
+/// Whether a datum is WGS 84 or equals it within a few metres; that of no name is taken for it.
+fn is_near_wgs_84(datum: &str) -> bool {
+    let plain: String = datum.chars().filter(char::is_ascii_alphanumeric).collect();
+    let plain = plain.to_uppercase();
+    // Behind the name may stand a realization: WGS 84 (G1762), ITRF2014.
+    plain.is_empty() || NEAR_WGS_84.iter().any(|near| plain.starts_with(near))
+}
+
 /// Doubts about the place of a photo, in words.
 fn doubts(gps: &ExifDirectory, xmp: &Xmp) -> Vec<String> {
     let mut doubts = Vec::new();
-    let Some(of_exif) = place(gps, &Xmp::default()) else {
+    let has_own = place(gps, &Xmp::default()).is_some();
+    let Some(of_exif) = place(gps, xmp).filter(|_| has_own) else {
         return doubts;
     };
-    for (tag, name, meant) in [
-        (exif::LATITUDE_REF, "GPSLatitudeRef", "north"),
-        (exif::LONGITUDE_REF, "GPSLongitudeRef", "east"),
+    let by_xmp = place_of_xmp(xmp).map_or("", |_| ", as XMP says");
+    for (tag, name, angle, meant) in [
+        (
+            exif::LATITUDE_REF,
+            "GPSLatitudeRef",
+            of_exif.latitude,
+            ["north", "south"],
+        ),
+        (
+            exif::LONGITUDE_REF,
+            "GPSLongitudeRef",
+            of_exif.longitude,
+            ["east", "west"],
+        ),
     ] {
-        if gps.text(tag).is_none_or(|letter| letter.trim().is_empty()) {
-            doubts.push(format!("{name} is missing, and {meant} is taken"));
+        if lacks_letter(gps, tag) {
+            let meant = meant[usize::from(angle < 0.0)];
+            doubts.push(format!("{name} is missing, and {meant} is taken{by_xmp}"));
         }
     }
     let datum = gps.text(exif::MAP_DATUM).unwrap_or_default();
-    let plain: String = datum.chars().filter(char::is_ascii_alphanumeric).collect();
-    if !plain.is_empty() && !["WGS84", "CGCS2000"].contains(&plain.to_uppercase().as_str()) {
+    if !is_near_wgs_84(&datum) {
         doubts.push(format!(
             "GPSMapDatum says {}, and WGS 84 is taken: places may be hundreds of metres off",
             datum.trim()
@@ -533,6 +592,34 @@ mod tests {
         assert_eq!(adobe_angle("47,30.0N"), Some(47.5));
         assert_eq!(adobe_angle("8,15,36W"), Some(-8.26));
         assert_eq!(adobe_angle("47.5"), None);
+    }
+
+    #[test]
+    fn datums_that_equal_wgs_84_are_no_doubt() {
+        for near in [
+            "WGS-84",
+            "World Geodetic System 1984",
+            "EPSG:4326",
+            "wgs 84 (G1762)",
+            "ETRS89",
+            "JGD2011",
+            "GDA2020",
+            "NAD83(2011)",
+            "ITRF2014",
+            "",
+        ] {
+            assert!(is_near_wgs_84(near), "{near}");
+        }
+        for far in [
+            "TOKYO",
+            "NAD27",
+            "WGS 72",
+            "ED50",
+            "EPSG:4301",
+            "Pulkovo 1942",
+        ] {
+            assert!(!is_near_wgs_84(far), "{far}");
+        }
     }
 
     #[test]

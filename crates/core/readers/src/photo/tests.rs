@@ -152,6 +152,23 @@ fn what_is_not_sure_of_a_place_is_told_with_the_photos_that_say_so() {
     let mut nameless = sound.clone();
     nameless[at + 8] = 0;
     assert!(doubts(&nameless)[0].contains("GPSLongitudeRef is missing, and east is taken"));
+    // XMP of the same photo knows the hemisphere.
+    let mut by_xmp = photo(
+        "30",
+        "25",
+        10,
+        "drone-dji:GpsLatitude=\"-30.003\" drone-dji:GpsLongitude=\"-60.5\"",
+    );
+    let at_letter = by_xmp.windows(9).position(|nine| nine == letter).unwrap();
+    by_xmp[at_letter + 8] = 0;
+    assert_eq!(
+        doubts(&by_xmp),
+        ["GPSLongitudeRef is missing, and west is taken, as XMP says"]
+    );
+    let place = read_photo(&MemoryBytes::new("a.jpg", by_xmp))
+        .unwrap()
+        .place;
+    assert!((place.unwrap().longitude.to_degrees() + 60.5).abs() < 1e-9);
     let mut lost = nameless.clone();
     (lost[at], lost[at + 8]) = (exif::GPS_STATUS as u8, b'V');
     assert!(doubts(&lost)[1].contains("had lost its fix"));
