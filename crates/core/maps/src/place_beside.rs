@@ -1,7 +1,6 @@
 //! The files beside a picture that say where it lies: world file, georeference in JSON, `.prj`.
 
 use std::cell::OnceCell;
-use std::collections::BTreeMap;
 
 use crate::auxiliary_xml::AuxiliaryXml;
 use crate::map_error::MapFileError;
@@ -10,7 +9,7 @@ use crate::systems;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{LocalFrame, ReferenceSystem};
 use pilotage_base::georeference::Georeference;
-use serde::de::IgnoredAny;
+use serde_json::{Map, Value};
 
 /// Endings of world files, which take the place of a picture's own or follow it.
 const WORLD_FILES: [&str; 11] = [
@@ -157,7 +156,7 @@ impl<'a> SideFiles<'a> {
     /// The same, unless it is JSON of another kind, as catalogues of elevation models and surveys put beside pictures.
     fn georeference(&self, ending: &str) -> Option<(String, Vec<u8>)> {
         let is_other = |bytes: &[u8]| {
-            let members: Option<BTreeMap<String, IgnoredAny>> = serde_json::from_slice(bytes).ok();
+            let members: Option<Map<String, Value>> = serde_json::from_slice(bytes).ok();
             members.is_some_and(|members| !MEMBERS.iter().any(|own| members.contains_key(*own)))
         };
         self.in_place(ending).filter(|(_, bytes)| !is_other(bytes))
