@@ -138,12 +138,11 @@ fn of_film(name: &str, film: &dyn ByteSource) -> Result<Option<(FlightFolder, f6
         cause,
     };
     let Some((places, is_cut)) = places_of(film) else {
-        return match is_cut_off(film) {
-            true => Err(broken(
-                "the film is cut off before the index at its end: copy it again".to_owned(),
-            )),
-            false => Ok(None),
-        };
+        if is_cut_off(film) {
+            let told = "the film is cut off before the index at its end: copy it again";
+            return Err(broken(told.to_owned()));
+        }
+        return Ok(None);
     };
     let Some((begins, _)) = places.rows.first().filter(|_| places.rows.len() > 1) else {
         return match (places.unfixed, places.rows.len()) {

@@ -239,7 +239,7 @@ fn heights_above_the_ellipsoid_are_told_as_such() {
             if !stated.is_empty() {
                 // In the stead of the acceleration of the other stream, in that of the places.
                 let piece = piece(*b"GPSA", b'c', 1, stated.as_bytes());
-                let streams: Vec<_> = pieces(&pieces(&rows).next().unwrap().data.to_vec())
+                let streams: Vec<_> = pieces(pieces(&rows).next().unwrap().data)
                     .map(|stream| [&piece[..], stream.data].concat())
                     .map(|stream| super::tests::piece(*b"STRM", 0, 1, &stream))
                     .collect();

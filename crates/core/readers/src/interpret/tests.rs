@@ -462,7 +462,7 @@ fn of_a_receiver_that_never_has_a_fix_nothing_of_a_place_counts() {
             }
             if is_lost {
                 let interpreted = flight_from_log(&log);
-                let places = places(&interpreted.measured().found, Navigation::Gps);
+                let places = places(interpreted.measured().found, Navigation::Gps);
                 assert_eq!(places.len(), 5, "{name}");
                 assert!((places[4].1.height - 504.0).abs() < 1e-9, "{name}");
             }
