@@ -11,7 +11,7 @@ use pilotage_core::flight::photo::photos_lack;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_jobs::{
     OpenFlight, TABLES, columns_file, flight_among, flight_of_file, foreign_kind, log_among,
-    name_as_tables, open_log, table_names,
+    name_as_tables, open_log, table_names, with_films_told,
 };
 
 use crate::files::{DirectoryFiles, DiskFile};
@@ -162,6 +162,7 @@ fn open_folder(
         return Ok(OpenedPath::Log(Box::new(log), Arc::clone(files)));
     }
     if let Some(folder) = open_tables(files, &names, None)? {
+        let folder = with_films_told(folder, files.as_ref());
         return Ok(OpenedPath::Folder(Box::new(folder)));
     }
     let why = photos_lack(files.as_ref()).filter(|_| names.is_empty());

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables};
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::gpmf::{FILMS, flight_of_film, read_gpmf};
+use pilotage_core::flight::gpmf::{FILMS, films_left_out, flight_of_film, read_gpmf};
 use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
 use pilotage_core::flight::photo::read_photos;
 use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
@@ -13,13 +13,15 @@ use pilotage_core::imagery::ByteSource;
 
 use super::file_pool::{has_ending, names_ending_in};
 use super::log_flights::{head, log_among};
+use super::tables::tables_among;
 
 /// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
 /// satellite receiver said.
 const FLOWN: [&str; 5] = ["jpg", "jpeg", "png", "srt", "nmea"];
 
 /// The flight among files: that of tables whose columns somebody said the `maps` of, a flight folder, or what says itself
-/// where it was: subtitles, sentences, photos. `None` beside a log, which is read piece by piece and whose camera frames
+/// where it was: subtitles, sentences, photos, and films last. `None` beside tables that make a flight as their columns are
+/// guessed where nothing but a film says so too, and beside a log, which is read piece by piece and whose camera frames
 /// photos are.
 ///
 /// # Errors
@@ -30,7 +32,8 @@ pub fn flight_among(
 ) -> Result<Option<FlightFolder>, String> {
     let told = |cause: FolderError| cause.to_string();
     if let Some(maps) = maps {
-        return flight_of_tables(files, maps).map(Some).map_err(told);
+        let flown = flight_of_tables(files, maps).map_err(told)?;
+        return Ok(Some(with_films_told(flown, files.as_ref())));
     }
     match read_flight(Arc::clone(files)) {
         Err(FolderError::NoFlightFile) => {}
@@ -46,14 +49,31 @@ pub fn flight_among(
     if has_none(&FLOWN) && has_none(&FILMS) || log_among(files.as_ref()).is_some() {
         return Ok(None);
     }
-    if let Some(filmed) = flight_of_subtitles(files).map_err(told)? {
-        return Ok(Some(filmed));
+    let mut flown = flight_of_subtitles(files).map_err(told)?;
+    if flown.is_none() {
+        flown = flight_of_sentences(files).map_err(told)?;
     }
-    if let Some(filmed) = flight_of_film(files).map_err(told)? {
-        return Ok(Some(filmed));
+    if let Some(flown) = flown.or_else(|| read_photos(files)) {
+        return Ok(Some(with_films_told(flown, files.as_ref())));
     }
-    let recorded = flight_of_sentences(files).map_err(told)?;
-    Ok(recorded.or_else(|| read_photos(files)))
+    if has_none(&FILMS) {
+        return Ok(None);
+    }
+    let tables = tables_among(files.as_ref());
+    if tables.iter().any(|table| table.is_proposed) {
+        return Ok(None);
+    }
+    match flight_of_film(files).map_err(told) {
+        // Tables may be a flight as somebody says what their columns mean.
+        Err(_) if !tables.is_empty() => Ok(None),
+        other => other,
+    }
+}
+
+/// A flight that was made of other files than films, with a note on each film among the files that holds places too.
+pub fn with_films_told(mut flown: FlightFolder, files: &dyn FileSet) -> FlightFolder {
+    flown.notes.extend(films_left_out(files));
+    flown
 }
 
 /// The flight of one file that says itself where it was: subtitles of a film, a film of `GoPro`, or what a satellite receiver
@@ -113,5 +133,96 @@ mod tests {
             assert_eq!(truth.states.len(), 2, "{name}");
         }
         assert!(among("walk.txt", "dear diary, today").is_none());
+    }
+
+    /// A film whose one track has places at these numbers of the same payload.
+    fn film(fix: u32) -> Vec<u8> {
+        let boxed = |kind: &[u8; 4], parts: &[&[u8]]| {
+            let contents = parts.concat();
+            [
+                &(contents.len() as u32 + 8).to_be_bytes()[..],
+                kind,
+                &contents,
+            ]
+            .concat()
+        };
+        let words = |words: &[u32]| -> Vec<u8> {
+            words.iter().flat_map(|word| word.to_be_bytes()).collect()
+        };
+        let piece = |key: &[u8; 4], kind: u8, size: u8, data: &[u8]| {
+            let count = (data.len() / usize::from(size)) as u16;
+            [&key[..], &[kind, size], &count.to_be_bytes(), data].concat()
+        };
+        let rows: Vec<u32> = (0..10)
+            .flat_map(|i| [470_000_000 + 90 * i, 85_000_000, 520_000, 10_000, 1000])
+            .collect();
+        let stream = [
+            piece(b"GPSF", b'L', 4, &words(&[fix])),
+            piece(
+                b"SCAL",
+                b'l',
+                4,
+                &words(&[10_000_000, 10_000_000, 1000, 1000, 100]),
+            ),
+            piece(b"GPS5", b'l', 20, &words(&rows)),
+        ];
+        let payload = piece(b"DEVC", 0, 1, &piece(b"STRM", 0, 1, &stream.concat()));
+        let head = boxed(b"ftyp", &[b"mp41"]);
+        let at = head.len() as u32 + 8;
+        let table = boxed(
+            b"stbl",
+            &[
+                &boxed(b"stsd", &[&words(&[0, 1, 16]), b"gpmd", &[0; 8]]),
+                &boxed(b"stts", &[&words(&[0, 1, 1, 1000])]),
+                &boxed(b"stsc", &[&words(&[0, 1, 1, 1, 1])]),
+                &boxed(b"stsz", &[&words(&[0, payload.len() as u32, 1])]),
+                &boxed(b"stco", &[&words(&[0, 1, at])]),
+            ],
+        );
+        let header = boxed(b"mdhd", &[&words(&[0, 0, 0, 1000, 0, 0])]);
+        let media = boxed(b"mdia", &[&header, &boxed(b"minf", &[&table])]);
+        let index = boxed(b"moov", &[&boxed(b"trak", &[&media])]);
+        [head, boxed(b"mdat", &[&payload]), index].concat()
+    }
+
+    #[test]
+    fn a_film_counts_last_and_is_told_where_something_else_tells_of_the_flight() {
+        let among = |files: &[(&str, Vec<u8>)]| {
+            let files = files.iter().cloned();
+            let files: Vec<_> = files
+                .map(|(name, bytes)| (name.to_owned(), bytes.into()))
+                .collect();
+            let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
+            let pool: Arc<dyn FileSet> = Arc::new(pool);
+            flight_among(&pool, None)
+        };
+        let [sound, unfixed] = [3, 0].map(film);
+        let said = ("run.nmea", SAID.as_bytes().to_vec());
+        let table = "time [s],latitude [deg],longitude [deg],altitude msl [m]\n".to_owned()
+            + &(0..40)
+                .map(|i| format!("{i},47.{:05},8.5,500\n", 10 * i))
+                .collect::<String>();
+        let table = ("flight.csv", table.into_bytes());
+        let notes = ("notes.csv", b"a,b\n1,2\n2,5\n3,1\n".to_vec());
+        for film in [&sound, &unfixed] {
+            let film = ("GX010001.MP4", film.clone());
+            let flown = among(&[film.clone(), said.clone()]).unwrap().unwrap();
+            assert_eq!(flown.flight.truth.unwrap().states.len(), 2);
+            let told = flown.notes.iter().any(|note| note.contains("GX010001.MP4"));
+            assert!(told, "{:?}", flown.notes);
+            // The table is left to whoever guesses its columns.
+            assert!(among(&[film.clone(), table.clone()]).unwrap().is_none());
+        }
+        let film = ("GX010001.MP4", sound);
+        for files in [vec![film.clone()], vec![film, notes.clone()]] {
+            let flown = among(&files).unwrap().unwrap();
+            assert_eq!(flown.flight.truth.unwrap().states.len(), 10);
+        }
+        let film = ("GX010001.MP4", unfixed);
+        let error = among(&[film.clone(), ("b.txt", b"x".to_vec())])
+            .err()
+            .unwrap();
+        assert!(error.contains("10 places, none with a fix"), "{error}");
+        assert!(among(&[film, notes]).unwrap().is_none());
     }
 }

@@ -9,7 +9,7 @@ use pilotage_core::flight::files::FileSet;
 use serde::{Deserialize, Serialize};
 
 use super::file_pool::names_ending_in;
-use super::flight_among::flight_among;
+use super::flight_among::{flight_among, with_films_told};
 use super::flights::OpenFlight;
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
@@ -96,6 +96,7 @@ fn make_flight(
     let maps = maps_beside(pool.as_ref())?;
     let maps = maps.ok_or("nobody said what the columns of the tables mean")?;
     let folder = flight_of_tables(&pool, &maps).map_err(|cause| cause.to_string())?;
+    let folder = with_films_told(folder, pool.as_ref());
     let (flight, notes) = (folder.flight.clone(), folder.notes.clone());
     worker.keep_flight(key, OpenFlight::of_folder(folder, None));
     emit(JobEvent::FlightMade(Box::new(MadeFlight { flight, notes })));
