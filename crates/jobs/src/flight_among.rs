@@ -198,10 +198,10 @@ mod tests {
         };
         let [sound, unfixed] = [3, 0].map(film);
         let said = ("run.nmea", SAID.as_bytes().to_vec());
-        let table = "time [s],latitude [deg],longitude [deg],altitude msl [m]\n".to_owned()
-            + &(0..40)
-                .map(|i| format!("{i},47.{:05},8.5,500\n", 10 * i))
-                .collect::<String>();
+        let rows = (0..40).map(|i| format!("{i},47.{:05},8.5,500\n", 10 * i));
+        let rows: Vec<String> = rows.collect();
+        let names = "time [s],latitude [deg],longitude [deg],altitude msl [m]\n".to_owned();
+        let table = names + &rows.concat();
         let table = ("flight.csv", table.into_bytes());
         let notes = ("notes.csv", b"a,b\n1,2\n2,5\n3,1\n".to_vec());
         for film in [&sound, &unfixed] {
