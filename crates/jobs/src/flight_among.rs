@@ -13,7 +13,7 @@ use pilotage_core::imagery::ByteSource;
 
 use super::file_pool::{has_ending, names_ending_in};
 use super::log_flights::{head, log_among};
-use super::tables::tables_among;
+use super::table_names::tables_among;
 
 /// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
 /// satellite receiver said.

@@ -66,6 +66,7 @@ mod study_flights;
 mod study_shard;
 mod suggest;
 mod summary;
+mod table_names;
 mod tables;
 mod train;
 mod untested;
@@ -128,9 +129,8 @@ pub use study_flights::StudyFlightsOrder;
 pub use study_shard::StudyShardOrder;
 pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;
-pub use tables::{
-    COLUMNS_FILE, MakeFlightOrder, TABLES, columns_file, name_as_tables, table_names, write_columns,
-};
+pub use table_names::{TABLES, table_names};
+pub use tables::{COLUMNS_FILE, MakeFlightOrder, columns_file, name_as_tables, write_columns};
 pub use untested::UntestedOrder;
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;

@@ -22,7 +22,8 @@ use super::file_pool::{has_ending, names_ending_in};
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels};
 use super::log_flights::{flight_of_log, foreign_kind, head, log_among};
-use super::tables::{columns_file, flight_folder, tables_among};
+use super::table_names::tables_among;
+use super::tables::{columns_file, flight_folder};
 use super::worker_state::{MAP_MEMORY, describe};
 use super::{Beside, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
 

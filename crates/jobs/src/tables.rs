@@ -3,37 +3,24 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::FlightFolder;
-use pilotage_core::flight::columns::{ColumnMap, GuessedTable, flight_of_tables, guess_tables};
+use pilotage_core::flight::columns::{ColumnMap, flight_of_tables};
 use pilotage_core::flight::files::FileSet;
 
 use serde::{Deserialize, Serialize};
 
-use super::file_pool::names_ending_in;
 use super::flight_among::{flight_among, with_films_told};
 use super::flights::OpenFlight;
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
+use super::table_names::table_names;
 use super::{JobEvent, MadeFlight, RunningJob, WorkerState};
 
 /// Name of the file, beside the tables, that says what their columns mean.
 pub const COLUMNS_FILE: &str = "columns.json";
 
-/// Endings of the names of tables.
-pub const TABLES: [&str; 4] = ["csv", "tsv", "txt", "pos"];
-
 /// Encodes the meanings that people gave to the columns, as the file [`COLUMNS_FILE`] has them.
 pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {
     serde_json::to_vec_pretty(maps).unwrap_or_default()
-}
-
-/// Names of the files that may be tables, in order.
-pub fn table_names(pool: &dyn FileSet) -> Vec<String> {
-    names_ending_in(pool, &TABLES)
-}
-
-/// The tables among files, with what their columns are guessed to mean.
-pub(super) fn tables_among(pool: &dyn FileSet) -> Vec<GuessedTable> {
-    guess_tables(pool, &table_names(pool))
 }
 
 /// Last part of a path.

@@ -28,7 +28,7 @@ pub(crate) struct CsvTable {
     has_decimal_comma: bool,
     /// Last line, counted from 1, and the verdict on it; one that was cut off is left out.
     pub(crate) end: (u64, LastRow),
-    /// What is to be told of how it was read.
+    /// Sentences on how it was read.
     pub(crate) told: Vec<String>,
     /// Column of the clock that is coarser than the rows, and the seconds of each row after it.
     spread: Option<(String, Vec<f64>)>,
