@@ -7,6 +7,7 @@ use super::rows::pair;
 use super::settle::{give_up, unused};
 use super::{ColumnRole, ColumnSample, MappedColumn};
 use crate::cells::DEGREES_AND_MINUTES;
+use crate::folder::hemispheres::tells_of_letters;
 use pilotage_base::hemisphere_in_name::hemispheres_in_names;
 
 /// Finds the column that has latitude and longitude in each cell.
@@ -123,32 +124,40 @@ pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]
             column.reason = format!("{}; its name says {letter}", column.reason);
         }
     }
-    for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
+    let both = [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])];
+    let found = both.map(|(role, letters)| {
         let letter = |text: &String| {
             let words = [["n", "north"], ["s", "south"], ["e", "east"], ["w", "west"]];
             let text = text.to_lowercase();
             let word = words.iter().find(|words| words.contains(&text.as_str()));
             word.map(|words| words[0].to_uppercase())
         };
-        let is_of = |sample: &&ColumnSample| {
+        let is_of = |sample: &ColumnSample| {
             let mut texts = sample.texts.iter().map(letter);
             sample.numbers.is_empty()
                 && !sample.texts.is_empty()
                 && texts.all(|text| text.is_some_and(|text| letters.contains(&text.as_str())))
         };
-        let Some(sample) = samples.iter().find(is_of) else {
+        let place = columns.iter().position(|column| column.role == role)?;
+        let is_named = |at: &usize| tells_of_letters(&samples[*at].name, role == Latitude);
+        let mut of = (0..samples.len()).filter(|at| is_of(&samples[*at]));
+        let own = of.clone().find(is_named);
+        let at = own.or_else(|| of.find(|at| at.abs_diff(place) == 1))?;
+        let turned = samples[at].texts.iter();
+        let turned = turned.filter(|text| letter(text).as_deref() == Some(letters[1]));
+        Some((place, at, turned.count(), own.is_some()))
+    });
+    let are_both = found.iter().all(Option::is_some);
+    for (found, (_, letters)) in found.into_iter().zip(both) {
+        // A letter may be a mode or a level: its column's name says what it is, or both stand beside their angles.
+        let Some((place, at, turned, _)) = found.filter(|found| found.3 || are_both) else {
             continue;
         };
-        let place = columns.iter().position(|column| column.role == role);
-        let turned = sample
-            .texts
-            .iter()
-            .filter(|text| letter(text).as_deref() == Some(letters[1]))
-            .count();
+        let sample = &samples[at];
         let is_positive = |at: usize| samples[at].range().is_some_and(|(low, _)| low >= 0.0);
-        let Some(place) = place.filter(|place| turned > 0 && is_positive(*place)) else {
+        if turned == 0 || !is_positive(place) {
             continue;
-        };
+        }
         let column = &mut columns[place];
         if turned == sample.texts.len() {
             column.scale = -1.0;

@@ -191,6 +191,36 @@ fn places_over_the_equator_and_greenwich_keep_the_hemispheres_of_their_rows() {
 }
 
 #[test]
+fn a_mode_or_a_level_called_by_a_letter_turns_no_place() {
+    for (names, of) in [
+        ("altitude,mode", "S"),
+        ("altitude,level", "W"),
+        ("mode,altitude", "W"),
+        ("altitude,Flight mode", "N\u{0}S"),
+    ] {
+        let is_behind = names.starts_with("alt");
+        let row = |i: u32| {
+            let letter = of.split('\0').nth(usize::from(i > 50 && of.len() > 1));
+            let [a, b] = [
+                format!("{}", 500 + i % 7),
+                letter.unwrap_or_default().to_owned(),
+            ];
+            let [a, b] = if is_behind { [a, b] } else { [b, a] };
+            format!("{i},{:.5},{:.5},{a},{b}\n", 47.1 + 1e-4 * f64::from(i), 8.5)
+        };
+        let rows: String = (0..100).map(row).collect();
+        let table = format!("time [s],latitude,longitude,{names}\n{rows}");
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        let origin = flight.frame_on_globe.unwrap().origin;
+        let degrees = [origin.latitude, origin.longitude].map(f64::to_degrees);
+        assert!((degrees[0] - 47.1).abs() < 1e-9, "{names}: {degrees:?}");
+        assert!((degrees[1] - 8.5).abs() < 1e-9, "{names}: {degrees:?}");
+    }
+}
+
+#[test]
 fn one_name_over_date_and_time_does_not_shift_the_others() {
     let dated = |row: u32| format!("2024/05/01 10:00:{row:02}.000");
     // 2312 is the week of 28 April 2024.

@@ -120,6 +120,16 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
+/// Whether the name of a column says that letters of hemispheres stand in it: of latitudes, or of longitudes.
+pub(crate) fn tells_of_letters(name: &str, of_latitude: bool) -> bool {
+    let kind = usize::from(!of_latitude);
+    let is_one = |word: &String| {
+        let lists = [LETTERS[kind], &EITHER, ANGLES[kind]];
+        lists.iter().any(|list| list.contains(&word.as_str()))
+    };
+    words(name).iter().any(is_one)
+}
+
 /// Columns of letters that belong to a latitude or a longitude, by the names of the columns and the cells of some rows. A
 /// column belongs to the one that it stands behind or before; that of a latitude is taken where its name says what it is, or
 /// that of a longitude stands so too.

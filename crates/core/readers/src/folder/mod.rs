@@ -7,7 +7,7 @@ mod clock;
 mod error;
 mod files;
 mod guess;
-mod hemispheres;
+pub(crate) mod hemispheres;
 mod layout;
 mod log;
 mod pictures;
