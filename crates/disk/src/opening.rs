@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables, guess_tables};
-use pilotage_core::flight::files::{FileSet, ZipFiles};
+use pilotage_core::flight::files::{self, FileSet, ZipFiles};
 use pilotage_core::flight::log::{Log, read_log};
 use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::flight::photo::photos_lack;
@@ -188,7 +188,7 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
         };
         let has_ending = |endings: &[&str]| {
             let mut all = names.iter();
-            !names.is_empty() && all.all(|name| pilotage_jobs::has_ending(name, endings))
+            !names.is_empty() && all.all(|name| files::has_ending(name, endings))
         };
         let advice = match () {
             () if has_ending(&["zip"]) => "; unpack it, and open a zip that was in it",
@@ -319,5 +319,5 @@ pub fn said(
 
 /// Whether a file's name ends so.
 pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
-    pilotage_jobs::has_ending(&path.to_string_lossy(), endings)
+    files::has_ending(&path.to_string_lossy(), endings)
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use pilotage_core::flight::files::{FileSet, ZipFiles};
+use pilotage_core::flight::files::{FileSet, ZipFiles, has_ending};
 use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::imagery::ByteSource;
 
@@ -45,14 +45,6 @@ impl FilePool {
     }
 }
 
-/// Names among files with one of these endings, in order.
-pub fn names_ending_in(files: &dyn FileSet, endings: &[&str]) -> Vec<String> {
-    let mut names = files.names();
-    names.retain(|name| has_ending(name, endings));
-    names.sort();
-    names
-}
-
 /// All bytes of a file; the error says in words why not.
 fn whole(source: &dyn ByteSource) -> Result<Vec<u8>, String> {
     let length = source.length();
@@ -63,22 +55,6 @@ fn whole(source: &dyn ByteSource) -> Result<Vec<u8>, String> {
         ));
     }
     source.read(0, length as usize)
-}
-
-/// Whether a name ends in a dot and one of `endings` (in small letters), in whatever case.
-///
-/// ```
-/// use pilotage_jobs::has_ending;
-///
-/// assert!(has_ending("flight/IMG_1.JPG", &["jpg", "png"]));
-/// assert!(!has_ending("jpg", &["jpg"]));
-/// ```
-pub fn has_ending(name: &str, endings: &[&str]) -> bool {
-    let name = name.to_ascii_lowercase();
-    endings.iter().any(|ending| {
-        name.strip_suffix(ending)
-            .is_some_and(|rest| rest.ends_with('.'))
-    })
 }
 
 /// Whether bytes have these words somewhere.
@@ -113,7 +89,7 @@ impl FileSet for FilePool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pilotage_core::flight::files::{FileSink as _, ZipSink};
+    use pilotage_core::flight::files::{FileSink as _, ZipSink, names_ending_in};
 
     #[test]
     fn files_in_a_zip_stand_beside_plain_ones() {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables};
-use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::files::{FileSet, has_ending, names_ending_in};
 use pilotage_core::flight::gpmf::{FILMS, films_left_out, flight_of_film, read_gpmf};
 use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
 use pilotage_core::flight::photo::read_photos;
@@ -11,7 +11,6 @@ use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
 use pilotage_core::flight::{FlightFolder, FolderError, read_flight};
 use pilotage_core::imagery::ByteSource;
 
-use super::file_pool::{has_ending, names_ending_in};
 use super::log_flights::{head, log_among};
 use super::table_names::tables_among;
 

@@ -4,12 +4,12 @@ use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
 use pilotage_core::exchange::{Format, Imported, read_any};
 use pilotage_core::flight::beside_log::PICTURE_TABLE;
 use pilotage_core::flight::columns::{ColumnRole, GuessedTable};
-use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::files::{FileSet, has_ending, names_ending_in};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 
 use super::ImportedFile;
 use super::far_away::{FARTHEST, too_far};
-use super::file_pool::{contains, has_ending, names_ending_in};
+use super::file_pool::contains;
 use super::road_files::{OF_OSM, is_of_roads, roads_of};
 
 /// Endings that formats of routes and landmarks share with flights, and with anything else.

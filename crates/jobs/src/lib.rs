@@ -82,7 +82,6 @@ pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
 pub use explain::ExplainOrder;
 pub use fetched_tiles::WEB_TILES;
-pub use file_pool::{has_ending, names_ending_in};
 pub use flight_among::{flight_among, flight_of_file, with_films_told};
 pub use flights::{KeptFrames, OpenFlight};
 pub use fly::FlyOrder;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::flight::columns::GuessedTable;
-use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::files::{FileSet, has_ending, names_ending_in};
 use pilotage_core::flight::log::LogFormat;
 use pilotage_core::flight::photo::read_photo;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
@@ -18,7 +18,6 @@ use pilotage_core::mission::{
 use pilotage_core::navigator::{Run, decode_run};
 use pilotage_core::text::capitalised;
 
-use super::file_pool::{has_ending, names_ending_in};
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels};
 use super::log_flights::{flight_of_log, foreign_kind, head, log_among};

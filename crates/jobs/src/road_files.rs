@@ -1,12 +1,13 @@
 //! Roads among dropped files: `OpenStreetMap`'s XML and PBF, and GeoJSON with lines that name a `highway`.
 
+use pilotage_core::flight::files::has_ending;
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::roads::files::{RoadsRead, names_roads, read_roads};
 use pilotage_core::roads::{RoadClass, RoadLine};
 
 use super::ImportedFile;
 use super::far_away::{FARTHEST, too_far};
-use super::file_pool::{contains, has_ending};
+use super::file_pool::contains;
 
 /// Farthest from the mission's origin that roads are taken over, metres along each axis: an extract may be of a whole
 /// country, of which a flight sees little.

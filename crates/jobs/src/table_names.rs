@@ -1,9 +1,7 @@
 //! Tables among files, by their names.
 
 use pilotage_core::flight::columns::{GuessedTable, guess_tables};
-use pilotage_core::flight::files::FileSet;
-
-use super::file_pool::names_ending_in;
+use pilotage_core::flight::files::{FileSet, names_ending_in};
 
 /// Endings of the names of tables.
 pub const TABLES: [&str; 4] = ["csv", "tsv", "txt", "pos"];

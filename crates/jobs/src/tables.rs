@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::FlightFolder;
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables};
-use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::files::{FileSet, file_of};
 
 use serde::{Deserialize, Serialize};
 
@@ -23,11 +23,6 @@ pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {
     serde_json::to_vec_pretty(maps).unwrap_or_default()
 }
 
-/// Last part of a path.
-fn short(name: &str) -> &str {
-    name.rsplit('/').next().unwrap_or(name)
-}
-
 /// File that says what columns of tables mean, its name and its contents: one called [`COLUMNS_FILE`], or else the only
 /// one of that name in a folder among the files.
 pub fn columns_file(pool: &dyn FileSet) -> Option<(String, Vec<u8>)> {
@@ -35,7 +30,7 @@ pub fn columns_file(pool: &dyn FileSet) -> Option<(String, Vec<u8>)> {
         return Some((COLUMNS_FILE.to_owned(), bytes));
     }
     let mut found = pool.names();
-    found.retain(|name| short(name) == COLUMNS_FILE);
+    found.retain(|name| file_of(name) == COLUMNS_FILE);
     let only = found.pop().filter(|_| found.is_empty())?;
     let bytes = pool.read(&only)?;
     Some((only, bytes))
@@ -48,9 +43,9 @@ pub fn name_as_tables(maps: &mut [ColumnMap], tables: &[String]) {
         map.file.clone_from(table);
     }
     for map in maps {
-        let by_short = |table: &&String| short(table) == short(&map.file);
+        let is_it = |table: &&String| file_of(table) == file_of(&map.file);
         if !tables.contains(&map.file)
-            && let Some(table) = tables.iter().find(by_short)
+            && let Some(table) = tables.iter().find(is_it)
         {
             map.file.clone_from(table);
         }

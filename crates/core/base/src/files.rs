@@ -192,6 +192,35 @@ pub fn folder_of(name: &str) -> &str {
     name.rsplit_once('/').map_or("", |(folder, _)| folder)
 }
 
+/// The last part of a name, behind its folders.
+pub fn file_of(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or(name)
+}
+
+/// Whether a name ends in a dot and one of `endings` (in small letters), in whatever case.
+///
+/// ```
+/// use pilotage_base::files::has_ending;
+///
+/// assert!(has_ending("flight/IMG_1.JPG", &["jpg", "png"]));
+/// assert!(!has_ending("jpg", &["jpg"]));
+/// ```
+pub fn has_ending(name: &str, endings: &[&str]) -> bool {
+    let name = name.to_ascii_lowercase();
+    endings.iter().any(|ending| {
+        name.strip_suffix(ending)
+            .is_some_and(|rest| rest.ends_with('.'))
+    })
+}
+
+/// Names among files with one of these endings, in order.
+pub fn names_ending_in(files: &dyn FileSet, endings: &[&str]) -> Vec<String> {
+    let mut names = files.names();
+    names.retain(|name| has_ending(name, endings));
+    names.sort();
+    names
+}
+
 /// Why a name does not lead to one file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unresolved {

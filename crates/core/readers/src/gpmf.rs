@@ -10,7 +10,7 @@ use crate::folder::{FlightFolder, FolderError};
 use crate::srt::with_frames_of_film;
 use crate::text_tables::{flight_of_table, table};
 use pilotage_base::bytes::ByteSource;
-use pilotage_base::files::FileSet;
+use pilotage_base::files::{FileSet, names_ending_in};
 
 /// Endings of films.
 pub const FILMS: [&str; 3] = ["mp4", "mov", "360"];
@@ -58,7 +58,7 @@ enum FilmedHeights {
 /// Places of which no flight can be made, or a table of frames that cannot be read.
 pub fn flight_of_film(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
     let (mut found, mut failed): (Option<FlightFolder>, Option<FolderError>) = (None, None);
-    for name in films(files.as_ref()) {
+    for name in names_ending_in(files.as_ref(), &FILMS) {
         let Some(film) = files.source(&name) else {
             continue;
         };
@@ -89,7 +89,7 @@ pub fn flight_of_film(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, 
 
 /// Sentences about the films among `files` that hold places, where a flight was made of other files.
 pub fn films_left_out(files: &dyn FileSet) -> Vec<String> {
-    let mut names = films(files);
+    let mut names = names_ending_in(files, &FILMS);
     names.retain(|name| {
         let film = files.source(name);
         film.is_some_and(|film| has_places(film.as_ref()))
@@ -102,24 +102,10 @@ pub fn films_left_out(files: &dyn FileSet) -> Vec<String> {
     names.into_iter().map(told).collect()
 }
 
-/// Names of films among files, in order.
-fn films(files: &dyn FileSet) -> Vec<String> {
-    let mut names = files.names();
-    names.retain(|name| is_film(name));
-    names.sort();
-    names
-}
-
 /// Whether a film has a track of places, by its index alone.
 fn has_places(film: &dyn ByteSource) -> bool {
     let samples = index_of(film).and_then(|index| track_of(&index));
     samples.is_some_and(|samples| !samples.is_empty())
-}
-
-/// Whether a file is a film by its name.
-fn is_film(name: &str) -> bool {
-    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
-    FILMS.iter().any(|film| film.eq_ignore_ascii_case(ending))
 }
 
 /// The flight that a film tells of; `None` if it has no such track.
@@ -244,21 +230,38 @@ fn long(bytes: &[u8], at: usize) -> Option<u64> {
     Some(u64::from_be_bytes(*bytes.get(at..)?.first_chunk()?))
 }
 
+/// Beginning of a box of a film.
+struct BoxHead {
+    kind: [u8; 4],
+    /// Bytes of the whole box; all there are for one that goes on up to the end.
+    size: u64,
+    /// Bytes before its contents.
+    before: u64,
+}
+
+/// The beginning of the box at an offset; `None` where the film ends before.
+fn head_at(film: &dyn ByteSource, at: u64) -> Option<BoxHead> {
+    let head = read(film, at, 16)?;
+    let (size, before) = match whole(&head, 0)? {
+        0 => (u64::MAX, 8),
+        1 => (long(&head, 8)?, 16),
+        size => (size, 8),
+    };
+    let kind = *head.get(4..)?.first_chunk()?;
+    Some(BoxHead { kind, size, before })
+}
+
 /// The contents of the box that tells what is where in a film.
 fn index_of(film: &dyn ByteSource) -> Option<Vec<u8>> {
     let mut at = 0;
     loop {
-        let head = read(film, at, 16)?;
-        let (size, before) = match whole(&head, 0)? {
-            1 => (long(&head, 8)?, 16),
-            size => (size, 8),
-        };
-        let length = size.checked_sub(before)?;
-        match &head[4..8] {
+        let head = head_at(film, at)?;
+        let length = head.size.checked_sub(head.before)?;
+        match &head.kind {
             b"moov" if length > LONGEST => return None,
-            b"moov" => return read(film, at + before, length),
+            b"moov" => return read(film, at + head.before, length),
             kind if at == 0 && kind != b"ftyp" => return None,
-            _ => at = at.checked_add(size)?,
+            _ => at = at.checked_add(head.size)?,
         }
     }
 }
@@ -267,27 +270,17 @@ fn index_of(film: &dyn ByteSource) -> Option<Vec<u8>> {
 fn is_cut_off(film: &dyn ByteSource) -> bool {
     let mut at = 0;
     while at < film.length() {
-        let Some(head) = read(film, at, 16) else {
+        let Some(BoxHead { kind, size, .. }) = head_at(film, at) else {
             return at > 0;
         };
-        let size = match whole(&head, 0) {
-            Some(1) => long(&head, 8),
-            // Up to the end, wherever that will be.
-            Some(0) => Some(u64::MAX),
-            size => size,
+        let Some(next) = at.checked_add(size).filter(|_| size >= 8) else {
+            return at > 0 && &kind == b"mdat";
         };
-        let kind = &head[4..8];
-        let Some(next) = size
-            .filter(|size| *size >= 8)
-            .and_then(|size| at.checked_add(size))
-        else {
-            return at > 0 && kind == b"mdat";
-        };
-        if at == 0 && kind != b"ftyp" || kind == b"moov" && next <= film.length() {
+        if at == 0 && &kind != b"ftyp" || &kind == b"moov" && next <= film.length() {
             return false;
         }
         if next > film.length() {
-            return at > 0 && [&b"mdat"[..], b"moov", b"free", b"wide"].contains(&kind);
+            return at > 0 && [b"mdat", b"moov", b"free", b"wide"].contains(&&kind);
         }
         at = next;
     }

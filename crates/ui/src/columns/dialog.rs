@@ -5,9 +5,10 @@ use egui::{
 };
 use pilotage_core::flight::ChannelName;
 use pilotage_core::flight::columns::{ColumnMap, ColumnRole, GuessedTable, tables_lack};
+use pilotage_core::flight::files::file_of;
 
 use super::ColumnsCommand;
-use super::rows::{rows, short};
+use super::rows::rows;
 use crate::command::Command;
 use crate::host::OpenedFile;
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
@@ -216,11 +217,11 @@ fn tables(ui: &mut Ui, tokens: &Tokens, draft: &mut ColumnsDraft, height: f32) {
                 let file = table.guess.map.file.clone();
                 ui.horizontal(|ui| {
                     ui.checkbox(&mut table.is_used, "")
-                        .accessible_name(format!("Use {}", short(&file)));
-                    let name = Button::selectable(draft.shown == index, short(&file)).truncate();
+                        .accessible_name(format!("Use {}", file_of(&file)));
+                    let name = Button::selectable(draft.shown == index, file_of(&file)).truncate();
                     let shown = ui.add(name).on_hover_text(&file);
                     if shown
-                        .accessible_name(format!("Columns of {}", short(&file)))
+                        .accessible_name(format!("Columns of {}", file_of(&file)))
                         .clicked()
                     {
                         draft.shown = index;

@@ -17,11 +17,6 @@ const LEAST_REASON: f32 = 140.0;
 const SURE: f64 = 0.75;
 const LIKELY: f64 = 0.5;
 
-/// The last part of a file's name.
-pub(super) fn short(file: &str) -> &str {
-    file.rsplit('/').next().unwrap_or(file)
-}
-
 /// Draws the columns of a table, at least `width` points wide; what people choose is put into its map.
 pub(super) fn rows(
     ui: &mut Ui,

@@ -11,7 +11,7 @@ use super::physics::{self, TableEvidence};
 use super::rows::EvenRows;
 use super::settle::give_up;
 use super::{ColumnMap, ColumnRole, ColumnSample, TablePreview, preview};
-use pilotage_base::files::FileSet;
+use pilotage_base::files::{FileSet, file_of};
 use pilotage_flight::ChannelName;
 
 /// Rows that are shown of a table.
@@ -326,7 +326,7 @@ fn settle(tables: &mut [GuessedTable]) {
             }
         });
         let Some((best, _)) = best else { continue };
-        let reason = format!("{} has it, too", short(&tables[best].map.file));
+        let reason = format!("{} has it, too", file_of(&tables[best].map.file));
         for (index, _, columns) in claims.iter().filter(|(index, ..)| *index != best) {
             for column in columns {
                 give_up(&mut tables[*index].map.columns[*column], reason.clone());
@@ -335,21 +335,16 @@ fn settle(tables: &mut [GuessedTable]) {
     }
 }
 
-/// The last part of a file's name.
-fn short(file: &str) -> &str {
-    file.rsplit('/').next().unwrap_or(file)
-}
-
 /// Name of tables together: the common beginning of their names, else the folder that they lie in, else the name of
 /// the first without its ending.
 pub(super) fn common_name(maps: &[ColumnMap]) -> String {
     let Some(first) = maps.first() else {
         return "Flight".to_owned();
     };
-    let name = short(&first.file);
+    let name = file_of(&first.file);
     let is_common = |end: &usize| {
         maps.iter()
-            .all(|map| short(&map.file).starts_with(&name[..*end]))
+            .all(|map| file_of(&map.file).starts_with(&name[..*end]))
     };
     let ends = name.match_indices(['_', '-']).map(|(end, _)| end);
     let end = ends
@@ -360,7 +355,7 @@ pub(super) fn common_name(maps: &[ColumnMap]) -> String {
     let folder = |map: &ColumnMap| {
         map.file
             .rsplit_once('/')
-            .map(|(folder, _)| short(folder).to_owned())
+            .map(|(folder, _)| file_of(folder).to_owned())
     };
     let is_one_folder = maps.len() > 1 && maps.iter().all(|map| folder(map) == folder(first));
     match (end, folder(first).filter(|_| is_one_folder)) {
@@ -377,7 +372,7 @@ pub fn tables_lack(maps: &[&ColumnMap]) -> Option<String> {
     }
     let alone = maps.iter().find_map(|map| Some((map, map.lacks()?)));
     if let Some((map, why)) = alone {
-        return Some(format!("{}: {why}", short(&map.file)));
+        return Some(format!("{}: {why}", file_of(&map.file)));
     }
     let mut known: Vec<(ChannelName, &str)> = Vec::new();
     for map in maps {
@@ -385,7 +380,7 @@ pub fn tables_lack(maps: &[&ColumnMap]) -> Option<String> {
             let other = known.iter().find(|(other, _)| *other == name);
             if let Some((_, other)) = other {
                 let what = ColumnRole::Channel(name).label();
-                let (other, file) = (short(other), short(&map.file));
+                let (other, file) = (file_of(other), file_of(&map.file));
                 return Some(if other == file {
                     format!("{file} tells the {what} twice; let one column not be used")
                 } else {

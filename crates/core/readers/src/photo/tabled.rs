@@ -3,10 +3,10 @@
 use std::collections::HashSet;
 
 use super::read::Photo;
-use pilotage_base::files::FileSet;
+use pilotage_base::files::{FileSet, file_of, names_ending_in};
 
 /// Endings of tables.
-const TABLES: [&str; 3] = [".csv", ".tsv", ".txt"];
+const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
 /// Whether a table among `files` names more of the `pictures` that are no photo with a place than there are such photos: the
 /// flight is that of the table then, beside whose frames some originals lie.
@@ -18,11 +18,7 @@ pub(super) fn are_of_a_table(pictures: &[String], photos: &[Photo], files: &dyn 
     if others.len() <= placed.len() {
         return false;
     }
-    let mut names = files.names();
-    names.retain(|name| {
-        let name = name.to_lowercase();
-        TABLES.iter().any(|ending| name.ends_with(ending))
-    });
+    let names = names_ending_in(files, &TABLES);
     names
         .iter()
         .filter_map(|name| files.read(name))
@@ -31,13 +27,8 @@ pub(super) fn are_of_a_table(pictures: &[String], photos: &[Photo], files: &dyn 
             let is_between = |c: char| matches!(c, ',' | ';' | '\t' | '|' | '"' | '\r' | '\n');
             let cells: HashSet<&str> = table
                 .split(is_between)
-                .map(|cell| file_of(cell.trim()))
+                .map(|cell| file_of(cell.rsplit('\\').next().unwrap_or(cell).trim()))
                 .collect();
             others.iter().filter(|name| cells.contains(*name)).count() > placed.len()
         })
-}
-
-/// The name of a file without its folders.
-fn file_of(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
