@@ -7,7 +7,7 @@ use super::rows::pair;
 use super::settle::{give_up, unused};
 use super::{ColumnRole, ColumnSample, MappedColumn};
 use crate::cells::DEGREES_AND_MINUTES;
-use crate::folder::hemispheres::tells_of_letters;
+use crate::folder::hemispheres::{letter, tells_of_letters};
 use pilotage_base::hemisphere_in_name::hemispheres_in_names;
 
 /// Finds the column that has latitude and longitude in each cell.
@@ -124,19 +124,14 @@ pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]
             column.reason = format!("{}; its name says {letter}", column.reason);
         }
     }
-    let both = [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])];
+    let both = [(Latitude, ['N', 'S']), (Longitude, ['E', 'W'])];
     let found = both.map(|(role, letters)| {
-        let letter = |text: &String| {
-            let words = [["n", "north"], ["s", "south"], ["e", "east"], ["w", "west"]];
-            let text = text.to_lowercase();
-            let word = words.iter().find(|words| words.contains(&text.as_str()));
-            word.map(|words| words[0].to_uppercase())
-        };
+        let letter = |text: &String| letter(text).map(char::from);
         let is_of = |sample: &ColumnSample| {
             let mut texts = sample.texts.iter().map(letter);
             sample.numbers.is_empty()
                 && !sample.texts.is_empty()
-                && texts.all(|text| text.is_some_and(|text| letters.contains(&text.as_str())))
+                && texts.all(|text| text.is_some_and(|text| letters.contains(&text)))
         };
         let place = columns.iter().position(|column| column.role == role)?;
         let is_named = |at: &usize| tells_of_letters(&samples[*at].name, role == Latitude);
@@ -144,7 +139,7 @@ pub(super) fn hemispheres(samples: &[ColumnSample], columns: &mut [MappedColumn]
         let own = of.clone().find(is_named);
         let at = own.or_else(|| of.find(|at| at.abs_diff(place) == 1))?;
         let turned = samples[at].texts.iter();
-        let turned = turned.filter(|text| letter(text).as_deref() == Some(letters[1]));
+        let turned = turned.filter(|text| letter(text) == Some(letters[1]));
         Some((place, at, turned.count(), own.is_some()))
     });
     let are_both = found.iter().all(Option::is_some);

@@ -55,8 +55,8 @@ struct Letters {
     pair: [u8; 2],
 }
 
-/// The letter of a cell, alone or as the first of its word.
-fn letter(cell: &str) -> Option<u8> {
+/// The letter of a cell, alone or as the first of its word, as a capital.
+pub(crate) fn letter(cell: &str) -> Option<u8> {
     let words = ["north", "south", "east", "west"];
     let is_word = cell.len() == 1 || words.iter().any(|word| word.eq_ignore_ascii_case(cell));
     let first = cell.bytes().next()?.to_ascii_uppercase();
