@@ -64,17 +64,17 @@ struct WaypointLine {
 struct WaypointFile {
     version: String,
     /// Line 0, if it is home.
-    home: Option<HomeLine>,
+    home: Option<LineAsRead>,
     /// The line that is marked as current.
     current: Option<usize>,
     /// Its command, by which it is found again in a route that was edited.
     #[serde(default)]
-    current_command: Option<HomeLine>,
+    current_command: Option<LineAsRead>,
 }
 
 /// Line as it was read, of home and of the current command: command, frame, parameters and continuation.
 #[derive(Serialize, Deserialize)]
-struct HomeLine(u16, u8, [Option<f64>; 7], bool);
+struct LineAsRead(u16, u8, [Option<f64>; 7], bool);
 
 /// Reads the lines as one route.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
@@ -285,7 +285,7 @@ fn stated_place(item: &MissionItem) -> Option<Home> {
 fn home_item(route: &Route, own: Option<&WaypointFile>, frame: &LocalFrame) -> Option<MissionItem> {
     let mut item = match own {
         Some(WaypointFile {
-            home: Some(HomeLine(command, item_frame, parameters, is_continued)),
+            home: Some(LineAsRead(command, item_frame, parameters, is_continued)),
             ..
         }) => MissionItem {
             command: *command,
@@ -400,13 +400,13 @@ pub(super) fn write(
     (text, notes)
 }
 
-fn line_as_read(item: &MissionItem) -> HomeLine {
-    HomeLine(item.command, item.frame, item.parameters, item.is_continued)
+fn line_as_read(item: &MissionItem) -> LineAsRead {
+    LineAsRead(item.command, item.frame, item.parameters, item.is_continued)
 }
 
 /// Whether a line is the same command at the same place, as finely as files state it.
-fn is_same(line: &HomeLine, item: &MissionItem) -> bool {
-    let HomeLine(command, _, parameters, _) = line;
+fn is_same(line: &LineAsRead, item: &MissionItem) -> bool {
+    let LineAsRead(command, _, parameters, _) = line;
     let mut both = parameters.iter().zip(&item.parameters);
     *command == item.command
         && both.all(|(a, b)| (a.unwrap_or(0.0) - b.unwrap_or(0.0)).abs() < 1e-7)
