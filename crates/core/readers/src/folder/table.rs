@@ -322,9 +322,8 @@ impl CsvTable {
             Moment::Absolute(whole, fraction) => Some((*whole, *fraction)),
             Moment::Relative(_) => None,
         });
-        let seconds = moments.iter().map(|moment| moment.since(origin));
-        let standing: Vec<f64> = seconds.collect();
-        let mut seconds = standing.clone();
+        let standing = moments.iter().map(|moment| moment.since(origin));
+        let standing: Vec<f64> = standing.collect();
         if !is_coarse(&standing) {
             return Ok(false);
         }
@@ -356,6 +355,7 @@ impl CsvTable {
             });
         }
         let counts = |column: usize| column != at && apart.get(column) == Some(&false);
+        let mut seconds = standing.clone();
         if !spread(&mut seconds, |row| self.are_measurements(row, counts)) {
             return Ok(false);
         }
