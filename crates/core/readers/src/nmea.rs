@@ -165,8 +165,7 @@ fn sentences(text: &str) -> Sentences {
     let (others, told) = of_others(&places);
     found.others = told;
     let is_read = |sentence: &&str| !others.contains(sentence.get(..2).unwrap_or_default());
-    let said: Vec<SaidMotion> = all().filter(is_read).filter_map(said_motion).collect();
-    found.velocity_leads = velocity_leads(&said);
+    found.velocity_leads = velocity_leads(all().filter(is_read).filter_map(said_motion));
     for sentence in all() {
         let body = match sentence.trim_end().split_once('*') {
             Some((body, sum)) if is_whole(body, sum) => body,

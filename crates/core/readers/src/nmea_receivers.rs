@@ -2,8 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Metres of a degree of latitude.
-const DEGREE: f64 = 111_195.0;
+use crate::cells::median;
+use crate::nmea_velocity::metres_between;
+
 /// Fewest times that two receivers take turns.
 const TURNS: usize = 4;
 /// Steps from one receiver's place to the other's are so many times as long as those of one of them, and so many metres longer.
@@ -43,9 +44,8 @@ pub(super) fn of_others<'a>(places: &[SaidPlace<'a>]) -> (BTreeSet<&'a str>, Vec
         let of_both = |place: &&SaidPlace| [main, talker].contains(&&place.0);
         let both: Vec<&SaidPlace> = places.iter().filter(of_both).collect();
         let step = |pair: &[&SaidPlace]| {
-            let [a, b] = [pair[0].2, pair[1].2];
-            let north = DEGREE * (b[0] - a[0]);
-            north.hypot(DEGREE * (b[1] - a[1]) * a[0].to_radians().cos())
+            let [north, east] = metres_between(pair[0].2, pair[1].2);
+            north.hypot(east)
         };
         let turns = both.windows(2).filter(|pair| pair[0].0 != pair[1].0);
         let turns: Vec<f64> = turns.map(step).collect();
@@ -54,9 +54,9 @@ pub(super) fn of_others<'a>(places: &[SaidPlace<'a>]) -> (BTreeSet<&'a str>, Vec
             let own: Vec<&SaidPlace> = own.collect();
             own.windows(2).map(step).collect::<Vec<f64>>()
         });
-        let apart = median(turns.clone());
+        let apart = median(turns.clone()).unwrap_or(0.0);
         let common = times.intersection(main_times).count() as f64;
-        let is_apart = apart > TIMES * median(alone.concat()) + MORE;
+        let is_apart = apart > TIMES * median(alone.concat()).unwrap_or(0.0) + MORE;
         if turns.len() >= TURNS && is_apart && common <= SHARE * times.len() as f64 {
             others.insert(*talker);
             told.push(format!(
@@ -68,9 +68,4 @@ pub(super) fn of_others<'a>(places: &[SaidPlace<'a>]) -> (BTreeSet<&'a str>, Vec
         }
     }
     (others, told)
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }

@@ -1,9 +1,9 @@
 //! The order of places and velocities in sentences of a receiver: which of the two of a moment is said first.
 
+use pilotage_base::frames::units::EARTH_RADIUS;
+
 /// A day in seconds.
 const DAY: f64 = 86_400.0;
-/// Metres of a degree of latitude.
-const DEGREE: f64 = 111_195.0;
 /// Longest step between moments that tells a velocity, seconds.
 const LONGEST: f64 = 10.0;
 /// Velocities that differ by less do not tell to which of two moments one belongs, m/s.
@@ -26,12 +26,17 @@ struct SaidMoment {
 
 /// Whether velocities come before the places of their moments. Where a recording begins and ends within a cycle, only the
 /// track can tell: most velocities are those of the step at the place behind them, rather than at the place before them.
-pub(super) fn velocity_leads(said: &[SaidMotion]) -> bool {
+pub(super) fn velocity_leads(said: impl Iterator<Item = SaidMotion>) -> bool {
     let is_velocity = |said: Option<&SaidMotion>| matches!(said, Some(SaidMotion::Velocity(_)));
-    if !is_velocity(said.first()) || is_velocity(said.last()) {
+    let mut said = said.peekable();
+    if !is_velocity(said.peek()) {
         return false;
     }
-    let moments = moments(said);
+    let said: Vec<SaidMotion> = said.collect();
+    if is_velocity(said.last()) {
+        return false;
+    }
+    let moments = moments(&said);
     let (mut before, mut behind) = (0, 0);
     for four in moments.windows(4) {
         let Some(said) = four[1].behind else { continue };
@@ -79,7 +84,12 @@ fn moments(said: &[SaidMotion]) -> Vec<SaidMoment> {
 /// Mean velocity from a moment to another, towards north and east in m/s; `None` of those far apart.
 fn step(from: &SaidMoment, to: &SaidMoment) -> Option<[f64; 2]> {
     let lasts = (to.second - from.second).rem_euclid(DAY);
-    let [north, east] = [0, 1].map(|i| DEGREE * (to.place[i] - from.place[i]) / lasts);
     let is_near = lasts > 0.0 && lasts <= 2.0 * LONGEST;
-    is_near.then(|| [north, east * from.place[0].to_radians().cos()])
+    is_near.then(|| metres_between(from.place, to.place).map(|metres| metres / lasts))
+}
+
+/// Metres towards north and east from one place near to another; latitudes and longitudes are in degrees.
+pub(super) fn metres_between(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    let [north, east] = [0, 1].map(|i| EARTH_RADIUS * (to[i] - from[i]).to_radians());
+    [north, east * from[0].to_radians().cos()]
 }

@@ -1,11 +1,9 @@
 //! Places of other world frames on this map.
 
 use nalgebra::Isometry3;
+use pilotage_core::frames::units::EARTH_RADIUS;
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_jobs::WebMap;
-
-/// Mean radius of the Earth, metres.
-const EARTH: f64 = 6_371_000.0;
 
 /// Motion that brings places of the world frame `from` into that of `to`; none where either lies nowhere on the globe.
 pub(crate) fn carry(to: Option<LocalFrame>, from: Option<LocalFrame>) -> Isometry3<f64> {
@@ -26,7 +24,10 @@ pub(crate) fn is_in_reach(frame: &LocalFrame, place: &Geodetic) -> bool {
 
 /// Distance of a place on the globe from the origin of a frame over the ground, metres.
 pub(crate) fn distance_over_ground(frame: &LocalFrame, place: &Geodetic) -> f64 {
-    2.0 * EARTH * (0.5 * straight(frame, place) / EARTH).min(1.0).asin()
+    2.0 * EARTH_RADIUS
+        * (0.5 * straight(frame, place) / EARTH_RADIUS)
+            .min(1.0)
+            .asin()
 }
 
 /// The same through the Earth.

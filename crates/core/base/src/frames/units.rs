@@ -7,6 +7,9 @@ pub const MPS_PER_KNOT: f64 = 1852.0 / 3600.0;
 /// Standard gravity, m/s².
 pub const GRAVITY: f64 = 9.806_65;
 
+/// Mean radius of the earth, metres, where a sphere is near enough.
+pub const EARTH_RADIUS: f64 = 6_371_000.0;
+
 /// Feet to metres.
 pub fn feet(value: f64) -> f64 {
     value * METRES_PER_FOOT

@@ -72,10 +72,8 @@ impl ColumnSample {
 
     /// The number in the middle.
     pub fn median(&self) -> Option<f64> {
-        let mut sorted = self.numbers.clone();
-        sorted.retain(|v| v.is_finite());
-        sorted.sort_by(f64::total_cmp);
-        sorted.get(sorted.len() / 2).copied()
+        let finite = self.numbers.iter().copied().filter(|v| v.is_finite());
+        median(finite.collect())
     }
 
     /// Whether the numbers hardly ever go back, and grow now and then: a clock may be coarser than the rows.
@@ -93,4 +91,10 @@ impl ColumnSample {
             && 10 * steps >= 5 * (self.numbers.len() - 1)
             && 50 * back < self.numbers.len()
     }
+}
+
+/// The number in the middle of some, the larger of both if there are two; `None` of none.
+pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
 }

@@ -10,13 +10,14 @@ use super::body_velocity::{has_body_velocity, turn};
 use super::groups::quaternion_roles;
 use super::rows::pair;
 use super::together::common_name;
-use super::{ColumnMap, ColumnRole, EARTH_RADIUS, MappedColumn, parts, pictures, time};
+use super::{ColumnMap, ColumnRole, MappedColumn, parts, pictures, time};
 use crate::cells::{Moment, date_and_time};
 use crate::folder::{
     ChannelFile, CsvTable, FlightFile, FlightFolder, FolderError, StartFile, TimeColumn,
     TimeFormat, VERSION, ValueColumn, read_tables,
 };
 use pilotage_base::files::FileSet;
+use pilotage_base::frames::units::EARTH_RADIUS;
 use pilotage_base::text::LastRow;
 use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 

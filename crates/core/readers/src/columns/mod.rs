@@ -42,9 +42,6 @@ mod waiting_tests;
 
 use crate::cells::{ColumnSample, time};
 
-/// Mean radius of the earth, metres.
-const EARTH_RADIUS: f64 = 6_371_000.0;
-
 pub use crate::cells::{Separator, TableShape};
 pub use build::flight_of_tables;
 pub use guess::guess_table;

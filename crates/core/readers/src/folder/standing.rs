@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::cells::number;
+use crate::cells::{median, number};
 
 /// Fewest rows that tell how coarse a clock is.
 const ENOUGH: usize = 10;
@@ -129,11 +129,6 @@ pub(super) fn are_of_several<'a>(
     let comes_again = rows >= ENOUGH && again as f64 >= MEASURED * rows as f64;
     let steps = median(across).zip(median(along));
     comes_again || steps.is_some_and(|(across, along)| across < TO_AND_FRO * along)
-}
-
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
 }
 
 #[cfg(test)]

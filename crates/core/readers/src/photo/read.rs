@@ -7,6 +7,7 @@ use super::xmp::Xmp;
 use crate::cells::{Moment, date_and_time, has_zone};
 use pilotage_base::angle_text::degrees_of_text;
 use pilotage_base::bytes::ByteSource;
+use pilotage_base::frames::units::EARTH_RADIUS;
 use pilotage_base::frames::{Attitude, wrap_pi};
 
 /// Bytes that mostly hold the head of a photo, and those that always do.
@@ -15,8 +16,6 @@ const LONGEST_HEAD: u64 = 1 << 24;
 /// Longest TIFF that is read: its tags may stand at its end.
 const LONGEST_TIFF: u64 = 1 << 28;
 
-/// Radius of the earth that tells far from near, metres.
-const EARTH: f64 = 6.371e6;
 /// Places that one photo tells twice and that lie farther apart are told, metres.
 const APART: f64 = 100.0;
 
@@ -405,8 +404,8 @@ fn doubts(gps: &ExifDirectory, xmp: &Xmp) -> Vec<String> {
         );
     }
     if let Some((latitude, longitude)) = place_of_xmp(xmp) {
-        let north = EARTH * (latitude - of_exif.latitude);
-        let east = EARTH * wrap_pi(longitude - of_exif.longitude) * latitude.cos();
+        let north = EARTH_RADIUS * (latitude - of_exif.latitude);
+        let east = EARTH_RADIUS * wrap_pi(longitude - of_exif.longitude) * latitude.cos();
         if north.hypot(east) > APART {
             doubts.push(format!(
                 "EXIF and XMP tell places more than {APART:.0} m apart, and that of EXIF is taken"

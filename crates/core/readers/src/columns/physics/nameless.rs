@@ -9,7 +9,8 @@ use super::board::{FlightColumns, Id};
 use super::grid::{TimedNumbers, quantile};
 use super::inertial::course_rate;
 use crate::cells::Dimension;
-use crate::columns::{ColumnRole, EARTH_RADIUS};
+use crate::columns::ColumnRole;
+use pilotage_base::frames::units::EARTH_RADIUS;
 
 const GRAVITY: f64 = 9.806_65;
 /// Speeds that a track reaches, m/s: something that flies, and nothing faster.

@@ -7,7 +7,8 @@ use super::axes::EARTH;
 use super::board::{FlightColumns, Id, UnitBasis, nearest};
 use super::grid::{self, TimeCells, TimedNumbers, quantile};
 use crate::cells::{DEGREES_AND_MINUTES, Dimension};
-use crate::columns::{ColumnRole, EARTH_RADIUS};
+use crate::columns::ColumnRole;
+use pilotage_base::frames::units::EARTH_RADIUS;
 
 /// Units of places on the globe, and how likely each is before anything is known.
 const UNITS: [(&str, f64); 5] = [
