@@ -108,7 +108,7 @@ async function walk(journey, shortName, said) {
   atEnd.push(close);
   try {
     const watched = watch(page, server.url);
-    const tools = makeTools({ page, address: server.url, pictures, watched, atEnd, said });
+    const tools = makeTools({ page, address: server.url, pictures, watched, atEnd, said, often: journey.alone });
     let failure = null;
     try {
       await withinTime(journey.run(page, tools));

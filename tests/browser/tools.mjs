@@ -7,11 +7,22 @@ import { demoRun, startServer } from "./server.mjs";
 const patience = 45_000; // milliseconds for anything but the start, on a machine that does other work, too
 const patienceForStart = 120_000; // a busy machine without a graphics card is slow
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const soonest = 50; // milliseconds after which the page is asked again
+const latest = 250; // and after which it is asked at the latest, where something takes long: each answer costs milliseconds
 const matches = (wanted, text) => text != null
   && (wanted instanceof RegExp ? wanted.test(text) : text === wanted);
 
-/** The tools for one journey on `page`; pictures go to `pictures`, words to `said`, servers end by `atEnd`. */
-export function makeTools({ page, address, pictures, watched, atEnd, said }) {
+/** The tools for one journey on `page`; pictures go to `pictures`, words to `said`, servers end by `atEnd`. One that
+ * judges time asks the page as `often` as it can. */
+export function makeTools({ page, address, pictures, watched, atEnd, said, often = false }) {
+  /** Pauses between one question and the next, which become longer. */
+  const patiently = () => {
+    let milliseconds = soonest;
+    return async () => {
+      await pause(milliseconds);
+      if (!often) milliseconds = Math.min(1.3 * milliseconds, latest);
+    };
+  };
   const tools = {
     /** Where the page is served, with a slash at the end. */
     address,
@@ -65,12 +76,13 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
     /** Waits until `condition(state)` holds and returns that state. */
     async waitFor(condition, what = String(condition), timeout = patience) {
       const end = Date.now() + timeout;
+      const rest = patiently();
       let state;
       for (;;) {
         state = await tools.state();
         if (condition(state)) return state;
         if (Date.now() > end) break;
-        await pause(50);
+        await rest();
       }
       throw new Error(`waited in vain for ${what}; the state is ${shortened(state)}`);
     },
@@ -85,11 +97,12 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
     /** Waits until exactly one node has this role and this label or value. */
     async find(role, label = null, timeout = patience) {
       const end = Date.now() + timeout;
+      const rest = patiently();
       let found = [];
       do {
         found = await tools.findAll(role, label);
         if (found.length === 1) return found[0];
-        await pause(50);
+        await rest();
       } while (Date.now() < end);
       const shown = (await tools.shown()).filter((node) => role == null || node.role === role)
         .map((node) => node.label ?? node.value);
