@@ -22,7 +22,7 @@ pub fn of_run<'a, T>(
     documents: &Documents,
 ) -> Option<&'a T> {
     let (step, answer) = found?;
-    (step.run == documents.run_generation).then_some(answer)
+    (step.run == documents.run.generation).then_some(answer)
 }
 
 /// Questions of one kind: the one under way, and the one answered last.
@@ -42,7 +42,7 @@ impl Explanations {
     ) {
         let documents = &*context.documents;
         let step = ExplainedStep {
-            run: documents.run_generation,
+            run: documents.run.generation,
             time,
             landmark,
         };
@@ -85,12 +85,12 @@ impl Explanations {
 
 /// Job that explains a landmark in a step of the run that is open; `None` if the step has no picture.
 fn explanation(by: ExplainedBy, of: ExplainedStep, documents: &Documents) -> Option<Job> {
-    let step = documents.run.as_ref()?.step_at(of.time)?;
+    let step = documents.run.navigated.as_ref()?.step_at(of.time)?;
     step.frame.as_ref()?;
     Some(Job::ExplainMatch(ExplainOrder {
         by,
-        flight: documents.flight_source.clone(),
-        map: documents.map_source.clone(),
+        flight: documents.flight.source.clone(),
+        map: documents.map.source.clone(),
         mission: documents.mission.clone(),
         step: Box::new(step.clone()),
         landmark: of.landmark,

@@ -22,7 +22,7 @@ use crate::shell::icons::Icon;
 use crate::shell::{CommandLack, NextStep, Toasts};
 use crate::timeline::Playback;
 use crate::units::Units;
-use crate::views::CameraView;
+use crate::views::{CameraView, Examined};
 
 /// Place of a feature's panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -384,6 +384,19 @@ impl FeatureWork {
     }
 }
 
+/// All that features found out about how the selected landmark stands out from the map.
+pub fn examined<'a>(
+    features: &'a [Box<dyn Feature>],
+    selection: Option<u32>,
+    documents: &Documents,
+) -> Examined<'a> {
+    let known = selection.and_then(|id| {
+        let mut told = features.iter().filter_map(|it| it.examined(id, documents));
+        told.next()
+    });
+    known.unwrap_or_default()
+}
+
 /// Part of the app with a panel, commands, jobs and a layer on the map of its own.
 pub trait Feature {
     /// Description.
@@ -421,6 +434,11 @@ pub trait Feature {
 
     /// Takes note that the run that was under way is over, whole or not.
     fn on_run_over(&mut self, _is_whole: bool, _context: &mut FeatureContext<'_>) {}
+
+    /// All that it found out about how a landmark stands out from the map.
+    fn examined(&self, _landmark: u32, _documents: &Documents) -> Option<Examined<'_>> {
+        None
+    }
 
     /// Findings about the flight, to be told with those of its log.
     fn findings(&self, _documents: &Documents) -> Vec<Finding> {

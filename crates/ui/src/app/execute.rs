@@ -51,13 +51,13 @@ impl App {
             Command::ToggleLoop => self.playback.looping = !self.playback.looping,
             Command::ToggleBookmark => self.toggle_bookmark(),
             Command::PreviousBookmark => {
-                let marks = self.documents.bookmarks.iter().rev();
+                let marks = self.documents.flight.bookmarks.iter().rev();
                 if let Some(mark) = marks.copied().find(|b| *b < time - 0.05) {
                     self.seek(mark);
                 }
             }
             Command::NextBookmark => {
-                let marks = self.documents.bookmarks.iter();
+                let marks = self.documents.flight.bookmarks.iter();
                 if let Some(mark) = marks.copied().find(|b| *b > time + 0.05) {
                     self.seek(mark);
                 }
@@ -157,7 +157,7 @@ impl App {
             return;
         }
         let time = self.playback.time;
-        let marks = &mut self.documents.bookmarks;
+        let marks = &mut self.documents.flight.bookmarks;
         let before = marks.len();
         marks.retain(|b| (b - time).abs() > 0.05);
         if marks.len() == before {
@@ -170,7 +170,7 @@ impl App {
     /// Moves the cursor by camera frames and pauses.
     fn step_frames(&mut self, count: i32) {
         self.playback.playing = false;
-        let Some(flight) = &self.documents.flight else {
+        let Some(flight) = &self.documents.flight.measured else {
             return;
         };
         let index = frame_after(flight, self.playback.time, count);
@@ -224,7 +224,7 @@ impl App {
                 || self.map_work.stop(&mut self.toasts, host);
             return;
         }
-        self.documents.run_complete |= self.fly_work.job.as_ref().is_some_and(FlyJob::began);
+        self.documents.run.is_complete |= self.fly_work.job.as_ref().is_some_and(FlyJob::began);
         self.fly_work.stop(host);
         self.tell_of_run_over(false, egui, host);
         let text = "What had been computed stays on screen.";
@@ -242,11 +242,11 @@ impl App {
     /// Panels and map of the workspace as they were at first: the aircraft followed, or else all in view.
     fn reset_view(&mut self) {
         self.view.reset_panels();
-        let is_flown = self.documents.run.is_some() && !self.is_flight_hidden();
+        let is_flown = self.documents.run.navigated.is_some() && !self.is_flight_hidden();
         let map = &mut self.views.map;
         map.track_up = false;
         map.camera.up = 0.0;
-        if is_flown && self.documents.log.is_none() {
+        if is_flown && self.documents.flight.log.is_none() {
             map.follow = true;
             map.camera.metres_per_point = USUAL_SCALE;
         } else {

@@ -68,10 +68,10 @@ impl App {
             return;
         }
         self.fly_work.again_at = None;
-        let again = self.documents.run.is_some();
+        let again = self.documents.run.navigated.is_some();
         let mission = Some(self.documents.mission.clone());
-        let flight = self.documents.flight_source.clone();
-        let map = self.documents.map_source.clone();
+        let flight = self.documents.flight.source.clone();
+        let map = self.documents.map.source.clone();
         let staged = Staged::default();
         self.fly_work
             .begin((flight, map), mission, staged, again, host);
@@ -87,7 +87,7 @@ impl App {
             None => self.fly_work.stop(host),
         }
         self.documents.begin_run_again(run, Staged::default());
-        self.documents.run_complete = true;
+        self.documents.run.is_complete = true;
     }
 
     /// The mission changed in a way that changes the run.
@@ -99,14 +99,14 @@ impl App {
     /// Leaves what is being done about the flight that was open, once another one is. To be called after whatever can
     /// change the flight, before anything else is done: an answer about the old one would be taken for the new one's.
     pub(super) fn follow_flight(&mut self, egui: &egui::Context, host: &mut dyn Host) {
-        let generation = self.documents.flight_generation;
+        let generation = self.documents.flight.generation;
         if self.followed.0 == generation {
             return;
         }
-        let source = self.documents.flight_source.clone();
+        let source = self.documents.flight.source.clone();
         let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
         self.tell_features_of_flight(egui, host);
-        if old != self.documents.flight_source {
+        if old != self.documents.flight.source {
             self.playback.selected_span = None;
         }
         self.frame_pictures.leave(host);
@@ -147,7 +147,7 @@ impl App {
                 } else {
                     self.documents.begin_run(*head, staged, &flight);
                 }
-                self.documents.mission_edited |= given;
+                self.documents.mission.is_edited |= given;
                 if !again {
                     self.take_place(host, map);
                     if first {
@@ -159,7 +159,7 @@ impl App {
             JobEvent::Remark(text) => tell_of_map(&text, &mut self.toasts, host),
             JobEvent::WithoutMission(why) => {
                 // Of a log without pictures nobody would expect else.
-                let flight = self.documents.flight.as_ref();
+                let flight = self.documents.flight.measured.as_ref();
                 if flight.is_some_and(|flight| !flight.frames.is_empty()) {
                     let title = "The flight came without a mission";
                     self.toasts.note(host.now(), title, why);
@@ -167,12 +167,12 @@ impl App {
             }
             JobEvent::Steps(_) if fly.shown == ShownFlight::Pictures => {}
             JobEvent::Steps(mut steps) => {
-                if let Some(run) = &mut self.documents.run {
+                if let Some(run) = &mut self.documents.run.navigated {
                     run.steps.append(&mut steps);
                 }
             }
             JobEvent::FrameTaken { index, .. } => {
-                let was_taken = self.documents.pictures.take(index);
+                let was_taken = self.documents.flight.pictures.take(index);
                 if was_taken && !fly.again {
                     self.views.camera.forget(index);
                 }
@@ -185,13 +185,13 @@ impl App {
             JobEvent::Finished => {
                 let again = fly.again;
                 let is_new_run = !again && fly.shown == ShownFlight::Run;
-                self.documents.run_complete = true;
+                self.documents.run.is_complete = true;
                 self.fly_work.job = None;
                 // Where a recorded flight went may be known only now.
                 if !again && self.views.map.is_fitted() && !self.is_flight_hidden() {
                     self.fit_to_flight_and_map();
                 }
-                let run = self.documents.run.as_ref().filter(|_| is_new_run);
+                let run = self.documents.run.navigated.as_ref().filter(|_| is_new_run);
                 if let Some(why) = run.and_then(unused_pictures) {
                     self.toasts.trouble(host.now(), "No picture helped", why);
                 }
@@ -200,11 +200,11 @@ impl App {
             JobEvent::Cancelled => self.fly_work.job = None,
             JobEvent::Failed(why) => {
                 let began = fly.began();
-                let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
+                let is_of_log = self.documents.flight.source == fly.flight && !fly.again;
                 self.fly_work.job = None;
                 self.tell_of_run_over(false, egui, host);
-                self.documents.run_complete |= began;
-                let log = self.documents.log.as_mut().filter(|_| is_of_log);
+                self.documents.run.is_complete |= began;
+                let log = self.documents.flight.log.as_mut().filter(|_| is_of_log);
                 let kept = if began {
                     "What had been computed stays."
                 } else if let Some(log) = log {
@@ -237,14 +237,15 @@ impl App {
         let staged = std::mem::take(&mut fly.staged);
         let has_pictures = (staged.flight.as_ref()).is_some_and(|flight| !flight.frames.is_empty());
         let (flight, map, given) = (fly.flight.clone(), fly.map.clone(), fly.given);
-        let is_first = self.documents.flight.is_none() || self.documents.flight_source != flight;
+        let is_first =
+            self.documents.flight.measured.is_none() || self.documents.flight.source != flight;
         self.documents.look_at(staged, &flight);
-        self.documents.mission_edited |= given;
+        self.documents.mission.is_edited |= given;
         self.take_place(host, map);
         if is_first {
             self.show_new_flight();
         }
-        if let Some(log) = &mut self.documents.log {
+        if let Some(log) = &mut self.documents.flight.log {
             log.unnavigable = Some(why.to_owned());
         }
         // Each picture may be found on a map by itself.
@@ -275,19 +276,19 @@ impl App {
         self.playback.playing = !self.is_flight_hidden() && !self.is_flight_aside();
         self.views.map.is_placed = false;
         // All of a recorded flight is shown at once, and all of a small world.
-        let is_whole = match &self.documents.flight_source {
+        let is_whole = match &self.documents.flight.source {
             FlightSource::Simulated(options) => options.world().is_shown_whole(),
             FlightSource::Files(_) => true,
             FlightSource::Rehearsed(_) | FlightSource::Studied(_) | FlightSource::Nothing => false,
         };
-        self.map_work.fits_flight = is_whole && self.documents.map.is_none();
+        self.map_work.fits_flight = is_whole && self.documents.map.info.is_none();
         if is_whole {
             self.fit_to_flight_and_map();
             return;
         }
         let map = &mut self.views.map;
         map.follow = true;
-        if let Some(flight) = &self.documents.flight {
+        if let Some(flight) = &self.documents.flight.measured {
             map.camera.center = flight.start.position;
         }
         if !USUAL_SCALES.contains(&map.camera.metres_per_point) {
@@ -304,7 +305,7 @@ impl App {
         let Some(flight) = self.flight_ground() else {
             return;
         };
-        let map = self.documents.map.as_ref().map(|m| m.bounds);
+        let map = self.documents.map.info.as_ref().map(|m| m.bounds);
         let size = |r: &GroundRect| r.width().max(r.height());
         let both = map.filter(|map| {
             let flown = size(&flight);
@@ -318,12 +319,13 @@ impl App {
     /// The ground over which the flight goes, with its landmarks and what else its log tracks nearby.
     pub(super) fn flight_ground(&self) -> Option<GroundRect> {
         let documents = &self.documents;
-        let truth = documents.flight.iter().flat_map(|f| &f.truth);
+        let truth = documents.flight.measured.iter().flat_map(|f| &f.truth);
         let truth = truth
             .flat_map(|t| t.states.iter().step_by(1 + t.states.len() / 500))
             .map(|s| GroundPoint::new(s.position.x, s.position.y));
         let steps = documents
             .run
+            .navigated
             .iter()
             .flat_map(|r| r.steps.iter().step_by(1 + r.steps.len() / 500));
         let estimate = steps.map(|s| s.after.position());
@@ -333,6 +335,6 @@ impl App {
         let beside = layers.flat_map(MapLayer::places);
         let near = GroundRect::centered(GroundPoint::default(), NEARBY, NEARBY);
         GroundRect::around(flight.chain(beside.filter(|place| near.contains(place))))
-            .or_else(|| documents.map.as_ref().map(|m| m.bounds))
+            .or_else(|| documents.map.info.as_ref().map(|m| m.bounds))
     }
 }

@@ -37,7 +37,7 @@ impl FramePictureRequests {
         };
         if let Some((frame, index)) = next {
             let order = FramePictureOrder {
-                flight: documents.flight_source.clone(),
+                flight: documents.flight.source.clone(),
                 index,
                 form: PictureForm::Pixels,
             };
@@ -75,7 +75,7 @@ impl FramePictureRequests {
 /// Frames that are about to be shown and the pictures that they show: in playback the next ones, else those to which one
 /// step leads.
 fn likely(documents: &Documents, playback: &Playback) -> impl Iterator<Item = (usize, usize)> {
-    let flight = documents.flight.as_ref();
+    let flight = documents.flight.measured.as_ref();
     let shown = flight.and_then(|flight| shown_frame(flight, playback.time));
     let next = shown.map_or(0, |shown| shown + 1);
     let frames = if playback.playing {
@@ -83,7 +83,7 @@ fn likely(documents: &Documents, playback: &Playback) -> impl Iterator<Item = (u
     } else {
         [Some(next), next.checked_sub(2)]
     };
-    let pictures = &documents.pictures;
+    let pictures = &documents.flight.pictures;
     let known = |frame| Some((frame, pictures.key(frame)?));
     frames.into_iter().flatten().filter_map(known)
 }

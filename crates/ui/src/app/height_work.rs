@@ -38,7 +38,7 @@ impl HeightWork {
                         plan there is open.";
                     toasts.note(now, title, text);
                 }
-                documents.terrain.take(*grid);
+                documents.map.terrain.take(*grid);
             }
             JobEvent::Failed(why) => {
                 self.0 = None;
@@ -61,7 +61,7 @@ impl HeightWork {
         if let Some(job) = self.0.take() {
             host.leave(job);
         }
-        documents.terrain = OpenedTerrain::of_files(key);
+        documents.map.terrain = OpenedTerrain::of_files(key);
         host.store(TERRAIN_KEY, key.as_bytes());
         let text = format!(
             "Posts {:.0} m apart, heights above {}.",
@@ -73,7 +73,7 @@ impl HeightWork {
 
     /// Asks for the heights of the ground that is of interest, where they are not at hand.
     pub fn ask(&mut self, documents: &mut Documents, host: &mut dyn Host) {
-        let key = documents.terrain.key().map(str::to_owned);
+        let key = documents.map.terrain.key().map(str::to_owned);
         let (None, Some(key)) = (self.0, key) else {
             return;
         };
@@ -81,7 +81,7 @@ impl HeightWork {
             return;
         };
         let near = |r: &GroundRect| r.width().max(r.height()) <= HEIGHTS_REACH;
-        let map = documents.map.as_ref().map(|m| m.bounds).filter(near);
+        let map = documents.map.info.as_ref().map(|m| m.bounds).filter(near);
         let plan = planned_ground(&documents.mission).filter(near);
         let area = match (map, plan) {
             (Some(a), Some(b)) => Some(a.union(&b)).filter(near).or(Some(b)),
@@ -90,7 +90,7 @@ impl HeightWork {
         let Some(area) = area.map(|a| a.grown(HEIGHTS_AROUND)) else {
             return;
         };
-        if documents.terrain.wants(origin, &area) {
+        if documents.map.terrain.wants(origin, &area) {
             let order = HeightsOrder { key, origin, area };
             self.0 = Some(host.start(JobOwner::Heights, Job::TakeHeights(Box::new(order))));
         }

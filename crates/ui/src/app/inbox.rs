@@ -105,7 +105,7 @@ impl App {
     fn map_beneath(&self, flight: Option<&Flight>) -> MapSource {
         match flight.and_then(|flight| flight.frame_on_globe) {
             Some(frame) => self.documents.map_under(Some(frame)),
-            None => self.documents.map_source.clone(),
+            None => self.documents.map.source.clone(),
         }
     }
 
@@ -138,9 +138,9 @@ impl App {
 
     /// A mission that was opened takes the place of the one that is open, one undo step away from it.
     fn take_mission(&mut self, host: &mut dyn Host, mission: Mission) {
-        self.documents.history.remember(&self.documents.mission);
-        self.documents.mission = mission;
-        self.documents.mission_edited = true;
+        self.documents.mission.remember();
+        self.documents.mission.content = mission;
+        self.documents.mission.is_edited = true;
         self.selection = None;
         self.run_is_stale(host.now());
     }
@@ -149,7 +149,9 @@ impl App {
     fn show_opened_map(&mut self, host: &mut dyn Host, source: MapSource, info: MapInfo) {
         let world = self.documents.world_origin();
         if let Some(origin) = info.origin.filter(|origin| world != Some(*origin)) {
-            if self.documents.flight.is_some() || !self.documents.mission.landmarks.is_empty() {
+            if self.documents.flight.measured.is_some()
+                || !self.documents.mission.landmarks.is_empty()
+            {
                 let text = "It begins a plan of its own. Undo brings the mission back; the flight \
                     opens again from its files, or with \u{201c}Open the built-in demo\u{201d}.";
                 self.toasts
@@ -164,7 +166,7 @@ impl App {
         }
         self.change_map(host, source);
         self.views.map.fit(info.bounds);
-        self.documents.map = Some(info);
+        self.documents.map.info = Some(info);
         self.stored.document_changed = true;
     }
 
@@ -176,13 +178,13 @@ impl App {
         }
         if let Some(simulation) = beside.simulation {
             let flight = FlightSource::Simulated(simulation);
-            if flight != self.documents.flight_source {
-                let map = self.documents.map_source.clone();
+            if flight != self.documents.flight.source {
+                let map = self.documents.map.source.clone();
                 let mission = self.documents.mission.clone();
                 self.fly_new(egui, host, flight, map, Some(mission));
             }
         }
-        self.documents.bookmarks = beside.bookmarks;
+        self.documents.flight.bookmarks = beside.bookmarks;
     }
 
     fn take_opened(

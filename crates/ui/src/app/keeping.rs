@@ -80,8 +80,8 @@ impl Keeping {
         openings: &mut Openings,
         host: &mut dyn Host,
     ) -> BTreeSet<String> {
-        let mut sets = file_sets(&documents.flight_source, &documents.map_source);
-        sets.extend(documents.terrain.key());
+        let mut sets = file_sets(&documents.flight.source, &documents.map.source);
+        sets.extend(documents.map.terrain.key());
         let sets: Vec<String> = sets.into_iter().map(str::to_owned).collect();
         let mut gone = BTreeSet::new();
         for key in sets {
@@ -113,8 +113,8 @@ pub fn used_files(
     fly_work: &FlyWork,
     features: &[Box<dyn Feature>],
 ) -> BTreeSet<String> {
-    let mut used = file_sets(&documents.flight_source, &documents.map_source);
-    used.extend(documents.terrain.key());
+    let mut used = file_sets(&documents.flight.source, &documents.map.source);
+    used.extend(documents.map.terrain.key());
     if let Some(fly) = &fly_work.job {
         used.extend(file_sets(&fly.flight, &fly.map));
     }
@@ -132,26 +132,26 @@ pub fn do_without(
 ) -> Option<GroundRect> {
     let is_gone = |key: Option<&str>| key.is_some_and(|key| gone.contains(key));
     let mut parts = Vec::new();
-    if is_gone(documents.flight_source.key()) {
+    if is_gone(documents.flight.source.key()) {
         parts.push("the flight");
-        documents.flight_source = FlightSource::Nothing;
-        documents.log = None;
+        documents.flight.source = FlightSource::Nothing;
+        documents.flight.log = None;
     }
-    if is_gone(documents.map_source.key()) {
+    if is_gone(documents.map.source.key()) {
         parts.push("the map");
-        match &documents.flight_source {
-            FlightSource::Simulated(options) => documents.map_source = options.map(),
-            FlightSource::Files(key) => documents.map_source = MapSource::Files(key.clone()),
+        match &documents.flight.source {
+            FlightSource::Simulated(options) => documents.map.source = options.map(),
+            FlightSource::Files(key) => documents.map.source = MapSource::Files(key.clone()),
             // The plan keeps the name of its map: nothing else lies there.
             FlightSource::Rehearsed(_) | FlightSource::Studied(_) | FlightSource::Nothing => {}
         }
     }
-    if is_gone(documents.terrain.key()) {
+    if is_gone(documents.map.terrain.key()) {
         parts.push("the elevation model");
-        documents.terrain = OpenedTerrain::default();
+        documents.map.terrain = OpenedTerrain::default();
     }
-    let planned = documents.flight_source == FlightSource::Nothing;
-    let text = if planned && !documents.mission_edited {
+    let planned = documents.flight.source == FlightSource::Nothing;
+    let text = if planned && !documents.mission.is_edited {
         *documents = Documents::new(&Session::demo());
         "Open them again; meanwhile, this is the demo."
     } else {

@@ -9,8 +9,8 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
-use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton, lack};
-use crate::map::{MapExtra, MapTool};
+use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton, examined, lack};
+use crate::map::{LookAlike, MapExtra, MapTool};
 use crate::shell::{
     MenuTable, TopBar, column_tabs, help_sheet, icon_button, notices_sheet, top_bar,
 };
@@ -42,7 +42,7 @@ struct Scene<'a> {
 impl Scene<'_> {
     /// Whether the flight has pictures.
     fn has_frames(&self) -> bool {
-        let flight = self.documents.flight.as_ref();
+        let flight = self.documents.flight.measured.as_ref();
         flight.is_some_and(|flight| !flight.frames.is_empty())
     }
 
@@ -52,20 +52,20 @@ impl Scene<'_> {
         commands: &mut Vec<Command>,
         show: impl FnOnce(&mut ViewContext<'_>) -> R,
     ) -> R {
-        let pictures = |index: usize| self.documents.pictures.key(index);
+        let pictures = |index: usize| self.documents.flight.pictures.key(index);
         show(&mut ViewContext {
             mission: &self.documents.mission,
-            flight: self.documents.flight.as_ref(),
-            run: self.documents.run.as_ref(),
-            ghost: self.documents.ghost.as_ref(),
+            flight: self.documents.flight.measured.as_ref(),
+            run: self.documents.run.navigated.as_ref(),
+            ghost: self.documents.run.ghost.as_ref(),
             time: self.playback.time,
             clock_zero: self.documents.clock_zero(),
-            is_recorded: self.documents.log.is_some(),
+            is_recorded: self.documents.flight.log.is_some(),
             selected_span: self.playback.selected_span,
             playing: self.playback.playing,
             motion: self.playback.motion(),
             selection: self.selection,
-            route: self.documents.route,
+            route: self.documents.mission.route,
             pictures: &pictures,
             tokens: self.tokens,
             units: self.view.units,
@@ -150,7 +150,7 @@ impl App {
 
     /// Turns to the panels of the workspace; a recorded flight has others than a simulated one.
     fn turn_to_panels(&mut self) {
-        let is_log = self.documents.log.is_some() && !self.is_flight_hidden();
+        let is_log = self.documents.flight.log.is_some() && !self.is_flight_hidden();
         let work = self.view.workspace.label();
         self.view.turn_to_panels(if is_log { "Log" } else { work });
     }
@@ -311,9 +311,9 @@ fn timeline(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Ve
             let extra = TimelineExtra {
                 playback: scene.playback,
                 span: scene.documents.span(),
-                complete: scene.documents.run_complete,
-                generation: scene.documents.run_generation,
-                bookmarks: &scene.documents.bookmarks,
+                complete: scene.documents.run.is_complete,
+                generation: scene.documents.run.generation,
+                bookmarks: &scene.documents.flight.bookmarks,
             };
             scene.with_context(commands, |context| views.timeline.show(ui, context, &extra));
         });
@@ -386,7 +386,7 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
             } else if is_sheet(*scene.side_tab, &views.features) {
                 inner.show(ui, |ui| sheet(ui, scene, views, commands));
             } else {
-                let has_log = scene.documents.log.is_some();
+                let has_log = scene.documents.flight.log.is_some();
                 if !has_log || scene.has_frames() {
                     camera(ui, scene, views, commands);
                 }
@@ -451,7 +451,7 @@ fn settings(ui: &mut Ui, scene: &mut Scene<'_>, commands: &mut Vec<Command>) {
 
 /// The camera picture's size in a column: as wide as the column, at most half as high as `room`.
 fn picture_size(room: egui::Vec2, scene: &Scene<'_>) -> egui::Vec2 {
-    let aspect = scene.documents.flight.as_ref().map_or(0.75, |f| {
+    let aspect = scene.documents.flight.measured.as_ref().map_or(0.75, |f| {
         f.camera.height as f32 / f.camera.width.max(1) as f32
     });
     vec2(room.x, (room.x * aspect).min(0.5 * room.y.max(120.0)))
@@ -468,7 +468,7 @@ fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect).id_salt("camera"));
     inside.set_clip_rect(rect.intersect(ui.clip_rect()));
     scene.with_context(commands, |context| views.camera.show(&mut inside, context));
-    if !is_owned && scene.documents.flight.is_some() {
+    if !is_owned && scene.documents.flight.measured.is_some() {
         let buttons = views.features.iter().filter_map(|it| it.picture_button());
         picture_buttons(ui, scene.tokens, rect, buttons, commands);
     }
@@ -605,8 +605,8 @@ fn strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
 }
 
 fn landmarks(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
-    let (past, future) = scene.documents.history.depth();
-    let examined = scene.documents.examined(scene.selection);
+    let (past, future) = scene.documents.mission.history.depth();
+    let examined = examined(&views.features, scene.selection, scene.documents);
     egui::ScrollArea::vertical()
         .id_salt("landmarks")
         .auto_shrink(false)
@@ -629,6 +629,8 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
             let rect = ui.available_rect_before_wrap();
             let Views { map, features, .. } = views;
             let mut layers = Vec::new();
+            let look_alike = examined(features, scene.selection, scene.documents);
+            let look_alike = look_alike.found.and_then(LookAlike::of);
             let buttons: Vec<_> = features.iter().filter_map(|it| it.map_button()).collect();
             let mut tools: Vec<&mut dyn MapTool> = Vec::new();
             for (index, feature) in features.iter_mut().enumerate() {
@@ -644,15 +646,13 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
                 }
             }
             let extra = MapExtra {
-                map: scene.documents.map.as_ref(),
-                run_generation: scene.documents.run_generation,
-                ghost_generation: scene.documents.ghost_generation,
-                distinctness: scene
-                    .selection
-                    .and_then(|id| scene.documents.distinctness_of(id)),
+                map: scene.documents.map.info.as_ref(),
+                run_generation: scene.documents.run.generation,
+                ghost_generation: scene.documents.run.ghost_generation,
+                look_alike,
                 frame: scene.documents.world_origin().map(LocalFrame::new),
-                ground: &scene.documents.terrain,
-                attribution: scene.documents.attribution(),
+                ground: &scene.documents.map.terrain,
+                attribution: scene.documents.map.attribution(),
                 layers: &layers,
                 buttons: &buttons,
             };

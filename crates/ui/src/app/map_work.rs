@@ -74,14 +74,14 @@ impl MapWork {
         if let Some(old) = self.describing.take() {
             host.leave(old);
         }
-        let order = DescribeMapOrder(documents.map_source.clone());
+        let order = DescribeMapOrder(documents.map.source.clone());
         self.describing = Some(host.start(JobOwner::Map, Job::DescribeMap(order)));
     }
 
     /// Leaves the map that is shown for another one: nothing of the old one is of use. False if it is that already.
     pub fn leave_for(&mut self, map: MapSource, parts: &mut MapParts<'_>) -> bool {
         let documents = &mut *parts.documents;
-        if documents.map_source == map && documents.map.is_some() {
+        if documents.map.source == map && documents.map.info.is_some() {
             return false;
         }
         let tiles = self.tiles.drain().map(|(id, _)| id);
@@ -90,9 +90,8 @@ impl MapWork {
             parts.host.leave(id);
         }
         self.is_declined = false;
-        documents.map_source = map;
-        documents.map = None;
-        documents.distinctness.clear();
+        documents.map.source = map;
+        documents.map.info = None;
         parts.view.tiles.clear();
         true
     }
@@ -124,7 +123,7 @@ impl MapWork {
         let next = wanted.iter().filter(|key| !under_way.contains(key));
         for key in next.take(room).copied() {
             let order = TileOrder {
-                map: documents.map_source.clone(),
+                map: documents.map.source.clone(),
                 window: key.window(),
             };
             let id = host.start(JobOwner::Map, Job::Tile(order));
@@ -170,13 +169,13 @@ impl MapWork {
         let (documents, view) = (&mut *parts.documents, &mut *parts.view);
         match event {
             JobEvent::MapInfo(info) => {
-                if documents.run.is_none() && documents.flight.is_none() {
+                if documents.run.navigated.is_none() && documents.flight.measured.is_none() {
                     view.camera.center = info.bounds.center();
                 }
                 if std::mem::take(&mut view.fits_when_known) {
                     view.fit(info.bounds);
                 }
-                documents.map = Some(info);
+                documents.map.info = Some(info);
                 return std::mem::take(&mut self.fits_flight);
             }
             JobEvent::Failed(why) => {
@@ -222,7 +221,7 @@ impl MapWork {
         if self.preparing.is_some() || self.is_declined {
             return;
         }
-        let order = PrepareMapOrder(parts.documents.map_source.clone());
+        let order = PrepareMapOrder(parts.documents.map.source.clone());
         let job = parts.host.start(JobOwner::Map, Job::PrepareMap(order));
         self.preparing = Some((job, 0.0, "Making an overview of the map".to_owned()));
     }

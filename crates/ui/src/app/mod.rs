@@ -105,7 +105,10 @@ impl App {
         ShortcutListener::hold(ui.ctx(), takes_letters);
         if !ui.input(|i| i.pointer.any_down()) {
             let documents = &mut self.documents;
-            documents.history.finish_drag(&documents.mission);
+            documents
+                .mission
+                .history
+                .finish_drag(&documents.mission.content);
         }
         self.follow_back(ui.ctx(), host);
         self.work(ui.ctx(), host);
@@ -114,7 +117,7 @@ impl App {
             self.stored.store_anew(Some(now + TRY_AGAIN_AFTER));
         }
         self.remember(ui.ctx(), host);
-        if self.playback.playing && self.documents.run.is_some() {
+        if self.playback.playing && self.documents.run.navigated.is_some() {
             ui.ctx().request_repaint();
         }
     }
@@ -145,11 +148,12 @@ impl App {
         let streamed = self
             .documents
             .run
+            .navigated
             .as_ref()
             .and_then(pilotage_core::navigator::Run::span)
             .map(|s| s.1);
         if let Some(streamed) = streamed {
-            let complete = self.documents.run_complete;
+            let complete = self.documents.run.is_complete;
             self.playback.advance(elapsed, span, streamed, complete);
         }
     }
@@ -182,12 +186,12 @@ impl App {
     /// opened, that may be another one.
     fn follow_world(&mut self, host: &mut dyn Host) {
         let documents = &self.documents;
-        let Some(origin) = documents.map_source.origin() else {
+        let Some(origin) = documents.map.source.origin() else {
             return;
         };
         let world = documents.mission.origin;
-        if documents.flight_source == FlightSource::Nothing && world != origin {
-            let moved = documents.map_source.moved(world);
+        if documents.flight.source == FlightSource::Nothing && world != origin {
+            let moved = documents.map.source.moved(world);
             self.change_map(host, moved);
         }
     }
@@ -204,7 +208,7 @@ impl App {
         self.tend_features(context, host);
         self.follow_world(host);
         self.height_work.ask(&mut self.documents, host);
-        if self.documents.run.is_some() || self.fly_work.job.is_none() {
+        if self.documents.run.navigated.is_some() || self.fly_work.job.is_none() {
             // Else where the flight begins is about to be known; anything else would be asked in vain.
             let (documents, map) = (&self.documents, &self.views.map);
             self.map_work.ask_for_tiles(documents, map, host);

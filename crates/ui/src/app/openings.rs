@@ -1,6 +1,5 @@
 //! Files that were opened, while workers look at them.
 
-use pilotage_core::mission::Mission;
 use pilotage_jobs::{Job, JobId, OpenOrder};
 
 use crate::documents::Documents;
@@ -50,11 +49,10 @@ impl Openings {
 
     /// Has files looked at, which the workers have.
     pub fn begin(&mut self, set: OpenedSet, documents: &Documents, host: &mut dyn Host) {
-        let Mission { origin, .. } = documents.mission;
         let order = OpenOrder {
             key: set.key.clone(),
             near: documents.world_origin(),
-            origin,
+            origin: documents.mission.origin,
         };
         let id = host.start(JobOwner::Openings, Job::Open(order));
         let words = format!("Opening {}", set.name);

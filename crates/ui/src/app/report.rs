@@ -11,6 +11,7 @@ use super::side_tab::SideTab;
 use super::views::Views;
 use crate::context::DrawnTimes;
 use crate::documents::{Documents, ViewState};
+use crate::feature::examined;
 use crate::shell::Toasts;
 use crate::timeline::Playback;
 use crate::units::clock;
@@ -95,7 +96,7 @@ impl Report<'_> {
             })
             .collect();
         let navigator = &documents.mission.navigator;
-        let found = self.selection.and_then(|id| documents.distinctness_of(id));
+        let found = examined(&self.views.features, self.selection, documents).found;
         object!({
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
@@ -106,7 +107,7 @@ impl Report<'_> {
                 "boxes": l.boxes.iter().map(|b| json!([b.name, b.min, b.max])).collect::<Vec<_>>(),
                 "absent": l.absent,
             })).collect::<Vec<_>>(),
-            "terrain": documents.terrain.heights().map(|grid| {
+            "terrain": documents.map.terrain.heights().map(|grid| {
                 let center = grid.height_at(&self.views.map.camera.center);
                 object!({
                     "name": grid.name(),
@@ -116,15 +117,15 @@ impl Report<'_> {
                     "center": center,
                 })
             }),
-            "flight": documents.flight.as_ref().map(|f| f.name.clone()),
-            "frames": documents.flight.as_ref().map_or(0, |f| f.frames.len()),
-            "pictures": documents.pictures.count(),
-            "bookmarks": documents.bookmarks,
+            "flight": documents.flight.measured.as_ref().map(|f| f.name.clone()),
+            "frames": documents.flight.measured.as_ref().map_or(0, |f| f.frames.len()),
+            "pictures": documents.flight.pictures.count(),
+            "bookmarks": documents.flight.bookmarks,
             "landmarks": landmarks,
             "selection": self.selection,
             "distinctness": found.map(|d| d.verdict.clone()),
-            "undo": documents.history.depth().0,
-            "redo": documents.history.depth().1,
+            "undo": documents.mission.history.depth().0,
+            "redo": documents.mission.history.depth().1,
             "navigator": object!({
                 "alpha": navigator.alpha,
                 "gate_confidence": navigator.gate_confidence,
@@ -135,7 +136,7 @@ impl Report<'_> {
 
     fn run_json(&self) -> Value {
         let documents = self.documents;
-        let run = documents.run.as_ref();
+        let run = documents.run.navigated.as_ref();
         let step = run.and_then(|r| r.step_at(self.playback.time));
         let frames = || {
             run.into_iter()
@@ -145,13 +146,13 @@ impl Report<'_> {
         object!({
             "job": self.job.map(|(f, w)| object!({"progress": f, "words": w})),
             "run_steps": run.map_or(0, |r| r.steps.len()),
-            "run_complete": documents.run_complete,
-            "run_generation": documents.run_generation,
+            "run_complete": documents.run.is_complete,
+            "run_generation": documents.run.generation,
             "run_landmarks": run.map_or(0, |r| r.landmarks.iter().filter(|l| l.enabled).count()),
             "accepted": frames().map(|f| f.accepted().count()).sum::<usize>(),
             "laid": frames().filter(|f| f.laid.as_ref().is_some_and(RegistrationReport::is_believed)).count(),
             "candidates": frames().map(|f| f.candidates.len()).sum::<usize>(),
-            "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
+            "ghost_steps": documents.run.ghost.as_ref().map_or(0, |r| r.steps.len()),
             "step": step.map(|s| object!({
                 "time": s.time,
                 "north": s.after.position().north,
@@ -199,12 +200,12 @@ impl Report<'_> {
                 "tiles": map.tiles.count(),
                 "ground": map.tiles.has_ground(),
                 "tiles_wanted": map.tiles.wanted().len(),
-                "known": self.documents.map.is_some(),
+                "known": self.documents.map.info.is_some(),
                 "whole": map.tiles.is_whole(),
-                "attribution": self.documents.attribution(),
-                "name": self.documents.map.as_ref().map(|m| m.name.clone()),
-                "gsd": self.documents.map.as_ref().map(|m| m.native_gsd),
-                "bounds": self.documents.map.as_ref().map(|m| {
+                "attribution": self.documents.map.attribution(),
+                "name": self.documents.map.info.as_ref().map(|m| m.name.clone()),
+                "gsd": self.documents.map.info.as_ref().map(|m| m.native_gsd),
+                "bounds": self.documents.map.info.as_ref().map(|m| {
                     [m.bounds.south, m.bounds.west, m.bounds.north, m.bounds.east]
                 }),
             }),
@@ -240,7 +241,7 @@ impl Report<'_> {
         }
         let owner = self.views.owner(self.view.workspace);
         parts.extend(owner.and_then(|it| it.summary(documents, self.view.units)));
-        match (&documents.run, documents.span()) {
+        match (&documents.run.navigated, documents.span()) {
             _ if self.views.hide_flight(self.view.workspace) => {}
             (Some(run), Some(span)) => parts.push(self.run_text(run, span)),
             _ if self.job.is_some() => {}

@@ -106,7 +106,7 @@ impl App {
         self.lay_first_ground(context, host);
         let terrain = host.recall(TERRAIN_KEY);
         if let Some(key) = terrain.and_then(|bytes| String::from_utf8(bytes).ok()) {
-            self.documents.terrain = OpenedTerrain::of_files(&key);
+            self.documents.map.terrain = OpenedTerrain::of_files(&key);
         }
         let aside = self.aside.take();
         if let Some(Aside::Taken) = aside {
@@ -138,7 +138,7 @@ impl App {
             );
         }
         let gone = self.restore_files(host);
-        let map = self.documents.map_source.key();
+        let map = self.documents.map.source.key();
         if !map.is_some_and(|key| gone.contains(key)) {
             self.map_work.describe(&self.documents, host);
         }
@@ -149,7 +149,7 @@ impl App {
     fn lay_first_ground(&mut self, context: &egui::Context, host: &dyn Host) {
         let first = host.recall(FirstSeconds::KEY);
         let first = first.and_then(|bytes| FirstMap::decode(&bytes));
-        let is_shown = |first: &FirstMap| first.source == self.documents.map_source;
+        let is_shown = |first: &FirstMap| first.source == self.documents.map.source;
         let pixels = host.recall(FirstSeconds::GROUND_KEY);
         let (Some(first), Some(pixels)) = (first.filter(is_shown), pixels) else {
             return;

@@ -55,19 +55,22 @@ pub struct CameraLogFeature {
 }
 
 fn missing(work: &CameraLog, documents: &Documents) -> Option<Missing> {
-    let has_map = documents.map_source != MapSource::Nothing;
-    let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
+    let has_map = documents.map.source != MapSource::Nothing;
+    let (flight, run) = (
+        documents.flight.measured.as_ref(),
+        documents.run.navigated.as_ref(),
+    );
     work.missing(flight, run, has_map)
 }
 
 impl CameraLogFeature {
     fn refresh(&mut self, documents: &Documents) -> bool {
-        let generation = (documents.run_complete).then_some(documents.run_generation);
+        let generation = (documents.run.is_complete).then_some(documents.run.generation);
         self.work.refresh(
-            documents.flight.as_ref(),
-            documents.run.as_ref(),
+            documents.flight.measured.as_ref(),
+            documents.run.navigated.as_ref(),
             generation,
-            &documents.flown_camera,
+            &documents.flight.flown_camera,
             documents.mission.camera_to_log.as_ref(),
         )
     }
@@ -99,7 +102,7 @@ impl CameraLogFeature {
     fn fly_and_estimate(&mut self, context: &mut FeatureContext<'_>) {
         context.show();
         let documents = &mut *context.documents;
-        let Some(flight) = &documents.flight else {
+        let Some(flight) = &documents.flight.measured else {
             return;
         };
         let mut settings = documents.mission.navigator.clone();
@@ -156,8 +159,8 @@ impl Feature for CameraLogFeature {
         let scene = CameraLogScene {
             work: &self.work,
             job: &self.job,
-            has_map: documents.map_source != MapSource::Nothing,
-            flying: context.flying.filter(|_| !documents.run_complete),
+            has_map: documents.map.source != MapSource::Nothing,
+            flying: context.flying.filter(|_| !documents.run.is_complete),
         };
         self.view.show(ui, context, &scene);
     }
@@ -209,7 +212,7 @@ impl Feature for CameraLogFeature {
     }
 
     fn findings(&self, documents: &Documents) -> Vec<Finding> {
-        let left = self.work.left(&documents.flown_camera);
+        let left = self.work.left(&documents.flight.flown_camera);
         left.map_or_else(Vec::new, |left| camera_findings(&left))
     }
 
@@ -220,7 +223,11 @@ impl Feature for CameraLogFeature {
         let missing = missing(work, documents);
         let summaries = work.preview().map(|preview| preview.summaries);
         let rms = summaries.map(|of| of.map(|s| s.map(|s| s.place)));
-        let frames = documents.flight.as_ref().map_or(&[][..], |f| &f.frames);
+        let frames = documents
+            .flight
+            .measured
+            .as_ref()
+            .map_or(&[][..], |f| &f.frames);
         object!({
             "missing": missing.map(|missing| format!("{missing:?}")),
             "at_work": self.job.words.is_some(),

@@ -69,7 +69,7 @@ pub struct Compare {
 
 /// Seconds since 1970 at time zero of the flight that is open, where its log says so.
 fn utc_at_zero(documents: &Documents) -> Option<f64> {
-    documents.log.as_ref()?.utc_at_zero
+    documents.flight.log.as_ref()?.utc_at_zero
 }
 
 /// Name of a kept run of the flight `of`: with its estimator where that is not the usual one.
@@ -86,9 +86,12 @@ impl Compare {
     fn keep(&mut self, id: TrackId, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
         let utc = utc_at_zero(documents);
-        let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
-        let is_recorded = documents.log.is_some();
-        let open = open_tracks(flight, run, documents.ghost.as_ref(), utc, is_recorded);
+        let (flight, run) = (
+            documents.flight.measured.as_ref(),
+            documents.run.navigated.as_ref(),
+        );
+        let is_recorded = documents.flight.log.is_some();
+        let open = open_tracks(flight, run, documents.run.ghost.as_ref(), utc, is_recorded);
         let wanted = open.into_iter().find(|(found, _)| *found == id);
         let Some((_, mut track)) = wanted else {
             let text = "Simulate or open a flight first.".to_owned();
@@ -108,8 +111,12 @@ impl Compare {
     /// Has every step of the run estimated from all of the flight; the result is kept.
     fn smooth(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
-        let run = documents.run.as_ref().filter(|_| documents.run_complete);
-        let (Some(flight), Some(run)) = (documents.flight.as_ref(), run) else {
+        let run = documents
+            .run
+            .navigated
+            .as_ref()
+            .filter(|_| documents.run.is_complete);
+        let (Some(flight), Some(run)) = (documents.flight.measured.as_ref(), run) else {
             let text = "Wait until the flight is flown to its end.".to_owned();
             return context.note("Nothing to smooth yet", text);
         };
@@ -161,8 +168,8 @@ impl Compare {
     fn fly_by_all(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
         let order = ContestOrder::of_all(
-            documents.flight_source.clone(),
-            documents.map_source.clone(),
+            documents.flight.source.clone(),
+            documents.map.source.clone(),
             documents.mission.clone(),
         );
         let job = Job::Contest(Box::new(order));
@@ -196,8 +203,8 @@ impl Feature for Compare {
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
         let scene = CompareScene {
             shelf: &self.shelf,
-            generations: [documents.run_generation, documents.ghost_generation],
-            is_complete: documents.run_complete,
+            generations: [documents.run.generation, documents.run.ghost_generation],
+            is_complete: documents.run.is_complete,
             contest: &self.contest,
             utc_at_zero: utc_at_zero(documents),
         };

@@ -114,7 +114,7 @@ impl Judgement {
 /// Job that judges the detector of a landmark: on generated days and, where the flight was recorded, on its pictures.
 fn judging(landmark: Landmark, documents: &Documents) -> Job {
     let about = AssessmentOrder {
-        map: documents.map_source.clone(),
+        map: documents.map.source.clone(),
         landmark,
         camera: flown::camera(documents),
         height: flown::flown_height(documents),
@@ -122,8 +122,8 @@ fn judging(landmark: Landmark, documents: &Documents) -> Job {
         ground_down: flown::ground_down(documents),
         seed: AssessmentOrder::SEED,
     };
-    let is_recorded = matches!(documents.flight_source, FlightSource::Files(_));
-    let flight = is_recorded.then(|| documents.flight_source.clone());
+    let is_recorded = matches!(documents.flight.source, FlightSource::Files(_));
+    let flight = is_recorded.then(|| documents.flight.source.clone());
     let order = EvaluationOrder::usual(about, flight, (PHOTOS, DAYS));
     Job::Evaluate(Box::new(order))
 }

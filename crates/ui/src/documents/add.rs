@@ -14,8 +14,8 @@ pub struct Added {
 impl Documents {
     /// Adds what several files brought, as one step; each gets a free identity.
     pub fn add_all(&mut self, files: Vec<Brought>) -> Added {
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         let mut added = Added::default();
         for file in files {
             for mut route in file.routes {
@@ -72,6 +72,6 @@ mod tests {
         let names = documents.mission.rally.iter().map(|point| &point.name);
         assert_eq!(names.collect::<Vec<_>>(), ["Rally 1", "Rally 2"]);
         assert_eq!(documents.undo(), Some(true));
-        assert_eq!(documents.mission, before);
+        assert_eq!(documents.mission.content, before);
     }
 }

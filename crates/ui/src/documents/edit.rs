@@ -10,24 +10,24 @@ use super::Documents;
 impl Documents {
     /// Adds a landmark with this box; its id.
     pub fn add_landmark(&mut self, bounds: GroundRect) -> u32 {
-        self.history.remember(&self.mission);
+        self.mission.remember();
         let id = self.mission.free_landmark_id();
         let name = format!("Landmark {id}");
         self.mission.landmarks.push(Landmark::new(id, name, bounds));
-        self.mission_edited = true;
+        self.mission.is_edited = true;
         id
     }
 
     /// Gives a landmark another box; the reference point keeps its place in it. True once the drag
     /// is over.
     pub fn reshape_landmark(&mut self, id: u32, bounds: GroundRect, finished: bool) -> bool {
-        self.history.begin_drag(&self.mission);
+        self.mission.history.begin_drag(&self.mission.content);
         if let Some(landmark) = self.mission.landmarks.iter_mut().find(|l| l.id == id) {
             landmark.reshape(bounds);
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         if finished {
-            self.history.finish_drag(&self.mission);
+            self.mission.history.finish_drag(&self.mission.content);
         }
         finished
     }
@@ -38,10 +38,10 @@ impl Documents {
         if !known {
             return;
         }
-        self.history.remember(&self.mission);
+        self.mission.remember();
         if let Some(landmark) = self.mission.landmarks.iter_mut().find(|l| l.id == id) {
             landmark.name = name;
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
     }
 
@@ -52,11 +52,11 @@ impl Documents {
             .landmark(id)
             .is_some_and(|l| l.enabled != enabled);
         if changes {
-            self.history.remember(&self.mission);
+            self.mission.remember();
             for landmark in self.mission.landmarks.iter_mut().filter(|l| l.id == id) {
                 landmark.enabled = enabled;
             }
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         changes
     }
@@ -65,9 +65,9 @@ impl Documents {
     pub fn delete_landmark(&mut self, id: u32) -> bool {
         let known = self.mission.landmark(id).is_some();
         if known {
-            self.history.remember(&self.mission);
+            self.mission.remember();
             self.mission.landmarks.retain(|l| l.id != id);
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         known
     }
@@ -79,12 +79,12 @@ impl Documents {
             return false;
         }
         if continues {
-            self.history.begin_drag(&self.mission);
+            self.mission.history.begin_drag(&self.mission.content);
         } else {
-            self.history.remember(&self.mission);
+            self.mission.remember();
         }
         self.mission.navigator = settings.clone();
-        self.mission_edited = true;
+        self.mission.is_edited = true;
         true
     }
 
@@ -93,21 +93,21 @@ impl Documents {
         if self.mission.camera_to_log == change {
             return false;
         }
-        self.history.remember(&self.mission);
+        self.mission.remember();
         self.mission.camera_to_log = change;
-        self.mission_edited = true;
+        self.mission.is_edited = true;
         true
     }
 
     /// Takes the last edit back; `None` if there was none, else whether the run is affected.
     pub fn undo(&mut self) -> Option<bool> {
-        let before = self.history.undo(&self.mission)?;
+        let before = self.mission.history.undo(&self.mission.content)?;
         Some(self.replace_mission(before))
     }
 
     /// Makes the edit taken back again; `None` if there was none, else whether the run is affected.
     pub fn redo(&mut self) -> Option<bool> {
-        let after = self.history.redo(&self.mission)?;
+        let after = self.mission.history.redo(&self.mission.content)?;
         Some(self.replace_mission(after))
     }
 
@@ -126,8 +126,8 @@ impl Documents {
                 let of = |l: &Landmark| (l.id, l.bounds, l.enabled, l.reference, l.height);
                 of(a) != of(b) || a.detector_in_use() != b.detector_in_use()
             });
-        self.mission = mission;
-        self.mission_edited = true;
+        self.mission.content = mission;
+        self.mission.is_edited = true;
         affected
     }
 }

@@ -88,12 +88,12 @@ impl History {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::documents::Documents;
+    use crate::documents::empty_mission;
 
     fn named(name: &str) -> Mission {
         Mission {
             name: name.into(),
-            ..Documents::empty_mission()
+            ..empty_mission()
         }
     }
 

@@ -80,20 +80,20 @@ impl Documents {
         let pairs = || std::iter::zip(&landmarks, &self.mission.landmarks);
         let other_detector = pairs().any(|(a, b)| a.detector_in_use() != b.detector_in_use());
         if changes {
-            self.history.begin_drag(&self.mission);
+            self.mission.history.begin_drag(&self.mission.content);
             self.mission.landmarks = landmarks;
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         if finished {
-            self.history.finish_drag(&self.mission);
+            self.mission.history.finish_drag(&self.mission.content);
         }
         finished && (other_detector || change.affects_run())
     }
 
     /// Adds a landmark that is no box; its id.
     pub fn add_drawn(&mut self, drawn: &DrawnLandmark) -> u32 {
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         let id = self.mission.free_landmark_id();
         let name = format!("Landmark {id}");
         let landmark = match drawn {
@@ -128,8 +128,8 @@ impl Documents {
         if originals.is_empty() {
             return Vec::new();
         }
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         let mut copies = Vec::new();
         for of in originals {
             let id = self.mission.free_landmark_id();
@@ -150,9 +150,9 @@ impl Documents {
     pub fn delete_landmarks(&mut self, ids: &[u32]) -> bool {
         let known = self.mission.landmarks.iter().any(|l| ids.contains(&l.id));
         if known {
-            self.history.remember(&self.mission);
+            self.mission.remember();
             self.mission.landmarks.retain(|l| !ids.contains(&l.id));
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         known
     }
@@ -185,7 +185,7 @@ mod tests {
         let set = |d: &Documents| d.mission.landmarks.iter().all(|l| l.category() == "roof");
         assert!(set(&documents));
         assert_eq!(documents.undo(), Some(false));
-        assert_eq!(documents.mission, before);
+        assert_eq!(documents.mission.content, before);
     }
 
     #[test]
@@ -205,7 +205,7 @@ mod tests {
         let change = LandmarkChange::Outline(same.unwrap());
         assert!(documents.edit_landmarks(&[outline], &change, true));
         assert_eq!(documents.undo(), Some(true), "the box is another one");
-        assert_eq!(documents.mission, before);
+        assert_eq!(documents.mission.content, before);
     }
 
     #[test]

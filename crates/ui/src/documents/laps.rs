@@ -7,12 +7,14 @@ impl Documents {
     /// the run has at least so many steps; returns how many it has then. Nothing is computed anew:
     /// every lap repeats the first one at a later time.
     pub fn repeat_laps(&mut self, least_steps: usize) -> usize {
-        let Some(run) = &mut self.run else { return 0 };
+        let Some(run) = &mut self.run.navigated else {
+            return 0;
+        };
         let (lap_steps, Some((first, last))) = (run.steps.len(), run.span()) else {
             return 0;
         };
         let laps = least_steps.div_ceil(lap_steps);
-        let lap_frames = self.flight.as_ref().map_or(0, |f| f.frames.len());
+        let lap_frames = self.flight.measured.as_ref().map_or(0, |f| f.frames.len());
         let interval = (last - first) / (lap_steps.max(2) - 1) as f64;
         let lap_time = last - first + interval;
         run.steps.reserve_exact(laps.saturating_sub(1) * lap_steps);
@@ -26,9 +28,9 @@ impl Documents {
                 run.steps.push(step);
             }
         }
-        self.pictures.repeat(lap_frames);
+        self.flight.pictures.repeat(lap_frames);
         let steps = run.steps.len();
-        if let Some(flight) = &mut self.flight {
+        if let Some(flight) = &mut self.flight.measured {
             repeat(&mut flight.frames, laps, lap_time, |f| &mut f.time);
             if let Some(truth) = &mut flight.truth {
                 truth.states.retain(|s| s.time < first + lap_time);
@@ -43,7 +45,7 @@ impl Documents {
                 (channel.times, channel.values) = rows.into_iter().unzip();
             }
         }
-        self.run_generation += 1;
+        self.run.generation += 1;
         steps
     }
 }

@@ -12,8 +12,8 @@ const NEAR: f64 = 60_000.0;
 impl Documents {
     /// The map that is open, if it lies where a flight is whose world frame is `frame`; else none.
     pub fn map_under(&self, frame: Option<LocalFrame>) -> MapSource {
-        let open = &self.map_source;
-        let map = self.map.as_ref();
+        let open = &self.map.source;
+        let map = self.map.info.as_ref();
         let at = open.origin().or_else(|| map.and_then(|map| map.origin));
         let is_near = |at: Geodetic| {
             let away = frame?.world_from_geodetic(&at);

@@ -1,10 +1,11 @@
-//! Documents that are open: the mission, the flight, the run, its ghost, the pictures.
+//! Documents that are open: the mission, the flight, the run and the map.
 
 mod add;
 mod brought;
 mod edit;
 mod empty_mission;
 mod findings;
+mod flight_document;
 mod frame_pictures;
 mod ground;
 mod history;
@@ -12,10 +13,13 @@ pub mod kept;
 pub mod landmarks;
 mod laps;
 mod log_file;
+mod map_document;
 mod map_under;
+mod mission_document;
 mod noticed;
 mod panel_layout;
 mod planned_ground;
+mod run_document;
 mod session;
 mod store;
 mod stored_session;
@@ -23,13 +27,18 @@ mod view_panels;
 
 pub use add::Added;
 pub use brought::Brought;
+pub use empty_mission::empty_mission;
+pub use flight_document::FlightDocument;
 pub use frame_pictures::FramePictures;
 pub use ground::{OpenedTerrain, TERRAIN_KEY};
 pub use history::History;
 pub use log_file::LogFile;
+pub use map_document::MapDocument;
 pub use map_under::with_origin;
+pub use mission_document::MissionDocument;
 pub use noticed::Noticed;
 pub use pilotage_core::navigator::{RunFileError, decode_run, encode_run};
 pub use planned_ground::planned_ground;
+pub use run_document::RunDocument;
 pub use session::{SESSION_KEY, Session, UNREAD_KEY, VIEW_KEY, ViewState};
 pub use store::{Documents, Staged};

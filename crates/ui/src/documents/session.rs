@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_session_survives_the_storage() {
         let session = Session {
-            mission: Some(crate::documents::Documents::empty_mission()),
+            mission: Some(crate::documents::empty_mission()),
             bookmarks: vec![1.5],
             ..Session::demo()
         };
@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn areas_that_were_stored_before_they_could_have_holes_are_read() {
-        let mut mission = crate::documents::Documents::empty_mission();
+        let mut mission = crate::documents::empty_mission();
         mission.no_fly.push(NoFlyZone {
             name: "Village".to_owned(),
             ..NoFlyZone::default()

@@ -172,7 +172,7 @@ impl Feature for ExportsFeature {
 
 fn save_run(context: &mut FeatureContext<'_>) {
     let title = "The run was not saved";
-    match context.documents.run.as_ref().map(encode_run) {
+    match context.documents.run.navigated.as_ref().map(encode_run) {
         Some(Ok(bytes)) => {
             let name = format!("{}.run", stem(&context.documents.mission.name));
             context.host.save_file(&name, &bytes);

@@ -8,7 +8,7 @@ use crate::shell::CommandLack;
 pub(super) fn missing(command: &ExportCommand, documents: &Documents) -> Option<CommandLack> {
     let mission = &documents.mission;
     let has_steps = || {
-        let run = documents.run.as_ref();
+        let run = documents.run.navigated.as_ref();
         run.is_some_and(|run| !run.steps.is_empty())
     };
     let (is_there, what, advice) = match command {
@@ -18,12 +18,12 @@ pub(super) fn missing(command: &ExportCommand, documents: &Documents) -> Option<
             "Simulate or open a flight first.",
         ),
         ExportCommand::Track(_) => (
-            has_steps() && documents.flight.is_some(),
+            has_steps() && documents.flight.measured.is_some(),
             "No flown track to save",
             "Open a flight or simulate one, and let it be navigated.",
         ),
         ExportCommand::Route(_) => (
-            documents.selected_route().is_some(),
+            documents.mission.selected_route().is_some(),
             "No route to export",
             "Draw one in the Plan workspace, or open a file with one.",
         ),

@@ -14,8 +14,8 @@ impl MissionFile {
     pub(super) fn make(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
         let mut beside = Beside {
-            simulation: documents.flight_source.simulation().cloned(),
-            bookmarks: documents.bookmarks.clone(),
+            simulation: documents.flight.source.simulation().cloned(),
+            bookmarks: documents.flight.bookmarks.clone(),
             ..Beside::default()
         };
         for feature in context.others() {
@@ -24,7 +24,7 @@ impl MissionFile {
         let order = PackOrder {
             mission: documents.mission.clone(),
             beside,
-            map: documents.map_source.clone(),
+            map: documents.map.source.clone(),
         };
         let name = format!("{}.pilotage.zip", stem(&documents.mission.name));
         let id = context.start(Job::Pack(Box::new(order)));
@@ -50,7 +50,7 @@ impl MissionFile {
         match event {
             JobEvent::Packed { bytes, lacks } => {
                 context.host.save_file(name, &bytes);
-                context.documents.history.mark_saved();
+                context.documents.mission.history.mark_saved();
                 if let Some(lacks) = lacks {
                     let text = format!("{name} is saved. {lacks}");
                     context.trouble("The mission file has no map in it", text);

@@ -12,7 +12,7 @@ pub(super) fn route_file(
     format: Format,
     context: &FeatureContext<'_>,
 ) -> Option<(ExportedFile, ExportOrder)> {
-    let route = context.documents.selected_route()?;
+    let route = context.documents.mission.selected_route()?;
     let mission = &context.documents.mission;
     let file = ExportedFile {
         what: "Route",

@@ -53,7 +53,7 @@ pub struct Films {
 impl Films {
     fn begin(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
-        let run = documents.run.as_ref().and_then(Run::span);
+        let run = documents.run.navigated.as_ref().and_then(Run::span);
         let (Some(whole), Some((_, last))) = (documents.span(), run) else {
             let text = "Open or simulate a flight first; it is filmed as it is replayed.";
             return context.note("There is nothing to film", text);

@@ -57,7 +57,7 @@ impl Feature for GeoreferencerFeature {
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
         let is_idle = self.picture.as_ref().is_some_and(|picture| {
             let came = FlightSource::Files(picture.key.clone());
-            picture.points.is_empty() && context.documents.flight_source != came
+            picture.points.is_empty() && context.documents.flight.source != came
         });
         if is_idle {
             self.close(context);

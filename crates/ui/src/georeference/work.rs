@@ -70,7 +70,7 @@ impl GeoreferencerFeature {
         }
         self.picture = Some(picture);
         context.playback.playing = false;
-        let map = context.documents.map.as_ref().map(|m| m.bounds);
+        let map = context.documents.map.info.as_ref().map(|m| m.bounds);
         if let Some(ground) = map.filter(|r| r.width().max(r.height()) < LARGEST_SHOWN) {
             context.map.fit(ground);
         }

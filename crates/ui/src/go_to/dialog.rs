@@ -97,7 +97,7 @@ impl GoTo {
         let Some(origin) = self.elsewhere else {
             return false;
         };
-        let (words, command) = if let MapSource::Web(map) = &documents.map_source {
+        let (words, command) = if let MapSource::Web(map) = &documents.map.source {
             let there = WebMap {
                 origin,
                 ..map.clone()

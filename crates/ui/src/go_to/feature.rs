@@ -118,7 +118,7 @@ impl GoTo {
             return;
         }
         let point = frame.ground_from_geodetic(&place);
-        let is_bare = (documents.map.as_ref()).is_none_or(|map| !map.bounds.contains(&point));
+        let is_bare = (documents.map.info.as_ref()).is_none_or(|map| !map.bounds.contains(&point));
         context.map.camera.center = point;
         context.map.stay();
         self.is_open = false;

@@ -30,12 +30,12 @@ pub(super) fn choose_landmark(rows: i32, context: &mut FeatureContext<'_>) {
 
 /// Index of the frame at the cursor.
 pub(super) fn frame_at_cursor(context: &FeatureContext<'_>) -> Option<usize> {
-    let flight = context.documents.flight.as_ref()?;
+    let flight = context.documents.flight.measured.as_ref()?;
     shown_frame(flight, context.playback.time)
 }
 
 fn frame_numbered(documents: &Documents, frame: usize) -> Option<LabelledFrame> {
-    let flight = documents.flight.as_ref()?;
+    let flight = documents.flight.measured.as_ref()?;
     let size = (flight.camera.width as u32, flight.camera.height as u32);
     Some((flight.frames.get(frame)?.name.clone(), size))
 }
@@ -51,10 +51,16 @@ pub(super) fn set_label(
     let Some((name, size)) = frame_numbered(documents, frame) else {
         return;
     };
-    documents.history.begin_drag(&documents.mission);
+    documents
+        .mission
+        .history
+        .begin_drag(&documents.mission.content);
     documents.mission.set_label(&name, size, label);
     if finished {
-        documents.history.finish_drag(&documents.mission);
+        documents
+            .mission
+            .history
+            .finish_drag(&documents.mission.content);
     }
     labels_changed(context);
 }
@@ -68,7 +74,7 @@ pub(super) fn say_of_label(command: &LabelCommand, context: &mut FeatureContext<
         return false;
     };
     let before = documents.mission.clone();
-    let mission = &mut documents.mission;
+    let mission = &mut documents.mission.content;
     match command {
         LabelCommand::MarkAbsent => mission.mark_absent(&name, size, landmark),
         LabelCommand::ToggleDifficult => {
@@ -83,14 +89,14 @@ pub(super) fn say_of_label(command: &LabelCommand, context: &mut FeatureContext<
         }
     }
     if *mission != before {
-        documents.history.remember(&before);
+        documents.mission.history.remember(&before);
         labels_changed(context);
     }
     true
 }
 
 fn labels_changed(context: &mut FeatureContext<'_>) {
-    context.documents.mission_edited = true;
+    context.documents.mission.is_edited = true;
     context.document_changed();
 }
 
@@ -124,7 +130,7 @@ pub(super) fn add_labels(file: &str, found: FoundLabels, context: &mut FeatureCo
         notes.insert(0, text);
         return context.trouble(&title, sentences(&notes));
     }
-    let flown = documents.flight.iter().flat_map(|f| &f.frames);
+    let flown = documents.flight.measured.iter().flat_map(|f| &f.frames);
     let flown: std::collections::BTreeSet<&str> = flown.map(|f| f.name.as_str()).collect();
     let others = frames.iter().filter(|f| !flown.contains(f.frame.as_str()));
     let others = others.count();
@@ -138,7 +144,7 @@ pub(super) fn add_labels(file: &str, found: FoundLabels, context: &mut FeatureCo
         "Added {boxes} labels in {} pictures from {file}",
         frames.len()
     );
-    documents.history.remember(&documents.mission);
+    documents.mission.remember();
     documents.mission.add_labels(frames);
     labels_changed(context);
     context.note(&title, sentences(&notes));

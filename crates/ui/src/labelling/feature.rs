@@ -94,7 +94,7 @@ impl Feature for Labelling {
 
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
         if let Some(labeller) = &mut self.labeller {
-            let (past, future) = documents.history.depth();
+            let (past, future) = documents.mission.history.depth();
             labeller.panel(ui, context, (past > 0, future > 0));
         }
     }

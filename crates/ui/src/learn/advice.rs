@@ -14,10 +14,10 @@ pub(super) fn advice(
     context: &mut ViewContext<'_>,
     documents: &Documents,
 ) -> Option<Rect> {
-    if documents.log.is_some() {
+    if documents.flight.log.is_some() {
         return None;
     }
-    let text = if documents.run.is_some() {
+    let text = if documents.run.navigated.is_some() {
         "This aircraft finds its way without GPS. The dots show where it might be: they spread until the camera \
          recognises a landmark, then draw together. Drag the time below, or press N and draw a landmark of your own."
             .to_owned()

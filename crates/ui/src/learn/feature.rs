@@ -112,7 +112,7 @@ impl Feature for LearnFeature {
     }
 
     fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
-        let is_demo = matches!(documents.flight_source, FlightSource::Simulated(_));
+        let is_demo = matches!(documents.flight.source, FlightSource::Simulated(_));
         (is_demo && workspace == Workspace::Replay).then(|| NextStep {
             icon: Icon::Learn,
             label: "Take the tour",

@@ -97,7 +97,7 @@ impl LinkFeature {
 
 /// Copies a link to what is shown.
 fn copy(context: &mut FeatureContext<'_>) {
-    let FlightSource::Simulated(simulation) = &context.documents.flight_source else {
+    let FlightSource::Simulated(simulation) = &context.documents.flight.source else {
         let text = "A link carries the view and the built-in flights only. Save the mission as a \
                     file to pass on what you have opened.";
         context.note("Opened files do not fit into a link", text);
@@ -113,7 +113,7 @@ fn copy(context: &mut FeatureContext<'_>) {
         time: context.playback.time,
     };
     context.host.copy_link(&link.encode());
-    let text = if context.documents.mission_edited {
+    let text = if context.documents.mission.is_edited {
         "It carries the view and the built-in flight, not your edits: save the mission as a file \
          to pass them on."
     } else {
@@ -147,7 +147,7 @@ impl Feature for LinkFeature {
 
     /// Looks at the flight as the link says, once the flight is there.
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
-        if context.documents.run.is_none() {
+        if context.documents.run.navigated.is_none() {
             return;
         }
         let Some(link) = self.followed.take() else {

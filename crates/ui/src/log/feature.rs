@@ -76,7 +76,7 @@ impl Feature for LogFeature {
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
-        if context.documents.log.is_none() {
+        if context.documents.flight.log.is_none() {
             self.leave(context);
             self.log = None;
         }
@@ -130,13 +130,14 @@ impl Feature for LogFeature {
         let has_no_track = log.is_some_and(|log| log.tracks.0.is_empty());
         let is_read = self.reading.is_none()
             && documents
+                .flight
                 .log
                 .as_ref()
                 .is_some_and(|it| it.unnavigable.is_some());
         has_no_track
             && is_read
-            && documents.flight.is_none()
-            && documents.map_source == MapSource::Nothing
+            && documents.flight.measured.is_none()
+            && documents.map.source == MapSource::Nothing
     }
 
     fn read_flight(&mut self, files: &FlightFiles, context: &mut FeatureContext<'_>) {

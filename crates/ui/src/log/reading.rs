@@ -8,7 +8,7 @@ use pilotage_jobs::{
 use super::OpenLog;
 use super::work::{LogAnswers, LogFeature, Reading};
 use crate::documents::kept::put_beside;
-use crate::documents::{Documents, Staged, with_origin};
+use crate::documents::{Staged, empty_mission, with_origin};
 use crate::feature::{FeatureContext, FlightFiles, OpenedSet};
 
 /// Times that a log is read again because nobody has it any more.
@@ -19,7 +19,7 @@ impl LogFeature {
     pub(super) fn read(&mut self, flight: FlightFiles, context: &mut FeatureContext<'_>) {
         self.stop_reading(context);
         let is_known = self.log.as_ref().is_some_and(|log| log.key == flight.key);
-        if flight.is_open && context.documents.log.is_some() && !is_known {
+        if flight.is_open && context.documents.flight.log.is_some() && !is_known {
             self.log = Some(OpenLog::new(flight.key.clone(), flight.name.clone()));
         }
         let order = ReadLogOrder {
@@ -60,7 +60,7 @@ impl LogFeature {
             name: name.clone(),
             files,
         });
-        let map = context.documents.map_source.clone();
+        let map = context.documents.map.source.clone();
         self.read(FlightFiles::opened(key, name, Some(map), None), context);
     }
 
@@ -124,7 +124,7 @@ impl LogFeature {
 
     /// More of the log was read.
     fn grow(&mut self, outline: LogOutline, context: &mut FeatureContext<'_>) {
-        if let Some(file) = &mut context.documents.log {
+        if let Some(file) = &mut context.documents.flight.log {
             file.grow(&outline);
         }
         if let Some(log) = &mut self.log {
@@ -140,7 +140,7 @@ impl LogFeature {
         let Some(log) = &mut self.log else {
             return;
         };
-        if let Some(file) = &mut context.documents.log {
+        if let Some(file) = &mut context.documents.flight.log {
             file.take_off = read.overview.airborne.first().map(|(from, _)| *from);
         }
         log.overview = Some(read.overview);
@@ -195,18 +195,18 @@ impl LogFeature {
 /// no landmark that was not put there.
 fn look_at_fields(flight: &FlightFiles, why: &str, context: &mut FeatureContext<'_>) {
     let documents = &mut *context.documents;
-    if let Some(file) = &mut documents.log {
+    if let Some(file) = &mut documents.flight.log {
         file.unnavigable = Some(why.to_owned());
     }
     if let Some(time) = documents.first_look() {
         context.playback.time = time;
     }
-    if !documents.mission_edited {
+    if !documents.mission.is_edited {
         let staged = Staged {
-            mission: Some(Documents::empty_mission()),
+            mission: Some(empty_mission()),
             ..Staged::default()
         };
-        let source = documents.flight_source.clone();
+        let source = documents.flight.source.clone();
         documents.look_at(staged, &source);
         context.change_map(MapSource::Nothing);
     }

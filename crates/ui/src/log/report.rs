@@ -20,7 +20,7 @@ impl LogFeature {
         let findings = log.overview.iter().flat_map(|o| &o.findings);
         let findings = findings.chain(&noticed);
         let points: usize = log.series.values().map(|s| s.times.len()).sum();
-        let file = documents.log.as_ref();
+        let file = documents.flight.log.as_ref();
         json!({
             "file": log.file,
             "read": log.is_read(),

@@ -13,12 +13,12 @@ use super::labels::LandmarkLabel;
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layer::MapLayer;
 use super::layers::{Layer, Layers};
+use super::look_alike::LookAlike;
 use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
 use super::roads::DrawnRoads;
 use super::symbols::{
-    paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
-    paint_sigma,
+    paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_sigma,
 };
 use super::tiles::TileCache;
 use super::tool::{MapCanvas, MapStage, MapTool};
@@ -28,7 +28,7 @@ use crate::context::{DrawnTimes, ViewContext};
 use crate::documents::OpenedTerrain;
 use crate::shell::BELOW_HUD;
 use crate::tokens::Tokens;
-use pilotage_jobs::{Distinctness, MapInfo};
+use pilotage_jobs::MapInfo;
 
 /// Most points of the screen that a pixel of the map is drawn across.
 const POINTS_PER_PIXEL: f64 = 6.0;
@@ -44,8 +44,8 @@ pub struct MapExtra<'a> {
     pub run_generation: u64,
     /// Generation of the ghost.
     pub ghost_generation: u64,
-    /// Distinctness of the selected landmark.
-    pub distinctness: Option<&'a Distinctness>,
+    /// The strongest look-alike of the selected landmark.
+    pub look_alike: Option<LookAlike>,
     /// The world frame, if it has a place on the globe.
     pub frame: Option<LocalFrame>,
     /// The height of the ground.
@@ -417,9 +417,9 @@ impl MapView {
         }
         let aircraft = belief.map(|(belief, _)| view.apply(&belief.position));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
-        if let Some(distinctness) = extra.distinctness {
+        if let Some(look_alike) = &extra.look_alike {
             let most = context.mission.navigator.detector.greatest_ambiguity;
-            labels.extend(paint_look_alike(painter, view, distinctness, most, tokens));
+            labels.push(look_alike.paint(painter, view, most, tokens));
         }
         let shows_landmarks = shows(Layer::Landmarks);
         if shows_landmarks || !labels.is_empty() {
@@ -557,9 +557,6 @@ impl MapView {
     }
 }
 
-/// Rank of the name of a look-alike, below that of what was recognised.
-const LOOK_ALIKE_RANK: u8 = 2;
-
 /// A belief as it is drawn, and its step.
 type BeliefOfStep<'a> = (ShownBelief, &'a StepReport);
 
@@ -587,36 +584,4 @@ fn status_color(frame_step: Option<&StepReport>, tokens: &Tokens) -> egui::Color
     } else {
         tokens.dead_reckoning
     }
-}
-
-/// Marks the strongest look-alike of the selected landmark and joins the two, and returns what is to be written
-/// beside it; `most` is the greatest score at which the landmark is not refused.
-fn paint_look_alike(
-    painter: &egui::Painter,
-    view: &ScreenFromWorld,
-    distinctness: &Distinctness,
-    most: f64,
-    tokens: &Tokens,
-) -> Option<LandmarkLabel> {
-    let (place, score) = distinctness.look_alike?;
-    let bounds = GroundRect::centered(
-        place,
-        distinctness.bounds.height(),
-        distinctness.bounds.width(),
-    );
-    let corners = view.corners(&bounds);
-    let from = view.apply(&distinctness.bounds.center());
-    let to: Pos2 = view.apply(&place);
-    paint_lifted_line(painter, [from, to], 1.0, tokens.warning, tokens);
-    let mut closed = corners.to_vec();
-    closed.push(corners[0]);
-    let stroke = Stroke::new(2.0, tokens.warning);
-    painter.extend(egui::Shape::dashed_line(&closed, stroke, 5.0, 3.0));
-    Some(LandmarkLabel {
-        rank: LOOK_ALIKE_RANK,
-        around: Rect::from_points(&corners),
-        top: super::transform::topmost(&corners),
-        text: format!("look-alike {score:.2}, refused from {most:.2}"),
-        color: tokens.warning,
-    })
 }

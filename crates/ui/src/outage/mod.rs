@@ -54,7 +54,7 @@ impl Outages {
 
     fn begin(&mut self, context: &mut FeatureContext<'_>, cut: Outage) {
         let documents = &*context.documents;
-        if documents.flight.is_none() {
+        if documents.flight.measured.is_none() {
             return context.note("Nothing to cut", "Open a flight log first.");
         }
         let words = match cut {
@@ -62,7 +62,7 @@ impl Outages {
             Outage::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
         };
         let order = OutageOrder {
-            flight: documents.flight_source.clone(),
+            flight: documents.flight.source.clone(),
             cut,
             seen: seen(documents),
         };
@@ -74,7 +74,11 @@ impl Outages {
 
 /// Positions that the whole run found in the pictures, and what to call them; `None` without any.
 fn seen(documents: &Documents) -> Option<(String, Vec<PositionFix>)> {
-    let run = documents.run.as_ref().filter(|_| documents.run_complete)?;
+    let run = documents
+        .run
+        .navigated
+        .as_ref()
+        .filter(|_| documents.run.is_complete)?;
     let fixes = position_fixes(run);
     let by = if run.settings.whole_frames.is_some() {
         "pictures"
@@ -124,7 +128,11 @@ impl Feature for Outages {
     }
 
     fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
-        let flight = documents.log.as_ref().and(documents.flight.as_ref());
+        let flight = documents
+            .flight
+            .log
+            .as_ref()
+            .and(documents.flight.measured.as_ref());
         // Without airspeed little is known after a cut: that is no step to urge upon anybody.
         let is_worth_it = flight.is_some_and(measures_airspeed);
         (is_worth_it && workspace == Workspace::Replay).then(|| NextStep {

@@ -124,7 +124,7 @@ impl Feature for PhotosFeature {
             return false;
         };
         match command {
-            PhotosCommand::Close if context.documents.log.is_some() => {
+            PhotosCommand::Close if context.documents.flight.log.is_some() => {
                 context.ask(Command::Feature(FeatureCommand::show("log")));
             }
             PhotosCommand::Close => context.hide(),
@@ -155,7 +155,7 @@ impl Feature for PhotosFeature {
         let frame = documents.world_origin().map(LocalFrame::new);
         let scene = PhotosScene {
             photos: &self.state,
-            has_map: documents.has_real_map() && frame.is_some(),
+            has_map: documents.map.is_real() && frame.is_some(),
             frame,
         };
         photos_sheet(ui, context, &scene);
@@ -187,7 +187,7 @@ impl Feature for PhotosFeature {
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &context.documents;
         let is_strange = self.state.sought.as_ref().is_some_and(|sought| {
-            let is_flown = documents.flight_source.key() == Some(&sought.key);
+            let is_flown = documents.flight.source.key() == Some(&sought.key);
             !is_flown && sought.origin != documents.world_origin()
         });
         if is_strange {
@@ -220,7 +220,7 @@ impl Feature for PhotosFeature {
         opened: &mut OpenedFiles,
         context: &mut FeatureContext<'_>,
     ) -> bool {
-        if context.is_shown && context.documents.has_real_map() {
+        if context.is_shown && context.documents.map.is_real() {
             opened.unplaced = None;
         }
         false

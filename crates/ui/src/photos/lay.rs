@@ -21,10 +21,10 @@ impl PhotosFeature {
     /// The photos of the flight that is open, if nothing else is to be laid and it is one of photos.
     pub(super) fn seek_photos_of_flight(&mut self, context: &FeatureContext<'_>) {
         let documents = &*context.documents;
-        let format = documents.log.as_ref().and_then(|log| log.format);
+        let format = documents.flight.log.as_ref().and_then(|log| log.format);
         let is_of_photos = format == Some(LogFormat::Photos);
         let (FlightSource::Files(key), Some(flight)) =
-            (&documents.flight_source, &documents.flight)
+            (&documents.flight.source, &documents.flight.measured)
         else {
             return;
         };
@@ -36,7 +36,7 @@ impl PhotosFeature {
             self.state.seek(Sought {
                 key: key.clone(),
                 names: names.collect(),
-                map: documents.map_source.clone(),
+                map: documents.map.source.clone(),
                 origin: documents.world_origin(),
                 ground,
             });
@@ -48,7 +48,7 @@ impl PhotosFeature {
         let documents = &*context.documents;
         let ground = ground_searched(documents, context.map);
         if let (Some(ground), Some(sought)) = (ground, &mut self.state.sought) {
-            sought.map = documents.map_source.clone();
+            sought.map = documents.map.source.clone();
             sought.origin = documents.world_origin();
             sought.ground = ground;
         }
@@ -85,7 +85,7 @@ impl PhotosFeature {
         let sought = Sought {
             key,
             names,
-            map: documents.map_source.clone(),
+            map: documents.map.source.clone(),
             origin: Some(origin),
             ground,
         };
@@ -110,10 +110,10 @@ impl PhotosFeature {
         let Some(world) = flight.frame_on_globe.filter(|_| map != MapSource::Nothing) else {
             return;
         };
-        let (bounds, of_map) = match (info, &documents.map) {
+        let (bounds, of_map) = match (info, &documents.map.info) {
             (Some(info), _) => (info.bounds, Some(world)),
             (None, Some(open)) => {
-                let origin = documents.map_source.origin().or(open.origin);
+                let origin = documents.map.source.origin().or(open.origin);
                 (open.bounds, origin.map(LocalFrame::new))
             }
             (None, None) => return,
@@ -162,8 +162,9 @@ impl PhotosFeature {
 fn ground_searched(documents: &Documents, map: &MapView) -> Option<GroundRect> {
     let bounds = documents
         .map
+        .info
         .as_ref()
-        .filter(|_| documents.has_real_map())?
+        .filter(|_| documents.map.is_real())?
         .bounds;
     if bounds.width().max(bounds.height()) <= LARGEST_SEARCHED {
         return Some(bounds);

@@ -246,9 +246,9 @@ impl Assessments {
 
     /// Begins the next one.
     pub fn work(&mut self, context: &mut FeatureContext<'_>) {
-        if self.map.as_ref() != Some(&context.documents.map_source) {
+        if self.map.as_ref() != Some(&context.documents.map.source) {
             self.clear(context);
-            self.map = Some(context.documents.map_source.clone());
+            self.map = Some(context.documents.map.source.clone());
         }
         self.remember(context);
         if std::mem::take(&mut self.wants_stop) {

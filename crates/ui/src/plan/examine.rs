@@ -24,9 +24,9 @@ impl Planner {
 
     /// Whether a landmark was compared for another uncertainty of the position.
     fn is_examined_otherwise(&self, documents: &Documents, id: u32) -> bool {
-        let in_vain = documents.examined_in_vain.as_ref();
-        let is_in_vain = in_vain.is_some_and(|(of, _)| *of == id);
-        let known = documents.distinctness_of(id).filter(|_| !is_in_vain);
+        let is_in_vain = self.examination.trouble(id).is_some();
+        let known = self.examination.distinctness(id, documents);
+        let known = known.filter(|_| !is_in_vain);
         known.is_some_and(|d| {
             let radius = self.look_alike_radius(documents, &d.bounds);
             (d.radius - radius).abs() >= OTHER_RADIUS
@@ -55,18 +55,20 @@ impl Planner {
             return self.examination.at.is_some();
         }
         self.examination.at = None;
-        let is_known = documents.distinctness_of(id).is_some();
+        let is_known = self.examination.distinctness(id, documents).is_some();
         let is_new = !is_known || self.is_examined_otherwise(documents, id);
         let radius = self.look_alike_radius(documents, &bounds);
-        context.documents.examined_in_vain = None;
+        self.examination.try_again();
         if is_new {
             self.stop_examining(context);
-            let job = context.start(Job::Distinctness(DistinctnessOrder {
-                map: context.documents.map_source.clone(),
+            let map = context.documents.map.source.clone();
+            let order = DistinctnessOrder {
+                map: map.clone(),
                 bounds,
                 radius,
-            }));
-            self.examination.job = Some((job, id));
+            };
+            let job = context.start(Job::Distinctness(order));
+            self.examination.begin(job, id, &map);
         }
         false
     }
@@ -79,20 +81,13 @@ impl Planner {
     }
 
     /// Takes what a worker says of the comparison; false if it is about something else.
-    pub(super) fn examined(
-        &mut self,
-        id: JobId,
-        event: &JobEvent,
-        documents: &mut Documents,
-    ) -> bool {
+    pub(super) fn examined(&mut self, id: JobId, event: &JobEvent) -> bool {
         let Some((_, landmark)) = self.examination.job.filter(|(job, _)| *job == id) else {
             return false;
         };
         match event {
-            JobEvent::Distinctness(found) => {
-                documents.distinctness.insert(landmark, (**found).clone());
-            }
-            JobEvent::Failed(why) => documents.examined_in_vain = Some((landmark, why.clone())),
+            JobEvent::Distinctness(found) => self.examination.take(landmark, Ok((**found).clone())),
+            JobEvent::Failed(why) => self.examination.take(landmark, Err(why.clone())),
             _ => {}
         }
         if event.is_last() {

@@ -39,14 +39,14 @@ impl Planner {
                 self.finder.pick = FindPick::Nothing;
                 self.marking = None;
                 self.way_point = None;
-                context.documents.route = None;
+                context.documents.mission.route = None;
                 context.map.picking = false;
                 *context.selection = None;
             }
             PlanCommand::FinishDraw => self.finish_drawing(context),
             PlanCommand::TakeFlightRoute => self.take_flight_route(context),
             PlanCommand::SelectRoute(id) => {
-                context.documents.route = Some(id);
+                context.documents.mission.route = Some(id);
                 self.way_point = None;
             }
             PlanCommand::SelectWayPoint(which) => {
@@ -121,7 +121,7 @@ impl Planner {
 
     fn finish_drawing(&mut self, context: &mut FeatureContext<'_>) {
         self.drawing = false;
-        let short = context.documents.selected_route();
+        let short = context.documents.mission.selected_route();
         let short = short.filter(|r| r.way_points.len() < 2).map(|r| r.id);
         if let Some(id) = short {
             context.documents.delete_route(id);
@@ -129,7 +129,7 @@ impl Planner {
     }
 
     fn take_flight_route(&mut self, context: &mut FeatureContext<'_>) {
-        let (route, flight) = match &context.documents.flight_source {
+        let (route, flight) = match &context.documents.flight.source {
             FlightSource::Simulated(options) => {
                 let choice = SimulationChoice::named(&options.scenario);
                 let route = choice.and_then(|choice| choice.route(options.height));
@@ -145,7 +145,7 @@ impl Planner {
             return;
         };
         let documents = &mut *context.documents;
-        documents.route = Some(documents.add_route(Some(&route.name), route.way_points));
+        documents.mission.route = Some(documents.add_route(Some(&route.name), route.way_points));
         self.fitted = false;
         context.document_changed();
     }
@@ -155,18 +155,21 @@ impl Planner {
         if let PlanCommand::AddWayPoint(at) = &command {
             let at = at.unwrap_or(context.map.camera.center);
             let usual = flown::usual_altitude(documents);
-            if let Some(id) = documents.route {
+            if let Some(id) = documents.mission.route {
                 documents.edit_route(id, EditStep::Whole, |route| {
                     let new = like(route.way_points.last(), at, usual);
                     route.way_points.push(new);
                 });
             } else {
-                documents.route = Some(documents.add_route(None, vec![like(None, at, usual)]));
+                documents.mission.route =
+                    Some(documents.add_route(None, vec![like(None, at, usual)]));
                 self.drawing = true;
             }
             return;
         }
-        let Some(id) = documents.route else { return };
+        let Some(id) = documents.mission.route else {
+            return;
+        };
         match command {
             PlanCommand::DeleteRoute => {
                 documents.delete_route(id);
@@ -182,11 +185,11 @@ impl Planner {
                 }
             }
             PlanCommand::DuplicateRoute => {
-                documents.route = documents.duplicate_route(id).or(Some(id));
+                documents.mission.route = documents.duplicate_route(id).or(Some(id));
             }
             PlanCommand::SetPattern { pattern, finished } => {
                 let usual = flown::usual_altitude(documents);
-                let route = documents.selected_route();
+                let route = documents.mission.selected_route();
                 let made_for = made_for(self, documents, route);
                 documents.edit_route(id, EditStep::of(finished), |route| {
                     pattern.apply(route, usual, &made_for);
@@ -194,7 +197,7 @@ impl Planner {
                 self.way_point = None;
             }
             PlanCommand::CorridorAlong => {
-                if let Some(route) = documents.selected_route().cloned() {
+                if let Some(route) = documents.mission.selected_route().cloned() {
                     let usual = flown::usual_altitude(documents);
                     let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
                     let made_for = made_for(self, documents, Some(&route));
@@ -204,7 +207,7 @@ impl Planner {
                     let pattern = Pattern::new(cover, &line, &made_for.frame);
                     let mut new = Route::default();
                     pattern.apply(&mut new, altitude, &made_for);
-                    documents.route = Some(documents.add_made(new, "Corridor"));
+                    documents.mission.route = Some(documents.add_made(new, "Corridor"));
                     self.way_point = None;
                 }
             }
@@ -214,7 +217,10 @@ impl Planner {
             }
             PlanCommand::DeleteWayPoint(which) => {
                 let which = which.or(self.way_point);
-                let count = documents.selected_route().map_or(0, |r| r.way_points.len());
+                let count = documents
+                    .mission
+                    .selected_route()
+                    .map_or(0, |r| r.way_points.len());
                 if count <= 1 {
                     documents.delete_route(id);
                     return;

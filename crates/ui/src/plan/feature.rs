@@ -22,6 +22,7 @@ use crate::shell::CommandLack;
 use crate::shell::icons::Icon;
 use crate::shell::{BELOW_HUD, NextStep};
 use crate::units::Units;
+use crate::views::Examined;
 
 /// Description of the feature.
 const INFO: FeatureInfo = FeatureInfo {
@@ -47,7 +48,7 @@ impl Feature for Planner {
 
     fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<CommandLack> {
         let is_brief = command.action() == Some(&PlanCommand::PrintBrief);
-        (is_brief && documents.selected_route().is_none()).then_some(NO_ROUTE)
+        (is_brief && documents.mission.selected_route().is_none()).then_some(NO_ROUTE)
     }
 
     /// Keeps to the landmark that is selected, and has its own answers to what is asked of the map and of landmarks
@@ -100,7 +101,7 @@ impl Feature for Planner {
     }
 
     fn fills_strip(&self, documents: &Documents) -> bool {
-        documents.selected_route().is_some() || self.drawing
+        documents.mission.selected_route().is_some() || self.drawing
     }
 
     fn plots(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
@@ -149,10 +150,15 @@ impl Feature for Planner {
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {
-        if context.documents.flight.is_some() {
+        if context.documents.flight.measured.is_some() {
             self.fitted = context.map.is_placed;
         }
         self.stop_examining(context);
+        self.examination.forget();
+    }
+
+    fn examined(&self, landmark: u32, documents: &Documents) -> Option<Examined<'_>> {
+        Some(self.examination.of(landmark, documents))
     }
 
     /// Draws no longer once something else is looked at, and lets nothing play while people plan.
@@ -192,7 +198,7 @@ impl Feature for Planner {
     }
 
     fn next_step(&self, workspace: Workspace, documents: &Documents) -> Option<NextStep> {
-        let has_route = documents.selected_route().is_some();
+        let has_route = documents.mission.selected_route().is_some();
         let is_next = has_route && self.rehearsal.progress().is_none();
         (is_next && workspace == Workspace::Plan).then(|| NextStep {
             icon: Icon::Play,

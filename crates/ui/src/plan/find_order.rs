@@ -70,7 +70,7 @@ impl Planner {
             clearance: wanted.clearance,
             high_ground: self.highest_ground(documents).and_then(|highest| {
                 Some(HighGround {
-                    heights: documents.terrain.heights()?.as_ref().clone(),
+                    heights: documents.map.terrain.heights()?.as_ref().clone(),
                     highest,
                 })
             }),
@@ -86,7 +86,7 @@ impl Planner {
 
     /// The altitude of a route that is found: that of the selected route.
     pub fn found_altitude(&self, documents: &Documents) -> Altitude {
-        let route = documents.selected_route();
+        let route = documents.mission.selected_route();
         let first = route.and_then(|r| r.way_points.first());
         first.map_or_else(|| usual_altitude(documents), |w| w.altitude)
     }
@@ -96,7 +96,7 @@ impl Planner {
     pub fn highest_ground(&self, documents: &Documents) -> Option<f64> {
         let altitude = self.found_altitude(documents);
         let clearance = self.preferences.find.ground_clearance;
-        documents.terrain.heights()?;
+        documents.map.terrain.heights()?;
         let reference = AltitudeReference {
             take_off: documents.relief().at(&self.finder.from?),
             ground: 0.0,
@@ -148,7 +148,7 @@ impl Planner {
                 let altitude = self.found_altitude(documents);
                 let found = line(&found.surest.route.way_points, altitude);
                 let id = documents.add_route(Some("Found route"), found.way_points);
-                documents.route = Some(id);
+                documents.mission.route = Some(id);
                 self.way_point = None;
                 self.tab = PlanTab::Route;
                 return true;

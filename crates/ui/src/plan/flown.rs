@@ -35,7 +35,7 @@ pub fn cruise() -> f64 {
 
 /// The mean wind of the open flight.
 pub fn flight_wind(documents: &Documents) -> Wind {
-    match &documents.flight_source {
+    match &documents.flight.source {
         FlightSource::Simulated(options) => scenario_wind(options),
         FlightSource::Rehearsed(flight) => flight.path.wind,
         FlightSource::Studied(studied) => studied.flight.wind(),
@@ -45,7 +45,7 @@ pub fn flight_wind(documents: &Documents) -> Wind {
 
 /// The camera that is planned with.
 pub fn camera(documents: &Documents) -> CameraModel {
-    let flown = documents.flight.as_ref().map(|f| f.camera.clone());
+    let flown = documents.flight.measured.as_ref().map(|f| f.camera.clone());
     documents
         .mission
         .camera
@@ -56,7 +56,11 @@ pub fn camera(documents: &Documents) -> CameraModel {
 
 /// Down coordinate of the ground plane, metres.
 pub fn ground_down(documents: &Documents) -> f64 {
-    documents.flight.as_ref().map_or(0.0, |f| f.ground_down)
+    documents
+        .flight
+        .measured
+        .as_ref()
+        .map_or(0.0, |f| f.ground_down)
 }
 
 /// A route over places, all at one altitude.
@@ -85,7 +89,7 @@ pub fn height(route: &Route, documents: &Documents) -> f64 {
 
 /// Height above ground of the selected route, or the usual one, metres.
 pub fn flown_height(documents: &Documents) -> f64 {
-    documents.selected_route().map_or_else(
+    documents.mission.selected_route().map_or_else(
         || usual_altitude(documents).metres,
         |route| height(route, documents),
     )
@@ -201,7 +205,7 @@ fn bend(above: &dyn Fn(f64) -> f64, (a, b): (f64, f64), least: f64, bends: &mut 
 
 /// The altitude of a first way-point.
 pub fn usual_altitude(documents: &Documents) -> Altitude {
-    let flown = match &documents.flight_source {
+    let flown = match &documents.flight.source {
         FlightSource::Simulated(options) => options
             .height
             .or_else(|| Some(SimulationChoice::named(&options.scenario)?.height)),

@@ -20,7 +20,7 @@ impl Planner {
         height: f64,
     ) -> Option<FieldOrder> {
         let mission = &documents.mission;
-        let map = documents.map.as_ref()?;
+        let map = documents.map.info.as_ref()?;
         let view = self.field_view(documents, height);
         let from = match of {
             HeatOf::Landmarks => {
@@ -40,7 +40,7 @@ impl Planner {
             },
         };
         Some(FieldOrder {
-            map: documents.map_source.clone(),
+            map: documents.map.source.clone(),
             region: map.bounds,
             view,
             from,

@@ -70,7 +70,7 @@ impl Planner {
                 (true, false) => PlanTab::Landmarks,
                 (true, true) => PlanTab::Ground,
             };
-            documents.route = added.routes.first().copied().or(documents.route);
+            documents.mission.route = added.routes.first().copied().or(documents.mission.route);
             context.show();
         }
         context.document_changed();

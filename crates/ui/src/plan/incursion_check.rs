@@ -65,12 +65,12 @@ impl IncursionCheck {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::documents::Documents;
+    use crate::documents::empty_mission;
     use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
 
     #[test]
     fn a_route_is_looked_at_again_when_it_or_an_area_changes() {
-        let mut mission = Documents::empty_mission();
+        let mut mission = empty_mission();
         let at = |north, east| GroundPoint::new(north, east);
         let way = [at(50.0, -50.0), at(50.0, 150.0)];
         let mut route = Route {

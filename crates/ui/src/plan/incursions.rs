@@ -28,7 +28,7 @@ impl Planner {
 
     /// Looks at no-fly areas along the selected route anew, if anything changed.
     pub(super) fn check_incursions(&mut self, documents: &Documents) {
-        let route = documents.selected_route();
+        let route = documents.mission.selected_route();
         self.incursions
             .keep_to(&documents.mission, route, &self.forecast);
     }

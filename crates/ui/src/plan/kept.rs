@@ -30,7 +30,7 @@ fn basis(
     camera: &CameraModel,
     navigator: &NavigatorSettings,
 ) -> Option<MeasurementBasis> {
-    let (map, source) = (documents.map.as_ref()?, &documents.map_source);
+    let (map, source) = (documents.map.info.as_ref()?, &documents.map.source);
     let (sensors, detector) = (navigator.sensors, navigator.detector);
     Some(MeasurementBasis::new(
         map, source, camera, sensors, detector,
@@ -70,7 +70,7 @@ mod tests {
 
     fn documents() -> Documents {
         let mut documents = Documents::new(&Session::demo());
-        documents.map = Some(MapInfo {
+        documents.map.info = Some(MapInfo {
             name: "maps/area.tif".to_owned(),
             bounds: GroundRect::centered(GroundPoint::default(), 800.0, 600.0),
             native_gsd: 0.25,
@@ -138,6 +138,7 @@ mod tests {
         ));
         assert!(is_used_after(|d| {
             d.map
+                .info
                 .iter_mut()
                 .for_each(|m| m.name = "area.tif".to_owned());
         }));
@@ -162,9 +163,10 @@ mod tests {
         ));
         assert!(!is_used_after(|d| d
             .map
+            .info
             .iter_mut()
             .for_each(|m| m.native_gsd = 0.26)));
-        assert!(!is_used_after(|d| d.map = None));
+        assert!(!is_used_after(|d| d.map.info = None));
         assert!(!is_used_after(|d| d.mission.landmarks.clear()));
     }
 

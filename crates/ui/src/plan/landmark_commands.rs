@@ -131,7 +131,7 @@ impl Planner {
     fn add_survey(&mut self, corners: &[GroundPoint], context: &mut FeatureContext<'_>) {
         let documents = &mut *context.documents;
         let usual = flown::usual_altitude(documents);
-        let altitude = documents.selected_route();
+        let altitude = documents.mission.selected_route();
         let altitude = altitude
             .and_then(|r| r.way_points.first())
             .map_or(usual, |w| w.altitude);
@@ -139,7 +139,7 @@ impl Planner {
         let pattern = Pattern::new(CoveredGround::Survey, corners, &made_for.frame);
         let mut route = Route::default();
         pattern.apply(&mut route, altitude, &made_for);
-        documents.route = Some(documents.add_made(route, "Survey"));
+        documents.mission.route = Some(documents.add_made(route, "Survey"));
         self.tab = PlanTab::Route;
         self.way_point = None;
         context.document_changed();

@@ -91,7 +91,7 @@ pub fn landmarks_tab(
         ui.add_space(tokens.space);
         card(ui, planner, landmark, context);
         ui.add_space(tokens.space);
-        let examined = documents.examined(context.selection);
+        let examined = planner.examination.of(landmark.id, documents);
         planner.list.selected(ui, landmark, context, examined);
         ui.add_space(tokens.space);
         planner.editor.one(ui, landmark, context);

@@ -10,8 +10,8 @@ use crate::documents::Documents;
 impl Documents {
     /// Adds an area that must not be flown over.
     pub fn add_no_fly(&mut self, corners: Vec<GroundPoint>) {
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         let number = self.mission.no_fly.len() + 1;
         self.mission.no_fly.push(NoFlyZone {
             name: format!("No-fly area {number}"),
@@ -35,12 +35,12 @@ impl Documents {
             }
         }
         if zone != self.mission.no_fly[index] {
-            self.history.begin_drag(&self.mission);
+            self.mission.history.begin_drag(&self.mission.content);
             self.mission.no_fly[index] = zone;
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         if step == EditStep::Whole {
-            self.history.finish_drag(&self.mission);
+            self.mission.history.finish_drag(&self.mission.content);
         }
     }
 
@@ -49,8 +49,8 @@ impl Documents {
         if index >= self.mission.no_fly.len() {
             return false;
         }
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         self.mission.no_fly.remove(index);
         true
     }

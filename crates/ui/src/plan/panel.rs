@@ -35,7 +35,7 @@ impl Planner {
                 }
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let (past, future) = documents.history.depth();
+                let (past, future) = documents.mission.history.depth();
                 for (icon, label, command, enabled) in [
                     (Icon::Redo, "Redo", Command::Redo, future > 0),
                     (Icon::Undo, "Undo", Command::Undo, past > 0),

@@ -169,15 +169,18 @@ impl Planner {
 
     /// Lets go of what does not exist any more, and selects the first route if none is.
     pub fn settle(&mut self, documents: &mut Documents) {
-        let known = documents.selected_route().map(|r| r.id);
+        let known = documents.mission.selected_route().map(|r| r.id);
         let first = || documents.mission.routes.first().map(|r| r.id);
-        documents.route = if self.drawing {
+        documents.mission.route = if self.drawing {
             known
         } else {
             known.or_else(first)
         };
         self.table.settle(&documents.mission);
-        let count = documents.selected_route().map_or(0, |r| r.way_points.len());
+        let count = documents
+            .mission
+            .selected_route()
+            .map_or(0, |r| r.way_points.len());
         self.way_point = self.way_point.filter(|i| *i < count);
     }
 
@@ -211,7 +214,7 @@ impl Planner {
     /// Order of the measurement of a landmark.
     pub fn assessment(&self, landmark: &Landmark, documents: &Documents) -> AssessmentOrder {
         AssessmentOrder {
-            map: documents.map_source.clone(),
+            map: documents.map.source.clone(),
             landmark: landmark.clone(),
             camera: camera(documents),
             height: flown_height(documents),
@@ -232,7 +235,7 @@ impl Planner {
     /// Order of the prediction of the selected route; `None` while it is none that can be flown.
     pub fn order(&self, documents: &Documents) -> Option<PredictionOrder> {
         let mission = &documents.mission;
-        let route = documents.selected_route()?;
+        let route = documents.mission.selected_route()?;
         if route.length() < 1.0 {
             return None;
         }

@@ -28,7 +28,7 @@ impl Planner {
     /// Has the pictures of the brief made.
     pub(super) fn ask_for_brief(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
-        let Some(route) = documents.selected_route() else {
+        let Some(route) = documents.mission.selected_route() else {
             context.note(NO_ROUTE.what, NO_ROUTE.advice);
             return;
         };
@@ -48,7 +48,7 @@ impl Planner {
             return;
         };
         let order = BriefOrder {
-            map: documents.map_source.clone(),
+            map: documents.map.source.clone(),
             area,
             boxes: landmarks.iter().map(|l| l.landmark.bounds).collect(),
         };
@@ -158,7 +158,7 @@ impl Planner {
     ) {
         let documents = &*context.documents;
         let units = context.view.units;
-        let Some(route) = documents.selected_route() else {
+        let Some(route) = documents.mission.selected_route() else {
             return;
         };
         let wind = self.wind(documents);
@@ -205,7 +205,7 @@ impl Planner {
             no_fly: &documents.mission.no_fly,
             landmarks: &printing.landmarks,
             more_landmarks: printing.more,
-            attribution: documents.attribution().unwrap_or_default(),
+            attribution: documents.map.attribution().unwrap_or_default(),
             area: printing.area,
             pictures,
             units,

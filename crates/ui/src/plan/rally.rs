@@ -32,8 +32,8 @@ pub fn edit_rally_points(
 impl Documents {
     /// Adds a rally point.
     pub fn add_rally(&mut self, place: GroundPoint) {
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         let number = self.mission.rally.len() + 1;
         let mut point = RallyPoint::new(number, place);
         point.name = self.mission.free_rally_name(&point.name);
@@ -52,20 +52,20 @@ impl Documents {
             RallyChange::Altitude(altitude) => point.altitude = altitude,
         }
         if point != self.mission.rally[index] {
-            self.history.begin_drag(&self.mission);
+            self.mission.history.begin_drag(&self.mission.content);
             self.mission.rally[index] = point;
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         if step == EditStep::Whole {
-            self.history.finish_drag(&self.mission);
+            self.mission.history.finish_drag(&self.mission.content);
         }
     }
 
     /// Deletes a rally point.
     pub fn delete_rally(&mut self, index: usize) {
         if index < self.mission.rally.len() {
-            self.history.remember(&self.mission);
-            self.mission_edited = true;
+            self.mission.remember();
+            self.mission.is_edited = true;
             self.mission.rally.remove(index);
         }
     }

@@ -42,7 +42,10 @@ impl Planner {
     /// Flies the route in Replay.
     pub(super) fn watch(&mut self, seed: Option<u64>, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
-        let route = documents.selected_route().map(|route| route.name.clone());
+        let route = documents
+            .mission
+            .selected_route()
+            .map(|route| route.name.clone());
         let (Some(name), Some(plan)) = (route, self.order(documents)) else {
             let text = "Draw a route of two way-points or more, or select one.";
             context.note("There is no route to fly", text);
@@ -53,7 +56,7 @@ impl Planner {
             .worst()
             .filter(|_| self.rehearsal.is_of_now());
         let seed = seed.or_else(|| Some(worst?.seed)).unwrap_or(1);
-        let map = documents.map_source.clone();
+        let map = documents.map.source.clone();
         let flight = RehearsedFlight {
             name,
             origin: documents.mission.origin,

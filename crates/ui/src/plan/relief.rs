@@ -26,10 +26,10 @@ pub struct Relief<'a> {
 impl Documents {
     /// The ground that is planned over.
     pub fn relief(&self) -> Relief<'_> {
-        let down = self.flight.as_ref().map_or(0.0, |f| f.ground_down);
+        let down = self.flight.measured.as_ref().map_or(0.0, |f| f.ground_down);
         let stated = self.mission.stated_ground();
         Relief {
-            terrain: &self.terrain,
+            terrain: &self.map.terrain,
             level: stated.unwrap_or(self.mission.origin.height - down),
         }
     }
@@ -37,12 +37,12 @@ impl Documents {
     /// States the height of level ground, metres above mean sea level.
     pub fn state_ground(&mut self, height: f64, step: EditStep) {
         if self.mission.stated_ground() != Some(height) {
-            self.history.begin_drag(&self.mission);
+            self.mission.history.begin_drag(&self.mission.content);
             self.mission.state_ground(height);
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         if step == EditStep::Whole {
-            self.history.finish_drag(&self.mission);
+            self.mission.history.finish_drag(&self.mission.content);
         }
     }
 }

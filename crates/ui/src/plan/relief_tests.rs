@@ -31,12 +31,12 @@ fn documents(datum: HeightDatum) -> Documents {
     let origin = Geodetic::from_degrees(46.0, -92.0, 0.0);
     documents.mission.origin = origin;
     let area = GroundRect::centered(GroundPoint::default(), AREA, AREA);
-    documents.terrain = OpenedTerrain::of_files("opened-1");
-    assert!(documents.terrain.wants(origin, &area));
+    documents.map.terrain = OpenedTerrain::of_files("opened-1");
+    assert!(documents.map.terrain.wants(origin, &area));
     let ridge = Ridge(datum.clone());
     let mut grid = HeightGrid::over("ridge.tif", datum, area, 10.0, 1000);
     while !grid.take_rows(&ridge, 50) {}
-    documents.terrain.take(grid);
+    documents.map.terrain.take(grid);
     documents
 }
 
@@ -51,7 +51,7 @@ fn route(metres: f64, frame: AltitudeFrame, east: &[f64]) -> Route {
 
 /// The order of a prediction along a route of the mission.
 fn order(documents: &mut Documents, route: Route) -> pilotage_jobs::PlannedPath {
-    documents.route = Some(documents.add_made(route, "Route"));
+    documents.mission.route = Some(documents.add_made(route, "Route"));
     Planner::default().order(documents).unwrap().path
 }
 
@@ -163,7 +163,7 @@ fn ground_nearer_than_the_clearance_is_too_high_unless_the_route_follows_it() {
     let mut documents = documents(geoid());
     let highest = |documents: &mut Documents, metres, frame| {
         let route = route(metres, frame, &[0.0, 900.0]);
-        documents.route = Some(documents.add_made(route, "Route"));
+        documents.mission.route = Some(documents.add_made(route, "Route"));
         let mut planner = Planner::default();
         planner.preferences.find.ground_clearance = 60.0;
         planner.finder.from = Some(GroundPoint::default());

@@ -50,7 +50,7 @@ impl Planner {
         });
         object!({
             "routes": routes,
-            "route": documents.route,
+            "route": documents.mission.route,
             "way_point": self.way_point,
             "drawing": self.drawing,
             "limit": self.preferences.limit,
@@ -90,7 +90,7 @@ impl Planner {
                 "altitude": r.altitude.metres,
             })).collect::<Vec<_>>(),
             "no_fly_warnings": documents
-                .selected_route()
+                .mission.selected_route()
                 .map(|_| self.no_fly_sentences(crate::units::Units::Metric)),
             "no_fly": mission.no_fly.iter().map(|z| z.corners.len()).collect::<Vec<_>>(),
             "heat": self.heat_json(),
@@ -128,7 +128,7 @@ impl Planner {
 
     /// The plan in a sentence or two.
     pub(super) fn text(&self, documents: &Documents, units: Units) -> String {
-        let Some(route) = documents.selected_route() else {
+        let Some(route) = documents.mission.selected_route() else {
             return "No route yet.".to_owned();
         };
         let mut parts = vec![format!(

@@ -33,7 +33,7 @@ pub fn route_tab(
     context: &mut ViewContext<'_>,
 ) {
     let tokens = context.tokens;
-    let Some(route) = documents.selected_route() else {
+    let Some(route) = documents.mission.selected_route() else {
         nothing(ui, planner, documents, context);
         return;
     };
@@ -109,7 +109,7 @@ fn nothing(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut 
          aircraft will know its place along it.",
     ));
     ui.add_space(tokens.space);
-    let built_in = matches!(documents.flight_source, FlightSource::Simulated(_));
+    let built_in = matches!(documents.flight.source, FlightSource::Simulated(_));
     ui.horizontal_wrapped(|ui| {
         button(
             ui,

@@ -32,8 +32,8 @@ impl Documents {
 
     /// Adds a route and returns its id.
     pub fn add_route(&mut self, name: Option<&str>, way_points: Vec<WayPoint>) -> u32 {
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         let id = self.free_route_id();
         self.mission.routes.push(Route {
             id,
@@ -47,8 +47,8 @@ impl Documents {
     /// Adds a route like another, with all that is known of it, and returns its id.
     pub fn duplicate_route(&mut self, id: u32) -> Option<u32> {
         let mut route = route_of(&self.mission, id)?.clone();
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         route.id = self.free_route_id();
         route.name = format!("{}, copy", route.name);
         let id = route.id;
@@ -58,8 +58,8 @@ impl Documents {
 
     /// Adds a route that was made, called `kind` and its number, and returns its id.
     pub fn add_made(&mut self, mut route: Route, kind: &str) -> u32 {
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         route.id = self.free_route_id();
         route.name = format!("{kind} {}", route.id);
         let id = route.id;
@@ -76,21 +76,21 @@ impl Documents {
         change(&mut route);
         // The end of a drag closes its step, whether or not the last move changed anything.
         if route != self.mission.routes[at] {
-            self.history.begin_drag(&self.mission);
+            self.mission.history.begin_drag(&self.mission.content);
             self.mission.routes[at] = route;
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         if step == EditStep::Whole {
-            self.history.finish_drag(&self.mission);
+            self.mission.history.finish_drag(&self.mission.content);
         }
     }
 
     /// Deletes a route.
     pub fn delete_route(&mut self, id: u32) {
         if route_of(&self.mission, id).is_some() {
-            self.history.remember(&self.mission);
+            self.mission.remember();
             self.mission.routes.retain(|r| r.id != id);
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
     }
 
@@ -99,8 +99,8 @@ impl Documents {
         let (mut first, mut second) = route_of(&self.mission, id)?.split(index)?;
         Pattern::release(&mut first);
         Pattern::release(&mut second);
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         let at = self.mission.routes.iter().position(|r| r.id == id)?;
         second.id = self.free_route_id();
         second.name = format!("{}, second part", first.name);
@@ -137,14 +137,14 @@ mod tests {
     #[test]
     fn a_way_point_dragged_far_goes_back_in_one_step() {
         let (mut documents, id) = documents();
-        let depth = documents.history.depth().0;
+        let depth = documents.mission.history.depth().0;
         for metres in [10.0, 20.0, 30.0] {
             documents.edit_route(id, EditStep::Drag, |r| {
                 r.way_points[1].position.north += metres;
             });
         }
         documents.edit_route(id, EditStep::Whole, |_| {});
-        assert_eq!(documents.history.depth().0, depth + 1);
+        assert_eq!(documents.mission.history.depth().0, depth + 1);
         documents.undo();
         let route = route_of(&documents.mission, id).unwrap();
         assert_eq!(route.way_points[1].position.north, 300.0);
@@ -158,7 +158,7 @@ mod tests {
         assert_ne!(second, id);
         assert_eq!(documents.mission.routes.len(), 2);
         assert_eq!(documents.undo(), Some(false), "the flight is not affected");
-        assert_eq!(documents.mission, before);
+        assert_eq!(documents.mission.content, before);
     }
 
     #[test]
@@ -194,8 +194,8 @@ mod tests {
     #[test]
     fn an_edit_that_changes_nothing_is_no_step() {
         let (mut documents, id) = documents();
-        let depth = documents.history.depth();
+        let depth = documents.mission.history.depth();
         documents.edit_route(id, EditStep::Whole, |r| r.name = "Route 1".into());
-        assert_eq!(documents.history.depth(), depth);
+        assert_eq!(documents.mission.history.depth(), depth);
     }
 }

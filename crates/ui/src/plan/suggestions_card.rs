@@ -23,14 +23,15 @@ use pilotage_jobs::SuggestOrder;
 impl Planner {
     /// Order of landmarks to be proposed; `None` while the map is missing.
     pub fn suggest_order(&self, documents: &Documents) -> Option<SuggestOrder> {
-        documents.map.as_ref()?;
+        documents.map.info.as_ref()?;
         let mission = &documents.mission;
         let way_points = documents
+            .mission
             .selected_route()
             .map_or(&[][..], |r| &r.way_points);
         let speed = way_points.first().and_then(|w| w.speed);
         Some(SuggestOrder {
-            map: documents.map_source.clone(),
+            map: documents.map.source.clone(),
             view: self.field_view(documents, flown_height(documents)),
             way_points: way_points.iter().map(|w| w.position).collect(),
             speed: speed.unwrap_or_else(cruise),

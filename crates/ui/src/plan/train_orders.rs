@@ -10,18 +10,6 @@ use super::planner::Planner;
 use crate::documents::Documents;
 use pilotage_jobs::{FlightSource, LabelledFrames, TrainOrder};
 
-/// The place that the landmark's map patch would be taken for it.
-fn look_alike(landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {
-    let least = documents.mission.navigator.detector.least_score;
-    let examined = documents.distinctness_of(landmark.id);
-    let strongest = examined.and_then(|d| d.look_alike);
-    strongest
-        .filter(|(_, score)| *score >= least)
-        .map(|(place, _)| place)
-        .into_iter()
-        .collect()
-}
-
 /// Labels of frames that tell of a landmark.
 pub(super) fn labels_of<'a>(
     landmark: &'a Landmark,
@@ -34,14 +22,26 @@ pub(super) fn labels_of<'a>(
 /// Frames of the flight that is open to learn a landmark from.
 fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames> {
     let labels: Vec<_> = labels_of(landmark, &documents.mission).cloned().collect();
-    let is_open = documents.flight_source != FlightSource::Nothing;
+    let is_open = documents.flight.source != FlightSource::Nothing;
     (is_open && !labels.is_empty()).then(|| LabelledFrames {
-        flight: documents.flight_source.clone(),
+        flight: documents.flight.source.clone(),
         labels,
     })
 }
 
 impl Planner {
+    /// The place that the landmark's map patch would be taken for it.
+    fn look_alike(&self, landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {
+        let least = documents.mission.navigator.detector.least_score;
+        let examined = self.examination.distinctness(landmark.id, documents);
+        let strongest = examined.and_then(|d| d.look_alike);
+        strongest
+            .filter(|(_, score)| *score >= least)
+            .map(|(place, _)| place)
+            .into_iter()
+            .collect()
+    }
+
     /// Orders of trainings for landmarks.
     pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
         let mission = &documents.mission;
@@ -53,7 +53,7 @@ impl Planner {
             let usual = TrainingPlan::default();
             let photos = self.preferences.photos;
             TrainOrder {
-                map: documents.map_source.clone(),
+                map: documents.map.source.clone(),
                 camera: camera(documents),
                 height,
                 sensors: mission.navigator.sensors,
@@ -62,7 +62,7 @@ impl Planner {
                     photos,
                     days: usual.days.min(photos),
                     held_out: usual.held_out.min(photos),
-                    look_alikes: look_alike(&landmark, documents),
+                    look_alikes: self.look_alike(&landmark, documents),
                     ..usual
                 },
                 labelled: labelled(&landmark, documents),

@@ -339,7 +339,7 @@ fn program() -> String {
 /// Whether a training is of a landmark as it is now, on the map that is open.
 fn is_here(t: &Training, documents: &Documents) -> bool {
     let landmark = documents.mission.landmark(t.order.landmark.id);
-    t.order.map == documents.map_source && landmark.is_some_and(|l| t.is_of(l))
+    t.order.map == documents.map.source && landmark.is_some_and(|l| t.is_of(l))
 }
 
 /// State of a training that was left, in words.

@@ -58,7 +58,7 @@ impl Untested {
     /// Asks about a map once it must be known.
     pub fn work(&mut self, order: Option<UntestedOrder>, context: &mut FeatureContext<'_>) {
         let of = self.of.as_ref();
-        let is_of_another = of.is_some_and(|of| of.like.map != context.documents.map_source);
+        let is_of_another = of.is_some_and(|of| of.like.map != context.documents.map.source);
         if is_of_another {
             if let Some(id) = self.asked.take() {
                 context.cancel(id);

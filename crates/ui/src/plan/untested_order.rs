@@ -31,7 +31,7 @@ impl Planner {
 
     /// Question about the map around what is planned; `None` while the map is missing or nothing is untested.
     pub(super) fn untested_order(&self, documents: &Documents) -> Option<UntestedOrder> {
-        let map = documents.map.as_ref()?;
+        let map = documents.map.info.as_ref()?;
         self.untested_landmarks(documents).next()?;
         let mission = &documents.mission;
         let sides = mission.landmarks.iter().map(|it| it.bounds);
@@ -41,6 +41,7 @@ impl Planner {
         let like = self.assessment(&Landmark::new(0, "a box", bounds), documents);
         let landmarks = mission.landmarks.iter().map(|it| it.bounds.center());
         let way_points = documents
+            .mission
             .selected_route()
             .map_or(&[][..], |r| &r.way_points);
         let places = landmarks.chain(way_points.iter().map(|w| w.position));

@@ -29,7 +29,7 @@ impl Planner {
             || self.suggestions.receive(id, event)
             || self.untested.receive(id, event)
             || self.trainings.receive(id, event)
-            || self.examined(id, event, context.documents)
+            || self.examined(id, event)
             || self.brief_event(id, event, context)
             || self
                 .assessments
@@ -61,7 +61,7 @@ impl Planner {
         let (drawn, waits) = self.drawn.rested(landmarks, context.host.now());
         let drawn = drawn.and_then(|id| documents.mission.landmark(id));
         let drawn = drawn.filter(|it| it.enabled && self.assessments.of(it).is_none());
-        if let Some(landmark) = drawn.filter(|_| documents.map.is_some()) {
+        if let Some(landmark) = drawn.filter(|_| documents.map.info.is_some()) {
             let order = self.assessment(landmark, documents);
             self.assessments.ask(vec![order]);
         }
@@ -74,7 +74,7 @@ impl Planner {
     fn measure_ahead(&mut self, context: &mut FeatureContext<'_>) {
         let documents = &*context.documents;
         let may = self.preferences.tests_ahead && context.host.works_ahead();
-        let of_web = matches!(documents.map_source, MapSource::Web(_));
+        let of_web = matches!(documents.map.source, MapSource::Web(_));
         let order = may.then(|| self.untested_order(documents)).flatten();
         let is_idle = order.is_some() && self.assessments.is_idle();
         let next = is_idle.then(|| {
@@ -101,7 +101,7 @@ impl Planner {
     /// Asks for what is shown along the routes; true if time must pass first.
     fn work_on_route(&mut self, context: &mut FeatureContext<'_>) -> bool {
         let ground = planned_ground(&context.documents.mission);
-        if !self.fitted && (ground.is_some() || context.documents.map.is_some()) {
+        if !self.fitted && (ground.is_some() || context.documents.map.info.is_some()) {
             self.fitted = true; // over an empty map, too: what is drawn there first must not move it
             if let Some(ground) = ground {
                 context.map.fit(ground);
@@ -113,7 +113,7 @@ impl Planner {
         let begins = self.finder.wants == Some(true);
         let order = begins.then(|| self.find_order(context.documents));
         self.finder.work(order.flatten(), context);
-        let map = context.documents.map_source.clone();
+        let map = context.documents.map.source.clone();
         self.suggestions.keep_to(&map, context);
         let begins = self.suggestions.wants == Some(true);
         let order = begins.then(|| self.suggest_order(context.documents));

@@ -10,8 +10,8 @@ use crate::documents::Documents;
 impl Documents {
     /// Adds a road of the usual width of its class; its index.
     pub fn add_road(&mut self, class: RoadClass, course: Vec<GroundPoint>) -> usize {
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         self.mission.roads.push(RoadLine {
             class,
             width: class.usual_width(),
@@ -51,20 +51,20 @@ impl Documents {
             RoadChange::Insert(..) | RoadChange::Remove(_) => {}
         }
         if road != *old {
-            self.history.begin_drag(&self.mission);
+            self.mission.history.begin_drag(&self.mission.content);
             self.mission.roads[index] = road;
-            self.mission_edited = true;
+            self.mission.is_edited = true;
         }
         if finished {
-            self.history.finish_drag(&self.mission);
+            self.mission.history.finish_drag(&self.mission.content);
         }
     }
 
     /// Deletes a road.
     pub fn delete_road(&mut self, index: usize) {
         if index < self.mission.roads.len() {
-            self.history.remember(&self.mission);
-            self.mission_edited = true;
+            self.mission.remember();
+            self.mission.is_edited = true;
             self.mission.roads.remove(index);
         }
     }
@@ -81,8 +81,8 @@ impl Documents {
             course: road.course[point..].to_vec(),
             ..road.clone()
         };
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         self.mission.roads[index].course.truncate(point + 1);
         self.mission.roads.insert(index + 1, rest);
         true
@@ -96,8 +96,8 @@ impl Documents {
             return None;
         }
         let course = joined(&one.course, &other.course);
-        self.history.remember(&self.mission);
-        self.mission_edited = true;
+        self.mission.remember();
+        self.mission.is_edited = true;
         self.mission.roads[first].course = course;
         self.mission.roads.remove(second);
         Some(first - usize::from(second < first))

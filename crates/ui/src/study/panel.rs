@@ -35,7 +35,7 @@ pub struct StudySheet {
 
 /// Run of the study that is open in Replay, if one is.
 pub fn open_run(study: &StudyUnderWay, documents: &Documents) -> Option<u64> {
-    let FlightSource::Studied(open) = &documents.flight_source else {
+    let FlightSource::Studied(open) = &documents.flight.source else {
         return None;
     };
     let own = study.flight(open.run)?;

@@ -42,7 +42,7 @@ fn commands() -> Vec<CommandEntry> {
 
 /// Map of the web that is open, if one is.
 fn open_map(documents: &Documents) -> Option<&WebMap> {
-    match &documents.map_source {
+    match &documents.map.source {
         MapSource::Web(map) => Some(map),
         _ => None,
     }

@@ -48,7 +48,7 @@ fn a_link_leaves_ones_own_work_aside_and_a_command_brings_it_back() {
     first.key(Key::Enter);
     let link = first.host().link.clone();
     let mut own = Session::demo();
-    let mut mission = pilotage_ui::documents::Documents::empty_mission();
+    let mut mission = pilotage_ui::documents::empty_mission();
     mission.name = "Mine".into();
     own.mission = Some(mission);
     let mut host = ScriptedHost::default();

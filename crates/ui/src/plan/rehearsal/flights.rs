@@ -111,7 +111,7 @@ impl RouteRehearsal {
         preferences: &RehearsalPreferences,
         context: &mut FeatureContext<'_>,
     ) -> bool {
-        self.look_at(forecast, &context.documents.map_source);
+        self.look_at(forecast, &context.documents.map.source);
         if !self.is_of_now() && !self.under_way.is_empty() {
             self.stop(context);
         }
@@ -120,7 +120,7 @@ impl RouteRehearsal {
             return self.wanted && forecast.trouble().is_none();
         };
         self.begin(shown, preferences.clone(), context);
-        self.look_at(forecast, &context.documents.map_source);
+        self.look_at(forecast, &context.documents.map.source);
         false
     }
 
@@ -131,7 +131,7 @@ impl RouteRehearsal {
         context: &mut FeatureContext<'_>,
     ) {
         self.forget(context);
-        let map = context.documents.map_source.clone();
+        let map = context.documents.map.source.clone();
         let order = RehearseOrder {
             plan: shown.order.clone(),
             prediction: shown.prediction.clone(),

@@ -10,7 +10,7 @@ use pilotage_core::navigator::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, Refusal, Run, SigmaSets,
     StepReport, StepTiming,
 };
-use pilotage_ui::documents::Documents;
+use pilotage_ui::documents::empty_mission;
 
 /// Length of the flight, seconds.
 pub const SECONDS: f64 = 60.0;
@@ -40,7 +40,7 @@ pub fn mission() -> Mission {
         name: "Invented".into(),
         landmarks: landmarks.collect(),
         origin: Geodetic::from_degrees(47.0, 8.0, 0.0),
-        ..Documents::empty_mission()
+        ..empty_mission()
     }
 }
 
