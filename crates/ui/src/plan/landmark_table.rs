@@ -11,9 +11,9 @@ use pilotage_core::mission::Mission;
 use super::assessments::Assessments;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, paint_row, text_button};
+use crate::shell::{muted, text_button};
 use crate::tokens::Tokens;
-use crate::views::landmark_keyboard;
+use crate::views::landmark_row;
 
 /// Column that the table is sorted by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -309,93 +309,48 @@ fn row(
     assessments: &Assessments,
     context: &mut ViewContext<'_>,
 ) -> bool {
-    let tokens = context.tokens;
-    let id = landmark.id;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
-        let (icon, label) = if landmark.enabled {
-            (Icon::Eye, format!("Switch {} off", landmark.name))
-        } else {
-            (Icon::EyeOff, format!("Switch {} on", landmark.name))
-        };
-        if icon_button(ui, tokens, icon, &label).clicked() {
-            context.commands.push(Command::EnableLandmark {
-                id,
-                enabled: !landmark.enabled,
-            });
-        }
-        let size = vec2(ui.available_width(), tokens.target());
-        let (_, rect) = ui.allocate_space(size);
-        let response = ui.interact(rect, egui::Id::unique(("landmark row", id)), Sense::click());
-        response.widget_info(|| {
-            let [width, height] = [landmark.bounds.width(), landmark.bounds.height()];
-            let category = match landmark.category() {
-                none if none.is_empty() => "no category".to_owned(),
-                category => category,
-            };
-            let name = format!(
-                "{}: {category}, {width:.0} by {height:.0} metres",
-                landmark.name
-            );
-            WidgetInfo::selected(Role::Button, true, selected, name)
-        });
-        let painter = ui.painter();
-        paint_row(painter, rect, tokens, selected, response.hovered());
-        let color = if landmark.enabled {
-            tokens.text
-        } else {
-            tokens.muted
-        };
-        let at = ColumnEnds::of(&rect, categories);
+    let (tokens, units) = (context.tokens, context.units);
+    let category = match landmark.category() {
+        none if none.is_empty() => "no category".to_owned(),
+        category => category,
+    };
+    let [width, height] = [landmark.bounds.width(), landmark.bounds.height()];
+    let words = format!(
+        "{}: {category}, {width:.0} by {height:.0} metres",
+        landmark.name
+    );
+    let response = landmark_row(ui, context, landmark, selected, &words, |row| {
+        let at = ColumnEnds::of(&row.rect, categories);
         let cell = |from: f32, to: f32| {
-            let room = egui::Rect::from_x_y_ranges(from..=to, rect.y_range());
-            (
-                room,
-                painter.with_clip_rect(room.intersect(painter.clip_rect())),
-            )
+            egui::Rect::from_x_y_ranges(from..=to - PADDING, row.rect.y_range())
         };
-        let (room, clipped) = cell(at.left, at.name - PADDING);
-        clipped.text(
-            room.left_center() + vec2(PADDING, 0.0),
-            Align2::LEFT_CENTER,
-            &landmark.name,
-            tokens.normal(),
-            color,
-        );
-        let (room, clipped) = cell(at.name, at.category - PADDING);
-        clipped.text(
+        row.name(cell(at.left, at.name));
+        let room = cell(at.name, at.category);
+        let clip = room.intersect(row.painter.clip_rect());
+        row.painter.with_clip_rect(clip).text(
             room.right_center(),
             Align2::RIGHT_CENTER,
             landmark.category(),
             tokens.small(),
             tokens.muted,
         );
-        let (factor, unit) = context.units.length();
-        let [width, height] = [landmark.bounds.width(), landmark.bounds.height()];
+        let (factor, unit) = units.length();
         let text = format!("{:.0} × {:.0} {unit}", width * factor, height * factor);
-        let place = pos2(at.size - PADDING, rect.center().y);
-        painter.text(
-            place,
-            Align2::RIGHT_CENTER,
-            text,
-            tokens.small(),
-            tokens.muted,
-        );
-        let (text, font, color) = found_words(landmark, assessments, tokens, color);
-        let place = pos2(at.found - PADDING, rect.center().y);
-        painter.text(place, Align2::RIGHT_CENTER, text, font, color);
-        if response.has_focus() {
-            paint_focus_ring(painter, rect, tokens);
-            landmark_keyboard(ui, response.id, landmark, context.commands);
-        }
-        let response = if assessments.of(landmark).is_some() {
-            response
-        } else {
-            response.on_hover_text("Not tested; press D or Test all to look for it on other days")
-        };
-        response.clicked()
-    })
-    .inner
+        let place = pos2(at.size - PADDING, row.rect.center().y);
+        let (font, muted) = (tokens.small(), tokens.muted);
+        row.painter
+            .text(place, Align2::RIGHT_CENTER, text, font, muted);
+        let (text, font, color) = found_words(landmark, assessments, tokens, row.color);
+        let place = pos2(at.found - PADDING, row.rect.center().y);
+        row.painter
+            .text(place, Align2::RIGHT_CENTER, text, font, color);
+    });
+    let response = if assessments.of(landmark).is_some() {
+        response
+    } else {
+        response.on_hover_text("Not tested; press D or Test all to look for it on other days")
+    };
+    response.clicked()
 }
 
 /// Detection probability of a landmark in words, with their font and colour.

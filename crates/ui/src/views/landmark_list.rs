@@ -1,19 +1,17 @@
-//! The list of landmarks, with a keyboard path for everything the map does with the pointer.
+//! The list of landmarks, and what is known of the selected one.
 
 use egui::{
-    Align2, EventFilter, Key, Rect, Role, Sense, TextEdit, TextureHandle, TextureOptions, Ui,
-    WidgetInfo, pos2, vec2,
+    Rect, Role, Sense, TextEdit, TextureHandle, TextureOptions, Ui, WidgetInfo, pos2, vec2,
 };
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
 
 use super::heat_image::heat_image;
+use super::landmark_row::landmark_row;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
-use crate::shell::{
-    caption, chip, heading, icon_button, muted, paint_focus_ring, paint_row, text_button,
-};
+use crate::shell::{caption, chip, heading, icon_button, muted, text_button};
 use pilotage_jobs::Distinctness;
 
 /// Distinctness of the selected landmark, as far as it is known.
@@ -81,13 +79,14 @@ impl LandmarkList {
         }
         ui.add_space(4.0);
         for landmark in &context.mission.landmarks {
-            row(
-                ui,
-                landmark,
-                context.commands,
-                context.tokens,
-                context.selection,
-            );
+            let is_selected = context.selection == Some(landmark.id);
+            let row = landmark_row(ui, context, landmark, is_selected, &landmark.name, |row| {
+                row.name(row.rect);
+            });
+            if row.clicked() {
+                let chosen = (!is_selected).then_some(landmark.id);
+                context.commands.push(Command::SelectLandmark(chosen));
+            }
         }
     }
 
@@ -136,115 +135,6 @@ impl LandmarkList {
         ui.add_space(4.0);
         distinctness_card(ui, context, examined, &mut self.heat);
     }
-}
-
-fn row(
-    ui: &mut Ui,
-    landmark: &Landmark,
-    commands: &mut Vec<Command>,
-    tokens: &crate::tokens::Tokens,
-    selection: Option<u32>,
-) {
-    let id = landmark.id;
-    let selected = selection == Some(id);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
-        let (icon, label) = if landmark.enabled {
-            (Icon::Eye, format!("Switch {} off", landmark.name))
-        } else {
-            (Icon::EyeOff, format!("Switch {} on", landmark.name))
-        };
-        if icon_button(ui, tokens, icon, &label).clicked() {
-            commands.push(Command::EnableLandmark {
-                id,
-                enabled: !landmark.enabled,
-            });
-        }
-        let size = vec2(ui.available_width(), tokens.target());
-        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-        response.widget_info(|| {
-            WidgetInfo::selected(Role::Button, true, selected, landmark.name.as_str())
-        });
-        let painter = ui.painter();
-        paint_row(painter, rect, tokens, selected, response.hovered());
-        let color = if landmark.enabled {
-            tokens.text
-        } else {
-            tokens.muted
-        };
-        painter.text(
-            rect.left_center() + vec2(8.0, 0.0),
-            Align2::LEFT_CENTER,
-            &landmark.name,
-            tokens.normal(),
-            color,
-        );
-        if response.clicked() {
-            commands.push(Command::SelectLandmark((!selected).then_some(id)));
-        }
-        if response.has_focus() {
-            paint_focus_ring(painter, rect, tokens);
-            keyboard(ui, response.id, landmark, commands);
-        }
-    });
-}
-
-/// Arrows move the box by a metre, Shift with arrows resizes it, Delete deletes it.
-pub(crate) fn keyboard(
-    ui: &Ui,
-    widget: egui::Id,
-    landmark: &Landmark,
-    commands: &mut Vec<Command>,
-) {
-    ui.memory_mut(|m| {
-        m.set_focus_lock_filter(
-            widget,
-            EventFilter {
-                horizontal_arrows: true,
-                vertical_arrows: true,
-                ..Default::default()
-            },
-        );
-    });
-    let (north, east, shift, delete) = ui.input(|i| {
-        let along = |minus: Key, plus: Key| {
-            f64::from(u32::try_from(i.num_presses(plus)).unwrap_or(0))
-                - f64::from(u32::try_from(i.num_presses(minus)).unwrap_or(0))
-        };
-        (
-            along(Key::ArrowDown, Key::ArrowUp),
-            along(Key::ArrowLeft, Key::ArrowRight),
-            i.modifiers.shift,
-            i.key_pressed(Key::Delete),
-        )
-    });
-    let id = landmark.id;
-    if delete {
-        commands.push(Command::DeleteLandmark(id));
-    }
-    if north == 0.0 && east == 0.0 {
-        return;
-    }
-    let old = landmark.bounds;
-    let bounds = if shift {
-        GroundRect {
-            north: (old.north + north).max(old.south + 3.0),
-            east: (old.east + east).max(old.west + 3.0),
-            ..old
-        }
-    } else {
-        GroundRect {
-            south: old.south + north,
-            north: old.north + north,
-            west: old.west + east,
-            east: old.east + east,
-        }
-    };
-    commands.push(Command::ReshapeLandmark {
-        id,
-        bounds,
-        finished: true,
-    });
 }
 
 /// Draws the distinctness of the selected landmark: a verdict, the surface around it, the strongest

@@ -12,6 +12,7 @@ pub(crate) mod fixture;
 mod heat_image;
 pub(crate) mod inspector;
 mod landmark_list;
+mod landmark_row;
 mod matching;
 pub(crate) mod parts;
 pub(crate) mod picking;
@@ -25,8 +26,8 @@ mod time_axis;
 
 pub use camera::CameraView;
 pub use inspector::InspectorView;
-pub(crate) use landmark_list::keyboard as landmark_keyboard;
 pub use landmark_list::{Examined, LandmarkList};
+pub use landmark_row::landmark_row;
 pub use matching::{MATCH, MatchCommand, MatchView};
 pub use plots::PlotsView;
 pub(crate) use plots::draw::{TimeCurve, line as curve_line, polylines as curve_points};
