@@ -8,6 +8,7 @@ use super::csv_columns::{CsvRole, columns};
 use super::csv_geometry::geometry;
 use super::csv_preface::preface;
 use super::csv_table::{CsvRow, ReadCsvTable, Records};
+use super::csv_utm::in_degrees;
 use super::found::{GeodeticContent, POINT_BOX};
 use super::item::frame_of_number;
 use super::litchi_actions::litchi_stay;
@@ -57,6 +58,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     }
     let end = end_of_file(&table, content, &records)?;
     table.leave_metres(&records);
+    let utm = in_degrees(&mut table, &mut records)?;
     if let Some(geometries) = table.geometries(&records) {
         let mut found = shapes(&table, &records, geometries)?;
         found.notes.extend(end);
@@ -100,6 +102,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         landmarks(&table, &rows)?
     };
     found.notes.extend(xy);
+    found.notes.extend(utm);
     found.notes.extend(end);
     if let Some(places) = table.places.filter(|places| !places.is_told) {
         found.notes.push(format!(

@@ -12,6 +12,7 @@ mod csv_place;
 mod csv_preface;
 mod csv_read;
 mod csv_table;
+mod csv_utm;
 mod csv_write;
 mod decoded_text;
 mod embedded;
