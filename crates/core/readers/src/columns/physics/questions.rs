@@ -4,6 +4,7 @@ use pilotage_flight::{ChannelName, Quantity};
 
 use super::board::{FlightColumns, UnitBasis};
 use crate::columns::ColumnRole;
+use crate::columns::header::parts;
 
 /// Adds a question about a table.
 pub(super) fn add(board: &mut FlightColumns, table: usize, question: String) {
@@ -16,6 +17,7 @@ pub(super) fn add(board: &mut FlightColumns, table: usize, question: String) {
 /// Asks for the units that nothing tells.
 pub(super) fn ask(board: &mut FlightColumns) {
     same_units(board);
+    high_heights(board);
     let mut assumed: Vec<(usize, String)> = Vec::new();
     for table in 0..board.maps.len() {
         for index in 0..board.maps[table].columns.len() {
@@ -52,6 +54,42 @@ pub(super) fn ask(board: &mut FlightColumns) {
         words.join(", ")
     );
     add(board, table, question);
+}
+
+/// A height that is called by that word alone, has no other beside it and is never low may be one above the sea.
+fn high_heights(board: &mut FlightColumns) {
+    const LOW: f64 = 150.0;
+    let heights = [
+        ChannelName::HeightAboveGround,
+        ChannelName::GpsHeight,
+        ChannelName::BarometricHeight,
+    ];
+    let is_height = |role| {
+        heights
+            .iter()
+            .any(|name| role == ColumnRole::Channel(*name))
+    };
+    for table in 0..board.maps.len() {
+        let columns = &board.maps[table].columns;
+        let mut found = (0..columns.len()).filter(|index| is_height(columns[*index].role));
+        let (Some(index), None) = (found.next(), found.next()) else {
+            continue;
+        };
+        let id = (table, index);
+        let is_bare = parts(&board.column(id).name, "").plain_words() == ["height"];
+        let lowest = board
+            .values(id)
+            .values
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        if is_bare && board.column(id).role == ColumnRole::Channel(heights[0]) && lowest > LOW {
+            let name = board.name(id);
+            let question = format!(
+                "{name} is taken for the height above ground, and is never below {lowest:.0} m: is it above the sea?"
+            );
+            add(board, table, question);
+        }
+    }
 }
 
 /// A group keeps its units: what is assumed takes the unit of what was found of the same quantity in its table.
