@@ -344,6 +344,14 @@ impl CsvTable {
         };
         let apart: Vec<bool> = (0..self.header.len()).map(tells_apart).collect();
         let first = apart.iter().position(|is_apart| *is_apart);
+        let is_message = |column: &usize| cell(0, *column).starts_with("mavlink_");
+        if (0..self.header.len()).any(|column| is_message(&column)) {
+            return Err(FolderError::File {
+                file: self.file.clone(),
+                cause: "it is a telemetry log that Mission Planner wrote as CSV, a message a line: open the .tlog itself"
+                    .to_owned(),
+            });
+        }
         if let Some(column) = first.filter(|_| are_alike) {
             return Err(FolderError::File {
                 file: self.file.clone(),
