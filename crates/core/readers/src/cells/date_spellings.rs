@@ -39,6 +39,14 @@ pub(super) fn in_iso(text: &str) -> Option<String> {
     without_seams(text)
         .or_else(|| with_dashes(text))
         .or_else(|| with_month(text))
+        .or_else(|| with_day(text))
+}
+
+/// `Tue 09:30:12 AM`: the day of the week says no date.
+fn with_day(text: &str) -> Option<String> {
+    let (day, rest) = text.split_once(' ')?;
+    named(&DAYS, day.trim_end_matches([',', '.']))?;
+    rest.contains(':').then(|| rest.to_owned())
 }
 
 fn are_digits(text: &str) -> bool {

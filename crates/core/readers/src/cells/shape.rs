@@ -212,9 +212,11 @@ fn is_remark(line: &str) -> bool {
 
 fn has_decimal_comma(cell: &str) -> bool {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
-    cell.trim_start_matches(['-', '+'])
-        .split_once(',')
-        .is_some_and(|(a, b)| digits(a) && digits(b))
+    let parted = cell.trim_start_matches(['-', '+']).split_once(',');
+    parted.is_some_and(|(whole, rest)| {
+        let (fraction, power) = rest.split_once(['E', 'e']).unwrap_or((rest, "0"));
+        digits(whole) && digits(fraction) && power.parse::<i32>().is_ok()
+    })
 }
 
 /// Tells whether a cell may be a value: empty, a number, or a date and time.

@@ -3,9 +3,12 @@
 use super::units::Dimension;
 
 /// Ways of writing the units that are known, besides their own names.
-pub(crate) const SPELLINGS: [(&str, &[&str]); 34] = [
+pub(crate) const SPELLINGS: [(&str, &[&str]); 35] = [
     ("m", &["meter", "meters", "metre", "metres", "mtr"]),
-    ("ft", &["feet", "foot"]),
+    (
+        "ft",
+        &["feet", "foot", "ft msl", "ftmsl", "ft baro", "ft wgs"],
+    ),
     (
         "km",
         &["kilometer", "kilometers", "kilometre", "kilometres"],
@@ -34,6 +37,7 @@ pub(crate) const SPELLINGS: [(&str, &[&str]); 34] = [
     ("kt", &["kts", "knot", "knots", "kn"]),
     ("km/h", &["kmh", "kph", "kmph", "km h", "km/hr"]),
     ("ft/s", &["fps", "ft s", "ft/sec", "feet/second"]),
+    ("ft/min", &["fpm", "ft min", "feet/min", "feet/minute"]),
     ("mph", &["mi/h", "miles/hour"]),
     ("cm/s", &["cm s", "cmps", "cms", "cm/sec"]),
     ("dm/s", &["dm s", "dmps", "dm/sec"]),

@@ -41,6 +41,7 @@ const SPEEDS: &[(&str, f64)] = &[
     ("kt", MPS_PER_KNOT),
     ("km/h", 1.0 / 3.6),
     ("ft/s", METRES_PER_FOOT),
+    ("ft/min", METRES_PER_FOOT / 60.0),
     ("mph", 0.447_04),
     ("dm/s", 0.1),
     ("cm/s", 0.01),

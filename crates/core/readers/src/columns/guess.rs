@@ -12,7 +12,7 @@ use super::several::{
     degrees_and_minutes, hemispheres, parts_of_time, parts_without_hemispheres, places,
 };
 use super::values::{UnitGuess, are_degrees, unit};
-use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, parts};
+use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, makers, parts};
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
 use pilotage_base::sorting::sort;
@@ -223,6 +223,7 @@ fn guess_columns(
     let is_numeric: Vec<bool> = samples.iter().map(ColumnSample::is_numeric).collect();
     let groups = groups(file, &names, &is_numeric);
     let mut guesses: Vec<Vec<NameGuess>> = names.iter().map(|p| by_name(file, p)).collect();
+    makers::course_of_radio(&names, &mut guesses);
     let mut hints = vec![Hint::default(); samples.len()];
     for group in &groups {
         let roles = group.kind.map_or([None; 3], GroupQuantity::roles);

@@ -1,7 +1,7 @@
 //! Names of columns taken apart: words and unit.
 
 use crate::cells::Dimension;
-use crate::cells::spellings::{SPELLINGS, TIMES, find_in, unit_in};
+use crate::cells::spellings::{SPELLINGS, TIMES, find_in, is_unit, unit_in};
 
 /// A name taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,7 +16,9 @@ pub(super) struct NameParts {
 pub(super) fn parts(name: &str, unit: &str) -> NameParts {
     let (plain, in_name) = brackets(name);
     let beside = brackets(unit).1.unwrap_or_else(|| unit.to_owned());
-    let unit = if beside.trim().is_empty() {
+    // A second line of names below the first is none of units: what the name states goes before it.
+    let is_told_by_name = in_name.as_deref().is_some_and(is_unit) && !is_unit(&beside);
+    let unit = if beside.trim().is_empty() || is_told_by_name {
         in_name.unwrap_or_default()
     } else {
         beside
@@ -73,6 +75,10 @@ fn words(name: &str) -> Vec<String> {
         }
     }
     words.retain(|word| !word.is_empty());
+    // A message of MAVLink, and no place or height of its own: `GLOBAL_POSITION_INT.vz` is `vz`.
+    if words.len() > 3 && words[..3] == ["global", "position", "int"] {
+        words.drain(..3);
+    }
     words
 }
 
@@ -182,6 +188,7 @@ mod tests {
             words_of("/imu/angular_velocity.x"),
             "imu angular velocity x"
         );
+        assert_eq!(words_of("GLOBAL_POSITION_INT.vz"), "vz");
     }
 
     #[test]
@@ -200,6 +207,12 @@ mod tests {
         );
         assert_eq!(unit("alt_ft", "", Dimension::Angle), None);
         assert_eq!(unit("m", "", Dimension::Length), None);
+        assert_eq!(
+            unit("GPS Altitude (ft)", "AltGPS", Dimension::Length),
+            Some("ft")
+        );
+        assert_eq!(unit("AltMSL", "ft msl", Dimension::Length), Some("ft"));
+        assert_eq!(unit("VSpd", "fpm", Dimension::Speed), Some("ft/min"));
         assert_eq!(parts("TimeUS", "").time_unit(), Some("us"));
         assert_eq!(parts("time [s]", "").time_unit(), Some("s"));
         assert_eq!(parts("t", "ms").time_unit(), Some("ms"));

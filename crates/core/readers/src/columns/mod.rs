@@ -17,6 +17,9 @@ mod header;
 #[cfg(test)]
 mod logger_tests;
 mod long;
+#[cfg(test)]
+mod maker_tests;
+mod makers;
 mod map;
 mod names;
 mod part_units;

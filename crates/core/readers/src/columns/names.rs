@@ -62,28 +62,29 @@ const RULES: &[Rule] = &[
     rule(
         SpeedOverGround,
         0.9,
-        "ground speed|groundspeed|gnd spd|gnd speed|speed over ground|sog|gspd|gs|gps speed|gps spd",
+        "ground speed|groundspeed|gnd spd|gnd speed|speed over ground|sog|gspd|gs|g spd|gps speed|gps spd|vtrue ktgs",
     ),
-    rule(SpeedOverGround, 0.5, "spd|speed|velocity"),
+    rule(SpeedOverGround, 0.5, "spd|speed|velocity|kts"),
     rule(
         Course,
         0.9,
         "course|cog|ground course|course over ground|gcrs|crs|track|ground track|gps course|track angle",
     ),
+    rule(Course, 0.6, "direction"),
     rule(
         Channel(ChannelName::Airspeed),
         0.95,
-        "airspeed|air speed|tas|true airspeed|true air speed|arspd|aspd|vtas",
+        "airspeed|air speed|tas|true airspeed|true air speed|arspd|aspd|vtas|vtrue ktas",
     ),
     rule(
         Channel(ChannelName::EquivalentAirspeed),
         0.9,
-        "ias|cas|eas|indicated airspeed|calibrated airspeed|equivalent airspeed|indicated air speed|veas|vias",
+        "ias|cas|eas|indicated airspeed|calibrated airspeed|equivalent airspeed|indicated air speed|veas|vias|vind kias",
     ),
     rule(
         Channel(ChannelName::Heading),
         0.95,
-        "heading|yaw|hdg|true heading|psi|yaw angle|heading angle|bearing",
+        "heading|yaw|hdg|true heading|psi|yaw angle|heading angle|bearing|hding true",
     ),
     rule(
         Channel(ChannelName::Heading),
@@ -95,7 +96,11 @@ const RULES: &[Rule] = &[
         0.95,
         "roll|roll angle|bank|bank angle|phi",
     ),
-    rule(Channel(ChannelName::Pitch), 0.95, "pitch|pitch angle|theta"),
+    rule(
+        Channel(ChannelName::Pitch),
+        0.95,
+        "pitch|ptch|pitch angle|theta",
+    ),
     rule(
         Channel(ChannelName::HeightAboveGround),
         0.9,
@@ -109,17 +114,17 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::BarometricHeight),
         0.9,
-        "baro alt|baro altitude|baro height|barometric altitude|barometric height|baro|pressure altitude|press alt",
+        "baro alt|baro altitude|baro height|barometric altitude|barometric height|baro|pressure altitude|press alt|baroaltitude|alt baro",
     ),
     rule(
         Channel(ChannelName::GpsHeight),
         0.9,
-        "gps alt|gps altitude|gps height|alt msl|altitude msl|amsl|alt amsl|msl|height msl|altitude amsl",
+        "gps alt|gps altitude|gps height|alt msl|altitude msl|amsl|alt amsl|msl|height msl|altitude amsl|g alt|galt|geoaltitude|geo altitude|alt geom|geometric altitude",
     ),
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,
-        "alt|altitude|hgt|h|elevation|abs alt|absolute altitude|ellipsoid height",
+        "alt|altitude|hgt|h|elevation|feet|abs alt|absolute altitude|ellipsoid height",
     ),
     rule(
         Channel(ChannelName::GpsNorth),
@@ -154,7 +159,7 @@ const RULES: &[Rule] = &[
     turned(
         Channel(ChannelName::GpsVelocityDown),
         0.8,
-        "climb|climb rate|vertical speed|vspeed|vario|vspd|vel u|velocity up|vel up|roc|v up",
+        "climb|climb rate|vertical speed|vspeed|vario|vspd|v spd|vel u|velocity up|vel up|roc|v up",
     ),
     rule(
         Channel(ChannelName::RollRate),

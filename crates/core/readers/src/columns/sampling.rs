@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::header::parts;
+use super::makers;
 use super::{ColumnSample, TableShape};
+use crate::cells::spellings::is_unit;
 use crate::cells::{Moment, date_and_time, unit_behind};
 use crate::folder::{decoded, decoded_table};
 
@@ -125,6 +127,20 @@ fn is_day(moment: Moment) -> bool {
     matches!(moment, Moment::Absolute(whole, part) if whole % 86_400 == 0 && part == 0.0)
 }
 
+/// Units in a remark above the names, as the log cards of Garmin have it; empty where there is none.
+fn units_above(head: &str, shape: &TableShape, count: usize) -> Vec<String> {
+    let above = shape.skipped_lines.checked_sub(1);
+    let line = above.and_then(|above| head.lines().nth(above));
+    let remark = line.and_then(|line| line.strip_prefix(['#', '%', '!']));
+    let cells = remark.map(|remark| shape.separator.cells(remark));
+    let is_of_units = |cells: &Vec<Cow<'_, str>>| {
+        let units = cells.iter().filter(|cell| is_unit(cell)).count();
+        shape.has_header && cells.len() == count && units > 1
+    };
+    let cells = cells.filter(is_of_units).unwrap_or_default();
+    cells.into_iter().map(Cow::into_owned).collect()
+}
+
 /// Samples of all columns, and which share of all rows they are, about.
 fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, f64) {
     let mut lines = head.lines().skip(shape.skipped_lines);
@@ -141,7 +157,13 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, 
             .unwrap_or_default();
         cells.into_iter().map(Cow::into_owned).collect()
     };
-    let (mut names, units) = (cells(names), cells(units));
+    let (mut names, mut units) = (cells(names), cells(units));
+    if units.is_empty() {
+        units = units_above(head, shape, names.len());
+    }
+    if units.is_empty() {
+        units = makers::units(&names);
+    }
     name_date_and_time(&mut names, head, shape);
     let mut samples: Vec<ColumnSample> = Vec::new();
     let (mut rows, mut looked_at) = (0_usize, 0_usize);

@@ -1,0 +1,127 @@
+//! Tables as the programs of pilots, radios and receivers write them: units above the names or nowhere, second names.
+
+use pilotage_flight::ChannelName;
+
+use super::ColumnRole::{Channel, Course, SpeedOverGround};
+use super::guess_table;
+use super::tests::{guessed, is};
+
+/// Rows eastward along 47° north at 50 m/s, one a second, with what `cells` makes of a row's number behind the place.
+fn table(head: &str, cells: impl Fn(usize) -> String) -> String {
+    let row = |i: usize| {
+        let longitude = 8.0 + i as f64 * 50.0 / 76_058.0;
+        let clock = format!("09:{:02}:{:02}", 10 + i / 60, i % 60);
+        cells(i)
+            .replace("{lat}", "47.0000000")
+            .replace("{lon}", &format!("{longitude:.7}"))
+            .replace("{clock}", &clock)
+            + "\n"
+    };
+    head.to_owned() + &(0..100).map(row).collect::<String>()
+}
+
+#[test]
+fn heights_of_pilots_programs_are_in_feet_where_the_table_or_its_maker_says_so() {
+    let height = Channel(ChannelName::GpsHeight);
+    let feet = |i: usize| 4000 + 10 * (i % 30);
+    let garmin = "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss,   degrees,   degrees,  ft msl,     kt,    fpm\n  Lcl Date, Lcl Time,  Latitude, Longitude,  AltMSL, GndSpd,   VSpd\n";
+    let twice = "#airframe_info,product=\"G3X\"\nDate (yyyy-mm-dd),Time (hh:mm:ss),Latitude (deg),Longitude (deg),GPS Altitude (ft),GPS Ground Speed (kt)\nLcl Date,Lcl Time,Latitude,Longitude,AltGPS,GndSpd\n";
+    let foreflight =
+        "Timestamp,Latitude,Longitude,Altitude,Course,Speed,Bank,Pitch,Horizontal Error,g Load\n";
+    let adsb = "timestamp,lat,lon,alt_baro,alt_geom,gs,track\n";
+    let flightaware = "Time,Latitude,Longitude,Course,kts,mph,feet,Rate\n";
+    let xplane = "_real,_time|__lat,__deg|__lon,__deg|__alt,ftmsl|\n";
+    for (column, text) in [
+        (
+            "AltMSL",
+            table(garmin, |i| {
+                format!(
+                    "2024-05-14, {{clock}}, {{lat}}, {{lon}}, {}, 97, 0",
+                    feet(i)
+                )
+            }),
+        ),
+        (
+            "GPS Altitude (ft)",
+            table(twice, |i| {
+                format!("2024-05-14,{{clock}},{{lat}},{{lon}},{},97", feet(i))
+            }),
+        ),
+        (
+            "Altitude",
+            table(foreflight, |i| {
+                let time = 1_715_679_012_000_u64 + 1000 * i as u64;
+                format!("{time},{{lat}},{{lon}},{},90,97,0,1,5,1", feet(i))
+            }),
+        ),
+        (
+            "alt_geom",
+            table(adsb, |i| {
+                let time = 1_715_679_012 + i;
+                format!("{time},{{lat}},{{lon}},{},{},97.2,90", feet(i), feet(i))
+            }),
+        ),
+        (
+            "feet",
+            table(flightaware, |i| {
+                format!("Tue {{clock}} AM,{{lat}},{{lon}},90,97,112,{},0", feet(i))
+            }),
+        ),
+        (
+            "__alt,ftmsl",
+            table(xplane, |i| format!("{i}.0|{{lat}}|{{lon}}|{}|", feet(i))),
+        ),
+    ] {
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        assert_eq!(guessed(&map, column), is(height, "ft"), "{text:.300}");
+        assert!(map.column(super::ColumnRole::Time).is_some(), "{text:.300}");
+    }
+}
+
+#[test]
+fn the_course_of_a_radios_receiver_is_no_heading() {
+    let head =
+        "Date,Time,GPS,GSpd(kmh),Hdg(°),Alt(m),GAlt(m),Ptch(rad),Roll(rad),Yaw(rad),VSpd(m/s)\n";
+    let text = table(head, |i| {
+        let bank = 0.1 * (i as f64 / 9.0).sin();
+        let height = 50 + i % 7;
+        format!(
+            "2024-05-14,{{clock}}.000,{{lat}} {{lon}},180.0,90.0,{height},{},0.02,{bank:.2},1.40,0.1",
+            height + 430
+        )
+    });
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    for (column, role) in [
+        ("Hdg(°)", Course),
+        ("GSpd(kmh)", SpeedOverGround),
+        ("Yaw(rad)", Channel(ChannelName::Heading)),
+        ("Ptch(rad)", Channel(ChannelName::Pitch)),
+        ("GAlt(m)", Channel(ChannelName::GpsHeight)),
+    ] {
+        assert_eq!(guessed(&map, column).0, role, "{column}");
+    }
+}
+
+#[test]
+fn decimal_commas_may_have_powers_of_ten_behind_them() {
+    let text = table("\"Time (s)\";\"Latitude (°)\";\"Longitude (°)\"\n", |i| {
+        let longitude = 8.0 + i as f64 * 50.0 / 76_058.0;
+        format!("{i}.0E0;4.7E1;{longitude:.9}E0").replace('.', ",")
+    });
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    assert!(map.shape.has_decimal_comma);
+    assert!(map.column(super::ColumnRole::Longitude).is_some());
+}
+
+#[test]
+fn a_bare_height_that_is_never_low_is_asked_for() {
+    let asks = |lowest: usize| {
+        let text = table("time [s],latitude,longitude,Height (m)\n", |i| {
+            format!("{i},{{lat}},{{lon}},{}", lowest + i % 9)
+        });
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        map.questions.iter().any(|q| q.contains("above the sea"))
+    };
+    assert!(asks(430));
+    assert!(!asks(60));
+}
