@@ -4,6 +4,10 @@ use super::kind::{CONVERT, FLIGHT_PLAN, Foreign, LOG, MODEL, TO_CSV, TO_GEOJSON,
 
 const NMEA: &str = "no two places could be read in them: they need GGA or RMC with a fix";
 const PAGE: &str = "what was downloaded is a page about the file, not the file: download it again";
+const POINTS: &str =
+    "control points or places of photos, as OpenDroneMap has them (gcp_list.txt, geo.txt)";
+const POINTS_ADVICE: &str = "make a CSV of it with the columns name, latitude and longitude, or name, easting, northing and zone, and open that";
+const PHOTOS: &str = "open the folder of the photos themselves";
 pub(super) const PARAMETERS: &str =
     "settings tell of no flight: open its log, in which they stand as well";
 pub(super) const MISSION_PLANNER: &str = "load it in Mission Planner or QGroundControl, save the mission with it (.plan, .waypoints) and open that";
@@ -23,6 +27,14 @@ const WORDS: &[(&str, Foreign)] = &[
     word("rinex version", "observations of a satellite receiver (RINEX)", "compute positions of them (RTKLIB) and open those as CSV"),
     word("\n$gp", "sentences of a satellite receiver (NMEA)", NMEA),
     word("\n$gn", "sentences of a satellite receiver (NMEA)", NMEA),
+    word("\nepsg:", POINTS, POINTS_ADVICE),
+    word("\n+proj=", POINTS, POINTS_ADVICE),
+    word("\nwgs84 utm", POINTS, POINTS_ADVICE),
+    word("\nimagename x y z omega phi kappa", "the places of cameras that Pix4D computed", POINTS_ADVICE),
+    word("\n# coordinatesystem:", "a reference table of Metashape", POINTS_ADVICE),
+    word("\n# image list with two lines of data per image", "the places of cameras that COLMAP computed, in metres of its own", PHOTOS),
+    word("\n# camera list with one line of data per camera", "the lenses of COLMAP", PHOTOS),
+    word("<cameras next_id=", "the cameras of a project of Metashape (XML)", PHOTOS),
     word("\nhfdte", "a glider's flight record (IGC)", "make a GPX or CSV of it (gpsbabel -i igc) and open that"),
     word("\nh product:blackbox", "a blackbox log of Betaflight, INAV or Cleanflight", "make a table of it (`blackbox_decode file`) and open the CSV"),
     word("\n# betaflight /", "settings of Betaflight (a dump of its terminal)", PARAMETERS),
@@ -96,4 +108,36 @@ pub(super) fn of(text: &str) -> Option<Foreign> {
         .any(|begin| bare.starts_with(begin));
     let of_any = (is_json && !is_own).then(|| kind("JSON of no kind that is known here", TO_CSV));
     found.map(|(_, is)| *is).or(of_any)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of;
+
+    #[test]
+    fn tables_of_photogrammetry_are_called_by_the_program_that_writes_them() {
+        for (text, program) in [
+            (
+                "epsg:32632\n465429.7 5246517.2 430 100 200 dji_1.jpg gcp1\n",
+                "OpenDroneMap",
+            ),
+            (
+                "+proj=utm +zone=32\n465429.7 5246517.2 430\n",
+                "OpenDroneMap",
+            ),
+            (
+                "imagename x y z omega phi kappa\ndji_1.jpg 1 2 3 4 5 6\n",
+                "Pix4D",
+            ),
+            (
+                "# coordinatesystem: wgs 84\n#label,x/longitude,y/latitude\n",
+                "Metashape",
+            ),
+            ("# image list with two lines of data per image:\n", "COLMAP"),
+        ] {
+            let found = of(text).unwrap();
+            assert!(found.what.contains(program), "{text}: {}", found.what);
+        }
+        assert!(of("name,note\na,see epsg:4326\n").is_none());
+    }
 }
