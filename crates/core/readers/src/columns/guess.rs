@@ -336,6 +336,9 @@ fn has_degrees(samples: &[ColumnSample], taken: &[(NameParts, Vec<NameGuess>)]) 
     said.iter().find(|said| **said).or(said.first()).copied()
 }
 
+/// Units of pressure, in small letters: a barometer's are no heights.
+const PRESSURES: [&str; 8] = ["inch", "inhg", "hg", "hpa", "mbar", "kpa", "pa", "psi"];
+
 /// The column called so as the time.
 pub(super) fn time_column(name: &str, time: &TimeGuess) -> MappedColumn {
     MappedColumn {
@@ -355,6 +358,9 @@ fn column(
 ) -> MappedColumn {
     if !sample.is_numeric() {
         return unused(&sample.name, "its cells are no numbers");
+    }
+    if PRESSURES.contains(&parts.unit.as_str()) {
+        return unused(&sample.name, "its unit is one of pressure");
     }
     let measured = guesses
         .iter()

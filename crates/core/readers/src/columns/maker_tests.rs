@@ -125,3 +125,14 @@ fn a_bare_height_that_is_never_low_is_asked_for() {
     assert!(asks(430));
     assert!(!asks(60));
 }
+
+#[test]
+fn pressures_of_a_barometer_are_no_heights() {
+    for (name, value) in [("Baro (hPa)", 960.0), ("baro [inHg]", 29.92)] {
+        let text = table(&format!("time [s],latitude,longitude,{name}\n"), |i| {
+            format!("{i},{{lat}},{{lon}},{}", value + 0.01 * (i % 9) as f64)
+        });
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        assert_eq!(guessed(&map, name).0, super::ColumnRole::Nothing, "{name}");
+    }
+}

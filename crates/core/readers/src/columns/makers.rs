@@ -44,7 +44,7 @@ const MAKERS: [Maker; 5] = [
     },
 ];
 
-/// Radios (EdgeTX, OpenTX) write the course of the receiver as `Hdg` and the attitude's heading as `Yaw`, beside `Ptch`.
+/// Radios (`EdgeTX`, `OpenTX`) write the course of the receiver as `Hdg` and the attitude's heading as `Yaw`, beside `Ptch`.
 pub(super) fn course_of_radio(names: &[NameParts], guesses: &mut [Vec<NameGuess>]) {
     let is = |parts: &NameParts, word: &str| parts.plain_words() == [word];
     if !["ptch", "yaw"]
@@ -69,9 +69,7 @@ pub(super) fn course_of_radio(names: &[NameParts], guesses: &mut [Vec<NameGuess>
 /// The unit of each column, empty where none is known; no units at all for tables of no program that is known.
 pub(super) fn units(names: &[String]) -> Vec<String> {
     let has = |name: &&str| names.iter().any(|other| other == name);
-    let maker = MAKERS
-        .iter()
-        .find(|maker| maker.has.iter().all(|name| has(&name)));
+    let maker = MAKERS.iter().find(|maker| maker.has.iter().all(&has));
     maker.map_or_else(Vec::new, |maker| {
         let unit = |name: &String| maker.units.iter().find(|(other, _)| other == name);
         let found = names.iter().map(unit);
