@@ -41,6 +41,7 @@ export async function run(page, tools) {
   await press("Escape");
   tools.check(!(await page.isVisible("body.presenting")), "Escape does not end the presentation");
   await notes.close();
+  await wholeEquations(page, tools, press);
 
   const course = await page.evaluate(() => document.querySelector(".course a").hash.slice(1));
   await page.goto(`${tools.address}learn.html#${course}/plan`);
@@ -50,4 +51,22 @@ export async function run(page, tools) {
   await page.evaluate((own) => { location.hash = `${own}/handout`; }, course);
   await page.waitForFunction((rows) => document.querySelectorAll(".sheet figure svg").length === rows, minutes.length - 1);
   tools.say(`a handout of ${minutes.length - 1} lessons`);
+}
+
+/** By its equations, too, no slide of a lesson has more in it than is seen, in a window of a small projector. */
+async function wholeEquations(page, tools, press) {
+  const { width, height } = page.viewportSize();
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.goto(`${tools.address}learn.html#camera-chain`);
+  await page.waitForFunction(() => document.getElementById("article").dataset.lesson === "camera-chain");
+  await page.click("label:has(input[value=mathematics])");
+  await press("p");
+  await page.waitForSelector("body.presenting");
+  for (let steps = 0; steps < 12 && !(await page.isVisible("#mathematics")); steps += 1) await press("ArrowRight");
+  const cut = await page.$$eval("#mathematics math[display=block]", (all) => all.map((it) => it.scrollWidth - it.clientWidth));
+  tools.check(cut.length > 0 && cut.every((pixels) => pixels <= 0), `of equations on a slide ${cut} px are cut off`);
+  await tools.screenshot("presenter-equations");
+  await press("Escape");
+  await page.click("label:has(input[value=story])");
+  await page.setViewportSize({ width, height });
 }

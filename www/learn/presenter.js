@@ -19,7 +19,7 @@ export function offerPresenter(page) {
 }
 
 function key(show, event) {
-  const typing = event.target.matches?.("input, textarea, select") && !show.on;
+  const typing = event.target.matches?.("input:not([type=radio], [type=range]), textarea, select") && !show.on;
   if (event.ctrlKey || event.metaKey || event.altKey || typing) return;
   const does = {
     p: () => (show.on ? end(show) : begin(show)),
@@ -52,6 +52,7 @@ function end(show) {
   document.body.classList.remove("presenting");
   find("light").hidden = true;
   for (const step of show.steps) step.classList.remove("slide");
+  for (const equation of document.querySelectorAll("#article math[style]")) equation.style.fontSize = "";
   if (document.fullscreenElement) document.exitFullscreen();
 }
 
@@ -73,11 +74,18 @@ function slide(show) {
   tell(show);
 }
 
-/** Letters as large as the slide leaves room for, from 32 to 17 points. */
+/** Letters as large as the slide leaves room for, from 32 to 17 points; equations that are wider yet, which nobody scrolls
+ * on a projector, have smaller ones of their own. */
 function fit() {
   for (let size = 32; size >= 17; size -= 1) {
     document.body.style.setProperty("--projected", `${size}px`);
-    if (document.documentElement.scrollHeight <= innerHeight) return;
+    if (document.documentElement.scrollHeight <= innerHeight) break;
+  }
+  for (const equation of document.querySelectorAll(".slide math[display=block]")) {
+    equation.style.fontSize = "";
+    for (let size = 1; size > 0.4 && equation.scrollWidth > equation.clientWidth; size -= 0.05) {
+      equation.style.fontSize = `${size}em`;
+    }
   }
 }
 
