@@ -43,6 +43,7 @@ pub mod flight {
 pub mod mission {
     pub use pilotage_maps::{
         CornersError, MapFileError, MapOptions, Mosaic, OpenMap, open_dem, open_map, open_map_with,
+        with_world_file,
     };
     pub use pilotage_mission::mission::*;
 }

@@ -14,6 +14,7 @@ use pilotage_core::imagery::{ByteSource, GeoTiffError};
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{
     MapFileError, MapOptions, Mission, OpenMap, open_dem, open_map_with, read_mission,
+    with_world_file,
 };
 use pilotage_core::navigator::{Run, decode_run};
 use pilotage_core::text::capitalised;
@@ -80,11 +81,33 @@ pub fn look_through(
     let nothing = nothing && tables.is_empty();
     let is_photo_flight = flight.as_ref().is_some_and(FlightFolder::is_of_photos);
     let is_other = flight.is_some() && !is_photo_flight || log.is_some() || labels.is_some();
-    let photos = if is_other || mission.is_some() || run.is_some() || !tables.is_empty() {
+    let mut photos = if is_other || mission.is_some() || run.is_some() || !tables.is_empty() {
         Vec::new()
     } else {
         photos_among(pool, map.as_ref().map(|(name, _)| name.as_str()))
     };
+    let placed = match &map {
+        Some(_) => with_world_file(&pool.names(), &photos),
+        None => Vec::new(),
+    };
+    // A flight may have a world file beside every one of its photos.
+    if !is_photo_flight || placed.len() < photos.len() {
+        photos.retain(|name| !placed.contains(name));
+        remarks.extend(placed.iter().map(|name| {
+            format!(
+                "{name} was left out: it lies on the ground by itself, and one map opens at a time."
+            )
+        }));
+    }
+    if !photos.is_empty() && log.is_none() {
+        let unread = pool
+            .names()
+            .into_iter()
+            .filter(|name| is_picture_table(name));
+        remarks.extend(unread.map(|name| {
+            format!("{name} was left out: only beside a log does it say when pictures were taken.")
+        }));
+    }
     let unplaced = if nothing && terrain.is_none() && !are_to_be_laid(pool, &photos) {
         Some(unplaced(pool).ok_or_else(|| unknown(pool))?)
     } else {
@@ -387,6 +410,29 @@ mod tests {
         let opened = look(&[("a.png", &picture()), ("b.png", &picture())]).unwrap();
         assert_eq!(opened.photos, ["a.png", "b.png"]);
         assert!(opened.unplaced.is_none());
+    }
+
+    #[test]
+    fn what_lies_beside_photos_and_their_map_is_no_photo_and_is_told_to_be_left_out() {
+        let (place, png) = (b"0.5\n0\n0\n-0.5\n100.25\n199.75\n", picture());
+        let opened = look(&[
+            ("a.png", &png),
+            ("b.png", &png),
+            ("january.png", &png),
+            ("january.pgw", place),
+            ("march.PNG", &png),
+            ("march.png.wld", place),
+            (
+                "frames.csv",
+                b"file,lat,lon,heading\na.png,47.0,8.0,3\nb.png,47.001,8.0,4\n",
+            ),
+        ]);
+        let opened = opened.unwrap();
+        assert!(opened.map.is_some());
+        assert_eq!(opened.photos, ["a.png", "b.png"]);
+        let told = opened.remarks.join(" ");
+        assert!(told.contains("march.PNG was left out: it lies"), "{told}");
+        assert!(told.contains("frames.csv was left out: only"), "{told}");
     }
 
     #[test]

@@ -26,3 +26,4 @@ pub use map_file::{OpenMap, open_map, open_map_with};
 pub use map_options::MapOptions;
 pub use mosaic::Mosaic;
 pub use pilotage_base::{bytes, files, frames};
+pub use place_beside::with_world_file;

@@ -1,6 +1,7 @@
 //! The files beside a picture that say where it lies: world file, georeference in JSON, `.prj`.
 
 use std::cell::OnceCell;
+use std::collections::HashSet;
 
 use crate::auxiliary_xml::AuxiliaryXml;
 use crate::map_error::MapFileError;
@@ -26,6 +27,23 @@ const GEOREFERENCES: [&str; 4] = [
 
 /// Members of a georeference in JSON; an object with none of them is something else.
 const MEMBERS: [&str; 5] = ["plane_from_pixel", "origin_lat", "origin_lon", "R", "T"];
+
+/// Those of `pictures` that have a world file beside them among all `names` of files, in any letters.
+pub fn with_world_file(names: &[String], pictures: &[String]) -> Vec<String> {
+    let names = names.iter().map(|name| name.to_lowercase());
+    let stems: HashSet<String> = names
+        .filter_map(|name| {
+            let mut stems = WORLD_FILES.iter().filter_map(|it| name.strip_suffix(it));
+            stems.next().map(str::to_owned)
+        })
+        .collect();
+    let is_placed = |picture: &&String| {
+        let picture = picture.to_lowercase();
+        let stem = picture.rsplit_once('.').map_or("", |(stem, _)| stem);
+        stems.contains(stem) || stems.contains(&picture)
+    };
+    pictures.iter().filter(is_placed).cloned().collect()
+}
 
 /// Georeference of a picture by the file beside it, with that file's name.
 pub(crate) fn place_beside(

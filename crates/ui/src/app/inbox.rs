@@ -284,7 +284,10 @@ impl App {
             ..OpenedFiles::default()
         };
         self.give_opened(&opening.name, &mut left, context, host);
-        if are_laid || parts.is_empty() && adds {
+        if are_laid {
+            parts.push("photos");
+        }
+        if remarks.is_empty() && are_laid || parts.is_empty() && adds {
             // What was added is told already.
         } else if parts.is_empty() {
             let text = whole_sentences(&remarks);

@@ -130,10 +130,24 @@ fn photos_dropped_with_a_map_are_laid_on_it_or_refused_with_a_reason() {
         "second.jpg",
         photo(&elsewhere, (150, 120), [0.0, 0.0]),
     ));
+    // Another map of the place is no photo, and a table of the photos is not read: both are told.
+    let other = map(&ground).into_iter().map(|it| OpenedFile {
+        path: it.path.replace("map", "march"),
+        ..it
+    });
+    files.extend(other);
+    let table = b"file,time,heading\nfirst.jpg,0.0,3\nsecond.jpg,1.0,4\n";
+    files.push(file("frames.csv", table.to_vec()));
     rig.host().opened.push(files);
     rig.settle();
     let rows = rows(&mut rig);
     assert_eq!(rows.len(), 2, "{rows:?}");
+    let toasts = rig.state()["toasts"].to_string().to_lowercase();
+    assert!(
+        toasts.contains("march.png was left out: it lies"),
+        "{toasts}"
+    );
+    assert!(toasts.contains("frames.csv was left out: only"), "{toasts}");
     assert_eq!(rig.state()["side_tab"], "photos");
     let (first, second) = (&rows[0], &rows[1]);
     assert!(error(first, (120, 100)) < 1.5, "{first}");
@@ -201,7 +215,7 @@ fn pictures_without_a_map_to_lay_them_on_are_told_in_words_and_laid_on_the_map_t
             .count()
     };
     assert_eq!(orders(&mut rig), 0);
-    let toasts = rig.state()["toasts"].to_string();
+    let toasts = rig.state()["toasts"].to_string().to_lowercase();
     assert!(toasts.contains("a.png and 1 more wait for it"), "{toasts}");
     rig.host().opened.push(map(&town(MAP.0, MAP.1, 7)));
     rig.settle();
