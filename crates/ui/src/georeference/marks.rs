@@ -19,10 +19,14 @@ pub fn nearest(places: &[Pos2], at: Pos2) -> Option<usize> {
         .map(|(index, _)| index)
 }
 
-/// Screen points per unit at which the largest arrow is well seen, but never drawn smaller than it is.
+/// Least error that is drawn as an arrow, pixels or metres: what is less is how numbers are rounded.
+const LEAST_DRAWN: f32 = 0.01;
+
+/// Screen points per unit at which the largest arrow is well seen, but never drawn smaller than it is; none where there
+/// is no error to draw.
 pub fn stretch(arrows: &[egui::Vec2], points_per_unit: f32) -> f32 {
     let largest = arrows.iter().map(|a| a.length()).fold(0.0, f32::max);
-    if largest <= 0.0 {
+    if largest < LEAST_DRAWN {
         return 0.0;
     }
     (LONGEST_ARROW / largest).max(points_per_unit)
@@ -75,5 +79,18 @@ pub fn paint_pending(painter: &Painter, at: Pos2, tokens: &Tokens) {
     ] {
         painter.line_segment([at + from, at + to], Stroke::new(4.0, tokens.outline()));
         painter.line_segment([at + from, at + to], Stroke::new(2.0, tokens.accent));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_drawn_large_enough_to_be_seen_and_rounding_is_none() {
+        assert_eq!(stretch(&[vec2(0.5, 0.0), vec2(0.0, 2.0)], 1.0), 30.0);
+        assert_eq!(stretch(&[vec2(100.0, 0.0)], 4.0), 4.0);
+        assert_eq!(stretch(&[vec2(1e-9, 0.0), vec2(0.0, 3e-5)], 1.0), 0.0);
+        assert_eq!(stretch(&[], 1.0), 0.0);
     }
 }

@@ -78,7 +78,7 @@ impl Georeferencer {
             let width = (ui.available_width() - ADD_BUTTON).max(80.0);
             let field = TextEdit::singleline(&mut self.typed)
                 .desired_width(width)
-                .hint_text("46.8571, -92.0765 or east north");
+                .hint_text("46.8571, -92.0765");
             let field = ui.add(field).accessible_name("Coordinates of the place");
             let entered = is_entered(&field);
             let pressed = text_button(ui, tokens, None, "Add point", false).clicked();
@@ -148,6 +148,15 @@ impl Georeferencer {
                 return;
             }
         };
+        if self.is_exact() {
+            let text = format!(
+                "{} points always fit a transform of this kind: nothing is checked yet. One point more shows how far a \
+                 place between them may be off.",
+                self.kind.least_points()
+            );
+            ui.label(muted(tokens, text).color(tokens.warning));
+            return;
+        }
         heading(
             ui,
             tokens,
@@ -158,7 +167,7 @@ impl Georeferencer {
             ),
         );
         let left_out = fit.rms_left_out.map_or_else(
-            || "One point more would show how far a place between them may be off.".to_owned(),
+            || "More points, apart from each other, would show how far a place between them may be off.".to_owned(),
             |rms| format!("Each point left out of its own fit: RMS {:.2} {unit}. That is what to expect between the points.", rms * factor),
         );
         ui.label(muted(tokens, left_out));
@@ -199,6 +208,8 @@ impl Georeferencer {
                         switched = Some((index, on));
                     }
                 });
+                let residual =
+                    residual.filter(|_| !(self.points[index].enabled && self.is_exact()));
                 let numbers = [
                     residual.and_then(|r| r.in_pixels).map(|r| r.norm()),
                     residual.map(|r| r.in_plane.norm() * factor),

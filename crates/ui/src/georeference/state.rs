@@ -112,6 +112,12 @@ impl Georeferencer {
         &self.fitted
     }
 
+    /// Whether the points are so few that any fit goes through all of them, and no error tells anything.
+    pub fn is_exact(&self) -> bool {
+        let on = self.points.iter().filter(|point| point.enabled).count();
+        on <= self.kind.least_points()
+    }
+
     /// Takes a place for the point being picked.
     pub fn pick_place(&mut self, place: Point2<f64>) {
         self.pending.place = Some(place);
@@ -301,6 +307,16 @@ mod tests {
         it.redo();
         assert_eq!(it.points.len(), 3);
         assert!(it.fitted().is_ok());
+    }
+
+    #[test]
+    fn points_that_any_fit_goes_through_check_nothing() {
+        let mut it = picked();
+        assert!(it.is_exact(), "three points of an affine transform");
+        it.set_kind(TransformKind::Similarity);
+        assert!(!it.is_exact());
+        it.edit(|points| points[0].enabled = false);
+        assert!(it.is_exact(), "two points of a similarity are left");
     }
 
     #[test]

@@ -75,8 +75,13 @@ fn a_picture_without_a_place_is_put_on_the_ground_by_clicks() {
         "{it}"
     );
     assert!(it["rms_left_out"].is_number(), "{it}");
+    assert!(rig.harness.query_all_by_label_contains("RMS").count() > 0);
     rig.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(rig.state()["georeferencer"]["points"], 3);
+    // Any three points fit: no error of theirs is told.
+    rig.harness.get_by_label_contains("nothing is checked yet");
+    assert!(rig.harness.query_by_label_contains("RMS").is_none());
+    assert!(rig.harness.query_by_label("0.00").is_none());
     rig.key_with(Modifiers::COMMAND, Key::Y);
     rig.harness.get_by_label("Save world file").click();
     rig.harness.get_by_label("Save points").click();
