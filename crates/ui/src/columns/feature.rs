@@ -47,6 +47,13 @@ impl ColumnsFeature {
         context.playback.playing = false;
     }
 
+    /// Asks no more, and has no flight made of what was answered.
+    fn leave(&mut self, context: &mut FeatureContext<'_>) {
+        if let Some(job) = self.dialog.close().and_then(|draft| draft.job) {
+            context.cancel(job);
+        }
+    }
+
     /// Gives the workers the maps beside the tables, and has the flight made.
     fn make_flight(&mut self, context: &mut FeatureContext<'_>) {
         let Some(draft) = self.dialog.draft_mut() else {
@@ -88,11 +95,7 @@ impl Feature for ColumnsFeature {
 
     fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool {
         match command.action::<ColumnsCommand>() {
-            Some(ColumnsCommand::Cancel) => {
-                if let Some(job) = self.dialog.close().and_then(|draft| draft.job) {
-                    context.cancel(job);
-                }
-            }
+            Some(ColumnsCommand::Cancel) => self.leave(context),
             Some(ColumnsCommand::OpenFlight) => self.make_flight(context),
             None => return false,
         }
@@ -129,6 +132,9 @@ impl Feature for ColumnsFeature {
         let tables = std::mem::take(&mut opened.tables);
         if !tables.is_empty() {
             self.ask(set, tables, context);
+        } else if opened.flight.is_some() || opened.log.is_some() || opened.run.is_some() {
+            // What is asked about was to be the flight that is shown, and is so no more.
+            self.leave(context);
         }
         false
     }

@@ -8,6 +8,7 @@ use pilotage_jobs::{COLUMNS_FILE, FlightSource, FlyOrder, Job, ProvideOrder};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
+use super::log::eastward;
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 /// A flight eastward at 20 m/s, a column of which is called so that nobody can know it.
@@ -191,4 +192,14 @@ fn a_table_alone_is_called_by_its_own_name_whatever_lies_beside_it() {
     drop_files(&mut rig, &[other, ("a/gps.csv", gps())]);
     let told = |words: &str| rig.harness.query_by_label_contains(words).is_some();
     assert!(told("gps.csv: guessed from names"), "{}", rig.state());
+}
+
+#[test]
+fn a_flight_that_is_opened_while_tables_are_asked_about_ends_the_question() {
+    let mut rig = asked();
+    assert!(dialog(&rig).is_object());
+    let log = String::from_utf8(eastward()).expect("a log of text");
+    drop_files(&mut rig, &[("east.log", log)]);
+    assert_eq!(rig.state()["log"]["file"], "east.log");
+    assert!(dialog(&rig).is_null());
 }

@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::support::{Rig, rig};
 
 /// A flight eastward at 20 m/s as a text log.
-fn eastward() -> Vec<u8> {
+pub fn eastward() -> Vec<u8> {
     let mut log = String::from(
         "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n\
          FMT, 1, 23, ATT, Qfff, TimeUS,Roll,Pitch,Yaw\n\
