@@ -88,7 +88,9 @@ pub fn commands() -> Vec<CommandEntry> {
     let toggle = RoadCommand::Toggle.into();
     let toggle = entry(CommandGroup::Edit, LABEL, vec![shift(Key::Y)], toggle);
     vec![
-        toggle.also("street centre line osm").under(BarMenu::View),
+        toggle
+            .also("street centre line osm trace")
+            .under(BarMenu::View),
         of("Begin a road, or end it", RoadCommand::Draw),
         of(
             "Point of a road in the middle of the map",

@@ -234,7 +234,7 @@ fn document() -> Vec<CommandEntry> {
             vec![plain(Key::S)],
             Command::ToggleSettings,
         )
-        .also("kalman estimator noise gate ukf ekf particles options preferences")
+        .also("kalman estimator noise gate ukf ekf particles aids generic landmarks options preferences")
         .under(BarMenu::Settings),
         of(
             "Open a flight, map, mission, route or run…",

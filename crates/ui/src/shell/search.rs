@@ -53,25 +53,29 @@ fn is_mistyped(asked: &str, word: &str) -> bool {
     is_swapped || tail(a) == tail(b) || tail(a) == b || a == tail(b)
 }
 
-/// Score of a text that has the letters of a query in their order, better when together and at the begin of words;
-/// `None` if it has not.
+/// Score of a text that has the letters of a query in their order, each at the begin of a word or behind the one before
+/// it, and better when together; `None` if it has not.
 pub fn in_order(query: &str, text: &str) -> Option<i32> {
-    let text: Vec<char> = text.to_lowercase().chars().collect();
-    let mut score = 0;
-    let mut at = 0;
-    let mut previous: Option<usize> = None;
-    for letter in query.to_lowercase().chars().filter(|c| !c.is_whitespace()) {
-        let found = at + text.get(at..)?.iter().position(|c| *c == letter)?;
-        score += match previous {
-            Some(p) if p + 1 == found => 6,
-            _ if found == 0 || !text[found - 1].is_alphanumeric() => 4,
-            _ => 0,
-        };
-        score -= (found - at).min(8) as i32;
-        previous = Some(found);
-        at = found + 1;
-    }
-    Some(score)
+    let letters = |text: &str| -> Vec<char> { text.to_lowercase().chars().collect() };
+    let query: Vec<char> = (letters(query).into_iter())
+        .filter(|c| !c.is_whitespace())
+        .collect();
+    found_from(&query, &letters(text), 0)
+}
+
+/// Best score of the letters of a query from a place of a text on.
+fn found_from(query: &[char], text: &[char], from: usize) -> Option<i32> {
+    let Some((first, rest)) = query.split_first() else {
+        return Some(0);
+    };
+    let begins = |at: usize| at == 0 || !text[at - 1].is_alphanumeric();
+    let places =
+        (from..text.len()).filter(|at| text[*at] == *first && (*at == from || begins(*at)));
+    let score = |at: usize| {
+        let together = if from > 0 && at == from { 6 } else { 4 };
+        Some(together - (at - from).min(8) as i32 + found_from(rest, text, at + 1)?)
+    };
+    places.filter_map(score).max()
 }
 
 #[cfg(test)]
@@ -114,7 +118,12 @@ mod tests {
     #[test]
     fn letters_in_order_are_found_and_others_are_not() {
         assert!(in_order("plpa", "Play or pause").is_some());
+        assert!(in_order("pap", "Play a pause").is_some());
         assert!(in_order("zq", "Play or pause").is_none());
+        // Letters from anywhere are what any long text has.
+        assert!(in_order("lost", "Lay photos on the map").is_none());
+        let open = "Open a flight, map, mission, route or run…";
+        assert!(in_order("reference map", open).is_none());
     }
 
     #[test]

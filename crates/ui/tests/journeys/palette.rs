@@ -68,3 +68,20 @@ fn a_picture_is_georeferenced_by_whoever_searches_for_that_word() {
         .query_by_label_contains("Open a flight, map, mission");
     assert!(open.is_some());
 }
+
+#[test]
+fn generic_landmarks_are_found_where_they_are_chosen_and_letters_from_anywhere_find_nothing() {
+    for (words, found) in [
+        ("generic landmark", "Filter settings"),
+        ("qwerty", "No command found"),
+    ] {
+        let mut rig = rig();
+        rig.key_with(Modifiers::COMMAND, Key::K);
+        rig.harness.event(egui::Event::Text(words.into()));
+        rig.frames(2);
+        assert!(
+            rig.harness.query_all_by_label_contains(found).count() > 0,
+            "{words}"
+        );
+    }
+}
