@@ -143,7 +143,7 @@ fn entries(
 }
 
 fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, shown: &str) -> Response {
-    let keys = egui::RichText::new(entry.keys()).color(tokens.muted);
+    let keys = egui::RichText::new(entry.keys_beside(tokens.touch)).color(tokens.muted);
     let button = egui::Button::new(shown).shortcut_text(keys);
     let response = ui.add(button);
     let enabled = ui.is_enabled();

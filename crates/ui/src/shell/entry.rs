@@ -130,6 +130,11 @@ impl CommandEntry {
     pub fn keys(&self) -> String {
         self.shortcuts.first().map(describe).unwrap_or_default()
     }
+
+    /// The same beside its label in a list, unless fingers `touch` it: they have no keys.
+    pub fn keys_beside(&self, touch: bool) -> String {
+        if touch { String::new() } else { self.keys() }
+    }
 }
 
 /// A shortcut as people read it.
@@ -186,5 +191,20 @@ pub fn entry(
         command,
         also: "",
         menu: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::Key;
+
+    use super::*;
+
+    #[test]
+    fn fingers_are_told_of_no_keys() {
+        let keys = vec![control(Key::S)];
+        let save = entry(CommandGroup::Document, "Save", keys, Command::Undo);
+        assert_eq!(save.keys_beside(false), "Ctrl S");
+        assert_eq!(save.keys_beside(true), "");
     }
 }

@@ -195,7 +195,7 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui
         painter.text(
             inner.right_center(),
             Align2::RIGHT_CENTER,
-            entry.keys(),
+            entry.keys_beside(tokens.touch),
             tokens.small(),
             tokens.muted,
         );
