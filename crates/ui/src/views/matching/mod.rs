@@ -167,14 +167,19 @@ fn waiting(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>
 /// When the next landmark is looked for, and a way to go there.
 fn upcoming(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>) {
     let Some(next) = next else { return };
-    let text = format!(
-        "The next comes in {:.1} s: go there",
-        next.time - context.time
-    );
+    let text = coming(next.time - context.time);
     let name = "Go to the next landmark looked for";
     if parts::chip(ui, context.tokens, false, &text, name).clicked() {
         context.commands.push(Command::SeekTo(next.time));
     }
+}
+
+/// Words for the next landmark that is looked for in so many seconds.
+fn coming(seconds: f64) -> String {
+    if seconds < 0.05 {
+        return "The next comes now: go there".to_owned();
+    }
+    format!("The next comes in {seconds:.1} s: go there")
 }
 
 /// Whether pictures belong to this step and landmark.

@@ -97,6 +97,12 @@ fn before_the_first_landmark_it_says_when_one_comes() {
 }
 
 #[test]
+fn the_next_landmark_never_comes_in_no_time() {
+    assert_eq!(super::coming(0.02), "The next comes now: go there");
+    assert_eq!(super::coming(0.06), "The next comes in 0.1 s: go there");
+}
+
+#[test]
 fn where_no_landmark_is_known_it_says_what_to_do_and_where_whole_pictures_are_laid_where_to_look() {
     let mut harness = harness(3.0);
     let run = &mut harness.state_mut().fixture.run;
