@@ -182,7 +182,7 @@ fn facts(
 /// recorded from the air.
 fn height_words(least: f64, greatest: f64) -> (&'static str, String) {
     let number = |height: f64| format!("{:.0}", height.round() + 0.0).replace('-', "−");
-    if -least > 0.1 * (greatest - least) {
+    if -least > 0.1 * (greatest - least) && number(least) != number(greatest) {
         let both = format!("{} to {}", number(least), number(greatest));
         ("Heights above start", both)
     } else {
@@ -352,6 +352,10 @@ mod tests {
         let of_descent = ("Heights above start", "−35 to 0".to_owned());
         assert_eq!(height_words(-35.2, -0.0), of_descent);
         assert_eq!(height_words(0.0, 0.0).1, "0");
-        assert_eq!(height_words(-0.14, 0.05).1, "0 to 0");
+        assert_eq!(
+            height_words(-0.14, 0.05),
+            ("Greatest height above start", "0".to_owned())
+        );
+        assert_eq!(height_words(-0.6, 0.4).1, "−1 to 0");
     }
 }
