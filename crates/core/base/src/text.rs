@@ -111,11 +111,21 @@ fn lacks_letters(cell: &str, others: &[&str]) -> bool {
     has_fewer_decimals || has_fewer_digits || lacks_mark
 }
 
-/// A text with its first letter in capitals.
+/// A text with its first letter in capitals, unless it begins with the name of a file.
 pub fn capitalised(text: &str) -> String {
+    if begins_with_file(text) {
+        return text.to_owned();
+    }
     let mut letters = text.chars();
     let first = letters.next().map(char::to_uppercase).into_iter().flatten();
     first.chain(letters).collect()
+}
+
+/// Whether the first word is the name of a file.
+fn begins_with_file(text: &str) -> bool {
+    let word = text.split([' ', ':']).next().unwrap_or("");
+    let ending = word.rsplit_once('.').map_or("", |(_, ending)| ending);
+    !ending.is_empty() && ending.chars().all(char::is_alphanumeric)
 }
 
 /// A text in which nothing is taken for the markup of HTML or XML, and without the control characters that XML forbids.
@@ -232,6 +242,10 @@ mod tests {
         assert_eq!(capitalised("über alles"), "Über alles");
         assert_eq!(capitalised("2 rows"), "2 rows");
         assert_eq!(capitalised(""), "");
+        for named in ["march.png was left out", "photos/a.jpg: no place"] {
+            assert_eq!(capitalised(named), named);
+        }
+        assert_eq!(capitalised("no place. a.jpg"), "No place. a.jpg");
     }
 
     #[test]
