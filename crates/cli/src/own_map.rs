@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
-use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::imagery::Imagery;
 use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
-use pilotage_core::simulate::{FlightDay, FlightPlan, Overrides, Scenario, SimulatedFrames, Wind};
+use pilotage_core::simulate::{FlightDay, FlightPlan, Overrides, Scenario, Wind};
 
-use pilotage_jobs::{KeptFrames, MapSource, OpenFlight};
+use pilotage_jobs::{MapSource, OpenFlight, fly_plan};
 
 use crate::files::MAP_CACHE;
 use crate::numbers::numbers;
@@ -75,19 +75,11 @@ pub fn fly(
         let from = from.to_radians();
         plan.wind = Wind { from, speed }.velocity();
     }
-    let flight = plan.simulate(seed);
-    let flight = flight.ok_or("the route needs two way-points in different places")?;
-    let seen: Arc<dyn Imagery> = match day {
+    let ground: Arc<dyn Imagery> = match day {
         FlightDay::Same => map,
         FlightDay::Other | FlightDay::LateWinter | FlightDay::EarlySpring => days.drawn(seed),
     };
-    let seen = Arc::new(CachedImagery::new(seen, MAP_CACHE));
-    let frames = SimulatedFrames::new(&flight, day, seed).over(seen);
-    Ok(OpenFlight {
-        frames: KeptFrames::rendered(&flight, Box::new(frames)),
-        flight: Arc::new(flight),
-        mission: None,
-    })
+    Ok(fly_plan(&plan, ground, day, seed)?)
 }
 
 fn by_mission(own: &OwnMap) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>> {

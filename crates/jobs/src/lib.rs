@@ -116,7 +116,7 @@ pub use prepare::PrepareMapOrder;
 pub use programs::{Abilities, Begin, Program};
 pub use provided::{LetGoOrder, ProvideOrder};
 pub use reference_map::ReferenceMapOrder;
-pub use rehearse::{RehearseOrder, Rehearsed};
+pub use rehearse::{RehearseOrder, Rehearsed, fly_plan};
 pub use reliability::ReliabilityOrder;
 pub use road_flight::{RoadFlight, RoadFlightOrder};
 pub use runner::JobRunner;

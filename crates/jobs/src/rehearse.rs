@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::CachedImagery;
+use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::{ChosenDetector, Detector, Landmark};
 use pilotage_core::navigator::Navigator;
 use pilotage_core::plan::{PlanComparison, RoutePrediction, as_stated, compare};
@@ -39,22 +39,44 @@ pub struct RehearseOrder {
     pub seed: u64,
 }
 
-/// The flight of a plan in the wind and with the sensors of a seed.
-fn simulated(plan: &FlightPlan, wind_deviation: f64, seed: u64) -> Result<Flight, String> {
-    let flight = plan.in_wind_of(seed, wind_deviation).simulate(seed);
-    flight.ok_or_else(|| "the route needs two way-points".to_owned())
+/// The flight of a plan with the sensors of a seed.
+fn simulated(plan: &FlightPlan, seed: u64) -> Result<Flight, String> {
+    let flight = plan.simulate(seed);
+    flight.ok_or_else(|| "the route needs two way-points in different places".to_owned())
 }
 
-/// Pictures of the map on the day of a seed, as the camera takes them.
-fn seen(
+/// Pictures of what the camera sees of a flight with the sensors of a seed.
+fn seen(flight: &Flight, ground: Arc<dyn Imagery>, day: FlightDay, seed: u64) -> SimulatedFrames {
+    SimulatedFrames::new(flight, day, seed).over(Arc::new(CachedImagery::new(ground, CACHE)))
+}
+
+/// The map on the day of a seed.
+fn other_day(
     worker: &mut WorkerState,
     map: &MapSource,
-    flight: &Flight,
     seed: u64,
-) -> Result<SimulatedFrames, String> {
-    let day = worker.others(map)?.drawn(FIRST_DAY + seed);
-    let day = Arc::new(CachedImagery::new(day, CACHE));
-    Ok(SimulatedFrames::new(flight, FlightDay::Other, seed).over(day))
+) -> Result<Arc<dyn Imagery>, String> {
+    Ok(worker.others(map)?.drawn(FIRST_DAY + seed))
+}
+
+/// Flies a plan over `ground`, which is the map or one of its other days, with the sensors of a seed; pictures are taken
+/// when they are asked for.
+///
+/// # Errors
+/// In words, where the route has no way to fly.
+pub fn fly_plan(
+    plan: &FlightPlan,
+    ground: Arc<dyn Imagery>,
+    day: FlightDay,
+    seed: u64,
+) -> Result<OpenFlight, String> {
+    let flight = simulated(plan, seed)?;
+    let frames = seen(&flight, ground, day, seed);
+    Ok(OpenFlight {
+        frames: KeptFrames::rendered(&flight, Box::new(frames)),
+        flight: Arc::new(flight),
+        mission: None,
+    })
 }
 
 /// Flies a planned route; pictures are taken when they are asked for.
@@ -65,13 +87,9 @@ pub fn open(worker: &mut WorkerState, rehearsed: &RehearsedFlight) -> Result<Ope
         ..rehearsed.path.plan()
     };
     let seed = rehearsed.seed;
-    let flight = simulated(&plan, rehearsed.wind_deviation, seed)?;
-    let frames = seen(worker, &rehearsed.map, &flight, seed)?;
-    Ok(OpenFlight {
-        frames: KeptFrames::rendered(&flight, Box::new(frames)),
-        flight: Arc::new(flight),
-        mission: None,
-    })
+    let plan = plan.in_wind_of(seed, rehearsed.wind_deviation);
+    let ground = other_day(worker, &rehearsed.map, seed)?;
+    fly_plan(&plan, ground, FlightDay::Other, seed)
 }
 
 /// Outcome of a flight of a plan.
@@ -96,7 +114,7 @@ impl Rehearse {
     fn begin(&self, worker: &mut WorkerState) -> Result<Flying, String> {
         let order = &self.order;
         let (plan, seed, settings) = (order.plan.path.plan(), order.seed, &order.plan.navigator);
-        let flight = simulated(&plan, settings.start.wind, seed)?;
+        let flight = simulated(&plan.in_wind_of(seed, settings.start.wind), seed)?;
         let landmarks = order.plan.landmarks.iter();
         let landmarks: Vec<Landmark> = landmarks.map(|(landmark, _)| landmark.clone()).collect();
         let (detector, frames): (Box<dyn Detector>, Box<dyn FrameSource>) = if order.as_stated {
@@ -104,7 +122,8 @@ impl Rehearse {
             let (detector, frames) = stated.ok_or("there is no truth")?;
             (Box::new(detector), Box::new(frames))
         } else {
-            let frames = seen(worker, &order.map, &flight, seed)?;
+            let ground = other_day(worker, &order.map, seed)?;
+            let frames = seen(&flight, ground, FlightDay::Other, seed);
             let map = worker.map(&order.map)?;
             let detector = ChosenDetector::new(map, settings.detector, &landmarks);
             (Box::new(detector), Box::new(frames))
