@@ -107,3 +107,21 @@ fn rally_points_go_through_geojson_into_a_file_of_way_points_of_their_own() {
     let back = std::fs::read_to_string(folder.0.join("c.waypoints")).unwrap();
     assert_eq!(back, lines);
 }
+
+#[test]
+fn plain_text_of_another_kind_is_called_by_its_name_and_a_plan_by_its_line() {
+    let folder = Folder::new("convert-text");
+    let told = |content: &str| {
+        folder.write("a.txt", content);
+        let output = folder.convert("a.txt", "b.geojson", &[]);
+        assert!(!output.status.success());
+        words(&output.stderr)
+    };
+    let points = told("EPSG:32632\n465429.7 5246517.2 430 100 200 a.jpg one\n");
+    assert!(points.contains("control points"), "{points}");
+    let later = told("QGC WPL 130\n0\t1\t0\t16\t0\t0\t0\t0\t47.4\t8.5\t60\t1\n");
+    assert!(
+        later.contains("line 1") && later.contains("QGC WPL 110"),
+        "{later}"
+    );
+}

@@ -47,6 +47,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "breitengrad",
             "geographische breite",
             "geogr breite",
+            "y/latitude", // Metashape, of places on the globe
         ],
     ),
     (
@@ -63,6 +64,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "laengengrad",
             "geographische länge",
             "geogr länge",
+            "x/longitude",
         ],
     ),
     (
@@ -107,7 +109,10 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "east/west",
         ],
     ),
-    (CsvRole::Altitude, &["altitude", "alt", "ele", "elevation"]),
+    (
+        CsvRole::Altitude,
+        &["altitude", "alt", "ele", "elevation", "z/altitude"],
+    ),
     (
         CsvRole::Frame,
         &[

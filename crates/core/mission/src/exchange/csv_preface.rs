@@ -25,6 +25,9 @@ pub(super) fn preface(content: &str) -> CsvPreface<'_> {
         if let Some(cell) = lower.strip_prefix("sep=") {
             told = told.or_else(|| cell.chars().next());
         } else if !line.trim().is_empty() && !is_comment(line) {
+            // Names behind a `#` are called as they would be without.
+            let names = table.trim_start();
+            table = names.strip_prefix('#').map_or(table, str::trim_start);
             break;
         }
         table = rest;
@@ -73,6 +76,7 @@ mod tests {
             ("\"sep=\t\"\nname\tlat\tlon\n", 1, '\t'),
             ("# made, by, whom\n\n# 2024\nname|lat|lon\n", 3, '|'),
             ("# name,lat,lon\nA,1,2\n", 0, ','),
+            ("# WGS 84\n#Label,X/Longitude,Y/Latitude\nlat,1,2\n", 1, ','),
         ] {
             let found = preface(content);
             assert_eq!(
@@ -81,6 +85,7 @@ mod tests {
                 "{content}"
             );
             assert!(found.table.contains("lat"), "{content}");
+            assert!(found.table.starts_with(['n', 'L']), "{content}");
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value};
 
+use super::csv_preface::preface;
 use super::old_mission::is_mission;
 use super::{Format, wpml};
 
@@ -49,7 +50,7 @@ impl Format {
             };
         }
         let named = Self::of_name(name);
-        let first_line = head.lines().next().unwrap_or("");
+        let first_line = preface(head).table.lines().next().unwrap_or("");
         let is_table = [',', ';', '\t'].iter().any(|c| first_line.contains(*c));
         match named {
             Some(Self::Waypoints) if is_table => Some(Self::Csv),

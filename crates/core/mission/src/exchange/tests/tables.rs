@@ -322,3 +322,18 @@ fn tables_may_begin_with_other_lines_and_name_places_in_other_languages() {
     let error = error.unwrap_err().to_string();
     assert!(error.contains("line 4"), "{error}");
 }
+
+#[test]
+fn a_reference_table_of_metashape_has_its_names_behind_a_comment() {
+    let table = "# CoordinateSystem: WGS 84 (EPSG::4326)\n#Label,X/Longitude,Y/Latitude,Z/Altitude\n\
+        DJI_1.JPG,8.5,47.3,500\nDJI_2.JPG,8.51,47.3,510\n";
+    for name in ["reference.csv", "reference.txt"] {
+        let found = read_any(name, table.as_bytes(), None).unwrap();
+        let way_points = &found.routes[0].way_points;
+        let names = way_points.iter().map(|it| it.properties["name"].as_str());
+        assert!(names.eq(["\"DJI_1.JPG\"", "\"DJI_2.JPG\""]));
+        let place = found.frame.geodetic_from_ground(&way_points[1].position);
+        let degrees = [place.longitude, place.latitude].map(f64::to_degrees);
+        assert!((degrees[0] - 8.51).abs() < 1e-9 && (degrees[1] - 47.3).abs() < 1e-9);
+    }
+}
