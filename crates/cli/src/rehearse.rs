@@ -102,7 +102,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 
 impl FlownFigures {
     fn new(of: &Verification, corrected: usize, frames: &[PlanComparison]) -> Self {
-        let largest = frames.iter().max_by(|a, b| a.squared.total_cmp(&b.squared));
+        let largest = PlanComparison::worst(frames);
         Self {
             frames: of.frames,
             corrected,

@@ -30,6 +30,18 @@ pub struct PlanComparison {
     pub nees: f64,
 }
 
+impl PlanComparison {
+    /// Error, metres.
+    pub fn error(&self) -> f64 {
+        self.squared.sqrt()
+    }
+
+    /// The frame with the largest error.
+    pub fn worst(frames: &[Self]) -> Option<&Self> {
+        frames.iter().max_by(|a, b| a.squared.total_cmp(&b.squared))
+    }
+}
+
 /// Compares every frame of `flight` with the place of the prediction that it is over.
 ///
 /// Empty for a flight without truth.

@@ -43,8 +43,8 @@ pub struct RehearsedRoute {
 impl RehearsedRoute {
     fn new(seed: u64, flown: Rehearsed) -> Self {
         let frames = flown.frames;
-        let worst = frames.iter().max_by(|a, b| a.squared.total_cmp(&b.squared));
-        let worst = worst.map_or((0.0, 0.0), |it| (it.squared.sqrt(), it.distance));
+        let worst = PlanComparison::worst(&frames);
+        let worst = worst.map_or((0.0, 0.0), |it| (it.error(), it.distance));
         Self {
             seed,
             frames,
