@@ -2,7 +2,7 @@
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{DetectionStatistics, Rehearsal};
-use pilotage_jobs::JobEvent;
+use pilotage_jobs::{AssessmentOrder, JobEvent};
 
 use crate::planned_flight::PlannedFlight;
 use crate::workers;
@@ -24,7 +24,8 @@ pub fn expected(
 ) -> Result<Vec<(Landmark, DetectionStatistics)>, String> {
     let landmarks = enabled(ground);
     let order = |l: &&Landmark| ground.assessment(l, seed);
-    let orders = landmarks.iter().map(order).collect();
+    let orders: Vec<AssessmentOrder> = landmarks.iter().map(order).collect();
+    let misfits: Vec<String> = orders.iter().map(AssessmentOrder::misfit).collect();
     let mut measured = Vec::new();
     let begun = std::time::Instant::now();
     workers::run(orders, &ground.lent(), &mut |number, event| {
@@ -35,7 +36,7 @@ pub fn expected(
                 found.false_matches,
                 found.statistics(),
             ),
-            // The ground is open already: nothing but its size can be wrong.
+            JobEvent::Failed(why) if why != misfits[number] => return Err(why),
             JobEvent::Failed(_) => (
                 "never: it does not fit into the picture".to_owned(),
                 Rehearsal::false_matches(&[]),

@@ -16,6 +16,14 @@ use super::{
 };
 
 impl AssessmentOrder {
+    /// Failure of a landmark that does not fit into a picture, which is therefore never found.
+    pub fn misfit(&self) -> String {
+        format!(
+            "{} does not fit into a picture from {:.0} m; make its box smaller or fly higher",
+            self.landmark.name, self.height
+        )
+    }
+
     /// Prepares to look at the landmark on `days`.
     pub(super) fn assessor(
         &self,
@@ -112,10 +120,7 @@ impl RunningJob for Assess {
                 assessor.pass_over()
             };
             if !fits {
-                return Err(format!(
-                    "{} does not fit into a picture from {:.0} m; make its box smaller or fly higher",
-                    self.order.landmark.name, self.order.height
-                ));
+                return Err(self.order.misfit());
             }
             self.looks += 1;
             if clock() - begun > SLICE {
