@@ -166,8 +166,7 @@ impl MapArguments {
     }
 
     fn has_ending(&self, endings: &[&str]) -> bool {
-        let ending = self.file.extension().unwrap_or_default();
-        endings.iter().any(|e| ending.eq_ignore_ascii_case(e))
+        pilotage_disk::opening::has_ending(&self.file, endings)
     }
 }
 

@@ -13,17 +13,13 @@ use crate::documents::kept::provide;
 use crate::feature::{FeatureContext, OpenedSet};
 use crate::host::OpenedFile;
 use crate::map::{TILES_AT_A_TIME, TileKey};
+use pilotage_core::flight::files::has_ending;
 
 /// Endings that formats of routes and landmarks share with too much else to be taken for named places.
 const OF_ANYTHING: [&str; 2] = ["json", "txt"];
 
 /// Side of the largest map that is shown whole beside a picture, metres.
 const LARGEST_SHOWN: f64 = 20_000.0;
-
-fn has_ending(path: &str, endings: &[&str]) -> bool {
-    let ending = path.rsplit('.').next().unwrap_or_default();
-    endings.iter().any(|e| ending.eq_ignore_ascii_case(e))
-}
 
 /// Georeferencer, with a picture while it is open.
 #[derive(Default)]

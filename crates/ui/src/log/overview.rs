@@ -117,7 +117,7 @@ fn save_track(ui: &mut Ui, context: &mut ViewContext<'_>) {
                 .color(tokens.muted),
         );
         ui.horizontal(|ui| {
-            for format in [Format::Kml, Format::Gpx, Format::GeoJson, Format::Csv] {
+            for format in Format::all().filter(|format| format.holds_tracks()) {
                 let words = format.name();
                 if crate::shell::text_button(ui, tokens, None, words, false).clicked() {
                     context.commands.push(ExportCommand::Track(format).into());
