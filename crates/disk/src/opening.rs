@@ -10,8 +10,8 @@ use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::flight::photo::photos_lack;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_jobs::{
-    OpenFlight, TABLES, columns_file, flight_among, flight_of_file, foreign_kind, log_among,
-    name_as_tables, open_log, table_names, with_films_told,
+    OpenFlight, StatedColumns, TABLES, flight_among, flight_of_file, foreign_kind, log_among,
+    maps_beside, open_log, table_names, with_films_told,
 };
 
 use crate::files::{DirectoryFiles, DiskFile};
@@ -78,12 +78,7 @@ impl OpenedPath {
 /// # Errors
 /// Files that are there and cannot be read.
 pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn std::error::Error>> {
-    let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
-    if path.is_dir() || is_flight_file {
-        let files: Arc<dyn FileSet> = Arc::new(DirectoryFiles::open(path)?);
-        return open_folder(&files, columns);
-    }
-    if let Some(files) = unpacked(path)? {
+    if let Some(files) = folder_at(path)? {
         return open_folder(&files, columns);
     }
     let file = DiskFile::open(path, &path.to_string_lossy());
@@ -105,6 +100,15 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn s
         Some(folder) => OpenedPath::Folder(Box::new(folder)),
         None => OpenedPath::Nothing(nothing(files.as_ref(), &names)),
     })
+}
+
+/// The files of a folder, a flight.json, a zip or a MATLAB file; `None` of anything else.
+pub fn folder_at(path: &Path) -> Result<Option<Arc<dyn FileSet>>, Box<dyn std::error::Error>> {
+    let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
+    if path.is_dir() || is_flight_file {
+        return Ok(Some(Arc::new(DirectoryFiles::open(path)?)));
+    }
+    Ok(unpacked(path)?)
 }
 
 /// The reason why a path is no flight: the one that tables among it `told`, else its kind by its content, else that it
@@ -294,27 +298,16 @@ pub fn said(
     names: &[String],
     columns: Option<&Path>,
 ) -> Result<Option<Vec<ColumnMap>>, String> {
-    let found = if let Some(path) = columns {
-        let file = path.display().to_string();
-        let bytes = std::fs::read(path).map_err(|e| format!("{file}: {e}"))?;
-        Some((file, bytes))
-    } else {
-        columns_file(files)
+    let Some(path) = columns else {
+        return maps_beside(files);
     };
-    let Some((file, bytes)) = found else {
-        return Ok(None);
-    };
-    let mut maps: Vec<ColumnMap> =
-        serde_json::from_slice(&bytes).map_err(|e| format!("{file}: {e}"))?;
-    name_as_tables(&mut maps, names);
-    // A map beside tables may tell of more than are looked at.
-    let lost = maps.iter().find(|map| !names.contains(&map.file));
-    if let Some(map) = lost.filter(|_| columns.is_some()) {
-        let table = &map.file;
-        return Err(format!("{file}: there is no table {table} among these"));
+    let file = path.display().to_string();
+    let text = std::fs::read(path).map_err(|e| format!("{file}: {e}"))?;
+    let stated = StatedColumns::read(&file, &text, names)?;
+    match stated.lost.first() {
+        Some(table) => Err(format!("{file}: there is no table {table} among these")),
+        None => Ok(Some(stated.maps).filter(|maps| !maps.is_empty())),
     }
-    maps.retain(|map| names.contains(&map.file));
-    Ok(Some(maps).filter(|maps| !maps.is_empty()))
 }
 
 /// Whether a file's name ends so.

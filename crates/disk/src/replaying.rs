@@ -9,12 +9,12 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 use pilotage_jobs::{
     BareMission, FlightSource, FlyOrder, JobEvent, MapSource, OpenFlight, SimulationOptions,
-    WorkerState,
+    WorkerState, mission_beside_flight,
 };
 
 use crate::files::{MAP_CACHE, open_map};
 use crate::mission_file::OpenMission;
-use crate::opening::{OpenedPath, no_flight, open};
+use crate::opening::{OpenedPath, folder_at, no_flight, open};
 use crate::workers::{KEY, Lent, do_here};
 
 /// Failure in words that name the file and what to do.
@@ -34,7 +34,12 @@ pub fn flight_at(
     if let OpenedPath::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }
-    Ok(opened.into_flight()?.ok_or_else(|| no_flight(path, ""))?)
+    let opened = opened.into_flight()?;
+    let (mut flight, notes) = opened.ok_or_else(|| no_flight(path, ""))?;
+    if let Some(files) = folder_at(path)? {
+        flight.mission = mission_beside_flight(files.as_ref())?;
+    }
+    Ok((flight, notes))
 }
 
 /// A flight over the map on which it is to be found.
@@ -73,8 +78,8 @@ impl FlightOverMap {
     }
 }
 
-/// Lays the flight that was read from `path` over the picture at `map`, with the landmarks of a mission file and
-/// changes to the filter (`key=value,…`).
+/// Lays the flight that was read from `path` over the picture at `map`, with the landmarks of a mission file, or else those
+/// of the mission beside it, and changes to the filter (`key=value,…`).
 ///
 /// # Errors
 /// A flight without pictures, a map or mission that cannot be read, a setting that is not there.
@@ -94,10 +99,11 @@ pub fn over_map(
     }
     let imagery = open_map(map, open.flight.frame_on_globe, MAP_CACHE)?;
     let source = Lent::map_of_file();
-    let mut mission = match mission {
-        Some(path) => OpenMission::read(path)?.package.mission,
-        None => BareMission::of(&open.flight, &source).mission,
+    let stated = match mission {
+        Some(path) => Some(OpenMission::read(path)?.package.mission),
+        None => open.mission.clone(),
     };
+    let mut mission = stated.unwrap_or_else(|| BareMission::of(&open.flight, &source).mission);
     crate::filter_options::apply(&mut mission.navigator, filter)?;
     Ok(FlightOverMap::new(open, mission, &source, imagery))
 }

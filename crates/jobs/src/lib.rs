@@ -108,7 +108,7 @@ pub use messages::{
     TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
-pub use opening::map as map_among;
+pub use opening::{map as map_among, mission_beside_flight};
 pub use order::{Order, Reads, Urgency, VariantOrder, WorkerRole};
 pub use photos::LayPhotos;
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
@@ -129,7 +129,9 @@ pub use study_shard::StudyShardOrder;
 pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;
 pub use table_names::{TABLES, table_names};
-pub use tables::{COLUMNS_FILE, MakeFlightOrder, columns_file, name_as_tables, write_columns};
+pub use tables::{
+    COLUMNS_FILE, MakeFlightOrder, StatedColumns, columns_file, maps_beside, write_columns,
+};
 pub use untested::UntestedOrder;
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;

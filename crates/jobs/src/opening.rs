@@ -217,14 +217,20 @@ pub fn places(pool: &dyn FileSet) -> Result<Vec<(String, Geodetic)>, String> {
 
 /// A folder's flight with its pictures and its mission, if one lies in it.
 pub fn open_folder(pool: &Arc<dyn FileSet>, folder: FlightFolder) -> Result<OpenFlight, String> {
-    // Tables that were asked about may have come with anything.
-    let is_of_maps = columns_file(pool.as_ref()).is_some();
-    let mission = if is_of_maps {
-        None
-    } else {
-        mission(pool.as_ref(), true)?
-    };
+    let mission = mission_beside_flight(pool.as_ref())?;
     Ok(OpenFlight::of_folder(folder, mission))
+}
+
+/// The mission among the files of a flight.
+///
+/// # Errors
+/// A mission that cannot be read, with the file's name.
+pub fn mission_beside_flight(pool: &dyn FileSet) -> Result<Option<Mission>, String> {
+    // Tables that were asked about may have come with anything.
+    match columns_file(pool) {
+        Some(_) => Ok(None),
+        None => mission(pool, true),
+    }
 }
 
 /// The flight among the files: a folder of one, else what a log tells of, all of which is read.
@@ -273,6 +279,7 @@ pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<D
 }
 
 /// The mission among the files; beside a flight any GeoJSON is its mission.
+/// The mission among files, beside a flight or alone.
 fn mission(pool: &dyn FileSet, is_flight: bool) -> Result<Option<Mission>, String> {
     let names = names_ending_in(pool, &["json", "geojson"]);
     let found = names.into_iter().find_map(|name| {

@@ -38,7 +38,7 @@ pub fn columns_file(pool: &dyn FileSet) -> Option<(String, Vec<u8>)> {
 
 /// Gives maps the names that their tables have among the files: those of the same name, whatever folder they lie in. A
 /// map of one table is taken for the only table, whatever that is called. Maps of other tables stay as they are.
-pub fn name_as_tables(maps: &mut [ColumnMap], tables: &[String]) {
+fn name_as_tables(maps: &mut [ColumnMap], tables: &[String]) {
     if let ([map], [table]) = (&mut *maps, tables) {
         map.file.clone_from(table);
     }
@@ -52,15 +52,48 @@ pub fn name_as_tables(maps: &mut [ColumnMap], tables: &[String]) {
     }
 }
 
-/// The maps of columns that lie beside tables; `None` without them.
-fn maps_beside(pool: &dyn FileSet) -> Result<Option<Vec<ColumnMap>>, String> {
-    let Some((file, bytes)) = columns_file(pool) else {
+/// Meanings of columns that a file states.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StatedColumns {
+    /// Those of tables that are there, by the names that these have.
+    pub maps: Vec<ColumnMap>,
+    /// Tables of which it tells and that are not there.
+    pub lost: Vec<String>,
+}
+
+impl StatedColumns {
+    /// Reads the text of `file` for the tables that are there.
+    ///
+    /// # Errors
+    /// A text that is none of column maps, with the file's name.
+    pub fn read(file: &str, text: &[u8], tables: &[String]) -> Result<Self, String> {
+        let mut maps: Vec<ColumnMap> =
+            serde_json::from_slice(text).map_err(|cause| format!("{file}: {cause}"))?;
+        name_as_tables(&mut maps, tables);
+        let (maps, lost): (Vec<_>, Vec<_>) =
+            maps.into_iter().partition(|map| tables.contains(&map.file));
+        let lost = lost.into_iter().map(|map| map.file).collect();
+        Ok(Self { maps, lost })
+    }
+}
+
+/// The maps of columns that lie beside tables, of those tables that are there; `None` where there are none.
+///
+/// # Errors
+/// A file of them that cannot be read, or that is all there is.
+pub fn maps_beside(pool: &dyn FileSet) -> Result<Option<Vec<ColumnMap>>, String> {
+    let Some((file, text)) = columns_file(pool) else {
         return Ok(None);
     };
-    let mut maps: Vec<ColumnMap> = serde_json::from_slice(&bytes)
-        .map_err(|cause| format!("{file}: {cause}. Leave it out to be asked again."))?;
-    name_as_tables(&mut maps, &table_names(pool));
-    Ok(Some(maps))
+    let stated = StatedColumns::read(&file, &text, &table_names(pool))
+        .map_err(|cause| format!("{cause}. Leave it out to be asked again."))?;
+    if pool.names().len() == 1 {
+        let lost = stated.lost.join(", ");
+        return Err(format!(
+            "{file}: the tables of which it tells are not among the files: {lost}"
+        ));
+    }
+    Ok(Some(stated.maps).filter(|maps| !maps.is_empty()))
 }
 
 /// The flight among files, tables by the maps beside them; `None` beside a log.
@@ -160,6 +193,17 @@ mod tests {
         let lost = pool(&[(COLUMNS_FILE, write_columns(&[map]))]);
         let cause = flight_folder(&lost).err().unwrap();
         assert!(cause.contains("air.csv"), "{cause}");
+        // A folder of a flight may hold what is said of tables that lie elsewhere.
+        let map = guess_table("air.csv", AIR.as_bytes()).unwrap();
+        let mut other = map.clone();
+        other.file = "lost.csv".to_owned();
+        let maps = write_columns(&[map, other.clone()]);
+        let some = pool(&[("air.csv", AIR.into()), (COLUMNS_FILE, maps)]);
+        let folder = flight_folder(&some).unwrap().unwrap();
+        assert!(folder.flight.value(ChannelName::Airspeed, 1.0).is_some());
+        let maps = write_columns(&[other.clone(), other]);
+        let none = pool(&[("notes.txt", b"x".to_vec()), (COLUMNS_FILE, maps)]);
+        assert!(flight_folder(&none).unwrap().is_none());
         assert!(flight_folder(&pool(&[])).unwrap().is_none());
     }
 }
