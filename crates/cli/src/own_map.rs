@@ -40,6 +40,9 @@ pub struct OwnMap {
     /// Height above ground, metres; without a mission 120.
     #[arg(long, conflicts_with = "scenario")]
     pub height: Option<f64>,
+    /// An elevation model of the ground below the mission's route; level where it says nothing.
+    #[arg(long, value_name = "FILE", requires = "mission")]
+    pub dem: Option<PathBuf>,
     /// Mean wind, degrees from which it blows and m/s.
     #[arg(long, value_name = "FROM,SPEED", conflicts_with = "scenario")]
     pub wind: Option<String>,
@@ -89,6 +92,7 @@ fn by_mission(own: &OwnMap) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>
         map: own.map.clone(),
         flight: None,
         height: own.height,
+        dem: own.dem.clone(),
     })?;
     let plan = ground
         .plan

@@ -161,7 +161,7 @@ fn train(
             camera: ground.camera.clone(),
             height: ground.height,
             sensors: ground.mission.navigator.sensors,
-            ground_down: ground.ground_down(),
+            ground_down: ground.ground_down,
             plan: plan.clone(),
             labelled: labelled.clone(),
             left: None,

@@ -9,7 +9,7 @@ use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::package::{MissionPackage, read_package};
 use pilotage_core::mission::{MapOptions, MapReference};
 use pilotage_core::simulate::Scenario;
-use pilotage_jobs::{Beside, map_among};
+use pilotage_jobs::{Beside, SimulationOptions, map_among};
 
 /// A mission file that was read.
 pub struct OpenMission {
@@ -47,8 +47,12 @@ impl OpenMission {
         if let Some(MapReference::Scenario(_)) = self.package.mission.map {
             return true;
         }
-        let beside = Beside::of_head(&self.package.settings);
-        beside.is_some_and(|beside| beside.simulation.is_some())
+        self.simulation().is_some()
+    }
+
+    /// The built-in flight that was open beside it when it was saved.
+    pub fn simulation(&self) -> Option<SimulationOptions> {
+        Beside::of_head(&self.package.settings)?.simulation
     }
 
     /// The map at `stated`, or else that in the file, or the generated scenery if it was saved there.

@@ -1,16 +1,20 @@
 //! Ground of a plan: a map, a mission on it, an aircraft.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::read_flight;
-use pilotage_core::frames::{AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{Mission, Route, WayPoint};
-use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
-use pilotage_jobs::{AssessmentOrder, MapSource, PlannedPath, PredictionOrder};
+use pilotage_core::mission::{Mission, Route, WayPoint, open_dem};
+use pilotage_core::plan::{FlownWay, RouteGround, planned_aircraft};
+use pilotage_core::simulate::{Scenario, Wind};
+use pilotage_jobs::{
+    AssessmentOrder, HeightsOrder, MapSource, PlannedPath, PredictionOrder, scenario_wind,
+};
 
 use crate::files::{DirectoryFiles, MAP_CACHE};
 use crate::mission_file::OpenMission;
@@ -29,6 +33,8 @@ pub struct PlanSource {
     pub flight: Option<PathBuf>,
     /// Height above ground, metres, where neither route nor scenario states one.
     pub height: Option<f64>,
+    /// An elevation model of the ground; level where it says nothing.
+    pub dem: Option<PathBuf>,
 }
 
 /// The map, the mission on it and how it is flown.
@@ -41,8 +47,16 @@ pub struct PlannedFlight {
     pub mission: Mission,
     /// The camera that is flown.
     pub camera: CameraModel,
-    /// Height above ground, metres.
+    /// Mean height above ground, metres.
     pub height: f64,
+    /// Altitude of the first way-point.
+    pub altitude: Altitude,
+    /// Heights of the ground, where an elevation model is open.
+    pub heights: Option<HeightGrid>,
+    /// Height of the ground elsewhere, metres above mean sea level.
+    level: f64,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
     /// The planned flight, of whose landmarks nothing is expected yet.
     pub plan: Option<PredictionOrder>,
 }
@@ -71,22 +85,7 @@ impl PlannedFlight {
         route: Option<&str>,
     ) -> Result<Self, Box<dyn std::error::Error>> {
         if let Some(name) = &arguments.scenario {
-            let scenario = Scenario::named(name).ok_or_else(|| {
-                format!("there is no scenario \"{name}\"; see pilotage scenarios")
-            })?;
-            let ground = Self {
-                map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
-                source: MapSource::world("countryside"),
-                mission: scenario.mission(),
-                camera: Scenario::camera(),
-                height: arguments.height.unwrap_or(scenario.height),
-                plan: None,
-            };
-            let plan = ground.planned(scenario.route.clone(), Vec::new(), scenario.wind);
-            return Ok(Self {
-                plan: Some(plan),
-                ..ground
-            });
+            return Self::of_scenario(name, arguments.height);
         }
         let Some(path) = &arguments.mission else {
             return Err("say --scenario NAME or --mission FILE".into());
@@ -100,11 +99,13 @@ impl PlannedFlight {
             Lent::map_of_file()
         };
         let of_scenery = opened.is_over_scenery().then(Scenario::camera);
+        let wind = opened.simulation().map(|options| scenario_wind(&options));
         let mission = opened.package.mission;
         let flown = match &arguments.flight {
             Some(path) => Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?.flight),
             None => None,
         };
+        let ground_down = flown.as_ref().map_or(0.0, |flight| flight.ground_down);
         let camera = mission
             .camera
             .clone()
@@ -115,62 +116,127 @@ impl PlannedFlight {
             Some(name) => Some(route_named(&mission, name)?),
             None => mission.routes.first(),
         };
-        let route = route.cloned();
-        let targets = route
-            .as_ref()
-            .map_or_else(Vec::new, |route| targets(route, &mission, arguments));
-        let height = arguments
-            .height
-            .or_else(|| Some(targets.first()?.height))
-            .ok_or("neither the route nor --height says how high to fly")?;
-        let ground = Self {
+        let mut route = route.cloned();
+        if let (Some(route), Some(metres)) = (&mut route, arguments.height) {
+            let stated = Altitude::new(metres, AltitudeFrame::AboveGround);
+            let all = route.way_points.iter_mut();
+            all.for_each(|way_point| way_point.altitude = stated);
+        }
+        let heights = match &arguments.dem {
+            Some(path) => {
+                let area = HeightsOrder::of_interest(Some(map.bounds()), &mission);
+                let area = area.ok_or("the map is too large for heights and nothing is planned")?;
+                Some(heights_of(path, frame, area)?)
+            }
+            None => None,
+        };
+        let level = mission.level_ground_under(ground_down);
+        let mut ground = Self {
             map,
             source,
             mission,
             camera,
-            height,
+            height: 0.0,
+            altitude: Altitude::new(0.0, AltitudeFrame::AboveGround),
+            heights,
+            level,
+            ground_down,
             plan: None,
         };
-        let plan = route.map(|route| {
-            let way_points = route.way_points.iter().map(|w| w.position).collect();
-            ground.planned(way_points, targets, Scenario::all()[0].wind)
-        });
-        Ok(Self { plan, ..ground })
+        let flown = route.as_ref().filter(|route| !route.way_points.is_empty());
+        ground.height = flown
+            .and_then(|route| ground.mean_above(route))
+            .or(arguments.height)
+            .ok_or("neither the route nor --height says how high to fly")?;
+        let usual = Altitude::new(ground.height, AltitudeFrame::AboveGround);
+        ground.altitude = flown.map_or(usual, |route| route.way_points[0].altitude);
+        if let Some(route) = &route {
+            ground.plan = Some(ground.planned(FlownWay::default(), wind.unwrap_or_default()));
+            ground.fly_along(route);
+        }
+        Ok(ground)
     }
 
-    fn planned(
-        &self,
-        way_points: Vec<GroundPoint>,
-        targets: Vec<Target>,
-        wind: Wind,
-    ) -> PredictionOrder {
-        PredictionOrder {
-            path: PlannedPath {
-                way_points,
-                height: self.height,
-                targets,
-                airspeed: None,
-                bank: None,
-                wind,
-                camera: self.camera.clone(),
-                ground_down: 0.0,
-            },
-            navigator: self.mission.navigator.clone(),
-            landmarks: Vec::new(),
-            worlds: 0,
-            seed: PredictionOrder::SEED,
-            limit: f64::INFINITY,
+    /// Plans to fly along a route.
+    pub fn fly_along(&mut self, route: &Route) {
+        let frame = LocalFrame::new(self.mission.origin);
+        let bank = planned_aircraft().bank_limit;
+        let way = self.over(route, |ground| FlownWay::along(route, &frame, ground, bank));
+        let height = self.mean_above(route).unwrap_or(self.height);
+        if let Some(plan) = &mut self.plan {
+            plan.path.way_points = way.places;
+            plan.path.targets = way.targets;
+            plan.path.height = height;
         }
     }
 
-    /// Airspeed that is flown, m/s.
-    pub fn cruise() -> f64 {
-        Airframe::sig_kadet_senior().cruise
+    /// A route over places at the altitude of the first way-point.
+    pub fn at_its_altitude(&self, places: &[GroundPoint]) -> Route {
+        let way_points = places.iter().map(|at| WayPoint::new(*at, self.altitude));
+        Route {
+            way_points: way_points.collect(),
+            ..Route::default()
+        }
     }
 
-    /// Down coordinate of the ground plane, metres.
-    pub fn ground_down(&self) -> f64 {
-        self.plan.as_ref().map_or(0.0, |plan| plan.path.ground_down)
+    fn of_scenario(name: &str, height: Option<f64>) -> Result<Self, Box<dyn std::error::Error>> {
+        let scenario = Scenario::named(name)
+            .ok_or_else(|| format!("there is no scenario \"{name}\"; see pilotage scenarios"))?;
+        let mission = scenario.mission();
+        let height = height.unwrap_or(scenario.height);
+        let mut ground = Self {
+            map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
+            source: MapSource::world("countryside"),
+            level: mission.level_ground_under(0.0),
+            mission,
+            camera: Scenario::camera(),
+            height,
+            altitude: Altitude::new(height, AltitudeFrame::AboveGround),
+            heights: None,
+            ground_down: 0.0,
+            plan: None,
+        };
+        let way = FlownWay {
+            places: scenario.route.clone(),
+            targets: Vec::new(),
+        };
+        ground.plan = Some(ground.planned(way, scenario.wind));
+        Ok(ground)
+    }
+
+    fn planned(&self, way: FlownWay, wind: Wind) -> PredictionOrder {
+        let path = PlannedPath {
+            way_points: way.places,
+            height: self.height,
+            targets: way.targets,
+            airspeed: None,
+            bank: None,
+            wind,
+            camera: self.camera.clone(),
+            ground_down: self.ground_down,
+        };
+        PredictionOrder::along(path, &self.mission)
+    }
+
+    /// Height of the ground at a place, metres.
+    pub fn height_at(&self, place: &GroundPoint) -> f64 {
+        let known = self.heights.as_ref().and_then(|it| it.height_at(place));
+        known.unwrap_or(self.level)
+    }
+
+    /// Says of the ground under a route what is asked.
+    fn over<T>(&self, route: &Route, ask: impl FnOnce(&RouteGround<'_>) -> T) -> T {
+        let first = route.way_points.first();
+        ask(&RouteGround {
+            height_at: &|place| self.height_at(place),
+            take_off: first.map_or(self.level, |w| self.height_at(&w.position)),
+            is_level: self.heights.is_none(),
+        })
+    }
+
+    /// Mean height of a route above the ground below it, metres; `None` without way-points.
+    pub fn mean_above(&self, route: &Route) -> Option<f64> {
+        self.over(route, |ground| ground.mean_above(route))
     }
 
     /// Order to measure a landmark.
@@ -181,7 +247,7 @@ impl PlannedFlight {
             camera: self.camera.clone(),
             height: self.height,
             navigator: self.mission.navigator.clone(),
-            ground_down: self.ground_down(),
+            ground_down: self.ground_down,
             seed,
         }
     }
@@ -205,16 +271,24 @@ fn route_named<'a>(mission: &'a Mission, name: &str) -> Result<&'a Route, String
     })
 }
 
-/// Height above level ground and airspeed at each way-point; heights as the route states, or all at `--height`.
-fn targets(route: &Route, mission: &Mission, arguments: &PlanSource) -> Vec<Target> {
-    let level = mission.level_ground();
-    let height = |w: &WayPoint| {
-        let counted = w.altitude.counted_from(AltitudeFrame::AboveGround, &level);
-        arguments.height.unwrap_or(counted.metres).max(1.0)
-    };
-    let of = |w: &WayPoint| Target {
-        height: height(w),
-        airspeed: w.speed,
-    };
-    route.way_points.iter().map(of).collect()
+/// Heights of an elevation model over `area`.
+fn heights_of(
+    path: &Path,
+    frame: LocalFrame,
+    area: GroundRect,
+) -> Result<HeightGrid, Box<dyn std::error::Error>> {
+    let files = DirectoryFiles::around(path)?;
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    let dem = open_dem(&files, &name.to_string_lossy(), Some(frame), None)?;
+    let mut heights = dem.grid(area, HeightsOrder::MOST_POSTS);
+    while !heights.take_rows(&dem, usize::MAX) {}
+    // Ground that cannot be read may be too high.
+    match dem.problem() {
+        Some(problem) => Err(problem.into()),
+        None => Ok(heights),
+    }
 }
+
+#[cfg(test)]
+#[path = "planned_flight_tests.rs"]
+mod tests;

@@ -5,10 +5,9 @@ use std::sync::Arc;
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::terrain::Terrain as _;
 use pilotage_core::plan::{
-    Aim, Forbidden, FoundRoute, Localizability, OfferedField, RouteQuestion, RouteSearch,
+    Aim, Forbidden, FoundRoute, Localizability, OfferedField, RouteQuestion, RouteSearch, cruise,
     growth_before_first_fix,
 };
-use pilotage_core::simulate::Airframe;
 
 use super::field::LOOKS_AWAY;
 use super::order::{Order, Urgency, WorkerRole};
@@ -99,7 +98,7 @@ impl FindRoute {
     fn search(&self, field: Localizability) -> Result<FindStage, String> {
         let order = &self.order;
         let pass = order.field.view.across().ok_or(LOOKS_AWAY)?;
-        let cruise = Airframe::sig_kadet_senior().cruise;
+        let usual = cruise();
         RouteSearch::new(RouteQuestion {
             from: order.from,
             to: order.to,
@@ -108,7 +107,7 @@ impl FindRoute {
             no_fly: order.no_fly.clone(),
             clearance: order.clearance,
             forbidden: order.high_ground.clone().map(HighGround::forbidden),
-            airspeed: order.flight.path.airspeed.unwrap_or(cruise),
+            airspeed: order.flight.path.airspeed.unwrap_or(usual),
             wind: order.flight.path.wind.velocity(),
             before_first_fix: growth_before_first_fix(&order.flight.navigator),
             turns: order.turns,

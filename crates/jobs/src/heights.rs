@@ -1,16 +1,37 @@
 //! The heights of an area, taken from an elevation model in the worker for use on the page.
 
-use pilotage_core::frames::LocalFrame;
+use pilotage_core::frames::{GroundRect, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, HeightGrid};
+use pilotage_core::mission::Mission;
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::SLICE;
 use super::{Advance, HeightsOrder, JobEvent, RunningJob, WorkerState, opening};
 
-/// Most posts along a side of what is sent to the page.
-const MOST_POSTS: usize = 640;
+/// Margin around the ground of interest in which heights are taken, metres.
+const AROUND: f64 = 2_000.0;
+/// Farthest from each other that ground of interest may lie, metres; of a larger map only the plan gets heights.
+const REACH: f64 = 60_000.0;
 /// Rows between two looks at the clock.
 const ROWS: usize = 4;
+
+impl HeightsOrder {
+    /// Most posts along a side of what is taken.
+    pub const MOST_POSTS: usize = 640;
+
+    /// Ground whose heights are of interest: that of a map and of what is planned on it; `None` where both are missing or
+    /// reach too far.
+    pub fn of_interest(map: Option<GroundRect>, mission: &Mission) -> Option<GroundRect> {
+        let near = |r: &GroundRect| r.width().max(r.height()) <= REACH;
+        let map = map.filter(near);
+        let plan = mission.planned_ground().filter(near);
+        let area = match (map, plan) {
+            (Some(a), Some(b)) => Some(a.union(&b)).filter(near).or(Some(b)),
+            (a, b) => a.or(b),
+        };
+        area.map(|area| area.grown(AROUND))
+    }
+}
 
 /// Heights being taken.
 pub struct TakeHeights {
@@ -32,7 +53,7 @@ impl TakeHeights {
         let frame = LocalFrame::new(self.order.origin);
         let dem = opening::terrain(files.as_ref(), Some(frame))?;
         let dem = dem.ok_or("there is no elevation model among the files")?;
-        let grid = dem.grid(self.order.area, MOST_POSTS);
+        let grid = dem.grid(self.order.area, HeightsOrder::MOST_POSTS);
         Ok((dem, grid))
     }
 }

@@ -1,8 +1,8 @@
 //! The uncertainty along a planned route, as a job.
 
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::plan::{PlannedLandmark, PredictionRequest, RoutePrediction};
-use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, world_origin};
+use pilotage_core::plan::{PlannedLandmark, PredictionRequest, RoutePrediction, planned_aircraft};
+use pilotage_core::simulate::{FlightPlan, SensorSpec, world_origin};
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::{Advance, JobEvent, PlannedPath, PredictionOrder, RunningJob, WorkerState};
@@ -34,7 +34,7 @@ impl RunningJob for Predict {
 impl PlannedPath {
     /// The flight that is planned.
     pub fn plan(&self) -> FlightPlan {
-        let mut airframe = Airframe::sig_kadet_senior();
+        let mut airframe = planned_aircraft();
         airframe.cruise = self.airspeed.unwrap_or(airframe.cruise);
         airframe.bank_limit = self.bank.unwrap_or(airframe.bank_limit);
         let length: f64 = self

@@ -30,7 +30,7 @@ pub struct PythonPrediction {
 /// Predicts how well the position will be known along a route, as `pilotage plan --predict` does.
 ///
 /// The route is that of `mission` called `route`, or its first, over `map` if the file holds none, or that of a built-in
-/// `scenario`. Landmarks are measured over the map, or found as `detection` states it: the probability that one can be
+/// `scenario`; the ground is as high as the elevation model `dem` says, and level without. Landmarks are measured over the map, or found as `detection` states it: the probability that one can be
 /// recognised on the day, and that in which it is then found in a picture. `worlds` are ways in which wind and detections
 /// may turn out: 8 are coarse, 100 are fine. `limit` is the accepted standard deviation in metres.
 #[pyfunction]
@@ -42,6 +42,7 @@ pub struct PythonPrediction {
     map = None,
     flight = None,
     height = None,
+    dem = None,
     detection = None,
     worlds = 100,
     seed = 1,
@@ -55,6 +56,7 @@ pub fn predict_route(
     map: Option<PathBuf>,
     flight: Option<PathBuf>,
     height: Option<f64>,
+    dem: Option<PathBuf>,
     detection: Option<(f64, f64)>,
     worlds: usize,
     seed: u64,
@@ -66,6 +68,7 @@ pub fn predict_route(
         map,
         flight,
         height,
+        dem,
     };
     let predict = || -> Result<PythonPrediction, Box<dyn std::error::Error>> {
         let ground = PlannedFlight::along(&source, route)?;

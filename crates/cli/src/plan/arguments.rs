@@ -129,10 +129,7 @@ pub struct FindArguments {
     /// Distance that is kept from the no-fly areas of the mission, metres.
     #[arg(long, default_value_t = 50.0)]
     pub clearance: f64,
-    /// An elevation model; the route keeps clear of the ground in it.
-    #[arg(long, value_name = "FILE")]
-    pub dem: Option<PathBuf>,
-    /// Height that is kept above the ground of the elevation model, metres.
+    /// Height that a found route keeps above the ground of the elevation model, metres.
     #[arg(long, default_value_t = 60.0)]
     pub ground_clearance: f64,
 }

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use pilotage_core::plan::{Pass, Reliability, random_places};
+use pilotage_core::plan::{Pass, Reliability, cruise, random_places};
 use pilotage_jobs::{JobEvent, ReliabilityOrder};
 
 use super::arguments::Arguments;
@@ -20,7 +20,7 @@ pub fn calibrate(
     let places = random_places(passes.div_ceil(ReliabilityOrder::PASSES), seed);
     let order = |place| ReliabilityOrder {
         about: ground.assessment(place, seed),
-        speed: PlannedFlight::cruise(),
+        speed: cruise(),
     };
     let orders = places.iter().map(order).collect();
     let begun = std::time::Instant::now();

@@ -1,13 +1,11 @@
 //! `pilotage plan --find FROM TO`: a route over ground where a fix will be had, beside the straight one.
 
-use pilotage_core::frames::units::GRAVITY;
-use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use pilotage_core::imagery::terrain::Terrain as _;
-use pilotage_core::mission::{Route, WayPoint, open_dem};
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::Route;
 use pilotage_core::plan::{
-    Aim, BudgetOf, FieldView, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns,
+    Aim, BudgetOf, FieldView, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns, cruise,
+    highest_ground, planned_aircraft,
 };
-use pilotage_core::simulate::GuidanceSettings;
 use pilotage_jobs::{
     FieldFrom, FieldOrder, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PlannedPath,
     PredictionOrder,
@@ -18,13 +16,10 @@ use super::arguments::{Arguments, FindArguments, Least, Of, Over};
 use super::ground::way_points;
 use super::landmarks::expected;
 use super::planned_flight::PlannedFlight;
-use crate::files::DirectoryFiles;
 use crate::workers;
 
 /// Standard deviation of the position with which the field is computed, metres.
 const POSITION: f64 = 15.0;
-/// Most posts of an elevation model along a side of the map.
-const MOST_POSTS: usize = 4096;
 
 /// Figures of one of the two routes.
 #[derive(Clone, Debug, Serialize)]
@@ -92,9 +87,11 @@ fn order(
         .clone()
         .ok_or("the mission has no route whose height and speed could be taken")?;
     let settings = &ground.mission.navigator;
+    let straight = ground.at_its_altitude(&[from, to]);
+    let height = ground.mean_above(&straight).unwrap_or(ground.height);
     let view = FieldView {
         camera: ground.camera.clone(),
-        height: ground.height,
+        height,
         position: POSITION,
         tilt: settings.sensors.roll.max(settings.sensors.pitch),
     };
@@ -116,7 +113,7 @@ fn order(
                             landmark: landmark.clone(),
                             detection: detection.clone(),
                         };
-                        FixSource::of(&planned, ground.height)
+                        FixSource::of(&planned, height)
                     })
                     .collect(),
             ),
@@ -133,7 +130,7 @@ fn order(
         field,
         no_fly: zones.map(|z| z.corners.clone()).collect(),
         clearance: wanted.clearance,
-        high_ground: high_ground(wanted, ground)?,
+        high_ground: high_ground(wanted, ground, &from),
         turns: turns(&plan),
         budget: wanted.budget,
         budget_of: match wanted.budget_of {
@@ -148,6 +145,7 @@ fn order(
             navigator: settings.clone(),
             landmarks,
             path: PlannedPath {
+                height,
                 targets: Vec::new(),
                 ..plan.path
             },
@@ -188,59 +186,31 @@ impl ComparedRoute {
 
 /// Plans the found way-points, and makes them the mission's first route.
 fn take(ground: &mut PlannedFlight, way_points: &[GroundPoint]) {
-    if let Some(plan) = &mut ground.plan {
-        plan.path.way_points = way_points.to_vec();
-        plan.path.targets.clear();
-    }
-    let altitude = Altitude {
-        metres: ground.height,
-        frame: AltitudeFrame::AboveGround,
-    };
-    let all = &mut ground.mission.routes;
+    let all = &ground.mission.routes;
     let found = Route {
         id: all.iter().map(|r| r.id + 1).max().unwrap_or(1),
         name: "Found".to_owned(),
-        way_points: way_points
-            .iter()
-            .map(|at| WayPoint::new(*at, altitude))
-            .collect(),
-        ..Route::default()
+        ..ground.at_its_altitude(way_points)
     };
-    all.insert(0, found);
+    ground.fly_along(&found);
+    ground.mission.routes.insert(0, found);
 }
 
 /// Turns of the aircraft with the wind behind it.
 fn turns(plan: &PredictionOrder) -> Turns {
-    let guidance = GuidanceSettings::default();
-    let speed = PlannedFlight::cruise() + plan.path.wind.speed;
-    Turns {
-        radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
-        roll_in: speed * guidance.roll_in,
-    }
+    let bank = plan.path.bank;
+    let bank = bank.unwrap_or_else(|| planned_aircraft().bank_limit);
+    Turns::of_flight(cruise() + plan.path.wind.speed, bank)
 }
 
-/// Ground of the elevation model that is too high for the height of the flight, which counts from the ground
-/// at its origin.
+/// Ground of the elevation model that is too high for a route that takes off at `from`.
 fn high_ground(
     wanted: &FindArguments,
     ground: &PlannedFlight,
-) -> Result<Option<HighGround>, Box<dyn std::error::Error>> {
-    let Some(path) = &wanted.dem else {
-        return Ok(None);
-    };
-    let frame = LocalFrame::new(ground.mission.origin);
-    let name = path.file_name().unwrap_or(path.as_os_str());
-    let files = DirectoryFiles::around(path)?;
-    let dem = open_dem(&files, &name.to_string_lossy(), Some(frame), None)?;
-    let base = dem.height_at(&GroundPoint::default()).unwrap_or(0.0);
-    let mut heights = dem.grid(ground.map.bounds(), MOST_POSTS);
-    while !heights.take_rows(&dem, usize::MAX) {}
-    // Ground that cannot be read may be too high.
-    if let Some(problem) = dem.problem() {
-        return Err(problem.into());
-    }
-    Ok(Some(HighGround {
-        heights,
-        highest: base + ground.height - wanted.ground_clearance,
-    }))
+    from: &GroundPoint,
+) -> Option<HighGround> {
+    let heights = ground.heights.clone()?;
+    let take_off = ground.height_at(from);
+    let highest = highest_ground(ground.altitude, take_off, wanted.ground_clearance)?;
+    Some(HighGround { heights, highest })
 }

@@ -1,7 +1,7 @@
 //! `pilotage plan --suggest`: places of the map that would serve as landmarks.
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::plan::{FieldView, Suggestion};
+use pilotage_core::plan::{FieldView, Suggestion, cruise};
 use pilotage_jobs::{JobEvent, ProposeOrder, Share, ShareOrder, SuggestOrder};
 
 use super::arguments::Arguments;
@@ -33,8 +33,8 @@ fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> Suggest
         way_points: plan.map_or_else(Vec::new, |p| p.path.way_points.clone()),
         speed: first
             .and_then(|w| w.speed)
-            .unwrap_or_else(|| plan.map_or(1.0, |_| PlannedFlight::cruise())),
-        ground_down: ground.ground_down(),
+            .unwrap_or_else(|| plan.map_or(1.0, |_| cruise())),
+        ground_down: ground.ground_down,
         navigator: settings.clone(),
         taken: Vec::new(),
         count,

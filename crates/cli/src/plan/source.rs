@@ -22,6 +22,10 @@ pub struct SourceArguments {
     /// Height above ground, metres, where neither route nor scenario states one.
     #[arg(long)]
     pub height: Option<f64>,
+    /// An elevation model of the ground below the mission's route, level where it says nothing; a route that is found
+    /// keeps clear of the ground in it.
+    #[arg(long, value_name = "FILE", requires = "mission")]
+    pub dem: Option<PathBuf>,
 }
 
 impl SourceArguments {
@@ -33,6 +37,7 @@ impl SourceArguments {
             map: self.map.clone(),
             flight: self.flight.clone(),
             height: self.height,
+            dem: self.dem.clone(),
         }
     }
 }

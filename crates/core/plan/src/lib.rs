@@ -14,6 +14,7 @@ mod draws;
 mod envelope;
 mod field;
 mod find;
+mod flown_way;
 mod footprints;
 mod found;
 mod graph;
@@ -23,6 +24,7 @@ mod offered;
 mod poses;
 mod prediction;
 mod prediction_calibration;
+mod profile;
 mod propagate;
 mod proposal;
 mod question;
@@ -49,6 +51,10 @@ pub use detection::{DetectionStatistics, ExpectedDetection};
 pub use envelope::{Envelope, EnvelopeSurvey};
 pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
 pub use find::{FindError, RouteSearch, growth_before_first_fix};
+pub use flown_way::{
+    FlownWay, MOST_CIRCLES, RouteGround, circles_at, cruise, highest_ground, home_way_point,
+    planned_aircraft,
+};
 pub use found::{FoundRoute, FoundRoutes};
 pub use incursion::{Incursion, ReachedZone, incursions, is_forbidden, reached_zones};
 pub use no_fly::{NoFlyArea, inside};
@@ -56,6 +62,7 @@ pub use offered::OfferedField;
 pub use poses::{poses_all_over, poses_over, shows_ground};
 pub use prediction::{PredictionSample, RoutePrediction, Stretch};
 pub use prediction_calibration::{PlanComparison, Verification, compare};
+pub use profile::{ProfileSample, lowest, on_leg, profile};
 pub use proposal::{Proposal, ProposalQuestion};
 pub use question::{Aim, BudgetOf, Forbidden, RouteQuestion};
 pub use random_route::{random_places, random_route};

@@ -4,6 +4,8 @@ use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use pilotage_base::frames::GroundPoint;
+use pilotage_mission::mission::turn::turn_radius;
+use pilotage_simulate::simulate::GuidanceSettings;
 
 /// Sharpest turn that is anticipated before a way-point, radians; as in the guidance.
 const SHARPEST: f64 = 2.4;
@@ -23,6 +25,25 @@ pub struct Turns {
 }
 
 impl Turns {
+    /// Turns at a speed over the ground, m/s, of an aircraft that banks up to `bank`, radians.
+    ///
+    /// ```
+    /// use pilotage_plan::{Turns, planned_aircraft};
+    ///
+    /// let bank = planned_aircraft().bank_limit;
+    /// let (slow, fast) = (Turns::of_flight(15.0, bank), Turns::of_flight(30.0, bank));
+    /// // The radius grows with the square of the speed, the way to roll in with the speed.
+    /// assert!((fast.radius / slow.radius - 4.0).abs() < 1e-9);
+    /// assert!((fast.roll_in / slow.roll_in - 2.0).abs() < 1e-9);
+    /// ```
+    pub fn of_flight(speed: f64, bank: f64) -> Self {
+        let guidance = GuidanceSettings::within(bank);
+        Self {
+            radius: turn_radius(speed, guidance.planned_bank),
+            roll_in: speed * guidance.roll_in,
+        }
+    }
+
     /// Way before and behind a way-point that the turn there needs, metres.
     ///
     /// ```

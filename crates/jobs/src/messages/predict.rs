@@ -3,6 +3,7 @@
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Mission;
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::DetectionStatistics;
 use pilotage_core::simulate::{Target, Wind};
@@ -54,6 +55,18 @@ pub struct PredictionOrder {
 impl PredictionOrder {
     /// Seed of predictions where nobody states one.
     pub const SEED: u64 = 1;
+
+    /// Coarse prediction of a path with the navigator of a mission, of whose landmarks nothing is expected yet.
+    pub fn along(path: PlannedPath, mission: &Mission) -> Self {
+        Self {
+            path,
+            navigator: mission.navigator.clone(),
+            landmarks: Vec::new(),
+            worlds: 0,
+            seed: Self::SEED,
+            limit: f64::INFINITY,
+        }
+    }
 }
 
 impl PlannedPath {

@@ -1,19 +1,12 @@
 //! Heights of the ground, taken from an elevation model where they are of interest.
 
-use pilotage_core::frames::GroundRect;
 use pilotage_jobs::{HeightsOrder, Job, JobEvent, JobId, TerrainInfo};
 
 use super::map_work::tell_of_map;
-use crate::documents::{Documents, OpenedTerrain, TERRAIN_KEY, planned_ground};
+use crate::documents::{Documents, OpenedTerrain, TERRAIN_KEY};
 use crate::host::Host;
 use crate::job_owners::JobOwner;
 use crate::shell::Toasts;
-
-/// Margin around the ground of interest in which heights are taken, metres.
-const HEIGHTS_AROUND: f64 = 2_000.0;
-/// Farthest from each other that ground of interest may lie, metres; of a larger map only the plan
-/// gets heights.
-const HEIGHTS_REACH: f64 = 60_000.0;
 
 /// Heights being taken.
 #[derive(Debug, Default)]
@@ -80,14 +73,8 @@ impl HeightWork {
         let Some(origin) = documents.world_origin() else {
             return;
         };
-        let near = |r: &GroundRect| r.width().max(r.height()) <= HEIGHTS_REACH;
-        let map = documents.map.info.as_ref().map(|m| m.bounds).filter(near);
-        let plan = planned_ground(&documents.mission).filter(near);
-        let area = match (map, plan) {
-            (Some(a), Some(b)) => Some(a.union(&b)).filter(near).or(Some(b)),
-            (a, b) => a.or(b),
-        };
-        let Some(area) = area.map(|a| a.grown(HEIGHTS_AROUND)) else {
+        let map = documents.map.info.as_ref().map(|m| m.bounds);
+        let Some(area) = HeightsOrder::of_interest(map, &documents.mission) else {
             return;
         };
         if documents.map.terrain.wants(origin, &area) {

@@ -8,7 +8,7 @@ use super::fly_work::FlyWork;
 use super::openings::Openings;
 use super::storage::Keeping;
 use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, recall_files};
-use crate::documents::{Documents, OpenedTerrain, Session, planned_ground};
+use crate::documents::{Documents, OpenedTerrain, Session};
 use crate::feature::{Feature, OpenedSet};
 use crate::host::{Host, OpenedFile};
 use crate::job_owners::JobOwner;
@@ -160,5 +160,5 @@ pub fn do_without(
     let title = "Files of your last visit are not here";
     let text = format!("The browser did not keep {}. {text}", parts.join(", "));
     toasts.trouble(host.now(), title, text);
-    planned_ground(&documents.mission).filter(|_| planned)
+    documents.mission.planned_ground().filter(|_| planned)
 }

@@ -6,12 +6,12 @@ use pilotage_core::mission::Route;
 use pilotage_core::mission::turn::{too_short, turn_radius};
 
 use super::PlanCommand;
-use super::flown::cruise;
 use super::legs::Leg;
 use super::planner::PlanPreferences;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{caption, icon_button, icons::Icon, muted};
+use pilotage_core::plan::cruise;
 
 /// Radius of the turn at a way-point, metres, at the airspeed of the leg that leads there and the
 /// bank limit, in calm air.

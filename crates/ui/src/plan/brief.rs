@@ -12,12 +12,12 @@ use pilotage_core::text::without_markup;
 
 use super::actions::action_words;
 use super::corridor_paint::{corridor_sides, room_beside};
-use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
 use super::printing::BriefLandmark;
 use super::way_points::{altitude_words, course_words};
 use super::words::{PredictionFigures, distance_text, place_words};
 use crate::units::Units;
+use pilotage_core::plan::cruise;
 use pilotage_jobs::{BriefPictures, EncodedPicture};
 
 /// Width over height of the picture of the map.

@@ -14,7 +14,7 @@ use super::readouts::plan_readouts;
 use super::tab::PlanTab;
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
-use crate::documents::{Documents, planned_ground};
+use crate::documents::Documents;
 use crate::export_command::ExportCommand;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::MapTool;
@@ -80,7 +80,7 @@ impl Feature for Planner {
                 }
             }
             Command::FitMap => {
-                let ground = planned_ground(&context.documents.mission);
+                let ground = context.documents.mission.planned_ground();
                 if let Some(ground) = ground {
                     context.map.fit(ground);
                 }

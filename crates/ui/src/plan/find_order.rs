@@ -1,14 +1,12 @@
 //! Order of the search for a route, and the use of its result.
 
-use pilotage_core::frames::units::GRAVITY;
-use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect};
-use pilotage_core::plan::Turns;
-use pilotage_core::simulate::GuidanceSettings;
+use pilotage_core::frames::{Altitude, GroundPoint, GroundRect};
+use pilotage_core::plan::{Turns, cruise, highest_ground};
 use serde_json::{Value, json};
 
 use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
-use super::flown::{cruise, ground_down, height, line, usual_altitude};
+use super::flown::{ground_down, height, line, usual_altitude};
 use super::heat_command::HeatOf;
 use super::planner::Planner;
 use super::tab::PlanTab;
@@ -42,42 +40,29 @@ impl Planner {
         }
         let wind = self.wind(documents);
         let bank = self.preferences.bank;
-        let guidance = GuidanceSettings::within(bank);
         let speed = cruise() + wind.speed;
-        let enabled = mission.landmarks.iter().filter(|l| l.enabled);
+        let path = PlannedPath {
+            way_points: vec![from, to],
+            height: field.view.height,
+            targets: Vec::new(),
+            airspeed: None,
+            bank: Some(bank),
+            wind,
+            camera: field.view.camera.clone(),
+            ground_down: ground_down(documents),
+        };
         Some(FindOrder {
             from,
             to,
             flight: PredictionOrder {
-                path: PlannedPath {
-                    way_points: vec![from, to],
-                    height: field.view.height,
-                    targets: Vec::new(),
-                    airspeed: None,
-                    bank: Some(bank),
-                    wind,
-                    camera: field.view.camera.clone(),
-                    ground_down: ground_down(documents),
-                },
-                navigator: mission.navigator.clone(),
-                landmarks: enabled.map(|l| (l.clone(), self.expected(l))).collect(),
-                worlds: 0,
-                seed: PredictionOrder::SEED,
-                limit: f64::INFINITY,
+                landmarks: self.expected_landmarks(mission),
+                ..PredictionOrder::along(path, mission)
             },
             field,
             no_fly: mission.no_fly.iter().map(|z| z.corners.clone()).collect(),
             clearance: wanted.clearance,
-            high_ground: self.highest_ground(documents).and_then(|highest| {
-                Some(HighGround {
-                    heights: documents.map.terrain.heights()?.as_ref().clone(),
-                    highest,
-                })
-            }),
-            turns: Turns {
-                radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
-                roll_in: speed * guidance.roll_in,
-            },
+            high_ground: self.high_ground(documents),
+            turns: Turns::of_flight(speed, bank),
             budget: wanted.budget,
             budget_of: wanted.budget_of,
             aim: wanted.aim,
@@ -91,24 +76,20 @@ impl Planner {
         first.map_or_else(|| usual_altitude(documents), |w| w.altitude)
     }
 
-    /// Height above which ground is flown around, metres above the datum of the elevation model, where
-    /// one is open and A is chosen.
+    /// Greatest height of ground that is flown over, metres above the datum of the elevation model, where one is open and
+    /// A is chosen.
     pub fn highest_ground(&self, documents: &Documents) -> Option<f64> {
-        let altitude = self.found_altitude(documents);
-        let clearance = self.preferences.find.ground_clearance;
         documents.map.terrain.heights()?;
-        let reference = AltitudeReference {
-            take_off: documents.relief().at(&self.finder.from?),
-            ground: 0.0,
-        };
-        match altitude.frame {
-            // It follows the ground; too low is too low everywhere.
-            AltitudeFrame::AboveGround if altitude.metres >= clearance => None,
-            AltitudeFrame::AboveGround => Some(f64::NEG_INFINITY),
-            AltitudeFrame::Amsl | AltitudeFrame::AboveTakeOff => {
-                Some(altitude.amsl(&reference) - clearance)
-            }
-        }
+        let take_off = documents.relief().at(&self.finder.from?);
+        let clearance = self.preferences.find.ground_clearance;
+        highest_ground(self.found_altitude(documents), take_off, clearance)
+    }
+
+    fn high_ground(&self, documents: &Documents) -> Option<HighGround> {
+        Some(HighGround {
+            highest: self.highest_ground(documents)?,
+            heights: documents.map.terrain.heights()?.as_ref().clone(),
+        })
     }
 
     /// Carries a command out; true if the mission changed.

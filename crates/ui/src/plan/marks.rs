@@ -5,11 +5,11 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_core::mission::{Mission, Route, WayPointAction};
 
 use super::actions::action_words;
-use super::flown::circles_at;
 use super::symbols::{paint_home, paint_triangle};
 use crate::context::route_of;
 use crate::map::{LandmarkLabel, ScreenFromWorld};
 use crate::tokens::Tokens;
+use pilotage_core::plan::circles_at;
 
 /// Radius of the mark of a rally point, points.
 const RALLY: f32 = 10.0;

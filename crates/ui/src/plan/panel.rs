@@ -5,7 +5,7 @@ use pilotage_core::exchange::Format;
 
 use super::PlanCommand;
 use super::chart::ChartScene;
-use super::flown::home_way_point;
+use super::flown::home_of;
 use super::ground_tab::ground_tab;
 use super::landmarks_tab::landmarks_tab;
 use super::planner::Planner;
@@ -135,7 +135,7 @@ impl Planner {
         let relief = documents.relief();
         let source = relief.words(route, context.units);
         let take_off = relief.take_off(route);
-        let home = home_way_point(route, documents);
+        let home = home_of(route, documents);
         let ends_at_home = home.is_some();
         let mut route = route.clone();
         route.way_points.extend(home);

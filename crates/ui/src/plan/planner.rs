@@ -2,10 +2,10 @@
 
 use pilotage_core::frames::{Altitude, GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::Route;
 use pilotage_core::mission::turn::turn_radius;
-use pilotage_core::plan::DetectionStatistics;
-use pilotage_core::simulate::{Airframe, Wind};
+use pilotage_core::mission::{Mission, Route};
+use pilotage_core::plan::{DetectionStatistics, cruise, planned_aircraft};
+use pilotage_core::simulate::Wind;
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
 
@@ -16,8 +16,7 @@ use super::examination::Examination;
 use super::find_command::FindPreferences;
 use super::finder::Finder;
 use super::flown::{
-    camera, cruise, flight_wind, flown_height, flown_over, ground_down, height, line,
-    usual_altitude,
+    camera, flight_wind, flown_height, flown_way, ground_down, height, line, usual_altitude,
 };
 use super::forecast::Forecast;
 use super::heat::Heat;
@@ -58,7 +57,7 @@ pub struct PlanPreferences {
     pub photos: usize,
     /// Bank limit, radians.
     pub bank: f64,
-    /// Power in cruise, watts, if the user states it.
+    /// Power in watts, if the user states it.
     pub power: Option<f64>,
     /// Energy on board, watt hours, if the user states it.
     pub energy: Option<f64>,
@@ -79,7 +78,7 @@ impl Default for PlanPreferences {
             find: FindPreferences::default(),
             suggest: 6,
             photos: TrainingPlan::default().photos,
-            bank: Airframe::sig_kadet_senior().bank_limit,
+            bank: planned_aircraft().bank_limit,
             power: None,
             energy: None,
             profile: false,
@@ -232,6 +231,12 @@ impl Planner {
         )
     }
 
+    /// The landmarks that are switched on, with what is expected of them.
+    pub fn expected_landmarks(&self, mission: &Mission) -> Vec<(Landmark, DetectionStatistics)> {
+        let enabled = mission.landmarks.iter().filter(|l| l.enabled);
+        enabled.map(|l| (l.clone(), self.expected(l))).collect()
+    }
+
     /// Order of the prediction of the selected route; `None` while it is none that can be flown.
     pub fn order(&self, documents: &Documents) -> Option<PredictionOrder> {
         let mission = &documents.mission;
@@ -240,28 +245,21 @@ impl Planner {
             return None;
         }
         let camera = camera(documents);
-        let (way_points, targets) = flown_over(route, documents, self.preferences.bank);
+        let bank = self.preferences.bank;
+        let way = flown_way(route, documents, bank);
+        let path = PlannedPath {
+            way_points: way.places,
+            height: height(route, documents),
+            targets: way.targets,
+            airspeed: None,
+            bank: Some(bank),
+            wind: self.wind(documents),
+            camera,
+            ground_down: ground_down(documents),
+        };
         Some(PredictionOrder {
-            path: PlannedPath {
-                way_points,
-                height: height(route, documents),
-                targets,
-                airspeed: None,
-                bank: Some(self.preferences.bank),
-                wind: self.wind(documents),
-                camera,
-                ground_down: ground_down(documents),
-            },
-            navigator: mission.navigator.clone(),
-            landmarks: mission
-                .landmarks
-                .iter()
-                .filter(|l| l.enabled)
-                .map(|l| (l.clone(), self.expected(l)))
-                .collect(),
-            worlds: 0,
-            seed: PredictionOrder::SEED,
-            limit: f64::INFINITY,
+            landmarks: self.expected_landmarks(mission),
+            ..PredictionOrder::along(path, mission)
         })
     }
 }

@@ -7,7 +7,7 @@ use pilotage_core::sorting::sort;
 use super::aircraft::energy_left;
 use super::brief::{BriefScene, MOST_LANDMARKS, STYLE, brief, brief_area};
 use super::emergency::{EmergencyScene, KnownLandmark, emergency, refuges};
-use super::flown::{camera, cruise, way_back};
+use super::flown::{camera, way_back};
 use super::legs::legs;
 use super::planner::Planner;
 use super::printing::{BriefLandmark, Printing};
@@ -16,6 +16,7 @@ use crate::documents::Documents;
 use crate::feature::FeatureContext;
 use crate::shell::CommandLack;
 use crate::units::Units;
+use pilotage_core::plan::cruise;
 use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent, JobId};
 
 /// Lack of a route, which a brief is of.

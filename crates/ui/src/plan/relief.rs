@@ -4,9 +4,9 @@ use egui::{Align, DragValue, Layout, Ui};
 use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint};
 use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::mission::{Route, WayPoint};
+use pilotage_core::plan::{RouteGround, profile};
 
 use super::PlanCommand;
-use super::profile::profile;
 use super::routes::EditStep;
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -27,10 +27,9 @@ impl Documents {
     /// The ground that is planned over.
     pub fn relief(&self) -> Relief<'_> {
         let down = self.flight.measured.as_ref().map_or(0.0, |f| f.ground_down);
-        let stated = self.mission.stated_ground();
         Relief {
             terrain: &self.map.terrain,
-            level: stated.unwrap_or(self.mission.origin.height - down),
+            level: self.mission.level_ground_under(down),
         }
     }
 
@@ -67,13 +66,18 @@ impl Relief<'_> {
         }
     }
 
+    /// The ground under a route, whose heights `at` says.
+    pub fn under<'f>(&self, route: &Route, at: &'f dyn Fn(&GroundPoint) -> f64) -> RouteGround<'f> {
+        RouteGround {
+            height_at: at,
+            take_off: self.take_off(route),
+            is_level: self.is_level(),
+        }
+    }
+
     /// Height of a way-point above the ground below it, metres.
     pub fn above(&self, route: &Route, way_point: &WayPoint) -> f64 {
-        let reference = self.reference(route, &way_point.position);
-        let altitude = &way_point.altitude;
-        altitude
-            .counted_from(AltitudeFrame::AboveGround, &reference)
-            .metres
+        self.under(route, &|p| self.at(p)).above(way_point)
     }
 
     /// Whether no elevation model says the height of the ground.

@@ -8,7 +8,7 @@ use super::PlanCommand;
 use super::actions::ends;
 use super::aircraft::{aircraft, energy_left, tight_legs};
 use super::button::button;
-use super::flown::{MOST_CIRCLES, circles_at, cruise, way_back};
+use super::flown::way_back;
 use super::legs::{legs, time_text, totals};
 use super::pattern_card::pattern_card;
 use super::patterns::Pattern;
@@ -23,6 +23,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{caption, heading, icon_button, icon_toggle, icons::Icon, muted};
 use crate::units::Units;
+use pilotage_core::plan::{MOST_CIRCLES, circles_at, cruise};
 use pilotage_jobs::FlightSource;
 
 /// Draws the tab.

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::button::button;
 use super::command::PlanCommand;
-use super::flown::{cruise, flown_height, ground_down};
+use super::flown::{flown_height, ground_down};
 use super::planner::Planner;
 use super::suggest_command::SuggestCommand;
 use super::suggestions::is_added;
@@ -18,6 +18,7 @@ use crate::documents::{Added, Brought, Documents};
 use crate::map::{ScreenFromWorld, paint_halo_text, paint_lifted_line};
 use crate::shell::{caption, icon_button, icons::Icon, muted};
 use crate::tokens::Tokens;
+use pilotage_core::plan::cruise;
 use pilotage_jobs::SuggestOrder;
 
 impl Planner {

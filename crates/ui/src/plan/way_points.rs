@@ -9,7 +9,6 @@ use pilotage_core::mission::Route;
 
 use super::PlanCommand;
 use super::actions::{action, action_words};
-use super::flown::cruise;
 use super::legs::{Leg, time_text};
 use super::planner::Planner;
 use super::pointer::middle;
@@ -21,6 +20,7 @@ use crate::context::ViewContext;
 use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring, paint_row};
 use crate::tokens::Tokens;
 use crate::units::Units;
+use pilotage_core::plan::cruise;
 
 const ROW: f32 = 38.0;
 /// Left edge of the words in a row.

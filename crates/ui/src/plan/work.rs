@@ -5,7 +5,6 @@ use std::time::Duration;
 use pilotage_core::landmark::Landmark;
 
 use super::planner::Planner;
-use crate::documents::planned_ground;
 use crate::feature::FeatureContext;
 use pilotage_jobs::{JobEvent, JobId, MapSource};
 
@@ -100,7 +99,7 @@ impl Planner {
 
     /// Asks for what is shown along the routes; true if time must pass first.
     fn work_on_route(&mut self, context: &mut FeatureContext<'_>) -> bool {
-        let ground = planned_ground(&context.documents.mission);
+        let ground = context.documents.mission.planned_ground();
         if !self.fitted && (ground.is_some() || context.documents.map.info.is_some()) {
             self.fitted = true; // over an empty map, too: what is drawn there first must not move it
             if let Some(ground) = ground {

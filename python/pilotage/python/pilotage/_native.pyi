@@ -268,6 +268,7 @@ def predict_route(
     map: Path | None = None,
     flight: Path | None = None,
     height: float | None = None,
+    dem: Path | None = None,
     detection: tuple[float, float] | None = None,
     worlds: int = 100,
     seed: int = 1,

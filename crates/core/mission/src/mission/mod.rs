@@ -13,6 +13,7 @@ mod no_fly;
 pub mod package;
 pub mod pattern;
 mod place_file;
+mod planned_ground;
 mod rally;
 mod read;
 mod read_feature;

@@ -124,11 +124,18 @@ impl Mission {
 
     /// Level ground at the stated height, or else at that of the mission's origin, where it takes off.
     pub fn level_ground(&self) -> AltitudeReference {
-        let height = self.stated_ground().unwrap_or(self.origin.height);
+        let height = self.level_ground_under(0.0);
         AltitudeReference {
             take_off: height,
             ground: height,
         }
+    }
+
+    /// Height of level ground, metres above mean sea level: as stated, or else that of a plane `ground_down` metres below
+    /// the origin.
+    pub fn level_ground_under(&self, ground_down: f64) -> f64 {
+        let stated = self.stated_ground();
+        stated.unwrap_or(self.origin.height - ground_down)
     }
 
     /// An id that no landmark of the mission has.
