@@ -6,6 +6,7 @@ import { demoRun, startServer } from "./server.mjs";
 
 const patience = 45_000; // milliseconds for anything but the start, on a machine that does other work, too
 const patienceForStart = 120_000; // a busy machine without a graphics card is slow
+const nobodyLooks = Boolean(process.env.CI); // at the pictures: taking them is a twelfth of what journeys cost
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const soonest = 50; // milliseconds after which the page is asked again
 const latest = 250; // and after which it is asked at the latest, where something takes long: each answer costs milliseconds
@@ -183,8 +184,8 @@ export function makeTools({ page, address, pictures, watched, atEnd, said, often
       await tools.drawn();
     },
 
-    /** Keeps a picture of the window as `name`.png. */
-    screenshot: (name) => page.screenshot({ path: tools.pictureAt(name), timeout: patienceForStart }),
+    /** Keeps a picture of the window as `name`.png, where somebody may look at it. */
+    screenshot: async (name) => nobodyLooks || page.screenshot({ path: tools.pictureAt(name), timeout: patienceForStart }),
 
     /** Where a picture of that name is kept. */
     pictureAt: (name) => join(pictures, `${name}.png`),
