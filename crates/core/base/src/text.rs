@@ -35,6 +35,21 @@ pub fn of_utf_16(bytes: &[u8]) -> Option<String> {
     Some(String::from_utf16_lossy(&units))
 }
 
+/// A name without what files must not have in theirs.
+///
+/// ```
+/// use pilotage_base::text::plain_name;
+///
+/// assert_eq!(plain_name("Mill: A/B 2"), "Mill--A-B-2");
+/// ```
+pub fn plain_name(name: &str) -> String {
+    let fit = |c: char| {
+        let is_plain = c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
+        if is_plain { c } else { '-' }
+    };
+    name.chars().map(fit).collect()
+}
+
 /// Verdict of the end of a table's text on its last row.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LastRow {

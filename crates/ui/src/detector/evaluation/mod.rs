@@ -8,6 +8,7 @@ use crate::shell::{chip, muted, text_button};
 use crate::tokens::Tokens;
 use crate::views::parts;
 use egui::Ui;
+use pilotage_core::text::plain_name;
 use pilotage_jobs::EvaluationReport;
 
 /// Least width of a plot, points.
@@ -80,7 +81,7 @@ impl EvaluationView {
             }
             if text_button(ui, tokens, None, "Save CSV", false).clicked() {
                 file = Some(EvaluationFile {
-                    name: format!("{}.evaluation.csv", file_name(&report.name)),
+                    name: format!("{}.evaluation.csv", plain_name(&report.name)),
                     text: report.csv.clone(),
                 });
             }
@@ -150,7 +151,7 @@ impl EvaluationView {
                 });
                 if save.on_hover_text(&hint).clicked() {
                     asked = Some(EvaluationFile {
-                        name: format!("{}.{}.svg", file_name(&report.name), plot.key),
+                        name: format!("{}.{}.svg", plain_name(&report.name), plot.key),
                         text: svg.clone(),
                     });
                 }
@@ -168,10 +169,4 @@ fn absent(place: usize) -> &'static str {
     } else {
         "there are no right or no wrong marks to learn from"
     }
-}
-
-/// A name without what files must not have in theirs.
-fn file_name(name: &str) -> String {
-    let fit = |c: char| if c.is_alphanumeric() { c } else { '-' };
-    name.chars().map(fit).collect()
 }
