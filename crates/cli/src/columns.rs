@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pilotage_core::flight::columns::{
-    ColumnMap, ColumnRole, MappedColumn, guess_tables, tables_lack,
+    ColumnMap, ColumnRole, MappedColumn, guess_tables, tables_lack, tables_lack_to_navigate,
 };
 use pilotage_jobs::COLUMNS_FILE;
 
@@ -54,8 +54,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         println!("{json}");
     } else {
         maps.iter().for_each(print);
-        if let Some(lack) = tables_lack(&maps.iter().collect::<Vec<_>>()) {
+        let all: Vec<&ColumnMap> = maps.iter().collect();
+        if let Some(lack) = tables_lack(&all) {
             println!("no flight yet: {lack}");
+        } else if let Some(lack) = tables_lack_to_navigate(&all) {
+            println!("a flight, but {lack}");
         }
     }
     if let Some(path) = &arguments.save {

@@ -3,8 +3,9 @@
 use egui::{
     Button, DragValue, Frame, Id, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui, vec2,
 };
-use pilotage_core::flight::ChannelName;
-use pilotage_core::flight::columns::{ColumnMap, ColumnRole, GuessedTable, tables_lack};
+use pilotage_core::flight::columns::{
+    ColumnMap, ColumnRole, GuessedTable, tables_lack, tables_lack_to_navigate,
+};
 use pilotage_core::flight::files::file_of;
 
 use super::ColumnsCommand;
@@ -99,24 +100,7 @@ impl ColumnsDraft {
     /// Why no flight can be made of them yet, in words; `None` if one can.
     pub fn lacks(&self) -> Option<String> {
         let maps: Vec<&ColumnMap> = self.used().collect();
-        let has = |name| {
-            let role = ColumnRole::Channel(name);
-            maps.iter().any(|map| map.column(role).is_some())
-        };
-        let heights = [
-            ChannelName::HeightAboveGround,
-            ChannelName::BarometricHeight,
-            ChannelName::GpsHeight,
-        ];
-        tables_lack(&maps).or_else(|| {
-            if !has(ChannelName::Heading) {
-                Some("no column is the heading, without which nothing can be navigated".to_owned())
-            } else if !heights.into_iter().any(has) {
-                Some("no column is a height, without which nothing can be navigated".to_owned())
-            } else {
-                None
-            }
-        })
+        tables_lack(&maps).or_else(|| tables_lack_to_navigate(&maps).map(ToOwned::to_owned))
     }
 }
 

@@ -50,4 +50,4 @@ pub use build::flight_of_tables;
 pub use guess::guess_table;
 pub use map::{Alternative, BodyAxis, ColumnMap, ColumnRole, MappedColumn, QuaternionPart};
 pub use preview::{TablePreview, preview};
-pub use together::{GuessedTable, guess_tables, tables_lack};
+pub use together::{GuessedTable, guess_tables, tables_lack, tables_lack_to_navigate};

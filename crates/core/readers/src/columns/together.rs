@@ -365,6 +365,26 @@ pub(super) fn common_name(maps: &[ColumnMap]) -> String {
     }
 }
 
+/// Why the flight of these tables cannot be navigated, in words; `None` if it can.
+pub fn tables_lack_to_navigate(maps: &[&ColumnMap]) -> Option<&'static str> {
+    let has = |name| {
+        let role = ColumnRole::Channel(name);
+        maps.iter().any(|map| map.column(role).is_some())
+    };
+    let heights = [
+        ChannelName::HeightAboveGround,
+        ChannelName::BarometricHeight,
+        ChannelName::GpsHeight,
+    ];
+    if !has(ChannelName::Heading) {
+        Some("no column is the heading, without which nothing can be navigated")
+    } else if !heights.into_iter().any(has) {
+        Some("no column is a height, without which nothing can be navigated")
+    } else {
+        None
+    }
+}
+
 /// Why no flight can be made of these tables together, in words; `None` if one can.
 pub fn tables_lack(maps: &[&ColumnMap]) -> Option<String> {
     if maps.is_empty() {
