@@ -1,6 +1,6 @@
 //! Order of a field of the probability of a fix.
 
-use pilotage_core::frames::GroundRect;
+use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::plan::{FieldView, FixSource};
 use serde::{Deserialize, Serialize};
 
@@ -36,4 +36,26 @@ pub struct FieldOrder {
     pub view: FieldView,
     /// Sources of fixes.
     pub from: FieldFrom,
+}
+
+impl FieldOrder {
+    /// The same of no more of the map than a route between two places leads over that is within a usual budget; `None`
+    /// where that is not on the map.
+    #[must_use]
+    pub fn between(mut self, from: &GroundPoint, to: &GroundPoint) -> Option<Self> {
+        if let FieldFrom::Map { .. } = self.from {
+            let far = 0.5 * from.distance(to) + self.view.height;
+            let near = GroundRect::around([*from, *to])?.grown(far);
+            if !near.overlaps(&self.region) {
+                return None;
+            }
+            self.region = GroundRect {
+                south: near.south.max(self.region.south),
+                north: near.north.min(self.region.north),
+                west: near.west.max(self.region.west),
+                east: near.east.min(self.region.east),
+            };
+        }
+        Some(self)
+    }
 }

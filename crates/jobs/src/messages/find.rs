@@ -34,6 +34,15 @@ pub struct FindOrder {
     pub aim: Aim,
 }
 
+impl FindOrder {
+    /// Greatest cost over that of the shortest route where nobody states one.
+    pub const BUDGET: f64 = 1.3;
+    /// Distance that is kept from no-fly areas where nobody states one, metres.
+    pub const CLEARANCE: f64 = 50.0;
+    /// Height that is kept above the ground of an elevation model where nobody states one, metres.
+    pub const GROUND_CLEARANCE: f64 = 60.0;
+}
+
 /// Ground above a height.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HighGround {

@@ -2,6 +2,7 @@
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::plan::{Aim, BudgetOf};
+use pilotage_jobs::FindOrder;
 use serde::{Deserialize, Serialize};
 
 use super::heat_command::HeatOf;
@@ -27,12 +28,12 @@ pub struct FindPreferences {
 impl Default for FindPreferences {
     fn default() -> Self {
         Self {
-            budget: 1.3,
+            budget: FindOrder::BUDGET,
             budget_of: BudgetOf::default(),
             aim: Aim::default(),
             over: HeatOf::default(),
-            clearance: 50.0,
-            ground_clearance: 60.0,
+            clearance: FindOrder::CLEARANCE,
+            ground_clearance: FindOrder::GROUND_CLEARANCE,
         }
     }
 }

@@ -1,13 +1,12 @@
 //! Order of the search for a route, and the use of its result.
 
-use pilotage_core::frames::{Altitude, GroundPoint, GroundRect};
+use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::plan::{Turns, cruise, highest_ground};
 use serde_json::{Value, json};
 
 use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
 use super::flown::{ground_down, height, line, usual_altitude};
-use super::heat_command::HeatOf;
 use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::documents::Documents;
@@ -23,21 +22,8 @@ impl Planner {
             &line(&[from, to], self.found_altitude(documents)),
             documents,
         );
-        let mut field = self.field_order(documents, wanted.over, height)?;
-        if wanted.over == HeatOf::Map {
-            // No farther around than a route within a usual budget leads.
-            let far = 0.5 * from.distance(&to) + height;
-            let near = GroundRect::around([from, to])?.grown(far);
-            if !near.overlaps(&field.region) {
-                return None;
-            }
-            field.region = GroundRect {
-                south: near.south.max(field.region.south),
-                north: near.north.min(field.region.north),
-                west: near.west.max(field.region.west),
-                east: near.east.min(field.region.east),
-            };
-        }
+        let field = self.field_order(documents, wanted.over, height)?;
+        let field = field.between(&from, &to)?;
         let wind = self.wind(documents);
         let bank = self.preferences.bank;
         let speed = cruise() + wind.speed;
