@@ -1,9 +1,10 @@
 //! A detector to be trained, how that goes, and what came of it.
 
 use pilotage_core::camera::CameraModel;
+use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::landmark::cascade::train::StageRow;
-use pilotage_core::mission::FrameLabels;
+use pilotage_core::mission::{FrameLabels, Mission};
 use pilotage_core::navigator::SensorNoise;
 use pilotage_core::training::{StageReport, TrainingPhase, TrainingPlan};
 use serde::{Deserialize, Serialize};
@@ -31,6 +32,26 @@ pub struct TrainOrder {
     pub labelled: Option<LabelledFrames>,
     /// State in which the same training was left.
     pub left: Option<TrainingLeft>,
+}
+
+impl TrainOrder {
+    /// Usual plan for a detector in a mission that learns from so many photos: beside `look_alikes`, and held against the
+    /// map's patch as the mission has that looked for.
+    pub fn usual_plan(
+        mission: &Mission,
+        photos: usize,
+        look_alikes: Vec<GroundPoint>,
+    ) -> TrainingPlan {
+        let usual = TrainingPlan::default();
+        TrainingPlan {
+            photos,
+            days: usual.days.min(photos),
+            held_out: usual.held_out.min(photos),
+            template: mission.navigator.detector,
+            look_alikes,
+            ..usual
+        }
+    }
 }
 
 /// Frames of a flight, and what people said of them.

@@ -3,7 +3,6 @@
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, Mission};
-use pilotage_core::training::TrainingPlan;
 
 use super::flown::{camera, flown_height, ground_down};
 use super::planner::Planner;
@@ -50,21 +49,14 @@ impl Planner {
         let order = |landmark: &Landmark| {
             let mut landmark = landmark.clone();
             landmark.keep_trained_text(None);
-            let usual = TrainingPlan::default();
-            let photos = self.preferences.photos;
+            let look_alikes = self.look_alike(&landmark, documents);
             TrainOrder {
                 map: documents.map.source.clone(),
                 camera: camera(documents),
                 height,
                 sensors: mission.navigator.sensors,
                 ground_down: ground_down(documents),
-                plan: TrainingPlan {
-                    photos,
-                    days: usual.days.min(photos),
-                    held_out: usual.held_out.min(photos),
-                    look_alikes: self.look_alike(&landmark, documents),
-                    ..usual
-                },
+                plan: TrainOrder::usual_plan(mission, self.preferences.photos, look_alikes),
                 labelled: labelled(&landmark, documents),
                 left: None,
                 landmark,
