@@ -4,14 +4,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pilotage_core::calibration::{CameraEvidence, CameraPrior, CameraToLog, Estimated};
-use pilotage_core::flight::read_flight;
 use pilotage_core::navigator::{Summary, summarize};
 use pilotage_jobs::{BareMission, CalibrationOrder, FlyOrder, JobEvent, WorkerState};
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
-use crate::replaying::fly;
+use crate::files::{MAP_CACHE, open_map};
+use crate::notes::tell;
+use crate::replaying::{flight_at, fly};
 use crate::workers::{Lent, do_here};
 
 /// Arguments of `pilotage align`: a flight and the map beside it.
@@ -48,16 +48,16 @@ struct CalibrationRound {
 
 /// Puts the camera of a flight beside its log.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let folder = read_flight(Arc::new(DirectoryFiles::open(&arguments.flight)?))?;
-    for note in &folder.notes {
-        eprintln!("note: {note}");
-    }
+    let (open, notes) = flight_at(&arguments.flight, None, None)?;
+    tell(&notes);
     let source = Lent::map_of_file();
-    let mut mission = BareMission::of(&folder.flight, &source).mission;
+    let mut mission = BareMission::of(&open.flight, &source).mission;
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
-    let map = open_map(&arguments.map, folder.flight.frame_on_globe, MAP_CACHE)?;
-    let lent = Lent::default().with_map(source.clone(), map);
-    let mut flight = Arc::new(folder.flight);
+    let map = open_map(&arguments.map, open.flight.frame_on_globe, MAP_CACHE)?;
+    tell(&map.notes);
+    let lent = Lent::default().with_map(source.clone(), map.map);
+    let lent = lent.with_flight(&open);
+    let mut flight = open.flight;
     let believed = CameraPrior {
         offset: arguments.clock,
         ..CameraPrior::default()
@@ -65,7 +65,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let mut rounds = Vec::new();
     for _ in 0..arguments.rounds.max(1) {
         let lent = lent.clone();
-        let lent = lent.with_flight(Arc::clone(&flight), Some(folder.frames.clone()));
+        let lent = lent.with_flight_changed(Arc::clone(&flight));
         let mut worker = lent.worker();
         let order = FlyOrder {
             flight: Lent::flight(),

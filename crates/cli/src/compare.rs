@@ -1,26 +1,25 @@
 //! `pilotage compare`: the same flights by several estimators and vehicle models, in one table.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use pilotage_core::filter::ConsistencySummary;
-use pilotage_core::flight::read_flight;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{EstimatorChoice, VehicleChoice};
 use pilotage_core::simulate::Scenario;
 use pilotage_core::study::{ComparisonRow, Contender, ContenderTally, EstimatorComparison};
-use pilotage_jobs::{ContestOrder, FlightSource, JobEvent, MapSource};
+use pilotage_jobs::{BareMission, ContestOrder, FlightSource, JobEvent, MapSource};
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, MAP_CACHE, open_map};
 use crate::mission_file::OpenMission;
+use crate::notes::tell;
+use crate::replaying::{flight_at, map_of};
 use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage compare`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A built-in scenario, or a flight folder (then with --mission and --map).
+    /// A built-in scenario, or what was flown: a flight folder, a log, tables, photos.
     flight: String,
     /// Estimators, by comma: ukf, ekf, particle.
     #[arg(long, default_value = "ukf,ekf,particle")]
@@ -40,7 +39,7 @@ pub struct Arguments {
     /// Mission file (GeoJSON).
     #[arg(long)]
     mission: Option<PathBuf>,
-    /// Map picture with its georeference beside it.
+    /// Map picture with its georeference beside it, if none lies in the folder.
     #[arg(long)]
     map: Option<PathBuf>,
     /// Changes to the filter, e.g. alpha=0.5,particles=5000.
@@ -166,17 +165,24 @@ fn simulated(
 }
 
 fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
-    let (Some(mission), Some(map)) = (&arguments.mission, &arguments.map) else {
-        return Err("a flight folder needs --mission FILE and --map FILE".into());
-    };
     let path = Path::new(&arguments.flight);
-    let folder = read_flight(Arc::new(DirectoryFiles::open(path)?))?;
-    let map = open_map(map, folder.flight.frame_on_globe, MAP_CACHE)?;
-    let mission = OpenMission::read(mission)?.package.mission;
-    let source = Lent::map_of_file();
-    let lent = Lent::default()
-        .with_map(source.clone(), map)
-        .with_flight(Arc::new(folder.flight), Some(folder.frames));
+    let (open, notes) = flight_at(path, None, None)?;
+    tell(&notes);
+    let map = map_of(path, arguments.map.as_deref(), open.flight.frame_on_globe)?;
+    let lent = Lent::default().with_flight(&open);
+    let (source, lent) = match map {
+        Some(map) => {
+            tell(&map.notes);
+            let source = Lent::map_of_file();
+            (source.clone(), lent.with_map(source, map.map))
+        }
+        None => (MapSource::Nothing, lent),
+    };
+    let stated = match &arguments.mission {
+        Some(path) => Some(OpenMission::read(path)?.package.mission),
+        None => open.mission.clone(),
+    };
+    let mission = stated.unwrap_or_else(|| BareMission::of(&open.flight, &source).mission);
     contest(
         arguments,
         mission,

@@ -1,18 +1,17 @@
 //! `pilotage evaluate`: trained detectors on pictures that they were not trained on.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use pilotage_core::flight::read_flight;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::text::in_quotes;
+use pilotage_core::text::{in_quotes, plain_name};
 use pilotage_core::training::evaluation::Rate;
-use pilotage_jobs::{AssessmentOrder, EvaluationOrder, JobEvent, JudgedDetector};
+use pilotage_jobs::{EvaluationOrder, JobEvent, JudgedDetector};
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, write_whole};
+use crate::files::write_whole;
 use crate::plan::{PlannedFlight, SourceArguments};
+use crate::replaying::flight_at;
 use crate::workers::{self, Lent};
 
 /// Time between two words on a judging.
@@ -60,9 +59,10 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         return Err(format!("--false-alarms: {stated} is no rate").into());
     }
     let ground = PlannedFlight::at(&arguments.source.to_source())?;
+    crate::notes::tell(&ground.notes);
     let landmarks = with_detector(&ground.mission.landmarks, &arguments.landmark)?;
     let folder = match &arguments.frames {
-        Some(path) => Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?),
+        Some(path) => Some(flight_at(path, None, None)?.0),
         None => None,
     };
     if let Some(folder) = folder.as_ref().filter(|f| f.flight.truth.is_none()) {
@@ -75,11 +75,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let flight = folder.as_ref().map(|_| Lent::flight());
     let mut lent = ground.lent();
     if let Some(folder) = folder {
-        lent = lent.with_flight(Arc::new(folder.flight), Some(folder.frames));
+        lent = lent.with_flight(&folder);
     }
     let order = |landmark: &Landmark| {
         EvaluationOrder {
-            about: ground.assessment(landmark, AssessmentOrder::SEED),
+            about: ground.assessment(landmark, None),
             flight: flight.clone(),
             photos: arguments.photos as usize,
             days: arguments.days as usize,
@@ -113,7 +113,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if let Some(folder) = &arguments.svg {
         std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
         for evaluated in &all {
-            let name = file_name(&evaluated.landmark);
+            let name = plain_name(&evaluated.landmark);
             for plot in evaluated.evaluation.plots() {
                 write_whole(&folder.join(format!("{name}.{}.svg", plot.key)), plot.svg())?;
             }
@@ -238,13 +238,4 @@ fn chosen(landmarks: &[Landmark], wanted: &[String]) -> Result<Vec<Landmark>, St
         return Err("the mission has no landmark that is switched on".to_owned());
     }
     Ok(chosen)
-}
-
-/// A name without what files must not have in theirs.
-fn file_name(name: &str) -> String {
-    let fit = |c: char| {
-        let plain = c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
-        if plain { c } else { '-' }
-    };
-    name.chars().map(fit).collect()
 }

@@ -8,7 +8,7 @@ use pilotage_core::flight::interpret::{
 };
 use pilotage_core::flight::log::{Log, Topic};
 use pilotage_core::flight::{ChannelName, Flight};
-use pilotage_core::frames::{Geodetic, GroundPoint};
+use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::navigator::Run;
 
 use crate::CommandResult;
@@ -122,21 +122,28 @@ fn of_flight(flight: &Flight, kind: TrackKind) -> (Vec<(f64, Geodetic)>, bool) {
     (pairs.filter_map(place).collect(), height.is_some())
 }
 
+/// Place and date of a replayed flight.
+#[derive(Clone, Copy)]
+pub struct FlownWhere {
+    /// Origin of the world of its mission, which counts where the flight itself lies nowhere on the globe.
+    pub origin: Geodetic,
+    /// Universal time at its zero, seconds since 1970, where that is known.
+    pub utc_at_zero: Option<f64>,
+}
+
 /// Writes the estimate of a run as a track without heights, in the format that the file's ending names.
 ///
 /// # Errors
-/// An ending of no format that holds tracks, or a flight that lies nowhere on the globe.
-pub fn write_estimate(flight: &Flight, run: &Run, path: &Path) -> CommandResult {
+/// An ending of no format that holds tracks.
+pub fn write_estimate(flight: &Flight, run: &Run, at: FlownWhere, path: &Path) -> CommandResult {
     let name = path.to_string_lossy();
     let format = Format::of_name(&name)
         .ok_or_else(|| format!("{name}: a track ends in .kml, .kmz, .gpx, .geojson or .csv"))?;
-    let frame = flight
-        .frame_on_globe
-        .ok_or_else(|| format!("{}: nobody knows where it lies on the globe", flight.name))?;
-    let written = write_flown(format, &run.estimated_track(&flight.name, &frame))?;
-    for note in &written.notes {
-        eprintln!("note: {note}");
-    }
+    let frame = flight.frame_on_globe;
+    let frame = frame.unwrap_or_else(|| LocalFrame::new(at.origin));
+    let track = run.estimated_track(&flight.name, &frame, at.utc_at_zero);
+    let written = write_flown(format, &track)?;
+    crate::notes::tell(&written.notes);
     Ok(crate::files::write_whole(path, written.bytes)?)
 }
 

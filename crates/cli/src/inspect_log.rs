@@ -8,19 +8,21 @@ use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
 use pilotage_core::flight::log::Log;
 use pilotage_core::flight::overview::{Overview, Severity, modes, overview};
-use pilotage_core::flight::photo::add_photos;
+use pilotage_jobs::with_pictures;
 
 /// Prints what the log is, what measured, what looks wrong and what can be done with it.
-/// Of the files beside it the photos count.
+/// Of the files beside it the pictures count.
 pub fn describe(log: &Log, beside: &Arc<dyn FileSet>) {
     let interpreted = flight_from_log(log);
     let mut seen = overview(log, &interpreted.measured());
-    let flight = interpreted.into_flight().ok().map(|mut flight| {
-        if let Some(placed) = add_photos(log, &mut flight, beside) {
-            seen.add_pictures(flight.frames.len());
-            seen.note_photos(&placed.notes);
+    let flight = interpreted.into_flight().ok().map(|flight| {
+        let (open, lost, notes) = with_pictures(log, flight, beside);
+        seen.add_pictures(open.flight.frames.len());
+        seen.note_photos(&notes);
+        if let Some(lost) = lost {
+            eprintln!("note: {lost}; its pictures are left out");
         }
-        flight
+        open.flight
     });
     measured(log, &seen);
     if let Some(flight) = &flight {

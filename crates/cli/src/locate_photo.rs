@@ -13,7 +13,8 @@ use pilotage_core::reference::edges::{
 use pilotage_core::registration::{HeadingPrior, limit_of};
 
 use crate::CommandResult;
-use crate::files::{DiskFile, MAP_CACHE, open_map_with_frame, write_whole};
+use crate::files::{DiskFile, MAP_CACHE, MapOnDisk, open_map, write_whole};
+use crate::notes::tell;
 use crate::numbers::numbers;
 use crate::photo_picture::decode_photo;
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
@@ -58,7 +59,8 @@ pub struct Arguments {
 
 /// Makes the table of the straight edges of a map, sought in pixels of `gsd` metres.
 pub fn make_table(map: &Path, out: &Path, gsd: f64) -> CommandResult {
-    let (map, frame) = open_map_with_frame(map, MAP_CACHE)?;
+    let MapOnDisk { map, frame, notes } = open_map(map, None, MAP_CACHE)?;
+    tell(&notes);
     let edges = edges_in_map(map.as_ref(), gsd, EDGES);
     let table = ReferenceTable::new(edges, vec![EDGE.to_owned()])
         .on_globe(frame.map(|frame| frame.origin))

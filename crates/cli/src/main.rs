@@ -20,6 +20,7 @@ mod inspect_wind;
 mod labels;
 mod locate_photo;
 mod map;
+mod notes;
 mod numbers;
 mod outage;
 mod outcome;

@@ -1,22 +1,19 @@
 //! GPS outages all along a flight: how far off dead reckoning is at their ends.
 
-use std::sync::Arc;
-
-use pilotage_core::flight::Flight;
 use pilotage_core::instruments::OutageStudy;
-use pilotage_jobs::{JobEvent, Outage, OutageOrder};
+use pilotage_jobs::{JobEvent, OpenFlight, Outage, OutageOrder};
 
 use crate::CommandResult;
 use crate::workers::{self, Lent};
 
 /// Prints a line for each way to navigate without GPS, for outages of so many seconds all along the time in the air.
-pub fn study(flight: &Arc<Flight>, seconds: f64) -> CommandResult {
+pub fn study(open: &OpenFlight, seconds: f64) -> CommandResult {
     let order = OutageOrder {
         flight: Lent::flight(),
         cut: Outage::AllAlong(seconds),
         seen: None,
     };
-    let lent = Lent::default().with_flight(Arc::clone(flight), None);
+    let lent = Lent::default().with_flight(open);
     println!("without GPS for {seconds:.0} s, again and again along the flight:");
     workers::run(vec![order], &lent, &mut |_, event| {
         match event {

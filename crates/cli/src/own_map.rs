@@ -1,21 +1,17 @@
 //! `pilotage simulate` over a map of one's own.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
-use pilotage_core::imagery::Imagery;
-use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
-use pilotage_core::simulate::{FlightDay, FlightPlan, Overrides, Scenario, Wind};
+use pilotage_core::simulate::{FlightDay, Scenario, Wind};
+use pilotage_jobs::{FlightSource, OpenFlight, PlannedPath, RehearsedFlight, fly_planned};
 
-use pilotage_jobs::{MapSource, OpenFlight, fly_plan};
-
-use crate::files::MAP_CACHE;
+use crate::files::{MAP_CACHE, MapOnDisk};
+use crate::notes::tell;
 use crate::numbers::numbers;
 use crate::plan::{PlanSource, PlannedFlight};
+use crate::workers::Lent;
 
-/// Height of a flight without a mission, metres above ground.
-const HEIGHT: f64 = 120.0;
 /// Share of the map that lies within the way-points where none are stated, along each side.
 const AROUND: f64 = 0.5;
 
@@ -43,19 +39,14 @@ pub struct OwnMap {
     /// An elevation model of the ground below the mission's route; level where it says nothing.
     #[arg(long, value_name = "FILE", requires = "mission")]
     pub dem: Option<PathBuf>,
-    /// Mean wind, degrees from which it blows and m/s.
+    /// Mean wind, degrees from which it blows and m/s; without it calm over --map, and over a mission drawn by the seed
+    /// about that of the flight beside it.
     #[arg(long, value_name = "FROM,SPEED", conflicts_with = "scenario")]
     pub wind: Option<String>,
 }
 
-/// Route, map and days of such a flight.
-struct OwnRouteAndMap {
-    plan: FlightPlan,
-    map: Arc<dyn Imagery>,
-    days: Box<dyn OtherDays>,
-}
-
-/// Flies over it.
+/// Flies over it: on another day as `pilotage rehearse` and the page fly the seed of a mission's route, in a wind drawn
+/// about the planned one unless it is stated.
 ///
 /// # Errors
 /// A map or mission that cannot be read, or a route of fewer than two way-points.
@@ -64,28 +55,25 @@ pub fn fly(
     seed: u64,
     day: FlightDay,
 ) -> Result<OpenFlight, Box<dyn std::error::Error>> {
-    let OwnRouteAndMap {
-        mut plan,
-        map,
-        days,
-    } = match (&own.mission, &own.map) {
+    let (mut planned, lent) = match (&own.mission, &own.map) {
         (Some(_), _) => by_mission(own)?,
-        (None, Some(map)) => by_map(own, crate::files::open_map_with_frame(map, MAP_CACHE)?)?,
+        (None, Some(map)) => by_map(own, crate::files::open_map(map, None, MAP_CACHE)?)?,
         (None, None) => return Err("say --map or --mission".into()),
     };
+    planned.seed = seed;
     if let Some(text) = &own.wind {
         let [from, speed] = numbers(text, "--wind")?;
         let from = from.to_radians();
-        plan.wind = Wind { from, speed }.velocity();
+        planned.path.wind = Wind { from, speed };
+        planned.wind_deviation = 0.0;
     }
-    let ground: Arc<dyn Imagery> = match day {
-        FlightDay::Same => map,
-        FlightDay::Other | FlightDay::LateWinter | FlightDay::EarlySpring => days.drawn(seed),
-    };
-    Ok(fly_plan(&plan, ground, day, seed)?)
+    Ok(fly_planned(&mut lent.worker(), &planned, day)?)
 }
 
-fn by_mission(own: &OwnMap) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>> {
+/// Plan of the first seed, and its map.
+type OwnPlan = (RehearsedFlight, Lent);
+
+fn by_mission(own: &OwnMap) -> Result<OwnPlan, Box<dyn std::error::Error>> {
     let ground = PlannedFlight::at(&PlanSource {
         scenario: None,
         mission: own.mission.clone(),
@@ -94,35 +82,29 @@ fn by_mission(own: &OwnMap) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>
         height: own.height,
         dem: own.dem.clone(),
     })?;
+    tell(&ground.notes);
+    let lent = ground.lent();
     let plan = ground
         .plan
         .ok_or("the mission has no route to fly; add one, or leave it out and say --route")?;
     let route = ground.mission.routes.first();
-    let plan = FlightPlan {
+    let planned = RehearsedFlight {
         name: route.map_or_else(String::new, |route| route.name.clone()),
-        frame_on_globe: LocalFrame::new(ground.mission.origin),
-        ..plan.path.plan()
+        origin: ground.mission.origin,
+        path: plan.path,
+        wind_deviation: plan.navigator.start.wind,
+        map: ground.source,
+        seed: 1,
     };
-    let days: Box<dyn OtherDays> = match ground.source {
-        MapSource::World(_) => Box::new(SceneryDays {
-            scenery: Scenario::map(),
-        }),
-        _ => Box::new(PictureDays::new(Arc::clone(&ground.map))),
-    };
-    Ok(OwnRouteAndMap {
-        plan,
-        map: ground.map,
-        days,
-    })
+    Ok((planned, lent))
 }
 
-fn by_map(
-    own: &OwnMap,
-    (map, frame): (Arc<dyn Imagery>, Option<LocalFrame>),
-) -> Result<OwnRouteAndMap, Box<dyn std::error::Error>> {
-    let frame = frame.ok_or(
+fn by_map(own: &OwnMap, opened: MapOnDisk) -> Result<OwnPlan, Box<dyn std::error::Error>> {
+    tell(&opened.notes);
+    let frame = opened.frame.ok_or(
         "the map counts in metres of no place on the globe; name its reference system in a .prj file beside it",
     )?;
+    let map = opened.map;
     let way_points = match &own.route {
         Some(text) => way_points(text, &frame)?,
         None => around(&map.bounds()),
@@ -136,18 +118,24 @@ fn by_map(
         )
         .into());
     }
-    let plan = FlightPlan {
+    let planned = RehearsedFlight {
         name: map.name().to_owned(),
-        way_points,
-        height: own.height.unwrap_or(HEIGHT),
-        frame_on_globe: frame,
-        ..Scenario::all()[0].plan(&Overrides::default())
+        origin: frame.origin,
+        path: PlannedPath {
+            way_points,
+            height: own.height.unwrap_or(FlightSource::USUAL_HEIGHT),
+            targets: Vec::new(),
+            airspeed: None,
+            bank: None,
+            wind: Wind::default(),
+            camera: Scenario::camera(),
+            ground_down: 0.0,
+        },
+        wind_deviation: 0.0,
+        map: Lent::map_of_file(),
+        seed: 1,
     };
-    Ok(OwnRouteAndMap {
-        plan,
-        days: Box::new(PictureDays::new(Arc::clone(&map))),
-        map,
-    })
+    Ok((planned, Lent::default().with_map(Lent::map_of_file(), map)))
 }
 
 /// Once around the middle of a map.

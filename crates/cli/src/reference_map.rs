@@ -7,7 +7,8 @@ use pilotage_core::reference::edges::EDGE_GSD;
 use pilotage_core::reference::{GenericClass, ReferenceTable};
 use pilotage_jobs::{JobEvent, ReferenceMapOrder};
 
-use crate::files::{MAP_CACHE, open_map_with_frame, write_whole};
+use crate::files::{MAP_CACHE, MapOnDisk, open_map, write_whole};
+use crate::notes::tell;
 use crate::workers::{self, Lent};
 use crate::{CommandResult, locate_photo};
 
@@ -57,7 +58,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 
 /// Makes the table of a map.
 fn make_table(map: &Path, out: &Path, pixel_rows: Option<&Path>) -> CommandResult {
-    let (map, frame) = open_map_with_frame(map, MAP_CACHE)?;
+    let MapOnDisk { map, frame, notes } = open_map(map, None, MAP_CACHE)?;
+    tell(&notes);
     let picture = Window::covering(&map.bounds(), map.native_gsd());
     let lent = Lent::default().with_map(Lent::map_of_file(), map);
     let mut bytes: Vec<u8> = Vec::new();

@@ -13,7 +13,8 @@ use pilotage_jobs::{JobEvent, LayPhotos, PhotoReport, PhotosOrder, VariantOrder}
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, MAP_CACHE, open_map_with_frame, write_whole};
+use crate::files::{DirectoryFiles, MAP_CACHE, open_map, write_whole};
+use crate::notes::tell;
 use crate::photo_picture::decode_photo;
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 use crate::workers::{self, Lent};
@@ -108,8 +109,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         height_percent: arguments.height_within,
         heading_degrees: arguments.heading_within,
     })?;
-    let (map, world) = open_map_with_frame(&arguments.map, MAP_CACHE)?;
-    let ground = PlacedMap { map, world };
+    let map = open_map(&arguments.map, None, MAP_CACHE)?;
+    tell(&map.notes);
+    let ground = PlacedMap {
+        map: map.map,
+        world: map.frame,
+    };
     let mut orders = Vec::new();
     for path in &arguments.photos {
         // What is not there at all is said before the work begins.

@@ -1,10 +1,11 @@
 //! `pilotage rehearse`: a planned route flown again and again in the simulation, beside its prediction.
 
 use pilotage_core::plan::{PlanComparison, PredictionAgreement, Verification};
-use pilotage_jobs::{PredictionOrder, Rehearsed};
+use pilotage_jobs::Rehearsed;
 use serde::Serialize;
 
 use crate::CommandResult;
+use crate::notes::tell;
 use crate::plan::{PlannedFlight, SourceArguments, fly, predict};
 use crate::scenario::seed_range;
 
@@ -71,9 +72,9 @@ struct RehearsalSummary {
 pub fn run(arguments: &Arguments) -> CommandResult {
     let seeds = seed_range(&arguments.seeds)?;
     let ground = PlannedFlight::along(&arguments.source.to_source(), arguments.route.as_deref())?;
-    let seed = PredictionOrder::SEED;
+    tell(&ground.notes);
     let say = |line: &str| eprintln!("{line}");
-    let (plan, prediction) = predict(&ground, seed, f64::INFINITY, say)?;
+    let (plan, prediction) = predict(&ground, None, f64::INFINITY, say)?;
     let (mut flights, mut frames) = (Vec::new(), Vec::new());
     let mut hear = |seed, flown: Rehearsed| {
         let of = Verification::of(std::slice::from_ref(&flown.frames));

@@ -10,9 +10,11 @@ use pilotage_jobs::{FlightSource, JobEvent, SummaryOrder};
 use serde::Serialize;
 
 use crate::CommandResult;
+use crate::export_track::{FlownWhere, write_estimate};
 use crate::mission_file::OpenMission;
+use crate::notes::tell;
 use crate::replay_frames::{print_frames, print_refusals};
-use crate::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
+use crate::replaying::{ReplayedSimulation, flight_at, map_of, over_map, replay_simulation};
 use crate::scenario::{DayChoice, ground_of, mission_of, options, seed_range, simulation};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 use crate::workers::{self, Lent};
@@ -20,8 +22,9 @@ use crate::workers::{self, Lent};
 /// Arguments of `pilotage replay`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Flight to replay: a flight folder, a log, tables, or a folder of photos. Without --map it is navigated by its
-    /// instruments alone, through GPS outages all along.
+    /// Flight to replay: a flight folder, a log, tables, or a folder of photos, over the map that lies in the folder or
+    /// --map. Without a map it is navigated by its instruments alone: through GPS outages all along, or once from the
+    /// start where a run is asked for (--out, --track, --summary, --mission, --filter).
     #[arg(conflicts_with_all = ["scenario", "flight"])]
     path: Option<PathBuf>,
     /// A built-in scenario; by the landmarks of another mission over the same ground, if one is given.
@@ -52,9 +55,9 @@ pub struct Arguments {
     /// Fly another vehicle of a telemetry log, by the number of its system.
     #[arg(long, value_name = "SYSTEM")]
     vehicle: Option<u32>,
-    /// Length of the GPS outages, where there is no map.
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
-    outage: f64,
+    /// Study GPS outages of that length all along the flight; of 60 s where there is no map and no run is asked for.
+    #[arg(long, value_name = "SECONDS", conflicts_with_all = ["scenario", "map", "mission", "out", "track", "summary"])]
+    outage: Option<f64>,
     /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind,gps-velocity=true,gps-velocity.noise=0.4.
     #[arg(long, default_value = "")]
     filter: String,
@@ -70,6 +73,17 @@ pub struct Arguments {
     /// Print every camera frame with what became of it, and what frames and landmarks were refused of, counted.
     #[arg(long)]
     verbose: bool,
+}
+
+/// Length of GPS outages where nobody states one, seconds.
+const OUTAGE: f64 = 60.0;
+
+impl Arguments {
+    /// Whether something is asked for that only a run has.
+    fn asks_for_a_run(&self) -> bool {
+        let files = [&self.mission, &self.out, &self.track, &self.summary];
+        files.iter().any(|it| it.is_some()) || !self.filter.is_empty() || self.verbose
+    }
 }
 
 /// The summary of many runs.
@@ -90,17 +104,28 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         return Err("say what was flown, or --scenario NAME".into());
     };
     let (open, notes) = flight_at(path, arguments.columns.as_deref(), arguments.vehicle)?;
-    for note in &notes {
-        eprintln!("note: {note}");
+    tell(&notes);
+    let map = map_of(path, arguments.map.as_deref(), open.flight.frame_on_globe)?;
+    let map = map.map(|map| {
+        tell(&map.notes);
+        map.map
+    });
+    let is_studied = map.is_none() && !arguments.asks_for_a_run();
+    if let Some(length) = arguments.outage.or(is_studied.then_some(OUTAGE)) {
+        return crate::outage::study(&open, length);
     }
-    let Some(map) = &arguments.map else {
-        return crate::outage::study(&open.flight, arguments.outage);
-    };
     let mission = arguments.mission.as_deref();
-    let mut over = over_map(path, open, map, mission, &arguments.filter)?;
+    let mut over = over_map(open, map, mission, &arguments.filter)?;
+    if let Some(why) = over.why {
+        eprintln!("note: {why}");
+    }
     let run = over.navigate()?;
     let summary = summarize(&over.flight, &run, None);
-    report(arguments, &over.flight, &run, &summary)
+    let at = FlownWhere {
+        origin: over.mission.origin,
+        utc_at_zero: over.utc_at_zero,
+    };
+    report(arguments, &over.flight, &run, &summary, at)
 }
 
 fn replay_scenario(choice: &SimulationChoice, arguments: &Arguments) -> CommandResult {
@@ -169,10 +194,20 @@ fn replay_seed(
     let ReplayedSimulation { flight, run } = replay_simulation(options, mission, lent)
         .map_err(|e| format!("seed {}: {e}", arguments.seed))?;
     let summary = summarize(&flight, &run, Some(&choice.navigator()));
-    report(arguments, &flight, &run, &summary)
+    let at = FlownWhere {
+        origin: mission.origin,
+        utc_at_zero: None,
+    };
+    report(arguments, &flight, &run, &summary, at)
 }
 
-fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) -> CommandResult {
+fn report(
+    arguments: &Arguments,
+    flight: &Flight,
+    run: &Run,
+    summary: &Summary,
+    at: FlownWhere,
+) -> CommandResult {
     if arguments.verbose {
         print_frames(flight, run);
         print_refusals(summary);
@@ -189,7 +224,7 @@ fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) 
         crate::files::write_whole(path, bytes)?;
     }
     if let Some(path) = &arguments.track {
-        crate::export_track::write_estimate(flight, run, path)?;
+        write_estimate(flight, run, at, path)?;
     }
     Ok(())
 }

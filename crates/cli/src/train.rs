@@ -1,20 +1,21 @@
 //! `pilotage train`: a detector for each landmark, from the map alone.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use pilotage_core::flight::{FlightFolder, read_flight};
 use pilotage_core::landmark::cascade::train::FeatureKind;
 use pilotage_core::landmark::trained::Preparation;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
+use pilotage_core::text::plain_name;
 use pilotage_core::training::{FlightEnvelope, StageReport, TrainingPlan};
-use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder, TrainingOutcome};
+use pilotage_jobs::{JobEvent, LabelledFrames, OpenFlight, TrainOrder, TrainingOutcome};
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, write_whole};
+use crate::files::write_whole;
+use crate::notes::tell;
 use crate::plan::{PlannedFlight, SourceArguments};
+use crate::replaying::flight_at;
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage train`.
@@ -34,9 +35,9 @@ pub struct Arguments {
     /// Windows of something else that each stage learns from.
     #[arg(long, default_value_t = TrainingPlan::default().negatives)]
     negatives: usize,
-    /// Photos on other days that each is judged by.
-    #[arg(long, default_value_t = TrainingPlan::default().held_out)]
-    held_out: usize,
+    /// Photos on other days that each is judged by; 100, or as many as it learns from if those are fewer, if not said.
+    #[arg(long)]
+    held_out: Option<usize>,
     /// Greatest error of the heading on either side, degrees; 5 or what the mission's sensors make of it
     /// if not said.
     #[arg(long)]
@@ -96,6 +97,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         )
     })?;
     let mut ground = PlannedFlight::at(&arguments.source.to_source())?;
+    tell(&ground.notes);
     for name in &arguments.landmark {
         if !ground.mission.landmarks.iter().any(|l| l.name == *name) {
             return Err(format!("--landmark: the mission has none called \"{name}\"").into());
@@ -112,19 +114,18 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         .filter(wanted)
         .cloned()
         .collect();
+    let usual = TrainOrder::usual_plan(&ground.mission, arguments.positives, Vec::new());
     let plan = TrainingPlan {
         kind,
-        photos: arguments.positives,
         negatives: arguments.negatives,
-        held_out: arguments.held_out,
-        template: ground.mission.navigator.detector,
+        held_out: arguments.held_out.unwrap_or(usual.held_out),
         preparation: if arguments.plain {
             Preparation::Plain
         } else {
             Preparation::Rectified
         },
         seed: arguments.seed,
-        ..TrainingPlan::default()
+        ..usual
     };
     let rows = train(arguments, &mut ground, &landmarks, &plan, choice)?;
     if let Some(path) = &arguments.write_mission {
@@ -146,9 +147,7 @@ fn train(
 ) -> Result<Vec<TrainedRow>, Box<dyn std::error::Error>> {
     let mut lent = ground.lent();
     let labelled = labelled_flight(arguments, ground)?.map(|folder| {
-        lent = lent
-            .clone()
-            .with_flight(Arc::new(folder.flight), Some(folder.frames));
+        lent = lent.clone().with_flight(&folder);
         LabelledFrames {
             flight: Lent::flight(),
             labels: ground.mission.labels.clone(),
@@ -157,7 +156,7 @@ fn train(
     let order = |landmark: &Landmark| {
         let order = TrainOrder {
             map: ground.source.clone(),
-            landmark: landmark.clone(),
+            landmark: untrained(landmark),
             camera: ground.camera.clone(),
             height: ground.height,
             sensors: ground.mission.navigator.sensors,
@@ -209,6 +208,13 @@ fn train(
     Ok(rows)
 }
 
+/// The landmark without the detector that it had.
+fn untrained(landmark: &Landmark) -> Landmark {
+    let mut landmark = landmark.clone();
+    landmark.keep_trained_text(None);
+    landmark
+}
+
 impl TrainedRow {
     fn of(landmark: &str, outcome: TrainingOutcome) -> Self {
         let [sigma_north_m, sigma_east_m] = outcome.sigmas;
@@ -230,7 +236,7 @@ fn write_cascade(folder: &Path, landmark: &Landmark) -> Result<(), String> {
     let trained = landmark.trained_detector();
     let trained = trained.ok_or("the detector cannot be read back")?;
     std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let path = folder.join(format!("{}.xml", landmark.name));
+    let path = folder.join(format!("{}.xml", plain_name(&landmark.name)));
     write_whole(&path, trained.cascade.to_xml())
 }
 
@@ -238,12 +244,12 @@ fn write_cascade(folder: &Path, landmark: &Landmark) -> Result<(), String> {
 fn labelled_flight(
     arguments: &Arguments,
     ground: &PlannedFlight,
-) -> Result<Option<FlightFolder>, Box<dyn std::error::Error>> {
+) -> Result<Option<OpenFlight>, Box<dyn std::error::Error>> {
     let path = arguments.source.flight.as_ref();
     let Some(path) = path.filter(|_| !ground.mission.labels.is_empty()) else {
         return Ok(None);
     };
-    Ok(Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?))
+    Ok(Some(flight_at(path, None, None)?.0))
 }
 
 fn print(row: &TrainedRow) {

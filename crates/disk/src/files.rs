@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use pilotage_core::flight::files::{FileSet, FileSink};
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery};
+use pilotage_core::mission::OpenMap;
 
 /// Memory for map tiles, megabytes.
 pub const MAP_CACHE: usize = 128;
@@ -207,7 +208,7 @@ pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
 /// // Pixels of half a metre; the middle of the first is a quarter of a metre from the origin.
 /// std::fs::write(folder.join("town.pgw"), "0.5\n0\n0\n-0.5\n0.25\n-0.25\n")?;
 /// let map = open_map(&folder.join("town.png"), None, MAP_CACHE)?;
-/// assert_eq!((map.bounds().east, map.bounds().south), (20.0, -10.0));
+/// assert_eq!((map.map.bounds().east, map.map.bounds().south), (20.0, -10.0));
 /// std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -215,33 +216,33 @@ pub fn open_map(
     path: &Path,
     frame: Option<LocalFrame>,
     megabytes: usize,
-) -> Result<Arc<dyn Imagery>, Box<dyn std::error::Error>> {
-    Ok(open_map_in(path, frame, megabytes)?.0)
-}
-
-/// The same in its own world frame, with that, if it lies on the globe.
-pub fn open_map_with_frame(
-    path: &Path,
-    megabytes: usize,
-) -> Result<MapInFrame, Box<dyn std::error::Error>> {
-    open_map_in(path, None, megabytes)
-}
-
-/// A map and the world frame that it was put into.
-type MapInFrame = (Arc<dyn Imagery>, Option<LocalFrame>);
-
-fn open_map_in(
-    path: &Path,
-    frame: Option<LocalFrame>,
-    megabytes: usize,
-) -> Result<MapInFrame, Box<dyn std::error::Error>> {
+) -> Result<MapOnDisk, Box<dyn std::error::Error>> {
     let directory = DirectoryFiles::around(path)?;
     let name = path
         .file_name()
         .map(|n| n.to_string_lossy().into_owned())
         .unwrap_or_default();
     let map = pilotage_core::mission::open_map(&directory, &name, frame)?;
-    let frame = map.frame().copied();
-    let map = CachedImagery::new(Arc::new(map), megabytes);
-    Ok((Arc::new(map), frame))
+    Ok(MapOnDisk::cached(map, megabytes))
+}
+
+/// A map that was opened.
+pub struct MapOnDisk {
+    /// The map.
+    pub map: Arc<dyn Imagery>,
+    /// The world frame that it was put into, if it lies on the globe.
+    pub frame: Option<LocalFrame>,
+    /// Sentences on what was assumed of it or left out.
+    pub notes: Vec<String>,
+}
+
+impl MapOnDisk {
+    /// The map with a memory for its pixels.
+    pub fn cached(map: OpenMap, megabytes: usize) -> Self {
+        Self {
+            frame: map.frame().copied(),
+            notes: map.notes(),
+            map: Arc::new(CachedImagery::new(Arc::new(map), megabytes)),
+        }
+    }
 }

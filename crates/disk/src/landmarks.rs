@@ -16,10 +16,10 @@ pub fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
     landmarks.filter(|landmark| landmark.enabled).collect()
 }
 
-/// Measures each landmark over the map on the days of `seed`.
+/// Measures each landmark over the map, on the days of the page or those of `seed`.
 pub fn expected(
     ground: &PlannedFlight,
-    seed: u64,
+    seed: Option<u64>,
     say: Say,
 ) -> Result<Vec<(Landmark, DetectionStatistics)>, String> {
     let landmarks = enabled(ground);

@@ -1,15 +1,15 @@
 //! Mission files of the disk, with the map that they hold or name.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use pilotage_core::flight::files::MemoryFiles;
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::package::{MissionPackage, read_package};
 use pilotage_core::mission::{MapOptions, MapReference};
-use pilotage_core::simulate::Scenario;
-use pilotage_jobs::{Beside, SimulationOptions, map_among};
+use pilotage_jobs::{Beside, MapSource, SimulationOptions, map_among};
+
+use crate::files::MapOnDisk;
+use crate::workers::Lent;
 
 /// A mission file that was read.
 pub struct OpenMission {
@@ -31,7 +31,7 @@ impl OpenMission {
     /// let feature = format!(r#"{{"type": "Feature", "properties": {{}}, "geometry": {geometry}}}"#);
     /// std::fs::write(&path, format!(r#"{{"type": "FeatureCollection", "features": [{feature}]}}"#))?;
     /// let opened = OpenMission::read(&path)?;
-    /// assert_eq!((opened.package.mission.landmarks.len(), opened.is_over_scenery()), (1, false));
+    /// assert_eq!((opened.package.mission.landmarks.len(), opened.world()), (1, None));
     /// std::fs::remove_file(&path)?;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -42,12 +42,17 @@ impl OpenMission {
         Ok(Self { package, name })
     }
 
-    /// Whether it was saved over the generated scenery.
-    pub fn is_over_scenery(&self) -> bool {
-        if let Some(MapReference::Scenario(_)) = self.package.mission.map {
-            return true;
-        }
-        self.simulation().is_some()
+    /// The generated world over which it was saved, if it was over one.
+    pub fn world(&self) -> Option<MapSource> {
+        let of_map = match &self.package.mission.map {
+            Some(MapReference::Scenario(name)) => Some(SimulationOptions {
+                scenario: name.clone(),
+                ..SimulationOptions::demo()
+            }),
+            _ => None,
+        };
+        let simulation = of_map.or_else(|| self.simulation())?;
+        Some(simulation.map())
     }
 
     /// The built-in flight that was open beside it when it was saved.
@@ -55,15 +60,20 @@ impl OpenMission {
         Beside::of_head(&self.package.settings)?.simulation
     }
 
-    /// The map at `stated`, or else that in the file, or the generated scenery if it was saved there.
+    /// The map at `stated`, or else that in the file, or the generated world over which it was saved; and the source by
+    /// which orders name it.
+    ///
+    /// # Errors
+    /// A map that cannot be read, or none at all.
     pub fn map(
         &self,
         stated: Option<&Path>,
         frame: LocalFrame,
         megabytes: usize,
-    ) -> Result<Arc<dyn Imagery>, Box<dyn std::error::Error>> {
+    ) -> Result<(MapSource, MapOnDisk), Box<dyn std::error::Error>> {
         if let Some(path) = stated {
-            return crate::files::open_map(path, Some(frame), megabytes);
+            let map = crate::files::open_map(path, Some(frame), megabytes)?;
+            return Ok((Lent::map_of_file(), map));
         }
         let files = MemoryFiles(self.package.files.iter().cloned().collect());
         let options = MapOptions {
@@ -72,11 +82,15 @@ impl OpenMission {
         };
         let map = map_among(&files, &options).map_err(|e| format!("{}: {e}", self.name))?;
         if let Some((_, map)) = map {
-            return Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)));
+            return Ok((Lent::map_of_file(), MapOnDisk::cached(map, megabytes)));
         }
-        if self.is_over_scenery() {
-            let scenery = Arc::new(Scenario::map());
-            return Ok(Arc::new(CachedImagery::new(scenery, megabytes)));
+        if let Some(world) = self.world() {
+            let map = MapOnDisk {
+                map: Lent::default().worker().cached_map(&world)?,
+                frame: Some(frame),
+                notes: Vec::new(),
+            };
+            return Ok((world, map));
         }
         Err(format!("{} holds no map; say --map FILE", self.name).into())
     }

@@ -10,8 +10,8 @@ use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::flight::photo::photos_lack;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_jobs::{
-    OpenFlight, StatedColumns, TABLES, flight_among, flight_of_file, foreign_kind, log_among,
-    maps_beside, open_log, table_names, with_films_told,
+    OpenFlight, StatedColumns, TABLES, choose_vehicle, flight_among, flight_of_file, foreign_kind,
+    log_among, maps_beside, open_log, table_names, with_films_told,
 };
 
 use crate::files::{DirectoryFiles, DiskFile};
@@ -41,17 +41,18 @@ impl OpenedPath {
     /// The flight with its pictures, and what was assumed or left out, in sentences; `None` where there is none.
     ///
     /// # Errors
-    /// A log that tells of no flight, or a table of pictures beside it that cannot be read.
+    /// A log that tells of no flight.
     pub fn into_flight(self) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
         match self {
             Self::Folder(mut folder) => {
                 let notes = std::mem::take(&mut folder.notes);
                 Ok(Some((OpenFlight::of_folder(*folder, None), notes)))
             }
-            Self::Log(log, beside) => match open_log(&log, &beside)? {
-                (_, Some(lost), _) => Err(lost),
-                (open, None, notes) => Ok(Some((open, notes))),
-            },
+            Self::Log(log, beside) => {
+                let (open, lost, mut notes) = open_log(&log, &beside)?;
+                notes.extend(lost.map(|lost| format!("{lost}; its pictures are left out")));
+                Ok(Some((open, notes)))
+            }
             Self::Nothing(told) if told.is_empty() => Ok(None),
             Self::Nothing(told) => Err(told),
         }
@@ -83,8 +84,9 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn s
     }
     let file = DiskFile::open(path, &path.to_string_lossy());
     let file = file.map_err(|e| format!("{}: {e}", path.display()))?;
-    if let Some(log) = read_log(&file)? {
+    if let Some(mut log) = read_log(&file)? {
         let beside: Arc<dyn FileSet> = Arc::new(DirectoryFiles::around(path)?);
+        choose_vehicle(beside.as_ref(), &mut log)?;
         return Ok(OpenedPath::Log(Box::new(log), beside));
     }
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -161,8 +163,9 @@ fn open_folder(
         return Ok(OpenedPath::Folder(Box::new(folder)));
     }
     if let Some(source) = log_among(files.as_ref()).and_then(|name| files.source(&name))
-        && let Some(log) = read_log(source.as_ref())?
+        && let Some(mut log) = read_log(source.as_ref())?
     {
+        choose_vehicle(files.as_ref(), &mut log)?;
         return Ok(OpenedPath::Log(Box::new(log), Arc::clone(files)));
     }
     if let Some(folder) = open_tables(files, &names, None)? {
@@ -299,7 +302,7 @@ pub fn said(
     columns: Option<&Path>,
 ) -> Result<Option<Vec<ColumnMap>>, String> {
     let Some(path) = columns else {
-        return maps_beside(files);
+        return maps_beside(files, names);
     };
     let file = path.display().to_string();
     let text = std::fs::read(path).map_err(|e| format!("{file}: {e}"))?;

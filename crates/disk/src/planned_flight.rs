@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::flight::read_flight;
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::imagery::{CachedImagery, Imagery};
@@ -13,11 +12,12 @@ use pilotage_core::mission::{Mission, Route, WayPoint, open_dem};
 use pilotage_core::plan::{FlownWay, RouteGround, planned_aircraft};
 use pilotage_core::simulate::{Scenario, Wind};
 use pilotage_jobs::{
-    AssessmentOrder, HeightsOrder, MapSource, PlannedPath, PredictionOrder, scenario_wind,
+    AssessmentOrder, FlightSource, HeightsOrder, MapSource, PlannedPath, PredictionOrder,
 };
 
 use crate::files::{DirectoryFiles, MAP_CACHE};
 use crate::mission_file::OpenMission;
+use crate::replaying::flight_at;
 use crate::workers::Lent;
 
 /// Source of the map, the mission on it and the camera.
@@ -31,7 +31,7 @@ pub struct PlanSource {
     pub map: Option<PathBuf>,
     /// A flight folder whose camera is flown, if the mission states none.
     pub flight: Option<PathBuf>,
-    /// Height above ground, metres, where neither route nor scenario states one.
+    /// Height above ground, metres, in place of those of the route or scenario.
     pub height: Option<f64>,
     /// An elevation model of the ground; level where it says nothing.
     pub dem: Option<PathBuf>,
@@ -57,6 +57,8 @@ pub struct PlannedFlight {
     level: f64,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
+    /// Sentences on what was assumed of its files or left out.
+    pub notes: Vec<String>,
     /// The planned flight, of whose landmarks nothing is expected yet.
     pub plan: Option<PredictionOrder>,
 }
@@ -92,26 +94,26 @@ impl PlannedFlight {
         };
         let opened = OpenMission::read(path)?;
         let frame = LocalFrame::new(opened.package.mission.origin);
-        let map = opened.map(arguments.map.as_deref(), frame, MAP_CACHE)?;
-        let source = if arguments.map.is_none() && opened.is_over_scenery() {
-            MapSource::world("countryside")
-        } else {
-            Lent::map_of_file()
-        };
-        let of_scenery = opened.is_over_scenery().then(Scenario::camera);
-        let wind = opened.simulation().map(|options| scenario_wind(&options));
+        let (source, map) = opened.map(arguments.map.as_deref(), frame, MAP_CACHE)?;
+        let mut notes = map.notes;
+        let map = map.map;
+        let beside = opened.simulation().map(FlightSource::Simulated);
+        let beside = beside.unwrap_or(FlightSource::Nothing);
         let mission = opened.package.mission;
         let flown = match &arguments.flight {
-            Some(path) => Some(read_flight(Arc::new(DirectoryFiles::open(path)?))?.flight),
+            Some(path) => Some(flight_at(path, None, None)?.0.flight),
             None => None,
         };
         let ground_down = flown.as_ref().map_or(0.0, |flight| flight.ground_down);
-        let camera = mission
-            .camera
-            .clone()
-            .or_else(|| flown.map(|f| f.camera))
-            .or(of_scenery)
-            .ok_or("the mission states no camera; say --flight DIR to take that of a flight")?;
+        let stated = mission.camera.clone();
+        let stated = stated.or_else(|| Some(flown?.camera.clone()));
+        if stated.is_none() && !matches!(source, MapSource::World(_)) {
+            notes.push(
+                "the mission states no camera: that of the built-in scenarios is taken; --flight PATH takes that of a flight"
+                    .to_owned(),
+            );
+        }
+        let camera = stated.unwrap_or_else(Scenario::camera);
         let route = match route {
             Some(name) => Some(route_named(&mission, name)?),
             None => mission.routes.first(),
@@ -126,7 +128,7 @@ impl PlannedFlight {
             Some(path) => {
                 let area = HeightsOrder::of_interest(Some(map.bounds()), &mission);
                 let area = area.ok_or("the map is too large for heights and nothing is planned")?;
-                Some(heights_of(path, frame, area)?)
+                Some(heights_of(path, frame, area, &mut notes)?)
             }
             None => None,
         };
@@ -141,17 +143,18 @@ impl PlannedFlight {
             heights,
             level,
             ground_down,
+            notes,
             plan: None,
         };
         let flown = route.as_ref().filter(|route| !route.way_points.is_empty());
         ground.height = flown
             .and_then(|route| ground.mean_above(route))
             .or(arguments.height)
-            .ok_or("neither the route nor --height says how high to fly")?;
+            .unwrap_or(beside.usual_altitude().metres);
         let usual = Altitude::new(ground.height, AltitudeFrame::AboveGround);
         ground.altitude = flown.map_or(usual, |route| route.way_points[0].altitude);
         if let Some(route) = &route {
-            ground.plan = Some(ground.planned(FlownWay::default(), wind.unwrap_or_default()));
+            ground.plan = Some(ground.planned(FlownWay::default(), beside.wind()));
             ground.fly_along(route);
         }
         Ok(ground)
@@ -194,6 +197,7 @@ impl PlannedFlight {
             altitude: Altitude::new(height, AltitudeFrame::AboveGround),
             heights: None,
             ground_down: 0.0,
+            notes: Vec::new(),
             plan: None,
         };
         let way = FlownWay {
@@ -239,8 +243,8 @@ impl PlannedFlight {
         self.over(route, |ground| ground.mean_above(route))
     }
 
-    /// Order to measure a landmark.
-    pub fn assessment(&self, landmark: &Landmark, seed: u64) -> AssessmentOrder {
+    /// Order to measure a landmark, on the days of the page or those of `seed`.
+    pub fn assessment(&self, landmark: &Landmark, seed: Option<u64>) -> AssessmentOrder {
         AssessmentOrder {
             map: self.source.clone(),
             landmark: landmark.clone(),
@@ -248,7 +252,7 @@ impl PlannedFlight {
             height: self.height,
             navigator: self.mission.navigator.clone(),
             ground_down: self.ground_down,
-            seed,
+            seed: seed.unwrap_or(AssessmentOrder::SEED),
         }
     }
 
@@ -276,10 +280,12 @@ fn heights_of(
     path: &Path,
     frame: LocalFrame,
     area: GroundRect,
+    notes: &mut Vec<String>,
 ) -> Result<HeightGrid, Box<dyn std::error::Error>> {
     let files = DirectoryFiles::around(path)?;
     let name = path.file_name().unwrap_or(path.as_os_str());
     let dem = open_dem(&files, &name.to_string_lossy(), Some(frame), None)?;
+    notes.extend(dem.notes());
     let mut heights = dem.grid(area, HeightsOrder::MOST_POSTS);
     while !heights.take_rows(&dem, usize::MAX) {}
     // Ground that cannot be read may be too high.

@@ -1,19 +1,16 @@
 //! The uncertainty along a planned route.
 
 use pilotage_core::plan::RoutePrediction;
-use pilotage_jobs::PredictionOrder;
+use pilotage_jobs::{FINE, PredictionOrder};
 
 use crate::landmarks::{Say, expected};
 use crate::planned_flight::PlannedFlight;
 
-/// Worlds of a prediction.
-const WORLDS: usize = 100;
-
-/// Measures the landmarks on days of `seed` and predicts, with stretches over `limit` metres; what was predicted of
+/// Measures the landmarks and predicts, as the page does or on days and in worlds of `seed`, with stretches over `limit` metres; what was predicted of
 /// comes with it.
 pub fn predict(
     ground: &PlannedFlight,
-    seed: u64,
+    seed: Option<u64>,
     limit: f64,
     say: Say,
 ) -> Result<(PredictionOrder, RoutePrediction), Box<dyn std::error::Error>> {
@@ -24,8 +21,8 @@ pub fn predict(
     let order = PredictionOrder {
         landmarks: expected(ground, seed, say)?,
         navigator: ground.mission.navigator.clone(),
-        worlds: WORLDS,
-        seed,
+        worlds: FINE,
+        seed: seed.unwrap_or(PredictionOrder::SEED),
         limit,
         ..plan.clone()
     };

@@ -4,15 +4,16 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
+use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::Imagery;
-use pilotage_core::mission::Mission;
+use pilotage_core::mission::{MapOptions, Mission};
 use pilotage_core::navigator::Run;
 use pilotage_jobs::{
     BareMission, FlightSource, FlyOrder, JobEvent, MapSource, OpenFlight, SimulationOptions,
-    WorkerState, mission_beside_flight,
+    WorkerState, map_among, mission_beside_flight,
 };
 
-use crate::files::{MAP_CACHE, open_map};
+use crate::files::{MAP_CACHE, MapOnDisk, open_map};
 use crate::mission_file::OpenMission;
 use crate::opening::{OpenedPath, folder_at, no_flight, open};
 use crate::workers::{KEY, Lent, do_here};
@@ -42,28 +43,45 @@ pub fn flight_at(
     Ok((flight, notes))
 }
 
-/// A flight over the map on which it is to be found.
+/// The map that is stated, or else that among the files of the flight at `path`, in its world `frame`; `None` where
+/// there is none.
+///
+/// # Errors
+/// A map that cannot be read, with the file's name.
+pub fn map_of(
+    path: &Path,
+    stated: Option<&Path>,
+    frame: Option<LocalFrame>,
+) -> Result<Option<MapOnDisk>, Failure> {
+    if let Some(map) = stated {
+        return Ok(Some(open_map(map, frame, MAP_CACHE)?));
+    }
+    let Some(files) = folder_at(path)? else {
+        return Ok(None);
+    };
+    let options = MapOptions {
+        frame,
+        ..MapOptions::default()
+    };
+    let map = map_among(files.as_ref(), &options)?;
+    Ok(map.map(|(_, map)| MapOnDisk::cached(map, MAP_CACHE)))
+}
+
+/// A flight over the map on which it is to be found, if there is one.
 pub struct FlightOverMap {
     /// The flight, as its mission has it flown.
     pub flight: Arc<Flight>,
     /// Landmarks, roads and settings: those of its mission, or of a [`BareMission`].
     pub mission: Mission,
+    /// Universal time at its zero, seconds since 1970, where that is known.
+    pub utc_at_zero: Option<f64>,
+    /// Sentence for people that says by what it is navigated, and why, where no mission says it.
+    pub why: Option<&'static str>,
+    source: MapSource,
     worker: WorkerState,
 }
 
 impl FlightOverMap {
-    /// The flight that was opened, over a map that is known by `source` to whoever orders something of it.
-    fn new(open: OpenFlight, mission: Mission, source: &MapSource, map: Arc<dyn Imagery>) -> Self {
-        let flight = mission.flown(&open.flight);
-        let mut worker = Lent::default().with_map(source.clone(), map).worker();
-        worker.keep_flight(KEY, open);
-        Self {
-            flight,
-            mission,
-            worker,
-        }
-    }
-
     /// The flight, navigated to its end as the page has it flown.
     ///
     /// # Errors
@@ -71,41 +89,54 @@ impl FlightOverMap {
     pub fn navigate(&mut self) -> Result<Run, Failure> {
         let order = FlyOrder {
             flight: Lent::flight(),
-            map: Lent::map_of_file(),
+            map: self.source.clone(),
             mission: Some(self.mission.clone()),
         };
         Ok(fly(order, &mut self.worker)?)
     }
 }
 
-/// Lays the flight that was read from `path` over the picture at `map`, with the landmarks of a mission file, or else those
-/// of the mission beside it, and changes to the filter (`key=value,…`).
+/// Lays a flight over a map, or over nothing, with the landmarks of a mission file, or else those of the mission beside it,
+/// and changes to the filter (`key=value,…`). Without a mission it is flown as the page flies it.
 ///
 /// # Errors
-/// A flight without pictures, a map or mission that cannot be read, a setting that is not there.
+/// A mission that cannot be read, a setting that is not there.
 pub fn over_map(
-    path: &Path,
     open: OpenFlight,
-    map: &Path,
+    map: Option<Arc<dyn Imagery>>,
     mission: Option<&Path>,
     filter: &str,
 ) -> Result<FlightOverMap, Failure> {
-    if open.flight.frames.is_empty() {
-        return Err(format!(
-            "{}: it has no pictures to be found on the map; leave out --map to navigate by instruments",
-            path.display()
-        )
-        .into());
-    }
-    let imagery = open_map(map, open.flight.frame_on_globe, MAP_CACHE)?;
-    let source = Lent::map_of_file();
+    let (source, lent) = match map {
+        Some(map) => {
+            let source = Lent::map_of_file();
+            (source.clone(), Lent::default().with_map(source, map))
+        }
+        None => (MapSource::Nothing, Lent::default()),
+    };
     let stated = match mission {
         Some(path) => Some(OpenMission::read(path)?.package.mission),
         None => open.mission.clone(),
     };
-    let mut mission = stated.unwrap_or_else(|| BareMission::of(&open.flight, &source).mission);
+    let (mut mission, why) = if let Some(mission) = stated {
+        (mission, None)
+    } else {
+        let BareMission { mission, why } = BareMission::of(&open.flight, &source);
+        (mission, Some(why))
+    };
     crate::filter_options::apply(&mut mission.navigator, filter)?;
-    Ok(FlightOverMap::new(open, mission, &source, imagery))
+    let flight = mission.flown(&open.flight);
+    let utc_at_zero = open.utc_at_zero;
+    let mut worker = lent.worker();
+    worker.keep_flight(KEY, open);
+    Ok(FlightOverMap {
+        flight,
+        mission,
+        utc_at_zero,
+        why,
+        source,
+        worker,
+    })
 }
 
 /// A simulated flight of one of the built-in worlds, navigated to its end.

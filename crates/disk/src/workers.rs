@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::{Flight, FolderFrames};
+use pilotage_core::flight::{Flight, FrameSource as _, NoPictures, SharedFrames};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::simulate::FlightDay;
 use pilotage_core::training::TrainingPhotos;
@@ -28,7 +28,7 @@ pub struct Lent {
     /// Files, with the key by which orders name them.
     files: Option<(&'static str, Arc<dyn FileSet>)>,
     /// A flight, with its pictures if it has any.
-    flight: Option<(Arc<Flight>, Option<FolderFrames>)>,
+    flight: Option<(Arc<Flight>, Arc<SharedFrames>)>,
     /// Generated ground as cameras see it.
     seen: Option<(FlightDay, Arc<CachedImagery>)>,
 }
@@ -58,10 +58,21 @@ impl Lent {
         self
     }
 
-    /// With a flight and its pictures, if it has any.
+    /// With a flight of files, and its pictures if it has any.
     #[must_use]
-    pub fn with_flight(mut self, flight: Arc<Flight>, frames: Option<FolderFrames>) -> Self {
-        self.flight = Some((flight, frames));
+    pub fn with_flight(mut self, open: &OpenFlight) -> Self {
+        let frames = open.frames.another();
+        let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
+        self.flight = Some((Arc::clone(&open.flight), Arc::new(frames)));
+        self
+    }
+
+    /// With the flight that is lent changed, and its pictures as they are.
+    #[must_use]
+    pub fn with_flight_changed(mut self, flight: Arc<Flight>) -> Self {
+        if let Some((lent, _)) = &mut self.flight {
+            *lent = flight;
+        }
         self
     }
 
@@ -85,13 +96,13 @@ impl Lent {
             worker.show_ground(*day, Arc::clone(seen));
         }
         if let Some((flight, frames)) = &self.flight {
-            let open = match frames {
-                None => OpenFlight::without_pictures(Flight::clone(flight)),
-                Some(frames) => OpenFlight {
-                    flight: Arc::clone(flight),
-                    mission: None,
-                    frames: KeptFrames::stored(flight, Box::new(frames.clone())),
-                },
+            let frames = frames.another();
+            let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
+            let open = OpenFlight {
+                utc_at_zero: None,
+                flight: Arc::clone(flight),
+                mission: None,
+                frames: KeptFrames::stored(flight, frames),
             };
             worker.keep_flight(KEY, open);
         }

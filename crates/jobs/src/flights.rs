@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use pilotage_core::flight::{Flight, FlightFolder, FrameError, FrameSource, NoPictures};
+use pilotage_core::flight::{
+    Flight, FlightFolder, FrameError, FrameSource, NoPictures, SharedFrames,
+};
 use pilotage_core::mission::Mission;
 use pilotage_core::raster::{Picture, decode_picture};
 use pilotage_study::StatedNavigation;
@@ -16,12 +18,15 @@ pub struct OpenFlight {
     pub mission: Option<Mission>,
     /// Its pictures.
     pub frames: KeptFrames,
+    /// Universal time at its zero, seconds since 1970, where that is known.
+    pub utc_at_zero: Option<f64>,
 }
 
 impl OpenFlight {
     /// A flight with the pictures that were read with it.
     pub fn of_folder(folder: FlightFolder, mission: Option<Mission>) -> Self {
         Self {
+            utc_at_zero: folder.utc_at_zero(),
             frames: KeptFrames::stored(&folder.flight, Box::new(folder.frames)),
             flight: Arc::new(folder.flight),
             mission,
@@ -34,6 +39,7 @@ impl OpenFlight {
             frames: KeptFrames::stored(&flight, Box::new(NoPictures)),
             flight: Arc::new(flight),
             mission: None,
+            utc_at_zero: None,
         }
     }
 }
@@ -114,5 +120,10 @@ impl FrameSource for KeptFrames {
 
     fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
         Ok(self.kept(index)?.to_vec())
+    }
+
+    fn another(&self) -> Option<SharedFrames> {
+        let is_stored = self.stated.is_none();
+        is_stored.then(|| self.source.another()).flatten()
     }
 }

@@ -90,14 +90,14 @@ pub use imports::labels;
 pub use inline::InlineWorkers;
 pub use job::Job;
 pub use lent::{LentFiles, OpenAddress};
-pub use log_flights::{foreign_kind, log_among, open_log};
+pub use log_flights::{foreign_kind, log_among, open_log, with_pictures};
 pub use log_series::SeriesOrder;
 pub use logs::ReadLogOrder;
 pub use map_view::{DescribeMapOrder, TileOrder};
 pub use messages::{
     AidedResult, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder, BriefPictures, COARSE,
     CalibrationOrder, ContestOrder, DetectorSearch, Distinctness, DrapeOrder, EncodedPicture,
-    EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FieldFrom, FieldOrder,
+    EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FINE, FieldFrom, FieldOrder,
     FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder, HighGround,
     ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement, LabelledFrames, LogAnswer,
     LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
@@ -116,7 +116,7 @@ pub use prepare::PrepareMapOrder;
 pub use programs::{Abilities, Begin, Program};
 pub use provided::{LetGoOrder, ProvideOrder};
 pub use reference_map::ReferenceMapOrder;
-pub use rehearse::{RehearseOrder, Rehearsed, fly_plan};
+pub use rehearse::{RehearseOrder, Rehearsed, fly_planned};
 pub use reliability::ReliabilityOrder;
 pub use road_flight::{RoadFlight, RoadFlightOrder};
 pub use runner::JobRunner;
@@ -133,7 +133,7 @@ pub use tables::{
     COLUMNS_FILE, MakeFlightOrder, StatedColumns, columns_file, maps_beside, write_columns,
 };
 pub use untested::UntestedOrder;
-pub use vehicle::{VEHICLE_FILE, write_vehicle};
+pub use vehicle::{VEHICLE_FILE, choose_vehicle, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
 pub use worker_pool::{WorkerPool, WorkerPort};
 pub use worker_state::{Advance, Elsewhere, Opens, RunningJob, WorkerState};

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use pilotage_core::flight::Flight;
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::foreign::{Foreign, foreign_file};
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::photo::add_photos;
+use pilotage_core::flight::{Flight, NoPictures};
 use pilotage_core::imagery::ByteSource;
 
 use super::flights::{KeptFrames, OpenFlight};
@@ -53,6 +53,7 @@ pub fn with_pictures(
     files: &Arc<dyn FileSet>,
 ) -> (OpenFlight, Option<String>, Vec<String>) {
     let open = |flight: Flight, source| OpenFlight {
+        utc_at_zero: log.utc_at_zero,
         frames: KeptFrames::stored(&flight, source),
         flight: Arc::new(flight),
         mission: None,
@@ -64,12 +65,12 @@ pub fn with_pictures(
             let (source, notes) = placed.map_or((None, Vec::new()), |p| (p.frames, p.notes));
             let open = match source {
                 Some(source) => open(flight, source),
-                None => OpenFlight::without_pictures(flight),
+                None => open(flight, Box::new(NoPictures)),
             };
             (open, None, notes)
         }
         Err(cause) => (
-            OpenFlight::without_pictures(flight),
+            open(flight, Box::new(NoPictures)),
             Some(cause.to_string()),
             Vec::new(),
         ),

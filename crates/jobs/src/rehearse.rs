@@ -59,28 +59,20 @@ fn other_day(
     Ok(worker.others(map)?.drawn(FIRST_DAY + seed))
 }
 
-/// Flies a plan over `ground`, which is the map or one of its other days, with the sensors of a seed; pictures are taken
-/// when they are asked for.
-///
-/// # Errors
-/// In words, where the route has no way to fly.
-pub fn fly_plan(
-    plan: &FlightPlan,
-    ground: Arc<dyn Imagery>,
-    day: FlightDay,
-    seed: u64,
-) -> Result<OpenFlight, String> {
-    let flight = simulated(plan, seed)?;
-    let frames = seen(&flight, ground, day, seed);
-    Ok(OpenFlight {
-        frames: KeptFrames::rendered(&flight, Box::new(frames)),
-        flight: Arc::new(flight),
-        mission: None,
-    })
+/// Flies a planned route over its map as it looks on another day; pictures are taken when they are asked for.
+pub fn open(worker: &mut WorkerState, rehearsed: &RehearsedFlight) -> Result<OpenFlight, String> {
+    fly_planned(worker, rehearsed, FlightDay::Other)
 }
 
-/// Flies a planned route; pictures are taken when they are asked for.
-pub fn open(worker: &mut WorkerState, rehearsed: &RehearsedFlight) -> Result<OpenFlight, String> {
+/// Flies a planned route on a day: that of its map or another one; pictures are taken when they are asked for.
+///
+/// # Errors
+/// In words, where the map cannot be read or the route has no way to fly.
+pub fn fly_planned(
+    worker: &mut WorkerState,
+    rehearsed: &RehearsedFlight,
+    day: FlightDay,
+) -> Result<OpenFlight, String> {
     let plan = FlightPlan {
         name: rehearsed.name.clone(),
         frame_on_globe: LocalFrame::new(rehearsed.origin),
@@ -88,8 +80,20 @@ pub fn open(worker: &mut WorkerState, rehearsed: &RehearsedFlight) -> Result<Ope
     };
     let seed = rehearsed.seed;
     let plan = plan.in_wind_of(seed, rehearsed.wind_deviation);
-    let ground = other_day(worker, &rehearsed.map, seed)?;
-    fly_plan(&plan, ground, FlightDay::Other, seed)
+    let ground = match day {
+        FlightDay::Same => worker.map(&rehearsed.map)?,
+        FlightDay::Other | FlightDay::LateWinter | FlightDay::EarlySpring => {
+            other_day(worker, &rehearsed.map, seed)?
+        }
+    };
+    let flight = simulated(&plan, seed)?;
+    let frames = seen(&flight, ground, day, seed);
+    Ok(OpenFlight {
+        utc_at_zero: None,
+        frames: KeptFrames::rendered(&flight, Box::new(frames)),
+        flight: Arc::new(flight),
+        mission: None,
+    })
 }
 
 /// Outcome of a flight of a plan.

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use pilotage_core::frames::{Altitude, AltitudeFrame};
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::simulate::{LaidWorld, SimulationChoice, Wind};
 
-use super::SimulationOptions;
 use super::flights::{KeptFrames, OpenFlight};
+use super::{FlightSource, SimulationOptions};
 
 /// The flight of these options.
 pub fn choice(options: &SimulationOptions) -> Result<SimulationChoice, String> {
@@ -28,6 +29,37 @@ pub fn scenario_wind(options: &SimulationOptions) -> Wind {
         .unwrap_or_default()
 }
 
+impl FlightSource {
+    /// Height at which a first way-point is planned where no flight says another, metres above ground.
+    pub const USUAL_HEIGHT: f64 = 120.0;
+
+    /// Mean wind of the flight, as far as it is known before it is flown.
+    pub fn wind(&self) -> Wind {
+        match self {
+            Self::Simulated(options) => scenario_wind(options),
+            Self::Rehearsed(flight) => flight.path.wind,
+            Self::Studied(studied) => studied.flight.wind(),
+            Self::Files(_) | Self::Nothing => Wind::default(),
+        }
+    }
+
+    /// Altitude at which a first way-point is planned over the ground of the flight.
+    pub fn usual_altitude(&self) -> Altitude {
+        let flown = match self {
+            Self::Simulated(options) => options
+                .height
+                .or_else(|| Some(SimulationChoice::named(&options.scenario)?.height)),
+            Self::Rehearsed(flight) => Some(flight.path.height),
+            Self::Studied(studied) => studied.flight.height(),
+            Self::Files(_) | Self::Nothing => None,
+        };
+        Altitude::new(
+            flown.unwrap_or(Self::USUAL_HEIGHT),
+            AltitudeFrame::AboveGround,
+        )
+    }
+}
+
 /// Flies in `world`; pictures are taken when they are asked for, over ground that is `shown` where the host shares some.
 pub fn open(
     options: &SimulationOptions,
@@ -42,6 +74,7 @@ pub fn open(
     }
     let missions = world.missions(&options.scenario, &overrides).into_iter();
     Ok(OpenFlight {
+        utc_at_zero: None,
         frames: KeptFrames::rendered(&simulated.flight, Box::new(simulated.frames)),
         flight: Arc::new(simulated.flight),
         mission: missions.map(|(_, mission)| mission).next(),

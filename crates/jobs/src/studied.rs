@@ -18,6 +18,7 @@ pub fn open(worker: &mut WorkerState, studied: &StudiedFlight) -> Result<OpenFli
         frame.name.clear();
     }
     Ok(OpenFlight {
+        utc_at_zero: None,
         frames: KeptFrames::stated(&flight, prepared.stated),
         flight: Arc::new(flight),
         mission: Some(Mission {

@@ -77,15 +77,18 @@ impl StatedColumns {
     }
 }
 
-/// The maps of columns that lie beside tables, of those tables that are there; `None` where there are none.
+/// The maps of columns that lie beside tables, of those of the names `tables`; `None` where there are none.
 ///
 /// # Errors
 /// A file of them that cannot be read, or that is all there is.
-pub fn maps_beside(pool: &dyn FileSet) -> Result<Option<Vec<ColumnMap>>, String> {
+pub fn maps_beside(
+    pool: &dyn FileSet,
+    tables: &[String],
+) -> Result<Option<Vec<ColumnMap>>, String> {
     let Some((file, text)) = columns_file(pool) else {
         return Ok(None);
     };
-    let stated = StatedColumns::read(&file, &text, &table_names(pool))
+    let stated = StatedColumns::read(&file, &text, tables)
         .map_err(|cause| format!("{cause}. Leave it out to be asked again."))?;
     if pool.names().len() == 1 {
         let lost = stated.lost.join(", ");
@@ -98,7 +101,8 @@ pub fn maps_beside(pool: &dyn FileSet) -> Result<Option<Vec<ColumnMap>>, String>
 
 /// The flight among files, tables by the maps beside them; `None` beside a log.
 pub(super) fn flight_folder(pool: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, String> {
-    flight_among(pool, maps_beside(pool.as_ref())?.as_deref())
+    let maps = maps_beside(pool.as_ref(), &table_names(pool.as_ref()))?;
+    flight_among(pool, maps.as_deref())
 }
 
 /// Makes the flight of the tables under a key and keeps it: event `FlightMade`.
@@ -108,7 +112,7 @@ fn make_flight(
     emit: &mut dyn FnMut(JobEvent),
 ) -> Result<(), String> {
     let pool = worker.files(key)?;
-    let maps = maps_beside(pool.as_ref())?;
+    let maps = maps_beside(pool.as_ref(), &table_names(pool.as_ref()))?;
     let maps = maps.ok_or("nobody said what the columns of the tables mean")?;
     let folder = flight_of_tables(&pool, &maps).map_err(|cause| cause.to_string())?;
     let folder = with_films_told(folder, pool.as_ref());

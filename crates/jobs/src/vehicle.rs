@@ -13,7 +13,10 @@ pub fn write_vehicle(system: u32) -> Vec<u8> {
 }
 
 /// Has the vehicle fly in a log that was read to its end that the files beside it name, if they do.
-pub(super) fn choose_vehicle(pool: &dyn FileSet, log: &mut Log) -> Result<(), String> {
+///
+/// # Errors
+/// A file of another kind, or a system that does not fly in the log.
+pub fn choose_vehicle(pool: &dyn FileSet, log: &mut Log) -> Result<(), String> {
     let Some(bytes) = pool.read(VEHICLE_FILE) else {
         return Ok(());
     };

@@ -9,7 +9,7 @@ use pilotage_core::plan::{
 };
 use pilotage_disk::landmarks::{enabled, expected};
 use pilotage_disk::planned_flight::{PlanSource, PlannedFlight};
-use pilotage_jobs::PredictionOrder;
+use pilotage_jobs::{FINE, PredictionOrder};
 use pyo3::prelude::*;
 
 use crate::arrays::{python_value, rows, squares, vector};
@@ -44,8 +44,8 @@ pub struct PythonPrediction {
     height = None,
     dem = None,
     detection = None,
-    worlds = 100,
-    seed = 1,
+    worlds = FINE,
+    seed = None,
     limit = f64::INFINITY,
 ))]
 pub fn predict_route(
@@ -59,7 +59,7 @@ pub fn predict_route(
     dem: Option<PathBuf>,
     detection: Option<(f64, f64)>,
     worlds: usize,
-    seed: u64,
+    seed: Option<u64>,
     limit: f64,
 ) -> PyResult<PythonPrediction> {
     let source = PlanSource {
@@ -89,7 +89,7 @@ pub fn predict_route(
             landmarks,
             navigator: ground.mission.navigator.clone(),
             worlds,
-            seed,
+            seed: seed.unwrap_or(PredictionOrder::SEED),
             limit,
             ..plan.clone()
         };

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use pilotage_core::navigator::summarize;
 use pilotage_core::simulate::{Scenario, SensorSpec};
 use pilotage_disk::filter_options;
-use pilotage_disk::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
+use pilotage_disk::replaying::{
+    ReplayedSimulation, flight_at, map_of, over_map, replay_simulation,
+};
 use pilotage_disk::workers::Lent;
 use pilotage_jobs::SimulationOptions;
 use pyo3::prelude::*;
@@ -16,22 +18,29 @@ use crate::run::PythonRun;
 
 /// Navigates a flight by its pictures over a map, with the landmarks of a mission file if one is given.
 ///
-/// `path` is a flight folder, a log, tables or photos, `map` a picture with its georeference beside it, `filter` changes
+/// `path` is a flight folder, a log, tables or photos, `map` a picture with its georeference beside it, where none lies in
+/// the folder; without one the instruments alone carry the estimate. `filter` are changes
 /// to the settings as `pilotage replay --filter` takes them ("alpha=0.5,vehicle=airplane-wind").
 #[pyfunction]
-#[pyo3(signature = (path, map, *, mission = None, columns = None, vehicle = None, filter = ""))]
+#[pyo3(signature = (path, map = None, *, mission = None, columns = None, vehicle = None, filter = ""))]
 pub fn replay(
     py: Python<'_>,
     path: PathBuf,
-    map: PathBuf,
+    map: Option<PathBuf>,
     mission: Option<PathBuf>,
     columns: Option<PathBuf>,
     vehicle: Option<u32>,
     filter: &str,
 ) -> PyResult<PythonRun> {
     let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
-        let (open, notes) = flight_at(&path, columns.as_deref(), vehicle)?;
-        let mut over = over_map(&path, open, &map, mission.as_deref(), filter)?;
+        let (open, mut notes) = flight_at(&path, columns.as_deref(), vehicle)?;
+        let map = map_of(&path, map.as_deref(), open.flight.frame_on_globe)?;
+        let map = map.map(|map| {
+            notes.extend(map.notes);
+            map.map
+        });
+        let mut over = over_map(open, map, mission.as_deref(), filter)?;
+        notes.extend(over.why.map(ToOwned::to_owned));
         let run = over.navigate()?;
         let summary = summarize(&over.flight, &run, None);
         Ok(PythonRun::new(run, Some(summary), notes))
@@ -39,7 +48,7 @@ pub fn replay(
     let flown = py.detach(|| fly().map_err(|e| e.to_string()));
     flown.map_err(|words| {
         // Whatever is wrong with map or mission says so.
-        let told = [Some(&map), mission.as_ref()];
+        let told = [map.as_ref(), mission.as_ref()];
         let is_named = told.iter().flatten().any(|file| {
             let name = file.file_name().map(|name| name.to_string_lossy());
             name.is_some_and(|name| words.contains(name.as_ref()))

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use pilotage_core::plan::Proposal;
+use pilotage_jobs::FindOrder;
 
 use super::source::SourceArguments;
 
@@ -65,9 +66,10 @@ pub struct Arguments {
     /// Standard deviation of the position (longer axis) that is accepted, metres.
     #[arg(long, default_value_t = 10.0)]
     pub limit: f64,
-    /// Seed of rehearsal days and worlds.
-    #[arg(long, default_value_t = 1)]
-    pub seed: u64,
+    /// Seed of rehearsal days and worlds, in place of those that everybody takes, so that the same plan has the same
+    /// figures.
+    #[arg(long)]
+    pub seed: Option<u64>,
     /// Write the mission, with the proposed landmarks instead of its own and the found route as its
     /// first.
     #[arg(long)]
@@ -115,7 +117,7 @@ pub struct FindArguments {
     #[arg(long, num_args = 2, value_names = ["FROM", "TO"], allow_hyphen_values = true)]
     pub find: Option<Vec<String>>,
     /// Greatest cost of the found route over that of the shortest.
-    #[arg(long, default_value_t = 1.3)]
+    #[arg(long, default_value_t = FindOrder::BUDGET)]
     pub budget: f64,
     /// Kind of cost that the budget is about.
     #[arg(long, default_value = "time")]
@@ -127,9 +129,9 @@ pub struct FindArguments {
     #[arg(long, default_value = "landmarks")]
     pub over: Over,
     /// Distance that is kept from the no-fly areas of the mission, metres.
-    #[arg(long, default_value_t = 50.0)]
+    #[arg(long, default_value_t = FindOrder::CLEARANCE)]
     pub clearance: f64,
     /// Height that a found route keeps above the ground of the elevation model, metres.
-    #[arg(long, default_value_t = 60.0)]
+    #[arg(long, default_value_t = FindOrder::GROUND_CLEARANCE)]
     pub ground_clearance: f64,
 }

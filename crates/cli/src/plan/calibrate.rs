@@ -9,6 +9,9 @@ use super::arguments::Arguments;
 use super::planned_flight::PlannedFlight;
 use crate::workers;
 
+/// Seed of the places and days where nobody states one.
+const CALIBRATION_SEED: u64 = 1;
+
 /// Flies about `passes` passes over places of every quality and compares what was found with what
 /// their assessment on other days said.
 pub fn calibrate(
@@ -16,10 +19,10 @@ pub fn calibrate(
     ground: &PlannedFlight,
     passes: usize,
 ) -> Result<Reliability, String> {
-    let seed = arguments.seed;
+    let seed = arguments.seed.unwrap_or(CALIBRATION_SEED);
     let places = random_places(passes.div_ceil(ReliabilityOrder::PASSES), seed);
     let order = |place| ReliabilityOrder {
-        about: ground.assessment(place, seed),
+        about: ground.assessment(place, Some(seed)),
         speed: cruise(),
     };
     let orders = places.iter().map(order).collect();

@@ -18,9 +18,6 @@ use super::landmarks::expected;
 use super::planned_flight::PlannedFlight;
 use crate::workers;
 
-/// Standard deviation of the position with which the field is computed, metres.
-const POSITION: f64 = 15.0;
-
 /// Figures of one of the two routes.
 #[derive(Clone, Debug, Serialize)]
 pub struct ComparedRoute {
@@ -92,7 +89,7 @@ fn order(
     let view = FieldView {
         camera: ground.camera.clone(),
         height,
-        position: POSITION,
+        position: Proposal::POSITION,
         tilt: settings.sensors.roll.max(settings.sensors.pitch),
     };
     let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
@@ -119,10 +116,13 @@ fn order(
             ),
             Over::Map => FieldFrom::Map {
                 search_sigmas: settings.detector.search_sigmas,
-                days: Proposal::DAYS as usize,
+                days: FieldFrom::FEW_DAYS,
             },
         },
     };
+    let field = field
+        .between(&from, &to)
+        .ok_or("--find: the map reaches neither of the two places")?;
     let zones = ground.mission.no_fly.iter();
     Ok(FindOrder {
         from,

@@ -6,10 +6,12 @@ use pilotage_core::simulate::Wind;
 
 use super::arguments::Arguments;
 use super::planned_flight::PlannedFlight;
+use crate::notes::tell;
 
 /// Opens the ground that the arguments of a plan name.
 pub fn ground_of(arguments: &Arguments) -> Result<PlannedFlight, Box<dyn std::error::Error>> {
     let mut ground = PlannedFlight::at(&arguments.source.to_source())?;
+    tell(&ground.notes);
     if let Some(plan) = ground
         .plan
         .as_mut()

@@ -39,7 +39,7 @@ fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> Suggest
         taken: Vec::new(),
         count,
         side: arguments.side,
-        seed: arguments.seed,
+        seed: arguments.seed.unwrap_or(SuggestOrder::SEED),
     }
 }
 

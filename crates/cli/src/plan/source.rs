@@ -19,7 +19,7 @@ pub struct SourceArguments {
     /// A flight folder whose camera is flown, if the mission states none.
     #[arg(long)]
     pub flight: Option<PathBuf>,
-    /// Height above ground, metres, where neither route nor scenario states one.
+    /// Height above ground, metres, in place of those of the route or scenario.
     #[arg(long)]
     pub height: Option<f64>,
     /// An elevation model of the ground below the mission's route, level where it says nothing; a route that is found

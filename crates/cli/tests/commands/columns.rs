@@ -65,8 +65,16 @@ fn a_table_is_replayed_without_a_flight_file() {
     let said = folder.run(&["replay", "a.csv"]).unwrap();
     assert!(said.contains("without GPS for 60 s"), "{said}");
     assert!(said.contains("Airspeed and wind"), "{said}");
-    let neither = folder.run(&["replay", "a.csv", "--map", "b.tif"]);
-    assert!(neither.unwrap_err().contains("no pictures"));
+    let lost = folder.run(&["replay", "a.csv", "--map", "b.tif"]);
+    assert!(lost.unwrap_err().contains("b.tif"));
+    // A run is flown by the instruments alone, as the page flies it.
+    let flown = folder.call(&["replay", "a.csv", "--out", "a.run"]);
+    let told = String::from_utf8_lossy(&flown.stderr);
+    assert!(told.contains("its instruments alone"), "{told}");
+    let run = folder.run(&["inspect", "a.run"]).unwrap();
+    assert!(run.starts_with("run \"a\": "), "{run}");
+    let both = folder.run(&["replay", "a.csv", "--outage", "30", "--out", "b.run"]);
+    assert!(both.unwrap_err().contains("cannot be used with"));
 }
 
 /// Page and terminal look for a flight in one order: what people said of the columns of tables, what says itself that it

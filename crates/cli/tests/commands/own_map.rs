@@ -2,6 +2,8 @@
 
 use std::process::Output;
 
+use pilotage_core::mission::write_mission;
+use pilotage_core::navigator::{Run, decode_run};
 use pilotage_core::raster::{Picture, decode_picture, encode_png};
 use serde_json::Value;
 
@@ -85,4 +87,39 @@ fn a_route_beside_the_map_is_refused() {
         !done.status.success() && said.contains("is not on it"),
         "{said}"
     );
+}
+
+#[test]
+fn a_flight_is_replayed_over_the_map_in_its_folder_and_by_the_mission_there() {
+    let folder = Folder::with_map("replayed");
+    let route = WEST.join(";");
+    let words = ["--route", &route, "--height", "100", "--day", "same"];
+    assert!(folder.simulate(&words).status.success());
+    let replay = |out: &str| {
+        let done = folder.call(&["replay", "flown", "--out", out, "--verbose"]);
+        let said = String::from_utf8_lossy(&done.stderr).into_owned();
+        assert!(done.status.success(), "{said}");
+        let run = std::fs::read(folder.0.join(out)).expect("a run");
+        (decode_run(out, &run).expect("a run"), said)
+    };
+    let looked = |run: &Run| {
+        let frames = run.steps.iter().filter_map(|step| step.frame.as_ref());
+        frames.filter(|frame| frame.laid.is_some()).count()
+    };
+    let (run, said) = replay("bare.run");
+    assert_eq!(looked(&run), 0);
+    assert!(said.contains("No map of the ground"), "{said}");
+    for name in ["map.png", "map.pgw", "map.prj"] {
+        std::fs::copy(folder.0.join(name), folder.0.join("flown").join(name)).expect("a copy");
+    }
+    let (run, said) = replay("laid.run");
+    assert!(looked(&run) > 5, "{said}");
+    assert!(said.contains("laid on the map as a whole"), "{said}");
+    let mut mission = super::plan::mission();
+    mission.navigator.whole_frames = None;
+    mission.landmarks.clear();
+    folder.write("flown/mission.geojson", write_mission(&mission));
+    let (run, said) = replay("mission.run");
+    assert_eq!(looked(&run), 0, "{said}");
+    assert!(!said.contains("as a whole"), "{said}");
 }

@@ -39,7 +39,15 @@ pub trait FrameSource {
 
     /// The same as JPEG or PNG bytes, as stored where it is stored.
     fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError>;
+
+    /// A source of the same pictures for another thread, of those that are stored.
+    fn another(&self) -> Option<SharedFrames> {
+        None
+    }
 }
+
+/// Source of pictures that goes to another thread.
+pub type SharedFrames = Box<dyn FrameSource + Send + Sync>;
 
 /// The pictures of a flight without a camera: none.
 pub struct NoPictures;
@@ -51,5 +59,9 @@ impl FrameSource for NoPictures {
 
     fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
         Err(FrameError::OutOfRange(index))
+    }
+
+    fn another(&self) -> Option<SharedFrames> {
+        Some(Box::new(Self))
     }
 }

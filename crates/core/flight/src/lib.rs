@@ -13,6 +13,6 @@ mod truth;
 pub use camera_file::{CameraFile, MountFile, OriginFile};
 pub use channel::{Channel, ChannelName, Quantity};
 pub use finding::{Finding, Severity};
-pub use frame::{Frame, FrameError, FrameSource, NoPictures};
+pub use frame::{Frame, FrameError, FrameSource, NoPictures, SharedFrames};
 pub use record::{Flight, StartFix};
 pub use truth::{FrameTruth, Truth, TruthState};

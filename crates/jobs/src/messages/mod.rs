@@ -60,7 +60,7 @@ pub use opened::OpenedFiles;
 pub use outage::{AidedResult, Outage, OutageOrder, OutageReport, StudyReport, WindReport};
 pub use pack::PackOrder;
 pub use photos::{DrapeOrder, PhotoReport, PhotosOrder};
-pub use predict::{COARSE, PlannedPath, PredictionOrder};
+pub use predict::{COARSE, FINE, PlannedPath, PredictionOrder};
 pub use rehearsed_flight::RehearsedFlight;
 pub use request::{JobId, Reply, Request};
 pub use series::{LogSeries, SeriesName};

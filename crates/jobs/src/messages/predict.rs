@@ -44,7 +44,7 @@ pub struct PredictionOrder {
     pub navigator: NavigatorSettings,
     /// The landmarks that are switched on, and what is expected of them.
     pub landmarks: Vec<(Landmark, DetectionStatistics)>,
-    /// Worlds to try: [`COARSE`], or 100 for a fine one.
+    /// Worlds to try: [`COARSE`] or [`FINE`].
     pub worlds: usize,
     /// Seed of the worlds; [`Self::SEED`], so that the same plan has the same prediction.
     pub seed: u64,
@@ -83,3 +83,6 @@ impl PlannedPath {
 
 /// Worlds of a coarse prediction.
 pub const COARSE: usize = 8;
+
+/// Worlds of a fine prediction.
+pub const FINE: usize = 100;

@@ -30,12 +30,9 @@ fn flown_track(context: &FeatureContext<'_>) -> Option<FlownTrack> {
     let flight = documents.flight.measured.as_ref()?;
     let frame = flight.frame_on_globe;
     let frame = frame.unwrap_or_else(|| LocalFrame::new(documents.mission.origin));
-    let mut track = run.estimated_track(&flight.name, &frame);
-    track.utc_at_zero = documents
-        .flight
-        .log
-        .as_ref()
-        .and_then(|log| log.utc_at_zero);
+    let log = documents.flight.log.as_ref();
+    let utc_at_zero = log.and_then(|log| log.utc_at_zero);
+    let mut track = run.estimated_track(&flight.name, &frame, utc_at_zero);
     let times: Vec<f64> = track.points.iter().map(|point| point.time).collect();
     let mut others = context.others();
     if let Some((what, values)) = others.find_map(|it| it.values_along(&times)) {

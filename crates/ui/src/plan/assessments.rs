@@ -25,9 +25,11 @@ pub struct Assessments {
     wants_envelope: Option<AssessmentOrder>,
     surveyed: Option<(JobId, AssessmentOrder)>,
     /// Why a landmark could not be measured.
-    failed: ShortMap<u32, (Landmark, String)>,
+    failed: ShortMap<u32, FailedMeasurement>,
     waiting: VecDeque<AssessmentOrder>,
     asked: Option<(JobId, u32)>,
+    /// Failure of the measurement under way should the landmark not fit into a picture.
+    misfit: String,
     /// Whether nobody asked for the measurement under way.
     is_ahead: bool,
     /// Progress of the measurement under way, 0 to 1, and its words.
@@ -48,6 +50,15 @@ pub struct Assessments {
     pub wants_stop: bool,
 }
 
+/// A landmark that could not be measured.
+#[derive(Debug)]
+struct FailedMeasurement {
+    landmark: Landmark,
+    why: String,
+    /// Whether it does not fit into a picture.
+    is_misfit: bool,
+}
+
 /// Whether both are the same patch, looked at in the same way by the same detector.
 pub fn same(a: &Landmark, b: &Landmark) -> bool {
     (a.bounds, a.reference, a.height) == (b.bounds, b.reference, b.height)
@@ -65,8 +76,18 @@ impl Assessments {
     pub fn trouble(&self, landmark: &Landmark) -> Option<&str> {
         let known = self.failed.get(&landmark.id);
         known
-            .filter(|(of, _)| same(of, landmark))
-            .map(|(_, why)| why.as_str())
+            .filter(|it| same(&it.landmark, landmark))
+            .map(|it| it.why.as_str())
+    }
+
+    /// Expected detections of a landmark as it was measured: one that does not fit into a picture is never found; `None`
+    /// of one that nobody measured.
+    pub fn expected(&self, landmark: &Landmark) -> Option<DetectionStatistics> {
+        if let Some(measured) = self.of(landmark) {
+            return Some(measured.statistics.clone());
+        }
+        let failed = self.failed.get(&landmark.id)?;
+        (failed.is_misfit && same(&failed.landmark, landmark)).then(DetectionStatistics::default)
     }
 
     /// The height that was planned with when it was looked at from others, metres, and from where it is
@@ -135,6 +156,7 @@ impl Assessments {
         let landmark = order.landmark.id;
         self.progress = (0.0, "Waiting for a worker".to_owned());
         self.note_basis(context.documents, &order);
+        self.misfit = order.misfit();
         let order = Box::new(order);
         let id = context.start(if self.is_ahead {
             Job::AssessAhead(AssessAheadOrder(order))
@@ -290,7 +312,12 @@ impl Assessments {
             JobEvent::Assessment(found) => self.keep(found),
             JobEvent::Failed(why) => {
                 if let Some(of) = landmarks.iter().find(|l| l.id == landmark) {
-                    self.failed.insert(landmark, (of.clone(), why.clone()));
+                    let failed = FailedMeasurement {
+                        landmark: of.clone(),
+                        why: why.clone(),
+                        is_misfit: *why == self.misfit,
+                    };
+                    self.failed.insert(landmark, failed);
                 }
                 self.asked = None;
             }
@@ -309,7 +336,12 @@ impl Assessments {
                 self.envelopes.insert(landmark.id, known);
             }
             JobEvent::Failed(why) => {
-                self.failed.insert(landmark.id, (landmark, why.clone()));
+                let failed = FailedMeasurement {
+                    is_misfit: *why == order.misfit(),
+                    why: why.clone(),
+                    landmark,
+                };
+                self.failed.insert(failed.landmark.id, failed);
                 return;
             }
             JobEvent::Finished | JobEvent::Cancelled => {

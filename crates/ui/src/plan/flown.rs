@@ -1,25 +1,17 @@
 //! With what a plan is flown, and how high its routes lead.
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_core::frames::{Altitude, GroundPoint, LocalFrame};
 use pilotage_core::mission::{Route, WayPoint};
 use pilotage_core::plan::{FlownWay, home_way_point};
-use pilotage_core::simulate::{Scenario, SimulationChoice, Wind};
+use pilotage_core::simulate::{Scenario, Wind};
 
 use crate::documents::Documents;
-use pilotage_jobs::{FlightSource, scenario_wind};
-
-/// Height of a first way-point where no flight says another, metres above ground.
-const USUAL_HEIGHT: f64 = 120.0;
+use pilotage_jobs::FlightSource;
 
 /// The mean wind of the open flight.
 pub fn flight_wind(documents: &Documents) -> Wind {
-    match &documents.flight.source {
-        FlightSource::Simulated(options) => scenario_wind(options),
-        FlightSource::Rehearsed(flight) => flight.path.wind,
-        FlightSource::Studied(studied) => studied.flight.wind(),
-        FlightSource::Files(_) | FlightSource::Nothing => Wind::default(),
-    }
+    documents.flight.source.wind()
 }
 
 /// The camera that is planned with.
@@ -56,7 +48,7 @@ pub fn height(route: &Route, documents: &Documents) -> f64 {
     let relief = documents.relief();
     let at = |p: &GroundPoint| relief.at(p);
     let mean = relief.under(route, &at).mean_above(route);
-    mean.unwrap_or(USUAL_HEIGHT)
+    mean.unwrap_or(FlightSource::USUAL_HEIGHT)
 }
 
 /// Height above ground of the selected route, or the usual one, metres.
@@ -87,13 +79,5 @@ pub fn flown_way(route: &Route, documents: &Documents, bank: f64) -> FlownWay {
 
 /// The altitude of a first way-point.
 pub fn usual_altitude(documents: &Documents) -> Altitude {
-    let flown = match &documents.flight.source {
-        FlightSource::Simulated(options) => options
-            .height
-            .or_else(|| Some(SimulationChoice::named(&options.scenario)?.height)),
-        FlightSource::Rehearsed(flight) => Some(flight.path.height),
-        FlightSource::Studied(studied) => studied.flight.height(),
-        FlightSource::Files(_) | FlightSource::Nothing => None,
-    };
-    Altitude::new(flown.unwrap_or(USUAL_HEIGHT), AltitudeFrame::AboveGround)
+    documents.flight.source.usual_altitude()
 }

@@ -3,10 +3,8 @@
 use pilotage_core::plan::RoutePrediction;
 
 use crate::feature::FeatureContext;
-use pilotage_jobs::{COARSE, Job, JobEvent, JobId, PredictionOrder};
+use pilotage_jobs::{COARSE, FINE, Job, JobEvent, JobId, PredictionOrder};
 
-/// Worlds of the fine one.
-pub const FINE: usize = 100;
 /// Time for which a plan must rest before it is predicted finely, milliseconds.
 const REST: f64 = 250.0;
 

@@ -225,10 +225,8 @@ impl Planner {
 
     /// Expected detections of a landmark: as it was tested, or as of one that nobody tested.
     pub fn expected(&self, landmark: &Landmark) -> DetectionStatistics {
-        self.assessments.of(landmark).map_or_else(
-            || DetectionStatistics::everywhere(self.untested.expected()),
-            |tested| tested.statistics.clone(),
-        )
+        let tested = self.assessments.expected(landmark);
+        tested.unwrap_or_else(|| DetectionStatistics::everywhere(self.untested.expected()))
     }
 
     /// The landmarks that are switched on, with what is expected of them.

@@ -138,7 +138,7 @@ class Run:
 
 def replay(
     path: Path,
-    map: Path,
+    map: Path | None = None,
     *,
     mission: Path | None = None,
     columns: Path | None = None,
@@ -271,7 +271,7 @@ def predict_route(
     dem: Path | None = None,
     detection: tuple[float, float] | None = None,
     worlds: int = 100,
-    seed: int = 1,
+    seed: int | None = None,
     limit: float = ...,
 ) -> Prediction: ...
 

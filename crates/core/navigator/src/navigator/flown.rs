@@ -8,7 +8,12 @@ use super::Run;
 impl Run {
     /// The estimated places of the flight of that name, whose world `frame` is: after each step, without heights, a date or
     /// values beside them.
-    pub fn estimated_track(&self, flight: &str, frame: &LocalFrame) -> FlownTrack {
+    pub fn estimated_track(
+        &self,
+        flight: &str,
+        frame: &LocalFrame,
+        utc_at_zero: Option<f64>,
+    ) -> FlownTrack {
         let points = self.steps.iter().map(|step| FlownPoint {
             time: step.time,
             place: frame.geodetic_from_ground(&step.after.position()),
@@ -16,7 +21,7 @@ impl Run {
         });
         FlownTrack {
             name: format!("{flight}, estimate"),
-            utc_at_zero: None,
+            utc_at_zero,
             has_height: false,
             values: None,
             points: points.collect(),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pilotage_base::files::{FileSet, Unresolved, find, joined};
-use pilotage_flight::{FrameError, FrameSource};
+use pilotage_flight::{FrameError, FrameSource, SharedFrames};
 use pilotage_raster::raster::{Picture, decode_picture};
 
 /// Pictures in files, read and decoded when they are asked for.
@@ -58,5 +58,9 @@ impl FrameSource for FolderFrames {
                 },
             }),
         }
+    }
+
+    fn another(&self) -> Option<SharedFrames> {
+        Some(Box::new(self.clone()))
     }
 }

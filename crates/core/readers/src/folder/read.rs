@@ -68,6 +68,14 @@ impl FlightFolder {
         log
     }
 
+    /// Universal time at its zero, seconds since 1970, where that is known.
+    pub fn utc_at_zero(&self) -> Option<f64> {
+        match &self.told {
+            FlightOrigin::Tables(tables) => tables.utc_at_zero(),
+            FlightOrigin::Log(log) => log.utc_at_zero,
+        }
+    }
+
     /// Whether photos alone tell of it.
     pub fn is_of_photos(&self) -> bool {
         matches!(&self.told, FlightOrigin::Log(log) if log.format == LogFormat::Photos)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::huffman::with_tables;
 use super::reader::{MotionJpegReader, VideoIndex};
 use pilotage_base::bytes::ByteSource;
-use pilotage_flight::{FrameError, FrameSource};
+use pilotage_flight::{FrameError, FrameSource, SharedFrames};
 use pilotage_raster::raster::{Picture, decode_picture};
 
 /// Bytes that are read at a time.
@@ -108,5 +108,9 @@ impl FrameSource for MotionJpeg {
             cause,
         })?;
         Ok(with_tables(bytes))
+    }
+
+    fn another(&self) -> Option<SharedFrames> {
+        Some(Box::new(self.clone()))
     }
 }
