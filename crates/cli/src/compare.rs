@@ -21,8 +21,8 @@ use crate::workers::{self, Lent};
 pub struct Arguments {
     /// A built-in scenario, or what was flown: a flight folder, a log, tables, photos.
     flight: String,
-    /// Estimators, by comma: ukf, ekf, particle.
-    #[arg(long, default_value = "ukf,ekf,particle")]
+    /// Estimators, by comma: ukf, ekf, particle; all of them if none is said.
+    #[arg(long, default_value = "")]
     estimators: String,
     /// Vehicle models, by comma; that of the mission if none is said.
     #[arg(long, default_value = "")]
@@ -84,6 +84,11 @@ fn contenders(arguments: &Arguments, usual: VehicleChoice) -> Result<Vec<Contend
         .iter()
         .map(estimator)
         .collect::<Result<Vec<_>, _>>()?;
+    let estimators = if estimators.is_empty() {
+        EstimatorChoice::ALL.to_vec()
+    } else {
+        estimators
+    };
     let vehicles = named(&arguments.vehicles);
     let vehicles = vehicles
         .iter()

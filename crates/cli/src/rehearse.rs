@@ -154,14 +154,6 @@ impl Together {
             count => format!("{count} flights"),
         };
         println!("{flights}: {sentence} (seed {seed})");
-        let word = match self.prediction {
-            PredictionAgreement::Open => "Too few flights to say whether the prediction holds.",
-            PredictionAgreement::Holds => "The prediction holds.",
-            PredictionAgreement::TooGood => {
-                "The prediction is too good for this route: keep more room than its corridor."
-            }
-            PredictionAgreement::TooBad => "The errors are smaller than predicted.",
-        };
-        println!("{word}");
+        println!("{}", self.prediction.sentence());
     }
 }

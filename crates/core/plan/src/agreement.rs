@@ -25,6 +25,20 @@ pub enum PredictionAgreement {
     TooBad,
 }
 
+impl PredictionAgreement {
+    /// Sentence on the meaning of it for whoever flies the route.
+    pub fn sentence(self) -> &'static str {
+        match self {
+            Self::Open => "Too few flights to say whether the prediction holds.",
+            Self::Holds => "The prediction holds.",
+            Self::TooGood => {
+                "The prediction is too good for this route: keep more room than its corridor."
+            }
+            Self::TooBad => "The errors are smaller than predicted.",
+        }
+    }
+}
+
 impl Verification {
     /// Agreement of the prediction with the flights, by the share of positions inside the corridor and its standard
     /// deviation over flights.

@@ -42,16 +42,10 @@ impl RouteRehearsal {
                 distance_text(worst.worst.1, units),
             ),
         ];
-        sentences.extend(match self.agreement() {
-            PredictionAgreement::Open | PredictionAgreement::Holds => None,
-            PredictionAgreement::TooGood => Some(
-                "The prediction is too good for this route: keep more room than its corridor."
-                    .to_owned(),
-            ),
-            PredictionAgreement::TooBad => {
-                Some("The errors are smaller than predicted.".to_owned())
-            }
-        });
+        let agreement = self.agreement();
+        if let PredictionAgreement::TooGood | PredictionAgreement::TooBad = agreement {
+            sentences.push(agreement.sentence().to_owned());
+        }
         sentences
     }
 }
