@@ -3,7 +3,9 @@
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Mission;
 use pilotage_core::plan::{UntestedDetection, ViewResult, random_boxes, shows_ground};
+use pilotage_core::sorting::sort;
 use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Reads, Urgency, WorkerRole, around};
@@ -111,6 +113,32 @@ impl UntestedOrder {
             like: Box::new(like),
             within,
         }
+    }
+
+    /// Question about the part of `map` around the landmarks of a mission and the places of a route.
+    pub fn of(
+        mission: &Mission,
+        like: AssessmentOrder,
+        map: &GroundRect,
+        route: Vec<GroundPoint>,
+    ) -> Self {
+        let landmarks = mission.landmarks.iter().map(|it| it.bounds.center());
+        Self::around(like, map, landmarks.chain(route))
+    }
+
+    /// Usual side of the boxes that people draw in a mission: the middle one of those of its landmarks, metres; `None`
+    /// without any.
+    pub fn usual_side(mission: &Mission) -> Option<f64> {
+        let bounds = mission.landmarks.iter().map(|it| it.bounds);
+        let mut sides: Vec<f64> = bounds.map(|b| (b.width() * b.height()).sqrt()).collect();
+        sort(&mut sides, &|a, b| a.total_cmp(b));
+        sides.get(sides.len() / 2).copied()
+    }
+
+    /// A box of that side, metres, wherever it lies.
+    pub fn usual_box(side: f64) -> Landmark {
+        let bounds = GroundRect::centered(GroundPoint::default(), side, side);
+        Landmark::new(0, "a box", bounds)
     }
 
     fn boxes(&self) -> Vec<GroundRect> {

@@ -1,7 +1,5 @@
 //! `pilotage plan --untested`: what a landmark is worth on the map that nobody tested.
 
-use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{Proposal, UntestedDetection};
 use pilotage_jobs::{JobEvent, UntestedOrder};
 
@@ -15,14 +13,15 @@ pub fn untested(
     arguments: &Arguments,
     ground: &PlannedFlight,
 ) -> Result<UntestedDetection, String> {
+    let mission = &ground.mission;
+    let drawn = || UntestedOrder::usual_side(mission);
     let usual = || Proposal::usual_side(&view(arguments, ground));
-    let side = arguments.side.or_else(usual);
+    let side = arguments.side.or_else(drawn).or_else(usual);
     let side = side.ok_or("the camera does not look down at the ground")?;
-    let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), side, side);
-    let like = ground.assessment(&Landmark::new(0, "a box", bounds), arguments.seed);
+    let like = ground.assessment(&UntestedOrder::usual_box(side), arguments.seed);
     let plan = ground.plan.as_ref();
     let places = plan.map_or_else(Vec::new, |plan| plan.path.way_points.clone());
-    let order = UntestedOrder::around(like, &ground.map.bounds(), places);
+    let order = UntestedOrder::of(mission, like, &ground.map.bounds(), places);
     let begun = std::time::Instant::now();
     let mut found = None;
     workers::run(vec![order], &ground.lent(), &mut |_, event| {

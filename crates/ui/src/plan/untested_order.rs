@@ -1,10 +1,10 @@
 //! Landmarks of the plan that nobody tested, and the question what they are worth.
 
-use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::ExpectedDetection;
 use pilotage_core::sorting::sort;
 
+use super::flown::flown_way;
 use super::planner::Planner;
 use crate::documents::Documents;
 use pilotage_jobs::UntestedOrder;
@@ -13,11 +13,6 @@ use pilotage_jobs::UntestedOrder;
 const LEAST_TESTED: usize = 3;
 /// Side of a box where no landmark tells the usual size, metres.
 const USUAL_SIDE: f64 = 30.0;
-
-fn middle(mut values: Vec<f64>) -> Option<f64> {
-    sort(&mut values, &|a, b| a.total_cmp(b));
-    values.get(values.len() / 2).copied()
-}
 
 impl Planner {
     /// Landmarks that are switched on and were not tested as they are.
@@ -34,18 +29,12 @@ impl Planner {
         let map = documents.map.info.as_ref()?;
         self.untested_landmarks(documents).next()?;
         let mission = &documents.mission;
-        let sides = mission.landmarks.iter().map(|it| it.bounds);
-        let side = middle(sides.map(|b| (b.width() * b.height()).sqrt()).collect());
-        let side = side.unwrap_or(USUAL_SIDE);
-        let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), side, side);
-        let like = self.assessment(&Landmark::new(0, "a box", bounds), documents);
-        let landmarks = mission.landmarks.iter().map(|it| it.bounds.center());
-        let way_points = documents
-            .mission
-            .selected_route()
-            .map_or(&[][..], |r| &r.way_points);
-        let places = landmarks.chain(way_points.iter().map(|w| w.position));
-        Some(UntestedOrder::around(like, &map.bounds, places))
+        let side = UntestedOrder::usual_side(mission).unwrap_or(USUAL_SIDE);
+        let like = self.assessment(&UntestedOrder::usual_box(side), documents);
+        let route = mission.selected_route();
+        let way = route.map(|route| flown_way(route, documents, self.preferences.bank));
+        let places = way.map_or_else(Vec::new, |way| way.places);
+        Some(UntestedOrder::of(mission, like, &map.bounds, places))
     }
 
     /// Expected detection of a landmark that is yet to be drawn: the middle one of those that were tested, for people
