@@ -59,6 +59,8 @@ pub struct PlannedFlight {
     pub ground_down: f64,
     /// Sentences on what was assumed of its files or left out.
     pub notes: Vec<String>,
+    /// Way of the planned flight.
+    pub way: FlownWay,
     /// The planned flight, of whose landmarks nothing is expected yet.
     pub plan: Option<PredictionOrder>,
 }
@@ -144,6 +146,7 @@ impl PlannedFlight {
             level,
             ground_down,
             notes,
+            way: FlownWay::default(),
             plan: None,
         };
         let flown = route.as_ref().filter(|route| !route.way_points.is_empty());
@@ -167,10 +170,11 @@ impl PlannedFlight {
         let way = self.over(route, |ground| FlownWay::along(route, &frame, ground, bank));
         let height = self.mean_above(route).unwrap_or(self.height);
         if let Some(plan) = &mut self.plan {
-            plan.path.way_points = way.places;
-            plan.path.targets = way.targets;
+            plan.path.way_points.clone_from(&way.places);
+            plan.path.targets.clone_from(&way.targets);
             plan.path.height = height;
         }
+        self.way = way;
     }
 
     /// A route over places at the altitude of the first way-point.
@@ -198,9 +202,11 @@ impl PlannedFlight {
             heights: None,
             ground_down: 0.0,
             notes: Vec::new(),
+            way: FlownWay::default(),
             plan: None,
         };
         let way = FlownWay {
+            towards: (0..scenario.route.len()).collect(),
             places: scenario.route.clone(),
             targets: Vec::new(),
         };

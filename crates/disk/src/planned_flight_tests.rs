@@ -34,7 +34,7 @@ fn route() -> Route {
     }
 }
 
-/// What is planned of a mission with that route, by arguments that are changed.
+/// Plan of a mission with that route, by arguments that are changed.
 fn planned(change: impl FnOnce(&mut PlanSource, &Path)) -> PlannedFlight {
     let name = format!("pilotage-planned-{:?}", std::thread::current().id());
     let folder = std::env::temp_dir().join(format!("{name}-{}", std::process::id()));

@@ -1,6 +1,6 @@
 //! No-fly areas of the mission that the planned route leads over, or its corridor reaches into.
 
-use pilotage_core::plan::{RoutePrediction, incursions, reached_zones};
+use pilotage_core::plan::{RoutePrediction, reached_zones};
 
 use super::planned_flight::PlannedFlight;
 
@@ -11,8 +11,7 @@ fn metres(distance: f64) -> String {
 /// Prints the legs of the plan that lead over no-fly areas.
 pub fn tell_legs(ground: &PlannedFlight) {
     let zones = &ground.mission.no_fly;
-    let way_points = ground.plan.as_ref().map(|plan| &plan.path.way_points);
-    for found in incursions(way_points.map_or(&[], Vec::as_slice), zones) {
+    for found in ground.way.incursions(zones) {
         println!("{}", found.sentence(&zones[found.zone].name, &metres));
     }
 }

@@ -5,9 +5,10 @@ use std::f64::consts::TAU;
 
 use pilotage_base::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, LocalFrame};
 use pilotage_mission::mission::turn::turn_radius;
-use pilotage_mission::mission::{Route, WayPoint, WayPointAction, circles};
+use pilotage_mission::mission::{NoFlyZone, Route, WayPoint, WayPointAction, circles};
 use pilotage_simulate::simulate::{Airframe, GuidanceSettings, Target};
 
+use super::incursion::{Incursion, incursions};
 use super::profile::{ProfileSample, on_leg, profile};
 
 /// Limits of the pieces in which a leg is predicted where the ground lets the height change otherwise than
@@ -131,6 +132,8 @@ pub struct FlownWay {
     pub places: Vec<GroundPoint>,
     /// Height above ground, metres, and airspeed at each of them.
     pub targets: Vec<Target>,
+    /// Number of the way-point to which the way leads there or that it circles, counted from 0.
+    pub towards: Vec<usize>,
 }
 
 impl FlownWay {
@@ -166,7 +169,7 @@ impl FlownWay {
                 let above = |share: f64| leg(share).above();
                 bend(&above, (0.0, 1.0), SHORTEST_PIECE / length, &mut bends);
                 for share in bends {
-                    way.add(&leg(share), way_point);
+                    way.add(&leg(share), (index, way_point));
                 }
             }
             let around = before.and_then(|before| {
@@ -182,17 +185,33 @@ impl FlownWay {
                             position: place,
                             ..way_point.clone()
                         };
-                        way.add(&ground.leg(&there, &there)(1.0), way_point);
+                        way.add(&ground.leg(&there, &there)(1.0), (index, way_point));
                     }
                 }
-                None => way.add(&leg(1.0), way_point),
+                None => way.add(&leg(1.0), (index, way_point)),
             }
         }
         way
     }
 
-    fn add(&mut self, sample: &ProfileSample, towards: &WayPoint) {
+    /// Parts of the way over no-fly areas, in the order of the route's legs; the circles around a way-point count to the leg
+    /// that leads there.
+    pub fn incursions(&self, zones: &[NoFlyZone]) -> Vec<Incursion> {
+        let mut found: Vec<Incursion> = Vec::new();
+        for piece in incursions(&self.places, zones) {
+            let leg = self.towards[piece.leg + 1].saturating_sub(1);
+            let is_same = |it: &&mut Incursion| (it.leg, it.zone) == (leg, piece.zone);
+            match found.iter_mut().find(is_same) {
+                Some(known) => known.parts.extend(piece.parts),
+                None => found.push(Incursion { leg, ..piece }),
+            }
+        }
+        found
+    }
+
+    fn add(&mut self, sample: &ProfileSample, (number, towards): (usize, &WayPoint)) {
         self.places.push(sample.place);
+        self.towards.push(number);
         self.targets.push(Target {
             height: sample.above().max(LOWEST),
             airspeed: towards.speed,
@@ -214,5 +233,62 @@ fn bend(above: &dyn Fn(f64) -> f64, (a, b): (f64, f64), least: f64, bends: &mut 
         bend(above, (a, at), least, bends);
         bends.push(at);
         bend(above, (at, b), least, bends);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_base::frames::Geodetic;
+
+    #[test]
+    fn a_circle_over_a_no_fly_area_is_told_of_the_leg_that_leads_to_it() {
+        let at = |north, east| {
+            let altitude = Altitude::new(120.0, AltitudeFrame::AboveGround);
+            WayPoint::new(GroundPoint::new(north, east), altitude)
+        };
+        let mut way_points = vec![
+            at(0.0, 0.0),
+            at(0.0, 500.0),
+            at(0.0, 1000.0),
+            at(0.0, 1900.0),
+        ];
+        way_points[2].action = WayPointAction::Loiter {
+            radius: 150.0,
+            turns: 2.0,
+        };
+        let route = Route {
+            way_points,
+            ..Route::default()
+        };
+        let ground = RouteGround {
+            height_at: &|_| 0.0,
+            take_off: 0.0,
+            is_level: true,
+        };
+        let frame = LocalFrame::new(Geodetic::from_degrees(46.0, -92.0, 0.0));
+        let bank = planned_aircraft().bank_limit;
+        let way = FlownWay::along(&route, &frame, &ground, bank);
+        let corners = [
+            (-60.0, 950.0),
+            (-60.0, 1050.0),
+            (-300.0, 1050.0),
+            (-300.0, 950.0),
+        ];
+        let zone = NoFlyZone {
+            corners: corners.map(|(n, e)| GroundPoint::new(n, e)).to_vec(),
+            ..NoFlyZone::default()
+        };
+        let drawn: Vec<GroundPoint> = route.way_points.iter().map(|w| w.position).collect();
+        assert!(incursions(&drawn, std::slice::from_ref(&zone)).is_empty());
+        let found = way.incursions(&[zone]);
+        let legs: Vec<usize> = found.iter().map(|it| it.leg).collect();
+        assert_eq!(legs, [1]);
+        // Two circles cross its 100 m twice.
+        assert!(
+            (200.0..240.0).contains(&found[0].length()),
+            "{}",
+            found[0].length()
+        );
     }
 }

@@ -1,8 +1,8 @@
 //! No-fly areas that the selected route leads over or near, found anew when route, areas or prediction change.
 
-use pilotage_core::frames::{GroundPoint, LocalFrame};
-use pilotage_core::mission::{Mission, NoFlyZone, Route};
-use pilotage_core::plan::{Incursion, ReachedZone, incursions, reached_zones};
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::{Mission, NoFlyZone};
+use pilotage_core::plan::{FlownWay, Incursion, ReachedZone, reached_zones};
 
 use super::forecast::Forecast;
 
@@ -22,24 +22,18 @@ pub struct IncursionCheck {
 }
 
 impl IncursionCheck {
-    /// Looks at the route anew, if anything changed.
-    pub fn keep_to(&mut self, mission: &Mission, route: Option<&Route>, forecast: &Forecast) {
-        let way_points = route.map_or(&[][..], |route| &route.way_points);
-        let back = route.and_then(|route| route.way_back(&LocalFrame::new(mission.origin)));
-        let places = || {
-            let back = back.map(|[_, home]| home);
-            way_points.iter().map(|w| w.position).chain(back)
-        };
+    /// Looks at the way along the route anew, if anything changed.
+    pub fn keep_to(&mut self, mission: &Mission, way: FlownWay, forecast: &Forecast) {
         let is_same = self.zones == mission.no_fly
             && self.prediction == forecast.number()
-            && places().eq(self.places.iter().copied());
+            && way.places == self.places;
         if is_same {
             return;
         }
         self.zones.clone_from(&mission.no_fly);
-        self.places = places().collect();
         self.prediction = forecast.number();
-        self.legs = incursions(&self.places, &self.zones);
+        self.legs = way.incursions(&self.zones);
+        self.places = way.places;
         let samples = forecast.shown().map_or(&[][..], |s| &s.prediction.samples);
         self.reached = reached_zones(samples, &self.zones);
     }
@@ -66,7 +60,19 @@ impl IncursionCheck {
 mod tests {
     use super::*;
     use crate::documents::empty_mission;
-    use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
+    use pilotage_core::frames::{Geodetic, LocalFrame};
+    use pilotage_core::mission::{Route, USUAL_ALTITUDE, WayPoint};
+    use pilotage_core::plan::RouteGround;
+
+    fn way_of(route: &Route) -> FlownWay {
+        let ground = RouteGround {
+            height_at: &|_| 0.0,
+            take_off: 0.0,
+            is_level: true,
+        };
+        let frame = LocalFrame::new(Geodetic::from_degrees(46.0, -92.0, 0.0));
+        FlownWay::along(route, &frame, &ground, 0.5)
+    }
 
     #[test]
     fn a_route_is_looked_at_again_when_it_or_an_area_changes() {
@@ -79,7 +85,7 @@ mod tests {
         };
         let mut check = IncursionCheck::default();
         let forecast = Forecast::default();
-        check.keep_to(&mission, Some(&route), &forecast);
+        check.keep_to(&mission, way_of(&route), &forecast);
         assert!(check.legs.is_empty());
         mission.no_fly.push(NoFlyZone {
             name: "Village".to_owned(),
@@ -91,7 +97,7 @@ mod tests {
             ],
             ..NoFlyZone::default()
         });
-        check.keep_to(&mission, Some(&route), &forecast);
+        check.keep_to(&mission, way_of(&route), &forecast);
         assert_eq!(
             (check.legs.len(), check.name(check.legs[0].zone)),
             (1, "Village")
@@ -99,18 +105,10 @@ mod tests {
         assert!(!check.was_told());
         check.tell();
         check.prediction += 1; // as if another prediction had come
-        check.keep_to(&mission, Some(&route), &forecast);
+        check.keep_to(&mission, way_of(&route), &forecast);
         assert!(check.was_told(), "one is told once of a route");
         route.way_points[1].position.east = -10.0;
-        check.keep_to(&mission, Some(&route), &forecast);
+        check.keep_to(&mission, way_of(&route), &forecast);
         assert!(check.legs.is_empty());
-        let home = LocalFrame::new(mission.origin).geodetic_from_ground(&at(50.0, 150.0));
-        let home = [home.latitude.to_degrees(), home.longitude.to_degrees(), 0.0];
-        route
-            .properties
-            .insert("home".to_owned(), format!("{home:?}"));
-        route.returns = true;
-        check.keep_to(&mission, Some(&route), &forecast);
-        assert_eq!(check.legs.len(), 1, "the way back leads over it");
     }
 }

@@ -3,6 +3,7 @@
 use egui::{Painter, Pos2, Shape, Stroke};
 use pilotage_core::plan::Incursion;
 
+use super::flown::flown_way;
 use super::planner::Planner;
 use super::words::distance_text;
 use crate::documents::Documents;
@@ -28,9 +29,14 @@ impl Planner {
 
     /// Looks at no-fly areas along the selected route anew, if anything changed.
     pub(super) fn check_incursions(&mut self, documents: &Documents) {
-        let route = documents.mission.selected_route();
-        self.incursions
-            .keep_to(&documents.mission, route, &self.forecast);
+        let mission = &documents.mission;
+        let route = mission.selected_route();
+        // Nobody asks for the way where nothing is forbidden.
+        let route = route.filter(|_| !mission.no_fly.is_empty());
+        let bank = self.preferences.bank;
+        let way = route.map(|route| flown_way(route, documents, bank));
+        let way = way.unwrap_or_default();
+        self.incursions.keep_to(mission, way, &self.forecast);
     }
 
     /// Says what is wrong before a route is exported for the first time; whether it did, so that the export waits.

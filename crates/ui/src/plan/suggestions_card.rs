@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::button::button;
 use super::command::PlanCommand;
-use super::flown::{flown_height, ground_down};
+use super::flown::{flown_height, flown_way, ground_down};
 use super::planner::Planner;
 use super::suggest_command::SuggestCommand;
 use super::suggestions::is_added;
@@ -26,15 +26,13 @@ impl Planner {
     pub fn suggest_order(&self, documents: &Documents) -> Option<SuggestOrder> {
         documents.map.info.as_ref()?;
         let mission = &documents.mission;
-        let way_points = documents
-            .mission
-            .selected_route()
-            .map_or(&[][..], |r| &r.way_points);
-        let speed = way_points.first().and_then(|w| w.speed);
+        let route = mission.selected_route();
+        let speed = route.and_then(|r| r.way_points.first()?.speed);
+        let way = route.map(|route| flown_way(route, documents, self.preferences.bank));
         Some(SuggestOrder {
             map: documents.map.source.clone(),
             view: self.field_view(documents, flown_height(documents)),
-            way_points: way_points.iter().map(|w| w.position).collect(),
+            way_points: way.map_or_else(Vec::new, |way| way.places),
             speed: speed.unwrap_or_else(cruise),
             ground_down: ground_down(documents),
             navigator: mission.navigator.clone(),
