@@ -8,6 +8,7 @@ use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, Grou
 use pilotage_raster::camera::CameraModel;
 use pilotage_roads::{RoadClass, RoadLine};
 use pilotage_vision::landmark::Landmark;
+use pilotage_vision::registration::FollowSettings;
 
 fn mission() -> Mission {
     let mut barn = Landmark::new(
@@ -344,4 +345,17 @@ proptest! {
         let (longitude, latitude) = globe::lon_lat(&frame, &p);
         prop_assert!(globe::ground(&frame, longitude, latitude).distance(&p) < 1e-4);
     }
+}
+
+#[test]
+fn whole_frames_of_a_mission_are_the_usual_ones_but_for_what_is_stated() {
+    let text = r#"{"type": "FeatureCollection", "pilotage_mission": 1, "features": [],
+        "navigator": {"vehicle": "ConstantVelocity", "whole_frames": {"farthest": 500.0}}}"#;
+    let read = read_mission(text.as_bytes()).unwrap();
+    let usual = FollowSettings::default();
+    let expected = FollowSettings {
+        farthest: Some(500.0),
+        ..usual
+    };
+    assert_eq!(read.navigator.whole_frames, Some(expected));
 }

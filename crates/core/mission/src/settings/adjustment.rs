@@ -130,8 +130,11 @@ impl CameraAdjustment {
         flight
     }
 
-    /// Changes the mount and the focal length of a camera.
+    /// Changes the mount and the focal length of a camera; a mount that was put right is stated from then on.
     pub fn change(&self, camera: &mut CameraModel) {
+        if self.roll != 0.0 && self.pitch != 0.0 {
+            camera.mount_deviation = 0.0;
+        }
         camera.mount.roll += self.roll;
         camera.mount.pitch += self.pitch;
         camera.mount.yaw += self.yaw;
@@ -200,5 +203,22 @@ mod tests {
             ..CameraAdjustment::default()
         };
         assert!(!backwards.is_sound());
+    }
+
+    #[test]
+    fn a_mount_that_was_put_right_is_stated_and_a_turned_lens_tells_nothing_of_it() {
+        let after = |roll, pitch| {
+            let mut camera = CameraModel::pinhole(320, 240, 1.0);
+            camera.mount_deviation = 0.17;
+            let adjustment = CameraAdjustment {
+                roll,
+                pitch,
+                yaw: 0.1,
+                ..CameraAdjustment::default()
+            };
+            adjustment.change(&mut camera);
+            camera.mount_deviation
+        };
+        assert_eq!((after(0.02, -0.1), after(0.0, 0.0)), (0.0, 0.17));
     }
 }

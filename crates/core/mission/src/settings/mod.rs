@@ -3,6 +3,7 @@
 mod adjustment;
 mod aids;
 mod navigator;
+mod unstated_mount;
 mod without_mission;
 
 pub use adjustment::CameraAdjustment;

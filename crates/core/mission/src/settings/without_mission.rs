@@ -1,19 +1,15 @@
 //! Settings of flights of which no mission says how they are navigated.
 
-use pilotage_flight::{ChannelName, Flight, Frame};
+use pilotage_flight::{ChannelName, Flight};
 use pilotage_vision::registration::{FollowSettings, USUAL_MAP_DEVIATION};
 
-use super::{NavigatorSettings, SensorNoise, VehicleChoice};
+use super::{NavigatorSettings, VehicleChoice};
 
 /// Steps between two pictures that people may still want to look at one by one: more are taken together.
 const MOST_STEPS: usize = 50_000;
 /// Farthest to each side that a picture is searched for, metres: where pictures are minutes apart the aircraft may be
 /// anywhere, and all of a large map would be compared with each.
 const FARTHEST: f64 = 1_000.0;
-/// Largest root mean square of roll and pitch of craft that carry their camera in a gimbal, radians: what banks more is an
-/// airplane, with which its camera turns.
-const MOST_SWUNG: f64 = 0.09;
-
 impl NavigatorSettings {
     /// Settings for a flight without a mission: by what it measured, and by whole frames laid on the map where
     /// there is one and they are wanted; there are no landmarks to be seen.
@@ -31,45 +27,18 @@ impl NavigatorSettings {
         } else {
             VehicleChoice::RandomWalk
         };
-        let usual = Self::default();
-        let mount = flight.camera.mount_deviation;
-        let usual_frames = FollowSettings::default();
-        let unknown = if mount > 0.0 {
-            swung(flight).min(MOST_SWUNG)
-        } else {
-            0.0
-        };
-        Self {
+        let settings = Self {
             vehicle,
             shortest_step: shortest_step(flight),
-            sensors: SensorNoise {
-                roll: usual.sensors.roll.hypot(mount),
-                pitch: usual.sensors.pitch.hypot(mount),
-                tilt_bias: usual.sensors.tilt_bias.hypot(mount),
-                ..usual.sensors
-            },
             whole_frames: by_whole_frames.then(|| FollowSettings {
                 farthest: Some(FARTHEST),
                 map_deviation: USUAL_MAP_DEVIATION,
-                tilt_deviation: usual_frames.tilt_deviation.hypot(unknown),
-                ..usual_frames
+                ..FollowSettings::default()
             }),
-            ..usual
-        }
+            ..Self::default()
+        };
+        settings.for_camera_of(flight)
     }
-}
-
-/// Root mean square of roll and pitch as they read when the pictures were taken, radians: by that a camera is tilted
-/// otherwise than the aircraft if it hangs in a gimbal, of which nothing is known where nobody states the mount.
-fn swung(flight: &Flight) -> f64 {
-    let mean_square = |name| {
-        let read = |frame: &Frame| flight.value(name, frame.time);
-        let readings: Vec<f64> = flight.frames.iter().filter_map(read).collect();
-        let squares: f64 = readings.iter().map(|angle| angle * angle).sum();
-        squares / readings.len().max(1) as f64
-    };
-    let both = mean_square(ChannelName::Roll) + mean_square(ChannelName::Pitch);
-    (0.5 * both).sqrt()
 }
 
 /// Shortest step by which a flight makes no more than [`MOST_STEPS`], seconds; zero if it makes fewer anyway.
@@ -88,7 +57,7 @@ fn shortest_step(flight: &Flight) -> f64 {
 #[cfg(test)]
 mod tests {
     use pilotage_base::frames::GroundPoint;
-    use pilotage_flight::{Channel, StartFix};
+    use pilotage_flight::{Channel, Frame, StartFix};
     use pilotage_raster::camera::CameraModel;
 
     use super::*;

@@ -140,6 +140,7 @@ impl Navigator {
         ground: &KnownGround,
         settings: &NavigatorSettings,
     ) -> Result<Self, NavigatorError> {
+        let settings = &settings.clone().for_camera_of(&flight);
         let map = Arc::clone(&ground.map);
         let landmarks = &ground.landmarks;
         let detector = ChosenDetector::new(Arc::clone(&map), settings.detector, landmarks);
@@ -203,7 +204,7 @@ impl Navigator {
             }
         }
         let inputs = Inputs::of(&flight);
-        let mut settings = settings.clone();
+        let mut settings = settings.clone().for_camera_of(&flight);
         settings.sensors = settings.sensors.with_biases_within();
         if let Some((airspeed, deviation)) = inputs.cruise() {
             settings.process.cruise = Cruise {
@@ -591,3 +592,7 @@ fn footprint(model: &AppearanceModel<'_>, pose: &Pose) -> Vec<GroundPoint> {
         })
         .collect()
 }
+
+#[cfg(test)]
+#[path = "pipeline/mount_tests.rs"]
+mod mount_tests;

@@ -13,6 +13,7 @@ pub const USUAL_MAP_DEVIATION: f64 = 3.0;
 
 /// Assumptions about a flight over a map; deviations are standard ones.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct FollowSettings {
     /// Height above the ground before anything is known of it, metres.
     pub height: f64,
