@@ -1,12 +1,11 @@
 //! Contents of a flight log, in words.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use pilotage_core::flight::FlightFolder;
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
-use pilotage_core::flight::log::Log;
+use pilotage_core::flight::log::{Log, LogOutline, SetParameter};
 use pilotage_core::flight::overview::{Overview, Severity, modes, overview};
 use pilotage_jobs::with_pictures;
 
@@ -112,18 +111,12 @@ fn judged(seen: &Overview) {
 
 /// Prints how many rows of each kind there are, and their rate.
 pub fn counts(log: &Log) {
-    for topic in log.topics.iter().filter(|topic| !topic.is_empty()) {
-        let times = &topic.times;
-        let span = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
-        let rate = if span > 0.0 {
-            (times.len() - 1) as f64 / span
-        } else {
-            0.0
-        };
+    for topic in LogOutline::of(log).topics {
         println!(
-            "    {:32} {:8} rows {rate:9.2} Hz",
+            "    {:32} {:8} rows {:9.2} Hz",
             topic.name.to_string(),
-            times.len()
+            topic.rows,
+            topic.rate()
         );
     }
 }
@@ -131,26 +124,20 @@ pub fn counts(log: &Log) {
 /// Prints the parameters whose names have `part` in them, in whatever case, as they were last set.
 pub fn parameters(log: &Log, part: &str) {
     let part = part.to_lowercase();
-    let mut last: BTreeMap<&str, (f64, usize)> = BTreeMap::new();
-    for parameter in &log.parameters {
-        let known = last.entry(&parameter.name).or_insert((parameter.value, 0));
-        if known.0.to_bits() != parameter.value.to_bits() {
-            *known = (parameter.value, known.1 + 1);
-        }
-    }
-    let shown = last
-        .iter()
-        .filter(|(name, _)| name.to_lowercase().contains(&part));
-    for (name, (value, changes)) in shown {
-        let mut defaults = log.defaults.iter().filter(|default| default.name == **name);
-        let default = defaults.next().filter(|default| default.value != *value);
-        let default = default.map_or_else(String::new, |d| format!("  (default {})", d.value));
-        let changes = match changes {
+    let all = log.set_parameters();
+    let is_shown = |it: &&SetParameter| it.name.to_lowercase().contains(&part);
+    for parameter in all.iter().filter(is_shown) {
+        let default = parameter.other_default();
+        let default = default.map_or_else(String::new, |value| format!("  (default {value})"));
+        let changes = match parameter.changes {
             0 => String::new(),
             1 => "  changed once".to_owned(),
             more => format!("  changed {more} times"),
         };
-        println!("    {name:24} {value}{default}{changes}");
+        println!(
+            "    {:24} {}{default}{changes}",
+            parameter.name, parameter.value
+        );
     }
-    println!("{} parameters", last.len());
+    println!("{} parameters", all.len());
 }

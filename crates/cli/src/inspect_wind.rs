@@ -3,13 +3,14 @@
 use pilotage_core::flight::Flight;
 use pilotage_core::instruments::{GpsWindSettings, compare_winds};
 
-/// Seconds after take-off from which winds are compared.
-const SETTLED: f64 = 60.0;
-
 /// Prints the wind by the filter from GPS, by least squares and by the autopilot, and how far they are
 /// apart; nothing of a flight without the instruments for it.
 pub fn describe(flight: &Flight) {
-    let Ok(found) = compare_winds(flight, &GpsWindSettings::default(), SETTLED) else {
+    let Ok(found) = compare_winds(
+        flight,
+        &GpsWindSettings::default(),
+        GpsWindSettings::SETTLED,
+    ) else {
         return;
     };
     let Some(last) = found.by_gps.last() else {
@@ -48,7 +49,8 @@ pub fn describe(flight: &Flight) {
 fn apart(rms: Option<f64>) -> String {
     rms.map_or_else(String::new, |rms| {
         format!(
-            "; the filter differs from it by {rms:.2} m/s RMS from {SETTLED:.0} s after take-off on"
+            "; the filter differs from it by {rms:.2} m/s RMS from {:.0} s after take-off on",
+            GpsWindSettings::SETTLED
         )
     })
 }

@@ -13,11 +13,15 @@ use super::{
 
 /// Most points of a course of the wind: more than a chart has columns.
 const MOST_WINDS: usize = 2000;
-/// Seconds after take-off from which winds are compared.
-const SETTLED: f64 = 60.0;
 
 fn wind_report(instruments: &Instruments, name: &str) -> Option<WindReport> {
-    let found = WindComparison::of(instruments, name, &GpsWindSettings::default(), SETTLED).ok()?;
+    let found = WindComparison::of(
+        instruments,
+        name,
+        &GpsWindSettings::default(),
+        GpsWindSettings::SETTLED,
+    )
+    .ok()?;
     let by_gps = found.by_gps.iter().map(|w| [w.time, w.wind.x, w.wind.y]);
     let by_autopilot = found.by_autopilot.iter();
     Some(WindReport {

@@ -336,7 +336,13 @@ fn parameters(ui: &mut Ui, context: &ViewContext<'_>, outline: &LogOutline) {
     parts::section(ui, tokens, &title, false, |ui| {
         for parameter in &outline.parameters {
             let value = format!("{}", parameter.value as f32);
-            parts::reading(ui, tokens, &NumberReadout::new(&parameter.name, value, ""));
+            let default = parameter.other_default();
+            let default = default.map_or_else(String::new, |it| format!("(default {})", it as f32));
+            parts::reading(
+                ui,
+                tokens,
+                &NumberReadout::new(&parameter.name, value, &default),
+            );
         }
     });
 }

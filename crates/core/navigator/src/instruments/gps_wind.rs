@@ -46,6 +46,9 @@ impl Default for GpsWindSettings {
 }
 
 impl GpsWindSettings {
+    /// Seconds after take-off from which winds are compared: the filter has settled then.
+    pub const SETTLED: f64 = 60.0;
+
     /// With noise that does not depend on the step: what the air data and a slowly changing wind really
     /// add, in place of Table 4.
     pub fn continuous() -> Self {

@@ -22,6 +22,7 @@ mod report;
 mod rows;
 mod scale;
 mod schema;
+mod set_parameters;
 mod stepping;
 #[cfg(test)]
 mod testing;
@@ -42,6 +43,7 @@ pub use reader::{LogFormatInfo, LogReader};
 pub use report::{LoggerDropout, ReadReport, Skipped};
 pub use rows::Rows;
 pub use scale::ValueScale;
+pub use set_parameters::SetParameter;
 pub use topic::{Topic, TopicName};
 pub(crate) use vehicles::system_of;
 pub use whole::read_log;

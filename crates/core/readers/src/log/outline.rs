@@ -3,7 +3,7 @@
 use pilotage_base::sorting::sort;
 use serde::{Deserialize, Serialize};
 
-use super::{Log, LogFormat, LogMessage, ModeChange, Parameter, ReadReport, Topic, TopicName};
+use super::{Log, LogFormat, LogMessage, ModeChange, ReadReport, SetParameter, Topic, TopicName};
 
 /// A field of a topic.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -88,8 +88,8 @@ pub struct LogOutline {
     pub span: Option<(f64, f64)>,
     /// Topics with rows, by name.
     pub topics: Vec<TopicOutline>,
-    /// Every parameter in the order of the file.
-    pub parameters: Vec<Parameter>,
+    /// Every parameter as it was last set, by name.
+    pub parameters: Vec<SetParameter>,
     /// Words of the autopilot.
     pub messages: Vec<LogMessage>,
     /// Changes of mode.
@@ -115,7 +115,7 @@ impl LogOutline {
             utc_at_zero: log.utc_at_zero,
             span: log.span(),
             topics,
-            parameters: log.parameters.clone(),
+            parameters: log.set_parameters(),
             messages: log.messages.clone(),
             modes: log.modes.clone(),
             report: log.report.clone(),
