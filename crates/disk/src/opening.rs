@@ -128,10 +128,7 @@ pub fn no_flight(path: &Path, told: &str) -> String {
 pub fn foreign_words(path: &Path) -> Option<String> {
     let name = path.display();
     let is = foreign_kind(&DiskFile::open(path, &name.to_string()).ok()?)?;
-    Some(format!(
-        "{name}: it is {}, which is not read; {}",
-        is.what, is.advice
-    ))
+    Some(is.sentence(&name.to_string()))
 }
 
 /// Contents of a zip or of a MATLAB file, as files; `None` of anything else.

@@ -17,7 +17,6 @@ use pilotage_core::mission::{
     with_world_file,
 };
 use pilotage_core::navigator::{Run, decode_run};
-use pilotage_core::text::capitalised;
 
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, is_picture_table, labels};
@@ -314,12 +313,7 @@ fn unknown(pool: &dyn FileSet) -> String {
         .iter()
         .filter_map(|name| {
             let source = pool.source(name)?;
-            let is = foreign_kind(source.as_ref())?;
-            Some(format!(
-                "{name}: it is {}, which is not read here. {}.",
-                is.what,
-                capitalised(is.advice)
-            ))
+            Some(foreign_kind(source.as_ref())?.sentence(name))
         })
         .take(MOST_TOLD)
         .collect();

@@ -1,5 +1,7 @@
 //! Kind of a file that is not read, and advices that several have.
 
+use pilotage_base::text::capitalised;
+
 /// Kind of a file that is not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Foreign {
@@ -7,6 +9,14 @@ pub struct Foreign {
     pub what: &'static str,
     /// Advice to people, as a sentence without its stop.
     pub advice: &'static str,
+}
+
+impl Foreign {
+    /// Sentences for people on the file `name` that is of this kind.
+    pub fn sentence(&self, name: &str) -> String {
+        let advice = capitalised(self.advice);
+        format!("{name}: it is {}, which is not read. {advice}.", self.what)
+    }
 }
 
 pub(super) const fn kind(what: &'static str, advice: &'static str) -> Foreign {
