@@ -7,7 +7,8 @@ mod source;
 use std::path::PathBuf;
 
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::mission::{Mission, read_mission, write_mission};
+use pilotage_core::mission::package::{read_package, write_package};
+use pilotage_core::mission::{Mission, write_mission};
 use pilotage_core::roads::files::write_roads;
 use pilotage_core::roads::{AplsGraph, AplsSettings, RoadClass, apls};
 
@@ -141,18 +142,27 @@ fn print(source: &RoadSource) {
 
 fn import(source: &RoadSource, path: &PathBuf, least: &str) -> CommandResult {
     let least = class(least)?;
-    let mut mission = if path.exists() {
-        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
-        read_mission(&bytes).map_err(|e| format!("{}: {e}", path.display()))?
+    let blame = |e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
+    let before = if path.exists() {
+        std::fs::read(path).map_err(|e| blame(&e))?
     } else {
-        Mission::new("Roads", source.frame()?.origin)
+        write_mission(&Mission::new("Roads", source.frame()?.origin)).into_bytes()
     };
+    let mut package = read_package(&before).map_err(|e| blame(&e))?;
+    let mission = &mut package.mission;
     let lines = source.lines(Some(&LocalFrame::new(mission.origin)));
     mission.roads = lines
         .into_iter()
         .filter(|line| line.class >= least)
         .collect();
-    write_whole(path, write_mission(&mission))?;
-    println!("{}: {} roads", path.display(), mission.roads.len());
+    let count = mission.roads.len();
+    // What was a zip stays one, with the map that is in it.
+    let after = if before.starts_with(b"PK") {
+        write_package(&package).map_err(|e| blame(&e))?
+    } else {
+        write_mission(&package.mission).into_bytes()
+    };
+    write_whole(path, after)?;
+    println!("{}: {count} roads", path.display());
     Ok(())
 }

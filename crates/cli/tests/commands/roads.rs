@@ -1,6 +1,9 @@
 //! `pilotage roads` as a user calls it.
 
-use pilotage_core::mission::read_mission;
+use std::collections::BTreeMap;
+
+use pilotage_core::mission::package::{MissionPackage, read_package, write_package};
+use pilotage_core::mission::{Mission, read_mission};
 
 use super::folder::Folder;
 
@@ -33,6 +36,16 @@ fn roads_of_openstreetmap_are_printed_imported_exported_and_compared() {
     let mission = read_mission(&std::fs::read(folder.0.join("m.geojson")).unwrap()).unwrap();
     assert_eq!(mission.roads.len(), 1);
     assert_eq!(mission.roads[0].name, "Quay");
+    // A mission in a zip stays one, with the files that are in it.
+    let package = MissionPackage {
+        mission: Mission::new("Town", mission.origin),
+        settings: BTreeMap::new(),
+        files: vec![("map.jgw".to_owned(), b"0.5".to_vec())],
+    };
+    folder.write("m.zip", write_package(&package).unwrap());
+    said(&["import", "town.osm", "--mission", "m.zip"]).unwrap();
+    let after = read_package(&std::fs::read(folder.0.join("m.zip")).unwrap()).unwrap();
+    assert_eq!((after.mission.roads.len(), after.files), (2, package.files));
     said(&["export", "town.osm", "--out", "again.geojson"]).unwrap();
     let same = said(&["apls", "town.osm", "again.geojson"]).unwrap();
     assert!(same.starts_with("APLS 1.0000"), "{same}");
