@@ -19,8 +19,14 @@ use crate::mission::{USUAL_ALTITUDE, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 use pilotage_base::text::{LastRow, last_row};
 
+/// The line between places and tasks in a file of `SeeYou`.
+const TASKS: &str = "\n-----Related Tasks-----";
+
 /// Reads a table with a header line.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
+    // The lines of tasks have other cells.
+    let without_tasks = content.split_once(TASKS);
+    let content = without_tasks.map_or(content, |(places, _)| places);
     let preface = preface(content);
     let delimiter = preface.delimiter;
     let mut reader = csv::ReaderBuilder::new()
@@ -104,6 +110,10 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     found.notes.extend(xy);
     found.notes.extend(utm);
     found.notes.extend(end);
+    if without_tasks.is_some() {
+        let note = "the tasks behind its places are left out; a route can be drawn through the places, or exported as GPX";
+        found.notes.push(note.to_owned());
+    }
     if let Some(places) = table.places.filter(|places| !places.is_told) {
         found.notes.push(format!(
             "nothing tells which number of `{}` is the latitude: the first is taken; call the column `lon lat` if it is the \
