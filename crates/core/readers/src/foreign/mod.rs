@@ -88,6 +88,17 @@ mod tests {
             (b"1\n00:00:00,000 --> 00:00:00,033\n".to_vec(), "subtitles"),
             (b"$GPGGA,1,2\r\n".to_vec(), "NMEA"),
             (with(16, b"BUILD"), "DJI aircraft"),
+            (b"I\n1100 Version\nCYCLE 1710\n".to_vec(), "X-Plane"),
+            (b"I\r\n3 version\r\n1\r\n4\r\n".to_vec(), "X-Plane"),
+            (b"G  WGS 84\r\nU  1\r\n".to_vec(), "CompeGPS"),
+            (
+                b"$FLYS,1\r\n$COL,IMU,time,wx,wy,wz\r\n".to_vec(),
+                "FlySight",
+            ),
+            (
+                b"<?xml version=\"1.0\"?><rss version=\"2.0\">".to_vec(),
+                "GeoRSS",
+            ),
             (b"<!DOCTYPE html>".to_vec(), "web page"),
             (b"[ {\"t\": 1}, {\"t\": 2} ]".to_vec(), "JSON of no kind"),
             (Vec::new(), "empty"),
