@@ -271,7 +271,8 @@ impl SeparatorTrial {
         let (mut numbers, mut cells) = (0_usize, 0_usize);
         for (line, _) in rows {
             let found = separator.cells(line);
-            cells += found.len();
+            // Tabulators in a row are empty cells, and no blanks.
+            cells += found.iter().filter(|cell| !cell.is_empty()).count();
             numbers += found
                 .iter()
                 .filter(|cell| !cell.is_empty() && is_value(cell))
@@ -318,8 +319,17 @@ impl SeparatorTrial {
             }
         }
         let second = rows.iter().find(|row| **row > start).copied();
-        let has_units =
-            has_header && second.is_some_and(|row| cells(row).is_some_and(|cells| is_head(&cells)));
+        // Not every column has a unit in brackets below its name.
+        let is_in_brackets = |cell: &Cow<str>| {
+            let ends = [('(', ')'), ('[', ']')];
+            let mut ends = ends.iter();
+            ends.any(|(open, close)| cell.starts_with(*open) && cell.ends_with(*close))
+        };
+        let below = cells(start + 1).filter(|cells| cells.len() < self.count);
+        let are_brackets = below.is_some_and(|cells| cells.iter().all(is_in_brackets));
+        let has_units = has_header
+            && (are_brackets
+                || second.is_some_and(|row| cells(row).is_some_and(|cells| is_head(&cells))));
         let values = rows.iter().skip(1).filter_map(|row| cells(*row)).flatten();
         let values: Vec<Cow<str>> = values.filter(|cell| is_number(cell)).collect();
         let commas = values.iter().filter(|cell| has_decimal_comma(cell)).count();

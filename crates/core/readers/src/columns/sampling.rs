@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::header::parts;
 use super::makers;
-use super::{ColumnSample, TableShape};
+use super::{ColumnSample, Separator, TableShape};
 use crate::cells::spellings::is_unit;
 use crate::cells::{Moment, date_and_time, unit_behind};
 use crate::folder::{decoded, decoded_table};
@@ -141,6 +141,30 @@ fn units_above(head: &str, shape: &TableShape, count: usize) -> Vec<String> {
     cells.into_iter().map(Cow::into_owned).collect()
 }
 
+/// The unit of each name of a line, between blanks, from a line that has fewer of them: that which ends below its name, as in
+/// tables whose columns are flush right; empty where none does.
+fn units_below(names: &str, units: &str) -> Vec<String> {
+    let cells = |line: &str| -> Vec<(usize, String)> {
+        let mut end = 0;
+        let mut cells = Vec::new();
+        for piece in line.split_inclusive(char::is_whitespace) {
+            let cell = piece.trim_end();
+            let count = cell.chars().count();
+            if count > 0 {
+                cells.push((end + count, cell.to_owned()));
+            }
+            end += piece.chars().count();
+        }
+        cells
+    };
+    let units = cells(units);
+    let unit = |(end, _): (usize, String)| {
+        let found = units.iter().find(|(below, _)| *below == end);
+        found.map_or_else(String::new, |(_, unit)| unit.clone())
+    };
+    cells(names).into_iter().map(unit).collect()
+}
+
 /// Samples of all columns, and which share of all rows they are, about.
 fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, f64) {
     let mut lines = head.lines().skip(shape.skipped_lines);
@@ -158,6 +182,11 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, 
         cells.into_iter().map(Cow::into_owned).collect()
     };
     let (mut names, mut units) = (cells(names), cells(units));
+    if shape.has_units && shape.separator == Separator::Blanks && units.len() < names.len() {
+        let mut lines = head.lines().skip(shape.skipped_lines);
+        let lines = lines.next().zip(lines.next());
+        units = lines.map_or_else(Vec::new, |(names, units)| units_below(names, units));
+    }
     if units.is_empty() {
         units = units_above(head, shape, names.len());
     }
