@@ -13,6 +13,7 @@ mod log;
 mod pictures;
 mod position;
 mod read;
+mod receivers;
 mod standing;
 mod table;
 #[cfg(test)]

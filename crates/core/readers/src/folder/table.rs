@@ -6,6 +6,7 @@ use super::clock::count_midnights;
 use super::error::FolderError;
 use super::hemispheres::with_signs;
 use super::layout::{TimeColumn, ValueColumn};
+use super::receivers::plain;
 use super::standing::{are_mostly, are_of_several, is_coarse, spread};
 use crate::cells::Moment;
 use crate::cells::shortened;
@@ -397,7 +398,15 @@ impl CsvTable {
                 let value = number(text, self.has_decimal_comma);
                 let unit = map.unit.as_deref().unwrap_or_default();
                 let value = value.map(|value| linear(unit, value));
-                let value = value.map(|value| (value * map.scale + map.offset) * factor);
+                // Minus zero degrees are west of Greenwich or south of the equator, and stay so.
+                let shift = |value: f64| {
+                    if map.offset == 0.0 {
+                        value
+                    } else {
+                        value + map.offset
+                    }
+                };
+                let value = value.map(|value| shift(value * map.scale) * factor);
                 match value {
                     Some(value) if value.is_finite() => Ok(Some(value)),
                     _ if self.is_lenient => Ok(None),
@@ -484,7 +493,7 @@ pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
 
 /// The text of a table, in which every row is one line: blanks stand for the ends of lines within quotation marks.
 fn rows_of_one_line(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let text = decoded(bytes);
+    let text = plain(decoded(bytes));
     if !text.contains(&b'"') {
         return text;
     }

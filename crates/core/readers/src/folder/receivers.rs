@@ -1,0 +1,139 @@
+//! Tables of satellite receivers whose rows or names other tables do not have, brought to what those have: line by line, so
+//! that lines keep their numbers.
+
+use std::borrow::Cow;
+
+use nalgebra::Vector3;
+use pilotage_base::frames::Ellipsoid;
+
+/// Names of RTKLIB over degrees, minutes and seconds in three cells, and names for each of them.
+const THREE_CELLS: [(&str, [&str; 3]); 2] = [
+    ("latitude(d'\")", ["lat_deg", "lat_min", "lat_sec"]),
+    ("longitude(d'\")", ["lon_deg", "lon_min", "lon_sec"]),
+];
+/// Name of RTKLIB over the first of three geocentric coordinates, and of a velocity along their axes.
+const GEOCENTRIC: &str = "x-ecef(m)";
+const GEOCENTRIC_VELOCITY: &str = "vx(m/s)";
+
+/// The text of a table with cells and names as other tables have them.
+pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
+    let text = if text.contains(&0) {
+        // Loggers of Columbus fill their cells up with zeros.
+        Cow::Owned(
+            text.iter()
+                .map(|b| if *b == 0 { b' ' } else { *b })
+                .collect(),
+        )
+    } else {
+        text
+    };
+    if text.starts_with(b"$FLYS,") {
+        return Cow::Owned(of_flysight(&String::from_utf8_lossy(&text)).into_bytes());
+    }
+    if !text.starts_with(b"%") {
+        return text;
+    }
+    let names = |name: &str| {
+        let head = &text[..text.len().min(1 << 14)];
+        head.split(|b| *b == b'\n')
+            .take_while(|line| line.starts_with(b"%"))
+            .any(|line| String::from_utf8_lossy(line).contains(name))
+    };
+    if names(THREE_CELLS[0].0) {
+        return Cow::Owned(with_names_of_three(&String::from_utf8_lossy(&text)).into_bytes());
+    }
+    if names(GEOCENTRIC) {
+        return Cow::Owned(geodetic(&String::from_utf8_lossy(&text)).into_bytes());
+    }
+    text
+}
+
+/// The places of a `FlySight` 2: names and units stand behind `$COL,GNSS` and `$UNIT,GNSS`, rows behind `$GNSS`.
+fn of_flysight(text: &str) -> String {
+    let line = |line: &str| {
+        let cut = |begin: &str| line.strip_prefix(begin).map(str::to_owned);
+        cut("$COL,GNSS,")
+            .or_else(|| cut("$UNIT,GNSS,"))
+            .or_else(|| cut("$GNSS,"))
+            .unwrap_or_default()
+    };
+    joined(text.lines().map(line))
+}
+
+/// A name for each cell of angles in degrees, minutes and seconds.
+fn with_names_of_three(text: &str) -> String {
+    let line = |line: &str| {
+        if !line.starts_with('%') {
+            return line.to_owned();
+        }
+        let separator = separator_of(line);
+        THREE_CELLS
+            .iter()
+            .fold(line.to_owned(), |line, (name, three)| {
+                line.replace(name, &three.join(separator))
+            })
+    };
+    joined(text.lines().map(line))
+}
+
+/// What parts the cells of RTKLIB's tables.
+fn separator_of(line: &str) -> &'static str {
+    let found = [",", ";", "\t"].into_iter();
+    found.into_iter().find(|c| line.contains(*c)).unwrap_or(" ")
+}
+
+/// Latitude, longitude and height for geocentric coordinates; velocities along their axes are left out.
+fn geodetic(text: &str) -> String {
+    let (mut separator, mut names) = (" ", Vec::new());
+    let split = |line: &str, separator: &str| -> Vec<String> {
+        let cells: Vec<&str> = match separator {
+            " " => line.split_whitespace().collect(),
+            separator => line.split(separator).map(str::trim).collect(),
+        };
+        cells.into_iter().map(str::to_owned).collect()
+    };
+    let line = |line: &str| {
+        if line.starts_with('%') && line.contains(GEOCENTRIC) {
+            separator = separator_of(line);
+            names = split(line.trim_start_matches('%'), separator);
+            let velocity = names.iter().position(|name| name == GEOCENTRIC_VELOCITY);
+            let mut told = names[..velocity.unwrap_or(names.len())].to_vec();
+            if let Some(x) = told.iter().position(|name| name == GEOCENTRIC)
+                && x + 3 <= told.len()
+            {
+                let places = ["latitude(deg)", "longitude(deg)", "height(m)"];
+                told.splice(x..x + 3, places.map(str::to_owned));
+            }
+            return format!("%{}", told.join(separator));
+        }
+        let Some(x) = names.iter().position(|name| name == GEOCENTRIC) else {
+            return line.to_owned();
+        };
+        let mut cells = split(line, separator);
+        // Date and time of day have one name.
+        let more = cells.len().saturating_sub(names.len());
+        let at = x + more;
+        let number = |index: usize| cells.get(index)?.parse::<f64>().ok();
+        let Some(place) = number(at).zip(number(at + 1)).zip(number(at + 2)) else {
+            return line.to_owned();
+        };
+        let ((x, y), z) = place;
+        let (latitude, longitude, height) = Ellipsoid::WGS84.geodetic(&Vector3::new(x, y, z));
+        let [latitude, longitude] = [latitude, longitude].map(f64::to_degrees);
+        let place = [
+            format!("{latitude:.10}"),
+            format!("{longitude:.10}"),
+            format!("{height:.4}"),
+        ];
+        cells.splice(at..at + 3, place);
+        if let Some(velocity) = names.iter().position(|name| name == GEOCENTRIC_VELOCITY) {
+            cells.truncate(velocity + more);
+        }
+        cells.join(separator)
+    };
+    joined(text.lines().map(line))
+}
+
+fn joined(lines: impl Iterator<Item = String>) -> String {
+    lines.fold(String::new(), |text, line| text + &line + "\n")
+}
