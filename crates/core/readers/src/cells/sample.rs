@@ -18,7 +18,7 @@ pub(crate) struct ColumnSample {
 impl ColumnSample {
     /// Whether nearly all cells that are not empty are numbers.
     pub fn is_numeric(&self) -> bool {
-        !self.numbers.is_empty() && self.numbers.len() >= 19 * self.texts.len()
+        self.numbers.iter().any(|n| n.is_finite()) && self.numbers.len() >= 19 * self.texts.len()
     }
 
     /// Smallest and largest number.

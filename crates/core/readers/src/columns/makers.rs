@@ -1,30 +1,43 @@
 //! Units and meanings that only the program tells whose names of columns a table has.
 
+use pilotage_flight::ChannelName;
+
 use super::ColumnRole;
 use super::header::NameParts;
 use super::names::NameGuess;
 
-/// Columns that only one program's tables have all of, and the units of its columns.
+/// Columns that only one program's tables have all of, and the units and meanings of its columns.
 struct Maker {
     has: &'static [&'static str],
     units: &'static [(&'static str, &'static str)],
+    roles: &'static [(&'static str, ColumnRole)],
 }
 
-const MAKERS: [Maker; 5] = [
+/// Height and direction of a receiver that calls them as an aircraft calls its own.
+const OF_LOGGER: &[(&str, ColumnRole)] = &[
+    ("HEIGHT", ColumnRole::Channel(ChannelName::GpsHeight)),
+    ("HEADING", ColumnRole::Course),
+    ("SPEED", ColumnRole::SpeedOverGround),
+];
+
+const MAKERS: [Maker; 9] = [
     // The track log of FlightAware's pages.
     Maker {
         has: &["Course", "kts", "mph", "feet"],
         units: &[("kts", "kt"), ("feet", "ft")],
+        roles: &[],
     },
     // ForeFlight's track log.
     Maker {
         has: &["Altitude", "Speed", "Bank", "Horizontal Error", "g Load"],
         units: &[("Altitude", "ft"), ("Speed", "kt")],
+        roles: &[],
     },
     // FlightRadar24.
     Maker {
         has: &["UTC", "Callsign", "Position", "Altitude", "Direction"],
         units: &[("Altitude", "ft"), ("Speed", "kt")],
+        roles: &[],
     },
     // The receivers of transponders: dump1090, readsb, tar1090 and ADS-B Exchange.
     Maker {
@@ -36,11 +49,37 @@ const MAKERS: [Maker; 5] = [
             ("baro_rate", "ft/min"),
             ("geom_rate", "ft/min"),
         ],
+        roles: &[],
     },
     // Sky Dolly, of Microsoft's simulator.
     Maker {
         has: &["Altitude", "TrueHeading", "VelocityBodyX"],
         units: &[("Altitude", "ft")],
+        roles: &[],
+    },
+    // RTKLIB, and receivers of Emlid.
+    Maker {
+        has: &["height(m)", "Q", "ns"],
+        units: &[],
+        roles: &[("height(m)", ColumnRole::Channel(ChannelName::GpsHeight))],
+    },
+    // Loggers of Columbus.
+    Maker {
+        has: &["INDEX", "TAG", "LATITUDE N/S"],
+        units: &[("HEIGHT", "m"), ("SPEED", "km/h"), ("HEADING", "deg")],
+        roles: OF_LOGGER,
+    },
+    // Loggers of MediaTek, such as Qstarz and i-Blue.
+    Maker {
+        has: &["INDEX", "RCR", "VALID"],
+        units: &[],
+        roles: OF_LOGGER,
+    },
+    // FlySight.
+    Maker {
+        has: &["hMSL", "velN", "cAcc"],
+        units: &[],
+        roles: &[("heading", ColumnRole::Course)],
     },
 ];
 
@@ -63,6 +102,44 @@ pub(super) fn course_of_radio(names: &[NameParts], guesses: &mut [Vec<NameGuess>
             sign: 1.0,
             confidence: 0.9,
         }];
+    }
+}
+
+/// Columns whose meaning the program tells, whatever they are called.
+pub(super) fn roles<'a>(
+    names: impl Iterator<Item = &'a str> + Clone,
+    guesses: &mut [Vec<NameGuess>],
+) {
+    let has = |name: &&str| names.clone().any(|other| other == *name);
+    let Some(maker) = MAKERS.iter().find(|maker| maker.has.iter().all(has)) else {
+        return;
+    };
+    for (name, guesses) in names.zip(guesses) {
+        if let Some((_, role)) = maker.roles.iter().find(|(known, _)| *known == name) {
+            *guesses = vec![NameGuess {
+                role: *role,
+                sign: 1.0,
+                confidence: 0.9,
+            }];
+        }
+    }
+}
+
+/// Takes back the meanings of short names that count only beside others: `q` as a rate beside `p` or `r` (alone it is the
+/// quality of a receiver), `velU` as a velocity upwards beside one along north or east (else it is an uncertainty).
+pub(super) fn short_names(names: &[NameParts], guesses: &mut [Vec<NameGuess>]) {
+    let is = |parts: &NameParts, words: &[&str]| parts.plain_words() == words;
+    let has = |words: &[&str]| names.iter().any(|parts| is(parts, words));
+    let rates = ["p", "q", "r"].map(|word| has(&[word]));
+    let has_rates = rates.into_iter().filter(|has| *has).count() > 1;
+    let has_velocity = ["n", "e"].iter().any(|to| has(&["vel", to]));
+    let has_short = has(&["vn"]) || has(&["ve"]);
+    for (parts, guesses) in names.iter().zip(guesses) {
+        let is_rate = ["p", "q", "r"].iter().any(|word| is(parts, &[word]));
+        let is_up = is(parts, &["vel", "u"]) && !has_velocity || is(parts, &["vu"]) && !has_short;
+        if is_rate && !has_rates || is_up {
+            guesses.clear();
+        }
     }
 }
 

@@ -29,6 +29,8 @@ mod parts_tests;
 mod physics;
 mod pictures;
 mod preview;
+#[cfg(test)]
+mod receiver_tests;
 mod rows;
 mod sampling;
 mod settle;

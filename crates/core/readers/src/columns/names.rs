@@ -124,32 +124,32 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,
-        "alt|altitude|hgt|h|elevation|feet|abs alt|absolute altitude|ellipsoid height",
+        "alt|altitude|hgt|h|elevation|feet|abs alt|absolute altitude|ellipsoid height|ellipsoidal height|h ell|height ell",
     ),
     rule(
         Channel(ChannelName::GpsNorth),
         0.8,
-        "gps north|north|position north|pos n|pn|x north|north position",
+        "gps north|north|position north|pos n|pn|x north|north position|n baseline",
     ),
     rule(
         Channel(ChannelName::GpsEast),
         0.8,
-        "gps east|east|position east|pos e|pe|y east|east position",
+        "gps east|east|position east|pos e|pe|y east|east position|e baseline",
     ),
     rule(
         Channel(ChannelName::GpsVelocityNorth),
         0.9,
-        "velocity north|vel n|velocity n|vn|north velocity|vel north|gps velocity north|v n|v north|speed north",
+        "velocity north|vel n|vel ned n|velocity n|vn|north velocity|vel north|gps velocity north|v n|v north|speed north",
     ),
     rule(
         Channel(ChannelName::GpsVelocityEast),
         0.9,
-        "velocity east|vel e|velocity e|ve|east velocity|vel east|gps velocity east|v e|v east|speed east",
+        "velocity east|vel e|vel ned e|velocity e|ve|east velocity|vel east|gps velocity east|v e|v east|speed east",
     ),
     rule(
         Channel(ChannelName::GpsVelocityDown),
         0.9,
-        "velocity down|vel d|velocity d|vd|down velocity|vel down|gps velocity down|sink rate|v d|v down|speed down",
+        "velocity down|vel d|vel ned d|velocity d|vd|down velocity|vel down|gps velocity down|sink rate|v d|v down|speed down",
     ),
     rule(
         Channel(ChannelName::GpsVelocityDown),
@@ -159,7 +159,7 @@ const RULES: &[Rule] = &[
     turned(
         Channel(ChannelName::GpsVelocityDown),
         0.8,
-        "climb|climb rate|vertical speed|vspeed|vario|vspd|v spd|vel u|velocity up|vel up|roc|v up",
+        "climb|climb rate|vertical speed|vspeed|vario|vspd|v spd|vel u|velocity up|vel up|roc|v up|vu",
     ),
     rule(
         Channel(ChannelName::RollRate),

@@ -1,0 +1,290 @@
+//! Tables of satellite receivers and of what computes positions of their observations, as each program writes them.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use nalgebra::Vector3;
+use pilotage_base::frames::{Ellipsoid, Geodetic};
+use pilotage_flight::{ChannelName, Flight};
+
+use super::ColumnRole::{Channel, Course, Nothing, SpeedOverGround};
+use super::tests::{files, guessed, is};
+use super::{ColumnMap, flight_of_tables, guess_table};
+
+/// A moment of a winding flight in the south and west.
+struct Fix {
+    time: f64,
+    latitude: f64,
+    longitude: f64,
+    height: f64,
+    /// North, east and up, m/s.
+    velocity: [f64; 3],
+}
+
+/// A fix each fifth of a second for a minute; heights rise and fall about 620 m.
+fn fixes() -> Vec<Fix> {
+    let (mut north, mut east, mut height) = (0.0, 0.0, 620.0);
+    let fix = |i: usize| {
+        let time = 0.2 * i as f64;
+        let course = 0.7 + (TAU * time / 45.0).sin();
+        let speed = 14.0 + 2.0 * (time / 5.0).sin();
+        let velocity = [
+            speed * course.cos(),
+            speed * course.sin(),
+            (time / 4.0).sin(),
+        ];
+        let found = Fix {
+            time,
+            latitude: -33.85 + north / 110_921.0,
+            longitude: -0.42 + east / 92_560.0,
+            height,
+            velocity,
+        };
+        north += 0.2 * velocity[0];
+        east += 0.2 * velocity[1];
+        height += 0.2 * velocity[2];
+        found
+    };
+    (0..300).map(fix).collect()
+}
+
+/// Date and time of day with that between them and within the date.
+fn moment(fix: &Fix, within: &str, between: &str) -> String {
+    let seconds = fix.time % 60.0;
+    format!("2024{within}05{within}13{between}10:00:{seconds:06.3}")
+}
+
+/// A table with those lines before a row for each fix.
+fn table(head: &str, row: impl Fn(&Fix) -> String) -> String {
+    let mut table = head.to_owned();
+    for fix in fixes() {
+        writeln!(table, "{}", row(&fix)).unwrap();
+    }
+    table
+}
+
+fn flight(table: &str) -> (ColumnMap, Flight) {
+    let map = guess_table("a.csv", table.as_bytes()).unwrap();
+    let files = files(&[("a.csv", table)]);
+    let flight = flight_of_tables(&files, std::slice::from_ref(&map)).unwrap();
+    (map, flight.flight)
+}
+
+/// Values of a channel.
+#[track_caller]
+fn values(flight: &Flight, name: ChannelName) -> &[f64] {
+    let found = flight.channels.iter().find(|c| c.name == name);
+    &found.unwrap_or_else(|| panic!("no {name:?}")).values
+}
+
+/// Places to 1e-6 degrees and heights above the sea, row by row.
+#[track_caller]
+fn assert_flown(flight: &Flight, height_tolerance: f64) {
+    let world = flight.frame_on_globe.unwrap();
+    let [north, east, height] = [
+        ChannelName::GpsNorth,
+        ChannelName::GpsEast,
+        ChannelName::GpsHeight,
+    ]
+    .map(|name| values(flight, name));
+    let fixes = fixes();
+    assert_eq!(north.len(), fixes.len());
+    for (i, fix) in fixes.iter().enumerate() {
+        let place = Geodetic::from_degrees(fix.latitude, fix.longitude, 0.0);
+        let expected = world.world_from_geodetic(&place);
+        assert!(
+            (north[i] - expected.x).abs() < 0.1,
+            "row {i}: {} {}",
+            north[i],
+            expected.x
+        );
+        assert!(
+            (east[i] - expected.y).abs() < 0.1,
+            "row {i}: {} {}",
+            east[i],
+            expected.y
+        );
+        assert!((height[i] - fix.height).abs() < height_tolerance, "row {i}");
+    }
+}
+
+const QUALITY: &str = "1 12 0.0120 0.0090 0.0300 0.0010 0.0010 0.0010 0.80 20.5";
+
+#[test]
+fn positions_of_rtklib_are_read_in_degrees_minutes_and_seconds_and_geocentric() {
+    let head = |names: &str| {
+        format!(
+            "% program   : RTKPOST ver.2.4.3 b34\n% ref pos   : -33.841210525  -0.411228361   600.0251\n%\n%  GPST  {names}  Q  ns  \
+             sdn(m)  sde(m)  sdu(m)  sdne(m)  sdeu(m)  sdun(m) age(s)  ratio"
+        )
+    };
+    let angle = |degrees: f64| {
+        let seconds = degrees.abs() * 3600.0;
+        let (whole, rest) = ((seconds / 3600.0).floor(), seconds % 3600.0);
+        let sign = if degrees < 0.0 { "-" } else { "" };
+        format!(
+            "{sign}{whole} {:02} {:08.5}",
+            (rest / 60.0).floor(),
+            rest % 60.0
+        )
+    };
+    let degrees = head("latitude(d'\")   longitude(d'\")  height(m)") + "\n";
+    let degrees = table(&degrees, |fix| {
+        format!(
+            "{}  {}  {}  {:.4} {QUALITY}",
+            moment(fix, "/", " "),
+            angle(fix.latitude),
+            angle(fix.longitude),
+            fix.height
+        )
+    });
+    let geocentric = head("x-ecef(m)  y-ecef(m)  z-ecef(m)") + "  vx(m/s)  vy(m/s)  vz(m/s)\n";
+    let geocentric = table(&geocentric, |fix| {
+        let [latitude, longitude] = [fix.latitude, fix.longitude].map(f64::to_radians);
+        let Vector3 { data, .. } = Ellipsoid::WGS84.geocentric(latitude, longitude, fix.height);
+        let [[x, y, z]] = data.0;
+        let moment = moment(fix, "/", " ");
+        format!("{moment}  {x:.4}  {y:.4}  {z:.4} {QUALITY} 1.0 2.0 3.0")
+    });
+    for table in [&degrees, &geocentric] {
+        let (map, flight) = flight(table);
+        assert_flown(&flight, 0.001);
+        // The quality of a position is no rate of pitch.
+        assert_eq!(guessed(&map, "Q").0, Nothing);
+        assert!(map.questions.is_empty(), "{:?}", map.questions);
+    }
+}
+
+#[test]
+fn a_rate_of_one_letter_stands_beside_another() {
+    let rates = table("time,lat,lon,alt,p,q,r\n", |fix| {
+        let rate = 0.1 * (fix.time / 3.0).sin();
+        format!(
+            "{:.1},{:.7},{:.7},{:.2},{rate:.4},{rate:.4},{rate:.4}",
+            fix.time, fix.latitude, fix.longitude, fix.height
+        )
+    });
+    let map = guess_table("a.csv", rates.as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "q").0, Channel(ChannelName::PitchRate));
+    let map = guess_table("a.csv", rates.replace("p,q,r", "d,q,ns").as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "q").0, Nothing);
+}
+
+#[test]
+fn the_track_of_a_flysight_is_a_table() {
+    let head = "$FLYS,1\r\n$VAR,FIRMWARE_VER,v2023.09.22.2\r\n$VAR,DEVICE_ID,0019\r\n$COL,GNSS,time,lat,lon,hMSL,velN,velE,velD,hAcc,vAcc,\
+                sAcc,numSV\r\n$UNIT,GNSS,,deg,deg,m,m/s,m/s,m/s,m,m,m/s,\r\n$DATA\r\n";
+    let table = table(head, |fix| {
+        let [north, east, up] = fix.velocity;
+        format!(
+            "$GNSS,{}Z,{:.7},{:.7},{:.3},{north:.2},{east:.2},{:.2},1.5,2.5,0.25,12\r",
+            moment(fix, "-", "T"),
+            fix.latitude,
+            fix.longitude,
+            fix.height,
+            -up
+        )
+    });
+    let (_, flight) = flight(&table);
+    assert_flown(&flight, 0.001);
+    let down = values(&flight, ChannelName::GpsVelocityDown);
+    assert!((down[30] + fixes()[30].velocity[2]).abs() < 0.006);
+}
+
+#[test]
+fn loggers_fill_cells_up_with_zeros_and_call_the_course_a_heading() {
+    let head = "INDEX,TAG,DATE,TIME,LATITUDE N/S,LONGITUDE E/W,HEIGHT,SPEED,HEADING,VOX\r\n";
+    let rows = table("", |fix| {
+        let [north, east, _] = fix.velocity;
+        let course = east.atan2(north).to_degrees().rem_euclid(360.0);
+        format!(
+            "1\0\0\0\0\0,T,240513,1000{:02},{:09.6}S,{:010.6}W,{:.0}\0\0,{:.0}\0\0,{course:.0}\0,\0\0\0\r",
+            fix.time.floor(),
+            -fix.latitude,
+            -fix.longitude,
+            fix.height,
+            3.6 * north.hypot(east)
+        )
+    });
+    // One row a second.
+    let rows = rows.lines().step_by(5);
+    let table = rows.fold(head.to_owned(), |table, row| table + row + "\n");
+    let (map, flight) = flight(&table);
+    assert_eq!(
+        ["HEIGHT", "SPEED", "HEADING"].map(|name| guessed(&map, name)),
+        [
+            is(Channel(ChannelName::GpsHeight), "m"),
+            is(SpeedOverGround, "km/h"),
+            is(Course, "deg")
+        ]
+    );
+    assert_eq!(values(&flight, ChannelName::GpsHeight).len(), 60);
+    assert!((values(&flight, ChannelName::GpsHeight)[4] - fixes()[20].height).abs() < 0.51);
+}
+
+#[test]
+fn units_in_brackets_stand_below_their_names_where_some_have_none() {
+    let head = "Program:     Inertial Explorer Version 8.90\nDatum:       WGS84\n\n     SeqNum     UTCTime       Latitude      Longitude        H-Ell     \
+                VEast    VNorth       VUp Q\n                  (sec)          (deg)          (deg)          (m)    (km/h)    (km/h)    (km/h)\n";
+    let table = table(head, |fix| {
+        let [north, east, up] = fix.velocity.map(|v| 3.6 * v);
+        format!(
+            "{} {:.3} {:.10} {:.10} {:.3} {east:.3} {north:.3} {up:.3} 1",
+            (5.0 * fix.time).round() + 1.0,
+            122_382.0 + fix.time,
+            fix.latitude,
+            fix.longitude,
+            fix.height
+        )
+    });
+    let (map, flight) = flight(&table);
+    assert_flown(&flight, 0.001);
+    assert_eq!(
+        guessed(&map, "VUp"),
+        is(Channel(ChannelName::GpsVelocityDown), "km/h")
+    );
+    let down = values(&flight, ChannelName::GpsVelocityDown);
+    assert!((down[30] + fixes()[30].velocity[2]).abs() < 0.001);
+    assert_eq!(guessed(&map, "Q").0, Nothing);
+}
+
+#[test]
+fn tabulators_in_a_row_are_empty_cells() {
+    let head = "// General information: \n//  MT Manager version: 2022.2.0 \n// Coordinate system: NED\nPacketCounter\tYear\tMonth\tDay\t\
+                Second\ttime [s]\tLatitude\tLongitude\tAltitude\n";
+    let table = table(head, |fix| {
+        format!(
+            "{:.0}\t\t\t\t\t{:.1}\t{:.9}\t{:.9}\t{:.6}",
+            51_400.0 + 5.0 * fix.time,
+            fix.time,
+            fix.latitude,
+            fix.longitude,
+            fix.height
+        )
+    });
+    let (_, flight) = flight(&table);
+    assert_flown(&flight, 0.001);
+}
+
+#[test]
+fn an_uncertainty_of_velocity_is_no_velocity_upwards() {
+    let head =
+        "timeGpsTow,timeGpsWeek,yaw,posLat,posLon,posAlt,velNedN,velNedE,velNedD,attU,posU,velU\n";
+    let table = table(head, |fix| {
+        let [north, east, up] = fix.velocity;
+        format!(
+            "{:.3},2314,{:.2},{:.8},{:.8},{:.3},{north:.3},{east:.3},{:.3},0.1,1.0,0.05",
+            122_400.0 + fix.time,
+            east.atan2(north).to_degrees(),
+            fix.latitude,
+            fix.longitude,
+            fix.height,
+            -up
+        )
+    });
+    let (map, flight) = flight(&table);
+    assert_flown(&flight, 0.001);
+    assert_eq!(guessed(&map, "velU").0, Nothing);
+    let down = values(&flight, ChannelName::GpsVelocityDown);
+    assert!((down[30] + fixes()[30].velocity[2]).abs() < 0.001);
+}
