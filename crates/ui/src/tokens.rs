@@ -114,6 +114,8 @@ impl Tokens {
             corrected: Color32::from_rgb(200, 30, 50),
             dead_reckoning: Color32::from_rgb(20, 90, 210),
             unaided: Color32::from_rgb(110, 60, 170),
+            observed: Color32::from_rgb(0, 116, 148),
+            refused: Color32::from_rgb(168, 56, 10),
             ..Self::dark()
         }
     }
@@ -182,4 +184,39 @@ impl Tokens {
 /// The strong face: egui's second family, for figures of the usual face are as wide as one another.
 fn strong(size: f32) -> FontId {
     FontId::monospace(size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Contrast of two colours, as the Web Content Accessibility Guidelines define it.
+    fn contrast(a: Color32, b: Color32) -> f32 {
+        let luminance = |colour: Color32| {
+            let [r, g, b, _] = egui::Rgba::from(colour).to_array();
+            0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05
+        };
+        let (a, b) = (luminance(a), luminance(b));
+        a.max(b) / a.min(b)
+    }
+
+    #[test]
+    fn words_in_the_colours_of_their_meaning_are_read_on_panels_of_both_themes() {
+        for tokens in [Tokens::dark(), Tokens::light()] {
+            for (name, colour) in [
+                ("text", tokens.text),
+                ("muted", tokens.muted),
+                ("accent", tokens.accent),
+                ("warning", tokens.warning),
+                ("advice", tokens.advice),
+                ("no_fly", tokens.no_fly),
+                ("truth", tokens.truth),
+                ("observed", tokens.observed),
+                ("refused", tokens.refused),
+            ] {
+                let found = contrast(colour, tokens.surface);
+                assert!(found >= 4.5, "{name}, dark {}: {found}", tokens.dark);
+            }
+        }
+    }
 }

@@ -90,7 +90,7 @@ impl WindowPlan {
         let half = 0.42 * cell.size().min_elem() * vec2(cos as f32, sin as f32);
         let ends = [cell.center() - half, cell.center() + half];
         painter.line_segment(ends, Stroke::new(4.5, parts::rim(tokens)));
-        painter.line_segment(ends, Stroke::new(2.5, tokens.observed));
+        painter.line_segment(ends, Stroke::new(2.5, Tokens::over_imagery().observed));
     }
 
     fn paint_pattern(

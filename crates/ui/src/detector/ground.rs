@@ -118,7 +118,8 @@ impl<'a> GroundPlan<'a> {
         let painter = painter.with_clip_rect(self.rect());
         let (width, height) = self.evidence.size;
         let size = vec2(width as f32, height as f32) * self.scale;
-        let colors = [(tokens.observed, 2.0), (tokens.refused, 1.5)];
+        let over = Tokens::over_imagery();
+        let colors = [(over.observed, 2.0), (over.refused, 1.5)];
         for (mark, (color, width)) in self.evidence.marks.iter().zip(colors) {
             let at = self.at(mark.pixel);
             for stroke in [

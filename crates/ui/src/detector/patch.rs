@@ -171,7 +171,8 @@ fn paint_edges(painter: &Painter, tokens: &Tokens, hog: &HogPicture, corner: Pos
                 }
                 let (sin, cos) = edge_angle(direction).sin_cos();
                 let half = 0.48 * side * part * vec2(cos as f32, sin as f32);
-                let color = tokens.observed.gamma_multiply(0.35 + 0.65 * part);
+                let observed = Tokens::over_imagery().observed;
+                let color = observed.gamma_multiply(0.35 + 0.65 * part);
                 let ends = [rect.center() - half, rect.center() + half];
                 painter.line_segment(ends, Stroke::new(1.0 + part, color));
             }

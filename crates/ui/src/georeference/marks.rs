@@ -44,7 +44,7 @@ pub fn paint_point(
 ) {
     let color = match (enabled, chosen) {
         (_, true) => tokens.accent,
-        (true, false) => tokens.observed,
+        (true, false) => Tokens::over_imagery().observed,
         (false, false) => tokens.muted,
     };
     if let Some(arrow) = arrow.filter(|a| a.length() > 1.0) {

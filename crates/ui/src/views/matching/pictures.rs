@@ -175,9 +175,10 @@ fn marks(
     corner: egui::Vec2,
     [patch, rectified, surface]: [Rect; 3],
 ) {
+    let over = Tokens::over_imagery();
     let both = [
-        (pictures.peak, tokens.observed, 2.0),
-        (pictures.second, tokens.refused, 1.5),
+        (pictures.peak, over.observed, 2.0),
+        (pictures.second, over.refused, 1.5),
     ];
     for (place, color, width) in both {
         let Some((column, row)) = place else { continue };
