@@ -201,6 +201,22 @@ impl StudySetting {
     };
 }
 
+/// Least number of letters to insert, delete or replace that makes `to` of `from`.
+fn edits(from: &str, to: &str) -> usize {
+    let to: Vec<char> = to.chars().collect();
+    let mut counts: Vec<usize> = (0..=to.len()).collect();
+    for (row, letter) in from.chars().enumerate() {
+        let mut diagonal = counts[0];
+        counts[0] = row + 1;
+        for (column, other) in to.iter().enumerate() {
+            let replaced = diagonal + usize::from(letter != *other);
+            diagonal = counts[column + 1];
+            counts[column + 1] = replaced.min(diagonal + 1).min(counts[column] + 1);
+        }
+    }
+    counts[to.len()]
+}
+
 impl RunSettings {
     /// Whether there is a setting of that name.
     pub fn has(key: &str) -> bool {
@@ -225,7 +241,14 @@ impl RunSettings {
         let setting = StudySetting::ALL.iter().find(|setting| setting.key == key);
         let setting = setting.ok_or_else(|| {
             let keys: Vec<&str> = StudySetting::ALL.iter().map(|s| s.key).collect();
-            format!("there is no such setting; there are {}", keys.join(", "))
+            let near = keys.iter().map(|known| (edits(key, known), *known)).min();
+            let near = near.filter(|(count, _)| *count <= 2 && *count < key.chars().count());
+            match near {
+                Some((_, known)) => {
+                    format!("there is no such setting; perhaps {known} is meant")
+                }
+                None => format!("there is no such setting; there are {}", keys.join(", ")),
+            }
         })?;
         match (&setting.setter, value) {
             (Setter::Number([low, high], factor, set), SettingValue::Number(number)) => {
@@ -311,6 +334,17 @@ mod tests {
         assert!(run.set("wind-speed", &tail).is_err());
         run.set_drawn("wind-speed", &tail).unwrap();
         assert_eq!(run.wind_speed, Some(0.0));
+    }
+
+    #[test]
+    fn a_setting_that_is_nearly_spelt_right_is_named_and_of_another_all_are_told() {
+        let one = SettingValue::Number(1.0);
+        let told = |key| RunSettings::default().set(key, &one).unwrap_err();
+        assert!(told("recognized").ends_with("perhaps recognised is meant"));
+        assert!(told("wind-sped").ends_with("perhaps wind-speed is meant"));
+        let all = told("temperature");
+        let has = |setting: &StudySetting| all.contains(setting.key);
+        assert!(StudySetting::ALL.iter().all(has), "{all}");
     }
 
     #[test]
