@@ -60,7 +60,9 @@ pub fn plot(ui: &mut Ui, tokens: &Tokens, scale: &PlotScale<'_>, rows: &[PlotRow
     } else {
         0.0
     };
-    let below = 1.8 * tokens.text_sizes[0] + 4.0;
+    // The numbers of the axis, and below them its name: beside them it would take the place of the last.
+    let line = 1.4 * tokens.text_sizes[0];
+    let below = 2.0 * line + 4.0;
     let height = top + ROW * rows.len() as f32 + below;
     let (outer, _) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
     let painter = ui.painter_at(outer);
@@ -82,7 +84,14 @@ pub fn plot(ui: &mut Ui, tokens: &Tokens, scale: &PlotScale<'_>, rows: &[PlotRow
             Stroke::new(0.5, tokens.line),
         );
     }
-    axes.draw_x(&painter, tokens, scale.name);
+    axes.draw_x(&painter, tokens, "");
+    painter.text(
+        pos2(rect.right(), rect.bottom() + 0.25 * tokens.space + line),
+        Align2::RIGHT_TOP,
+        scale.name,
+        font.clone(),
+        tokens.muted,
+    );
     if let Some((value, name)) = scale.line {
         let x = axes.screen_x(value);
         painter.vline(x, rect.y_range(), Stroke::new(1.0, tokens.text));

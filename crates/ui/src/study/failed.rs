@@ -89,7 +89,7 @@ pub(super) fn failed(
     });
     let (_, unit) = context.units.length();
     let titles = [
-        format!("most, {unit}"),
+        format!("largest, {unit}"),
         format!("RMS, {unit}"),
         "inside".to_owned(),
     ];

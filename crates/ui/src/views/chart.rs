@@ -100,7 +100,7 @@ impl ChartAxes {
         since.draw_x(painter, tokens, "time, s");
     }
 
-    /// Tick labels of the x axis below the area, with the axis' name at the right end.
+    /// Tick labels of the x axis below the area, with the axis' `name`, if any, at the right end.
     pub fn draw_x(&self, painter: &Painter, tokens: &Tokens, name: &str) {
         let top = self.rect.bottom() + 0.25 * tokens.space;
         let name_rect = painter.text(
@@ -110,6 +110,12 @@ impl ChartAxes {
             parts::small(tokens),
             tokens.muted,
         );
+        // Without a name the last number may stand at the very end.
+        let end = if name.is_empty() {
+            painter.clip_rect().right()
+        } else {
+            name_rect.left() - 0.5 * tokens.space
+        };
         for (tick, text) in self.x_ticks(tokens) {
             let x = self.screen_x(tick);
             painter.vline(
@@ -118,8 +124,13 @@ impl ChartAxes {
                 Stroke::new(1.0, tokens.line),
             );
             let galley = painter.layout_no_wrap(text, parts::small(tokens), tokens.muted);
-            let left = x - 0.5 * galley.size().x;
-            if left + galley.size().x + 0.5 * tokens.space < name_rect.left() {
+            let middle = x - 0.5 * galley.size().x;
+            let left = if name.is_empty() {
+                middle.min(end - galley.size().x)
+            } else {
+                middle
+            };
+            if left + galley.size().x <= end {
                 painter.galley(pos2(left, top), galley, tokens.muted);
             }
         }
@@ -191,6 +202,32 @@ fn decade_label(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_of_an_axis_takes_the_place_of_the_last_numbers_and_no_name_leaves_them_all() {
+        let written = |name: &'static str| {
+            let axes = ChartAxes {
+                rect: Rect::from_min_max(pos2(40.0, 10.0), pos2(280.0, 60.0)),
+                x: (40.0, 100.0),
+                y: (0.0, 1.0),
+                log: false,
+            };
+            let harness = egui_kittest::Harness::builder()
+                .with_size(egui::vec2(300.0, 100.0))
+                .build_ui(move |ui| axes.draw_x(ui.painter(), &Tokens::dark(), name));
+            let shapes = harness.output().shapes.iter();
+            let texts = shapes.filter_map(|clipped| match &clipped.shape {
+                egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+                _ => None,
+            });
+            texts.filter(|text| !text.is_empty()).collect::<Vec<_>>()
+        };
+        assert_eq!(written(""), ["40", "60", "80", "100"]);
+        assert_eq!(
+            written("flights inside, %"),
+            ["flights inside, %", "40", "60"]
+        );
+    }
 
     #[test]
     fn ticks_are_round_and_inside() {
