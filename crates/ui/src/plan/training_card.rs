@@ -210,6 +210,7 @@ fn words(
         );
     } else if let Some(outcome) = outcome {
         ui.label(RichText::new(outcome_words(outcome, context)).font(tokens.small()));
+        unused_words(ui, landmarks, context);
     } else if trained == 0 {
         let text = "Looked for by its map patch. A cascade is trained from the map alone.";
         ui.label(muted(tokens, text));
@@ -218,6 +219,17 @@ fn words(
         ui.label(muted(tokens, text));
     } else {
         ui.label(muted(tokens, "A cascade was trained for it."));
+        unused_words(ui, landmarks, context);
+    }
+}
+
+/// Draws that a trained detector is not flown with, where the landmark is looked for by its map patch.
+fn unused_words(ui: &mut Ui, landmarks: &[&Landmark], context: &ViewContext<'_>) {
+    let is_unused = |l: &&Landmark| l.detector_choice() == DetectorChoice::Template;
+    if landmarks.iter().all(is_unused) {
+        let text =
+            "Flights do not use it yet: they look for the map patch. Choose Cascade or Both.";
+        ui.label(muted(context.tokens, text));
     }
 }
 

@@ -121,11 +121,14 @@ fn the_stage_table_grows_while_a_detector_is_trained_and_the_flight_flies_with_i
     rig.harness.get_by_label_contains(
         "Found in 99 of 100 held-out photos (99\u{a0}%), 1 false alarm, from a score of 3.42 on",
     );
+    let unused = "Flights do not use it yet";
+    rig.harness.get_by_label_contains(unused);
     let undo = rig.state()["undo"].as_u64();
     rig.harness
         .get_by_role_and_label(egui::accesskit::Role::Tab, "Cascade")
         .click();
     rig.settle();
+    assert!(rig.harness.query_by_label_contains(unused).is_none());
     assert_eq!(rig.state()["undo"].as_u64(), undo.map(|u| u + 1));
     rig.open_tab("Replay");
     rig.settle();
