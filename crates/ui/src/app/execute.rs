@@ -41,7 +41,11 @@ impl App {
             Command::Jump(seconds) => self.seek(time + seconds),
             Command::GoToStart => self.seek(f64::NEG_INFINITY),
             Command::GoToEnd => {
-                self.seek(f64::INFINITY);
+                // Beyond what is flown nothing is known yet.
+                let run = &self.documents.run;
+                let flown = run.navigated.as_ref().filter(|_| !run.is_complete);
+                let flown = flown.and_then(pilotage_core::navigator::Run::span);
+                self.seek(flown.map_or(f64::INFINITY, |span| span.1));
                 self.playback.playing = false;
             }
             Command::SelectSpan(selected) => self.playback.select(selected, whole),

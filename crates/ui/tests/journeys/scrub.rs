@@ -1,8 +1,10 @@
 use egui::accesskit::{Action, ActionData, ActionRequest, Role, TreeId};
-use egui::{Event, Key, Pos2};
+use egui::{Event, Key, Pos2, Vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pilotage_jobs::JobEvent;
 
-use super::support::rig;
+use super::support::flight::{flight, mission, run, run_head};
+use super::support::{ScriptedHost, rig, rig_on};
 
 #[test]
 fn a_drag_on_the_timeline_moves_the_time_cursor() {
@@ -29,6 +31,32 @@ fn arrows_step_by_camera_frames() {
     assert_eq!(rig.state()["time"].as_f64(), Some(0.5));
     rig.key(Key::End);
     assert_eq!(rig.state()["time"], rig.state()["span"][1]);
+}
+
+#[test]
+fn while_it_flies_the_end_is_the_end_of_what_is_flown() {
+    let host = ScriptedHost {
+        silent_flights: true,
+        ..ScriptedHost::default()
+    };
+    let mut rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    let id = rig.host().last_flight().expect("a flight").0;
+    let mission = mission();
+    let mut steps = run(&mission).steps;
+    steps.truncate(steps.len() / 2);
+    let last = steps.last().expect("steps").time;
+    let events = [
+        JobEvent::Flight(Box::new(flight())),
+        JobEvent::Mission(Box::new(mission.clone())),
+        JobEvent::RunStarted(Box::new(run_head(&mission))),
+        JobEvent::Steps(steps),
+    ];
+    rig.host().events.extend(events.map(|event| (id, event)));
+    rig.frames(3);
+    rig.key(Key::End);
+    let state = rig.state();
+    assert_eq!(state["time"].as_f64(), Some(last));
+    assert!(state["span"][1].as_f64() > Some(last), "it goes on");
 }
 
 #[test]
