@@ -92,6 +92,16 @@ pub(crate) fn mark(
     }
 }
 
+/// A probability with that many decimals. One that is not certain is never rounded to certainty.
+fn certainty(probability: f64, decimals: usize) -> String {
+    let rounded = format!("{probability:.decimals$}");
+    if probability < 1.0 && rounded.starts_with('1') {
+        format!("over 0.{}", "9".repeat(decimals))
+    } else {
+        rounded
+    }
+}
+
 /// Sentences on what became of a thing of the picture.
 pub(crate) fn explain(sighting: &SightingReport, seen: &SeenReport, units: Units) -> String {
     let name = kind_name(seen.kind);
@@ -105,8 +115,9 @@ pub(crate) fn explain(sighting: &SightingReport, seen: &SeenReport, units: Units
         format!("{first}{}, {size} across", &name[1..])
     };
     let probability = |pair: &pilotage_core::navigator::PairReport| {
-        pair.probability
-            .map_or_else(String::new, |p| format!(" (probability {p:.2})"))
+        pair.probability.map_or_else(String::new, |p| {
+            format!(" (probability {})", certainty(p, 2))
+        })
     };
     let verdict = match &seen.pair {
         Some(pair) if pair.accepted && of_road => "lies on a road of the map".to_owned(),
@@ -148,7 +159,10 @@ pub(crate) fn of_roads(sighting: &SightingReport) -> bool {
 /// Summary of a picture: how many things were seen, and how many of them told something of the place.
 pub(crate) fn summary(sighting: &SightingReport) -> String {
     let sure = sighting.probability.map_or_else(String::new, |p| {
-        format!("; their place is right with probability {p:.3}")
+        format!(
+            "; their place is right with probability {}",
+            certainty(p, 3)
+        )
     });
     let what = if of_roads(sighting) {
         "points of roads"
@@ -249,6 +263,16 @@ mod tests {
             summary(&told),
             "1 of 4 things paired with the map; their place is right with probability 0.997"
         );
+    }
+
+    #[test]
+    fn what_is_almost_certain_is_not_called_certain() {
+        let of = |p| certainty(p, 3);
+        assert_eq!(
+            [of(0.99951), of(1.0), of(0.5)],
+            ["over 0.999", "1.000", "0.500"]
+        );
+        assert_eq!(certainty(0.9999, 2), "over 0.99");
     }
 
     #[test]
