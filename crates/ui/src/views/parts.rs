@@ -165,7 +165,11 @@ pub(crate) fn chip(ui: &mut Ui, tokens: &Tokens, on: bool, text: &str, name: &st
         .corner_radius(tokens.radius)
         .wrap_mode(egui::TextWrapMode::Extend)
         .small()
-        .min_size(vec2(if tokens.touch { tokens.target() } else { 0.0 }, 0.0));
+        .min_size(if tokens.touch {
+            egui::Vec2::splat(tokens.target())
+        } else {
+            egui::Vec2::ZERO
+        });
     // Not in a scope of its own: that would not go on to the next row where the row is full.
     let before = ui.spacing().clone();
     let spacing = ui.spacing_mut();
