@@ -15,6 +15,8 @@ use pilotage_jobs::SeriesName;
 const MOST_FOUND: usize = 200;
 /// Most expressions that are remembered.
 const MOST_EXPRESSIONS: usize = 30;
+/// Part of a log over which a topic has to be spread for its rate to mean something.
+const LEAST_SHARE: f64 = 0.05;
 /// Letters of a name that are shown before it is cut off.
 const MOST_LETTERS: usize = 34;
 
@@ -89,8 +91,9 @@ impl FieldList {
         let wanted = self.search.trim().to_lowercase();
         if wanted.is_empty() {
             roles(ui, context, log, plotted);
+            let whole = outline.span.map_or(0.0, |(from, to)| to - from);
             for topic in &outline.topics {
-                topic_section(ui, context, topic, plotted);
+                topic_section(ui, context, topic, whole, plotted);
             }
             return;
         }
@@ -188,22 +191,31 @@ fn roles(
         });
 }
 
+/// Rate of a topic in a log of `whole` seconds, in words: of what was written in one go, such as parameters, the number
+/// of rows.
+fn often(topic: &TopicOutline, whole: f64) -> String {
+    let lasts = topic.span.map_or(0.0, |(from, to)| to - from);
+    let rate = topic.rate();
+    match rate {
+        _ if topic.rows == 1 => "once".to_owned(),
+        _ if lasts < LEAST_SHARE * whole => format!("{} rows", topic.rows),
+        rate if rate >= 10.0 => format!("{rate:.0} Hz"),
+        rate if rate >= 0.1 => format!("{rate:.1} Hz"),
+        _ => format!("{} rows", topic.rows),
+    }
+}
+
 /// A topic that unfolds to its fields.
 fn topic_section(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,
     topic: &TopicOutline,
+    whole: f64,
     plotted: &dyn Fn(&SeriesName) -> bool,
 ) {
     let tokens = context.tokens;
     let name = topic.name.to_string();
-    let rate = topic.rate();
-    let often = match rate {
-        _ if topic.rows == 1 => "once".to_owned(),
-        rate if rate >= 10.0 => format!("{rate:.0} Hz"),
-        rate if rate >= 0.1 => format!("{rate:.1} Hz"),
-        _ => format!("{} rows", topic.rows),
-    };
+    let often = often(topic, whole);
     let title = RichText::new(format!("{name}   {often}")).size(tokens.text_sizes[1]);
     egui::CollapsingHeader::new(title)
         .id_salt(("topic", &name))
@@ -266,4 +278,27 @@ fn row(
             }
         });
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::flight::log::TopicName;
+
+    use super::*;
+
+    #[test]
+    fn topics_written_in_one_go_have_rows_and_no_rate() {
+        let topic = |rows, from, to| TopicOutline {
+            name: TopicName::single("PARM"),
+            rows,
+            span: Some((from, to)),
+            fields: Vec::new(),
+        };
+        // All parameters of a vehicle within a quarter of a second of a flight of ten minutes.
+        assert_eq!(often(&topic(700, 0.0, 0.25), 600.0), "700 rows");
+        assert_eq!(often(&topic(15_001, 0.0, 600.0), 600.0), "25 Hz");
+        // A sensor that was lost in the middle of the flight.
+        assert_eq!(often(&topic(7_501, 0.0, 300.0), 600.0), "25 Hz");
+        assert_eq!(often(&topic(1, 3.0, 3.0), 600.0), "once");
+    }
 }
