@@ -5,6 +5,7 @@ use pilotage_core::exchange::Format;
 use pilotage_core::flight::log::{LogFormat, LogOutline};
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
 use pilotage_core::sorting::sort;
+use pilotage_core::text::capitalised;
 
 use super::words::{date, duration, size};
 use super::{LogCommand, OpenLog};
@@ -216,9 +217,10 @@ fn findings(ui: &mut Ui, context: &mut ViewContext<'_>, findings: &[Finding], fi
                 }
                 None => ui.label(heading),
             };
-            response.on_hover_text(&finding.text);
+            let text = capitalised(&finding.text);
+            response.on_hover_text(&text);
             ui.label(
-                RichText::new(&finding.text)
+                RichText::new(text)
                     .size(tokens.text_sizes[0])
                     .color(tokens.muted),
             );

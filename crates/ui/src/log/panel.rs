@@ -165,10 +165,15 @@ impl LogPanel {
                 for (i, field) in self.content.fields.iter().enumerate() {
                     let series = scene.log.series.get(field);
                     let value = series.and_then(|s| s.at(time));
-                    let value = value.map_or_else(|| "–".to_owned(), parts::brief);
                     let unit = series.map_or("", |s| &s.unit);
                     let name = series_name(field);
-                    let text = egui::RichText::new(format!("{name}  {value} {unit}"))
+                    // A dash for a value that there is not would read as the sign of one.
+                    let words = match value.map(parts::brief) {
+                        Some(value) => format!("{name}  {value} {unit}"),
+                        None if unit.is_empty() => name.clone(),
+                        None => format!("{name}, {unit}"),
+                    };
+                    let text = egui::RichText::new(words)
                         .size(tokens.text_sizes[0])
                         .color(colour(tokens, i));
                     let button = egui::Button::new(text).frame(false);

@@ -211,6 +211,10 @@ fn look_at_fields(flight: &FlightFiles, why: &str, context: &mut FeatureContext<
         context.change_map(MapSource::Nothing);
     }
     let title = format!("{} cannot be navigated", flight.name);
-    let text = format!("{why}. Its fields can be plotted all the same.");
+    // The title names the file already.
+    let lack = why
+        .strip_prefix(&format!("{}: no ", flight.name))
+        .map_or_else(|| why.to_owned(), |lack| format!("There is no {lack}"));
+    let text = format!("{lack}. Its fields can be plotted all the same.");
     context.note(&title, text);
 }

@@ -7,7 +7,7 @@ use super::state::{OutageCommand, Outages, measures_airspeed};
 use super::wind::winds;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{at_work, text_button};
+use crate::shell::{at_work, text_button, whole_sentences};
 use crate::units::clock;
 use crate::views::{parts, table};
 use pilotage_jobs::{OutageReport, StudyReport};
@@ -47,7 +47,8 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outage
         context.commands.push(Command::CancelJob);
     }
     if let Some(trouble) = &outages.work.trouble {
-        wrapped(ui, tokens.warning, trouble);
+        let sentence = whole_sentences(std::slice::from_ref(trouble));
+        wrapped(ui, tokens.warning, &sentence);
     }
     if let Some(report) = &outages.report {
         one_cut(ui, context, report);
