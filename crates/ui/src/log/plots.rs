@@ -202,7 +202,11 @@ impl LogPlots {
         }
         let gap = 0.5 * tokens.space;
         let axis = TimeAxis::height(tokens);
-        let header = 3.0 * tokens.space;
+        let header = if tokens.touch {
+            tokens.target()
+        } else {
+            3.0 * tokens.space
+        };
         let count = self.panels.len() as f32;
         // What does not fit makes the panel grow with every frame.
         let room = ui.available_height() - axis - ui.spacing().item_spacing.y;

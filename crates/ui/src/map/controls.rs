@@ -1,7 +1,8 @@
 //! Buttons, legend and the naming field that float on the map.
 
 use egui::{
-    Align2, Frame, Key, Rect, Role, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align2, Frame, Key, Rect, Role, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo,
+    pos2, vec2,
 };
 
 use super::button::MapButton;
@@ -13,6 +14,9 @@ use crate::context::ViewContext;
 use crate::shell::icons::Icon;
 use crate::shell::{icon_button, icon_toggle};
 
+/// Height below the buttons that they leave to the map's scale, points.
+const BELOW_CONTROLS: f32 = 52.0;
+
 impl MapView {
     /// The buttons at the right edge.
     pub(super) fn controls(
@@ -23,9 +27,10 @@ impl MapView {
         context: &mut ViewContext<'_>,
     ) {
         let tokens = context.tokens;
+        let room = rect.height() - 16.0 - BELOW_CONTROLS;
         let at = Rect::from_min_size(
             pos2(rect.right() - 24.0 - tokens.target(), rect.top() + 16.0),
-            vec2(tokens.target() + 8.0, 300.0),
+            vec2(tokens.target() + 8.0, room.max(tokens.target())),
         );
         let mut ui = ui.new_child(UiBuilder::new().max_rect(at).id_salt("map controls"));
         let panel = Frame::new()
@@ -35,48 +40,61 @@ impl MapView {
             .inner_margin(3)
             .show(&mut ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
-                if icon_toggle(ui, tokens, Icon::Pick, "Draw a landmark", self.picking).clicked() {
-                    context.commands.push(Command::TogglePickTool);
-                }
-                if icon_button(ui, tokens, Icon::Plus, "Zoom in").clicked() {
-                    self.zoom(rect, 1.5, rect.center());
-                }
-                if icon_button(ui, tokens, Icon::Minus, "Zoom out").clicked() {
-                    self.zoom(rect, 1.0 / 1.5, rect.center());
-                }
-                if icon_button(
-                    ui,
-                    tokens,
-                    Icon::Fit,
-                    if self.planning {
-                        "Show the whole plan"
-                    } else {
-                        "Show the whole flight"
-                    },
-                )
-                .clicked()
-                {
-                    context.commands.push(Command::FitMap);
-                }
-                if self.planning {
-                    // Nothing flies while people plan.
-                } else if icon_toggle(ui, tokens, Icon::Follow, "Follow the aircraft", self.follow)
-                    .clicked()
-                {
-                    context.commands.push(Command::ToggleFollow);
-                }
-                for MapButton {
-                    icon,
-                    label,
-                    command,
-                    is_on,
-                } in buttons
-                {
-                    if icon_toggle(ui, tokens, *icon, label, *is_on).clicked() {
-                        context.commands.push(command.clone());
-                    }
-                }
-                self.compass(ui, context);
+                // On a low map they scroll, so that each can be reached.
+                ScrollArea::vertical()
+                    .id_salt("map controls")
+                    .show(ui, |ui| {
+                        if icon_toggle(ui, tokens, Icon::Pick, "Draw a landmark", self.picking)
+                            .clicked()
+                        {
+                            context.commands.push(Command::TogglePickTool);
+                        }
+                        if icon_button(ui, tokens, Icon::Plus, "Zoom in").clicked() {
+                            self.zoom(rect, 1.5, rect.center());
+                        }
+                        if icon_button(ui, tokens, Icon::Minus, "Zoom out").clicked() {
+                            self.zoom(rect, 1.0 / 1.5, rect.center());
+                        }
+                        if icon_button(
+                            ui,
+                            tokens,
+                            Icon::Fit,
+                            if self.planning {
+                                "Show the whole plan"
+                            } else {
+                                "Show the whole flight"
+                            },
+                        )
+                        .clicked()
+                        {
+                            context.commands.push(Command::FitMap);
+                        }
+                        if self.planning {
+                            // Nothing flies while people plan.
+                        } else if icon_toggle(
+                            ui,
+                            tokens,
+                            Icon::Follow,
+                            "Follow the aircraft",
+                            self.follow,
+                        )
+                        .clicked()
+                        {
+                            context.commands.push(Command::ToggleFollow);
+                        }
+                        for MapButton {
+                            icon,
+                            label,
+                            command,
+                            is_on,
+                        } in buttons
+                        {
+                            if icon_toggle(ui, tokens, *icon, label, *is_on).clicked() {
+                                context.commands.push(command.clone());
+                            }
+                        }
+                        self.compass(ui, context);
+                    });
             });
         self.cover(panel.response.rect);
     }
@@ -94,6 +112,9 @@ impl MapView {
             "North up. Change to track up"
         };
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, self.track_up, label));
+        if response.gained_focus() {
+            response.scroll_to_me(None);
+        }
         let painter = ui.painter();
         if response.hovered() || response.has_focus() || self.track_up {
             painter.rect_filled(rect.shrink(2.0), tokens.radius, tokens.hover());

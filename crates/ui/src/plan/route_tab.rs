@@ -26,6 +26,9 @@ use crate::units::Units;
 use pilotage_core::plan::{MOST_CIRCLES, circles_at, cruise};
 use pilotage_jobs::FlightSource;
 
+/// Least width of the name of a route beside its buttons, points.
+const LEAST_NAME: f32 = 130.0;
+
 /// Draws the tab.
 pub fn route_tab(
     ui: &mut Ui,
@@ -143,13 +146,20 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
             }
         });
     }
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         let draft = match &mut planner.name_draft {
             Some((of, text)) if *of == route.id => text,
             other => &mut other.insert((route.id, route.name.clone())).1,
         };
-        let width = ui.available_width() - 6.0 * 32.0 - 8.0;
+        // The name has a row of its own where it would have no room beside the five buttons.
+        let beside = ui.available_width() - 5.0 * tokens.target() - 40.0;
+        let is_beside = beside >= LEAST_NAME;
+        let width = if is_beside {
+            beside
+        } else {
+            ui.available_width() - 2.0 * tokens.space
+        };
         let field = ui
             .add(TextEdit::singleline(draft).desired_width(width))
             .accessible_name("Name of the route");
@@ -162,7 +172,11 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
         } else if !field.has_focus() {
             planner.name_draft = None;
         }
-        ui.add_space(8.0);
+        if is_beside {
+            ui.add_space(8.0);
+        } else {
+            ui.end_row();
+        }
         let draw = if planner.drawing {
             "Finish the route"
         } else {

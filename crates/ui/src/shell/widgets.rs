@@ -27,6 +27,9 @@ fn icon_face(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str, on: Option<b
         selected: on,
         ..WidgetInfo::labeled(Role::Button, enabled, label)
     });
+    if response.gained_focus() {
+        response.scroll_to_me(None);
+    }
     let on = on.unwrap_or_default();
     if ui.is_rect_visible(rect) {
         let fill = if on {

@@ -83,15 +83,15 @@ pub(crate) fn reading(ui: &mut Ui, tokens: &Tokens, reading: &NumberReadout) -> 
     );
     let mut right = unit_left;
     if let Some(deviation) = &reading.deviation {
-        let width = tokens.text_sizes[1] * 4.2;
-        painter.text(
+        let drawn = painter.text(
             egui::pos2(right, middle),
             Align2::RIGHT_CENTER,
             format!("± {deviation}"),
             normal(tokens),
             tokens.muted,
         );
-        right -= width;
+        // One of many digits does not run into the value.
+        right -= (tokens.text_sizes[1] * 4.2).max(drawn.width() + 0.5 * tokens.space);
     }
     painter.text(
         egui::pos2(right, middle),

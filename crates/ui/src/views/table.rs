@@ -16,7 +16,21 @@ pub(crate) fn row(
     colour: Color32,
     lead: impl FnOnce(&mut Ui),
 ) {
-    let height = tokens.text_sizes[1] + 1.5 * tokens.space;
+    tall_row(ui, tokens, (cells, colour), height(tokens), lead);
+}
+
+/// Height of a row in which nothing can be pressed.
+fn height(tokens: &Tokens) -> f32 {
+    tokens.text_sizes[1] + 1.5 * tokens.space
+}
+
+fn tall_row(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    (cells, colour): (&[String], Color32),
+    height: f32,
+    lead: impl FnOnce(&mut Ui),
+) {
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     if !cells.is_empty() {
@@ -59,11 +73,17 @@ pub(crate) fn named_row(
     let margin = 2.0 * ui.spacing().button_padding.x;
     let needed = beside + galley.size().x + margin + tokens.space;
     let of_cells = COLUMN * tokens.text_sizes[1] * cells.len() as f32;
+    // What can be pressed in it is as high as a finger.
+    let height = if tokens.touch {
+        height(tokens).max(tokens.target())
+    } else {
+        height(tokens)
+    };
     if needed + of_cells > ui.available_width() {
-        row(ui, tokens, &[], tokens.text, lead);
+        tall_row(ui, tokens, (&[], tokens.text), height, lead);
         row(ui, tokens, cells, tokens.text, |_| {});
     } else {
-        row(ui, tokens, cells, tokens.text, lead);
+        tall_row(ui, tokens, (cells, tokens.text), height, lead);
     }
 }
 

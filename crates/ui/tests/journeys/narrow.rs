@@ -74,3 +74,87 @@ fn fingers_have_larger_buttons_until_a_mouse_moves() {
     let zoom = rig.harness.get_by_label("Zoom in").rect();
     assert_eq!(zoom.size(), vec2(32.0, 32.0));
 }
+
+/// Shows the tab of that name without a mouse that moves.
+fn tap(rig: &mut Rig, label: &str) {
+    rig.harness
+        .get_by_role_and_label(Role::Tab, label)
+        .click_accesskit();
+    rig.frames(4);
+}
+
+/// Nodes of a role with their labels and places.
+fn all_of(rig: &Rig, role: Role) -> Vec<(String, Rect)> {
+    let all = By::new().predicate(move |node| node.role() == role);
+    let all = rig.harness.root().query_all(all);
+    all.map(|node| {
+        let label = node.accesskit_node().label().unwrap_or_default();
+        (label, node.rect())
+    })
+    .collect()
+}
+
+#[test]
+fn on_a_phone_small_switches_are_as_high_as_a_finger() {
+    let mut rig = touched(vec2(390.0, 844.0));
+    for label in ["Compare", "Plots", "GPS cut"] {
+        tap(&mut rig, label);
+        let switches = all_of(&rig, Role::CheckBox);
+        assert!(!switches.is_empty(), "{label}");
+        for (name, rect) in switches {
+            assert!(rect.height() >= 43.9, "{label}: {name} {rect:?}");
+        }
+    }
+}
+
+#[test]
+fn on_a_phone_the_rows_of_the_comparison_have_room_for_their_names() {
+    let mut rig = touched(vec2(390.0, 844.0));
+    tap(&mut rig, "Compare");
+    let rows: Vec<_> = all_of(&rig, Role::Button)
+        .into_iter()
+        .filter(|(name, _)| name.starts_with("Compare with "))
+        .collect();
+    assert!(rows.len() > 1, "{rows:?}");
+    for pair in rows.windows(2) {
+        let [(name, above), (_, below)] = pair else {
+            continue;
+        };
+        assert!(above.bottom() <= below.top() + 0.5, "{name}: {rows:?}");
+    }
+}
+
+#[test]
+fn on_a_phone_every_button_of_the_map_can_be_reached() {
+    let mut rig = touched(vec2(390.0, 844.0));
+    let map = rig.rect("/map/rect");
+    let last = |rig: &Rig| {
+        let compass = rig.harness.get_by_label("North up. Change to track up");
+        compass.rect()
+    };
+    assert!(
+        last(&rig).bottom() > map.bottom() - 16.0,
+        "all fit, so that this shows nothing"
+    );
+    rig.harness
+        .get_by_label("North up. Change to track up")
+        .focus();
+    rig.frames(30);
+    let reached = last(&rig);
+    assert!(map.contains_rect(reached), "{reached:?} on {map:?}");
+}
+
+#[test]
+fn on_a_phone_nothing_of_a_route_is_cut_off() {
+    let size = vec2(390.0, 844.0);
+    let mut rig = touched(size);
+    rig.key_with(Modifiers::SHIFT, Key::P);
+    rig.key(Key::I);
+    rig.key(Key::I);
+    rig.frames(4);
+    let right = 8.0 + size.x;
+    for label in ["Delete the route", "Limit (1σ)", "Name of the route"] {
+        let rect = rig.harness.get_by_label(label).rect();
+        assert!(rect.right() <= right, "{label} {rect:?}");
+    }
+}
