@@ -130,6 +130,11 @@ impl Tokens {
         if self.touch { 44.0 } else { 4.0 * self.space }
     }
 
+    /// Advice on what to do: for a keyboard with a mouse, or for fingers, which press no keys.
+    pub fn advice<'a>(&self, with_keys: &'a str, with_fingers: &'a str) -> &'a str {
+        if self.touch { with_fingers } else { with_keys }
+    }
+
     /// Behind a widget under the pointer.
     pub fn hover(&self) -> Color32 {
         if self.dark {

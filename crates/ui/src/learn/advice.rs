@@ -17,17 +17,22 @@ pub(super) fn advice(
     if documents.flight.log.is_some() {
         return None;
     }
+    let tokens = context.tokens;
     let text = if documents.run.navigated.is_some() {
-        "This aircraft finds its way without GPS. The dots show where it might be: they spread until the camera \
-         recognises a landmark, then draw together. Drag the time below, or press N and draw a landmark of your own."
-            .to_owned()
+        let draw = tokens.advice(
+            "press N and draw a landmark of your own",
+            "draw a landmark of your own: the first button at the right",
+        );
+        format!(
+            "This aircraft finds its way without GPS. The dots show where it might be: they spread until the camera \
+             recognises a landmark, then draw together. Drag the time below, or {draw}."
+        )
     } else if let Some(words) = context.flying {
         format!("Preparing the demo flight: {words}")
     } else {
         "Nothing is flown yet. Simulate a flight, or drop a flight folder and a map here."
             .to_owned()
     };
-    let tokens = context.tokens;
     let width = (rect.width() - 96.0).min(720.0);
     let font = if width < 400.0 {
         tokens.small()

@@ -50,9 +50,10 @@ impl Measure {
             "Courses from the map's north: it has no place on the globe."
         }));
         if self.line.stage == Stage::Drawing {
-            ui.add(muted(
+            ui.add(muted(tokens.advice(
                 "Enter or a double click ends the line, a click on its first point closes it.",
-            ));
+                "A double tap ends the line, a tap on its first point closes it.",
+            )));
         }
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;

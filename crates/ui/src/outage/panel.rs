@@ -86,7 +86,8 @@ fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
             context.commands.push(OutageCommand::Clear.into());
         }
     });
-    if context.selected_span.is_none() {
+    // Fingers hold no Shift.
+    if context.selected_span.is_none() && !context.tokens.touch {
         let hint = "Or hold Shift and drag over a plot or the time line.";
         ui.label(
             RichText::new(hint)

@@ -95,7 +95,10 @@ fn heat(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         say_heat(context, HeatCommand::Set(heat));
     }
     if !heat.shown {
-        let words = "Shows on the map how likely the camera finds its place there. Press H.";
+        let words = tokens.advice(
+            "Shows on the map how likely the camera finds its place there. Press H.",
+            "Shows on the map how likely the camera finds its place there.",
+        );
         ui.label(muted(tokens, words));
         return;
     }

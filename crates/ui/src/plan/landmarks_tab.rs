@@ -63,8 +63,12 @@ pub fn landmarks_tab(
     if mission.landmarks.is_empty() {
         ui.label(muted(
             tokens,
-            "None yet. Press N and draw a box around something that stands out on the map: a lone \
-             building, a crossing, a pool. Shift+N marks an outline instead. Or open a file with some.",
+            tokens.advice(
+                "None yet. Press N and draw a box around something that stands out on the map: a lone \
+                 building, a crossing, a pool. Shift+N marks an outline instead. Or open a file with some.",
+                "None yet. Press Draw and draw a box around something that stands out on the map: a lone \
+                 building, a crossing, a pool. Or open a file with some.",
+            ),
         ));
         return;
     }

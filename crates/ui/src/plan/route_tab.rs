@@ -101,8 +101,11 @@ fn nothing(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut 
         heading(ui, tokens, "Draw a route");
         ui.label(muted(
             tokens,
-            "Click on the map where it begins, then where it goes on. Enter or a double click ends it. \
-             Or press I for a way-point in the middle of the map.",
+            tokens.advice(
+                "Click on the map where it begins, then where it goes on. Enter or a double click ends it. \
+                 Or press I for a way-point in the middle of the map.",
+                "Tap the map where it begins, then where it goes on. A double tap ends it.",
+            ),
         ));
         return;
     }

@@ -63,8 +63,11 @@ pub fn way_points(
     }
     ui.spacing_mut().item_spacing.y = 4.0;
     if planner.way_point.is_none() {
-        let words = "Choose a way-point to set its altitude and speed. Arrows move it, Shift with arrows \
-                     by ten metres, Insert adds one, Delete deletes it.";
+        let words = context.tokens.advice(
+            "Choose a way-point to set its altitude and speed. Arrows move it, Shift with arrows \
+             by ten metres, Insert adds one, Delete deletes it.",
+            "Choose a way-point to set its altitude and speed. Drag it on the map to move it.",
+        );
         ui.add_space(4.0);
         ui.label(muted(context.tokens, words));
     }

@@ -39,11 +39,17 @@ impl Roads {
             .and_then(|index| Some((index, roads.get(index)?)));
         let hint = match (&self.drawing, selected) {
             (Some(_), _) => {
-                "Click along the middle of the road. Enter or a double click ends it, Backspace takes a point back."
+                tokens.advice(
+                    "Click along the middle of the road. Enter or a double click ends it, Backspace takes a point back.",
+                    "Tap along the middle of the road. A double tap ends it.",
+                )
             }
             (None, Some(_)) if self.is_joining => "Click the road to join it with.",
             (None, Some(_)) => "Drag its points, or the middle of a piece to add one.",
-            (None, None) if roads.is_empty() => "The mission has no roads.",
+            (None, None) if roads.is_empty() => {
+                "The mission has no roads. The camera recognises roads that it knows: draw one, or open a file \
+                 of OpenStreetMap (.osm)."
+            }
             (None, None) => "Click a road to change it.",
         };
         match selected {

@@ -64,8 +64,12 @@ impl LandmarkList {
             ui.add_space(tokens.space);
             ui.label(muted(
                 tokens,
-                "None yet. Press N and draw a box around something that stands out on the map: \
-                 a lone building, a crossing, a pool.",
+                tokens.advice(
+                    "None yet. Press N and draw a box around something that stands out on the map: \
+                     a lone building, a crossing, a pool.",
+                    "None yet. Press the first button at the right of the map and draw a box around \
+                     something that stands out: a lone building, a crossing, a pool.",
+                ),
             ));
             return;
         }
@@ -127,9 +131,13 @@ impl LandmarkList {
         ui.label(muted(
             tokens,
             format!(
-                "{:.1} × {:.1} {unit}. Arrows move the row's box, Shift with arrows resizes it.",
+                "{:.1} × {:.1} {unit}. {}",
                 landmark.bounds.width() * factor,
-                landmark.bounds.height() * factor
+                landmark.bounds.height() * factor,
+                tokens.advice(
+                    "Arrows move the row's box, Shift with arrows resizes it.",
+                    "Drag its box on the map to move it, or a corner to resize it.",
+                ),
             ),
         ));
         ui.add_space(4.0);

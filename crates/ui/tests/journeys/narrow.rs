@@ -158,3 +158,18 @@ fn on_a_phone_nothing_of_a_route_is_cut_off() {
         assert!(rect.right() <= right, "{label} {rect:?}");
     }
 }
+
+#[test]
+fn fingers_are_not_told_to_press_keys() {
+    let mut rig = touched(vec2(390.0, 844.0));
+    let told =
+        |rig: &Rig, words: &'static str| rig.harness.query_all_by_label_contains(words).count();
+    assert_eq!(told(&rig, "press N"), 0);
+    assert_eq!(told(&rig, "the first button at the right"), 1);
+    tap(&mut rig, "GPS cut");
+    assert_eq!(told(&rig, "hold Shift"), 0);
+    rig.harness.hover_at(pos2(200.0, 300.0));
+    rig.frames(3);
+    assert_eq!(told(&rig, "press N"), 1);
+    assert_eq!(told(&rig, "hold Shift"), 1);
+}
