@@ -83,7 +83,12 @@ impl Tour {
         self.arrive(context);
         let tokens = context.tokens;
         ui.spacing_mut().item_spacing = vec2(tokens.space, 0.75 * tokens.space);
-        let below = 8.5 * tokens.space;
+        // Dots and buttons.
+        let below = if tokens.touch {
+            2.0 * (tokens.target() + tokens.space)
+        } else {
+            8.5 * tokens.space
+        };
         let room = (ui.available_height() - below).max(80.0);
         egui::ScrollArea::vertical()
             .id_salt(("tour", self.number))
@@ -162,7 +167,9 @@ impl Tour {
                 .color(tokens.text),
         );
         let controls = 9.5 + lesson.control_height();
-        let left = room - (ui.cursor().top() - top) - controls * tokens.space;
+        // The button below the figure is as high as a finger.
+        let higher = tokens.target() - 4.0 * tokens.space;
+        let left = room - (ui.cursor().top() - top) - controls * tokens.space - higher;
         figure::place(ui, context, lesson.title(), &moment, left, &|figure| {
             lesson.draw(figure);
         });
@@ -236,11 +243,13 @@ impl Tour {
                 go_to = Some(self.number.saturating_sub(1));
             }
             next |= forward.clicked();
-            ui.label(
-                RichText::new("or Page Down")
-                    .size(tokens.text_sizes[0])
-                    .color(tokens.muted),
-            );
+            if !tokens.touch {
+                ui.label(
+                    RichText::new("or Page Down")
+                        .size(tokens.text_sizes[0])
+                        .color(tokens.muted),
+                );
+            }
             for response in [&back, &forward] {
                 if response.has_focus() {
                     let filter = egui::EventFilter {

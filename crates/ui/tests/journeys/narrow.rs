@@ -160,6 +160,16 @@ fn on_a_phone_nothing_of_a_route_is_cut_off() {
 }
 
 #[test]
+fn on_a_phone_the_way_to_the_next_stop_of_the_tour_is_whole() {
+    let mut rig = touched(vec2(390.0, 844.0));
+    tap(&mut rig, "Learn");
+    let timeline = rig.rect("/timeline");
+    let next = rig.harness.get_by_label("Next").rect();
+    assert!(next.bottom() <= timeline.top(), "{next:?} {timeline:?}");
+    assert!(next.height() >= 43.9, "{next:?}");
+}
+
+#[test]
 fn fingers_are_not_told_to_press_keys() {
     let mut rig = touched(vec2(390.0, 844.0));
     let told =
