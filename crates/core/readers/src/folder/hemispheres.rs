@@ -6,14 +6,15 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
+use super::bare_angles::with_degrees;
 use crate::cells::{Separator, TableShape};
 
 /// Bytes of the beginning that tell the shape of a table, and of each of the places that tell where letters stand.
-const HEAD: usize = 1 << 16;
+pub(super) const HEAD: usize = 1 << 16;
 /// Letters that leave an angle as it is, and those that turn it.
 const PAIRS: [[u8; 2]; 2] = [*b"NS", *b"EW"];
 /// Words of names of latitudes and of longitudes.
-const ANGLES: [&[&str]; 2] = [
+pub(super) const ANGLES: [&[&str]; 2] = [
     &["lat", "latitude", "latitud", "breite", "breitengrad"],
     &[
         "lon",
@@ -75,7 +76,7 @@ fn is_angle(cell: &str) -> bool {
 }
 
 /// Places of the cells of a line, without blanks and quotation marks around them.
-fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
+pub(super) fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
     let begin = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
     let place = |cell: &str| {
         let cell = cell.trim();
@@ -102,7 +103,7 @@ fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
 }
 
 /// Words of a name in small letters.
-fn words(name: &str) -> Vec<String> {
+pub(super) fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut before = ' ';
     for letter in name.chars() {
@@ -185,7 +186,7 @@ fn found(names: &[Vec<String>], rows: &[Vec<&str>]) -> Vec<Letters> {
 }
 
 /// Lines of the beginning, the middle and the end of the rows of a table.
-fn some_lines(rows: &str) -> Vec<&str> {
+pub(super) fn some_lines(rows: &str) -> Vec<&str> {
     let piece = |from: usize| {
         let mut from = from.min(rows.len());
         let mut to = (from + HEAD).min(rows.len());
@@ -210,6 +211,7 @@ fn some_lines(rows: &str) -> Vec<&str> {
 /// The text of a table with the signs that its letters of hemispheres tell, where these change, and sentences that tell it.
 /// A row whose letter or angle fits none has no place.
 pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
+    let text = with_degrees(text);
     let Ok(whole) = std::str::from_utf8(&text) else {
         return (text, Vec::new());
     };

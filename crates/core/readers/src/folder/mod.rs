@@ -2,6 +2,7 @@
 //!
 //! docs/formats.md defines it.
 
+mod bare_angles;
 mod channels;
 mod clock;
 mod error;
