@@ -164,6 +164,9 @@ pub(crate) fn guess_time(samples: &[ColumnSample], share: f64) -> Option<TimeGue
 pub(super) fn times(samples: &[ColumnSample], share: f64) -> Vec<TimeGuess> {
     let has_names = samples.iter().any(|sample| !sample.name.starts_with('#'));
     let candidate = |(column, sample): (usize, &ColumnSample)| {
+        if makers::is_clock_of_no_unit(&sample.name) {
+            return None;
+        }
         let parts = parts_of_name(&sample.name, &sample.unit);
         let named = meanings(&parts.words)
             .into_iter()

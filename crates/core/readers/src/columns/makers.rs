@@ -105,6 +105,11 @@ pub(super) fn course_of_radio(names: &[NameParts], guesses: &mut [Vec<NameGuess>
     }
 }
 
+/// Whether a column is a clock that counts in none of the units of times: tenths of milliseconds of Xsens.
+pub(super) fn is_clock_of_no_unit(name: &str) -> bool {
+    name == "SampleTimeFine"
+}
+
 /// Columns whose meaning the program tells, whatever they are called.
 pub(super) fn roles<'a>(
     names: impl Iterator<Item = &'a str> + Clone,

@@ -2,7 +2,7 @@
 
 /// Units of the parts of a time beside its seconds, with the words that their columns end in and the least and greatest
 /// number of each.
-pub(super) const CALENDAR: [(&str, &[&str], [f64; 2]); 6] = [
+pub(super) const CALENDAR: [(&str, &[&str], [f64; 2]); 7] = [
     (
         "hours",
         &["hour", "hours", "hh", "hr", "h", "std"],
@@ -28,6 +28,12 @@ pub(super) const CALENDAR: [(&str, &[&str], [f64; 2]); 6] = [
         "ms",
         &["millisecond", "milliseconds", "millis", "msec", "ms"],
         MILLISECONDS,
+    ),
+    // Receivers of u-blox round seconds, and correct them by what may be negative.
+    (
+        "ns",
+        &["nano", "nanos", "nanosecond", "nanoseconds"],
+        [-1e9, 1e9],
     ),
 ];
 /// Reach of milliseconds and of seconds, which alone may have a fraction.

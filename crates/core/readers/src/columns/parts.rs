@@ -100,10 +100,10 @@ pub(super) fn calendar(samples: &[ColumnSample], columns: &mut [MappedColumn]) -
         let year = of(2, hour.0);
         let month = year.and_then(|(year, _)| of(3, year));
         let day = month.and_then(|(month, _)| of(4, month));
-        let ms = of(5, seconds);
+        let [ms, ns] = [5, 6].map(|number| of(number, seconds));
         let date = [year, month, day];
         let date = date.iter().all(Option::is_some).then_some(date);
-        let own: Vec<(usize, &str)> = [Some(hour), Some(minute), ms]
+        let own: Vec<(usize, &str)> = [Some(hour), Some(minute), ms, ns]
             .into_iter()
             .chain(date.into_iter().flatten())
             .flatten()

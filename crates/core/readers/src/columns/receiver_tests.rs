@@ -288,3 +288,37 @@ fn an_uncertainty_of_velocity_is_no_velocity_upwards() {
     let down = values(&flight, ChannelName::GpsVelocityDown);
     assert!((down[30] + fixes()[30].velocity[2]).abs() < 0.001);
 }
+
+#[test]
+fn nanoseconds_belong_to_the_seconds_beside_them_and_ticks_are_no_milliseconds() {
+    let of_xsens = |clock: &str| {
+        let head =
+            format!("PacketCounter\tSampleTimeFine\t{clock}\tLatitude\tLongitude\tAltitude\n");
+        table(&head, |fix| {
+            let clock = match clock {
+                "" => String::new(),
+                _ => format!(
+                    "2024\t5\t13\t10\t0\t{}\t{:.0}",
+                    fix.time.floor(),
+                    1e9 * (fix.time - fix.time.floor())
+                ),
+            };
+            format!(
+                "{:.0}\t{:.0}\t{clock}\t{:.9}\t{:.9}\t{:.6}",
+                5.0 * fix.time,
+                1e6 + 1e4 * fix.time,
+                fix.latitude,
+                fix.longitude,
+                fix.height
+            )
+        })
+    };
+    let clock = "UTC_Year\tUTC_Month\tUTC_Day\tUTC_Hour\tUTC_Minute\tUTC_Second\tUTC_Nano";
+    let (_, flight) = flight(&of_xsens(clock));
+    assert_flown(&flight, 0.001);
+    let times = &flight.channels[0].times;
+    assert!((times[299] - times[0] - 59.8).abs() < 1e-6);
+    // Without it nothing that is read tells the time.
+    let map = guess_table("a.csv", of_xsens("").as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "SampleTimeFine").0, Nothing);
+}
