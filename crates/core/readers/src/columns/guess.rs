@@ -16,6 +16,7 @@ use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
 use pilotage_base::sorting::sort;
+use pilotage_flight::ChannelName;
 
 /// Below this a name says nothing.
 const LEAST: f64 = 0.3;
@@ -286,6 +287,8 @@ fn guess_columns(
     }
     parts::date(samples, &mut columns);
     settle(&mut columns);
+    let told = told.into_iter().chain(from_magnetic_north(&columns));
+    let told = told.collect();
     // What is put together of several columns has the unit of its parts.
     let has = |columns: &[MappedColumn], role| columns.iter().any(|column| column.role == role);
     for (whole, rest) in [
@@ -319,6 +322,20 @@ fn by_name(file: &str, parts: &NameParts) -> Vec<NameGuess> {
         guess.confidence *= 0.85;
     }
     guesses
+}
+
+/// Words about a heading whose name says that it counts from magnetic north.
+fn from_magnetic_north(columns: &[MappedColumn]) -> Option<String> {
+    let heading = ColumnRole::Channel(ChannelName::Heading);
+    let heading = columns.iter().find(|column| column.role == heading)?;
+    let words = parts_of_name(&heading.name, "").words;
+    let is_magnetic = words.iter().any(|w| w == "mag" || w == "magnetic");
+    is_magnetic.then(|| {
+        format!(
+            "{} counts from magnetic north by its name, and is taken for the true heading: it is wrong by the declination there",
+            heading.name
+        )
+    })
 }
 
 /// Whether some angle of the table is surely in degrees, or in radians.

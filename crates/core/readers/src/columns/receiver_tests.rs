@@ -322,3 +322,31 @@ fn nanoseconds_belong_to_the_seconds_beside_them_and_ticks_are_no_milliseconds()
     let map = guess_table("a.csv", of_xsens("").as_bytes()).unwrap();
     assert_eq!(guessed(&map, "SampleTimeFine").0, Nothing);
 }
+
+#[test]
+fn a_heading_from_magnetic_north_is_told() {
+    let of = |name: &str| {
+        let head = format!("time,latitude,longitude,altitude,{name}\n");
+        let table = table(&head, |fix| {
+            let [north, east, _] = fix.velocity;
+            let heading = east.atan2(north).to_degrees() - 3.0;
+            format!(
+                "{:.1},{:.7},{:.7},{:.2},{:.1}",
+                fix.time,
+                fix.latitude,
+                fix.longitude,
+                fix.height,
+                heading.rem_euclid(360.0)
+            )
+        });
+        let map = guess_table("a.csv", table.as_bytes()).unwrap();
+        assert_eq!(
+            guessed(&map, name),
+            is(Channel(ChannelName::Heading), "deg")
+        );
+        let mut told = map.findings.iter();
+        told.any(|words| words.contains("magnetic north"))
+    };
+    assert!(of("Magnetic Heading (deg)"));
+    assert!(!of("Heading (deg)"));
+}
