@@ -350,3 +350,26 @@ fn a_heading_from_magnetic_north_is_told() {
     assert!(of("Magnetic Heading (deg)"));
     assert!(!of("Heading (deg)"));
 }
+
+#[test]
+fn a_column_without_any_number_is_no_channel() {
+    let of = |heading: &str| {
+        let table = table(
+            "timestamp,latitude_deg,longitude_deg,altitude_msl_m,heading\n",
+            |fix| {
+                format!(
+                    "{:.0},{:.9},{:.9},{:.3},{heading}",
+                    5e7 + 1e6 * fix.time,
+                    fix.latitude,
+                    fix.longitude,
+                    fix.height
+                )
+            },
+        );
+        let (map, flight) = flight(&table);
+        assert_flown(&flight, 0.001);
+        guessed(&map, "heading").0
+    };
+    assert_eq!(of("nan"), Nothing);
+    assert_eq!(of("0.5"), Channel(ChannelName::Heading));
+}
