@@ -26,6 +26,13 @@ pub(super) fn covariance(
         }
     };
     let roomy = is_roomy(ui.available_width(), names.len(), tokens);
+    let cell = cell_width(ui.available_width(), names.len(), tokens) - pad(roomy, tokens);
+    // Where there is no room for two decimals, the sign would be cut off.
+    let longest = correlation_text(-0.88, 2);
+    let needed = ui
+        .painter()
+        .layout_no_wrap(longest, parts::small(tokens), tokens.text);
+    let decimals = if needed.size().x <= cell { 2 } else { 1 };
     let response = cells(
         ui,
         tokens,
@@ -37,11 +44,7 @@ pub(super) fn covariance(
             } else if r == c {
                 "1".to_owned()
             } else {
-                // Correlation without the leading zero.
-                format!("{:.2}", correlation(r, c))
-                    .replacen("0.", ".", 1)
-                    .replace("-.00", ".00")
-                    .replace('-', "−")
+                correlation_text(correlation(r, c), decimals)
             }
         },
         |r, c| {
@@ -74,9 +77,30 @@ pub(super) fn covariance(
     roomy
 }
 
+/// A correlation without its leading zero. One of less than 1 is not rounded to it.
+fn correlation_text(value: f64, decimals: usize) -> String {
+    let most = if decimals == 1 { 0.9 } else { 0.99 };
+    format!("{:.decimals$}", value.clamp(-most, most))
+        .replacen("0.", ".", 1)
+        .replace("-.00", ".00")
+        .replace("-.0", if decimals == 1 { ".0" } else { "-.0" })
+        .replace('-', "−")
+}
+
+/// Width of a column, points.
+fn cell_width(width: f32, columns: usize, tokens: &Tokens) -> f32 {
+    (width - name_width(tokens)) / columns.max(1) as f32
+}
+
+/// Distance of a number from the right edge of its cell, points.
+fn pad(roomy: bool, tokens: &Tokens) -> f32 {
+    let part = if roomy { 0.5 } else { 0.25 };
+    part * tokens.space
+}
+
 /// Whether columns are wide enough for numbers of three figures.
 fn is_roomy(width: f32, columns: usize, tokens: &Tokens) -> bool {
-    (width - name_width(tokens)) / columns.max(1) as f32 >= 4.2 * tokens.text_sizes[0]
+    cell_width(width, columns, tokens) >= 4.2 * tokens.text_sizes[0]
 }
 
 /// Draws a Kalman gain: what one pixel of innovation moves each component by.
@@ -148,7 +172,7 @@ fn cells(
     let left = area.left() + name_width(tokens);
     let width = (area.right() - left) / columns.len().max(1) as f32;
     let roomy = is_roomy(area.width(), columns.len(), tokens);
-    let pad = if roomy { 0.5 } else { 0.25 } * tokens.space;
+    let pad = pad(roomy, tokens);
     let painter = ui.painter_at(area);
     let font = parts::small(tokens);
     for (c, name) in columns.iter().enumerate() {
@@ -209,6 +233,14 @@ fn initials(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn correlations_have_as_many_decimals_as_there_is_room_for_and_keep_their_sign() {
+        let two = [-0.854, -0.001, 0.294, 0.9999].map(|value| correlation_text(value, 2));
+        assert_eq!(two, ["−.85", ".00", ".29", ".99"]);
+        let one = [-0.854, -0.001, -0.06, 0.294, -0.98].map(|value| correlation_text(value, 1));
+        assert_eq!(one, ["−.9", ".0", "−.1", ".3", "−.9"]);
+    }
 
     #[test]
     fn column_heads_keep_the_direction() {
