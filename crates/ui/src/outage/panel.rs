@@ -175,7 +175,10 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     ui.add_space(tokens.space);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
-        ui.label(RichText::new("All along the flight:").color(tokens.muted));
+        ui.label(
+            RichText::new("One cut after the other along the whole flight, each of:")
+                .color(tokens.muted),
+        );
         for length in LENGTHS {
             let name = format!("Cuts of {length:.0} s all along");
             let on = outages.study.as_ref().is_some_and(|s| s.length == length);
