@@ -77,6 +77,7 @@ impl Georeferencer {
         ui.horizontal(|ui| {
             let width = (ui.available_width() - ADD_BUTTON).max(80.0);
             let field = TextEdit::singleline(&mut self.typed)
+                .align(egui::Align2::LEFT_CENTER)
                 .desired_width(width)
                 .hint_text("46.8571, -92.0765");
             let field = ui.add(field).accessible_name("Coordinates of the place");

@@ -42,7 +42,10 @@ impl GoTo {
             // What is drawn only to be measured cannot keep it.
             self.wants_keyboard = ui.is_sizing_pass();
         }
-        let field = TextEdit::singleline(&mut self.typed).id(id).hint_text(hint);
+        let field = TextEdit::singleline(&mut self.typed)
+            .align(egui::Align2::LEFT_CENTER)
+            .id(id)
+            .hint_text(hint);
         let field = ui.add(field.desired_width(f32::INFINITY));
         let field = field.accessible_name("Place");
         // Arrows choose among the towns; Tab leads on.

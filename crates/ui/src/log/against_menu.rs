@@ -50,6 +50,7 @@ impl AgainstMenu {
                     ui.close();
                 }
                 let edit = TextEdit::singleline(&mut self.search)
+                    .align(egui::Align2::LEFT_CENTER)
                     .hint_text("Against a field …")
                     .desired_width(f32::INFINITY);
                 ui.add(edit)

@@ -51,6 +51,7 @@ impl ExpressionField {
         let has_focus = ui.memory(|memory| memory.has_focus(id));
         let keys = self.keys(ui, has_focus);
         let output = TextEdit::singleline(&mut self.text)
+            .align(egui::Align2::LEFT_CENTER)
             .id(id)
             .hint_text("Expression: ATT.Roll - smooth({Roll}, 2)")
             .desired_width(f32::INFINITY)

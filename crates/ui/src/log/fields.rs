@@ -43,6 +43,7 @@ impl FieldList {
         }
         let hint = format!("Search {} fields", count(outline));
         let edit = egui::TextEdit::singleline(&mut self.search)
+            .align(egui::Align2::LEFT_CENTER)
             .hint_text(hint)
             .desired_width(f32::INFINITY);
         ui.add(edit).accessible_name("Search fields of the log");

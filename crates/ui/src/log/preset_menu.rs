@@ -55,7 +55,9 @@ impl PresetMenu {
     /// A saved arrangement: shown by a click, with chips to rename and delete it.
     fn own(&mut self, ui: &mut Ui, tokens: &Tokens, name: &str, asked: &mut Vec<LogCommand>) {
         if let Some((from, to)) = self.renaming.as_mut().filter(|(from, _)| from == name) {
-            let edit = TextEdit::singleline(to).desired_width(f32::INFINITY);
+            let edit = TextEdit::singleline(to)
+                .align(egui::Align2::LEFT_CENTER)
+                .desired_width(f32::INFINITY);
             let field = ui.add(edit).accessible_name("New name of the preset");
             if !field.has_focus() && !field.lost_focus() {
                 field.request_focus();
@@ -92,6 +94,7 @@ impl PresetMenu {
     fn save(&mut self, ui: &mut Ui, tokens: &Tokens, asked: &mut Vec<LogCommand>) {
         ui.horizontal(|ui| {
             let edit = TextEdit::singleline(&mut self.name)
+                .align(egui::Align2::LEFT_CENTER)
                 .hint_text("Save these plots as …")
                 .desired_width(22.0 * tokens.space);
             let field = ui.add(edit).accessible_name("Name of a new preset");

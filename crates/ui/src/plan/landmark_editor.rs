@@ -158,6 +158,7 @@ impl LandmarkEditor {
         let draft = draft(&mut self.category, ids, now);
         let width = ui.available_width() - 44.0;
         let field = TextEdit::singleline(draft)
+            .align(egui::Align2::LEFT_CENTER)
             .hint_text("Category")
             .desired_width(width);
         let field = ui.add(field).accessible_name("Category");

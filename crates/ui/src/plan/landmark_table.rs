@@ -137,6 +137,7 @@ impl LandmarkTable {
         ui.horizontal(|ui| {
             let width = ui.available_width() - 92.0;
             let field = TextEdit::singleline(&mut self.filter)
+                .align(egui::Align2::LEFT_CENTER)
                 .hint_text("Filter by name, category or notes")
                 .desired_width(width);
             ui.add(field).accessible_name("Filter the landmarks");

@@ -14,7 +14,11 @@ pub fn name_field(
         Some((of, text)) if *of == index => text,
         _ => &mut name.to_owned(),
     };
-    let field = ui.add(TextEdit::singleline(text).desired_width(width));
+    let field = ui.add(
+        TextEdit::singleline(text)
+            .align(egui::Align2::LEFT_CENTER)
+            .desired_width(width),
+    );
     let field = field.accessible_name(format!("Name of {name}"));
     if field.lost_focus() {
         let typed = text.trim().to_owned();

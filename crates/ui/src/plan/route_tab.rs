@@ -164,7 +164,11 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
             ui.available_width() - 2.0 * tokens.space
         };
         let field = ui
-            .add(TextEdit::singleline(draft).desired_width(width))
+            .add(
+                TextEdit::singleline(draft)
+                    .align(egui::Align2::LEFT_CENTER)
+                    .desired_width(width),
+            )
             .accessible_name("Name of the route");
         if field.lost_focus() {
             let name = draft.trim().to_owned();

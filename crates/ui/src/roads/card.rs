@@ -72,7 +72,9 @@ impl Roads {
         let tokens = context.tokens;
         let mut said = Vec::new();
         let mut name = road.name.clone();
-        let field = TextEdit::singleline(&mut name).hint_text("Name");
+        let field = TextEdit::singleline(&mut name)
+            .align(egui::Align2::LEFT_CENTER)
+            .hint_text("Name");
         let field = ui.add(field.desired_width(CARD.width - 8.0));
         let field = field.accessible_name("Name of the road");
         if field.changed() {

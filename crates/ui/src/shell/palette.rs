@@ -91,6 +91,7 @@ impl Palette {
                     });
                     let field = ui.add(
                         TextEdit::singleline(&mut self.query)
+                            .align(egui::Align2::LEFT_CENTER)
                             .id(id)
                             .hint_text("Find a command")
                             .margin(vec2(8.0, 8.0))

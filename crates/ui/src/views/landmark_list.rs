@@ -112,7 +112,11 @@ impl LandmarkList {
             };
             let width = ui.available_width() - 44.0;
             let field = ui
-                .add(TextEdit::singleline(draft).desired_width(width))
+                .add(
+                    TextEdit::singleline(draft)
+                        .align(egui::Align2::LEFT_CENTER)
+                        .desired_width(width),
+                )
                 .accessible_name("Name of the selected landmark");
             if field.lost_focus() {
                 let name = draft.trim().to_owned();

@@ -304,6 +304,7 @@ impl WebMapDialog {
 
 fn text(ui: &mut Ui, value: &mut String, label: &str, hint: &str) {
     let field = TextEdit::singleline(value)
+        .align(egui::Align2::LEFT_CENTER)
         .desired_width(f32::INFINITY)
         .hint_text(hint);
     ui.add(field).accessible_name(label);
