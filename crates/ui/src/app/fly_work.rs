@@ -42,6 +42,16 @@ pub enum ShownFlight {
 }
 
 impl FlyJob {
+    /// Whether what it flew is the run that is shown, and no repetition of it.
+    pub fn has_new_run(&self) -> bool {
+        !self.again && self.shown == ShownFlight::Run
+    }
+
+    /// Whether it is seen by a camera: of a flight of a study, the plan says how often landmarks are recognised.
+    pub fn has_pictures(&self) -> bool {
+        !matches!(self.flight, FlightSource::Studied(_))
+    }
+
     /// Whether its run has begun.
     pub fn began(&self) -> bool {
         self.shown != ShownFlight::Nothing

@@ -184,7 +184,7 @@ impl App {
             }
             JobEvent::Finished => {
                 let again = fly.again;
-                let is_new_run = !again && fly.shown == ShownFlight::Run;
+                let is_new_run = fly.has_new_run() && fly.has_pictures();
                 self.documents.run.is_complete = true;
                 self.fly_work.job = None;
                 // Where a recorded flight went may be known only now.
