@@ -6,7 +6,6 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::bare_angles::with_degrees;
 use crate::cells::{Separator, TableShape};
 
 /// Bytes of the beginning that tell the shape of a table, and of each of the places that tell where letters stand.
@@ -211,7 +210,6 @@ pub(super) fn some_lines(rows: &str) -> Vec<&str> {
 /// The text of a table with the signs that its letters of hemispheres tell, where these change, and sentences that tell it.
 /// A row whose letter or angle fits none has no place.
 pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
-    let text = with_degrees(text);
     let Ok(whole) = std::str::from_utf8(&text) else {
         return (text, Vec::new());
     };

@@ -76,7 +76,7 @@ fn with_names_of_three(text: &str) -> String {
     joined(text.lines().map(line))
 }
 
-/// What parts the cells of RTKLIB's tables.
+/// Separator of the cells of RTKLIB's tables.
 fn separator_of(line: &str) -> &'static str {
     let found = [",", ";", "\t"].into_iter();
     found.into_iter().find(|c| line.contains(*c)).unwrap_or(" ")

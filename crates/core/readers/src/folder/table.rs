@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::bare_angles::with_degrees;
 use super::clock::count_midnights;
 use super::error::FolderError;
 use super::hemispheres::with_signs;
@@ -92,7 +93,7 @@ impl CsvTable {
         is_read: &[bool],
     ) -> Result<Self, FolderError> {
         let length = bytes.len() as u64;
-        let (bytes, told) = with_signs(rows_of_one_line(bytes));
+        let (bytes, told) = with_signs(with_degrees(rows_of_one_line(bytes)));
         let skipped = shape.skipped_lines + shape.head_lines();
         let mut rest = bytes.as_ref();
         for _ in 0..skipped {
@@ -488,7 +489,7 @@ pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
 
 /// The text of a table, in which every row is one line, and angles have the signs of hemispheres that change.
 pub(crate) fn decoded_table(bytes: &[u8]) -> Cow<'_, [u8]> {
-    with_signs(rows_of_one_line(bytes)).0
+    with_signs(with_degrees(rows_of_one_line(bytes))).0
 }
 
 /// The text of a table, in which every row is one line: blanks stand for the ends of lines within quotation marks.
