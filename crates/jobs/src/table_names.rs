@@ -4,7 +4,7 @@ use pilotage_core::flight::columns::{GuessedTable, guess_tables};
 use pilotage_core::flight::files::{FileSet, names_ending_in};
 
 /// Endings of the names of tables.
-pub const TABLES: [&str; 4] = ["csv", "tsv", "txt", "pos"];
+pub const TABLES: [&str; 5] = ["csv", "tsv", "txt", "pos", "llh"];
 
 /// Names of the files that may be tables, in order.
 pub fn table_names(pool: &dyn FileSet) -> Vec<String> {
