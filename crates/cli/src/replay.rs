@@ -43,6 +43,9 @@ pub struct Arguments {
     /// Mission file (GeoJSON); a flight without one is navigated by whole frames alone.
     #[arg(long)]
     mission: Option<PathBuf>,
+    /// Fly without the mission that lies in the flight's folder: by whole frames where there is a map.
+    #[arg(long, conflicts_with = "mission")]
+    no_mission: bool,
     /// Flight folder, or its flight.json.
     #[arg(long, requires = "map")]
     flight: Option<PathBuf>,
@@ -103,7 +106,10 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let Some(path) = arguments.path.as_ref().or(arguments.flight.as_ref()) else {
         return Err("say what was flown, or --scenario NAME".into());
     };
-    let (open, notes) = flight_at(path, arguments.columns.as_deref(), arguments.vehicle)?;
+    let (mut open, notes) = flight_at(path, arguments.columns.as_deref(), arguments.vehicle)?;
+    if arguments.no_mission {
+        open.mission = None;
+    }
     tell(&notes);
     let map = map_of(path, arguments.map.as_deref(), open.flight.frame_on_globe)?;
     let map = map.map(|map| {

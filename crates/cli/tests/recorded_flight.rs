@@ -169,9 +169,10 @@ fn what_was_refused_is_told_line_by_line_and_counted() {
             .arg("--flight")
             .arg(&flight);
         command.arg("--map").arg(&map);
-        if let Some(mission) = mission {
-            command.arg("--mission").arg(mission);
-        }
+        match mission {
+            Some(mission) => command.arg("--mission").arg(mission),
+            None => command.arg("--no-mission"),
+        };
         let done = command.output().expect("the program starts");
         assert!(
             done.status.success(),

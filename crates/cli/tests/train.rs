@@ -73,11 +73,8 @@ fn a_landmark_is_trained_and_evaluated_on_days_that_it_has_not_seen() {
         said.contains("hit rate") && said.contains("held-out photos"),
         "{said}"
     );
-    assert!(
-        folder
-            .text(&format!("cascades/{name}.xml"))
-            .contains("<featureType>HOG")
-    );
+    let file = format!("cascades/{}.xml", name.replace(' ', "-"));
+    assert!(folder.text(&file).contains("<featureType>HOG"));
 
     let to = ["--csv", "e.csv", "--svg", "plots", "--json", "e.json"];
     let few = [

@@ -16,24 +16,29 @@ use crate::error::refusal;
 use crate::log::named;
 use crate::run::PythonRun;
 
-/// Navigates a flight by its pictures over a map, with the landmarks of a mission file if one is given.
+/// Navigates a flight by its pictures over a map, with the landmarks of a mission file, or those of the mission in the
+/// flight's folder unless `no_mission` says otherwise.
 ///
 /// `path` is a flight folder, a log, tables or photos, `map` a picture with its georeference beside it, where none lies in
 /// the folder; without one the instruments alone carry the estimate. `filter` are changes
 /// to the settings as `pilotage replay --filter` takes them ("alpha=0.5,vehicle=airplane-wind").
 #[pyfunction]
-#[pyo3(signature = (path, map = None, *, mission = None, columns = None, vehicle = None, filter = ""))]
+#[pyo3(signature = (path, map = None, *, mission = None, no_mission = false, columns = None, vehicle = None, filter = ""))]
 pub fn replay(
     py: Python<'_>,
     path: PathBuf,
     map: Option<PathBuf>,
     mission: Option<PathBuf>,
+    no_mission: bool,
     columns: Option<PathBuf>,
     vehicle: Option<u32>,
     filter: &str,
 ) -> PyResult<PythonRun> {
     let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
-        let (open, mut notes) = flight_at(&path, columns.as_deref(), vehicle)?;
+        let (mut open, mut notes) = flight_at(&path, columns.as_deref(), vehicle)?;
+        if no_mission {
+            open.mission = None;
+        }
         let map = map_of(&path, map.as_deref(), open.flight.frame_on_globe)?;
         let map = map.map(|map| {
             notes.extend(map.notes);

@@ -123,4 +123,7 @@ fn a_flight_is_replayed_over_the_map_in_its_folder_and_by_the_mission_there() {
     let (run, said) = replay("mission.run");
     assert_eq!(looked(&run), 0, "{said}");
     assert!(!said.contains("as a whole"), "{said}");
+    let without = folder.call(&["replay", "flown", "--no-mission", "--out", "x.run"]);
+    let said = String::from_utf8_lossy(&without.stderr).into_owned();
+    assert!(said.contains("laid on the map as a whole"), "{said}");
 }

@@ -141,6 +141,7 @@ def replay(
     map: Path | None = None,
     *,
     mission: Path | None = None,
+    no_mission: bool = False,
     columns: Path | None = None,
     vehicle: int | None = None,
     filter: str = "",
