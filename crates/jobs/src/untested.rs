@@ -102,16 +102,10 @@ impl UntestedOrder {
         places: impl IntoIterator<Item = GroundPoint>,
     ) -> Self {
         let near = GroundRect::around(places).map(|area| area.grown(REACH));
-        let near = near.filter(|area| area.overlaps(map)).unwrap_or(*map);
-        let within = GroundRect {
-            south: near.south.max(map.south),
-            north: near.north.min(map.north),
-            west: near.west.max(map.west),
-            east: near.east.min(map.east),
-        };
+        let within = near.and_then(|area| area.intersection(map));
         Self {
             like: Box::new(like),
-            within,
+            within: within.unwrap_or(*map),
         }
     }
 

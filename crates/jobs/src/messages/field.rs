@@ -46,15 +46,7 @@ impl FieldOrder {
         if let FieldFrom::Map { .. } = self.from {
             let far = 0.5 * from.distance(to) + self.view.height;
             let near = GroundRect::around([*from, *to])?.grown(far);
-            if !near.overlaps(&self.region) {
-                return None;
-            }
-            self.region = GroundRect {
-                south: near.south.max(self.region.south),
-                north: near.north.min(self.region.north),
-                west: near.west.max(self.region.west),
-                east: near.east.min(self.region.east),
-            };
+            self.region = near.intersection(&self.region)?;
         }
         Some(self)
     }

@@ -203,7 +203,7 @@ impl TileCache {
         let finest = map.native_gsd.max(0.01).log2().floor() as i32;
         let level = (pixel.log2() + 0.25).floor().max(f64::from(finest)) as i32;
         let visible = view.visible(screen);
-        let Some(ground) = intersection(&visible, &map.bounds) else {
+        let Some(ground) = visible.intersection(&map.bounds) else {
             self.wanted.clear();
             return;
         };
@@ -314,15 +314,6 @@ fn paint_textured(
     mesh.add_triangle(0, 1, 2);
     mesh.add_triangle(0, 2, 3);
     painter.add(Shape::mesh(mesh));
-}
-
-fn intersection(a: &GroundRect, b: &GroundRect) -> Option<GroundRect> {
-    a.overlaps(b).then(|| GroundRect {
-        south: a.south.max(b.south),
-        north: a.north.min(b.north),
-        west: a.west.max(b.west),
-        east: a.east.min(b.east),
-    })
 }
 
 #[cfg(test)]

@@ -173,14 +173,7 @@ fn ground_searched(documents: &Documents, map: &MapView) -> Option<GroundRect> {
     let seen = view.visible(rect);
     let middle = seen.center();
     let largest = GroundRect::centered(middle, LARGEST_SEARCHED, LARGEST_SEARCHED);
-    let part = [seen, bounds]
-        .into_iter()
-        .fold(largest, |part, other| GroundRect {
-            north: part.north.min(other.north),
-            south: part.south.max(other.south),
-            west: part.west.max(other.west),
-            east: part.east.min(other.east),
-        });
+    let part = largest.intersection(&seen)?.intersection(&bounds)?;
     (part.north > part.south && part.east > part.west).then_some(part)
 }
 

@@ -147,6 +147,26 @@ impl GroundRect {
         }
     }
 
+    /// Part that lies in both; `None` where they share no point.
+    ///
+    /// ```
+    /// use pilotage_base::frames::{GroundPoint, GroundRect};
+    ///
+    /// let around = |north| GroundRect::centered(GroundPoint::new(north, 0.0), 20.0, 20.0);
+    /// let both = around(0.0).intersection(&around(15.0)).ok_or("apart")?;
+    /// assert_eq!((both.south, both.north, both.width()), (5.0, 10.0, 20.0));
+    /// assert_eq!(around(0.0).intersection(&around(21.0)), None);
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn intersection(&self, other: &Self) -> Option<Self> {
+        self.overlaps(other).then(|| Self {
+            south: self.south.max(other.south),
+            north: self.north.min(other.north),
+            west: self.west.max(other.west),
+            east: self.east.min(other.east),
+        })
+    }
+
     /// Whether the rectangles share a point.
     pub fn overlaps(&self, other: &Self) -> bool {
         self.south <= other.north

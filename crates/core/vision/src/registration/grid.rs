@@ -178,11 +178,6 @@ pub(super) fn area(
     let side = 2.0 * (reach + half);
     let wanted = GroundRect::centered(center, side, side);
     let map = looks.first()?.map.bounds().grown(half);
-    let cut = GroundRect {
-        north: wanted.north.min(map.north),
-        south: wanted.south.max(map.south),
-        west: wanted.west.max(map.west),
-        east: wanted.east.min(map.east),
-    };
+    let cut = wanted.intersection(&map)?;
     (half > 0.0 && cut.north > cut.south && cut.east > cut.west).then_some(cut)
 }
