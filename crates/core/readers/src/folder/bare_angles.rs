@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::hemispheres::{ANGLES, HEAD, places, some_lines, words};
-use crate::cells::{Separator, TableShape};
+use super::table_text::{ANGLES, TableText, places, some_lines, spliced, words};
+use crate::cells::Separator;
 
 /// Degrees of a cell of two or three numbers: `-0 25 12.5`, `51:28.63`; `None` of a plain number and of anything else.
 fn degrees(cell: &str) -> Option<f64> {
@@ -37,37 +37,27 @@ pub(super) fn with_degrees(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     let Some(changes) = changes else {
         return text;
     };
-    let mut changed = Vec::with_capacity(text.len());
-    let mut done = 0;
-    for (range, degrees) in changes {
-        changed.extend_from_slice(&text[done..range.start]);
-        changed.extend_from_slice(degrees.as_bytes());
-        done = range.end;
-    }
-    changed.extend_from_slice(&text[done..]);
-    Cow::Owned(changed)
+    Cow::Owned(spliced(&text, changes))
 }
 
 /// Cells to change, in their order, and what comes there; `None` where latitude and longitude are none of these.
-fn changes(whole: &str) -> Option<Vec<(Range<usize>, String)>> {
-    let head = String::from_utf8_lossy(&whole.as_bytes()[..whole.len().min(HEAD)]);
-    let shape = TableShape::of(&head).filter(|shape| {
+fn changes(whole: &str) -> Option<Vec<(Range<usize>, Vec<u8>)>> {
+    let table = TableText::of(whole).filter(|table| {
         // Between blanks they are cells of their own.
-        shape.has_header && shape.separator != Separator::Blanks
+        table.separator != Separator::Blanks
     })?;
-    let header = whole.lines().nth(shape.skipped_lines)?;
-    let header = header.trim_start_matches(['#', '%', '!']).trim();
-    let titles = shape.separator.cells(header);
-    let skipped = shape.skipped_lines + shape.head_lines();
-    let lines = whole.split_inclusive('\n');
-    let start: usize = lines.take(skipped).map(str::len).sum();
-    let rows = &whole[start..];
+    let TableText {
+        separator,
+        titles,
+        start,
+        rows,
+    } = table;
     let some = some_lines(rows);
     let column = |names: &[&str]| {
         let is_named = |title: &Cow<str>| words(title).iter().any(|w| names.contains(&w.as_str()));
         let is_it = |at: &usize| {
             let cell = |line: &&str| {
-                let place = places(line, shape.separator).get(*at).cloned()?;
+                let place = places(line, separator).get(*at).cloned()?;
                 Some(line[place].to_owned()).filter(|cell| !cell.is_empty())
             };
             let cells: Vec<String> = some.iter().filter_map(cell).collect();
@@ -81,11 +71,11 @@ fn changes(whole: &str) -> Option<Vec<(Range<usize>, String)>> {
     let mut changes = Vec::new();
     let mut begin = start;
     for line in rows.split_inclusive('\n') {
-        let places = places(line, shape.separator);
+        let places = places(line, separator);
         for place in columns.iter().filter_map(|at| places.get(*at)) {
             if let Some(degrees) = degrees(&line[place.clone()]) {
                 let range = begin + place.start..begin + place.end;
-                changes.push((range, format!("{degrees:.10}")));
+                changes.push((range, format!("{degrees:.10}").into_bytes()));
             }
         }
         begin += line.len();

@@ -6,25 +6,11 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::cells::{Separator, TableShape};
+use super::table_text::{ANGLES, TableText, places, some_lines, spliced, words};
+use crate::cells::Separator;
 
-/// Bytes of the beginning that tell the shape of a table, and of each of the places that tell where letters stand.
-pub(super) const HEAD: usize = 1 << 16;
 /// Letters that leave an angle as it is, and those that turn it.
 const PAIRS: [[u8; 2]; 2] = [*b"NS", *b"EW"];
-/// Words of names of latitudes and of longitudes.
-pub(super) const ANGLES: [&[&str]; 2] = [
-    &["lat", "latitude", "latitud", "breite", "breitengrad"],
-    &[
-        "lon",
-        "lng",
-        "long",
-        "longitude",
-        "longitud",
-        "laenge",
-        "länge",
-    ],
-];
 /// Words of names of columns of letters.
 const LETTERS: [&[&str]; 2] = [
     &["n", "s", "ns", "north", "south"],
@@ -72,52 +58,6 @@ fn number(cell: &str) -> Option<f64> {
 /// Whether a cell is an angle without a sign.
 fn is_angle(cell: &str) -> bool {
     cell.starts_with(|c: char| c.is_ascii_digit()) && number(cell).is_some()
-}
-
-/// Places of the cells of a line, without blanks and quotation marks around them.
-pub(super) fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
-    let begin = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
-    let place = |cell: &str| {
-        let cell = cell.trim();
-        let bare = cell.strip_prefix('"').and_then(|c| c.strip_suffix('"'));
-        let cell = bare.unwrap_or(cell).trim();
-        begin(cell)..begin(cell) + cell.len()
-    };
-    if separator == Separator::Blanks {
-        return line.split_whitespace().map(place).collect();
-    }
-    let mut places = Vec::new();
-    let mut start = 0;
-    let mut is_quoted = false;
-    for (at, byte) in line.bytes().enumerate() {
-        if byte == b'"' && (is_quoted || line[start..at].trim().is_empty()) {
-            is_quoted = !is_quoted;
-        } else if byte == separator.byte() && !is_quoted {
-            places.push(place(&line[start..at]));
-            start = at + 1;
-        }
-    }
-    places.push(place(&line[start..]));
-    places
-}
-
-/// Words of a name in small letters.
-pub(super) fn words(name: &str) -> Vec<String> {
-    let mut words = vec![String::new()];
-    let mut before = ' ';
-    for letter in name.chars() {
-        if !letter.is_alphabetic() || before.is_lowercase() && letter.is_uppercase() {
-            words.push(String::new());
-        }
-        if letter.is_alphabetic()
-            && let Some(word) = words.last_mut()
-        {
-            word.extend(letter.to_lowercase());
-        }
-        before = letter;
-    }
-    words.retain(|word| !word.is_empty());
-    words
 }
 
 /// Whether the name of a column says that letters of hemispheres stand in it: of latitudes, or of longitudes.
@@ -184,43 +124,18 @@ fn found(names: &[Vec<String>], rows: &[Vec<&str>]) -> Vec<Letters> {
     found.into_iter().map(|(letters, ..)| letters).collect()
 }
 
-/// Lines of the beginning, the middle and the end of the rows of a table.
-pub(super) fn some_lines(rows: &str) -> Vec<&str> {
-    let piece = |from: usize| {
-        let mut from = from.min(rows.len());
-        let mut to = (from + HEAD).min(rows.len());
-        while !rows.is_char_boundary(from) {
-            from += 1;
-        }
-        while !rows.is_char_boundary(to) {
-            to -= 1;
-        }
-        let lines = rows[from..to.max(from)].split_inclusive('\n');
-        lines
-            .skip(usize::from(from > 0))
-            .filter(|l| l.ends_with('\n'))
-    };
-    if rows.len() <= 3 * HEAD {
-        return rows.lines().collect();
-    }
-    let starts = [0, rows.len() / 2, rows.len() - HEAD];
-    starts.into_iter().flat_map(piece).collect()
-}
-
 /// The text of a table with the signs that its letters of hemispheres tell, where these change, and sentences that tell it.
 /// A row whose letter or angle fits none has no place.
 pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
-    let Ok(whole) = std::str::from_utf8(&text) else {
+    let Some(table) = std::str::from_utf8(&text).ok().and_then(TableText::of) else {
         return (text, Vec::new());
     };
-    let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]).into_owned();
-    let Some(shape) = TableShape::of(&head).filter(|shape| shape.has_header) else {
-        return (text, Vec::new());
-    };
-    let mut lines = whole.split_inclusive('\n');
-    let header = lines.nth(shape.skipped_lines).unwrap_or_default();
-    let header = header.trim_start_matches(['#', '%', '!']).trim();
-    let titles = shape.separator.cells(header);
+    let TableText {
+        separator,
+        titles,
+        start,
+        rows,
+    } = table;
     let names: Vec<Vec<String>> = titles.iter().map(|name| words(name)).collect();
     let is_place = |words: &Vec<String>| {
         let mut words = words.iter();
@@ -229,19 +144,15 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
     if !names.iter().any(is_place) {
         return (text, Vec::new());
     }
-    let skipped = shape.skipped_lines + shape.head_lines();
-    let lines = whole.split_inclusive('\n');
-    let start: usize = lines.take(skipped).map(str::len).sum();
-    let rows = &whole[start..];
     let cells = |line| -> Vec<&str> {
-        let places = places(line, shape.separator).into_iter();
+        let places = places(line, separator).into_iter();
         places.map(|place| &line[place]).collect()
     };
     let some: Vec<Vec<&str>> = some_lines(rows).into_iter().map(cells).collect();
     let mut changes: Vec<(Range<usize>, Vec<u8>)> = Vec::new();
     let mut notes = Vec::new();
     for letters in found(&names, &some) {
-        let Some((own, lost)) = changes_by(&letters, rows, shape.separator) else {
+        let Some((own, lost)) = changes_by(&letters, rows, separator) else {
             continue;
         };
         let own = own.into_iter();
@@ -260,15 +171,7 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
     if changes.is_empty() {
         return (text, Vec::new());
     }
-    changes.sort_by_key(|(range, _)| range.start);
-    let mut signed = Vec::with_capacity(text.len() + changes.len());
-    let mut done = 0;
-    for (range, bytes) in changes {
-        signed.extend_from_slice(&text[done..range.start]);
-        signed.extend(bytes);
-        done = range.end;
-    }
-    signed.extend_from_slice(&text[done..]);
+    let signed = spliced(&text, changes);
     (Cow::Owned(signed), notes)
 }
 

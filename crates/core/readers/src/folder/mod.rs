@@ -17,6 +17,7 @@ mod read;
 mod receivers;
 mod standing;
 mod table;
+mod table_text;
 #[cfg(test)]
 mod tests;
 mod time_unit;

@@ -1,0 +1,134 @@
+//! The text of a table by its cells: where they stand, and others in their place.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use crate::cells::{Separator, TableShape};
+
+/// Bytes of the beginning that tell the shape of a table, and of each of the places that tell where letters stand.
+const HEAD: usize = 1 << 16;
+/// Words of names of latitudes and of longitudes.
+pub(super) const ANGLES: [&[&str]; 2] = [
+    &["lat", "latitude", "latitud", "breite", "breitengrad"],
+    &[
+        "lon",
+        "lng",
+        "long",
+        "longitude",
+        "longitud",
+        "laenge",
+        "länge",
+    ],
+];
+
+/// The text of a table with a header.
+pub(super) struct TableText<'a> {
+    pub separator: Separator,
+    /// Names of the columns.
+    pub titles: Vec<Cow<'a, str>>,
+    /// Bytes before the rows.
+    pub start: usize,
+    pub rows: &'a str,
+}
+
+impl<'a> TableText<'a> {
+    /// The table of a whole text; `None` without a header.
+    pub(super) fn of(whole: &'a str) -> Option<Self> {
+        let head = String::from_utf8_lossy(&whole.as_bytes()[..whole.len().min(HEAD)]);
+        let shape = TableShape::of(&head).filter(|shape| shape.has_header)?;
+        let header = whole.lines().nth(shape.skipped_lines)?;
+        let header = header.trim_start_matches(['#', '%', '!']).trim();
+        let skipped = shape.skipped_lines + shape.head_lines();
+        let lines = whole.split_inclusive('\n');
+        let start = lines.take(skipped).map(str::len).sum();
+        Some(Self {
+            separator: shape.separator,
+            titles: shape.separator.cells(header),
+            start,
+            rows: &whole[start..],
+        })
+    }
+}
+
+/// Places of the cells of a line, without blanks and quotation marks around them.
+pub(super) fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
+    let begin = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
+    let place = |cell: &str| {
+        let cell = cell.trim();
+        let bare = cell.strip_prefix('"').and_then(|c| c.strip_suffix('"'));
+        let cell = bare.unwrap_or(cell).trim();
+        begin(cell)..begin(cell) + cell.len()
+    };
+    if separator == Separator::Blanks {
+        return line.split_whitespace().map(place).collect();
+    }
+    let mut places = Vec::new();
+    let mut start = 0;
+    let mut is_quoted = false;
+    for (at, byte) in line.bytes().enumerate() {
+        if byte == b'"' && (is_quoted || line[start..at].trim().is_empty()) {
+            is_quoted = !is_quoted;
+        } else if byte == separator.byte() && !is_quoted {
+            places.push(place(&line[start..at]));
+            start = at + 1;
+        }
+    }
+    places.push(place(&line[start..]));
+    places
+}
+
+/// Words of a name in small letters.
+pub(super) fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut before = ' ';
+    for letter in name.chars() {
+        if !letter.is_alphabetic() || before.is_lowercase() && letter.is_uppercase() {
+            words.push(String::new());
+        }
+        if letter.is_alphabetic()
+            && let Some(word) = words.last_mut()
+        {
+            word.extend(letter.to_lowercase());
+        }
+        before = letter;
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// Lines of the beginning, the middle and the end of the rows of a table.
+pub(super) fn some_lines(rows: &str) -> Vec<&str> {
+    let piece = |from: usize| {
+        let mut from = from.min(rows.len());
+        let mut to = (from + HEAD).min(rows.len());
+        while !rows.is_char_boundary(from) {
+            from += 1;
+        }
+        while !rows.is_char_boundary(to) {
+            to -= 1;
+        }
+        let lines = rows[from..to.max(from)].split_inclusive('\n');
+        lines
+            .skip(usize::from(from > 0))
+            .filter(|l| l.ends_with('\n'))
+    };
+    if rows.len() <= 3 * HEAD {
+        return rows.lines().collect();
+    }
+    let starts = [0, rows.len() / 2, rows.len() - HEAD];
+    starts.into_iter().flat_map(piece).collect()
+}
+
+/// A text with others in the place of some of its ranges, none of which share a byte.
+pub(super) fn spliced(text: &[u8], mut changes: Vec<(Range<usize>, Vec<u8>)>) -> Vec<u8> {
+    changes.sort_by_key(|(range, _)| range.start);
+    let mut changed = Vec::with_capacity(text.len() + changes.len());
+    let mut done = 0;
+    for (range, bytes) in changes {
+        changed.extend_from_slice(&text[done..range.start]);
+        changed.extend(bytes);
+        done = range.end;
+    }
+    changed.extend_from_slice(&text[done..]);
+    changed
+}
