@@ -121,16 +121,11 @@ fn by_map(own: &OwnMap, opened: MapOnDisk) -> Result<OwnPlan, Box<dyn std::error
     let planned = RehearsedFlight {
         name: map.name().to_owned(),
         origin: frame.origin,
-        path: PlannedPath {
+        path: PlannedPath::level(
             way_points,
-            height: own.height.unwrap_or(FlightSource::USUAL_HEIGHT),
-            targets: Vec::new(),
-            airspeed: None,
-            bank: None,
-            wind: Wind::default(),
-            camera: Scenario::camera(),
-            ground_down: 0.0,
-        },
+            own.height.unwrap_or(FlightSource::USUAL_HEIGHT),
+            Scenario::camera(),
+        ),
         wind_deviation: 0.0,
         map: Lent::map_of_file(),
         seed: 1,

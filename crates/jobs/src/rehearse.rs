@@ -204,7 +204,7 @@ impl Order for RehearseOrder {
 mod tests {
     use pilotage_core::frames::GroundPoint;
     use pilotage_core::plan::{DetectionStatistics, Verification};
-    use pilotage_core::simulate::{Scenario, Wind};
+    use pilotage_core::simulate::Scenario;
 
     use super::*;
     use crate::running::{figures, finished};
@@ -214,16 +214,11 @@ mod tests {
         let scenario = Scenario::named("distinct-400ft-calm").unwrap();
         let mission = scenario.mission();
         let plan = PredictionOrder {
-            path: PlannedPath {
-                way_points: vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 500.0)],
-                height: scenario.height,
-                targets: Vec::new(),
-                airspeed: None,
-                bank: None,
-                wind: Wind::default(),
-                camera: Scenario::camera(),
-                ground_down: 0.0,
-            },
+            path: PlannedPath::level(
+                vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(0.0, 500.0)],
+                scenario.height,
+                Scenario::camera(),
+            ),
             navigator: mission.navigator,
             // Nothing is expected of them, so that nothing is found.
             landmarks: mission

@@ -372,16 +372,7 @@ fn a_coarse_prediction_does_not_wait_behind_a_whole_one() {
     let predict = |worlds| {
         let of = order();
         Job::Predict(Box::new(PredictionOrder {
-            path: PlannedPath {
-                way_points: Vec::new(),
-                height: of.height,
-                targets: Vec::new(),
-                airspeed: None,
-                bank: None,
-                wind: pilotage_core::simulate::Wind::default(),
-                camera: of.camera,
-                ground_down: 0.0,
-            },
+            path: PlannedPath::level(Vec::new(), of.height, of.camera),
             navigator: of.navigator,
             landmarks: Vec::new(),
             worlds,

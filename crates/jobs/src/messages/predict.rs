@@ -70,6 +70,20 @@ impl PredictionOrder {
 }
 
 impl PlannedPath {
+    /// Path over places at one height above level ground, metres, in calm air, as the aircraft usually flies.
+    pub fn level(way_points: Vec<GroundPoint>, height: f64, camera: CameraModel) -> Self {
+        Self {
+            way_points,
+            height,
+            targets: Vec::new(),
+            airspeed: None,
+            bank: None,
+            wind: Wind::default(),
+            camera,
+            ground_down: 0.0,
+        }
+    }
+
     /// Ground that the camera may see, by legs.
     pub fn ground(&self) -> Vec<GroundRect> {
         let heights = self.targets.iter().map(|target| target.height);

@@ -28,14 +28,10 @@ impl Planner {
         let bank = self.preferences.bank;
         let speed = cruise() + wind.speed;
         let path = PlannedPath {
-            way_points: vec![from, to],
-            height: field.view.height,
-            targets: Vec::new(),
-            airspeed: None,
             bank: Some(bank),
             wind,
-            camera: field.view.camera.clone(),
             ground_down: ground_down(documents),
+            ..PlannedPath::level(vec![from, to], field.view.height, field.view.camera.clone())
         };
         Some(FindOrder {
             from,

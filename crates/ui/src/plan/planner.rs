@@ -246,14 +246,11 @@ impl Planner {
         let bank = self.preferences.bank;
         let way = flown_way(route, documents, bank);
         let path = PlannedPath {
-            way_points: way.places,
-            height: height(route, documents),
             targets: way.targets,
-            airspeed: None,
             bank: Some(bank),
             wind: self.wind(documents),
-            camera,
             ground_down: ground_down(documents),
+            ..PlannedPath::level(way.places, height(route, documents), camera)
         };
         Some(PredictionOrder {
             landmarks: self.expected_landmarks(mission),
