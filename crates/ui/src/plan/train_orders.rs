@@ -47,8 +47,7 @@ impl Planner {
         let height = flown_height(documents);
         let landmarks = ids.iter().filter_map(|id| mission.landmark(*id));
         let order = |landmark: &Landmark| {
-            let mut landmark = landmark.clone();
-            landmark.keep_trained_text(None);
+            let landmark = landmark.untrained();
             let look_alikes = self.look_alike(&landmark, documents);
             TrainOrder {
                 map: documents.map.source.clone(),

@@ -93,6 +93,14 @@ impl Landmark {
         self.properties.get(TRAINED).map(String::as_str)
     }
 
+    /// The same without what was trained for it.
+    #[must_use]
+    pub fn untrained(&self) -> Self {
+        let mut landmark = self.clone();
+        landmark.keep_trained_text(None);
+        landmark
+    }
+
     /// Keeps what was trained for it as [`Self::trained_text`] says it, or throws it away.
     pub fn keep_trained_text(&mut self, text: Option<&str>) {
         match text {
