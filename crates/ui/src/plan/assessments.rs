@@ -59,6 +59,17 @@ struct FailedMeasurement {
     is_misfit: bool,
 }
 
+impl FailedMeasurement {
+    /// Failure of a measurement, which is `misfit` should the landmark not fit into a picture.
+    fn new(landmark: &Landmark, why: &str, misfit: &str) -> Self {
+        Self {
+            landmark: landmark.clone(),
+            why: why.to_owned(),
+            is_misfit: why == misfit,
+        }
+    }
+}
+
 /// Whether both are the same patch, looked at in the same way by the same detector.
 pub fn same(a: &Landmark, b: &Landmark) -> bool {
     (a.bounds, a.reference, a.height) == (b.bounds, b.reference, b.height)
@@ -312,11 +323,7 @@ impl Assessments {
             JobEvent::Assessment(found) => self.keep(found),
             JobEvent::Failed(why) => {
                 if let Some(of) = landmarks.iter().find(|l| l.id == landmark) {
-                    let failed = FailedMeasurement {
-                        landmark: of.clone(),
-                        why: why.clone(),
-                        is_misfit: *why == self.misfit,
-                    };
+                    let failed = FailedMeasurement::new(of, why, &self.misfit);
                     self.failed.insert(landmark, failed);
                 }
                 self.asked = None;
@@ -336,12 +343,8 @@ impl Assessments {
                 self.envelopes.insert(landmark.id, known);
             }
             JobEvent::Failed(why) => {
-                let failed = FailedMeasurement {
-                    is_misfit: *why == order.misfit(),
-                    why: why.clone(),
-                    landmark,
-                };
-                self.failed.insert(failed.landmark.id, failed);
+                let failed = FailedMeasurement::new(&landmark, why, &order.misfit());
+                self.failed.insert(landmark.id, failed);
                 return;
             }
             JobEvent::Finished | JobEvent::Cancelled => {
