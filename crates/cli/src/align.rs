@@ -10,8 +10,8 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{MAP_CACHE, open_map};
-use crate::notes::tell;
-use crate::replaying::{flight_at, fly};
+use crate::notes::{tell, told};
+use crate::replaying::{FlightOnDisk, flight_at, fly};
 use crate::workers::{Lent, do_here};
 
 /// Arguments of `pilotage align`: a flight and the map beside it.
@@ -48,14 +48,13 @@ struct CalibrationRound {
 
 /// Puts the camera of a flight beside its log.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let (open, notes) = flight_at(&arguments.flight, None, None)?;
+    let FlightOnDisk { open, notes, .. } = flight_at(&arguments.flight, None, None)?;
     tell(&notes);
     let source = Lent::map_of_file();
     let mut mission = BareMission::of(&open.flight, &source).mission;
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let map = open_map(&arguments.map, open.flight.frame_on_globe, MAP_CACHE)?;
-    tell(&map.notes);
-    let lent = Lent::default().with_map(source.clone(), map.map);
+    let (_, lent) = Lent::over(Some(told(map)));
     let lent = lent.with_flight(&open);
     let mut flight = open.flight;
     let believed = CameraPrior {

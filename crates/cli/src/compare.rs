@@ -11,8 +11,8 @@ use pilotage_jobs::{BareMission, ContestOrder, FlightSource, JobEvent, MapSource
 
 use crate::CommandResult;
 use crate::mission_file::OpenMission;
-use crate::notes::tell;
-use crate::replaying::{flight_at, map_of};
+use crate::notes::{tell, told};
+use crate::replaying::flight_at;
 use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
 use crate::workers::{self, Lent};
 
@@ -170,24 +170,13 @@ fn simulated(
 }
 
 fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
-    let path = Path::new(&arguments.flight);
-    let (open, notes) = flight_at(path, None, None)?;
-    tell(&notes);
-    let map = map_of(path, arguments.map.as_deref(), open.flight.frame_on_globe)?;
-    let lent = Lent::default().with_flight(&open);
-    let (source, lent) = match map {
-        Some(map) => {
-            tell(&map.notes);
-            let source = Lent::map_of_file();
-            (source.clone(), lent.with_map(source, map.map))
-        }
-        None => (MapSource::Nothing, lent),
-    };
-    let stated = match &arguments.mission {
-        Some(path) => Some(OpenMission::read(path)?.package.mission),
-        None => open.mission.clone(),
-    };
-    let mission = stated.unwrap_or_else(|| BareMission::of(&open.flight, &source).mission);
+    let flight = flight_at(Path::new(&arguments.flight), None, None)?;
+    tell(&flight.notes);
+    let map = flight.map(arguments.map.as_deref())?.map(told);
+    let (source, lent) = Lent::over(map);
+    let lent = lent.with_flight(&flight.open);
+    let stated = flight.mission(arguments.mission.as_deref())?;
+    let mission = stated.unwrap_or_else(|| BareMission::of(&flight.open.flight, &source).mission);
     contest(
         arguments,
         mission,

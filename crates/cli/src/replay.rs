@@ -12,9 +12,9 @@ use serde::Serialize;
 use crate::CommandResult;
 use crate::export_track::{FlownWhere, write_estimate};
 use crate::mission_file::OpenMission;
-use crate::notes::tell;
+use crate::notes::{tell, told};
 use crate::replay_frames::{print_frames, print_refusals};
-use crate::replaying::{ReplayedSimulation, flight_at, map_of, over_map, replay_simulation};
+use crate::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
 use crate::scenario::{DayChoice, ground_of, mission_of, options, seed_range, simulation};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 use crate::workers::{self, Lent};
@@ -106,22 +106,19 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let Some(path) = arguments.path.as_ref().or(arguments.flight.as_ref()) else {
         return Err("say what was flown, or --scenario NAME".into());
     };
-    let (mut open, notes) = flight_at(path, arguments.columns.as_deref(), arguments.vehicle)?;
-    if arguments.no_mission {
-        open.mission = None;
-    }
-    tell(&notes);
-    let map = map_of(path, arguments.map.as_deref(), open.flight.frame_on_globe)?;
-    let map = map.map(|map| {
-        tell(&map.notes);
-        map.map
-    });
+    let flight = flight_at(path, arguments.columns.as_deref(), arguments.vehicle)?;
+    tell(&flight.notes);
+    let map = flight.map(arguments.map.as_deref())?.map(told);
     let is_studied = map.is_none() && !arguments.asks_for_a_run();
     if let Some(length) = arguments.outage.or(is_studied.then_some(OUTAGE)) {
-        return crate::outage::study(&open, length);
+        return crate::outage::study(&flight.open, length);
     }
-    let mission = arguments.mission.as_deref();
-    let mut over = over_map(open, map, mission, &arguments.filter)?;
+    let mission = if arguments.no_mission {
+        None
+    } else {
+        flight.mission(arguments.mission.as_deref())?
+    };
+    let mut over = over_map(flight.open, map, mission, &arguments.filter)?;
     if let Some(why) = over.why {
         eprintln!("note: {why}");
     }

@@ -156,7 +156,7 @@ fn train(
     let order = |landmark: &Landmark| {
         let order = TrainOrder {
             map: ground.source.clone(),
-            landmark: untrained(landmark),
+            landmark: landmark.untrained(),
             camera: ground.camera.clone(),
             height: ground.height,
             sensors: ground.mission.navigator.sensors,
@@ -208,13 +208,6 @@ fn train(
     Ok(rows)
 }
 
-/// The landmark without the detector that it had.
-fn untrained(landmark: &Landmark) -> Landmark {
-    let mut landmark = landmark.clone();
-    landmark.keep_trained_text(None);
-    landmark
-}
-
 impl TrainedRow {
     fn of(landmark: &str, outcome: TrainingOutcome) -> Self {
         let [sigma_north_m, sigma_east_m] = outcome.sigmas;
@@ -249,7 +242,7 @@ fn labelled_flight(
     let Some(path) = path.filter(|_| !ground.mission.labels.is_empty()) else {
         return Ok(None);
     };
-    Ok(Some(flight_at(path, None, None)?.0))
+    Ok(Some(flight_at(path, None, None)?.open))
 }
 
 fn print(row: &TrainedRow) {

@@ -79,8 +79,17 @@ impl OpenedPath {
 /// # Errors
 /// Files that are there and cannot be read.
 pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn std::error::Error>> {
-    if let Some(files) = folder_at(path)? {
-        return open_folder(&files, columns);
+    open_among(path, folder_at(path)?.as_ref(), columns)
+}
+
+/// The same of the files that the path holds, if it holds any.
+pub(crate) fn open_among(
+    path: &Path,
+    files: Option<&Arc<dyn FileSet>>,
+    columns: Option<&Path>,
+) -> Result<OpenedPath, Box<dyn std::error::Error>> {
+    if let Some(files) = files {
+        return open_folder(files, columns);
     }
     let file = DiskFile::open(path, &path.to_string_lossy());
     let file = file.map_err(|e| format!("{}: {e}", path.display()))?;
@@ -105,7 +114,9 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<OpenedPath, Box<dyn s
 }
 
 /// The files of a folder, a flight.json, a zip or a MATLAB file; `None` of anything else.
-pub fn folder_at(path: &Path) -> Result<Option<Arc<dyn FileSet>>, Box<dyn std::error::Error>> {
+pub(crate) fn folder_at(
+    path: &Path,
+) -> Result<Option<Arc<dyn FileSet>>, Box<dyn std::error::Error>> {
     let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
     if path.is_dir() || is_flight_file {
         return Ok(Some(Arc::new(DirectoryFiles::open(path)?)));

@@ -103,7 +103,7 @@ impl PlannedFlight {
         let beside = beside.unwrap_or(FlightSource::Nothing);
         let mission = opened.package.mission;
         let flown = match &arguments.flight {
-            Some(path) => Some(flight_at(path, None, None)?.0.flight),
+            Some(path) => Some(flight_at(path, None, None)?.open.flight),
             None => None,
         };
         let ground_down = flown.as_ref().map_or(0.0, |flight| flight.ground_down);
@@ -157,7 +157,7 @@ impl PlannedFlight {
         let usual = Altitude::new(ground.height, AltitudeFrame::AboveGround);
         ground.altitude = flown.map_or(usual, |route| route.way_points[0].altitude);
         if let Some(route) = &route {
-            ground.plan = Some(ground.planned(FlownWay::default(), beside.wind()));
+            ground.plan = Some(ground.planned(beside.wind()));
             ground.fly_along(route);
         }
         Ok(ground)
@@ -169,6 +169,10 @@ impl PlannedFlight {
         let bank = planned_aircraft().bank_limit;
         let way = self.over(route, |ground| FlownWay::along(route, &frame, ground, bank));
         let height = self.mean_above(route).unwrap_or(self.height);
+        self.follow(way, height);
+    }
+
+    fn follow(&mut self, way: FlownWay, height: f64) {
         if let Some(plan) = &mut self.plan {
             plan.path.way_points.clone_from(&way.places);
             plan.path.targets.clone_from(&way.targets);
@@ -210,20 +214,17 @@ impl PlannedFlight {
             places: scenario.route.clone(),
             targets: Vec::new(),
         };
-        ground.plan = Some(ground.planned(way, scenario.wind));
+        ground.plan = Some(ground.planned(scenario.wind));
+        ground.follow(way, height);
         Ok(ground)
     }
 
-    fn planned(&self, way: FlownWay, wind: Wind) -> PredictionOrder {
+    /// Plan in that wind, whose way is yet to be followed.
+    fn planned(&self, wind: Wind) -> PredictionOrder {
         let path = PlannedPath {
-            way_points: way.places,
-            height: self.height,
-            targets: way.targets,
-            airspeed: None,
-            bank: None,
             wind,
-            camera: self.camera.clone(),
             ground_down: self.ground_down,
+            ..PlannedPath::level(Vec::new(), self.height, self.camera.clone())
         };
         PredictionOrder::along(path, &self.mission)
     }

@@ -6,8 +6,8 @@ use pilotage_jobs::{FINE, PredictionOrder};
 use crate::landmarks::{Say, expected};
 use crate::planned_flight::PlannedFlight;
 
-/// Measures the landmarks and predicts, as the page does or on days and in worlds of `seed`, with stretches over `limit` metres; what was predicted of
-/// comes with it.
+/// Measures the landmarks and predicts, as the page does or on days and in worlds of `seed`, with stretches over `limit`
+/// metres; what was predicted of comes with it.
 pub fn predict(
     ground: &PlannedFlight,
     seed: Option<u64>,

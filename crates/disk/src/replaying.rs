@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
-use pilotage_core::frames::LocalFrame;
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::mission::{MapOptions, Mission};
 use pilotage_core::navigator::Run;
@@ -15,14 +15,23 @@ use pilotage_jobs::{
 
 use crate::files::{MAP_CACHE, MapOnDisk, open_map};
 use crate::mission_file::OpenMission;
-use crate::opening::{OpenedPath, folder_at, no_flight, open};
+use crate::opening::{OpenedPath, folder_at, no_flight, open_among};
 use crate::workers::{KEY, Lent, do_here};
 
 /// Failure in words that name the file and what to do.
 type Failure = Box<dyn std::error::Error>;
 
-/// The flight at `path`, and what was assumed or left out, in sentences; of telemetry logs that of the system
-/// `vehicle`, if one is stated.
+/// A flight that was opened, and the files that it lies among.
+pub struct FlightOnDisk {
+    /// The flight.
+    pub open: OpenFlight,
+    /// Sentences on what was assumed of it or left out.
+    pub notes: Vec<String>,
+    /// Files of its folder, zip or MATLAB file.
+    files: Option<Arc<dyn FileSet>>,
+}
+
+/// The flight at `path`; of telemetry logs that of the system `vehicle`, if one is stated.
 ///
 /// # Errors
 /// Files that cannot be read, or that hold no flight.
@@ -30,41 +39,49 @@ pub fn flight_at(
     path: &Path,
     columns: Option<&Path>,
     vehicle: Option<u32>,
-) -> Result<(OpenFlight, Vec<String>), Failure> {
-    let opened = open(path, columns)?.of_vehicle(vehicle)?;
+) -> Result<FlightOnDisk, Failure> {
+    let files = folder_at(path)?;
+    let opened = open_among(path, files.as_ref(), columns)?.of_vehicle(vehicle)?;
     if let OpenedPath::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }
     let opened = opened.into_flight()?;
-    let (mut flight, notes) = opened.ok_or_else(|| no_flight(path, ""))?;
-    if let Some(files) = folder_at(path)? {
-        flight.mission = mission_beside_flight(files.as_ref())?;
-    }
-    Ok((flight, notes))
+    let (open, notes) = opened.ok_or_else(|| no_flight(path, ""))?;
+    Ok(FlightOnDisk { open, notes, files })
 }
 
-/// The map that is stated, or else that among the files of the flight at `path`, in its world `frame`; `None` where
-/// there is none.
-///
-/// # Errors
-/// A map that cannot be read, with the file's name.
-pub fn map_of(
-    path: &Path,
-    stated: Option<&Path>,
-    frame: Option<LocalFrame>,
-) -> Result<Option<MapOnDisk>, Failure> {
-    if let Some(map) = stated {
-        return Ok(Some(open_map(map, frame, MAP_CACHE)?));
+impl FlightOnDisk {
+    /// The map that is stated, or else that among the files of the flight, in its world; `None` where there is none.
+    ///
+    /// # Errors
+    /// A map that cannot be read, with the file's name.
+    pub fn map(&self, stated: Option<&Path>) -> Result<Option<MapOnDisk>, Failure> {
+        let frame = self.open.flight.frame_on_globe;
+        if let Some(map) = stated {
+            return Ok(Some(open_map(map, frame, MAP_CACHE)?));
+        }
+        let Some(files) = &self.files else {
+            return Ok(None);
+        };
+        let options = MapOptions {
+            frame,
+            ..MapOptions::default()
+        };
+        let map = map_among(files.as_ref(), &options)?;
+        Ok(map.map(|(_, map)| MapOnDisk::cached(map, MAP_CACHE)))
     }
-    let Some(files) = folder_at(path)? else {
-        return Ok(None);
-    };
-    let options = MapOptions {
-        frame,
-        ..MapOptions::default()
-    };
-    let map = map_among(files.as_ref(), &options)?;
-    Ok(map.map(|(_, map)| MapOnDisk::cached(map, MAP_CACHE)))
+
+    /// The mission that is stated, or else that among the files of the flight; `None` where there is none.
+    ///
+    /// # Errors
+    /// A mission that cannot be read, with the file's name.
+    pub fn mission(&self, stated: Option<&Path>) -> Result<Option<Mission>, Failure> {
+        Ok(match (stated, &self.files) {
+            (Some(path), _) => Some(OpenMission::read(path)?.package.mission),
+            (None, Some(files)) => mission_beside_flight(files.as_ref())?,
+            (None, None) => None,
+        })
+    }
 }
 
 /// A flight over the map on which it is to be found, if there is one.
@@ -96,29 +113,19 @@ impl FlightOverMap {
     }
 }
 
-/// Lays a flight over a map, or over nothing, with the landmarks of a mission file, or else those of the mission beside it,
-/// and changes to the filter (`key=value,…`). Without a mission it is flown as the page flies it.
+/// Lays a flight over a map, or over nothing, to be navigated by a mission, or else as the page does without one; with
+/// changes to the filter (`key=value,…`).
 ///
 /// # Errors
-/// A mission that cannot be read, a setting that is not there.
+/// A setting that is not there.
 pub fn over_map(
     open: OpenFlight,
     map: Option<Arc<dyn Imagery>>,
-    mission: Option<&Path>,
+    mission: Option<Mission>,
     filter: &str,
 ) -> Result<FlightOverMap, Failure> {
-    let (source, lent) = match map {
-        Some(map) => {
-            let source = Lent::map_of_file();
-            (source.clone(), Lent::default().with_map(source, map))
-        }
-        None => (MapSource::Nothing, Lent::default()),
-    };
-    let stated = match mission {
-        Some(path) => Some(OpenMission::read(path)?.package.mission),
-        None => open.mission.clone(),
-    };
-    let (mut mission, why) = if let Some(mission) = stated {
+    let (source, lent) = Lent::over(map);
+    let (mut mission, why) = if let Some(mission) = mission {
         (mission, None)
     } else {
         let BareMission { mission, why } = BareMission::of(&open.flight, &source);

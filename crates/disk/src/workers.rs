@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::{Flight, FrameSource as _, NoPictures, SharedFrames};
+use pilotage_core::flight::{Flight, FrameSource, NoPictures, SharedFrames};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::simulate::FlightDay;
 use pilotage_core::training::TrainingPhotos;
@@ -28,7 +28,7 @@ pub struct Lent {
     /// Files, with the key by which orders name them.
     files: Option<(&'static str, Arc<dyn FileSet>)>,
     /// A flight, with its pictures if it has any.
-    flight: Option<(Arc<Flight>, Arc<SharedFrames>)>,
+    flight: Option<(Arc<Flight>, Arc<dyn FrameSource + Send + Sync>)>,
     /// Generated ground as cameras see it.
     seen: Option<(FlightDay, Arc<CachedImagery>)>,
 }
@@ -42,6 +42,17 @@ impl Lent {
     /// The source by which orders name the flight.
     pub fn flight() -> FlightSource {
         FlightSource::Files(KEY.to_owned())
+    }
+
+    /// With the map of a flight, if it has one, and the source by which orders name that.
+    pub fn over(map: Option<Arc<dyn Imagery>>) -> (MapSource, Self) {
+        match map {
+            Some(map) => {
+                let source = Self::map_of_file();
+                (source.clone(), Self::default().with_map(source, map))
+            }
+            None => (MapSource::Nothing, Self::default()),
+        }
     }
 
     /// With a map, in place of the one that a worker would open from that source.
@@ -61,9 +72,8 @@ impl Lent {
     /// With a flight of files, and its pictures if it has any.
     #[must_use]
     pub fn with_flight(mut self, open: &OpenFlight) -> Self {
-        let frames = open.frames.another();
-        let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
-        self.flight = Some((Arc::clone(&open.flight), Arc::new(frames)));
+        let frames = Arc::from(shared(&open.frames));
+        self.flight = Some((Arc::clone(&open.flight), frames));
         self
     }
 
@@ -96,8 +106,7 @@ impl Lent {
             worker.show_ground(*day, Arc::clone(seen));
         }
         if let Some((flight, frames)) = &self.flight {
-            let frames = frames.another();
-            let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
+            let frames = shared(frames.as_ref());
             let open = OpenFlight {
                 utc_at_zero: None,
                 flight: Arc::clone(flight),
@@ -108,6 +117,11 @@ impl Lent {
         }
         worker
     }
+}
+
+/// A source of the same pictures for another thread; none where they are not stored.
+fn shared(frames: &dyn FrameSource) -> SharedFrames {
+    frames.another().unwrap_or_else(|| Box::new(NoPictures))
 }
 
 /// Does the orders on as many threads as there are processors. `hear` is told the events of each with its number, all

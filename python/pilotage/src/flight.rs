@@ -34,11 +34,11 @@ pub fn read_flight(
     vehicle: Option<u32>,
 ) -> PyResult<PythonFlight> {
     let read = || {
-        let (open, notes) = flight_at(&path, columns.as_deref(), vehicle)
+        let read = flight_at(&path, columns.as_deref(), vehicle)
             .map_err(|e| named(&path, &e.to_string()))?;
         Ok(PythonFlight {
-            flight: open.flight,
-            notes,
+            flight: read.open.flight,
+            notes: read.notes,
         })
     };
     py.detach(read).map_err(|words: String| refusal(words))

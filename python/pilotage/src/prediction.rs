@@ -30,8 +30,8 @@ pub struct PythonPrediction {
 /// Predicts how well the position will be known along a route, as `pilotage plan --predict` does.
 ///
 /// The route is that of `mission` called `route`, or its first, over `map` if the file holds none, or that of a built-in
-/// `scenario`; the ground is as high as the elevation model `dem` says, and level without. Landmarks are measured over the map, or found as `detection` states it: the probability that one can be
-/// recognised on the day, and that in which it is then found in a picture. `worlds` are ways in which wind and detections
+/// `scenario`; the ground is as high as the elevation model `dem` says, and level without. Landmarks are measured over the
+/// map, or found as `detection` states it: the probability that one can be recognised on the day, and that in which it is then found in a picture. `worlds` are ways in which wind and detections
 /// may turn out: 8 are coarse, 100 are fine. `limit` is the accepted standard deviation in metres.
 #[pyfunction]
 #[pyo3(signature = (

@@ -5,9 +5,7 @@ use std::path::PathBuf;
 use pilotage_core::navigator::summarize;
 use pilotage_core::simulate::{Scenario, SensorSpec};
 use pilotage_disk::filter_options;
-use pilotage_disk::replaying::{
-    ReplayedSimulation, flight_at, map_of, over_map, replay_simulation,
-};
+use pilotage_disk::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
 use pilotage_disk::workers::Lent;
 use pilotage_jobs::SimulationOptions;
 use pyo3::prelude::*;
@@ -20,8 +18,7 @@ use crate::run::PythonRun;
 /// flight's folder unless `no_mission` says otherwise.
 ///
 /// `path` is a flight folder, a log, tables or photos, `map` a picture with its georeference beside it, where none lies in
-/// the folder; without one the instruments alone carry the estimate. `filter` are changes
-/// to the settings as `pilotage replay --filter` takes them ("alpha=0.5,vehicle=airplane-wind").
+/// the folder; without one the instruments alone carry the estimate. `filter` are changes to the settings as `pilotage replay --filter` takes them ("alpha=0.5,vehicle=airplane-wind").
 #[pyfunction]
 #[pyo3(signature = (path, map = None, *, mission = None, no_mission = false, columns = None, vehicle = None, filter = ""))]
 pub fn replay(
@@ -35,16 +32,19 @@ pub fn replay(
     filter: &str,
 ) -> PyResult<PythonRun> {
     let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
-        let (mut open, mut notes) = flight_at(&path, columns.as_deref(), vehicle)?;
-        if no_mission {
-            open.mission = None;
-        }
-        let map = map_of(&path, map.as_deref(), open.flight.frame_on_globe)?;
+        let flight = flight_at(&path, columns.as_deref(), vehicle)?;
+        let map = flight.map(map.as_deref())?;
+        let mission = if no_mission {
+            None
+        } else {
+            flight.mission(mission.as_deref())?
+        };
+        let mut notes = flight.notes;
         let map = map.map(|map| {
             notes.extend(map.notes);
             map.map
         });
-        let mut over = over_map(open, map, mission.as_deref(), filter)?;
+        let mut over = over_map(flight.open, map, mission, filter)?;
         notes.extend(over.why.map(ToOwned::to_owned));
         let run = over.navigate()?;
         let summary = summarize(&over.flight, &run, None);
