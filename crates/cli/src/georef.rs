@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Point2;
 use pilotage_core::frames::ReferenceSystem;
-use pilotage_core::imagery::georeferencer::{
-    ControlPoint, TransformFit, TransformKind, fit, in_metres, read_points_in,
-};
+use pilotage_core::imagery::georeferencer::{ControlPoint, TransformFit, TransformKind, fit};
 use pilotage_core::imagery::systems;
 use pilotage_core::mission::{MapOptions, open_map_with};
+use pilotage_jobs::ReadControlPoints;
 use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::DirectoryFiles;
+use crate::notes::tell;
 
 /// Arguments of `pilotage map georef`: the picture, and the points.
 #[derive(clap::Args)]
@@ -89,20 +89,10 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         Some(name) => Some(systems::by_name(name).map_err(|cause| format!("--system: {cause}"))?),
         None => None,
     };
-    let (points, system) = read_points_in(&text, named, |name| systems::by_name(name).ok())
-        .map_err(|e| format!("{file}: {e}"))?;
-    let system = system.ok_or_else(|| {
-        format!("{file}: the file does not say of which reference system its points are; name it by --system, e.g. EPSG:32617")
-    })?;
-    if let Some(note) = system.note_on(&file.to_string()) {
-        eprintln!("note: {note}");
-    }
-    let (points, plane) = in_metres(&points, system).ok_or_else(|| {
-        format!(
-            "{file}: a point lies where {} does not reach",
-            system.name()
-        )
-    })?;
+    let remedy = "name it by --system, e.g. EPSG:32617";
+    let read = ReadControlPoints::read(&file.to_string(), &text, named, None, remedy)?;
+    tell(&read.notes);
+    let ReadControlPoints { points, plane, .. } = read;
     let kind = match arguments.kind {
         TransformKindArgument::Similarity => TransformKind::Similarity,
         TransformKindArgument::Affine => TransformKind::Affine,

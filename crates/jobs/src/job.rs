@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::assess::SumUpOrder;
 use super::assess_ahead::AssessAheadOrder;
+use super::control_points::ReadControlPointsOrder;
 use super::distinct::DistinctnessOrder;
 use super::envelope::EnvelopeOrder;
 use super::explain::ExplainOrder;
@@ -126,6 +127,7 @@ orders! {
     Provide(ProvideOrder),
     Open(OpenOrder),
     ReadPlaces(ReadPlacesOrder),
+    ReadControlPoints(ReadControlPointsOrder),
     PrepareMap(PrepareMapOrder),
     TakeHeights(Box<HeightsOrder>),
     ReadLog(ReadLogOrder),

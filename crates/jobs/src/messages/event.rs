@@ -18,6 +18,8 @@ use pilotage_core::study::EstimatorComparison;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::control_points::ReadControlPoints;
+
 use super::{
     Assessment, BriefPictures, DetectorSearch, Distinctness, EncodedPicture, EvaluationReport,
     FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, OpenedFiles, OutageReport,
@@ -100,6 +102,8 @@ pub enum JobEvent {
         /// Whether nothing is missing of it; what is comes with [`crate::PrepareMapOrder`].
         whole: bool,
     },
+    /// Control points of a picture.
+    ControlPoints(Box<ReadControlPoints>),
     /// Named places.
     Places(Vec<(String, Geodetic)>),
     /// The heights of an area.

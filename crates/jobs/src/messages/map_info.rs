@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 pub struct Unplaced {
     /// Its name among the files.
     pub name: String,
-    /// A file of control points beside it: name and text.
-    pub points: Option<(String, String)>,
+    /// A file of control points beside it.
+    pub points: Option<String>,
 }
 
 /// Description of a map.

@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 use pilotage_core::frames::{Geodetic, LocalFrame, ReferenceSystem};
 use pilotage_core::imagery::georeferencer::{
-    ControlPoint, FitError, TransformFit, TransformKind, fit, in_metres, read_points, write_points,
+    ControlPoint, FitError, TransformFit, TransformKind, fit, write_points,
 };
 use pilotage_core::imagery::{Georeference, WorldFile};
 
@@ -215,33 +215,15 @@ impl Georeferencer {
         now
     }
 
-    /// Takes the points of a QGIS file in place of those there are; the number of points, or in words
-    /// what is wrong with the file.
-    pub fn load(&mut self, text: &str) -> Result<usize, String> {
-        let (points, stated) = read_points(text).map_err(|cause| cause.to_string())?;
-        let system = stated.or(self.system);
-        let system = system.ok_or(
-            "the file does not say of which reference system its points are; type one point first",
-        )?;
-        let outside = || format!("a point lies where {} does not reach", system.name());
-        let (points, plane) = in_metres(&points, system).ok_or_else(outside)?;
-        if points.is_empty() {
-            return Err("there are no points in it".to_owned());
-        }
-        let middle = points
-            .iter()
-            .fold((0.0, 0.0), |(x, y), p| (x + p.place.x, y + p.place.y));
-        let count = points.len() as f64;
-        let middle = plane
-            .geodetic(middle.0 / count, middle.1 / count)
-            .ok_or_else(outside)?;
-        let loaded = points.len();
+    /// Takes the points of a file in place of those there are, one undo step.
+    pub fn take_points(&mut self, points: Vec<ControlPoint>, plane: ReferenceSystem) {
         self.remember();
         self.system = Some(plane);
-        self.frame.get_or_insert_with(|| LocalFrame::new(middle));
+        let middle = points.first();
+        let middle = middle.and_then(|point| plane.geodetic(point.place.x, point.place.y));
+        self.frame = self.frame.or(middle.map(LocalFrame::new));
         self.points = points;
         self.fit();
-        Ok(loaded)
     }
 
     /// The points as QGIS writes them.
@@ -273,6 +255,7 @@ impl Georeferencer {
 mod tests {
     use super::*;
     use pilotage_core::frames::GroundPoint;
+    use pilotage_jobs::ReadControlPoints;
 
     fn picked() -> Georeferencer {
         let origin = Geodetic::from_degrees(46.857, -92.076, 0.0);
@@ -323,7 +306,9 @@ mod tests {
     fn points_survive_their_file() {
         let it = picked();
         let mut other = Georeferencer::new("opened-2", "b.png", None);
-        assert_eq!(other.load(&it.points_file()), Ok(3));
+        let read = ReadControlPoints::read("a.points", &it.points_file(), None, None, "").unwrap();
+        other.take_points(read.points, read.plane);
+        assert_eq!(other.points.len(), 3);
         assert_eq!(other.system, it.system);
         for (a, b) in it.points.iter().zip(&other.points) {
             assert!((a.place - b.place).norm() < 1e-9 && (a.pixel - b.pixel).norm() < 1e-9);

@@ -1,10 +1,12 @@
 //! The picture that is being put on the ground: its jobs, its files, and what becomes of it.
 
 use pilotage_core::exchange::Format;
+use pilotage_core::frames::ReferenceSystem;
 use pilotage_core::imagery::georeferencer::TransformFit;
 use pilotage_core::raster::Raster;
 use pilotage_jobs::{
-    DescribeMapOrder, FileContent, Job, JobEvent, JobId, ReadPlacesOrder, TileOrder, Unplaced,
+    DescribeMapOrder, Job, JobEvent, JobId, ReadControlPoints, ReadControlPointsOrder,
+    ReadPlacesOrder, TileOrder, Unplaced,
 };
 
 use super::{Georeferencer, NamedPlace};
@@ -31,6 +33,8 @@ pub struct GeoreferencerFeature {
     tiles: Vec<(JobId, TileKey)>,
     /// The question what the picture is.
     describe: Option<JobId>,
+    /// Control points being read.
+    points: Option<JobId>,
     /// Named places being read, and the files out of which.
     places: Option<(JobId, Vec<OpenedFile>)>,
     /// Paths of files that hold no places and are opened as anything else.
@@ -47,17 +51,13 @@ impl GeoreferencerFeature {
     ) {
         self.close(context);
         let origin = context.documents.world_origin();
-        let mut picture = Georeferencer::new(&set.key, &unplaced.name, origin);
+        let picture = Georeferencer::new(&set.key, &unplaced.name, origin);
         let order = DescribeMapOrder(picture.bare());
         self.describe = Some(context.start(Job::DescribeMap(order)));
         self.files = Some(set.clone());
-        if let Some((file, text)) = unplaced.points {
-            match picture.load(&text) {
-                Ok(count) => context.note(&format!("Read {count} points from {file}"), ""),
-                Err(why) => {
-                    context.trouble(&format!("{file} was not read"), format!("{file}: {why}."));
-                }
-            }
+        let has_points = unplaced.points.is_some();
+        if let Some(file) = unplaced.points {
+            self.ask_for_points(set, file, picture.system, context);
         } else {
             let text = "Click places that you know in the picture and on the map. Its world file \
                 beside it would do as well.";
@@ -70,6 +70,43 @@ impl GeoreferencerFeature {
         if let Some(ground) = map.filter(|r| r.width().max(r.height()) < LARGEST_SHOWN) {
             context.map.fit(ground);
         }
+        if !has_points {
+            self.show_points(context);
+        }
+    }
+
+    /// Asks for the control points in a file; `otherwise` is their system where the file names none.
+    fn ask_for_points(
+        &mut self,
+        set: &OpenedSet,
+        file: String,
+        otherwise: Option<ReferenceSystem>,
+        context: &mut FeatureContext<'_>,
+    ) {
+        let key = set.key.clone();
+        let order = ReadControlPointsOrder {
+            key,
+            file,
+            otherwise,
+        };
+        let asked = context.start(Job::ReadControlPoints(order));
+        if let Some(before) = self.points.replace(asked) {
+            context.cancel(before);
+        }
+    }
+
+    /// Takes the control points of a file.
+    fn take_points(&mut self, read: ReadControlPoints, context: &mut FeatureContext<'_>) {
+        let Some(picture) = &mut self.picture else {
+            return;
+        };
+        let title = format!("Read {} points from {}", read.points.len(), read.file);
+        let mut text = read.notes;
+        if !picture.points.is_empty() {
+            text.push("Undo brings the points before back.".to_owned());
+        }
+        picture.take_points(read.points, read.plane);
+        context.note(&title, text.join(" "));
         self.show_points(context);
     }
 
@@ -87,11 +124,12 @@ impl GeoreferencerFeature {
             tiles,
             describe,
             places,
+            points,
             ..
         } = std::mem::take(self);
         let tiles = tiles.into_iter().map(|(id, _)| id);
         let places = places.map(|(id, _)| id);
-        for id in tiles.chain(describe).chain(places) {
+        for id in tiles.chain(describe).chain(places).chain(points) {
             context.cancel(id);
         }
     }
@@ -103,20 +141,10 @@ impl GeoreferencerFeature {
         };
         if let [file] = set.files.as_slice()
             && has_ending(&file.path, &["points"])
-            && let FileContent::Bytes(bytes) = &file.content
         {
-            match picture.load(&String::from_utf8_lossy(bytes)) {
-                Ok(count) => {
-                    let title = format!("Read {count} points from {}", file.path);
-                    context.note(&title, "Undo brings the points before back.");
-                    self.show_points(context);
-                }
-                Err(why) => {
-                    let title = format!("{} was not read", file.path);
-                    let text = format!("{}: {why}. The points stay as they were.", file.path);
-                    context.trouble(&title, text);
-                }
-            }
+            provide(context.host, &set.key, &set.files);
+            let system = picture.system;
+            self.ask_for_points(set, file.path.clone(), system, context);
             return true;
         }
         let paths = set.files.iter().map(|file| &file.path);
@@ -152,6 +180,7 @@ impl GeoreferencerFeature {
                 picture.describe(&info);
                 context.egui.request_repaint();
             }
+            JobEvent::ControlPoints(read) => self.take_points(*read, context),
             JobEvent::Places(places) if places.is_empty() => self.open_without_places(context),
             JobEvent::Places(places) => {
                 let title = match places.len() {
@@ -166,6 +195,10 @@ impl GeoreferencerFeature {
                 let title = format!("{} cannot be shown", picture.name);
                 context.trouble(&title, format!("{why} Everything open stays as it was."));
                 self.close(context);
+            }
+            JobEvent::Failed(why) if self.points == Some(id) => {
+                let title = "The points were not read".to_owned();
+                context.trouble(&title, format!("{why}. The points stay as they were."));
             }
             JobEvent::Failed(_) if self.places.as_ref().is_some_and(|(job, _)| *job == id) => {
                 self.open_without_places(context);
@@ -182,6 +215,7 @@ impl GeoreferencerFeature {
                 self.tiles.retain(|(job, _)| *job != id);
                 self.describe = self.describe.filter(|job| *job != id);
                 self.places.take_if(|(job, _)| *job == id);
+                self.points = self.points.filter(|job| *job != id);
             }
             _ => {}
         }

@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{Job, JobEvent, OpenedFiles, Unplaced};
+use pilotage_jobs::{Job, JobEvent, JobId, OpenedFiles, ReadControlPoints, Unplaced};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, rig};
@@ -142,6 +142,20 @@ fn another_flight_is_shown_in_the_place_of_a_picture_without_points_and_behind_o
     }
 }
 
+/// Opens a file.
+fn open(rig: &mut Rig, path: &str, content: Vec<u8>) {
+    let (path, content) = (path.to_owned(), content.into());
+    rig.host().opened.push(vec![OpenedFile { path, content }]);
+    rig.frames(3);
+}
+
+/// Jobs that read control points, in the order in which they were asked for.
+fn points_asked_for(rig: &mut Rig) -> Vec<JobId> {
+    let jobs = rig.host().jobs.iter();
+    let jobs = jobs.filter(|(_, job)| matches!(job, Job::ReadControlPoints(_)));
+    jobs.map(|(id, _)| *id).collect()
+}
+
 #[test]
 fn points_and_places_that_are_opened_go_to_the_picture_that_is_put_on_the_ground() {
     let mut rig = rig_with_a_picture();
@@ -151,16 +165,27 @@ fn points_and_places_that_are_opened_go_to_the_picture_that_is_put_on_the_ground
     let (_, points) = rig.host().saved[0].clone();
     pick(&mut rig, &[(0.0, 0.0)]);
     assert_eq!(rig.state()["georeferencer"]["points"], 5);
-    for (path, content) in [("photo.points", points), ("places.kml", vec![1])] {
-        let path = path.to_owned();
-        let content = content.into();
-        rig.host().opened.push(vec![OpenedFile { path, content }]);
-        rig.frames(3);
-    }
+    let text = String::from_utf8(points.clone()).unwrap();
+    open(&mut rig, "photo.points", points.clone());
+    let read = ReadControlPoints::read("photo.points", &text, None, None, "").unwrap();
+    let asked = points_asked_for(&mut rig)[0];
+    rig.host()
+        .events
+        .push((asked, JobEvent::ControlPoints(Box::new(read))));
+    rig.frames(3);
     assert_eq!(rig.state()["georeferencer"]["points"], 4);
+    open(&mut rig, "other.points", b"nothing".to_vec());
+    let asked = points_asked_for(&mut rig)[1];
+    let why = "other.points, line 1: no".to_owned();
+    rig.host().events.push((asked, JobEvent::Failed(why)));
+    rig.frames(3);
+    assert_eq!(rig.state()["georeferencer"]["points"], 4);
+    let notices = rig.state()["toasts"].to_string();
+    assert!(notices.contains("other.points, line 1"), "{notices}");
+    open(&mut rig, "places.kml", vec![1]);
     let jobs = &rig.host().jobs;
     let is_of_places =
-        |(_, job): &(_, Job)| matches!(job, Job::ReadPlaces(order) if order.key == "opened-3");
+        |(_, job): &(_, Job)| matches!(job, Job::ReadPlaces(order) if order.key == "opened-4");
     assert!(jobs.iter().any(is_of_places));
     let opens = jobs.iter().filter(|(_, job)| matches!(job, Job::Open(_)));
     assert_eq!(

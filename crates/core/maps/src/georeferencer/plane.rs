@@ -14,6 +14,15 @@ pub fn in_metres(
     if !system.is_geographic() || points.is_empty() {
         return Some((points.to_vec(), system));
     }
+    in_utm_zone(points, system)
+}
+
+/// Points of `system`, at least one, in the UTM zone of WGS 84 around their middle. `None` if a point lies where
+/// its system or the zone does not reach.
+pub fn in_utm_zone(
+    points: &[ControlPoint],
+    system: ReferenceSystem,
+) -> Option<(Vec<ControlPoint>, ReferenceSystem)> {
     let sum = points
         .iter()
         .fold((0.0, 0.0), |(x, y), p| (x + p.place.x, y + p.place.y));
