@@ -11,12 +11,12 @@ use pilotage_core::reference::edges::{
     EDGE, EDGE_GSD, EDGES, PhotoBelief, PhotoEdges, edges_in_map,
 };
 use pilotage_core::registration::{HeadingPrior, limit_of};
+use pilotage_jobs::decode_photo;
 
 use crate::CommandResult;
 use crate::files::{DiskFile, MAP_CACHE, MapOnDisk, open_map, write_whole};
 use crate::notes::tell;
 use crate::numbers::numbers;
-use crate::photo_picture::decode_photo;
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 
 /// Probability from which on a place is believed.

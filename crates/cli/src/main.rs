@@ -25,7 +25,6 @@ mod numbers;
 mod outage;
 mod outcome;
 mod own_map;
-mod photo_picture;
 mod photo_search;
 mod plan;
 mod reference_map;

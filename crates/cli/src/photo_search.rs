@@ -27,7 +27,7 @@ pub struct KnownOfPhotos {
     focal: Option<f64>,
     /// Stated accuracy of the map, standard deviation per axis in metres. Satellite and aerial maps of the web have
     /// some 3.
-    #[arg(long, value_name = "METRES", default_value_t = 3.0)]
+    #[arg(long, value_name = "METRES", default_value_t = PhotoSearch::default().map_deviation)]
     map_accuracy: f64,
 }
 

@@ -9,13 +9,12 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::imagery::Imagery;
 use pilotage_core::raster::encode_png;
 use pilotage_core::registration::{RegistrationMethod, overlay};
-use pilotage_jobs::{JobEvent, LayPhotos, PhotoReport, PhotosOrder, VariantOrder};
+use pilotage_jobs::{JobEvent, PhotoReport, PhotosOrder, decode_photo};
 use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, MAP_CACHE, open_map, write_whole};
 use crate::notes::tell;
-use crate::photo_picture::decode_photo;
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 use crate::workers::{self, Lent};
 
@@ -36,14 +35,14 @@ pub struct Arguments {
     #[command(flatten)]
     known: KnownOfPhotos,
     /// Range of the search to each side of the place, metres.
-    #[arg(long, value_name = "METRES", default_value_t = 40.0)]
+    #[arg(long, value_name = "METRES", default_value_t = PhotoSearch::default().within)]
     within: f64,
     /// Range of the search around the height, percent.
-    #[arg(long, value_name = "PERCENT", default_value_t = 20.0)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * PhotoSearch::default().height_within)]
     height_within: f64,
     /// Range of the search to each side of the heading, degrees; 180 is all around. Compasses of small drones
     /// are 30 off.
-    #[arg(long, value_name = "DEGREES", default_value_t = 40.0)]
+    #[arg(long, value_name = "DEGREES", default_value_t = PhotoSearch::default().heading_within.to_degrees())]
     heading_within: f64,
     /// Folder for a picture of each photo that was laid, in a chequerboard with the map.
     #[arg(long, value_name = "FOLDER")]
@@ -119,16 +118,14 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     for path in &arguments.photos {
         // What is not there at all is said before the work begins.
         photo_file(path)?;
-        let order = PhotosOrder {
+        orders.push(PhotosOrder {
             key: PHOTOS.to_owned(),
             names: vec![path.to_string_lossy().into_owned()],
             map: Lent::map_of_file(),
             origin: ground.world.map(|world| world.origin),
             ground: ground.map.bounds(),
             search,
-        };
-        let begin = |order| Box::new(LayPhotos::new(order, decode_photo)) as _;
-        orders.push(VariantOrder::new(order, begin));
+        });
     }
     let lent = Lent::default()
         .with_map(Lent::map_of_file(), Arc::clone(&ground.map))

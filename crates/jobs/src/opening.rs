@@ -10,7 +10,7 @@ use pilotage_core::flight::photo::read_photo;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, Terrain as _};
-use pilotage_core::imagery::{ByteSource, GeoTiffError};
+use pilotage_core::imagery::{ByteSource, GeoTiffError, GeoTiffFile};
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{
     MapFileError, MapOptions, Mission, OpenMap, open_dem, open_map_with, read_mission,
@@ -28,6 +28,8 @@ use super::{Beside, MapInfo, OpenedFiles, TerrainInfo, Unplaced};
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
+/// Endings of files that hold a map, heights, or a photo.
+const TIFF: [&str; 2] = ["tif", "tiff"];
 /// Endings of maps that say themselves where they lie.
 const MAPS: [&str; 3] = ["tif", "tiff", "pmtiles"];
 /// Files of a drop that are named for what they are, where none can be opened.
@@ -145,8 +147,18 @@ pub fn look_through(
 /// The pictures among the files, apart from that of the map.
 fn photos_among(pool: &dyn FileSet, map: Option<&str>) -> Vec<String> {
     let mut names = names_ending_in(pool, &PICTURES);
+    names.extend(names_ending_in(pool, &TIFF).into_iter().filter(|name| {
+        pool.source(name)
+            .is_some_and(|source| !Dem::is_one(Arc::clone(&source)) && is_without_place(source))
+    }));
     names.retain(|name| Some(name.as_str()) != map);
     names
+}
+
+/// Whether a TIFF is a picture that does not say itself where it lies.
+fn is_without_place(source: Arc<dyn ByteSource>) -> bool {
+    let opened = GeoTiffFile::open(source, None, None);
+    matches!(opened, Err(GeoTiffError::NoPlace { .. }))
 }
 
 /// Whether pictures are photos for a map that is open: several, or one that says where it was taken.
@@ -163,7 +175,7 @@ fn are_to_be_laid(pool: &dyn FileSet, names: &[String]) -> bool {
 /// The one picture among the files, which does not say where it lies, with a file of control points
 /// beside it.
 fn unplaced(pool: &dyn FileSet) -> Option<Unplaced> {
-    let mut pictures = names_ending_in(pool, &["tif", "tiff"]);
+    let mut pictures = names_ending_in(pool, &TIFF);
     pictures.extend(names_ending_in(pool, &PICTURES));
     if pictures.is_empty() {
         // A picture by any other name.
@@ -348,10 +360,12 @@ fn describe_terrain(dem: &Dem) -> TerrainInfo {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::raster::Picture;
     use pilotage_tests::pmtiles::archive_of_one_tile;
 
     use super::super::LentFiles;
     use super::super::file_pool::FilePool;
+    use super::super::photo_picture::tests::tiff;
     use super::*;
 
     fn look(files: &[(&str, &[u8])]) -> Result<OpenedFiles, String> {
@@ -402,6 +416,17 @@ mod tests {
         let opened = look(&[("a.png", &picture()), ("b.png", &picture())]).unwrap();
         assert_eq!(opened.photos, ["a.png", "b.png"]);
         assert!(opened.unplaced.is_none());
+    }
+
+    #[test]
+    fn photos_may_be_tiff() {
+        let stored = Picture::from_fn(20, 10, |x, y| [(5 * x) as u8, (8 * y) as u8, 77]);
+        let bytes = tiff(&stored);
+        let opened = look(&[("a.tif", &bytes), ("b.TIFF", &bytes)]).unwrap();
+        assert_eq!(opened.photos, ["a.tif", "b.TIFF"]);
+        assert!(opened.map.is_none() && opened.unplaced.is_none());
+        let opened = look(&[("a.tif", &bytes)]).unwrap();
+        assert_eq!(opened.unplaced.map(|it| it.name).as_deref(), Some("a.tif"));
     }
 
     #[test]

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::photo::{DecodePhoto, PhotoAnswer, PhotoLook};
+use pilotage_core::flight::photo::{PhotoAnswer, PhotoLook};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{Blank, Imagery};
-use pilotage_core::raster::{Picture, decode_picture};
 use pilotage_core::registration::{Draped, drape};
 
 use super::order::{Order, Reads, Urgency, WorkerRole};
+use super::photo_picture::decode_photo;
 use super::running::once;
 use super::{
     Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, WorkerState,
@@ -19,9 +19,8 @@ use super::{
 const SHOWN: usize = 900;
 
 /// Photos being laid: events `Progress` and `PhotoRegistered`.
-pub struct LayPhotos {
+struct LayPhotos {
     order: PhotosOrder,
-    decode: DecodePhoto,
     map: Option<Arc<dyn Imagery>>,
     /// Number of the next photo.
     next: usize,
@@ -30,11 +29,10 @@ pub struct LayPhotos {
 }
 
 impl LayPhotos {
-    /// Nothing done yet; photos are what `decode` makes of their files.
-    pub fn new(order: PhotosOrder, decode: DecodePhoto) -> Self {
+    /// Nothing done yet.
+    fn new(order: PhotosOrder) -> Self {
         Self {
             order,
-            decode,
             map: None,
             next: 0,
             read: None,
@@ -96,7 +94,7 @@ impl RunningJob for LayPhotos {
             .and_then(|source| {
                 PhotoLook::read(
                     source.as_ref(),
-                    self.decode,
+                    decode_photo,
                     &order.search,
                     world.as_ref(),
                     &order.ground,
@@ -119,18 +117,13 @@ impl RunningJob for LayPhotos {
     }
 }
 
-/// The colours of a JPEG or PNG file.
-fn decode(_: &str, bytes: &[u8]) -> Result<Picture, String> {
-    decode_picture(bytes).map_err(|cause| cause.to_string())
-}
-
 /// A laid photo on the map in its own colours.
 pub fn draped(files: &dyn FileSet, order: &DrapeOrder) -> Result<Draped, String> {
     let name = &order.name;
     let source = files.source(name);
     let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
     let nowhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
-    let photo = PhotoLook::read(source.as_ref(), decode, &order.search, None, &nowhere)?;
+    let photo = PhotoLook::read(source.as_ref(), decode_photo, &order.search, None, &nowhere)?;
     let laid = &order.laid;
     let look = photo.over(&Blank);
     let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);
@@ -154,7 +147,7 @@ impl Order for PhotosOrder {
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
-        Box::new(LayPhotos::new(self, decode))
+        Box::new(LayPhotos::new(self))
     }
 }
 

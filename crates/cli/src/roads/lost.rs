@@ -14,9 +14,10 @@ use pilotage_core::roads::lost::{
 };
 
 use super::source::{RoadSource, class};
+use pilotage_jobs::decode_photo;
+
 use crate::CommandResult;
 use crate::numbers::numbers;
-use crate::photo_picture::decode_photo;
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.99;

@@ -38,11 +38,11 @@ pub fn decode_photo(name: &str, bytes: &[u8]) -> Result<Picture, String> {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
 
-    /// A TIFF of one strip.
-    fn tiff(picture: &Picture) -> Vec<u8> {
+    /// A TIFF of one strip that does not say where it lies.
+    pub fn tiff(picture: &Picture) -> Vec<u8> {
         let pixels = picture.pixels().as_flattened();
         let (width, height) = (picture.width() as u32, picture.height() as u32);
         let bits = 8 + pixels.len() as u32;
