@@ -121,6 +121,7 @@ pub use provided::{LetGoOrder, ProvideOrder};
 pub use reference_map::ReferenceMapOrder;
 pub use rehearse::{RehearseOrder, Rehearsed, fly_planned};
 pub use reliability::ReliabilityOrder;
+pub use road_files::roads_in_world;
 pub use road_flight::{RoadFlight, RoadFlightOrder};
 pub use runner::JobRunner;
 pub use sensitivity::SensitivityOrder;

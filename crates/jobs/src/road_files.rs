@@ -31,6 +31,19 @@ pub fn is_of_roads(name: &str, bytes: &[u8]) -> bool {
 /// A file that cannot be read, without a road, or from far away, in words.
 pub fn roads_of(name: String, bytes: &[u8], frame: &LocalFrame) -> Result<ImportedFile, String> {
     let read = read_roads(bytes).map_err(|cause| format!("{name}: {cause}"))?;
+    roads_in_world(name, &read, frame)
+}
+
+/// The roads that were read of a file in the world of `frame`, those near its origin, with what was left out in
+/// sentences.
+///
+/// # Errors
+/// A file without a road, or from far away, in words.
+pub fn roads_in_world(
+    name: String,
+    read: &RoadsRead,
+    frame: &LocalFrame,
+) -> Result<ImportedFile, String> {
     let all = read.in_world(frame);
     let near = GroundRect::centered(GroundPoint::default(), 2.0 * REACH, 2.0 * REACH);
     let is_near = |road: &RoadLine| road.course.iter().any(|point| near.contains(point));
@@ -61,7 +74,7 @@ pub fn roads_of(name: String, bytes: &[u8], frame: &LocalFrame) -> Result<Import
         }
         .to_owned(),
         name,
-        notes: notes(&roads, &read, all.len() - roads.len()),
+        notes: notes(&roads, read, all.len() - roads.len()),
         roads,
         ..ImportedFile::default()
     })

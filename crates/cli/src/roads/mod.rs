@@ -14,6 +14,8 @@ use pilotage_core::roads::{AplsGraph, AplsSettings, RoadClass, apls};
 
 use crate::CommandResult;
 use crate::files::write_whole;
+use crate::notes::tell;
+use pilotage_jobs::roads_in_world;
 use source::{RoadSource, class};
 
 /// Arguments of `pilotage roads`.
@@ -30,7 +32,7 @@ enum Task {
         /// File of OpenStreetMap (XML, PBF), GeoJSON or a mission, or a built-in scenario.
         source: String,
     },
-    /// Put the roads of a file into a mission, in place of those that it has.
+    /// Put the roads of a file within 30 km into a mission, beside those that it has.
     Import {
         /// File of OpenStreetMap (XML, PBF) or GeoJSON, or a built-in scenario.
         source: String,
@@ -40,6 +42,9 @@ enum Task {
         /// The least class of road that is taken: path, track, service, residential, tertiary, …
         #[arg(long, default_value = "path")]
         least: String,
+        /// Leave out the roads that the mission has.
+        #[arg(long)]
+        replace: bool,
     },
     /// Write roads as GeoJSON.
     Export {
@@ -76,7 +81,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             source,
             mission,
             least,
-        } => import(&RoadSource::open(source)?, mission, least)?,
+            replace,
+        } => import(source, mission, class(least)?, *replace)?,
         Task::Export { source, out } => {
             let source = RoadSource::open(source)?;
             write_whole(out, write_roads(&source.lines(None), &source.frame()?))?;
@@ -140,8 +146,8 @@ fn print(source: &RoadSource) {
     }
 }
 
-fn import(source: &RoadSource, path: &PathBuf, least: &str) -> CommandResult {
-    let least = class(least)?;
+fn import(name: &str, path: &PathBuf, least: RoadClass, replace: bool) -> CommandResult {
+    let source = RoadSource::open(name)?;
     let blame = |e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
     let before = if path.exists() {
         std::fs::read(path).map_err(|e| blame(&e))?
@@ -150,12 +156,24 @@ fn import(source: &RoadSource, path: &PathBuf, least: &str) -> CommandResult {
     };
     let mut package = read_package(&before).map_err(|e| blame(&e))?;
     let mission = &mut package.mission;
-    let lines = source.lines(Some(&LocalFrame::new(mission.origin)));
-    mission.roads = lines
-        .into_iter()
-        .filter(|line| line.class >= least)
-        .collect();
-    let count = mission.roads.len();
+    let frame = LocalFrame::new(mission.origin);
+    let lines = match &source {
+        RoadSource::File(read) => {
+            let read = roads_in_world(name.to_owned(), read, &frame)?;
+            tell(&read.notes);
+            read.roads
+        }
+        RoadSource::World(_) => source.lines(Some(&frame)),
+    };
+    let before_them = if replace {
+        std::mem::take(&mut mission.roads).len()
+    } else {
+        0
+    };
+    let kept = mission.roads.len();
+    let taken = lines.into_iter().filter(|line| line.class >= least);
+    mission.roads.extend(taken);
+    let (count, added) = (mission.roads.len(), mission.roads.len() - kept);
     // What was a zip stays one, with the map that is in it.
     let after = if before.starts_with(b"PK") {
         write_package(&package).map_err(|e| blame(&e))?
@@ -163,6 +181,13 @@ fn import(source: &RoadSource, path: &PathBuf, least: &str) -> CommandResult {
         write_mission(&package.mission).into_bytes()
     };
     write_whole(path, after)?;
-    println!("{}: {count} roads", path.display());
+    let beside = match before_them {
+        0 => String::new(),
+        number => format!(" in place of {number}"),
+    };
+    println!(
+        "{}: {added} roads added{beside}, {count} in all",
+        path.display()
+    );
     Ok(())
 }

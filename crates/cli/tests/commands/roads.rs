@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use pilotage_core::frames::Geodetic;
 use pilotage_core::mission::package::{MissionPackage, read_package, write_package};
-use pilotage_core::mission::{Mission, read_mission};
+use pilotage_core::mission::{Mission, read_mission, write_mission};
 
 use super::folder::Folder;
 
@@ -45,7 +46,23 @@ fn roads_of_openstreetmap_are_printed_imported_exported_and_compared() {
     folder.write("m.zip", write_package(&package).unwrap());
     said(&["import", "town.osm", "--mission", "m.zip"]).unwrap();
     let after = read_package(&std::fs::read(folder.0.join("m.zip")).unwrap()).unwrap();
-    assert_eq!((after.mission.roads.len(), after.files), (2, package.files));
+    assert_eq!(
+        (after.mission.roads.len(), after.files),
+        (2, package.files.clone())
+    );
+    // As in the page, roads come beside those that are there, unless one says otherwise, and those far away do not.
+    let again = ["import", "town.osm", "--mission", "m.zip"];
+    let added = said(&again).unwrap();
+    assert!(added.contains("2 roads added, 4 in all"), "{added}");
+    let replaced = said(&[&again[..], &["--replace"]].concat()).unwrap();
+    assert!(
+        replaced.contains("2 roads added in place of 4, 2 in all"),
+        "{replaced}"
+    );
+    let far = Mission::new("Far", Geodetic::from_degrees(61.0, 24.94, 0.0));
+    folder.write("far.geojson", write_mission(&far));
+    let refused = said(&["import", "town.osm", "--mission", "far.geojson"]).unwrap_err();
+    assert!(refused.contains("over 30 km from here"), "{refused}");
     said(&["export", "town.osm", "--out", "again.geojson"]).unwrap();
     let same = said(&["apls", "town.osm", "again.geojson"]).unwrap();
     assert!(same.starts_with("APLS 1.0000"), "{same}");
