@@ -110,12 +110,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     crate::files::write_whole(to, &written.bytes)?;
     notes.extend(written.notes);
     tell(to, &notes);
-    let holds_areas = [Format::Plan, Format::Kml, Format::Kmz, Format::GeoJson].contains(&format);
     let no_fly = match imported.no_fly.len() {
-        number if number == 0 || arguments.landmarks || !holds_areas => String::new(),
+        number if number == 0 || arguments.landmarks || !format.holds_areas() => String::new(),
         number => format!(", {}", count(number, "no-fly area")),
     };
-    let holds_rally = holds_areas || format == Format::Gpx || imported.routes.is_empty();
+    let holds_rally = format.holds_rally(!imported.routes.is_empty());
     let rally = match imported.rally.len() {
         number if number == 0 || arguments.landmarks || !holds_rally => String::new(),
         number => format!(", {}", count(number, "rally point")),

@@ -1,5 +1,16 @@
 //! Description of a format, apart from the code that reads and writes it: menus link no readers.
 
+/// Whether a format holds rally points.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum HoldsRally {
+    /// Never.
+    No,
+    /// In a file of their own.
+    Alone,
+    /// Also beside routes.
+    Beside,
+}
+
 /// Description of a format; it stands beside the code that writes it.
 pub(super) struct FormatInfo {
     /// Name for people.
@@ -16,4 +27,8 @@ pub(super) struct FormatInfo {
     pub is_mission: bool,
     /// Whether it holds a flown track.
     pub holds_tracks: bool,
+    /// Whether it holds no-fly areas.
+    pub holds_areas: bool,
+    /// Whether it holds rally points.
+    pub holds_rally: HoldsRally,
 }

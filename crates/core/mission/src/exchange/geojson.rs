@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::format_info::FormatInfo;
+use super::format_info::{FormatInfo, HoldsRally};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
@@ -28,6 +28,8 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
+    holds_areas: true,
+    holds_rally: HoldsRally::Beside,
 };
 
 /// Its reader and writers.

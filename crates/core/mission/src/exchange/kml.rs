@@ -1,6 +1,6 @@
 //! The formats KML and KMZ.
 
-use super::format_info::FormatInfo;
+use super::format_info::{FormatInfo, HoldsRally};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::kml_write::{pack, write};
 use super::written::WrittenFile;
@@ -18,6 +18,8 @@ pub(super) const KML: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
+    holds_areas: true,
+    holds_rally: HoldsRally::Beside,
 };
 
 /// Its reader and writers.
@@ -39,6 +41,8 @@ pub(super) const KMZ: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
+    holds_areas: true,
+    holds_rally: HoldsRally::Beside,
 };
 
 /// Its reader and writers.

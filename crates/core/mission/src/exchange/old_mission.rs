@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::format_info::FormatInfo;
+use super::format_info::{FormatInfo, HoldsRally};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
 use super::written::WrittenFile;
@@ -18,6 +18,8 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: true,
     holds_tracks: false,
+    holds_areas: true,
+    holds_rally: HoldsRally::Beside,
 };
 
 /// Its reader and writers.

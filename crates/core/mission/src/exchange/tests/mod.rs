@@ -5,6 +5,7 @@ mod archives;
 mod flown;
 mod foreign;
 mod globe;
+mod held;
 mod home;
 mod makers;
 mod plan;
