@@ -62,16 +62,18 @@ enum OutputForm {
 }
 
 impl OutputForm {
-    /// The format of a track; `None` of the one that is for topics alone.
+    /// The format of a track, of that extension; `None` of a form that is for topics alone.
     fn of_track(self) -> Option<Format> {
-        Some(match self {
-            Self::Csv => Format::Csv,
-            Self::Json | Self::Parquet => return None,
-            Self::Kml => Format::Kml,
-            Self::Kmz => Format::Kmz,
-            Self::Gpx => Format::Gpx,
-            Self::Geojson => Format::GeoJson,
-        })
+        let form = clap::ValueEnum::to_possible_value(&self)?;
+        let mut tracks = Format::all().filter(|format| format.holds_tracks());
+        tracks.find(|format| format.extensions()[0] == form.get_name())
+    }
+
+    /// Extensions of the formats of tracks, in words.
+    fn of_tracks() -> String {
+        let tracks = Format::all().filter(|format| format.holds_tracks());
+        let names: Vec<_> = tracks.map(|format| format.extensions()[0]).collect();
+        names.join(", ")
     }
 }
 
@@ -96,7 +98,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let form = arguments.form();
     if let Some(kind) = arguments.track {
         let format = form.of_track();
-        let format = format.ok_or("a track is written as csv, kml, kmz, gpx or geojson")?;
+        let format = format
+            .ok_or_else(|| format!("a track is written as one of: {}", OutputForm::of_tracks()))?;
         let written = write_flown(format, &track(opened, kind, arguments.channel.as_deref())?)?;
         for note in &written.notes {
             eprintln!("note: {note}");
@@ -211,4 +214,19 @@ fn json(topics: &[&Topic]) -> Result<String, serde_json::Error> {
     };
     let all: Map<String, Json> = topics.iter().map(of).collect();
     serde_json::to_string(&all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_format_of_tracks_can_be_asked_for() {
+        let forms = <OutputForm as clap::ValueEnum>::value_variants();
+        for format in Format::all().filter(|format| format.holds_tracks()) {
+            let asked = forms.iter().find(|form| form.of_track() == Some(format));
+            assert!(asked.is_some(), "{format:?}");
+        }
+        assert_eq!(OutputForm::Parquet.of_track(), None);
+    }
 }
