@@ -2,11 +2,9 @@
 
 use egui::{Key, Painter, Ui};
 use pilotage_core::calibration::{CameraAdjustment, CameraPrior, camera_findings};
-use pilotage_core::flight::ChannelName;
 use pilotage_core::flight::overview::Finding;
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::navigator::VehicleChoice;
-use pilotage_core::registration::FollowSettings;
+use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
 use pilotage_jobs::{CalibrationOrder, Job, JobEvent, JobId, MapSource};
 use serde_json::Value;
 
@@ -106,11 +104,11 @@ impl CameraLogFeature {
             return;
         };
         let mut settings = documents.mission.navigator.clone();
-        if settings.whole_frames.is_none() {
-            settings.whole_frames = Some(FollowSettings::default());
-        }
-        if flight.channel(ChannelName::Airspeed).is_none() {
-            settings.vehicle = VehicleChoice::ConstantVelocity;
+        // As a flight without a mission is flown by its pictures, here and by `pilotage align`.
+        let by_pictures = NavigatorSettings::without_mission(flight, true);
+        settings.whole_frames = settings.whole_frames.or(by_pictures.whole_frames);
+        if by_pictures.vehicle == VehicleChoice::ConstantVelocity {
+            settings.vehicle = by_pictures.vehicle;
         }
         documents.set_navigator(&settings, false);
         self.job.trouble = None;
