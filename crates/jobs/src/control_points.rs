@@ -142,8 +142,8 @@ mod tests {
             postcard::from_bytes(&postcard::to_allocvec(&sent).unwrap()).unwrap();
         assert_eq!(back, sent);
         let expected = [
-            (48.84843283778985, 9.167180682041906),
-            (48.84843084659497, 9.168543191561934),
+            (48.848_432_84, 9.167_180_682),
+            (48.848_430_847, 9.168_543_192),
         ];
         for (point, (latitude, longitude)) in sent.points.iter().zip(expected) {
             let at = sent.plane.geodetic(point.place.x, point.place.y).unwrap();

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::written::WrittenFile;
 use super::{ExchangeError, csv_read, fence, flown_text, rally};
@@ -23,8 +23,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
-    holds_areas: false,
-    holds_rally: HoldsRally::No,
+    beside: HeldBeside::Nothing,
 };
 
 /// Its reader and writers.

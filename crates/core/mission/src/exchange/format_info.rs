@@ -1,14 +1,16 @@
 //! Description of a format, apart from the code that reads and writes it: menus link no readers.
 
-/// Whether a format holds rally points.
+/// Contents that a format holds beside routes and landmarks.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum HoldsRally {
-    /// Never.
-    No,
-    /// In a file of their own.
-    Alone,
-    /// Also beside routes.
-    Beside,
+pub(super) enum HeldBeside {
+    /// None.
+    Nothing,
+    /// Rally points in a file of their own.
+    RallyAlone,
+    /// Rally points.
+    Rally,
+    /// No-fly areas and rally points.
+    AreasAndRally,
 }
 
 /// Description of a format; it stands beside the code that writes it.
@@ -27,8 +29,6 @@ pub(super) struct FormatInfo {
     pub is_mission: bool,
     /// Whether it holds a flown track.
     pub holds_tracks: bool,
-    /// Whether it holds no-fly areas.
-    pub holds_areas: bool,
-    /// Whether it holds rally points.
-    pub holds_rally: HoldsRally,
+    /// Contents that it holds beside routes and landmarks.
+    pub beside: HeldBeside,
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::FormatWork;
 use super::{csv_write, geojson, gpx, kml, litchi, old_mission, waypoints, wpml_format};
 
@@ -121,15 +121,15 @@ impl Format {
 
     /// Whether it holds no-fly areas.
     pub fn holds_areas(self) -> bool {
-        self.info().holds_areas
+        self.info().beside == HeldBeside::AreasAndRally
     }
 
     /// Whether it holds rally points, beside routes or in a file of their own.
     pub fn holds_rally(self, is_beside_routes: bool) -> bool {
-        match self.info().holds_rally {
-            HoldsRally::No => false,
-            HoldsRally::Alone => !is_beside_routes,
-            HoldsRally::Beside => true,
+        match self.info().beside {
+            HeldBeside::Nothing => false,
+            HeldBeside::RallyAlone => !is_beside_routes,
+            HeldBeside::Rally | HeldBeside::AreasAndRally => true,
         }
     }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
@@ -28,8 +28,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
-    holds_areas: true,
-    holds_rally: HoldsRally::Beside,
+    beside: HeldBeside::AreasAndRally,
 };
 
 /// Its reader and writers.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::Value;
 
 use super::embedded::{self, EmbeddedItem};
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
@@ -27,8 +27,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
-    holds_areas: false,
-    holds_rally: HoldsRally::Beside,
+    beside: HeldBeside::Rally,
 };
 
 /// Its reader and writers.

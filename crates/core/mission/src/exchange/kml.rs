@@ -1,6 +1,6 @@
 //! The formats KML and KMZ.
 
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read, TrackWork};
 use super::kml_write::{pack, write};
 use super::written::WrittenFile;
@@ -18,8 +18,7 @@ pub(super) const KML: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
-    holds_areas: true,
-    holds_rally: HoldsRally::Beside,
+    beside: HeldBeside::AreasAndRally,
 };
 
 /// Its reader and writers.
@@ -41,8 +40,7 @@ pub(super) const KMZ: FormatInfo = FormatInfo {
     begins: None,
     is_mission: false,
     holds_tracks: true,
-    holds_areas: true,
-    holds_rally: HoldsRally::Beside,
+    beside: HeldBeside::AreasAndRally,
 };
 
 /// Its reader and writers.

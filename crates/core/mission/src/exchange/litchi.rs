@@ -2,7 +2,7 @@
 //! read, or say nothing.
 
 use super::csv_write::quoted;
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::litchi_actions::{ACTIONS, actions, kept};
 use super::written::WrittenFile;
@@ -19,8 +19,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: true,
     holds_tracks: false,
-    holds_areas: false,
-    holds_rally: HoldsRally::No,
+    beside: HeldBeside::Nothing,
 };
 
 /// Its reader and writers.

@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
 use super::written::WrittenFile;
@@ -18,8 +18,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: true,
     holds_tracks: false,
-    holds_areas: true,
-    holds_rally: HoldsRally::Beside,
+    beside: HeldBeside::AreasAndRally,
 };
 
 /// Its reader and writers.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::fence::{self, is_fence};
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
 use super::item::{JUMP, MissionItem, WAY_POINT, counted, may_leave_heading};
@@ -30,8 +30,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: Some("QGC WPL"),
     is_mission: true,
     holds_tracks: false,
-    holds_areas: false,
-    holds_rally: HoldsRally::Alone,
+    beside: HeldBeside::RallyAlone,
 };
 
 /// Its reader and writers.

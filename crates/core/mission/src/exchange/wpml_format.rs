@@ -1,6 +1,6 @@
 //! The format WPML.
 
-use super::format_info::{FormatInfo, HoldsRally};
+use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::wpml::{NAME, read, write};
 use super::written::WrittenFile;
@@ -15,8 +15,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
     begins: None,
     is_mission: true,
     holds_tracks: false,
-    holds_areas: false,
-    holds_rally: HoldsRally::No,
+    beside: HeldBeside::Nothing,
 };
 
 /// Its reader and writers.
