@@ -5,8 +5,7 @@ use std::time::{Duration, Instant};
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::text::{in_quotes, plain_name};
-use pilotage_core::training::evaluation::Rate;
-use pilotage_jobs::{EvaluationOrder, JobEvent, JudgedDetector};
+use pilotage_jobs::{EvaluationOrder, EvaluationReport, JobEvent, JudgedDetector};
 
 use crate::CommandResult;
 use crate::files::write_whole;
@@ -29,18 +28,18 @@ pub struct Arguments {
     /// A flight folder with its truth: its frames are looked at as well.
     #[arg(long, value_name = "FLIGHT_FOLDER")]
     frames: Option<PathBuf>,
-    /// Photos of each landmark.
-    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(10..))]
-    photos: u32,
-    /// Days on which they are taken.
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
-    days: u32,
-    /// False alarms per photo at which detections are told.
-    #[arg(long, value_name = "RATE", default_value_t = 0.01)]
-    false_alarms: f64,
-    /// Seed of photos and days; never those of a training.
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
+    /// Photos of each landmark; as many as in the page if not said.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(10..))]
+    photos: Option<u32>,
+    /// Days on which they are taken; as many as in the page if not said.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    days: Option<u32>,
+    /// False alarms per photo at which detections are told; 0.01 if not said.
+    #[arg(long, value_name = "RATE")]
+    false_alarms: Option<f64>,
+    /// Seed of photos and days, never those of a training; that of the page if not said.
+    #[arg(long)]
+    seed: Option<u64>,
     /// Write every figure as one table.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
@@ -54,8 +53,8 @@ pub struct Arguments {
 
 /// Evaluates the landmarks.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    if !(arguments.false_alarms >= 0.0 && arguments.false_alarms.is_finite()) {
-        let stated = arguments.false_alarms;
+    let stated = arguments.false_alarms;
+    if let Some(stated) = stated.filter(|rate| !(*rate >= 0.0 && rate.is_finite())) {
         return Err(format!("--false-alarms: {stated} is no rate").into());
     }
     let ground = PlannedFlight::at(&arguments.source.to_source())?;
@@ -78,19 +77,22 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         lent = lent.with_flight(&folder);
     }
     let order = |landmark: &Landmark| {
+        let usual = EvaluationOrder::usual(ground.assessment(landmark, None), flight.clone());
         EvaluationOrder {
-            about: ground.assessment(landmark, None),
-            flight: flight.clone(),
-            photos: arguments.photos as usize,
-            days: arguments.days as usize,
-            seed: arguments.seed,
+            photos: arguments
+                .photos
+                .map_or(usual.photos, |photos| photos as usize),
+            days: arguments.days.map_or(usual.days, |days| days as usize),
+            seed: arguments.seed.unwrap_or(usual.seed),
             most_frames: usize::MAX,
-            false_alarms: arguments.false_alarms,
+            false_alarms: arguments.false_alarms.unwrap_or(usual.false_alarms),
+            ..usual
         }
         .in_detail()
     };
     let orders = landmarks.iter().map(order).collect();
     let (mut all, mut told) = (Vec::<JudgedDetector>::new(), Instant::now());
+    let mut reports = vec![None; landmarks.len()];
     workers::run(orders, &lent, &mut |number, event| {
         match event {
             JobEvent::Failed(why) => return Err(format!("landmark {why}")),
@@ -98,9 +100,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
                 eprintln!("{}: {words}", landmarks[number].name);
                 told = Instant::now();
             }
+            JobEvent::Evaluation(report) => reports[number] = Some(report),
             JobEvent::Figures(_) => {
                 let judged = event.read_figures()?;
-                tell(&judged);
+                if let Some(report) = &reports[number] {
+                    tell(report, &judged);
+                }
                 all.push(judged);
             }
             _ => {}
@@ -144,57 +149,14 @@ fn with_detector(landmarks: &[Landmark], wanted: &[String]) -> Result<Vec<Landma
     Ok(chosen)
 }
 
-fn tell(evaluated: &JudgedDetector) {
-    let evaluation = &evaluated.evaluation;
-    let rate = |rate: &Rate| {
-        format!(
-            "{} of {} ({:.1} to {:.1} %)",
-            rate.happened,
-            rate.of,
-            100.0 * rate.low,
-            100.0 * rate.high
-        )
-    };
-    println!(
-        "{}: {} photos of {} days",
-        evaluated.landmark, evaluation.looks, evaluation.days
-    );
-    println!(
-        "    at its own threshold {:.3}: found in {}, false alarms in {}",
-        evaluated.threshold,
-        rate(&evaluated.in_use.found),
-        rate(&evaluated.in_use.deceived)
-    );
-    if let Some(real) = &evaluated.in_real_frames {
-        println!(
-            "    of these real frames: found in {}, false alarms in {}",
-            rate(&real.found),
-            rate(&real.deceived)
-        );
+/// Prints what the page shows of a detector, and by what else it is judged here.
+fn tell(report: &EvaluationReport, judged: &JudgedDetector) {
+    println!("{}: {}", report.name, report.basis);
+    for figure in &report.figures {
+        println!("    {figure}");
     }
-    let operating = &evaluation.operating;
-    println!(
-        "    at {} false alarms a photo: found in {:.1} % ({:.1} to {:.1} %)",
-        operating.allowed,
-        100.0 * operating.detection.value,
-        100.0 * operating.detection.low,
-        100.0 * operating.detection.high
-    );
-    let precision = &evaluation.average_precision;
-    println!(
-        "    average precision {:.3} ({:.3} to {:.3})",
-        precision.value, precision.low, precision.high
-    );
-    if let Some(covariance) = &evaluation.covariance {
-        let [longer, shorter, heading] = covariance.axes();
-        println!(
-            "    place: σ {longer:.2} m along {:.0}°, {shorter:.2} m across; bias {:.2} m north, {:.2} m east",
-            heading.to_degrees(),
-            covariance.bias[0],
-            covariance.bias[1]
-        );
-    }
-    if let Some(calibration) = &evaluation.calibration {
+    println!("    its own threshold, as flown: {:.3}", judged.threshold);
+    if let Some(calibration) = &judged.evaluation.calibration {
         println!(
             "    probability of a score: Brier {:.4}, {:.4} were it a constant",
             calibration.brier, calibration.brier_of_share

@@ -106,8 +106,12 @@ fn figures_of(evaluation: &Evaluation) -> Vec<String> {
         precision.value, precision.low, precision.high
     ));
     if let Some(covariance) = &evaluation.covariance {
-        let [longer, shorter, _] = covariance.axes();
-        figures.push(format!("place σ {longer:.2} × {shorter:.2} m"));
+        let [longer, shorter, along] = covariance.axes();
+        let [north, east] = covariance.bias;
+        figures.push(format!(
+            "place σ {longer:.2} m along {:.0}°, {shorter:.2} m across; bias {north:.2} m north, {east:.2} m east",
+            along.to_degrees()
+        ));
     }
     figures
 }
@@ -467,7 +471,11 @@ mod tests {
             wind: None,
             height: None,
         });
-        EvaluationOrder::usual(about, Some(flight), (10, 2))
+        EvaluationOrder {
+            photos: 10,
+            days: 2,
+            ..EvaluationOrder::usual(about, Some(flight))
+        }
     }
 
     fn events(order: EvaluationOrder) -> Vec<JobEvent> {

@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{AssessmentOrder, FlightSource};
 
+/// Photos that are taken where nobody states a number, and the days on which.
+const PHOTOS: (usize, usize) = (200, 20);
 /// Most real frames that are looked at where nobody states a number.
 const MOST_FRAMES: usize = 200;
 
@@ -30,18 +32,14 @@ pub struct EvaluationOrder {
 }
 
 impl EvaluationOrder {
-    /// Order of so many photos on so many days, with the usual settings.
-    pub fn usual(
-        about: AssessmentOrder,
-        flight: Option<FlightSource>,
-        (photos, days): (usize, usize),
-    ) -> Self {
+    /// Order with the usual settings.
+    pub fn usual(about: AssessmentOrder, flight: Option<FlightSource>) -> Self {
         let settings = EvaluationSettings::default();
         Self {
             about,
             flight,
-            photos,
-            days,
+            photos: PHOTOS.0,
+            days: PHOTOS.1,
             seed: settings.seed,
             most_frames: MOST_FRAMES,
             false_alarms: settings.false_alarms,

@@ -12,10 +12,6 @@ use crate::feature::FeatureContext;
 use crate::plan::flown;
 use crate::state_json::object;
 
-/// Photos on which a detector is judged, and days on which they are taken.
-const PHOTOS: usize = 200;
-const DAYS: usize = 20;
-
 /// Judgement of a detector, and the dialog that shows it.
 #[derive(Default)]
 pub(super) struct Judgement {
@@ -124,6 +120,6 @@ fn judging(landmark: Landmark, documents: &Documents) -> Job {
     };
     let is_recorded = matches!(documents.flight.source, FlightSource::Files(_));
     let flight = is_recorded.then(|| documents.flight.source.clone());
-    let order = EvaluationOrder::usual(about, flight, (PHOTOS, DAYS));
+    let order = EvaluationOrder::usual(about, flight);
     Job::Evaluate(Box::new(order))
 }
