@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use pilotage_core::filter::ConsistencySummary;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{EstimatorChoice, VehicleChoice};
-use pilotage_core::simulate::Scenario;
+use pilotage_core::simulate::SimulationChoice;
 use pilotage_core::study::{ComparisonRow, Contender, ContenderTally, EstimatorComparison};
 use pilotage_jobs::{BareMission, ContestOrder, FlightSource, JobEvent, MapSource};
 
@@ -13,7 +13,7 @@ use crate::CommandResult;
 use crate::mission_file::OpenMission;
 use crate::notes::{tell, told};
 use crate::replaying::flight_at;
-use crate::scenario::{DayChoice, flown, scenario, scenery, seed_range};
+use crate::scenario::{DayChoice, ground_of, options, seed_range, simulation};
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage compare`.
@@ -27,9 +27,9 @@ pub struct Arguments {
     /// Vehicle models, by comma; that of the mission if none is said.
     #[arg(long, default_value = "")]
     vehicles: String,
-    /// The estimates after the flight too, by the smoother.
+    /// Leave out the estimates after the flight, by the smoother.
     #[arg(long)]
-    smooth: bool,
+    no_smoother: bool,
     /// Seeds of the scenario, A..B with B left out.
     #[arg(long, value_name = "A..B", default_value = "1..2")]
     seeds: String,
@@ -55,7 +55,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let comparison = if Path::new(&arguments.flight).exists() {
         recorded(arguments)?
     } else {
-        simulated(arguments, &scenario(&arguments.flight)?)?
+        simulated(arguments, &simulation(&arguments.flight)?)?
     };
     print(&comparison);
     if let Some(path) = &arguments.out {
@@ -117,7 +117,7 @@ fn contest(
             map: map.clone(),
             mission: mission.clone(),
             contenders: contenders.clone(),
-            smooth: arguments.smooth,
+            smooth: !arguments.no_smoother,
             seed,
         }
         .tallied()
@@ -150,21 +150,21 @@ fn contest(
 
 fn simulated(
     arguments: &Arguments,
-    scenario: &Scenario,
+    choice: &SimulationChoice,
 ) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
     let mission = match &arguments.mission {
         Some(path) => OpenMission::read(path)?.package.mission,
-        None => scenario.mission(),
+        None => choice.mission().ok_or("this flight has no mission")?,
     };
     let (first, end) = seed_range(&arguments.seeds)?;
-    let flight = |seed| (flown(scenario, seed, arguments.day), seed);
-    let flights = (first..end).map(flight).collect();
-    let lent = scenery(scenario, arguments.day);
+    let flown = |seed| FlightSource::Simulated(options(choice.name, seed, arguments.day));
+    let flights = (first..end).map(|seed| (flown(seed), seed)).collect();
+    let lent = ground_of(choice, arguments.day);
     contest(
         arguments,
         mission,
         flights,
-        &MapSource::world("countryside"),
+        &MapSource::world(choice.world.key()),
         &lent,
     )
 }

@@ -15,7 +15,7 @@ use crate::mission_file::OpenMission;
 use crate::notes::{tell, told};
 use crate::replay_frames::{print_frames, print_refusals};
 use crate::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
-use crate::scenario::{DayChoice, ground_of, mission_of, options, seed_range, simulation};
+use crate::scenario::{DayChoice, ground_of, options, seed_range, simulation};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 use crate::workers::{self, Lent};
 
@@ -134,7 +134,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 fn replay_scenario(choice: &SimulationChoice, arguments: &Arguments) -> CommandResult {
     let mut mission = match &arguments.mission {
         Some(path) => OpenMission::read(path)?.package.mission,
-        None => mission_of(choice)?,
+        None => choice.mission().ok_or("this flight has no mission")?,
     };
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
     let lent = ground_of(choice, arguments.day);

@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use pilotage_core::imagery::CachedImagery;
-use pilotage_core::mission::Mission;
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulationChoice, lay_out_world};
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulationChoice};
 use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
 
 use crate::files::MAP_CACHE;
@@ -67,15 +66,6 @@ pub fn options(name: &str, seed: u64, day: DayChoice) -> SimulationOptions {
 /// Flight of a scenario, by the source that orders name.
 pub fn flown(scenario: &Scenario, seed: u64, day: DayChoice) -> FlightSource {
     FlightSource::Simulated(options(scenario.name, seed, day))
-}
-
-/// Mission with which a flight comes in its world.
-pub fn mission_of(choice: &SimulationChoice) -> Result<Mission, String> {
-    let world = lay_out_world(choice.world.key());
-    let missions = world.map(|world| world.missions(choice.name, &Overrides::default()));
-    let usual = missions.into_iter().flatten().next();
-    let (_, mission) = usual.ok_or_else(|| format!("{}: it has no mission", choice.name))?;
-    Ok(mission)
 }
 
 /// Map of a scenario and the ground as the camera sees it, for workers that fly it again and again.

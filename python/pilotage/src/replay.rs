@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pilotage_core::navigator::summarize;
-use pilotage_core::simulate::{Scenario, SensorSpec};
+use pilotage_core::simulate::SimulationChoice;
 use pilotage_disk::filter_options;
 use pilotage_disk::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
 use pilotage_disk::workers::Lent;
@@ -77,7 +77,7 @@ pub fn replay_scenario(
     day: &str,
     filter: &str,
 ) -> PyResult<PythonRun> {
-    let scenario = Scenario::named(name).ok_or_else(|| {
+    let choice = SimulationChoice::named(name).ok_or_else(|| {
         let names = scenario_names().join(", ");
         refusal(format!("there is no scenario {name:?}; there are: {names}"))
     })?;
@@ -87,10 +87,10 @@ pub fn replay_scenario(
         _ => return Err(refusal(format!("day={day:?}: say \"same\" or \"other\""))),
     };
     let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
-        let mut mission = scenario.mission();
+        let mut mission = choice.mission().ok_or("it has no mission")?;
         filter_options::apply(&mut mission.navigator, filter)?;
         let options = SimulationOptions {
-            scenario: scenario.name.to_owned(),
+            scenario: choice.name.to_owned(),
             seed,
             other_day,
             wind: None,
@@ -98,17 +98,16 @@ pub fn replay_scenario(
         };
         let ReplayedSimulation { flight, run } =
             replay_simulation(options, &mission, &Lent::default())?;
-        let true_noise = scenario.navigator(&SensorSpec::default());
-        let summary = summarize(&flight, &run, Some(&true_noise));
+        let summary = summarize(&flight, &run, Some(&choice.navigator()));
         Ok(PythonRun::new(run, Some(summary), Vec::new()))
     };
     py.detach(|| fly().map_err(|e| format!("{name}, seed {seed}: {e}")))
         .map_err(refusal)
 }
 
-/// Names of the built-in scenarios.
+/// Names of the built-in scenarios, in any of the built-in worlds.
 #[pyfunction]
 pub fn scenario_names() -> Vec<&'static str> {
-    let scenarios = Scenario::all();
-    scenarios.iter().map(|scenario| scenario.name).collect()
+    let choices = SimulationChoice::all();
+    choices.iter().map(|choice| choice.name).collect()
 }

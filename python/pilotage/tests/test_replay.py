@@ -125,3 +125,10 @@ def test_a_predicted_corridor_widens_without_landmarks():
     np.testing.assert_allclose(np.sqrt(values[:, 0]), stated.sigma_minor, rtol=1e-9)
     with pytest.raises(pilotage.PilotageError, match="nowhere.zip"):
         pilotage.predict_route("nowhere.zip")
+
+
+def test_scenarios_of_every_world_can_be_flown():
+    names = pilotage.scenario_names()
+    assert "indoor-hall" in names and "distinct-400ft-wind" in names
+    run = pilotage.replay_scenario("indoor-hall")
+    assert run.summary["position_error_m"]["rms"] < 0.3

@@ -3,6 +3,7 @@
 mod classes;
 mod closed_pipe;
 mod columns;
+mod compare;
 mod convert;
 mod detect;
 mod folder;

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
+use super::Overrides;
 use super::countryside::Countryside;
 use super::hall::Hall;
 use super::world::{LaidWorld, LayOut as _, SimulationChoice, World};
+use pilotage_mission::mission::Mission;
 
 /// Makes the table of worlds, and lays them out: those under `small` in every program that flies.
 macro_rules! worlds {
@@ -58,11 +60,16 @@ impl SimulationChoice {
     pub fn named(name: &str) -> Option<Self> {
         Self::all().into_iter().find(|choice| choice.name == name)
     }
+
+    /// The mission with which it comes in its world, that of the first vehicle; `None` if the world has none for it.
+    pub fn mission(&self) -> Option<Mission> {
+        let missions = lay_out_world(self.world.key())?.missions(self.name, &Overrides::default());
+        missions.into_iter().next().map(|(_, mission)| mission)
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::Overrides;
     use super::*;
     use pilotage_mission::settings::VehicleChoice;
 
@@ -73,6 +80,14 @@ mod tests {
         for list in [&mut names, &mut keys] {
             list.sort_unstable();
             assert!(list.windows(2).all(|pair| pair[0] != pair[1]), "{list:?}");
+        }
+    }
+
+    #[test]
+    fn every_flight_comes_with_a_mission() {
+        for choice in SimulationChoice::all() {
+            let mission = choice.mission().expect(choice.name);
+            assert_eq!(mission.navigator, choice.navigator(), "{}", choice.name);
         }
     }
 
