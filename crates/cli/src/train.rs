@@ -114,7 +114,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         .filter(wanted)
         .cloned()
         .collect();
-    let usual = TrainOrder::usual_plan(&ground.mission, arguments.positives, Vec::new());
+    let usual = TrainOrder::usual_plan(&ground.mission, arguments.positives);
     let plan = TrainingPlan {
         kind,
         negatives: arguments.negatives,
@@ -162,6 +162,7 @@ fn train(
             sensors: ground.mission.navigator.sensors,
             ground_down: ground.ground_down,
             plan: plan.clone(),
+            look_alikes_within: ground.searched(&landmark.bounds),
             labelled: labelled.clone(),
             left: None,
         };

@@ -9,7 +9,7 @@ use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route, WayPoint, open_dem};
-use pilotage_core::plan::{FlownWay, RouteGround, planned_aircraft};
+use pilotage_core::plan::{FieldView, FlownWay, Proposal, RouteGround, planned_aircraft};
 use pilotage_core::simulate::{Scenario, Wind};
 use pilotage_jobs::{
     AssessmentOrder, FlightSource, HeightsOrder, MapSource, PlannedPath, PredictionOrder,
@@ -261,6 +261,19 @@ impl PlannedFlight {
             ground_down: self.ground_down,
             seed: seed.unwrap_or(AssessmentOrder::SEED),
         }
+    }
+
+    /// View of the ground from its height, where its position is known to `position` metres per axis.
+    pub fn view(&self, position: f64) -> FieldView {
+        let sensors = &self.mission.navigator.sensors;
+        FieldView::of_flight(self.camera.clone(), self.height, position, sensors)
+    }
+
+    /// Distance around a box within which a landmark is looked for, metres, where its position is known as in proposals.
+    pub fn searched(&self, bounds: &GroundRect) -> f64 {
+        let sigmas = self.mission.navigator.detector.search_sigmas;
+        let side = bounds.width().max(bounds.height());
+        self.view(Proposal::POSITION).searched(sigmas, side)
     }
 
     /// Its map, for the workers.

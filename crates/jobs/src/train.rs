@@ -4,7 +4,9 @@
 //! programs that train cascades and read them.
 
 use pilotage_core::flight::FrameSource as _;
-use pilotage_core::frames::GroundRect;
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::imagery::Imagery;
+use pilotage_core::landmark::distinctness;
 use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{DetectorTraining, FlightEnvelope, TrainingPhoto, labelled_photos};
 
@@ -25,6 +27,17 @@ impl TrainOrder {
             ground_down: self.ground_down,
             ..FlightEnvelope::around(&self.camera, self.height, self.sensors)
         }
+    }
+
+    /// The place that the landmark's map patch would be taken for it, if there is one within reach.
+    fn look_alike(&self, map: &dyn Imagery) -> Option<GroundPoint> {
+        if self.look_alikes_within <= 0.0 {
+            return None;
+        }
+        let found = distinctness(map, &self.landmark.bounds, self.look_alikes_within);
+        let least = self.plan.template.least_score;
+        let (place, score) = found.look_alike?;
+        (score >= least).then_some(place)
     }
 }
 
@@ -91,7 +104,8 @@ impl Train {
         let order = &self.order;
         let map = worker.cached_map(&order.map)?;
         let others = worker.others(&order.map)?;
-        let plan = order.plan.clone();
+        let mut plan = order.plan.clone();
+        plan.look_alikes.extend(order.look_alike(map.as_ref()));
         let envelope = &self.envelope;
         let mut training =
             DetectorTraining::new(&order.landmark, &map, others.as_ref(), envelope, plan)
@@ -213,12 +227,9 @@ impl Order for TrainOrder {
     }
 
     fn reads(&self) -> Option<(&MapSource, Reads)> {
-        let alike = self.plan.look_alikes.iter();
-        let b = self.landmark.bounds;
-        let alike = alike.map(|place| GroundRect::centered(*place, b.height(), b.width()));
-        let boxes = std::iter::once(b).chain(alike);
-        let areas = boxes.map(|bounds| around(&bounds)).collect();
-        Some((&self.map, Reads::Areas(areas)))
+        // Photos of what looks like it reach as far around that.
+        let area = self.landmark.bounds.grown(self.look_alikes_within);
+        Some((&self.map, Reads::Areas(vec![around(&area)])))
     }
 
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {

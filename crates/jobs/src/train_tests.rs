@@ -2,8 +2,11 @@
 
 use std::cell::Cell;
 
+use pilotage_core::frames::GroundRect;
+use pilotage_core::imagery::{GeoreferencedPicture, GroundFromPixel};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, LabelBox};
+use pilotage_core::raster::Raster;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::training::{TrainingPhase, TrainingPlan};
 
@@ -31,6 +34,7 @@ fn order() -> TrainOrder {
             last_votes: 15,
             ..TrainingPlan::default()
         },
+        look_alikes_within: 0.0,
         labelled: None,
         left: None,
     }
@@ -316,4 +320,31 @@ fn a_training_within_the_usual_envelope_is_the_usual_one_and_within_another_is_n
     let is_same = |event: &JobEvent| matches!(event, JobEvent::Trained(o) if o.detector == usual);
     assert!(plain.iter().any(is_same));
     assert_ne!(trained(order().within(level)), usual);
+}
+
+#[test]
+fn what_looks_like_the_landmark_on_the_map_is_shown_as_well_wherever_one_trains() {
+    // Two houses of one kind, 80 m from each other.
+    let is_house = |x: usize, y: usize| (136..156).contains(&y) && matches!(x, 136..156 | 216..236);
+    let grey = |x, y| if is_house(x, y) { 200 } else { 90 };
+    let ground = Raster::from_fn(400, 300, |x, y| [grey(x, y), grey(x, y), grey(x, y), 255]);
+    let place = GroundFromPixel::north_up(GroundPoint::new(146.0, -146.0), 1.0);
+    let map = GeoreferencedPicture::new("two houses", ground, place).unwrap();
+    let house = GroundRect::centered(GroundPoint::new(0.0, 0.0), 32.0, 32.0);
+    let within = |look_alikes_within: f64| TrainOrder {
+        landmark: Landmark::new(1, "house", house),
+        look_alikes_within,
+        ..order()
+    };
+    let found = within(100.0).look_alike(&map).unwrap();
+    assert!(
+        found.distance(&GroundPoint::new(0.0, 80.0)) < 3.0,
+        "{found:?}"
+    );
+    assert_eq!(within(0.0).look_alike(&map), None);
+    let order = within(100.0);
+    let (_, Reads::Areas(areas)) = order.reads().unwrap() else {
+        panic!("parts of the ground")
+    };
+    assert!(areas[0].contains(&found), "its ground is read beforehand");
 }

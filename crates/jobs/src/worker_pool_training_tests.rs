@@ -14,6 +14,7 @@ fn train(left: Option<crate::TrainingLeft>) -> Job {
         sensors: pilotage_core::navigator::NavigatorSettings::default().sensors,
         ground_down: 0.0,
         plan: pilotage_core::training::TrainingPlan::default(),
+        look_alikes_within: 0.0,
         labelled: None,
         left,
     }))

@@ -24,9 +24,12 @@ pub struct MeasureArguments {
 pub struct Arguments {
     #[command(flatten)]
     pub source: SourceArguments,
-    /// Propose that many landmarks from the map alone.
+    /// Propose that many landmarks from the map, beside those that the mission has.
     #[arg(long, value_name = "N")]
     pub suggest: Option<usize>,
+    /// Propose from the map alone: the landmarks that the mission has are left out.
+    #[arg(long, requires = "suggest")]
+    pub only_suggested: bool,
     /// Side of the proposed boxes, metres; a third of the picture's shorter side on the ground if
     /// it is not stated.
     #[arg(long)]

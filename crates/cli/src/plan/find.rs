@@ -86,12 +86,8 @@ fn order(
     let settings = &ground.mission.navigator;
     let straight = ground.at_its_altitude(&[from, to]);
     let height = ground.mean_above(&straight).unwrap_or(ground.height);
-    let view = FieldView {
-        camera: ground.camera.clone(),
-        height,
-        position: Proposal::POSITION,
-        tilt: settings.sensors.roll.max(settings.sensors.pitch),
-    };
+    let camera = ground.camera.clone();
+    let view = FieldView::of_flight(camera, height, Proposal::POSITION, &settings.sensors);
     let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
         expected(ground, arguments.seed, |line| println!("{line}"))?
     } else {

@@ -11,7 +11,6 @@ mod source;
 mod untested;
 mod verify;
 
-use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::write_mission;
 use pilotage_core::plan::{Envelope, Reliability, Suggestion, UntestedDetection, Verification};
 use serde::Serialize;
@@ -73,11 +72,14 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         summary.found = Some(find::find(arguments, &mut ground, ends)?);
     }
     if let Some(count) = arguments.suggest {
+        if arguments.only_suggested {
+            ground.mission.landmarks.clear();
+        }
         summary.suggestions = suggest(arguments, &ground, count)?;
-        let proposed = summary.suggestions.iter().zip(1..);
-        ground.mission.landmarks = proposed
-            .map(|(s, id)| Landmark::new(id, format!("suggestion {id}"), s.candidate.bounds))
-            .collect();
+        let free = ground.mission.free_landmark_id();
+        let proposed = summary.suggestions.iter().zip(free..);
+        let proposed = proposed.map(|(suggestion, id)| suggestion.landmark(id));
+        ground.mission.landmarks.extend(proposed);
     }
     if let Some(passes) = arguments.calibrate {
         let reliability = calibrate::calibrate(arguments, &ground, passes)?;

@@ -1,7 +1,7 @@
 //! `pilotage plan --suggest`: places of the map that would serve as landmarks.
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::plan::{FieldView, Suggestion, cruise};
+use pilotage_core::plan::{Suggestion, cruise};
 use pilotage_jobs::{JobEvent, ProposeOrder, Share, ShareOrder, SuggestOrder};
 
 use super::arguments::Arguments;
@@ -11,17 +11,6 @@ use crate::workers;
 /// Shares in which places are rehearsed: as many as most machines have processors.
 const SHARES: usize = 8;
 
-/// View of the ground from the height of the plan.
-pub fn view(arguments: &Arguments, ground: &PlannedFlight) -> FieldView {
-    let sensors = &ground.mission.navigator.sensors;
-    FieldView {
-        camera: ground.camera.clone(),
-        height: ground.height,
-        position: arguments.position,
-        tilt: sensors.roll.max(sensors.pitch),
-    }
-}
-
 fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> SuggestOrder {
     let settings = &ground.mission.navigator;
     let route = ground.mission.routes.first();
@@ -29,14 +18,14 @@ fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> Suggest
     let plan = ground.plan.as_ref();
     SuggestOrder {
         map: ground.source.clone(),
-        view: view(arguments, ground),
+        view: ground.view(arguments.position),
         way_points: plan.map_or_else(Vec::new, |p| p.path.way_points.clone()),
         speed: first
             .and_then(|w| w.speed)
             .unwrap_or_else(|| plan.map_or(1.0, |_| cruise())),
         ground_down: ground.ground_down,
         navigator: settings.clone(),
-        taken: Vec::new(),
+        taken: ground.mission.landmarks.iter().map(|l| l.bounds).collect(),
         count,
         side: arguments.side,
         seed: arguments.seed.unwrap_or(SuggestOrder::SEED),

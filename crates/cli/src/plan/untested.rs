@@ -5,7 +5,6 @@ use pilotage_jobs::{JobEvent, UntestedOrder};
 
 use super::arguments::Arguments;
 use super::planned_flight::PlannedFlight;
-use super::propose::view;
 use crate::workers;
 
 /// Looks at boxes anywhere around the route, or all over the map, and says how often they are found.
@@ -15,7 +14,7 @@ pub fn untested(
 ) -> Result<UntestedDetection, String> {
     let mission = &ground.mission;
     let drawn = || UntestedOrder::usual_side(mission);
-    let usual = || Proposal::usual_side(&view(arguments, ground));
+    let usual = || Proposal::usual_side(&ground.view(arguments.position));
     let side = arguments.side.or_else(drawn).or_else(usual);
     let side = side.ok_or("the camera does not look down at the ground")?;
     let like = ground.assessment(&UntestedOrder::usual_box(side), arguments.seed);

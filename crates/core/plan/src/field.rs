@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::PlannedLandmark;
 use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
 use pilotage_base::statistics::normal_probability;
+use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::camera::CameraModel;
 
 /// Headings over which the probability is averaged.
@@ -66,6 +67,22 @@ struct GroundInPicture {
 }
 
 impl FieldView {
+    /// View of a flight at `height` metres above ground, whose position is known to `position` metres per axis and whose
+    /// attitude as its sensors tell it.
+    pub fn of_flight(
+        camera: CameraModel,
+        height: f64,
+        position: f64,
+        sensors: &SensorNoise,
+    ) -> Self {
+        Self {
+            camera,
+            height,
+            position,
+            tilt: sensors.roll.max(sensors.pitch),
+        }
+    }
+
     /// Uncertainty of where the picture lies on the ground, metres per axis.
     pub fn spread(&self) -> f64 {
         self.position.hypot(self.height * self.tilt).max(SHARP)

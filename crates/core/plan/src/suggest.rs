@@ -13,7 +13,7 @@ use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
-use pilotage_vision::landmark::{RehearsalFit, TemplateFeatures, rehearse};
+use pilotage_vision::landmark::{Landmark, RehearsalFit, TemplateFeatures, rehearse};
 
 /// Days after which a place that failed on all of them is given up.
 const FIRST_DAYS: usize = 2;
@@ -193,6 +193,16 @@ pub struct Suggestion {
     pub gained: f64,
     /// The reason in words.
     pub reason: String,
+}
+
+impl Suggestion {
+    /// The landmark that it becomes, with the reason in its notes.
+    pub fn landmark(&self, id: u32) -> Landmark {
+        let name = format!("Suggestion {id}");
+        let mut landmark = Landmark::new(id, name, self.candidate.bounds);
+        landmark.set_notes(&self.reason);
+        landmark
+    }
 }
 
 /// Seconds over which a fix fades for an aircraft with these settings: until the error of dead reckoning

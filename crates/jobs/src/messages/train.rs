@@ -1,7 +1,6 @@
 //! A detector to be trained, how that goes, and what came of it.
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::landmark::cascade::train::StageRow;
 use pilotage_core::mission::{FrameLabels, Mission};
@@ -28,6 +27,9 @@ pub struct TrainOrder {
     pub ground_down: f64,
     /// Training plan: the amount that the detector is shown.
     pub plan: TrainingPlan,
+    /// Reach around the landmark within which what looks like it on the map is sought, metres: it is shown as well.
+    /// Nothing is sought where it is zero.
+    pub look_alikes_within: f64,
     /// Frames of a flight in which people showed the landmark, to learn from as well.
     pub labelled: Option<LabelledFrames>,
     /// State in which the same training was left.
@@ -35,20 +37,15 @@ pub struct TrainOrder {
 }
 
 impl TrainOrder {
-    /// Usual plan for a detector in a mission that learns from so many photos: beside `look_alikes`, and held against the
-    /// map's patch as the mission has that looked for.
-    pub fn usual_plan(
-        mission: &Mission,
-        photos: usize,
-        look_alikes: Vec<GroundPoint>,
-    ) -> TrainingPlan {
+    /// Usual plan for a detector in a mission that learns from so many photos, held against the map's patch as the mission
+    /// has that looked for.
+    pub fn usual_plan(mission: &Mission, photos: usize) -> TrainingPlan {
         let usual = TrainingPlan::default();
         TrainingPlan {
             photos,
             days: usual.days.min(photos),
             held_out: usual.held_out.min(photos),
             template: mission.navigator.detector,
-            look_alikes,
             ..usual
         }
     }

@@ -16,7 +16,7 @@ const OTHER_RADIUS: f64 = 0.5;
 impl Planner {
     /// Distance around a landmark within which the detector will look for it: that far look-alikes count,
     /// metres.
-    fn look_alike_radius(&self, documents: &Documents, bounds: &GroundRect) -> f64 {
+    pub(super) fn look_alike_radius(&self, documents: &Documents, bounds: &GroundRect) -> f64 {
         let view = self.field_view(documents, flown_height(documents));
         let sigmas = documents.mission.navigator.detector.search_sigmas;
         view.searched(sigmas, bounds.width().max(bounds.height()))

@@ -1,5 +1,6 @@
 //! Sources of fixes, and preferences and commands of the heat map.
 
+use pilotage_core::plan::Proposal;
 use serde::{Deserialize, Serialize};
 
 /// Sources of fixes.
@@ -34,7 +35,7 @@ impl Default for HeatPreferences {
             shown: false,
             blind: false,
             opacity: 0.6,
-            position: 10.0,
+            position: Proposal::POSITION,
             of: HeatOf::default(),
         }
     }

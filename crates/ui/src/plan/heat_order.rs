@@ -50,12 +50,8 @@ impl Planner {
     /// Camera's view of the ground from a height above it, metres, and the uncertainty of the position then.
     pub fn field_view(&self, documents: &Documents, height: f64) -> FieldView {
         let sensors = &documents.mission.navigator.sensors;
-        FieldView {
-            camera: camera(documents),
-            height,
-            position: self.preferences.heat.position,
-            tilt: sensors.roll.max(sensors.pitch),
-        }
+        let position = self.preferences.heat.position;
+        FieldView::of_flight(camera(documents), height, position, sensors)
     }
 
     /// Field that the heat map is to show; `None` while it is hidden.

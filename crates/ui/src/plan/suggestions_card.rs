@@ -59,12 +59,7 @@ impl Planner {
                 });
                 let landmarks: Vec<Landmark> = wanted
                     .zip(free..)
-                    .map(|((_, s), id)| {
-                        let name = format!("Suggestion {id}");
-                        let mut landmark = Landmark::new(id, name, s.candidate.bounds);
-                        landmark.set_notes(&s.reason);
-                        landmark
-                    })
+                    .map(|((_, suggestion), id)| suggestion.landmark(id))
                     .collect();
                 if !landmarks.is_empty() {
                     return documents.add_all(vec![Brought {

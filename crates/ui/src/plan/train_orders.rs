@@ -1,6 +1,5 @@
 //! Orders of trainings for landmarks, and the labelled frames for them.
 
-use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, Mission};
 
@@ -29,18 +28,6 @@ fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames
 }
 
 impl Planner {
-    /// The place that the landmark's map patch would be taken for it.
-    fn look_alike(&self, landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {
-        let least = documents.mission.navigator.detector.least_score;
-        let examined = self.examination.distinctness(landmark.id, documents);
-        let strongest = examined.and_then(|d| d.look_alike);
-        strongest
-            .filter(|(_, score)| *score >= least)
-            .map(|(place, _)| place)
-            .into_iter()
-            .collect()
-    }
-
     /// Orders of trainings for landmarks.
     pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
         let mission = &documents.mission;
@@ -48,14 +35,14 @@ impl Planner {
         let landmarks = ids.iter().filter_map(|id| mission.landmark(*id));
         let order = |landmark: &Landmark| {
             let landmark = landmark.untrained();
-            let look_alikes = self.look_alike(&landmark, documents);
             TrainOrder {
                 map: documents.map.source.clone(),
                 camera: camera(documents),
                 height,
                 sensors: mission.navigator.sensors,
                 ground_down: ground_down(documents),
-                plan: TrainOrder::usual_plan(mission, self.preferences.photos, look_alikes),
+                plan: TrainOrder::usual_plan(mission, self.preferences.photos),
+                look_alikes_within: self.look_alike_radius(documents, &landmark.bounds),
                 labelled: labelled(&landmark, documents),
                 left: None,
                 landmark,

@@ -102,8 +102,8 @@ fn the_stage_table_grows_while_a_detector_is_trained_and_the_flight_flies_with_i
     let (mut rig, id, order) = training();
     assert_eq!(order.landmark.name, "Chapel");
     assert_eq!((order.plan.photos, order.plan.held_out), (110, 100));
-    let alike = &order.plan.look_alikes;
-    assert!(alike.is_empty(), "what is near is in its own photos");
+    let within = order.look_alikes_within;
+    assert!(within >= 30.0, "look-alikes are sought within {within} m");
     say(&mut rig, id, report(2));
     rig.harness.get_by_label(
         "Stage 1: 7 features, 99.6\u{a0}% hits, 37.0\u{a0}% false alarms, 100\u{a0}% came to it",
