@@ -22,6 +22,7 @@ use super::open::{OpenOrder, ReadPlacesOrder};
 use super::order::{Order, Reads, Urgency, WorkerRole};
 use super::prepare::PrepareMapOrder;
 use super::provided::{LetGoOrder, ProvideOrder};
+use super::read_study_plan::ReadStudyPlanOrder;
 use super::rehearse::RehearseOrder;
 use super::running::once;
 use super::share::ShareOrder;
@@ -156,6 +157,7 @@ orders! {
     Brief(BriefOrder),
     Pack(Box<PackOrder>),
     Export(Box<ExportOrder>),
+    ReadStudyPlan(ReadStudyPlanOrder),
     StudyFlights(StudyFlightsOrder),
     }
 }

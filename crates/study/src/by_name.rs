@@ -1,4 +1,4 @@
-//! Settings by their names. A plan has few, and the page, which reads plans too, links no tree for them.
+//! Settings by their names. A plan has few, and the page, which has plans too, links no tree for them.
 
 use std::fmt::{Formatter, Result as FormatResult};
 use std::marker::PhantomData;
@@ -41,6 +41,18 @@ impl<T> ByName<T> {
     /// All values.
     pub fn values(&self) -> impl DoubleEndedIterator<Item = &T> {
         self.0.iter().map(|(_, value)| value)
+    }
+
+    /// All of them with their names, each made something else.
+    pub(crate) fn into_named<U>(self, make: impl Fn(T) -> U) -> Vec<(String, U)> {
+        let values = self.0.into_iter();
+        values.map(|(name, value)| (name, make(value))).collect()
+    }
+
+    /// Of values in the order of their names, each made of something else.
+    pub(crate) fn of_named<U>(named: Vec<(String, U)>, make: impl Fn(U) -> T) -> Self {
+        let values = named.into_iter();
+        Self(values.map(|(name, value)| (name, make(value))).collect())
     }
 
     /// All of them with their names.

@@ -1,7 +1,6 @@
 //! The plan that is written down, and what it would take to fly it.
 
-use pilotage_core::text::capitalised;
-use pilotage_study::{DrawBy, SHIPPED_PLANS, StudyDesign, StudyError, StudyPlan};
+use pilotage_study::{DrawBy, SHIPPED_PLANS, StudyDesign, StudyPlan};
 use serde_json::{Value, json};
 
 /// Most flights of a study in the page: a minute or two.
@@ -11,62 +10,81 @@ pub const DRAWS: std::ops::RangeInclusive<u64> = 10..=200;
 /// Flights of each setting at first, of a plan that compares settings.
 const USUAL_DRAWS: u64 = 40;
 
-/// Plan that is written down.
+/// Number of flights of each setting that a plan is given once it is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum WantedDraws {
+    /// That which its text says.
+    AsWritten,
+    /// As few as a page flies at once.
+    Usual,
+    /// So many.
+    Count(u64),
+}
+
+/// Plan that is written down. A worker reads it: `plan` is what the text said when it was read last.
 #[derive(Clone, Debug)]
 pub struct StudyDraft {
     text: String,
-    plan: Result<StudyPlan, String>,
+    plan: Option<Result<StudyPlan, String>>,
+    /// Draws that it gets once it is read; `None` where it is.
+    awaited: Option<WantedDraws>,
     /// Number of the shipped plan that it is but for its flights; `None` of one's own.
     chosen: Option<usize>,
 }
 
 impl Default for StudyDraft {
     fn default() -> Self {
-        Self::shipped(0)
+        let mut draft = Self {
+            text: String::new(),
+            plan: None,
+            awaited: None,
+            chosen: None,
+        };
+        draft.choose(0);
+        draft
     }
 }
 
 impl StudyDraft {
-    /// A plan that comes with the program, with as few flights as a page flies at once.
-    pub fn shipped(number: usize) -> Self {
-        let text = SHIPPED_PLANS[number % SHIPPED_PLANS.len()];
-        let mut draft = Self::written(text.to_owned());
-        draft.chosen = Some(number);
-        let cells = draft.plan.as_ref().map_or(1, StudyPlan::cells);
-        draft.set_draws(if cells > 1 { USUAL_DRAWS } else { *DRAWS.end() });
-        draft
+    /// Takes a plan that comes with the program, with as few flights as a page flies at once.
+    pub fn choose(&mut self, number: usize) {
+        SHIPPED_PLANS[number % SHIPPED_PLANS.len()].clone_into(&mut self.text);
+        self.awaited = Some(WantedDraws::Usual);
+        self.chosen = Some(number);
     }
 
-    /// A plan as text.
-    pub fn written(text: String) -> Self {
-        Self {
-            plan: StudyPlan::read(&text).map_err(|why| match why {
-                StudyError::NoPlan(_) => capitalised(&why.to_string()),
-                StudyError::Plan { .. } => format!("In the plan, {why}"),
-            }),
-            text,
-            chosen: None,
-        }
+    /// Takes a plan as text.
+    pub fn write(&mut self, text: String) {
+        self.text = text;
+        self.awaited = Some(WantedDraws::AsWritten);
+        self.chosen = None;
     }
 
     /// The draft of an earlier visit, as [`StudyDraft::kept`] wrote it; a shipped plan as it is today, with as many
     /// flights as then.
     pub fn of_kept(saved: &str) -> Option<Self> {
         let saved: Value = serde_json::from_str(saved).ok()?;
-        let written = Self::written(saved["plan"].as_str()?.to_owned());
-        let Some(chosen) = saved["chosen"].as_u64() else {
-            return Some(written);
-        };
-        let mut draft = Self::shipped(chosen as usize);
-        if let Ok(plan) = written.plan() {
-            draft.set_draws(plan.draws);
+        let text = saved["plan"].as_str()?.to_owned();
+        let mut draft = Self::default();
+        match saved["chosen"].as_u64() {
+            Some(chosen) => {
+                draft.choose(chosen as usize);
+                if let Some(draws) = text.lines().find_map(draws_in) {
+                    draft.awaited = Some(WantedDraws::Count(draws));
+                }
+            }
+            None => draft.write(text),
         }
         Some(draft)
     }
 
     /// JSON of the draft, to be remembered between visits.
     pub fn kept(&self) -> String {
-        json!({ "plan": self.text, "chosen": self.chosen }).to_string()
+        let text = match self.awaited {
+            Some(WantedDraws::Count(draws)) => &with_draws(&self.text, draws),
+            _ => &self.text,
+        };
+        json!({ "plan": text, "chosen": self.chosen }).to_string()
     }
 
     /// Its text, TOML.
@@ -74,9 +92,32 @@ impl StudyDraft {
         &self.text
     }
 
-    /// The plan, or why it cannot be followed.
-    pub fn plan(&self) -> Result<&StudyPlan, &str> {
-        self.plan.as_ref().map_err(String::as_str)
+    /// The text that a worker has to read.
+    pub fn unread(&self) -> Option<&str> {
+        self.awaited.map(|_| self.text.as_str())
+    }
+
+    /// Takes what a worker read in the text.
+    pub fn take(&mut self, read: Result<StudyPlan, String>) {
+        let wanted = self.awaited.take();
+        self.plan = Some(read);
+        let Some(Ok(plan)) = &self.plan else { return };
+        match wanted {
+            Some(WantedDraws::Usual) if plan.cells() > 1 => self.set_draws(USUAL_DRAWS),
+            Some(WantedDraws::Usual) => self.set_draws(*DRAWS.end()),
+            Some(WantedDraws::Count(draws)) => self.set_draws(draws),
+            Some(WantedDraws::AsWritten) | None => {}
+        }
+    }
+
+    /// The plan as it was read last, if it can be followed.
+    pub fn plan(&self) -> Option<&StudyPlan> {
+        self.plan.as_ref()?.as_ref().ok()
+    }
+
+    /// The plan that the text is, once that is read and if it can be followed.
+    pub fn ready(&self) -> Option<&StudyPlan> {
+        self.plan().filter(|_| self.awaited.is_none())
     }
 
     /// Number of the shipped plan that it is but for its flights.
@@ -86,22 +127,25 @@ impl StudyDraft {
 
     /// Sets how often each setting is flown, or a little more where Sobol's points come in scrambles.
     pub fn set_draws(&mut self, draws: u64) {
-        let step = match &self.plan {
-            Ok(plan) if plan.draw_by == DrawBy::Sobol => plan.scrambles.max(1),
-            _ => 1,
+        let Some(Ok(plan)) = &mut self.plan else {
+            return;
         };
-        let text = with_draws(&self.text, draws.next_multiple_of(step));
-        *self = Self {
-            chosen: self.chosen,
-            ..Self::written(text)
+        let step = match plan.draw_by {
+            DrawBy::Sobol => plan.scrambles.max(1),
+            DrawBy::Random => 1,
         };
+        let draws = draws.next_multiple_of(step);
+        let text = with_draws(&self.text, draws);
+        if text.lines().find_map(draws_in) == Some(draws) {
+            (plan.draws, self.text) = (draws, text);
+        }
     }
 
     /// Why the page does not fly it, if so, and what does.
     pub fn refusal(&self) -> Option<String> {
-        let plan = match self.plan() {
+        let plan = match self.plan.as_ref()? {
             Ok(plan) => plan,
-            Err(why) => return Some(why.to_owned()),
+            Err(why) => return Some(why.clone()),
         };
         let flights = plan.runs();
         (flights > MOST_FLIGHTS).then(|| {
@@ -115,7 +159,7 @@ impl StudyDraft {
 
     /// Seconds of flight in all.
     pub fn flown_seconds(&self) -> f64 {
-        let Ok(plan) = self.plan() else { return 0.0 };
+        let Some(plan) = self.plan() else { return 0.0 };
         let cells = plan.cells().min(MOST_FLIGHTS);
         let design = StudyDesign::new(plan.clone());
         let seconds = (0..cells).filter_map(|cell| Some(design.run(cell).ok()?.settings.seconds));
@@ -123,15 +167,18 @@ impl StudyDraft {
     }
 }
 
+/// The number of draws that a line of a plan says.
+fn draws_in(line: &str) -> Option<u64> {
+    let rest = line.trim_start().strip_prefix("draws")?;
+    let number = rest.trim_start().strip_prefix('=')?;
+    number.split('#').next()?.trim().parse().ok()
+}
+
 /// The text of a plan with another number of draws.
 fn with_draws(text: &str, draws: u64) -> String {
-    let is_number = |line: &str| {
-        let rest = line.trim_start().strip_prefix("draws");
-        rest.is_some_and(|rest| rest.trim_start().starts_with('='))
-    };
     let mut is_done = false;
     let lines = text.lines().map(|line| {
-        if is_done || !is_number(line) {
+        if is_done || draws_in(line).is_none() {
             return line.to_owned();
         }
         is_done = true;
@@ -144,10 +191,31 @@ fn with_draws(text: &str, draws: u64) -> String {
 mod tests {
     use super::*;
 
+    /// The draft once a worker has read it.
+    fn read(mut draft: StudyDraft) -> StudyDraft {
+        let text = draft.unread().expect("something to read");
+        let plan = StudyPlan::read(text).map_err(|why| why.to_string());
+        draft.take(plan);
+        assert_eq!(draft.unread(), None);
+        draft
+    }
+
+    fn shipped(number: usize) -> StudyDraft {
+        let mut draft = StudyDraft::default();
+        draft.choose(number);
+        read(draft)
+    }
+
+    fn written(text: &str) -> StudyDraft {
+        let mut draft = StudyDraft::default();
+        draft.write(text.to_owned());
+        read(draft)
+    }
+
     #[test]
     fn every_shipped_plan_is_small_enough_for_the_page_with_as_many_flights_as_can_be_chosen() {
         for (number, text) in SHIPPED_PLANS.iter().enumerate() {
-            let mut draft = StudyDraft::shipped(number);
+            let mut draft = shipped(number);
             assert_eq!(draft.refusal(), None);
             draft.set_draws(*DRAWS.end());
             assert_eq!(draft.refusal(), None, "{}", draft.text());
@@ -166,13 +234,13 @@ mod tests {
     #[test]
     fn a_plan_that_makes_no_sense_is_refused_with_its_place_and_a_large_one_with_another_way() {
         let text = SHIPPED_PLANS[0];
-        let wrong = StudyDraft::written(text.replace("wind-speed", "wind-sped"));
+        let wrong = written(&text.replace("wind-speed", "wind-sped"));
         let why = wrong.refusal().unwrap();
         assert!(why.contains("cross.wind-sped"), "{why}");
-        let broken = StudyDraft::written(text.replace("draws = ", "draws "));
+        let broken = written(&text.replace("draws = ", "draws "));
         let why = broken.refusal().unwrap();
         assert!(why.contains("line 5"), "{why}");
-        let large = StudyDraft::written(with_draws(text, 1000));
+        let large = written(&with_draws(text, 1000));
         let why = large.refusal().unwrap();
         assert!(
             why.contains("6000 flights") && why.contains("pilotage study wind.toml"),
@@ -182,22 +250,41 @@ mod tests {
 
     #[test]
     fn a_plan_of_ones_own_and_a_number_of_flights_come_back_at_the_next_visit() {
-        let own = StudyDraft::written(SHIPPED_PLANS[0].replace("[0, 2,", "[1, 3,"));
-        let back = StudyDraft::of_kept(&own.kept()).unwrap();
+        let own = written(&SHIPPED_PLANS[0].replace("[0, 2,", "[1, 3,"));
+        let back = read(StudyDraft::of_kept(&own.kept()).unwrap());
         assert_eq!((back.text(), back.chosen()), (own.text(), None));
-        let broken = StudyDraft::written("draws 7".to_owned());
-        let back = StudyDraft::of_kept(&broken.kept()).unwrap();
+        let broken = written("draws 7");
+        let back = read(StudyDraft::of_kept(&broken.kept()).unwrap());
         assert_eq!(back.refusal(), broken.refusal());
-        let mut shipped = StudyDraft::shipped(2);
-        shipped.set_draws(70);
-        let back = StudyDraft::of_kept(&shipped.kept()).unwrap();
-        assert_eq!((back.text(), back.chosen()), (shipped.text(), Some(2)));
+        let mut chosen = shipped(2);
+        chosen.set_draws(70);
+        let unread = StudyDraft::of_kept(&chosen.kept()).unwrap();
+        assert_eq!(
+            unread.kept(),
+            chosen.kept(),
+            "kept again before it was read"
+        );
+        let back = read(unread);
+        assert_eq!((back.text(), back.chosen()), (chosen.text(), Some(2)));
         assert!(StudyDraft::of_kept("{}").is_none() && StudyDraft::of_kept("").is_none());
     }
 
     #[test]
     fn the_time_in_the_air_is_that_of_all_flights() {
-        let draft = StudyDraft::shipped(0);
+        let draft = shipped(0);
         assert_eq!(draft.flown_seconds(), 60.0 * 6.0 * 40.0);
+    }
+
+    #[test]
+    fn what_was_read_before_stands_until_the_text_is_read_and_is_not_flown() {
+        let mut draft = shipped(0);
+        let flights = draft.plan().map(StudyPlan::runs);
+        draft.write("draws 7".to_owned());
+        assert_eq!(
+            (draft.plan().map(StudyPlan::runs), draft.ready()),
+            (flights, None)
+        );
+        let draft = read(draft);
+        assert!(draft.plan().is_none() && draft.refusal().is_some());
     }
 }

@@ -1,7 +1,7 @@
 //! The form in which a study is chosen, and its plan as text.
 
 use egui::{DragValue, Id, Label, RichText, TextEdit, Ui};
-use pilotage_study::{SHIPPED_PLANS, StudyPlan};
+use pilotage_study::{SHIPPED_PLANS, StudyPlan, question_of};
 
 use super::command::StudyCommand;
 use super::draft::{DRAWS, StudyDraft};
@@ -24,20 +24,14 @@ pub fn wait(milliseconds: f64) -> String {
 }
 
 /// Draws the form. `pace` is the time per second of flight, milliseconds.
-pub(super) fn form(
-    ui: &mut Ui,
-    context: &mut ViewContext<'_>,
-    draft: &mut StudyDraft,
-    questions: &[String],
-    pace: f64,
-) {
+pub(super) fn form(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut StudyDraft, pace: f64) {
     let tokens = context.tokens;
     caption(ui, tokens, "Question");
-    for (number, question) in questions.iter().enumerate() {
+    for (number, question) in questions().enumerate() {
         let is_chosen = draft.chosen() == Some(number);
-        let text = RichText::new(question.as_str());
+        let text = RichText::new(question);
         if ui.radio(is_chosen, text).clicked() && !is_chosen {
-            *draft = StudyDraft::shipped(number);
+            draft.choose(number);
         }
     }
     if draft.chosen().is_none() {
@@ -57,11 +51,11 @@ pub(super) fn form(
 /// Draws how often each setting is flown.
 fn flights(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut StudyDraft) {
     let tokens = context.tokens;
-    let counts = draft.plan().ok().map(|plan| (plan.cells(), plan.draws));
+    let counts = draft.plan().map(|plan| (plan.cells(), plan.draws));
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Flights of each setting");
         let Some((cells, draws)) = counts else {
-            ui.label(muted(tokens, "once the plan can be read"));
+            ui.label(muted(tokens, "once the plan is read"));
             return;
         };
         let mut count = draws;
@@ -91,13 +85,13 @@ fn plan_text(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut StudyDraft)
         .desired_width(f32::INFINITY)
         .font(tokens.small());
     if ui.add(field).accessible_name("Plan of the study").changed() {
-        *draft = StudyDraft::written(text);
+        draft.write(text);
     }
 }
 
 fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f64) {
     let tokens = context.tokens;
-    let is_fine = draft.refusal().is_none();
+    let is_fine = draft.ready().is_some() && draft.refusal().is_none();
     ui.horizontal_wrapped(|ui| {
         let flights = draft.plan().map_or(0, StudyPlan::runs);
         ui.add_enabled_ui(is_fine, |ui| {
@@ -114,11 +108,11 @@ fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f
             let words = format!("about {}", wait(pace * draft.flown_seconds()));
             ui.label(muted(tokens, words));
         }
-        if draft.plan().is_ok() && text_button(ui, tokens, None, "Save plan", false).clicked() {
+        if draft.ready().is_some() && text_button(ui, tokens, None, "Save plan", false).clicked() {
             context.commands.push(StudyCommand::SavePlan.into());
         }
     });
-    if draft.plan().is_ok_and(|plan| plan.stop.is_some()) {
+    if draft.plan().is_some_and(|plan| plan.stop.is_some()) {
         let words =
             "The plan's rule to stop early is for the terminal: here all flights are flown.";
         ui.add(Label::new(muted(tokens, words)).wrap());
@@ -131,9 +125,9 @@ fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f
 }
 
 /// Questions of the plans that come with the program.
-pub fn questions() -> Vec<String> {
-    let plans = SHIPPED_PLANS.iter().map(|text| StudyPlan::read(text));
-    plans.filter_map(|plan| Some(plan.ok()?.question)).collect()
+fn questions() -> impl Iterator<Item = &'static str> {
+    let questions = SHIPPED_PLANS.into_iter().map(question_of);
+    questions.map(Option::unwrap_or_default)
 }
 
 #[cfg(test)]
@@ -142,8 +136,8 @@ mod tests {
 
     #[test]
     fn every_plan_that_comes_with_the_program_asks_a_question() {
-        assert_eq!(questions().len(), SHIPPED_PLANS.len());
-        assert!(questions().iter().all(|question| question.ends_with('?')));
+        assert_eq!(questions().count(), SHIPPED_PLANS.len());
+        assert!(questions().all(|question| question.ends_with('?')));
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod form;
 mod grouping;
 mod outcome;
 mod panel;
+mod reading;
 mod results;
 mod under_way;
 
@@ -28,6 +29,7 @@ use draft::StudyDraft;
 use grouping::StudyBy;
 use outcome::StudyOutcome;
 use panel::{StudySheet, open_run};
+use reading::PlanReading;
 use under_way::StudyUnderWay;
 
 pub use command::StudyCommand;
@@ -58,6 +60,7 @@ pub struct StudyFeature {
     sheet: StudySheet,
     study: Option<StudyUnderWay>,
     words: String,
+    reading: PlanReading,
 }
 
 impl StudyFeature {
@@ -65,7 +68,7 @@ impl StudyFeature {
         if self.sheet.draft.refusal().is_some() {
             return;
         }
-        let Ok(plan) = self.sheet.draft.plan() else {
+        let Some(plan) = self.sheet.draft.ready() else {
             return;
         };
         let plan = plan.clone();
@@ -88,7 +91,7 @@ impl StudyFeature {
     }
 
     fn save_plan(&self, context: &mut FeatureContext<'_>) {
-        if let Ok(plan) = self.sheet.draft.plan() {
+        if let Some(plan) = self.sheet.draft.ready() {
             let name = format!("{}.toml", plan.name);
             context
                 .host
@@ -137,18 +140,27 @@ impl Feature for StudyFeature {
     }
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
+        if self.reading.receive(job, &event, &mut self.sheet.draft) {
+            return;
+        }
         let Some(study) = &mut self.study else { return };
         if !study.receive(job, &event, context) {
             return;
         }
         if !study.is_under_way()
             && let (Some(pace), flown) = (study.pace(), self.sheet.draft.flown_seconds())
-            && let Ok(plan) = self.sheet.draft.plan()
+            && let Some(plan) = self.sheet.draft.ready()
             && plan == study.plan()
         {
             self.sheet.pace = Some(pace * plan.runs() as f64 / flown.max(1.0));
         }
         self.tell();
+    }
+
+    fn tend(&mut self, context: &mut FeatureContext<'_>) {
+        if self.sheet.is_asking() {
+            self.reading.ask(&self.sheet.draft, context);
+        }
     }
 
     fn stop(&mut self, context: &mut FeatureContext<'_>) -> bool {
@@ -207,7 +219,7 @@ impl Feature for StudyFeature {
         });
         json!({
             "chosen": draft.chosen(),
-            "flights": draft.plan().map(StudyPlan::runs).ok(),
+            "flights": draft.ready().map(StudyPlan::runs),
             "refusal": refusal,
             "study": study,
         })

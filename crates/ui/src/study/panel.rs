@@ -6,7 +6,7 @@ use pilotage_jobs::FlightSource;
 use super::command::StudyCommand;
 use super::draft::StudyDraft;
 use super::failed::{FailedOrder, failed};
-use super::form::{USUAL_PACE, form, questions, wait};
+use super::form::{USUAL_PACE, form, wait};
 use super::grouping::StudyBy;
 use super::outcome::StudyOutcome;
 use super::results::{PlotChoice, results};
@@ -21,7 +21,8 @@ use crate::shell::{heading, icon_button, muted, text_button, title};
 pub struct StudySheet {
     /// The plan that is written down.
     pub draft: StudyDraft,
-    questions: Vec<String>,
+    /// Whether it was drawn, so that its plan is worth reading.
+    is_asking: bool,
     /// Whether results stand in the place of the form.
     is_form_away: bool,
     /// Plots that are shown.
@@ -62,6 +63,11 @@ impl StudySheet {
         &self.outcome.insert(kept.unwrap_or_else(made)).2
     }
 
+    /// Whether its form is on screen, and so what the plan is.
+    pub fn is_asking(&self) -> bool {
+        self.is_asking
+    }
+
     /// Draws the sheet.
     pub fn show(
         &mut self,
@@ -70,6 +76,7 @@ impl StudySheet {
         study: Option<&StudyUnderWay>,
         documents: &Documents,
     ) {
+        self.is_asking = true;
         let tokens = context.tokens;
         if title(ui, tokens, "Study") {
             context.commands.push(StudyCommand::Close.into());
@@ -79,16 +86,13 @@ impl StudySheet {
             .auto_shrink(false)
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
-                if self.questions.is_empty() {
-                    self.questions = questions();
-                }
                 let is_under_way = study.is_some_and(StudyUnderWay::is_under_way);
                 if !self.is_form_away {
                     let words = "Fly the same flight many times, change one thing, and see how the error follows. \
                                  Flights are without pictures: landmarks are found as often and as well as stated.";
                     ui.add(Label::new(muted(tokens, words)).wrap());
                     let pace = self.pace.unwrap_or(USUAL_PACE);
-                    form(ui, context, &mut self.draft, &self.questions, pace);
+                    form(ui, context, &mut self.draft, pace);
                 } else if !is_under_way
                     && text_button(ui, tokens, None, "Another study…", false).clicked()
                 {

@@ -28,6 +28,7 @@ pub fn is_real(job: &Job) -> bool {
             | Job::Export(_)
             | Job::Smooth(_)
             | Job::Rehearse(_)
+            | Job::ReadStudyPlan(_)
             | Job::StudyFlights(_)
             | Job::Fly(FlyOrder {
                 flight: FlightSource::Studied(_),
