@@ -1,26 +1,13 @@
 //! Control points of a picture out of a file of the QGIS georeferencer, in any reference system.
 
 use pilotage_core::frames::ReferenceSystem;
-use pilotage_core::imagery::georeferencer::{ControlPoint, in_metres, in_utm_zone, read_points_in};
+use pilotage_core::imagery::georeferencer::{in_metres, in_utm_zone, read_points_in};
 use pilotage_core::imagery::systems;
 use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
-use super::{JobEvent, RunningJob, WorkerState};
-
-/// Control points out of a file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ReadControlPoints {
-    /// Path of the file.
-    pub file: String,
-    /// The points, at least one, with their places in `plane`, metres.
-    pub points: Vec<ControlPoint>,
-    /// The plane that they are in.
-    pub plane: ReferenceSystem,
-    /// Assumptions about it, in sentences.
-    pub notes: Vec<String>,
-}
+use super::{JobEvent, ReadControlPoints, RunningJob, WorkerState};
 
 impl ReadControlPoints {
     /// The points in a file's text, in the plane that the file names, or in the UTM zone around points in degrees.

@@ -81,7 +81,7 @@ mod worker_state;
 pub use assess::SumUpOrder;
 pub use assess_ahead::AssessAheadOrder;
 pub use bare_mission::BareMission;
-pub use control_points::{ReadControlPoints, ReadControlPointsOrder};
+pub use control_points::ReadControlPointsOrder;
 pub use distinct::DistinctnessOrder;
 pub use envelope::EnvelopeOrder;
 pub use explain::ExplainOrder;
@@ -106,10 +106,10 @@ pub use messages::{
     ImportedFile, JobEvent, JobId, JudgedDetector, KeptMeasurement, LabelledFrames, LogAnswer,
     LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
     MeasuredLandmark, MeasurementBasis, OpenedFiles, Outage, OutageOrder, OutageReport, PackOrder,
-    PhotoReport, PhotosOrder, PlannedPath, PredictionOrder, ReadLog, RecordedPlaces,
-    RehearsedFlight, Reply, Request, SeriesName, Share, SimulationOptions, StudiedFlight,
-    StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome,
-    TrainingReport, Unplaced, WebMap, WindReport,
+    PhotoReport, PhotosOrder, PlannedPath, PredictionOrder, ReadControlPoints, ReadLog,
+    RecordedPlaces, RehearsedFlight, Reply, Request, SeriesName, Share, SimulationOptions,
+    StudiedFlight, StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft,
+    TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use open::{OpenOrder, ReadPlacesOrder};
 pub use opening::{map as map_among, mission_beside_flight};

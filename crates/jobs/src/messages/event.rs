@@ -18,12 +18,11 @@ use pilotage_core::study::EstimatorComparison;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::control_points::ReadControlPoints;
-
 use super::{
     Assessment, BriefPictures, DetectorSearch, Distinctness, EncodedPicture, EvaluationReport,
     FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, OpenedFiles, OutageReport,
-    PhotoReport, ReadLog, StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
+    PhotoReport, ReadControlPoints, ReadLog, StudyReport, TrainingOutcome, TrainingReport,
+    whole_bytes,
 };
 
 /// Event by which a worker reports on a job.
