@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pilotage_core::filter::ConsistencySummary;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{EstimatorChoice, VehicleChoice};
+use pilotage_core::navigator::{ErrorFigures, EstimatorChoice, VehicleChoice};
 use pilotage_core::simulate::SimulationChoice;
 use pilotage_core::study::{ComparisonRow, Contender, ContenderTally, EstimatorComparison};
 use pilotage_jobs::{BareMission, ContestOrder, FlightSource, JobEvent, MapSource};
@@ -104,21 +104,18 @@ fn contenders(arguments: &Arguments, usual: VehicleChoice) -> Result<Vec<Contend
 fn contest(
     arguments: &Arguments,
     mut mission: Mission,
-    flights: Vec<(FlightSource, u64)>,
+    flights: Vec<FlightSource>,
     map: &MapSource,
     lent: &Lent,
 ) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
-    let contenders = contenders(arguments, mission.navigator.vehicle)?;
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
-    let seeds: Vec<u64> = flights.iter().map(|(_, seed)| *seed).collect();
-    let order = |(flight, seed)| {
+    let contenders = contenders(arguments, mission.navigator.vehicle)?;
+    let seeds: Vec<u64> = flights.iter().map(FlightSource::estimator_seed).collect();
+    let order = |flight| {
         ContestOrder {
-            flight,
-            map: map.clone(),
-            mission: mission.clone(),
             contenders: contenders.clone(),
             smooth: !arguments.no_smoother,
-            seed,
+            ..ContestOrder::of_all(flight, map.clone(), mission.clone())
         }
         .tallied()
     };
@@ -158,7 +155,7 @@ fn simulated(
     };
     let (first, end) = seed_range(&arguments.seeds)?;
     let flown = |seed| FlightSource::Simulated(options(choice.name, seed, arguments.day));
-    let flights = (first..end).map(|seed| (flown(seed), seed)).collect();
+    let flights = (first..end).map(flown).collect();
     let lent = ground_of(choice, arguments.day);
     contest(
         arguments,
@@ -177,13 +174,7 @@ fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::e
     let lent = lent.with_flight(&flight.open);
     let stated = flight.mission(arguments.mission.as_deref())?;
     let mission = stated.unwrap_or_else(|| BareMission::of(&flight.open.flight, &source).mission);
-    contest(
-        arguments,
-        mission,
-        vec![(Lent::flight(), 1)],
-        &source,
-        &lent,
-    )
+    contest(arguments, mission, vec![Lent::flight()], &source, &lent)
 }
 
 /// Name of a contender on the command line.
@@ -217,7 +208,14 @@ fn line(row: &ComparisonRow) -> String {
     if row.smoothed {
         title.push_str(", smoothed");
     }
-    let error = row.position_error_m.unwrap_or_default();
+    // Where nothing says where the aircraft really was, no error is known.
+    let error = row.position_error_m;
+    let metres = |of: fn(&ErrorFigures) -> f64| {
+        error.map_or_else(
+            || "\u{2013}".to_owned(),
+            |error| format!("{:.3}", of(&error)),
+        )
+    };
     let consistency = |summary: &Option<ConsistencySummary>, per_degree: bool| {
         summary.map_or_else(String::new, |s| {
             let unit = if per_degree { s.dof } else { 1.0 };
@@ -236,11 +234,11 @@ fn line(row: &ComparisonRow) -> String {
         String::new()
     };
     format!(
-        "{title:36} {:>7} {:8.3} {:8.3} {:8.3}  {:>22}  {:>22} {:>8} {:>8} {:10.4}{failed}",
+        "{title:36} {:>7} {:>8} {:>8} {:>8}  {:>22}  {:>22} {:>8} {:>8} {:10.4}{failed}",
         row.flights,
-        error.rms,
-        error.median,
-        error.max,
+        metres(|error| error.rms),
+        metres(|error| error.median),
+        metres(|error| error.max),
         consistency(&row.nees, false),
         consistency(&row.nis, true),
         row.updates_accepted,
@@ -285,5 +283,9 @@ mod tests {
         assert!(line.contains("9.00 [1.00, 3.00]!"), "{line}");
         assert!(line.contains("4.50 [0.50, 1.50]!"), "{line}");
         assert!(line.ends_with("1 stopped"), "{line}");
+        assert!(
+            line.contains("–        –        –"),
+            "an error that nobody knows is none of 0 m: {line}"
+        );
     }
 }

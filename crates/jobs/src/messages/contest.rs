@@ -28,12 +28,12 @@ impl ContestOrder {
     /// Contest of every estimator on the mission's own vehicle model, smoothed too.
     pub fn of_all(flight: FlightSource, map: MapSource, mission: Mission) -> Self {
         Self {
+            seed: flight.estimator_seed(),
             flight,
             map,
             contenders: Contender::all(&EstimatorChoice::ALL, &[mission.navigator.vehicle]),
             mission,
             smooth: true,
-            seed: 1,
         }
     }
 }

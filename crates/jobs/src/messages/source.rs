@@ -97,6 +97,11 @@ impl FlightSource {
         }
     }
 
+    /// Seed of what an estimator draws over it: that of a simulated flight, so that several differ in it as well.
+    pub fn estimator_seed(&self) -> u64 {
+        self.simulation().map_or(1, |options| options.seed)
+    }
+
     /// Key of the files that it is made from, if it is.
     pub fn key(&self) -> Option<&str> {
         match self {
