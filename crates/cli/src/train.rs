@@ -23,7 +23,8 @@ use crate::workers::{self, Lent};
 pub struct Arguments {
     #[command(flatten)]
     source: SourceArguments,
-    /// Only the landmarks with these names; all that are switched on if none is named.
+    /// Only the landmarks with these names; if none is named, those that are switched on and have no detector, or all that
+    /// are where each has one.
     #[arg(long)]
     landmark: Vec<String>,
     /// Features of the cascades: hog, lbp, haar or tilted-haar.
@@ -45,9 +46,9 @@ pub struct Arguments {
     /// Show the pictures as they are, neither rectified nor turned, to compare with.
     #[arg(long)]
     plain: bool,
-    /// Greatest bank or pitch angle, degrees.
-    #[arg(long, default_value_t = 15.0)]
-    tilt: f64,
+    /// Greatest bank or pitch angle, degrees; 15 if not said.
+    #[arg(long)]
+    tilt: Option<f64>,
     /// Detector that the mission shall use for them: template, cascade or both.
     #[arg(long, default_value = "cascade")]
     detector: String,
@@ -103,17 +104,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             return Err(format!("--landmark: the mission has none called \"{name}\"").into());
         }
     }
-    let wanted = |l: &&Landmark| match arguments.landmark.as_slice() {
-        [] => l.enabled,
-        names => names.contains(&l.name),
+    let landmarks: Vec<Landmark> = match arguments.landmark.as_slice() {
+        [] => TrainOrder::wanted(&ground.mission).cloned().collect(),
+        names => {
+            let all = ground.mission.landmarks.iter();
+            all.filter(|l| names.contains(&l.name)).cloned().collect()
+        }
     };
-    let landmarks: Vec<Landmark> = ground
-        .mission
-        .landmarks
-        .iter()
-        .filter(wanted)
-        .cloned()
-        .collect();
     let usual = TrainOrder::usual_plan(&ground.mission, arguments.positives);
     let plan = TrainingPlan {
         kind,
@@ -170,7 +167,7 @@ fn train(
         let heading_error = arguments.heading_error.map(f64::to_radians);
         let envelope = FlightEnvelope {
             heading_error: heading_error.unwrap_or(usual.heading_error),
-            tilt: arguments.tilt.to_radians(),
+            tilt: arguments.tilt.map_or(usual.tilt, f64::to_radians),
             ..usual
         };
         order.within(envelope)

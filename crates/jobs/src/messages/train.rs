@@ -37,6 +37,14 @@ pub struct TrainOrder {
 }
 
 impl TrainOrder {
+    /// Landmarks that a training of all is about: those that are switched on and have no detector yet; all that are
+    /// switched on where each has one.
+    pub fn wanted(mission: &Mission) -> impl Iterator<Item = &Landmark> {
+        let on = || mission.landmarks.iter().filter(|landmark| landmark.enabled);
+        let is_any_without = on().any(|landmark| !landmark.is_trained());
+        on().filter(move |landmark| !is_any_without || !landmark.is_trained())
+    }
+
     /// Usual plan for a detector in a mission that learns from so many photos, held against the map's patch as the mission
     /// has that looked for.
     pub fn usual_plan(mission: &Mission, photos: usize) -> TrainingPlan {

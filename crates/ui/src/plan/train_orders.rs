@@ -50,15 +50,4 @@ impl Planner {
         };
         landmarks.map(order).collect()
     }
-
-    /// Landmarks that "train all" is about: those that are switched on and have no detector yet.
-    pub fn untrained(documents: &Documents) -> Vec<u32> {
-        let on = || documents.mission.landmarks.iter().filter(|l| l.enabled);
-        let without: Vec<u32> = on().filter(|l| !l.is_trained()).map(|l| l.id).collect();
-        if without.is_empty() {
-            on().map(|l| l.id).collect()
-        } else {
-            without
-        }
-    }
 }

@@ -1,5 +1,7 @@
 //! Detectors trained: its commands carried out, and what came of it kept with the landmarks.
 
+use pilotage_jobs::TrainOrder;
+
 use super::planner::Planner;
 use super::tab::PlanTab;
 use super::train_command::TrainCommand;
@@ -12,7 +14,10 @@ impl Planner {
         let ids = match command {
             TrainCommand::Start(ids) => ids,
             TrainCommand::Selected => self.marked(*context.selection),
-            TrainCommand::All => Self::untrained(context.documents),
+            TrainCommand::All => {
+                let wanted = TrainOrder::wanted(&context.documents.mission);
+                wanted.map(|landmark| landmark.id).collect()
+            }
             TrainCommand::Photos(photos) => {
                 self.preferences.photos = photos;
                 return;
