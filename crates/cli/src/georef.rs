@@ -57,8 +57,9 @@ struct FitSummary {
     #[serde(skip_serializing_if = "Option::is_none")]
     epsg: Option<u32>,
     gsd_m: f64,
-    rms_px: f64,
-    rms_m: f64,
+    /// Of the points that are on; absent if so few check nothing.
+    rms_px: Option<f64>,
+    rms_m: Option<f64>,
     /// Of every point left out of its own fit; absent if points are too few.
     rms_left_out_m: Option<f64>,
     /// Latitude and longitude in degrees of the corners, from the top left one clockwise.
@@ -99,6 +100,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         TransformKindArgument::Projective => TransformKind::Projective,
     };
     let fitted = fit(&points, kind).map_err(|e| format!("{file}: {e}"))?;
+    if fitted.is_exact {
+        let least = kind.least_points();
+        eprintln!(
+            "note: {file}: {least} points always fit a transform of this kind: nothing is checked; one point more shows how \
+             far a place between them may be off."
+        );
+    }
     let summary = summarize(&arguments.picture, &points, plane, &fitted)?;
     if let Some(out) = &arguments.out {
         let world_file = fitted.world_file().ok_or(
@@ -148,8 +156,8 @@ fn summarize(
         reference_system: plane.name(),
         epsg: plane.epsg(),
         gsd_m: pilotage_core::imagery::Imagery::native_gsd(&map),
-        rms_px: fitted.rms_in_pixels,
-        rms_m: fitted.rms_in_plane,
+        rms_px: (!fitted.is_exact).then_some(fitted.rms_in_pixels),
+        rms_m: (!fitted.is_exact).then_some(fitted.rms_in_plane),
         rms_left_out_m: fitted.rms_left_out,
         corners_lat_lon: corners.collect(),
         plane_from_pixel: [0, 1, 2].map(|r| [0, 1, 2].map(|c| m[(r, c)])),

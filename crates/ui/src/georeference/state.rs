@@ -114,8 +114,7 @@ impl Georeferencer {
 
     /// Whether the points are so few that any fit goes through all of them, and no error tells anything.
     pub fn is_exact(&self) -> bool {
-        let on = self.points.iter().filter(|point| point.enabled).count();
-        on <= self.kind.least_points()
+        self.fitted.as_ref().is_ok_and(|fit| fit.is_exact)
     }
 
     /// Takes a place for the point being picked.

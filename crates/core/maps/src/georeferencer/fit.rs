@@ -65,6 +65,9 @@ pub struct TransformFit {
     pub plane_from_pixel: Matrix3<f64>,
     /// Residuals of all control points, in their order.
     pub residuals: Vec<Residual>,
+    /// Whether the points that are on are so few that a transform of this kind goes through any of them, and the residuals
+    /// check nothing.
+    pub is_exact: bool,
     /// Root mean square of the residuals of the points that are on, units of the plane.
     pub rms_in_plane: f64,
     /// The same in pixels.
@@ -99,6 +102,7 @@ pub fn fit(points: &[ControlPoint], kind: TransformKind) -> Result<TransformFit,
         kind,
         plane_from_pixel: matrix,
         residuals: Vec::new(),
+        is_exact: on.len() <= kind.least_points(),
         rms_in_plane: 0.0,
         rms_in_pixels: 0.0,
         rms_left_out: None,
