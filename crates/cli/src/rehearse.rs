@@ -74,7 +74,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let ground = PlannedFlight::along(&arguments.source.to_source(), arguments.route.as_deref())?;
     tell(&ground.notes);
     let say = |line: &str| eprintln!("{line}");
-    let (plan, prediction) = predict(&ground, None, f64::INFINITY, say)?;
+    let (plan, prediction) = predict(&ground, None, f64::INFINITY, &say)?;
     let (mut flights, mut frames) = (Vec::new(), Vec::new());
     let mut hear = |seed, flown: Rehearsed| {
         let of = Verification::of(std::slice::from_ref(&flown.frames));

@@ -8,7 +8,7 @@ use crate::planned_flight::PlannedFlight;
 use crate::workers;
 
 /// Printer of lines about a plan.
-pub type Say = fn(&str);
+pub type Say<'a> = &'a dyn Fn(&str);
 
 /// The landmarks that are switched on.
 pub fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
@@ -20,7 +20,7 @@ pub fn enabled(ground: &PlannedFlight) -> Vec<&Landmark> {
 pub fn expected(
     ground: &PlannedFlight,
     seed: Option<u64>,
-    say: Say,
+    say: Say<'_>,
 ) -> Result<Vec<(Landmark, DetectionStatistics)>, String> {
     let landmarks = enabled(ground);
     let order = |l: &&Landmark| ground.assessment(l, seed);

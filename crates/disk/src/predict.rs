@@ -12,7 +12,7 @@ pub fn predict(
     ground: &PlannedFlight,
     seed: Option<u64>,
     limit: f64,
-    say: Say,
+    say: Say<'_>,
 ) -> Result<(PredictionOrder, RoutePrediction), Box<dyn std::error::Error>> {
     let plan = ground
         .plan

@@ -20,12 +20,19 @@ pub struct PythonLog(Arc<Log>);
 /// Reads a log of any format that Pilotage knows (PX4 ULog, ArduPilot dataflash binary and text, MAVLink telemetry,
 /// MCAP, NMEA, SRT), tables (CSV, MATLAB), flight folders or photos.
 ///
-/// `columns` is a file that says what the columns of tables mean, as `pilotage columns --save` writes it.
+/// `columns` is a file that says what the columns of tables mean, as `pilotage columns --save` writes it; `vehicle` is the
+/// number of the system that flies, of a telemetry log of several.
 #[pyfunction]
-#[pyo3(signature = (path, *, columns = None))]
-pub fn read_log(py: Python<'_>, path: PathBuf, columns: Option<PathBuf>) -> PyResult<PythonLog> {
+#[pyo3(signature = (path, *, columns = None, vehicle = None))]
+pub fn read_log(
+    py: Python<'_>,
+    path: PathBuf,
+    columns: Option<PathBuf>,
+    vehicle: Option<u32>,
+) -> PyResult<PythonLog> {
     let read = || -> Result<Log, String> {
-        match open(&path, columns.as_deref()).map_err(|e| named(&path, &e.to_string()))? {
+        let opened = open(&path, columns.as_deref()).map_err(|e| named(&path, &e.to_string()))?;
+        match opened.of_vehicle(vehicle)? {
             OpenedPath::Log(log, _) => Ok(*log),
             OpenedPath::Folder(folder) => Ok(folder.log()),
             OpenedPath::Nothing(told) => Err(no_flight(&path, &told)),

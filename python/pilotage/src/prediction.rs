@@ -1,5 +1,6 @@
 //! The corridor along a planned route.
 
+use std::cell::RefCell;
 use std::path::PathBuf;
 
 use nalgebra::{Matrix4, Vector4};
@@ -25,6 +26,9 @@ pub struct PythonPrediction {
     /// Names of the landmarks, in the order of the columns of `detection`.
     #[pyo3(get)]
     landmarks: Vec<String>,
+    /// What was assumed of the files, and how each landmark was measured, in sentences.
+    #[pyo3(get)]
+    notes: Vec<String>,
 }
 
 /// Predicts how well the position will be known along a route, as `pilotage plan --predict` does.
@@ -76,8 +80,10 @@ pub fn predict_route(
             .plan
             .as_ref()
             .ok_or("the mission has no route to predict along")?;
+        let notes = RefCell::new(ground.notes.clone());
+        let say = |line: &str| notes.borrow_mut().push(line.to_owned());
         let landmarks = match detection {
-            None => expected(&ground, seed, |_| ())?,
+            None => expected(&ground, seed, &say)?,
             Some(stated) => {
                 let statistics = as_stated(stated);
                 let landmarks = enabled(&ground).into_iter();
@@ -97,6 +103,7 @@ pub fn predict_route(
         Ok(PythonPrediction {
             prediction: order.predict()?,
             landmarks: names.map(|(landmark, _)| landmark.name.clone()).collect(),
+            notes: notes.into_inner(),
         })
     };
     py.detach(|| predict().map_err(|e| e.to_string()))

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use pilotage_core::navigator::summarize;
+use pilotage_core::navigator::{summarize, unused_pictures};
 use pilotage_core::simulate::SimulationChoice;
 use pilotage_disk::filter_options;
 use pilotage_disk::replaying::{ReplayedSimulation, flight_at, over_map, replay_simulation};
@@ -47,6 +47,7 @@ pub fn replay(
         let mut over = over_map(flight.open, map, mission, filter)?;
         notes.extend(over.why.map(ToOwned::to_owned));
         let run = over.navigate()?;
+        notes.extend(unused_pictures(&run));
         let summary = summarize(&over.flight, &run, None);
         Ok(PythonRun::new(run, Some(summary), notes))
     };

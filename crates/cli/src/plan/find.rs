@@ -89,7 +89,7 @@ fn order(
     let camera = ground.camera.clone();
     let view = FieldView::of_flight(camera, height, Proposal::POSITION, &settings.sensors);
     let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
-        expected(ground, arguments.seed, |line| println!("{line}"))?
+        expected(ground, arguments.seed, &|line| println!("{line}"))?
     } else {
         Vec::new()
     };

@@ -96,7 +96,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     }
     no_fly::tell_legs(&ground);
     if arguments.predict {
-        let (plan, prediction) = predict(&ground, arguments.seed, arguments.limit, |line| {
+        let (plan, prediction) = predict(&ground, arguments.seed, arguments.limit, &|line| {
             println!("{line}");
         })?;
         no_fly::tell_reached(&ground, &prediction);
