@@ -64,10 +64,14 @@ fn measured(log: &Log, seen: &Overview) {
         );
     }
     let aloft: f64 = seen.airborne.iter().fold(0.0, |sum, (a, b)| sum + b - a);
-    println!(
-        "    in the air {aloft:.0} s, {:.2} km over ground",
-        1e-3 * seen.distance
-    );
+    if aloft > 0.0 {
+        println!(
+            "    in the air {aloft:.0} s, {:.2} km over ground",
+            1e-3 * seen.distance
+        );
+    } else {
+        println!("    never in the air");
+    }
     if !log.modes.is_empty() {
         for (from, to) in &seen.airborne {
             let modes = modes(log, *from, *to).join(", ");

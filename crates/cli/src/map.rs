@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use crate::CommandResult;
 use crate::files::{DirectoryFiles, DiskFile};
-use crate::numbers::numbers;
+use crate::numbers::{lat_lon, numbers};
 use crate::opening::foreign_words;
 
 /// Endings of pictures, which may be maps.
@@ -172,7 +172,7 @@ impl MapArguments {
 
 fn info(arguments: &MapArguments, height_at: Option<&str>) -> CommandResult {
     let system = arguments.system()?;
-    let place = height_at.map(lat_lon).transpose()?;
+    let place = height_at.map(|at| lat_lon(at, "--height-at")).transpose()?;
     let is_tiff = arguments.has_ending(&["tif", "tiff"]);
     let is_height = arguments.has_ending(&["hgt"]);
     if place.is_some() && !is_tiff && !is_height {
@@ -461,9 +461,4 @@ fn tile(
         picture.height()
     );
     Ok(())
-}
-
-fn lat_lon(text: &str) -> Result<Geodetic, String> {
-    let [latitude, longitude] = numbers(text, "--height-at")?;
-    Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
 }

@@ -46,7 +46,7 @@ pub fn list() {
         // The other commands fly scenarios over the generated country.
         if Scenario::named(choice.name).is_none() {
             println!(
-                "    For the page, `pilotage replay`, and `pilotage simulate`, which writes its map and its mission beside it."
+                "    For the page, `pilotage replay` and `compare`, and `pilotage simulate`, which writes its map and its mission beside it."
             );
         }
         println!();

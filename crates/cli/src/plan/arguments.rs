@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use pilotage_core::plan::Proposal;
-use pilotage_jobs::FindOrder;
+use pilotage_jobs::{FindOrder, PredictionOrder};
 
 use super::source::SourceArguments;
 
@@ -67,7 +67,7 @@ pub struct Arguments {
     #[command(flatten)]
     pub measure: MeasureArguments,
     /// Standard deviation of the position (longer axis) that is accepted, metres.
-    #[arg(long, default_value_t = 10.0)]
+    #[arg(long, default_value_t = PredictionOrder::LIMIT)]
     pub limit: f64,
     /// Seed of rehearsal days and worlds, in place of those that everybody takes, so that the same plan has the same
     /// figures.

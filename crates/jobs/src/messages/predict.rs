@@ -53,6 +53,8 @@ pub struct PredictionOrder {
 }
 
 impl PredictionOrder {
+    /// Standard deviation of the position (longer axis) that is accepted where nobody states another, metres.
+    pub const LIMIT: f64 = 10.0;
     /// Seed of predictions where nobody states one.
     pub const SEED: u64 = 1;
 

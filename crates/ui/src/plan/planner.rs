@@ -72,7 +72,7 @@ pub struct PlanPreferences {
 impl Default for PlanPreferences {
     fn default() -> Self {
         Self {
-            limit: 10.0,
+            limit: PredictionOrder::LIMIT,
             wind: None,
             heat: HeatPreferences::default(),
             find: FindPreferences::default(),

@@ -11,8 +11,6 @@ use pilotage_jobs::UntestedOrder;
 
 /// Tested landmarks from which on they tell what another one would be worth.
 const LEAST_TESTED: usize = 3;
-/// Side of a box where no landmark tells the usual size, metres.
-const USUAL_SIDE: f64 = 30.0;
 
 impl Planner {
     /// Landmarks that are switched on and were not tested as they are.
@@ -29,7 +27,7 @@ impl Planner {
         let map = documents.map.info.as_ref()?;
         self.untested_landmarks(documents).next()?;
         let mission = &documents.mission;
-        let side = UntestedOrder::usual_side(mission).unwrap_or(USUAL_SIDE);
+        let side = UntestedOrder::usual_side(mission)?;
         let like = self.assessment(&UntestedOrder::usual_box(side), documents);
         let route = mission.selected_route();
         let way = route.map(|route| flown_way(route, documents, self.preferences.bank));
