@@ -4,7 +4,6 @@ use egui::{Key, Painter, Ui};
 use pilotage_core::calibration::{CameraAdjustment, CameraPrior, camera_findings};
 use pilotage_core::flight::overview::Finding;
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
 use pilotage_jobs::{CalibrationOrder, Job, JobEvent, JobId, MapSource};
 use serde_json::Value;
 
@@ -103,13 +102,8 @@ impl CameraLogFeature {
         let Some(flight) = &documents.flight.measured else {
             return;
         };
-        let mut settings = documents.mission.navigator.clone();
-        // As a flight without a mission is flown by its pictures, here and by `pilotage align`.
-        let by_pictures = NavigatorSettings::without_mission(flight, true);
-        settings.whole_frames = settings.whole_frames.or(by_pictures.whole_frames);
-        if by_pictures.vehicle == VehicleChoice::ConstantVelocity {
-            settings.vehicle = by_pictures.vehicle;
-        }
+        let settings = documents.mission.navigator.clone();
+        let settings = settings.laying_pictures_of(flight);
         documents.set_navigator(&settings, false);
         self.job.trouble = None;
         context.document_changed();

@@ -39,6 +39,18 @@ impl NavigatorSettings {
         };
         settings.for_camera_of(flight)
     }
+
+    /// These settings, with whole pictures laid on the map, as without a mission where they do not say how. Where airspeed
+    /// and heading were not measured, the pictures carry the velocity, too.
+    #[must_use]
+    pub fn laying_pictures_of(mut self, flight: &Flight) -> Self {
+        let by_pictures = Self::without_mission(flight, true);
+        self.whole_frames = self.whole_frames.or(by_pictures.whole_frames);
+        if by_pictures.vehicle == VehicleChoice::ConstantVelocity {
+            self.vehicle = by_pictures.vehicle;
+        }
+        self
+    }
 }
 
 /// Shortest step by which a flight makes no more than [`MOST_STEPS`], seconds; zero if it makes fewer anyway.
