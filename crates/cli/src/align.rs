@@ -3,15 +3,17 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pilotage_core::calibration::{CameraEvidence, CameraPrior, CameraToLog, Estimated};
+use pilotage_core::calibration::{
+    CameraAdjustment, CameraEvidence, CameraPrior, CameraToLog, camera_numbers,
+};
+use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Summary, summarize};
 use pilotage_jobs::{BareMission, CalibrationOrder, FlyOrder, JobEvent, WorkerState};
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::{MAP_CACHE, open_map};
 use crate::notes::{tell, told};
-use crate::replaying::{FlightOnDisk, flight_at, fly};
+use crate::replaying::{flight_at, fly};
 use crate::workers::{Lent, do_here};
 
 /// Arguments of `pilotage align`: a flight and the map beside it.
@@ -20,9 +22,15 @@ pub struct Arguments {
     /// Flight folder, or its flight.json.
     #[arg(long)]
     flight: PathBuf,
-    /// Map picture with its georeference beside it.
+    /// Map picture with its georeference beside it, if none lies in the folder.
     #[arg(long)]
-    map: PathBuf,
+    map: Option<PathBuf>,
+    /// Mission file (GeoJSON) by whose landmarks and settings it is flown, if none lies in the folder.
+    #[arg(long)]
+    mission: Option<PathBuf>,
+    /// Leave out the mission in the folder.
+    #[arg(long, conflicts_with = "mission")]
+    no_mission: bool,
     /// Times that the flight is flown again with what was found.
     #[arg(long, default_value_t = 2)]
     rounds: usize,
@@ -40,7 +48,10 @@ pub struct Arguments {
 /// Results of a round.
 #[derive(Serialize)]
 struct CalibrationRound {
+    /// Found in this round, beyond what the rounds before had changed.
     camera_to_log: CameraToLog,
+    /// All that is to be changed of the flight as it was opened.
+    change: CameraAdjustment,
     /// The run that it was found from, before the flight was changed so; errors in it are against the truth that
     /// the flight states, whatever that is of.
     summary: Summary,
@@ -48,20 +59,34 @@ struct CalibrationRound {
 
 /// Puts the camera of a flight beside its log.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let FlightOnDisk { open, notes, .. } = flight_at(&arguments.flight, None, None)?;
-    tell(&notes);
-    let source = Lent::map_of_file();
-    let mut mission = BareMission::of(&open.flight, &source).mission;
+    let on_disk = flight_at(&arguments.flight, None, None)?;
+    tell(&on_disk.notes);
+    let map = on_disk.map(arguments.map.as_deref())?;
+    let map = map.ok_or("there is no map on which its pictures could be laid; name it by --map")?;
+    let stated = if arguments.no_mission {
+        None
+    } else {
+        on_disk.mission(arguments.mission.as_deref())?
+    };
+    let open = on_disk.open;
+    let (source, lent) = Lent::over(Some(told(map)));
+    let mut mission = match stated {
+        // The flight as it was opened is what is put right.
+        Some(mission) => Mission {
+            navigator: mission.navigator.clone().laying_pictures_of(&open.flight),
+            camera_to_log: None,
+            ..mission
+        },
+        None => BareMission::of(&open.flight, &source).mission,
+    };
     crate::filter_options::apply(&mut mission.navigator, &arguments.filter)?;
-    let map = open_map(&arguments.map, open.flight.frame_on_globe, MAP_CACHE)?;
-    let (_, lent) = Lent::over(Some(told(map)));
     let lent = lent.with_flight(&open);
     let mut flight = open.flight;
     let believed = CameraPrior {
         offset: arguments.clock,
         ..CameraPrior::default()
     };
-    let mut rounds = Vec::new();
+    let (mut rounds, mut change) = (Vec::new(), None::<CameraAdjustment>);
     for _ in 0..arguments.rounds.max(1) {
         let lent = lent.clone();
         let lent = lent.with_flight_changed(Arc::clone(&flight));
@@ -77,8 +102,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             believed,
         };
         let found = calibrated(order, &mut worker)?;
+        let more = found.adjustment();
+        let all = change.map_or(more, |before| before.then(&more));
+        change = Some(all);
         rounds.push(CalibrationRound {
             camera_to_log: found,
+            change: all,
             summary: summarize(&flight, &run, None),
         });
         flight = Arc::new(found.apply(&flight));
@@ -112,25 +141,15 @@ fn print(number: usize, round: &CalibrationRound) {
         "round {number}: {} of {} frames on the map; satellite navigation {:.2} m about them, then {:.2} m",
         found.frames, round.summary.frames, found.place_deviation[0], found.place_deviation[1]
     );
-    let degree = 1_f64.to_degrees();
-    let line = |name: &str, number: &Estimated, factor: f64, unit: &str| {
+    for number in camera_numbers(&round.change, found) {
         let told = if number.is_told {
             ""
         } else {
             "   (not told by this flight)"
         };
         println!(
-            "  {name:<14} {:>9.3} ± {:<8.3} {unit}{told}",
-            factor * number.value,
-            factor * number.deviation
+            "  {:<14} {:>9.3} ± {:<8.3} {}{told}",
+            number.name, number.value, number.deviation, number.unit
         );
-    };
-    line("time offset", &found.offset, 1.0, "s");
-    line("clock drift", &found.drift, 1e6, "µs/s");
-    line("mount roll", &found.roll, degree, "°");
-    line("mount pitch", &found.pitch, degree, "°");
-    line("mount yaw", &found.yaw, degree, "°");
-    line("focal length", &found.log_focal, 100.0, "%");
-    line("fixes north", &found.bias[0], 1.0, "m");
-    line("fixes east", &found.bias[1], 1.0, "m");
+    }
 }

@@ -1,7 +1,7 @@
 //! The estimate as a table, and the same numbers to be moved by hand.
 
 use egui::{Align2, RichText, Role, Sense, Slider, SliderClamping, Ui, WidgetInfo, vec2};
-use pilotage_core::calibration::{CameraAdjustment, CameraToLog, Estimated};
+use pilotage_core::calibration::{CameraAdjustment, CameraNumber, CameraToLog, camera_numbers};
 
 use super::work::FoundCamera;
 use crate::tokens::Tokens;
@@ -16,49 +16,6 @@ const MOST_ANGLE: f64 = 20.0;
 const MOST_FOCAL: f64 = 30.0;
 /// Fastest drift that is offered, microseconds per second.
 const MOST_DRIFT: f64 = 2000.0;
-
-/// A number of the table: what it is with its unit, what is to be changed in all, the estimate's deviation in the
-/// same unit, and whether the flight tells it.
-struct NumberLine {
-    name: String,
-    value: f64,
-    deviation: f64,
-    is_told: bool,
-}
-
-impl NumberLine {
-    fn new(name: &str, unit: &str, value: f64, factor: f64, told: &Estimated) -> Self {
-        Self {
-            name: format!("{name}, {unit}"),
-            value: factor * value,
-            deviation: factor * told.deviation,
-            is_told: told.is_told,
-        }
-    }
-}
-
-fn lines(found: &FoundCamera, units: Units) -> Vec<NumberLine> {
-    let FoundCamera { told, change } = found;
-    let degree = 1_f64.to_degrees();
-    let (length, length_unit) = units.length();
-    let focal = NumberLine {
-        value: change.focal_percent(),
-        deviation: 100.0 * change.log_focal.exp() * told.log_focal.deviation,
-        ..NumberLine::new("Focal length", "%", 0.0, 1.0, &told.log_focal)
-    };
-    let bias =
-        |name, axis: &Estimated| NumberLine::new(name, length_unit, axis.value, length, axis);
-    vec![
-        NumberLine::new("Time offset", "s", change.offset, 1.0, &told.offset),
-        NumberLine::new("Clock drift", "µs/s", change.drift, 1e6, &told.drift),
-        NumberLine::new("Mount roll", "°", change.roll, degree, &told.roll),
-        NumberLine::new("Mount pitch", "°", change.pitch, degree, &told.pitch),
-        NumberLine::new("Mount yaw", "°", change.yaw, degree, &told.yaw),
-        focal,
-        bias("GPS bias north", &told.bias[0]),
-        bias("GPS bias east", &told.bias[1]),
-    ]
-}
 
 /// A number with a sign where it is below zero, as its deviation deserves.
 fn rounded(value: f64, deviation: f64) -> String {
@@ -83,7 +40,17 @@ pub(super) fn estimate(ui: &mut Ui, tokens: &Tokens, found: &FoundCamera, units:
     table::row(ui, tokens, &titles, tokens.muted, |ui| {
         ui.label(small("to be added to the flight as opened"));
     });
-    for line in lines(found, units) {
+    let (length, length_unit) = units.length();
+    for number in camera_numbers(&found.change, &found.told) {
+        let (factor, unit) = match number.unit {
+            "m" => (length, length_unit),
+            other => (1.0, other),
+        };
+        let line = CameraNumber {
+            value: factor * number.value,
+            deviation: factor * number.deviation,
+            ..number
+        };
         let colour = if line.is_told {
             tokens.text
         } else {
@@ -95,7 +62,7 @@ pub(super) fn estimate(ui: &mut Ui, tokens: &Tokens, found: &FoundCamera, units:
             format!("± {deviation}"),
         ];
         table::row(ui, tokens, &cells, colour, |ui| {
-            ui.label(RichText::new(&line.name).color(colour));
+            ui.label(RichText::new(format!("{}, {unit}", line.name)).color(colour));
             if !line.is_told {
                 ui.label(small("not told by this flight"));
             }

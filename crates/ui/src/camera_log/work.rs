@@ -1,14 +1,12 @@
 //! Camera beside its log: the estimate, and the adjustment by hand.
 
 use pilotage_core::calibration::{
-    CameraAdjustment, CameraEvidence, CameraPrior, CameraToLog, FrameResidual, ResidualSummary,
+    CameraAdjustment, CameraEvidence, CameraPrior, CameraToLog, FEWEST_FRAMES, FrameResidual,
+    ResidualSummary,
 };
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::Run;
-
-/// Fewest laid frames from which anything can be told.
-const FEWEST: usize = 6;
 
 /// An estimate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,7 +113,7 @@ impl CameraLog {
             return Some(Missing::Run);
         };
         let found = evidence.frames();
-        if found >= FEWEST {
+        if found >= FEWEST_FRAMES {
             None
         } else if run.settings.whole_frames.is_none() {
             Some(Missing::FrameRegistration)

@@ -10,7 +10,7 @@ use pilotage_flight::Flight;
 use pilotage_mission::settings::CameraAdjustment;
 
 /// Fewest frames from which anything can be told.
-const FEWEST: usize = 6;
+pub const FEWEST_FRAMES: usize = 6;
 /// Guesses of the time offset, from one to the next, seconds.
 const STEP: f64 = 0.1;
 
@@ -86,7 +86,7 @@ pub struct CameraToLog {
 pub enum CalibrationError {
     /// Too few frames lie on the map.
     #[error(
-        "{found} frames of the flight were laid on the map during the log; at least {FEWEST} are needed"
+        "{found} frames of the flight were laid on the map during the log; at least {FEWEST_FRAMES} are needed"
     )]
     TooFewFrames {
         /// Number of frames that were laid on the map during the log.
@@ -147,7 +147,7 @@ impl CameraSearch {
         believed: &CameraPrior,
     ) -> Result<Self, CalibrationError> {
         let log = evidence.log().ok_or(CalibrationError::NoFixes)?;
-        if evidence.frames() < FEWEST {
+        if evidence.frames() < FEWEST_FRAMES {
             return Err(CalibrationError::TooFewFrames {
                 found: evidence.frames(),
             });
@@ -181,7 +181,7 @@ impl CameraSearch {
         self.done += 1;
         let frames = evidence.laid();
         let solution = solve(&log, frames, &guess, &held);
-        let enough = |s: &Solution| 2 * s.frames > frames.len() && s.frames >= FEWEST;
+        let enough = |s: &Solution| 2 * s.frames > frames.len() && s.frames >= FEWEST_FRAMES;
         let best = self.likely.as_ref().map_or(f64::INFINITY, |s| s.cost);
         if let Some(found) = solution.filter(|s| enough(s) && s.cost < best) {
             self.likely = Some(found);

@@ -8,11 +8,14 @@
 mod estimate;
 mod evidence;
 mod finding;
+mod numbers;
 mod residual;
 mod solve;
 
 pub use estimate::{
-    CalibrationError, CameraPrior, CameraSearch, CameraToLog, Estimated, camera_to_log,
+    CalibrationError, CameraPrior, CameraSearch, CameraToLog, Estimated, FEWEST_FRAMES,
+    camera_to_log,
 };
 pub use evidence::{CameraEvidence, FrameResidual, ResidualSummary};
 pub use finding::camera_findings;
+pub use numbers::{CameraNumber, camera_numbers};
