@@ -99,8 +99,12 @@ impl ColumnsDraft {
 
     /// Why no flight can be made of them yet, in words; `None` if one can.
     pub fn lacks(&self) -> Option<String> {
-        let maps: Vec<&ColumnMap> = self.used().collect();
-        tables_lack(&maps).or_else(|| tables_lack_to_navigate(&maps).map(ToOwned::to_owned))
+        tables_lack(&self.used().collect::<Vec<_>>())
+    }
+
+    /// Why the flight that can be made of them cannot be navigated, in words; it can be looked at all the same.
+    fn lacks_to_navigate(&self) -> Option<&'static str> {
+        tables_lack_to_navigate(&self.used().collect::<Vec<_>>())
     }
 }
 
@@ -280,7 +284,9 @@ fn foot(ui: &mut Ui, tokens: &Tokens, draft: &ColumnsDraft, commands: &mut Vec<C
     let words = match (&draft.failed, &lacks) {
         (Some(why), _) => Some(format!("No flight could be made of them: {why}")),
         (None, Some(why)) => Some(format!("Not yet: {why}.")),
-        (None, None) => None,
+        (None, None) if is_making => None,
+        (None, None) => (draft.lacks_to_navigate())
+            .map(|why| format!("It can be looked at, but not navigated: {why}.")),
     };
     match words {
         Some(words) => {

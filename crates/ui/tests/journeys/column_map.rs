@@ -174,7 +174,12 @@ fn a_table_without_times_asks_how_many_rows_a_second_has() {
         .get_by_label_contains("Not yet: att.csv: no column is the time");
     choose(&mut rig, "Meaning of quux", "time");
     rig.harness
-        .get_by_label_contains("Not yet: no column is a height");
+        .get_by_label_contains("It can be looked at, but not navigated: no column is a height");
+    // As on the terminal: what is there is shown.
+    rig.harness.get_by_label("Open flight").click();
+    rig.settle();
+    assert_eq!(dialog(&rig), Value::Null);
+    assert_eq!(rig.state()["flight"], "att");
 }
 
 #[test]
