@@ -2,7 +2,7 @@
 
 use pilotage_core::filter::quantile;
 use pilotage_core::training::evaluation::wilson;
-use pilotage_study::{MeasureKind, StudyPlan};
+use pilotage_study::{DrawBy, MeasureKind, StudyPlan};
 
 use super::grouping::{FlightGroups, StudyBy, compared};
 use super::under_way::StudyUnderWay;
@@ -19,12 +19,12 @@ const NORMAL: f64 = 1.959_964;
 pub struct ErrorSpread {
     /// 5 %, 25 %, 50 %, 75 % and 95 %.
     pub quantiles: [f64; 5],
-    /// 95 % interval of the median, by the binomial law of ranks.
-    pub median: [f64; 2],
+    /// 95 % interval of the median, by the binomial law of ranks; `None` where the flights are no independent draws.
+    pub median: Option<[f64; 2]>,
 }
 
 impl ErrorSpread {
-    fn of(mut values: Vec<f64>) -> Option<Self> {
+    fn of(mut values: Vec<f64>, are_independent: bool) -> Option<Self> {
         values.sort_by(f64::total_cmp);
         let at = |share: f64| quantile(&values, share.clamp(0.0, 1.0));
         let margin = NORMAL * 0.5 / (values.len() as f64).sqrt();
@@ -34,7 +34,10 @@ impl ErrorSpread {
         }
         Some(Self {
             quantiles,
-            median: [at(0.5 - margin)?, at(0.5 + margin)?],
+            median: at(0.5 - margin)
+                .zip(at(0.5 + margin))
+                .filter(|_| are_independent)
+                .map(Into::into),
         })
     }
 }
@@ -116,9 +119,10 @@ impl StudyOutcome {
             }));
         }
         let settings = groups.labels.into_iter().zip(tallies);
+        let are_independent = plan.draw_by == DrawBy::Random;
         Self {
             settings: settings
-                .map(|(label, tally)| tally.outcome(label))
+                .map(|(label, tally)| tally.outcome(label, are_independent))
                 .collect(),
             failed,
         }
@@ -149,13 +153,13 @@ impl SettingTally {
         }
     }
 
-    fn outcome(self, label: String) -> SettingOutcome {
+    fn outcome(self, label: String, are_independent: bool) -> SettingOutcome {
         let [inside, of] = self.inside;
         let (sum, count) = self.time;
         SettingOutcome {
             label,
             flights: self.flights,
-            error: ErrorSpread::of(self.errors),
+            error: ErrorSpread::of(self.errors, are_independent),
             inside: self.inside,
             interval: wilson(inside as f64, of as f64).into(),
             time_inside: (count > 0.0).then(|| sum / count),
@@ -190,18 +194,21 @@ mod tests {
     #[test]
     fn the_spread_of_errors_is_that_of_the_sorted_flights() {
         let values = (0..101).rev().map(f64::from).collect();
-        let spread = ErrorSpread::of(values).unwrap();
+        let spread = ErrorSpread::of(values, true).unwrap();
         let expected = [5.0, 25.0, 50.0, 75.0, 95.0];
         for (value, expected) in spread.quantiles.into_iter().zip(expected) {
             assert!((value - expected).abs() < 1e-9);
         }
         // Ranks within 1.96 times half the root of the number, about 10 of 101.
-        let [low, high] = spread.median;
+        let [low, high] = spread.median.unwrap();
         assert!(
             (low - 40.2).abs() < 0.1 && (high - 59.8).abs() < 0.1,
             "{low} {high}"
         );
-        assert_eq!(ErrorSpread::of(Vec::new()), None);
+        assert_eq!(ErrorSpread::of(Vec::new(), true), None);
+        // Points of one scramble are no independent draws: their scatter is not that of the median.
+        let of_points = ErrorSpread::of(vec![1.0, 2.0], false).unwrap();
+        assert_eq!(of_points.median, None);
     }
 
     #[test]

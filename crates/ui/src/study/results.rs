@@ -120,10 +120,13 @@ fn errors(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcome, er
             |spread| {
                 let of = |value: f64| parts::figures(factor * value);
                 let [low, _, median, _, high] = spread.quantiles;
-                let [from, to] = spread.median;
+                let interval = spread.median.map_or_else(String::new, |[from, to]| {
+                    let (from, to) = (of(from), of(to));
+                    format!(" (between {from} and {to} in 95 of 100 such studies)")
+                });
                 format!(
-                    "median {} {unit} (between {} and {} in 95 of 100 such studies); nine of ten flights from {} to {} {unit}; {} flights",
-                    of(median), of(from), of(to), of(low), of(high), own.flights
+                    "median {} {unit}{interval}; nine of ten flights from {} to {} {unit}; {} flights",
+                    of(median), of(low), of(high), own.flights
                 )
             },
         );
