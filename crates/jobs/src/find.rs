@@ -26,14 +26,9 @@ impl Foreseen {
     /// Uncertainty that was to be least: the standard deviation (longer axis) at the worst place or in the
     /// mean, metres.
     fn uncertainty(&self, aim: Aim) -> f64 {
-        let sigmas = self.prediction.samples.iter();
-        let sigmas = sigmas.map(|s| s.corridor.sigma_major);
         match aim {
-            Aim::Worst => sigmas.fold(0.0, f64::max),
-            Aim::Mean => {
-                let count = self.prediction.samples.len().max(1);
-                sigmas.sum::<f64>() / count as f64
-            }
+            Aim::Worst => self.worst_sigma(),
+            Aim::Mean => self.mean_sigma(),
         }
     }
 }

@@ -153,7 +153,6 @@ fn order(
 impl ComparedRoute {
     fn of(name: &'static str, foreseen: &Foreseen) -> Self {
         let Foreseen { route, prediction } = foreseen;
-        let sigmas = || prediction.samples.iter().map(|s| s.corridor.sigma_major);
         Self {
             name,
             length_m: route.length,
@@ -161,8 +160,8 @@ impl ComparedRoute {
             way_points: route.way_points.len(),
             worst_blind_m: route.worst_blind,
             mean_blind_m: route.mean_blind,
-            worst_sigma_m: sigmas().fold(0.0, f64::max),
-            mean_sigma_m: sigmas().sum::<f64>() / prediction.samples.len().max(1) as f64,
+            worst_sigma_m: foreseen.worst_sigma(),
+            mean_sigma_m: foreseen.mean_sigma(),
         }
     }
 
@@ -185,7 +184,7 @@ fn take(ground: &mut PlannedFlight, way_points: &[GroundPoint]) {
     let all = &ground.mission.routes;
     let found = Route {
         id: all.iter().map(|r| r.id + 1).max().unwrap_or(1),
-        name: "Found".to_owned(),
+        name: FindOrder::FOUND.to_owned(),
         ..ground.at_its_altitude(way_points)
     };
     ground.fly_along(&found);

@@ -234,7 +234,7 @@ fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_p
     }
     let text = std::fs::read(folder.0.join("found.json")).expect("the mission");
     let found = read_mission(&text).expect("a mission");
-    assert_eq!(found.routes[0].name, "Found");
+    assert_eq!(found.routes[0].name, "Found route");
     assert!(found.routes[0].way_points.len() >= 2 && found.routes.len() == 2);
     assert!(is_whole(&folder.0));
     // Ground that is level is not too high to fly over; of ground that cannot be read nobody knows.

@@ -35,6 +35,8 @@ pub struct FindOrder {
 }
 
 impl FindOrder {
+    /// Name of a route that was found.
+    pub const FOUND: &str = "Found route";
     /// Greatest cost over that of the shortest route where nobody states one.
     pub const BUDGET: f64 = 1.3;
     /// Distance that is kept from no-fly areas where nobody states one, metres.
@@ -59,6 +61,23 @@ pub struct Foreseen {
     pub route: FoundRoute,
     /// The prediction.
     pub prediction: RoutePrediction,
+}
+
+impl Foreseen {
+    /// Largest predicted standard deviation of the position (longer axis), metres; zero without a sample.
+    pub fn worst_sigma(&self) -> f64 {
+        self.sigmas().fold(0.0, f64::max)
+    }
+
+    /// Its mean along the route, metres.
+    pub fn mean_sigma(&self) -> f64 {
+        self.sigmas().sum::<f64>() / self.prediction.samples.len().max(1) as f64
+    }
+
+    fn sigmas(&self) -> impl Iterator<Item = f64> {
+        let samples = self.prediction.samples.iter();
+        samples.map(|sample| sample.corridor.sigma_major)
+    }
 }
 
 /// The shortest route and the one that was found.

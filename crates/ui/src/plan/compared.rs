@@ -1,6 +1,5 @@
 //! A route that was found in numbers, to be compared with another.
 
-use super::words::PredictionFigures;
 use pilotage_jobs::Foreseen;
 
 /// Figures of a route in the comparison.
@@ -19,14 +18,12 @@ pub struct RouteFigures {
 impl RouteFigures {
     /// Figures of a route; `None` without a prediction.
     pub fn of(foreseen: &Foreseen) -> Option<Self> {
-        let samples = &foreseen.prediction.samples;
-        let outlook = PredictionFigures::of(&foreseen.prediction)?;
-        let sum: f64 = samples.iter().map(|s| s.corridor.sigma_major).sum();
+        let last = foreseen.prediction.samples.last()?;
         Some(Self {
             length: foreseen.route.length,
-            time: samples.last()?.time,
-            worst: outlook.sigma,
-            mean: sum / samples.len() as f64,
+            time: last.time,
+            worst: foreseen.worst_sigma(),
+            mean: foreseen.mean_sigma(),
         })
     }
 }

@@ -110,7 +110,7 @@ impl Planner {
                 };
                 let altitude = self.found_altitude(documents);
                 let found = line(&found.surest.route.way_points, altitude);
-                let id = documents.add_route(Some("Found route"), found.way_points);
+                let id = documents.add_route(Some(FindOrder::FOUND), found.way_points);
                 documents.mission.route = Some(id);
                 self.way_point = None;
                 self.tab = PlanTab::Route;
