@@ -29,13 +29,20 @@ pub struct Arguments {
 /// Says what the path holds.
 pub fn run(arguments: &Arguments) -> CommandResult {
     let path = &arguments.path;
-    if !path.is_dir()
-        && let Some((format, found)) = crate::labels::read(path)?
-    {
-        crate::labels::describe(format, found);
-        return Ok(());
-    }
+    let labels = crate::labels::read(path);
     let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
+    let is_flight = !matches!(opened, OpenedPath::Nothing(_));
+    match labels {
+        Ok(Some((format, found))) => {
+            crate::labels::describe(format, found);
+            if !is_flight {
+                return Ok(());
+            }
+        }
+        Ok(None) => {}
+        Err(why) if is_flight => eprintln!("note: {why}"),
+        Err(why) => return Err(why),
+    }
     let told = match opened {
         OpenedPath::Folder(folder) => {
             describe(&folder.flight);
