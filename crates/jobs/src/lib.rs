@@ -123,7 +123,7 @@ pub use read_study_plan::ReadStudyPlanOrder;
 pub use reference_map::ReferenceMapOrder;
 pub use rehearse::{RehearseOrder, Rehearsed, fly_planned};
 pub use reliability::ReliabilityOrder;
-pub use road_files::roads_in_world;
+pub use road_files::{left_out_of_roads, roads_in_world, without_roads};
 pub use road_flight::{RoadFlight, RoadFlightOrder};
 pub use runner::JobRunner;
 pub use sensitivity::SensitivityOrder;

@@ -49,9 +49,7 @@ pub fn roads_in_world(
     let is_near = |road: &RoadLine| road.course.iter().any(|point| near.contains(point));
     let roads: Vec<RoadLine> = all.iter().filter(|road| is_near(road)).cloned().collect();
     if all.is_empty() {
-        return Err(format!(
-            "{name}: no road is in it. Export an area with ways that have the tag highway"
-        ));
+        return Err(without_roads(&name));
     }
     if roads.is_empty() {
         let places = all.iter().flat_map(|road| &road.course);
@@ -92,6 +90,13 @@ fn notes(roads: &[RoadLine], read: &RoadsRead, far: usize) -> Vec<String> {
         let reach = REACH / 1e3;
         notes.push(format!("{far} over {reach:.0} km from here were left out"));
     }
+    notes.extend(left_out_of_roads(read));
+    notes
+}
+
+/// What was left out of a file of roads, in sentences.
+pub fn left_out_of_roads(read: &RoadsRead) -> Vec<String> {
+    let mut notes = Vec::new();
     if read.others > 0 {
         notes.push(format!(
             "Left out because they are no roads: {}",
@@ -105,6 +110,11 @@ fn notes(roads: &[RoadLine], read: &RoadsRead, far: usize) -> Vec<String> {
         ));
     }
     notes
+}
+
+/// The complaint about a file without a road.
+pub fn without_roads(name: &str) -> String {
+    format!("{name}: no road is in it. Export an area with ways that have the tag highway")
 }
 
 #[cfg(test)]

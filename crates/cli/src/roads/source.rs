@@ -6,6 +6,7 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_core::roads::files::{RoadsRead, read_roads};
 use pilotage_core::roads::{RoadClass, RoadJoining, RoadLine, RoadMap};
 use pilotage_core::simulate::{Scenario, world_origin};
+use pilotage_jobs::{left_out_of_roads, without_roads};
 
 /// Roads of a file, on the globe, or of the generated world.
 pub enum RoadSource {
@@ -24,7 +25,7 @@ impl RoadSource {
         let bytes = std::fs::read(name).map_err(|e| format!("{name}: {e}"))?;
         let read = read_roads(&bytes).map_err(|e| format!("{name}: {e}"))?;
         if read.roads.is_empty() {
-            return Err(format!("{name}: it has no roads; give a file with some"));
+            return Err(without_roads(name));
         }
         Ok(Self::File(read))
     }
@@ -74,16 +75,10 @@ impl RoadSource {
 
     /// Sentences about what was left out.
     pub fn notes(&self) -> Vec<String> {
-        let Self::File(read) = self else {
-            return Vec::new();
-        };
-        let left = [
-            (read.others, "lines that are no roads"),
-            (read.missing_points, "points of roads that the file lacks"),
-        ];
-        let left = left.iter().filter(|(count, _)| *count > 0);
-        left.map(|(count, what)| format!("left out: {count} {what}"))
-            .collect()
+        match self {
+            Self::File(read) => left_out_of_roads(read),
+            Self::World(_) => Vec::new(),
+        }
     }
 }
 
