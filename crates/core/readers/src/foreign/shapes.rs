@@ -45,6 +45,13 @@ pub(super) fn of_bytes(head: &[u8], length: u64) -> Option<Foreign> {
         ),
         (is_stream, kind("a film (MPEG transport stream)", FILM)),
         (is_dbase, kind("the table of a shapefile (.dbf)", TO_CSV)),
+        (
+            are_tomtom_places,
+            kind(
+                "places of TomTom (.ov2)",
+                "make a GPX of it (gpsbabel -i tomtom) and open that",
+            ),
+        ),
         (is_drawing, kind("a drawing of AutoCAD (DWG)", TO_GEOJSON)),
     ];
     bytes
@@ -173,6 +180,35 @@ fn is_dbase(head: &[u8], length: u64) -> bool {
         .get(12..28)
         .is_some_and(|rest| rest.iter().all(|b| *b == 0));
     (1..=12).contains(month) && (1..=31).contains(day) && is_header && is_empty_here
+}
+
+/// Records of places on the globe, and those that bound the ones behind them: each begins with its kind and its length.
+fn are_tomtom_places(head: &[u8], length: u64) -> bool {
+    let (mut at, mut count) = (0, 0_u32);
+    let number = |at: usize| {
+        let bytes = head.get(at..at + 4)?;
+        Some(i32::from_le_bytes(bytes.try_into().ok()?))
+    };
+    while at as u64 != length && at < head.len() {
+        let [Some(size), Some(longitude), Some(latitude)] = [1, 5, 9].map(|by| number(at + by))
+        else {
+            break;
+        };
+        let is_record = match head[at] {
+            1 => size >= 21,
+            0 | 2 | 3 => (14..1024).contains(&size),
+            _ => false,
+        };
+        let is_place =
+            longitude.unsigned_abs() <= 18_000_000 && latitude.unsigned_abs() <= 9_000_000;
+        if !is_record || !is_place {
+            return false;
+        }
+        // Bounds are followed by what they hold.
+        at += if head[at] == 1 { 21 } else { size as usize };
+        count += u32::from(head.get(at - 1) == Some(&0) || at as u64 >= length);
+    }
+    count > 0
 }
 
 fn is_drawing(head: &[u8], _: u64) -> bool {
@@ -374,6 +410,16 @@ mod tests {
         assert!(what(&tlog).contains(".tlog"));
         let stream = [&b"G@\0\x10"[..], &[0xff; 184]].concat().repeat(3);
         assert!(what(&stream).contains("transport stream"));
+        let place = [
+            &b"\x02\x10\0\0\0"[..],
+            &850_000_i32.to_le_bytes(),
+            &4_740_000_i32.to_le_bytes(),
+            b"Ab\0",
+        ]
+        .concat();
+        let bounds = [&b"\x01\x25\0\0\0"[..], &place[5..13], &place[5..13]].concat();
+        assert!(what(&place.repeat(3)).contains("TomTom"));
+        assert!(what(&[bounds, place].concat()).contains("TomTom"));
         let mut dbase = vec![3, 124, 5, 1, 2, 0, 0, 0, 65, 0, 20, 0];
         dbase.resize(105, 0);
         assert!(what(&dbase).contains(".dbf"));
