@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 
+use super::csv_bare::named;
 use super::csv_columns::{CsvRole, columns};
 use super::csv_geometry::geometry;
 use super::csv_preface::preface;
@@ -12,6 +13,7 @@ use super::csv_utm::in_degrees;
 use super::found::{GeodeticContent, POINT_BOX};
 use super::item::frame_of_number;
 use super::litchi_actions::litchi_stay;
+use super::see_you::{add_tasks, without_tasks};
 use super::{ExchangeError, geojson};
 use crate::mission::found::{FoundLandmark, LandmarkExtent, ReadRoute};
 use crate::mission::way_point_file::{ACTION_WORDS, StatedCircles, action_of_word, frame_of_word};
@@ -19,14 +21,16 @@ use crate::mission::{USUAL_ALTITUDE, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 use pilotage_base::text::{LastRow, last_row};
 
-/// The line between places and tasks in a file of `SeeYou`.
-const TASKS: &str = "\n-----Related Tasks-----";
-
 /// Reads a table with a header line.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     // The lines of tasks have other cells.
-    let without_tasks = content.split_once(TASKS);
-    let content = without_tasks.map_or(content, |(places, _)| places);
+    let (content, tasks) = without_tasks(content);
+    let given = named(content).map_err(|cause| ExchangeError::File {
+        file: file.to_owned(),
+        cause: format!("line 1: {cause}"),
+    })?;
+    let (added, bare) = given.map_or((0, None), |table| (table.added, Some(table)));
+    let content = bare.as_ref().map_or(content, |table| table.text.as_str());
     let preface = preface(content);
     let delimiter = preface.delimiter;
     let mut reader = csv::ReaderBuilder::new()
@@ -36,7 +40,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         .from_reader(preface.table.as_bytes());
     let error = |line: u64, cause: String| ExchangeError::Place {
         file: file.to_owned(),
-        line: (line + preface.lines) as usize,
+        line: (line + preface.lines).saturating_sub(added) as usize,
         column: 1,
         cause,
     };
@@ -59,7 +63,10 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         })?;
         let line = record.position().map_or(0, csv::Position::line);
         if record.iter().any(|cell| !cell.is_empty()) {
-            records.push(((line + preface.lines) as usize, record));
+            records.push((
+                (line + preface.lines).saturating_sub(added) as usize,
+                record,
+            ));
         }
     }
     let end = end_of_file(&table, content, &records)?;
@@ -110,9 +117,11 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     found.notes.extend(xy);
     found.notes.extend(utm);
     found.notes.extend(end);
-    if without_tasks.is_some() {
-        let note = "the tasks behind its places are left out; a route can be drawn through the places, or exported as GPX";
-        found.notes.push(note.to_owned());
+    found
+        .notes
+        .extend(bare.into_iter().flat_map(|table| table.notes));
+    if let Some(tasks) = tasks {
+        add_tasks(tasks, &mut found);
     }
     if let Some(places) = table.places.filter(|places| !places.is_told) {
         found.notes.push(format!(

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value};
 
+use super::csv_bare::is_bare;
 use super::csv_preface::preface;
 use super::old_mission::is_mission;
 use super::{Format, wpml};
@@ -53,9 +54,9 @@ impl Format {
         let first_line = preface(head).table.lines().next().unwrap_or("");
         let is_table = [',', ';', '\t'].iter().any(|c| first_line.contains(*c));
         match named {
-            Some(Self::Waypoints) if is_table => Some(Self::Csv),
+            Some(Self::Waypoints) if is_table || is_bare(head) => Some(Self::Csv),
             Some(named) => Some(named),
-            None => is_table.then_some(Self::Csv),
+            None => (is_table || is_bare(head)).then_some(Self::Csv),
         }
     }
 }

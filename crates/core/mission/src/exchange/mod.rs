@@ -6,11 +6,13 @@
 
 mod angle;
 mod complex;
+mod csv_bare;
 mod csv_columns;
 mod csv_geometry;
 mod csv_place;
 mod csv_preface;
 mod csv_read;
+mod csv_system;
 mod csv_table;
 mod csv_utm;
 mod csv_write;
@@ -49,6 +51,7 @@ mod rally;
 mod read;
 mod route_actions;
 mod route_items;
+mod see_you;
 mod shadow;
 mod speed_command;
 #[cfg(test)]

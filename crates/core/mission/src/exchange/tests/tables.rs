@@ -337,17 +337,3 @@ fn a_reference_table_of_metashape_has_its_names_behind_a_comment() {
         assert!((degrees[0] - 8.51).abs() < 1e-9 && (degrees[1] - 47.3).abs() < 1e-9);
     }
 }
-
-#[test]
-fn tasks_behind_the_places_of_seeyou_are_told() {
-    let places = "name,code,country,lat,lon,elev,style,rwdir,rwlen,freq,desc\r\n\"W0\",\"W0\",CL,3351.000S,07025.200W,620.0m,1,,,,\r\n\
-                  \"W1\",\"W1\",CL,3350.970S,07025.080W,631.7m,1,,,,\r\n";
-    let tasks = "-----Related Tasks-----\r\n\"T1\",\"W0\",\"W1\"\r\nOptions,NoStart=12:00:00\r\nObsZone=0,Style=2,R1=3000m\r\n";
-    let found = read(&format!("{places}{tasks}"));
-    assert_at(&landmarks(&found), &[[-33.85, -70.42], [-33.8495, -70.418]]);
-    assert_noted(&found.notes, |note| {
-        note.contains("the tasks behind its places are left out")
-    });
-    let without = read(places);
-    assert!(!without.notes.iter().any(|note| note.contains("tasks")));
-}

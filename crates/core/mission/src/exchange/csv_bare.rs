@@ -1,0 +1,475 @@
+//! Tables of places that have no line of names: control points and places of photos, as `OpenDroneMap`, Pix4D and Metashape
+//! write them, and places with their names. They are given the names that other tables have.
+
+use std::collections::HashSet;
+
+use super::csv_system::{PlaceSystem, system, system_of_remark};
+
+/// Digits behind the point of a latitude or longitude.
+const DECIMALS: usize = 3;
+/// Names of what stands behind the place of a photo, as `OpenDroneMap` has it.
+const BEHIND_PHOTO: [&str; 5] = ["yaw", "pitch", "roll", "accuracy", "vertical_accuracy"];
+
+/// A table that was given names.
+pub(super) struct NamedTable {
+    /// Its text, with commas between cells and points before decimals.
+    pub text: String,
+    /// Lines that were put before its own.
+    pub added: u64,
+    /// Sentences on what was assumed and left out.
+    pub notes: Vec<String>,
+}
+
+/// The table with names of its columns, where it has none of its own; `None` where it may have some.
+///
+/// # Errors
+/// Its places are in a reference system that is not known; in words, about its first line.
+pub(super) fn named(content: &str) -> Result<Option<NamedTable>, String> {
+    let mut found = given_names(content)?;
+    if let Some(table) = found.as_mut().filter(|_| !content.ends_with('\n')) {
+        // A last line without an end may be cut off.
+        let whole = table.text.trim_end_matches('\n').len();
+        table.text.truncate(whole);
+    }
+    Ok(found)
+}
+
+fn given_names(content: &str) -> Result<Option<NamedTable>, String> {
+    let first = content.lines().next().unwrap_or("");
+    if let Some(system) = system(first) {
+        let rows = content.lines().skip(1).map(of_open_drone_map);
+        let rows: Vec<Option<Row>> = rows.collect();
+        if rows.iter().flatten().next().is_some() {
+            return Ok(Some(of_system(&system?, &rows)));
+        }
+        return Ok(None);
+    }
+    if let Some(table) = of_metashape(content) {
+        return Ok(Some(table));
+    }
+    by_values(content)
+}
+
+/// Whether a text is such a table, or begins as one.
+pub(super) fn is_bare(head: &str) -> bool {
+    // The last line may be cut off.
+    let whole = head.rfind('\n').map_or(head, |end| &head[..end]);
+    named(whole).map_or_else(|_| system(whole).is_some(), |table| table.is_some())
+}
+
+/// A row: the name, the numbers of its place, and other cells.
+struct Row {
+    name: String,
+    x: String,
+    y: String,
+    rest: Vec<String>,
+    is_photo: bool,
+}
+
+fn is_number(cell: &str) -> bool {
+    cell.parse::<f64>().is_ok()
+}
+
+/// `x y z pixel pixel picture name`, or `picture x y z yaw pitch roll`.
+fn of_open_drone_map(line: &str) -> Option<Row> {
+    let line = line.trim();
+    let is_seam = |c: char| c.is_whitespace() || c == ',' || c == ';';
+    let cells: Vec<&str> = line.split(is_seam).filter(|c| !c.is_empty()).collect();
+    if line.starts_with('#') || cells.len() < 3 {
+        return None;
+    }
+    let is_point = cells.len() >= 6 && cells[..5].iter().all(|cell| is_number(cell));
+    let own = |cell: &&str| (*cell).to_owned();
+    if is_point {
+        return Some(Row {
+            name: cells.get(6).map(own).unwrap_or_default(),
+            x: cells[0].to_owned(),
+            y: cells[1].to_owned(),
+            rest: vec![cells[2].to_owned()],
+            is_photo: false,
+        });
+    }
+    let is_photo = !is_number(cells[0]) && cells[1..3].iter().all(|cell| is_number(cell));
+    is_photo.then(|| Row {
+        name: cells[0].to_owned(),
+        x: cells[1].to_owned(),
+        y: cells[2].to_owned(),
+        rest: cells[3..].iter().map(own).collect(),
+        is_photo: true,
+    })
+}
+
+/// The table of rows whose first line was the system; that of points has a line for each picture that shows them.
+fn of_system(system: &PlaceSystem, rows: &[Option<Row>]) -> NamedTable {
+    let are_photos = rows.iter().flatten().all(|row| row.is_photo);
+    let behind: &[&str] = if are_photos { &BEHIND_PHOTO } else { &[] };
+    let names = [&["z"], behind].concat();
+    let mut text = head(system, &names);
+    let mut seen = HashSet::new();
+    for row in rows {
+        text.push('\n');
+        let Some(row) = row else { continue };
+        let place = [&row.x, &row.y, row.rest.first().unwrap_or(&row.y)];
+        if !row.is_photo && !seen.insert(place.map(String::clone)) {
+            continue;
+        }
+        let mut row_name = row.name.clone();
+        if row_name.is_empty() {
+            row_name = format!("point {}", seen.len());
+        }
+        text.push_str(&cells(system, &row_name, &row.x, &row.y, &row.rest));
+    }
+    let mut notes = vec![format!(
+        "it has no names of columns, and is read as the {} of OpenDroneMap",
+        if are_photos {
+            "places of photos"
+        } else {
+            "control points"
+        }
+    )];
+    if !are_photos {
+        notes.push("where photos show the points is left out".to_owned());
+    }
+    NamedTable {
+        text: text + "\n",
+        added: 0,
+        notes,
+    }
+}
+
+/// Names of the columns of places in a system.
+fn head(system: &PlaceSystem, rest: &[&str]) -> String {
+    let place = match system {
+        PlaceSystem::Degrees => "name,longitude,latitude",
+        PlaceSystem::Utm(_) => "name,easting,northing,zone",
+    };
+    let rest = rest.iter().map(|name| format!(",{name}"));
+    place.to_owned() + &rest.collect::<String>()
+}
+
+/// The cells of a row below those names.
+fn cells(system: &PlaceSystem, name: &str, x: &str, y: &str, rest: &[String]) -> String {
+    let zone = match system {
+        PlaceSystem::Degrees => String::new(),
+        PlaceSystem::Utm(zone) => format!(",{zone}"),
+    };
+    let rest: String = rest.iter().map(|cell| format!(",{cell}")).collect();
+    format!("\"{}\",{x},{y}{zone}{rest}", name.replace('"', "\"\""))
+}
+
+/// A reference table of Metashape in a zone of UTM, which its first remark names.
+fn of_metashape(content: &str) -> Option<NamedTable> {
+    let mut lines = content.lines();
+    let remark = lines.next()?.trim();
+    let PlaceSystem::Utm(zone) = system_of_remark(remark)? else {
+        return None;
+    };
+    let names = lines.next()?.trim().strip_prefix('#')?;
+    let plain = names.to_lowercase();
+    if !plain.contains("x/easting") || !plain.contains("y/northing") {
+        return None;
+    }
+    let seam = [',', ';', '\t'].into_iter().find(|c| names.contains(*c))?;
+    let mut text = String::from("\n");
+    for (number, line) in std::iter::once(names).chain(lines).enumerate() {
+        if line.trim().is_empty() || line.trim_start().starts_with('#') {
+            text.push('\n');
+            continue;
+        }
+        let comma = |cell: &str| {
+            if seam == ';' {
+                cell.replace(',', ".")
+            } else {
+                cell.to_owned()
+            }
+        };
+        let plain: Vec<String> = line.split(seam).map(|cell| comma(cell.trim())).collect();
+        let mut line = plain.join(",");
+        if number == 0 {
+            for (own, other) in [
+                ("X/Easting", "easting"),
+                ("Y/Northing", "northing"),
+                ("Z/Altitude", "z"),
+            ] {
+                line = line.replace(own, other);
+            }
+            line = format!("zone,{line}");
+        } else {
+            line = format!("{zone},{line}");
+        }
+        text.push_str(&line);
+        text.push('\n');
+    }
+    Some(NamedTable {
+        text,
+        added: 0,
+        notes: Vec::new(),
+    })
+}
+
+/// The cells of a line, a number with a point before its decimals.
+fn split(line: &str, seam: char) -> Vec<String> {
+    if seam == ' ' {
+        return line.split_whitespace().map(str::to_owned).collect();
+    }
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .delimiter(seam as u8)
+        .trim(csv::Trim::All)
+        .from_reader(line.as_bytes());
+    let record = reader.records().next().and_then(Result::ok);
+    let cells = record.iter().flatten().map(|cell| {
+        let with_point = cell.replace(',', ".");
+        let is_comma = seam == ';' && is_number(&with_point);
+        if is_comma {
+            with_point
+        } else {
+            cell.to_owned()
+        }
+    });
+    cells.collect()
+}
+
+/// Whether a cell is a name, and neither a number nor a time.
+fn is_name(cell: &str) -> bool {
+    !is_number(cell)
+        && cell.contains(|c: char| c.is_alphabetic())
+        && !cell.contains(':')
+        && !cell.starts_with(['$', '<', '{', '[', '+'])
+}
+
+/// A row of a name and two numbers, in either order.
+fn row_of(cells: &[String], seam: char) -> Option<Row> {
+    let are_numbers = |from: usize| {
+        let pair = cells.get(from..from + 2);
+        pair.is_some_and(|pair| pair.iter().all(|cell| is_number(cell)))
+    };
+    if cells.len() >= 3 && is_name(&cells[0]) && are_numbers(1) {
+        return Some(Row {
+            name: cells[0].clone(),
+            x: cells[1].clone(),
+            y: cells[2].clone(),
+            rest: cells[3..].to_vec(),
+            is_photo: false,
+        });
+    }
+    let numbers = cells.iter().take_while(|cell| is_number(cell)).count();
+    let behind = cells.get(numbers..)?;
+    let is_one = behind.len() == 1 || seam == ' ';
+    let is_named =
+        (2..=3).contains(&numbers) && is_one && behind.first().is_some_and(|c| is_name(c));
+    is_named.then(|| Row {
+        name: behind.join(" "),
+        x: cells[0].clone(),
+        y: cells[1].clone(),
+        rest: cells[2..numbers].to_vec(),
+        is_photo: false,
+    })
+}
+
+/// Names and places, where every line has them at the same cells and the numbers are those of places.
+fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
+    let lines = || content.lines().map(str::trim);
+    let is_told = |line: &&str| !line.is_empty() && !line.starts_with('#');
+    let Some(first) = lines().find(is_told) else {
+        return Ok(None);
+    };
+    let seams = ['\t', ';', ','].into_iter();
+    let seam = seams
+        .clone()
+        .find(|seam| first.contains(*seam))
+        .unwrap_or(' ');
+    let rows = lines().map(|line| is_told(&line).then(|| row_of(&split(line, seam), seam)));
+    let rows: Vec<Option<Option<Row>>> = rows.collect();
+    let told: Option<Vec<&Row>> = rows.iter().flatten().map(Option::as_ref).collect();
+    let Some(told) = told.filter(|rows| !rows.is_empty()) else {
+        return Ok(None);
+    };
+    let numbers = |cell: fn(&Row) -> &String| -> Vec<f64> {
+        told.iter()
+            .filter_map(|row| cell(row).parse().ok())
+            .collect()
+    };
+    let (x, y) = (numbers(|row| &row.x), numbers(|row| &row.y));
+    let most = |numbers: &[f64]| numbers.iter().fold(0.0, |most: f64, n| most.max(n.abs()));
+    let has_decimals = |row: &&&Row| {
+        let digits = |cell: &str| cell.split_once('.').map_or(0, |(_, rest)| rest.len());
+        digits(&row.x) >= DECIMALS && digits(&row.y) >= DECIMALS
+    };
+    let exact = told.iter().filter(has_decimals).count();
+    let far = |numbers: &[f64]| numbers.iter().all(|n| n.abs() > 10_000.0);
+    if far(&x) && far(&y) {
+        return Err(
+            "its places are metres of a reference system that nothing names, and no line names its columns: write \
+             `name,easting,northing,zone` above it with the zone of UTM in each line, or save it in degrees (WGS 84)"
+                .to_owned(),
+        );
+    }
+    if 2 * exact < told.len() || most(&x).min(most(&y)) > 90.0 || most(&x).max(most(&y)) > 180.0 {
+        return Ok(None);
+    }
+    let is_longitude_first = most(&x) > 90.0;
+    let is_open = !is_longitude_first && most(&y) <= 90.0;
+    let (names, order) = if is_longitude_first {
+        (
+            "name,longitude,latitude",
+            "the longitude is the first of its numbers",
+        )
+    } else {
+        (
+            "name,latitude,longitude",
+            "the latitude is the first of its numbers",
+        )
+    };
+    let width = told.iter().map(|row| row.rest.len()).max().unwrap_or(0);
+    let mut text = names.to_owned();
+    for column in 0..width {
+        text.push_str(&if column == 0 {
+            ",z".to_owned()
+        } else {
+            format!(",value {}", column + 4)
+        });
+    }
+    for row in &rows {
+        text.push('\n');
+        if let Some(Some(row)) = row {
+            text.push_str(&cells(
+                &PlaceSystem::Degrees,
+                &row.name,
+                &row.x,
+                &row.y,
+                &row.rest,
+            ));
+        }
+    }
+    let why = if is_open {
+        ", as Pix4D has it; nothing tells, so write `name,longitude,latitude` above it if it is the second, as Metashape has it"
+    } else {
+        ", as the other one is beyond 90"
+    };
+    Ok(Some(NamedTable {
+        text: text + "\n",
+        added: 1,
+        notes: vec![format!("no line names its columns: {order}{why}")],
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::csv_read::read;
+    use super::super::{Format, read_any};
+
+    /// Names and places of a table, longitude first.
+    fn places(table: &str) -> Vec<(String, f64, f64)> {
+        let found = read("a.txt", table).unwrap_or_else(|error| panic!("{table}: {error}"));
+        assert!(found.routes.is_empty(), "{table}");
+        let landmarks = found.landmarks.into_iter();
+        landmarks
+            .map(|landmark| {
+                let (longitude, latitude) = landmark.reference.unwrap();
+                (landmark.name.unwrap(), longitude, latitude)
+            })
+            .collect()
+    }
+
+    fn assert_at(table: &str, right: &[(&str, f64, f64)]) {
+        let found = places(table);
+        assert_eq!(found.len(), right.len(), "{table}: {found:?}");
+        for ((name, longitude, latitude), (other, x, y)) in found.iter().zip(right) {
+            let off = (longitude - x).hypot(latitude - y);
+            assert!(name == other && off < 3e-7, "{table}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn control_points_of_open_drone_map_are_landmarks_once_each() {
+        // Places by pyproj.
+        let row = "465429.756 5246517.201 410.5 1200 800 IMG_1.JPG a\n";
+        let again = "465429.756 5246517.201 410.5 300 200 IMG_2.JPG a\n";
+        let right = [("a", 8.5421, 47.3712)];
+        for system in [
+            "EPSG:32632",
+            "WGS84 UTM 32N",
+            "+proj=utm +zone=32 +datum=WGS84 +units=m",
+        ] {
+            assert_at(&format!("{system}\n{row}{again}"), &right);
+        }
+        let south = "360505.620 6303362.288 1 2 3 a.jpg\n360505.620 6303362.288 1 9 9 b.jpg\n";
+        let of_south = format!("+proj=utm +zone=19 +south +datum=WGS84\n{south}");
+        assert_at(&of_south, &[("point 1", -70.5, -33.4)]);
+        assert_at(
+            "EPSG:4326\n8.5421\t47.3712\t410\t1\t2\ta.jpg\n",
+            &[("point 1", 8.5421, 47.3712)],
+        );
+    }
+
+    #[test]
+    fn places_of_photos_are_landmarks_of_their_names() {
+        let right = [("a.jpg", 8.5421, 47.3712), ("b.jpg", 8.5421, 47.3712)];
+        assert_at(
+            "EPSG:4326\na.jpg 8.5421 47.3712 410\nb.jpg 8.5421 47.3712 410 1 2 3 4 5\n",
+            &right,
+        );
+        let utm = "EPSG:32632\na.jpg 465429.756 5246517.201\nb.jpg 465429.756 5246517.201 3\n";
+        assert_at(utm, &right);
+    }
+
+    #[test]
+    fn tables_without_names_of_columns_are_read_by_their_values() {
+        let near = [("a b", 8.5421, 47.3712)];
+        for table in [
+            "a b,47.3712,8.5421,410.5\n",
+            "\"a b\",47.3712,8.5421,410.5,0.1,0.2\n",
+            "a b;47,3712;8,5421;410,5\n",
+            "47.3712\t8.5421\ta b\n",
+            "47.3712 8.5421 a b\n",
+            "# points\n\n47.3712,8.5421,410.5,a b\n",
+        ] {
+            assert_at(table, &near);
+            assert_eq!(
+                Format::of("a.txt", table.as_bytes()),
+                Some(Format::Csv),
+                "{table}"
+            );
+        }
+        let east = [("a", 151.2, -33.851), ("b", 151.3, -33.852)];
+        assert_at("a,-33.851,151.200\nb,-33.852,151.300\n", &east);
+        assert_at("a,151.200,-33.851\nb,151.300,-33.852\n", &east);
+    }
+
+    #[test]
+    fn a_reference_table_of_metashape_is_read_in_its_zone() {
+        let table = "# CoordinateSystem: PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\"]]\n\
+                     #Label,X/Easting,Y/Northing,Z/Altitude\na,465429.756,5246517.201,410.5\n";
+        assert_at(table, &[("a", 8.5421, 47.3712)]);
+    }
+
+    #[test]
+    fn what_has_no_known_system_is_refused_with_what_to_do() {
+        for (table, words) in [
+            ("EPSG:2056\n2683000 1247000 400 1 2 a.jpg\n", "EPSG:2056"),
+            ("a,465429.756,5246517.201,410.5\n", "zone of UTM"),
+        ] {
+            let told = read_any("a.txt", table.as_bytes(), None)
+                .unwrap_err()
+                .to_string();
+            assert!(told.contains(words) && told.contains("line 1"), "{told}");
+        }
+    }
+
+    #[test]
+    fn tables_with_names_times_or_other_numbers_are_no_such() {
+        for text in [
+            "name,lat,lon\na,47.3712,8.5421\n",
+            "2024-05-01T10:00:00,47.3712,8.5421\n",
+            "10:00:00,47.3712,8.5421\n",
+            "$GPGGA,100000.00,4717.1132\n",
+            "a,1,2\nb,3,4\n",
+            "QGC WPL 110\n",
+            "47.3712,8.5421\n",
+            "a,47.3712,8.5421\nb,c,d\n",
+        ] {
+            assert!(!super::is_bare(text), "{text}");
+        }
+    }
+}
