@@ -3,7 +3,9 @@
 
 use std::collections::HashSet;
 
-use super::csv_system::{PlaceSystem, system, system_of_remark};
+use pilotage_base::frames::ReferenceSystem;
+
+use super::csv_system::{system, system_of_remark};
 
 /// Digits behind the point of a latitude or longitude.
 const DECIMALS: usize = 3;
@@ -100,11 +102,10 @@ fn of_open_drone_map(line: &str) -> Option<Row> {
 }
 
 /// The table of rows whose first line was the system; that of points has a line for each picture that shows them.
-fn of_system(system: &PlaceSystem, rows: &[Option<Row>]) -> NamedTable {
+fn of_system(system: &ReferenceSystem, rows: &[Option<Row>]) -> NamedTable {
     let are_photos = rows.iter().flatten().all(|row| row.is_photo);
     let behind: &[&str] = if are_photos { &BEHIND_PHOTO } else { &[] };
-    let names = [&["z"], behind].concat();
-    let mut text = head(system, &names);
+    let mut text = ["name,longitude,latitude,z", &behind.join(",")].join(",");
     let mut seen = HashSet::new();
     for row in rows {
         text.push('\n');
@@ -137,73 +138,77 @@ fn of_system(system: &PlaceSystem, rows: &[Option<Row>]) -> NamedTable {
     }
 }
 
-/// Names of the columns of places in a system.
-fn head(system: &PlaceSystem, rest: &[&str]) -> String {
-    let place = match system {
-        PlaceSystem::Degrees => "name,longitude,latitude",
-        PlaceSystem::Utm(_) => "name,easting,northing,zone",
+/// The cells of a row below `name,longitude,latitude`, degrees on WGS 84; what has no place keeps its cells.
+fn cells(system: &ReferenceSystem, name: &str, x: &str, y: &str, rest: &[String]) -> String {
+    let name = name.replace('"', "\"\"");
+    let mut text = match place(system, x, y) {
+        Some((longitude, latitude)) => format!("\"{name}\",{longitude},{latitude}"),
+        None => format!("\"{name}\",{x},{y}"),
     };
-    let rest = rest.iter().map(|name| format!(",{name}"));
-    place.to_owned() + &rest.collect::<String>()
+    for cell in rest {
+        text.push(',');
+        text.push_str(cell);
+    }
+    text
 }
 
-/// The cells of a row below those names.
-fn cells(system: &PlaceSystem, name: &str, x: &str, y: &str, rest: &[String]) -> String {
-    let zone = match system {
-        PlaceSystem::Degrees => String::new(),
-        PlaceSystem::Utm(zone) => format!(",{zone}"),
-    };
-    let rest: String = rest.iter().map(|cell| format!(",{cell}")).collect();
-    format!("\"{}\",{x},{y}{zone}{rest}", name.replace('"', "\"\""))
+/// Longitude and latitude of coordinates in a system of metres, degrees as text.
+fn place(system: &ReferenceSystem, x: &str, y: &str) -> Option<(String, String)> {
+    if system.is_geographic() {
+        return None;
+    }
+    let place = system.geodetic(x.parse().ok()?, y.parse().ok()?)?;
+    let degrees = |radians: f64| format!("{:.10}", radians.to_degrees());
+    Some((degrees(place.longitude), degrees(place.latitude)))
 }
 
-/// A reference table of Metashape in a zone of UTM, which its first remark names.
+/// A reference table of Metashape in metres of the system that its first remark names.
 fn of_metashape(content: &str) -> Option<NamedTable> {
     let mut lines = content.lines();
-    let remark = lines.next()?.trim();
-    let PlaceSystem::Utm(zone) = system_of_remark(remark)? else {
-        return None;
-    };
+    let system = system_of_remark(lines.next()?.trim())?;
     let names = lines.next()?.trim().strip_prefix('#')?;
-    let plain = names.to_lowercase();
-    if !plain.contains("x/easting") || !plain.contains("y/northing") {
-        return None;
-    }
     let seam = [',', ';', '\t'].into_iter().find(|c| names.contains(*c))?;
-    let mut text = String::from("\n");
-    for (number, line) in std::iter::once(names).chain(lines).enumerate() {
+    let mut names: Vec<&str> = names.split(seam).map(str::trim).collect();
+    let find = |name: &str| {
+        names
+            .iter()
+            .position(|other| other.eq_ignore_ascii_case(name))
+    };
+    let (x, y) = (find("X/Easting")?, find("Y/Northing")?);
+    for (own, other) in [
+        (Some(x), "longitude"),
+        (Some(y), "latitude"),
+        (find("Z/Altitude"), "z"),
+    ] {
+        own.into_iter().for_each(|own| names[own] = other);
+    }
+    let mut text = format!("\n{}", names.join(","));
+    for line in lines {
+        text.push('\n');
         if line.trim().is_empty() || line.trim_start().starts_with('#') {
-            text.push('\n');
             continue;
         }
-        let comma = |cell: &str| {
-            if seam == ';' {
-                cell.replace(',', ".")
-            } else {
-                cell.to_owned()
-            }
-        };
-        let plain: Vec<String> = line.split(seam).map(|cell| comma(cell.trim())).collect();
-        let mut line = plain.join(",");
-        if number == 0 {
-            for (own, other) in [
-                ("X/Easting", "easting"),
-                ("Y/Northing", "northing"),
-                ("Z/Altitude", "z"),
-            ] {
-                line = line.replace(own, other);
-            }
-            line = format!("zone,{line}");
-        } else {
-            line = format!("{zone},{line}");
+        let mut cells = split(line, seam);
+        if let Some((longitude, latitude)) = cells
+            .get(x)
+            .zip(cells.get(y))
+            .and_then(|(x, y)| place(&system, x, y))
+        {
+            (cells[x], cells[y]) = (longitude, latitude);
         }
-        text.push_str(&line);
-        text.push('\n');
+        let cells = cells.iter().map(|cell| {
+            if is_number(cell) {
+                cell.clone()
+            } else {
+                format!("\"{}\"", cell.replace('"', "\"\""))
+            }
+        });
+        text.push_str(&cells.collect::<Vec<_>>().join(","));
     }
     Some(NamedTable {
-        text,
+        text: text + "\n",
         added: 0,
-        notes: Vec::new(),
+        notes: vec![format!("its places are read in {}", system.name())],
     })
 }
 
@@ -334,7 +339,7 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
         text.push('\n');
         if let Some(Some(row)) = row {
             text.push_str(&cells(
-                &PlaceSystem::Degrees,
+                &ReferenceSystem::Geographic,
                 &row.name,
                 &row.x,
                 &row.y,
