@@ -150,12 +150,7 @@ fn of_film(name: &str, film: &dyn ByteSource) -> Result<Option<(FlightFolder, f6
     let height = match places.heights {
         FilmedHeights::Unstated => "altitude [m]",
         FilmedHeights::Sea => "altitude msl [m]",
-        FilmedHeights::Ellipsoid => {
-            let above =
-                "heights are above the ellipsoid of WGS 84, which lies up to 107 m from sea level";
-            notes.push(above.to_owned());
-            "ellipsoid height [m]"
-        }
+        FilmedHeights::Ellipsoid => "ellipsoid height [m]",
     };
     // Latitude, longitude, height and speed are the first numbers of either stream.
     let columns = [

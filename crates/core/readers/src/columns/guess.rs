@@ -15,6 +15,7 @@ use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, makers, parts};
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
+use crate::folder::are_above_ellipsoid;
 use pilotage_base::sorting::sort;
 use pilotage_flight::ChannelName;
 
@@ -103,6 +104,7 @@ pub(super) fn guess_with_samples(
         findings: long::told(&samples, &columns)
             .into_iter()
             .chain(told)
+            .chain(above_ellipsoid(&columns, bytes))
             .collect(),
         questions: day_or_month(&samples, &columns).into_iter().collect(),
         columns,
@@ -334,6 +336,20 @@ fn from_magnetic_north(columns: &[MappedColumn]) -> Option<String> {
         format!(
             "{} counts from magnetic north by its name, and is taken for the true heading: it is wrong by the declination there",
             heading.name
+        )
+    })
+}
+
+/// Words about heights of a receiver that are above the ellipsoid, by their name or the head of their table.
+fn above_ellipsoid(columns: &[MappedColumn], bytes: &[u8]) -> Option<String> {
+    let height = ColumnRole::Channel(ChannelName::GpsHeight);
+    let height = columns.iter().find(|column| column.role == height)?;
+    let words = parts_of_name(&height.name, "").words;
+    let says = |word: &String| ["ell", "ellipsoid", "ellipsoidal", "hae"].contains(&word.as_str());
+    (words.iter().any(says) || are_above_ellipsoid(bytes)).then(|| {
+        format!(
+            "{} is above the ellipsoid of WGS 84, which lies up to 107 m from sea level",
+            height.name
         )
     })
 }

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use pilotage_base::frames::{Ellipsoid, Geodetic};
 use pilotage_flight::{ChannelName, Flight};
 
-use super::ColumnRole::{Channel, Course, Nothing, SpeedOverGround};
+use super::ColumnRole::{Channel, Course, Nothing, SpeedOverGround, Time};
 use super::tests::{files, guessed, is};
 use super::{ColumnMap, flight_of_tables, guess_table};
 
@@ -318,9 +318,10 @@ fn nanoseconds_belong_to_the_seconds_beside_them_and_ticks_are_no_milliseconds()
     assert_flown(&flight, 0.001);
     let times = &flight.channels[0].times;
     assert!((times[299] - times[0] - 59.8).abs() < 1e-6);
-    // Without it nothing that is read tells the time.
+    // Without it the ticks are the time.
     let map = guess_table("a.csv", of_xsens("").as_bytes()).unwrap();
-    assert_eq!(guessed(&map, "SampleTimeFine").0, Nothing);
+    let (role, unit) = guessed(&map, "SampleTimeFine time [s]");
+    assert_eq!((role, &*unit), (Time, "s"));
 }
 
 #[test]
@@ -372,4 +373,95 @@ fn a_column_without_any_number_is_no_channel() {
     };
     assert_eq!(of("nan"), Nothing);
     assert_eq!(of("0.5"), Channel(ChannelName::Heading));
+}
+
+#[test]
+fn positions_without_names_are_read_and_their_heights_told_to_be_above_the_ellipsoid() {
+    let degrees = |fix: &Fix| {
+        format!(
+            "{:.9}  {:.9}  {:.4} {QUALITY}",
+            fix.latitude, fix.longitude, fix.height
+        )
+    };
+    let dated = table("", |fix| {
+        format!("{}  {}", moment(fix, "/", " "), degrees(fix))
+    });
+    let weeks = table("", |fix| {
+        format!("2314 {:.3}  {}", 122_400.0 + fix.time, degrees(fix))
+    });
+    let commas = dated.replace("  ", ",").replace(' ', ",");
+    let head = |heights: &str| {
+        format!(
+            "% (lat/lon/height=WGS84/{heights},Q=1:fix)\n%  GPST latitude(deg) longitude(deg)  height(m)   Q  ns   sdn(m)   sde(m)   sdu(m)  sdne(m)  sdeu(m)  sdun(m) age(s)  ratio\n"
+        )
+    };
+    let told = head("ellipsoidal") + &dated;
+    for table in [&dated, &weeks, &commas, &told] {
+        let (map, flight) = flight(table);
+        assert_flown(&flight, 0.001);
+        assert!(
+            map.findings.iter().any(|told| told.contains("ellipsoid")),
+            "{:?}",
+            map.findings
+        );
+    }
+    let (map, _) = flight(&(head("geodetic") + &dated));
+    assert!(
+        !map.findings.iter().any(|told| told.contains("ellipsoid")),
+        "{:?}",
+        map.findings
+    );
+}
+
+#[test]
+fn baselines_are_flown_about_their_station() {
+    let station = Geodetic::from_degrees(-33.841_210_525, -0.411_228_361, 600.025_1);
+    let frame = pilotage_base::frames::LocalFrame::new(station);
+    let head = "% ref pos   : -33.841210525  -0.411228361   600.0251\n%  GPST e-baseline(m) n-baseline(m)  u-baseline(m)   Q  ns   sde(m)   sdn(m)   sdu(m)  sden(m)  sdnu(m)  sdue(m) age(s)  ratio\n";
+    let table = table(head, |fix| {
+        let place = Geodetic::from_degrees(fix.latitude, fix.longitude, fix.height);
+        let from = frame.world_from_geodetic(&place);
+        format!(
+            "{}  {:.4}  {:.4}  {:.4} {QUALITY}",
+            moment(fix, "/", " "),
+            from.y,
+            from.x,
+            -from.z
+        )
+    });
+    let (_, flight) = flight(&table);
+    assert_flown(&flight, 0.001);
+}
+
+#[test]
+fn ticks_of_xsens_time_a_table_and_local_times_have_their_zone() {
+    let ticks = table(
+        "PacketCounter,SampleTimeFine,Latitude,Longitude,Altitude\n",
+        |fix| {
+            format!(
+                "{:.0},{:.0},{:.8},{:.8},{:.3}",
+                5.0 * fix.time,
+                1e6 + 1e4 * fix.time,
+                fix.latitude,
+                fix.longitude,
+                fix.height
+            )
+        },
+    );
+    let local = table(
+        "Lcl Date,Lcl Time,UTCOfst,Latitude,Longitude,GPS Altitude (m)\n",
+        |fix| {
+            format!(
+                "2024-05-13,14:00:{:09.6},-04:00,{:.8},{:.8},{:.3}",
+                fix.time % 60.0,
+                fix.latitude,
+                fix.longitude,
+                fix.height
+            )
+        },
+    );
+    for table in [&ticks, &local] {
+        let (_, flight) = flight(table);
+        assert_flown(&flight, 0.01);
+    }
 }

@@ -15,12 +15,14 @@ mod pictures;
 mod position;
 mod read;
 mod receivers;
+mod solutions;
 mod standing;
 mod table;
 mod table_text;
 #[cfg(test)]
 mod tests;
 mod time_unit;
+mod told_clocks;
 mod utc;
 mod write;
 
@@ -34,5 +36,6 @@ pub(super) use log::of_samples;
 pub use pictures::FolderFrames;
 pub use read::{FlightFolder, read_flight};
 pub(super) use read::{FlightOrigin, read_tables};
+pub(super) use solutions::are_above_ellipsoid;
 pub(super) use table::{CsvTable, decoded, decoded_table};
 pub use write::{WriteError, write_flight};

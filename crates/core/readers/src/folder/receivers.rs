@@ -6,6 +6,9 @@ use std::borrow::Cow;
 use nalgebra::Vector3;
 use pilotage_base::frames::Ellipsoid;
 
+use super::solutions::{missing_names, of_baselines};
+use super::told_clocks::with_told_clocks;
+
 /// Names of RTKLIB over degrees, minutes and seconds in three cells, and names for each of them.
 const THREE_CELLS: [(&str, [&str; 3]); 2] = [
     ("latitude(d'\")", ["lat_deg", "lat_min", "lat_sec"]),
@@ -30,8 +33,11 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     if text.starts_with(b"$FLYS,") {
         return Cow::Owned(of_flysight(&String::from_utf8_lossy(&text)).into_bytes());
     }
+    if let Some(names) = missing_names(&text) {
+        return Cow::Owned([names.as_bytes(), &text].concat());
+    }
     if !text.starts_with(b"%") {
-        return text;
+        return with_told_clocks(text);
     }
     let names = |name: &str| {
         let head = &text[..text.len().min(1 << 14)];
@@ -45,7 +51,10 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     if names(GEOCENTRIC) {
         return Cow::Owned(geodetic(&String::from_utf8_lossy(&text)).into_bytes());
     }
-    text
+    match of_baselines(&String::from_utf8_lossy(&text)) {
+        Some(places) => Cow::Owned(places.into_bytes()),
+        None => text,
+    }
 }
 
 /// The places of a `FlySight` 2: names and units stand behind `$COL,GNSS` and `$UNIT,GNSS`, rows behind `$GNSS`.

@@ -1,0 +1,147 @@
+//! Clocks of tables whose zone or unit stands in another column or nowhere, brought to what other tables have.
+
+use std::borrow::Cow;
+
+/// Columns of Garmin: day and time where the aircraft is, and hours from Greenwich.
+const LOCAL: [&str; 3] = ["Lcl Date", "Lcl Time", "UTCOfst"];
+/// Clock of Xsens in tenths of milliseconds, and what it is called in seconds.
+const FINE: (&str, &str) = ("SampleTimeFine", "SampleTimeFine time [s]");
+/// Where the clock of Xsens begins anew, seconds.
+const FINE_TURN: f64 = 429_496.729_6;
+/// Lines within which the names of columns stand.
+const HEAD: usize = 40;
+
+/// The text of a table with hours from Greenwich behind its local times, and seconds for ticks of Xsens where no other column
+/// is a time.
+pub(super) fn with_told_clocks(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
+    let head = text.split(|b| *b == b'\n').take(HEAD);
+    let has = |line: &[u8], name: &str| line.windows(name.len()).any(|w| w == name.as_bytes());
+    let found = head.enumerate().find_map(|(number, line)| {
+        let is_local = LOCAL.iter().all(|name| has(line, name));
+        (is_local || has(line, FINE.0)).then_some((number, is_local))
+    });
+    let Some((number, is_local)) = found else {
+        return text;
+    };
+    let changed = {
+        let text = String::from_utf8_lossy(&text);
+        if is_local {
+            with_zones(&text, number)
+        } else {
+            in_seconds(&text, number)
+        }
+    };
+    changed.map_or(text, |changed| Cow::Owned(changed.into_bytes()))
+}
+
+/// Separator of a line of names.
+fn separator_of(line: &str) -> char {
+    let found = [',', ';', '\t'].into_iter();
+    found
+        .max_by_key(|c| line.matches(*c).count())
+        .unwrap_or(',')
+}
+
+/// Columns of those names.
+fn columns<const N: usize>(names: &str, separator: char, wanted: [&str; N]) -> Option<[usize; N]> {
+    let names: Vec<&str> = names
+        .split(separator)
+        .map(|name| name.trim().trim_matches('"'))
+        .collect();
+    let found = wanted.map(|name| names.iter().position(|other| *other == name));
+    found
+        .iter()
+        .all(Option::is_some)
+        .then(|| found.map(|at| at.unwrap_or(0)))
+}
+
+fn with_zones(text: &str, number: usize) -> Option<String> {
+    let names = text.lines().nth(number)?;
+    let separator = separator_of(names);
+    let [_, time, offset] = columns(names, separator, LOCAL)?;
+    let line = |(index, line): (usize, &str)| {
+        let mut cells: Vec<&str> = line.split(separator).collect();
+        let is_row = index > number && cells.len() > time.max(offset) && !line.contains('"');
+        let zone = if is_row { cells[offset].trim() } else { "" };
+        if !is_row || !zone.starts_with(['+', '-']) || !cells[time].contains(':') {
+            return line.to_owned();
+        }
+        let told = format!("{}{zone}", cells[time].trim_end());
+        cells[time] = &told;
+        cells.join(&separator.to_string())
+    };
+    Some(
+        text.lines()
+            .enumerate()
+            .fold(String::new(), |text, next| text + &line(next) + "\n"),
+    )
+}
+
+fn in_seconds(text: &str, number: usize) -> Option<String> {
+    let names = text.lines().nth(number)?;
+    let separator = separator_of(names);
+    let [clock] = columns(names, separator, [FINE.0])?;
+    let is_time = |name: &str| {
+        let name = name.to_lowercase();
+        name.contains("utc")
+            || name.contains("time") && !name.contains("fine") && !name.contains("coarse")
+    };
+    if names.split(separator).any(is_time) {
+        return None;
+    }
+    let (mut last, mut turned) = (f64::NEG_INFINITY, 0.0);
+    let line = |(index, line): (usize, &str)| {
+        if index == number {
+            return line.replacen(FINE.0, FINE.1, 1);
+        }
+        let mut cells: Vec<&str> = line.split(separator).collect();
+        let ticks = cells
+            .get(clock)
+            .and_then(|cell| cell.trim().parse::<f64>().ok());
+        let Some(ticks) = ticks.filter(|_| index > number) else {
+            return line.to_owned();
+        };
+        let seconds = ticks / 1e4;
+        if seconds < last - FINE_TURN / 2.0 {
+            turned += FINE_TURN;
+        }
+        last = seconds;
+        let told = format!("{:.4}", seconds + turned);
+        cells[clock] = &told;
+        cells.join(&separator.to_string())
+    };
+    Some(
+        text.lines()
+            .enumerate()
+            .map(line)
+            .fold(String::new(), |text, line| text + &line + "\n"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(text: &str) -> String {
+        let found = with_told_clocks(Cow::Borrowed(text.as_bytes()));
+        String::from_utf8(found.into_owned()).unwrap()
+    }
+
+    #[test]
+    fn local_times_have_the_hours_that_stand_beside_them() {
+        let table = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01, 14:00:00, -04:00, 1.5\n , , , \n";
+        let right = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01, 14:00:00-04:00, -04:00, 1.5\n , , , \n";
+        assert_eq!(told(table), right);
+    }
+
+    #[test]
+    fn ticks_of_xsens_are_seconds_where_no_other_column_is_a_time() {
+        let table = "PacketCounter,SampleTimeFine,Roll\n1,4294960000,0.5\n2,2704,0.6\n";
+        let right =
+            "PacketCounter,SampleTimeFine time [s],Roll\n1,429496.0000,0.5\n2,429497.0000,0.6\n";
+        assert_eq!(told(table), right);
+        let dated = "SampleTimeFine,UTC_Hour\n10000,10\n";
+        assert_eq!(told(dated), dated);
+        assert_eq!(told("a,b\n1,2\n"), "a,b\n1,2\n");
+    }
+}
