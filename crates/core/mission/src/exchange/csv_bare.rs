@@ -5,10 +5,13 @@ use std::collections::HashSet;
 
 use pilotage_base::frames::ReferenceSystem;
 
+use super::csv_preface::is_comment;
 use super::csv_system::{system, system_of_remark};
 
 /// Digits behind the point of a latitude or longitude.
 const DECIMALS: usize = 3;
+/// Lines among which names of columns may stand behind a `#`.
+const NAMES_WITHIN: usize = 40;
 /// Names of what stands behind the place of a photo, as `OpenDroneMap` has it.
 const BEHIND_PHOTO: [&str; 5] = ["yaw", "pitch", "roll", "accuracy", "vertical_accuracy"];
 
@@ -259,6 +262,16 @@ fn row_of(cells: &[String], seam: char) -> Option<Row> {
         });
     }
     let numbers = cells.iter().take_while(|cell| is_number(cell)).count();
+    // Between blanks they may be a fence or a model.
+    if cells.len() == 2 && numbers == 2 && seam != ' ' {
+        return Some(Row {
+            name: String::new(),
+            x: cells[0].clone(),
+            y: cells[1].clone(),
+            rest: Vec::new(),
+            is_photo: false,
+        });
+    }
     let behind = cells.get(numbers..)?;
     let is_one = behind.len() == 1 || seam == ' ';
     let is_named =
@@ -275,6 +288,11 @@ fn row_of(cells: &[String], seam: char) -> Option<Row> {
 /// Names and places, where every line has them at the same cells and the numbers are those of places.
 fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
     let lines = || content.lines().map(str::trim);
+    // Names may stand behind a `#`.
+    let has_names = |line: &str| line.starts_with('#') && !is_comment(line);
+    if lines().take(NAMES_WITHIN).any(has_names) {
+        return Ok(None);
+    }
     let is_told = |line: &&str| !line.is_empty() && !line.starts_with('#');
     let Some(first) = lines().find(is_told) else {
         return Ok(None);
@@ -326,6 +344,13 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
             "the latitude is the first of its numbers",
         )
     };
+    // Nothing but places is a route, and landmarks have names.
+    let is_nameless = told.iter().all(|row| row.name.is_empty());
+    let names = if is_nameless {
+        names.trim_start_matches("name,")
+    } else {
+        names
+    };
     let width = told.iter().map(|row| row.rest.len()).max().unwrap_or(0);
     let mut text = names.to_owned();
     for column in 0..width {
@@ -338,13 +363,18 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
     for row in &rows {
         text.push('\n');
         if let Some(Some(row)) = row {
-            text.push_str(&cells(
+            let cells = cells(
                 &ReferenceSystem::Geographic,
                 &row.name,
                 &row.x,
                 &row.y,
                 &row.rest,
-            ));
+            );
+            text.push_str(if is_nameless {
+                cells.trim_start_matches("\"\",")
+            } else {
+                &cells
+            });
         }
     }
     let why = if is_open {
@@ -443,6 +473,17 @@ mod tests {
     }
 
     #[test]
+    fn pairs_of_numbers_alone_are_a_route_over_their_places() {
+        let found = read("a.csv", "47.3712,8.5421\n47.3722,8.5431\n").unwrap();
+        let places: Vec<_> = found.routes[0]
+            .way_points
+            .iter()
+            .map(|(place, _)| *place)
+            .collect();
+        assert_eq!(places, [(8.5421, 47.3712), (8.5431, 47.3722)]);
+    }
+
+    #[test]
     fn a_reference_table_of_metashape_is_read_in_its_zone() {
         let table = "# CoordinateSystem: PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\"]]\n\
                      #Label,X/Easting,Y/Northing,Z/Altitude\na,465429.756,5246517.201,410.5\n";
@@ -471,8 +512,11 @@ mod tests {
             "$GPGGA,100000.00,4717.1132\n",
             "a,1,2\nb,3,4\n",
             "QGC WPL 110\n",
-            "47.3712,8.5421\n",
+            "47.3712 8.5421\n47.3713 8.5422\n",
+            "47.3,8.5\n47.4,8.5\n",
             "a,47.3712,8.5421\nb,c,d\n",
+            "# WGS 84\n#Label,X/Longitude,Y/Latitude\na,8.5421,47.3712\n",
+            "#Label,X/Easting,Y/Northing\na,465429.756,5246517.201\n",
         ] {
             assert!(!super::is_bare(text), "{text}");
         }

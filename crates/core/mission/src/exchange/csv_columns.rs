@@ -409,7 +409,7 @@ fn column_of(name: &str, words: &str) -> CsvColumn {
             // An elevation counts from mean sea level, whatever stands beside it.
             if words
                 .first()
-                .is_some_and(|word| ["ele", "elevation"].contains(word))
+                .is_some_and(|word| ["ele", "elevation", "z/altitude"].contains(word))
             {
                 frame = frame.or(Some(AltitudeFrame::Amsl));
             }

@@ -52,16 +52,23 @@ fn delimiter_of(line: &str) -> char {
 }
 
 /// Whether a line is a comment: some programs have the names of columns behind a `#` as well.
-fn is_comment(line: &str) -> bool {
+pub(super) fn is_comment(line: &str) -> bool {
     let Some(text) = line.trim_start().strip_prefix('#') else {
         return false;
     };
-    let names = text
-        .split(delimiter_of(text))
-        .map(|name| name.trim().to_owned());
-    let has_place = columns(&names.collect::<Vec<String>>())
-        .is_ok_and(|columns| columns.iter().any(|c| c.role == Some(CsvRole::Latitude)));
-    !has_place
+    !names_places(text)
+}
+
+/// Whether a line has the names of columns of places.
+fn names_places(line: &str) -> bool {
+    let names = line
+        .split(delimiter_of(line))
+        .map(|name| name.trim().trim_matches('"').to_owned());
+    let names: Vec<String> = names.collect();
+    let says = |word: &str| names.iter().any(|name| name.to_lowercase().contains(word));
+    says("easting") && says("northing")
+        || columns(&names)
+            .is_ok_and(|columns| columns.iter().any(|c| c.role == Some(CsvRole::Latitude)))
 }
 
 #[cfg(test)]

@@ -56,6 +56,8 @@ impl Format {
         match named {
             Some(Self::Waypoints) if is_table || is_bare(head) => Some(Self::Csv),
             Some(named) => Some(named),
+            // No text has zeros.
+            None if head.contains('\0') => None,
             None => (is_table || is_bare(head)).then_some(Self::Csv),
         }
     }

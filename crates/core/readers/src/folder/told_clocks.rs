@@ -11,7 +11,7 @@ const FINE_TURN: f64 = 429_496.729_6;
 /// Lines within which the names of columns stand.
 const HEAD: usize = 40;
 
-/// The text of a table with hours from Greenwich behind its local times, and seconds for ticks of Xsens where no other column
+/// The text of a table with days and hours from Greenwich about its local times, and seconds for ticks of Xsens where no other column
 /// is a time.
 pub(super) fn with_told_clocks(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     let head = text.split(|b| *b == b'\n').take(HEAD);
@@ -58,15 +58,16 @@ fn columns<const N: usize>(names: &str, separator: char, wanted: [&str; N]) -> O
 fn with_zones(text: &str, number: usize) -> Option<String> {
     let names = text.lines().nth(number)?;
     let separator = separator_of(names);
-    let [_, time, offset] = columns(names, separator, LOCAL)?;
+    let [date, time, offset] = columns(names, separator, LOCAL)?;
     let line = |(index, line): (usize, &str)| {
         let mut cells: Vec<&str> = line.split(separator).collect();
-        let is_row = index > number && cells.len() > time.max(offset) && !line.contains('"');
+        let is_row =
+            index > number && cells.len() > date.max(time).max(offset) && !line.contains('"');
         let zone = if is_row { cells[offset].trim() } else { "" };
         if !is_row || !zone.starts_with(['+', '-']) || !cells[time].contains(':') {
             return line.to_owned();
         }
-        let told = format!("{}{zone}", cells[time].trim_end());
+        let told = format!("{} {}{zone}", cells[date].trim_end(), cells[time].trim());
         cells[time] = &told;
         cells.join(&separator.to_string())
     };
@@ -130,7 +131,7 @@ mod tests {
     #[test]
     fn local_times_have_the_hours_that_stand_beside_them() {
         let table = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01, 14:00:00, -04:00, 1.5\n , , , \n";
-        let right = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01, 14:00:00-04:00, -04:00, 1.5\n , , , \n";
+        let right = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01,2024-05-01 14:00:00-04:00, -04:00, 1.5\n , , , \n";
         assert_eq!(told(table), right);
     }
 

@@ -2,7 +2,7 @@
 
 use super::assert_noted;
 use crate::exchange::{Imported, read_any};
-use pilotage_base::frames::AltitudeFrame;
+use pilotage_base::frames::{Altitude, AltitudeFrame};
 
 fn read(table: &str) -> Imported {
     read_any("a.csv", table.as_bytes(), None).unwrap_or_else(|e| panic!("{e}\n{table}"))
@@ -332,6 +332,10 @@ fn a_reference_table_of_metashape_has_its_names_behind_a_comment() {
         let way_points = &found.routes[0].way_points;
         let names = way_points.iter().map(|it| it.properties["name"].as_str());
         assert!(names.eq(["\"DJI_1.JPG\"", "\"DJI_2.JPG\""]));
+        assert_eq!(
+            way_points[0].altitude,
+            Altitude::new(500.0, AltitudeFrame::Amsl)
+        );
         let place = found.frame.geodetic_from_ground(&way_points[1].position);
         let degrees = [place.longitude, place.latitude].map(f64::to_degrees);
         assert!((degrees[0] - 8.51).abs() < 1e-9 && (degrees[1] - 47.3).abs() < 1e-9);
