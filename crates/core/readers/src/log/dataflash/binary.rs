@@ -33,6 +33,8 @@ enum BinaryStep {
     Wait,
     /// Take a message of so many bytes.
     Take(usize),
+    /// Take another length for messages of that number.
+    Measure(u8),
     /// Leave out so many bytes.
     Skip(usize, &'static str),
 }
@@ -87,6 +89,10 @@ impl DataflashReader {
                         Err(cause) => (length, cause),
                     }
                 }
+                BinaryStep::Measure(number) => {
+                    self.contents.take_other_length(number, log);
+                    continue;
+                }
                 BinaryStep::Skip(length, cause) => {
                     self.is_in_step = false;
                     (length, cause)
@@ -124,6 +130,9 @@ impl DataflashReader {
         match Self::ends_before_another(rest, length, is_last) {
             FoundMessage::Yes => BinaryStep::Take(length),
             FoundMessage::Unknown => BinaryStep::Wait,
+            FoundMessage::No if self.has_other_length(rest, is_last) => {
+                BinaryStep::Measure(rest[2])
+            }
             FoundMessage::No => self.doubtful(rest, length, is_last),
         }
     }
@@ -145,6 +154,15 @@ impl DataflashReader {
             Some(_) => FoundMessage::Yes,
             None => FoundMessage::No,
         }
+    }
+
+    /// Tells whether the message is followed by another one if it is as long as its fields, and not as announced.
+    fn has_other_length(&self, rest: &[u8], is_last: bool) -> bool {
+        let other = self.contents.other_length(rest[2]);
+        other.is_some_and(|length| {
+            rest.len() > length + 1
+                && Self::ends_before_another(rest, length, is_last) == FoundMessage::Yes
+        })
     }
 
     /// A message that no other one follows. After another message it counts, unless a whole one begins within

@@ -93,6 +93,32 @@ impl DataflashContents {
         Some(self.format(number)?.length + HEADER)
     }
 
+    /// Bytes of a message with its header as the letters of its fields have it, where that is another number than the
+    /// announced one and no row has told yet which is right.
+    pub fn other_length(&self, number: u8) -> Option<usize> {
+        let (kind, _) = self.kinds[usize::from(number)].as_deref()?;
+        let length = kind.format.length_of_fields()?;
+        (length != kind.format.length && kind.places().next().is_none()).then_some(length + HEADER)
+    }
+
+    /// Takes the length that the letters of its fields have for that of a kind of message.
+    pub fn take_other_length(&mut self, number: u8, log: &mut Log) {
+        let Some((format, length)) = self.format(number).cloned().zip(self.other_length(number))
+        else {
+            return;
+        };
+        log.report.remark(format!(
+            "{}: announced with {} bytes, and read with the {length} that its fields have",
+            format.name,
+            format.length + HEADER
+        ));
+        let format = MessageFormat {
+            length: length - HEADER,
+            ..format
+        };
+        self.add(format, log);
+    }
+
     /// Talk that is no message, such as the lines above a log that is text.
     pub fn talk(&mut self, text: &str, log: &mut Log) {
         self.words.talk(text, log);

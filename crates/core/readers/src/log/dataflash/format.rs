@@ -129,6 +129,17 @@ impl MessageFormat {
         (columns, offset)
     }
 
+    /// Bytes of its fields after the header, where each has a name and a letter that is known: another number than that
+    /// which is announced, if one of both is damaged.
+    pub fn length_of_fields(&self) -> Option<usize> {
+        let sizes = self
+            .letters
+            .iter()
+            .map(|letter| Some(Letter::of(*letter)?.size()));
+        let total: Option<usize> = sizes.sum();
+        total.filter(|total| *total > 0 && self.letters.len() == self.columns.len())
+    }
+
     /// Oddity of the announcement, in words; `None` if fields and length agree.
     pub fn oddity(&self) -> Option<String> {
         let (columns, used) = self.fields();

@@ -148,6 +148,31 @@ fn a_message_cut_short_by_another_one_is_left_out() {
 }
 
 #[test]
+fn a_damaged_length_of_an_announcement_is_that_of_its_fields() {
+    for length in [9, 12, 14, 45, 141] {
+        let announced = Bytes::default().announce(1, length, "ATT", "Qc", "TimeUS,Roll");
+        let log = read(
+            &announced
+                .att(1_000_000, 100)
+                .att(2_000_000, -250)
+                .att(3_000_000, 5),
+        );
+        assert_eq!(values(&log, "ATT", "Roll"), [1.0, -2.5, 0.05], "{length}");
+        assert_eq!(times(&log, "ATT"), [1.0, 2.0, 3.0]);
+        assert_eq!(log.report.skipped_bytes, 0);
+    }
+    // Bytes behind the last field are kept, where the next message begins behind them.
+    let long = Bytes::default().announce(1, 15, "ATT", "Qc", "TimeUS,Roll");
+    let row = |log: Bytes, roll: i16| {
+        log.message(1, &[&7_u64.to_le_bytes(), &roll.to_le_bytes(), &[1, 2]])
+    };
+    assert_eq!(
+        values(&read(&row(row(long, 100), 200)), "ATT", "Roll"),
+        [1.0, 2.0]
+    );
+}
+
+#[test]
 fn a_file_may_end_within_a_message() {
     let start = attitude().att(1, 1);
     let place = start.0.len() as u64;
