@@ -497,7 +497,12 @@ impl KmlReader<'_> {
 fn tuples(text: &str) -> Vec<String> {
     let mut tuples: Vec<String> = Vec::new();
     for part in text.split_whitespace() {
+        // Behind a comma for a height that lacks the next place begins.
+        let is_next = |last: &String| {
+            last.matches(',').count() >= 2 && part.trim_start_matches(',').contains(',')
+        };
         match tuples.last_mut() {
+            Some(last) if is_next(last) => tuples.push(part.to_owned()),
             Some(last) if last.ends_with(',') || part.starts_with(',') => last.push_str(part),
             _ => tuples.push(part.to_owned()),
         }
@@ -521,11 +526,18 @@ fn gather_styles<'a>(
     }
 }
 
+/// A place of longitude, latitude and perhaps a height, metres; `None` where there are more numbers, as of decimal commas or
+/// where the blank between two places lacks, or where the height is none.
 fn place<'a>(parts: impl Iterator<Item = &'a str>) -> Option<(LonLat, Option<f64>)> {
-    let mut numbers = parts.map(|part| part.trim().parse::<f64>().ok());
-    let (longitude, latitude) = (numbers.next()??, numbers.next()??);
-    let height = numbers.next().flatten().filter(|m| m.is_finite());
-    on_globe(longitude, latitude).then_some(((longitude, latitude), height))
+    let mut parts = parts.map(str::trim);
+    let mut number = || parts.next()?.parse::<f64>().ok();
+    let (longitude, latitude) = (number()?, number()?);
+    let height = match parts.next() {
+        None | Some("") => None,
+        Some(height) => Some(height.parse::<f64>().ok()?).filter(|metres| metres.is_finite()),
+    };
+    let is_over = parts.all(str::is_empty);
+    (is_over && on_globe(longitude, latitude)).then_some(((longitude, latitude), height))
 }
 
 /// The name-value pairs of a placemark, of both kinds.

@@ -135,6 +135,37 @@ fn what_is_wrong_in_xml_is_told_with_its_place() {
 }
 
 #[test]
+fn coordinates_of_a_kml_with_more_numbers_than_three_are_refused() {
+    let of = |coordinates: &str| {
+        let text = format!(
+            "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Placemark><LineString><coordinates>{coordinates}</coordinates>\
+             </LineString></Placemark></kml>"
+        );
+        read_any("a.kml", text.as_bytes(), None)
+    };
+    // Decimal commas, a semicolon between places, and none at all.
+    for wrong in [
+        "8,5,47,3 8,6,47,4",
+        "8.5,47.3,500;8.6,47.4,510",
+        "8.5,47.3,08.6,47.4,0",
+    ] {
+        let told = of(wrong).unwrap_err().to_string();
+        assert!(
+            told.contains("line 1") && told.contains("longitude,latitude,altitude"),
+            "{told}"
+        );
+    }
+    for right in [
+        "8.5,47.3 8.6,47.4",
+        "8.5,47.3, 8.6,47.4,",
+        "8.5,47.3,nan 8.6,47.4,0,",
+        "8.5 , 47.3 , 0 8.6,47.4,0",
+    ] {
+        assert_eq!(of(right).unwrap().routes[0].way_points.len(), 2, "{right}");
+    }
+}
+
+#[test]
 fn routes_tracks_and_points_of_a_gpx_are_read() {
     let text = r#"<?xml version="1.0"?><gpx version="1.1" xsi:schemaLocation="x">
       <wpt lat="47.4" lon="8.5"><name>Tower</name><sym>Flag</sym></wpt>
