@@ -13,5 +13,5 @@ pub(crate) use date::{date_and_time, days_since_1970, has_zone, of_clock_number,
 pub(crate) use moment::Moment;
 pub(crate) use sample::{ColumnSample, median};
 pub use shape::{Separator, TableShape};
-pub(crate) use shape::{number, unit_behind};
+pub(crate) use shape::{is_missing, number, unit_behind};
 pub(crate) use units::{DEGREES_AND_MINUTES, Dimension, linear, shortened};

@@ -206,6 +206,18 @@ pub(crate) fn unit_behind(cell: &str) -> Option<&str> {
     is_unit(unit).then_some(unit)
 }
 
+/// Whether numbers of cells in quotation marks between commas have a comma before their decimals: none has a point, and some
+/// comma is none of thousands.
+fn are_quoted(values: &[Cow<'_, str>]) -> bool {
+    let has_comma = |cell: &&Cow<'_, str>| has_decimal_comma(cell);
+    let is_point = |cell: &Cow<'_, str>| cell.contains('.') && cell.parse::<f64>().is_ok();
+    !values.iter().any(is_point)
+        && values
+            .iter()
+            .filter(has_comma)
+            .any(|cell| grouped(cell).is_none())
+}
+
 fn is_remark(line: &str) -> bool {
     line.trim().is_empty() || line.starts_with(REMARKS) || line.starts_with("//")
 }
@@ -219,9 +231,36 @@ fn has_decimal_comma(cell: &str) -> bool {
     })
 }
 
+/// Words that programs write where there is no value, in small letters.
+const MISSING: [&str; 14] = [
+    "null",
+    "none",
+    "nil",
+    "n/a",
+    "na",
+    "#n/a",
+    "#n/v",
+    "n.a.",
+    "nv",
+    "nul",
+    "undefined",
+    "invalid",
+    "unknown",
+    "-nan",
+];
+
+/// Whether a cell says that it has no value: such a word, or nothing but dashes, question marks or stars.
+pub(crate) fn is_missing(cell: &str) -> bool {
+    let is_mark = !cell.is_empty() && cell.chars().all(|c| "-–—?*.".contains(c));
+    is_mark || MISSING.iter().any(|word| cell.eq_ignore_ascii_case(word))
+}
+
 /// Tells whether a cell may be a value: empty, a number, or a date and time.
 fn is_value(cell: &str) -> bool {
-    cell.is_empty() || number(cell, true).is_some() || date_and_time(cell).is_some()
+    cell.is_empty()
+        || is_missing(cell)
+        || number(cell, true).is_some()
+        || date_and_time(cell).is_some()
 }
 
 /// Shape that a table would have with a separator.
@@ -338,7 +377,8 @@ impl SeparatorTrial {
             skipped_lines: start,
             has_header,
             has_units,
-            has_decimal_comma: self.separator != Separator::Comma && 4 * commas > values.len(),
+            has_decimal_comma: 4 * commas > values.len()
+                && (self.separator != Separator::Comma || are_quoted(&values)),
         };
         (rows.len() > shape.head_lines() + 1).then_some(shape)
     }
@@ -377,6 +417,12 @@ mod tests {
         assert!(found.has_decimal_comma);
         assert_eq!(found.number("-1,5"), Some(-1.5));
         assert!(!shape("t,v\n0.5,1\n1.0,2\n").has_decimal_comma);
+        let found = shape("t,v\n\"0,50\",\"1,25\"\n\"1,00\",\"2,5\"\n\"1,50\",3\n");
+        assert_eq!(
+            (found.separator, found.has_decimal_comma),
+            (Separator::Comma, true)
+        );
+        assert!(!shape("t,v\n1,\"1,250\"\n2,\"2,500\"\n3,\"3,500\"\n").has_decimal_comma);
     }
 
     #[test]

@@ -155,6 +155,12 @@ pub(crate) fn is_unit(text: &str) -> bool {
         .is_some()
 }
 
+/// Minutes and hours in which whole times are counted: only in brackets, as `lat_min` is something else.
+pub(crate) const LONG_TIMES: [(&str, &[&str]); 2] = [
+    ("min", &["mins", "minute", "minutes"]),
+    ("h", &["hr", "hrs", "hour", "hours"]),
+];
+
 /// The unit among `spellings` that `text`, in small letters, writes.
 pub(crate) fn find_in(spellings: &[(&'static str, &[&str])], text: &str) -> Option<&'static str> {
     let is_it = |(name, others): &&(&'static str, &[&str])| *name == text || others.contains(&text);

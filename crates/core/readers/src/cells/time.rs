@@ -4,8 +4,9 @@ use super::date::{date_and_time, of_clock_number};
 use super::moment::Moment;
 use super::sample::ColumnSample;
 
-/// Units that a time may be in: seconds, parts of them, date and time, hours with minutes and seconds in one number, days.
-pub(crate) const UNITS: [&str; 7] = ["s", "ms", "us", "ns", "date and time", CLOCK, DAYS];
+/// Units that a time may be in: seconds, parts of them, date and time, hours with minutes and seconds in one number, days,
+/// minutes, hours.
+pub(crate) const UNITS: [&str; 9] = ["s", "ms", "us", "ns", DATE, CLOCK, DAYS, MINUTES, HOURS];
 
 /// Date and time as a cell.
 pub(crate) const DATE: &str = "date and time";
@@ -15,6 +16,10 @@ pub(crate) const CLOCK: &str = "hhmmss";
 
 /// Days, as spreadsheets and MATLAB count dates.
 pub(crate) const DAYS: &str = "d";
+
+/// Minutes and hours, with decimals, where a table says so or nothing else makes a flight of it.
+pub(crate) const MINUTES: &str = "min";
+pub(crate) const HOURS: &str = "h";
 
 /// Seconds of a day.
 const DAY: f64 = 86_400.0;
@@ -45,8 +50,11 @@ const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns"
 
 /// Seconds in a unit of times; 1 for dates.
 pub(crate) fn seconds(unit: &str) -> f64 {
-    if unit == DAYS {
-        return DAY;
+    match unit {
+        DAYS => return DAY,
+        HOURS => return 3600.0,
+        MINUTES => return 60.0,
+        _ => {}
     }
     let known = SECONDS.iter().find(|(name, _)| *name == unit);
     known.map_or(1.0, |(_, seconds)| *seconds)

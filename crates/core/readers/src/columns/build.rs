@@ -377,6 +377,8 @@ fn time_column(map: &ColumnMap) -> TimeColumn {
         time::DATE => TimeFormat::Iso,
         time::CLOCK => TimeFormat::Clock,
         time::DAYS => TimeFormat::Days,
+        time::MINUTES => TimeFormat::Minutes,
+        time::HOURS => TimeFormat::Hours,
         _ => TimeFormat::Seconds,
     };
     TimeColumn {

@@ -1,7 +1,7 @@
 //! Names of columns taken apart: words and unit.
 
 use crate::cells::Dimension;
-use crate::cells::spellings::{SPELLINGS, TIMES, find_in, is_unit, unit_in};
+use crate::cells::spellings::{LONG_TIMES, SPELLINGS, TIMES, find_in, is_unit, unit_in};
 
 /// A name taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -148,10 +148,12 @@ impl NameParts {
 
     /// The unit of time that is stated.
     pub fn time_unit(&self) -> Option<&'static str> {
-        find_in(&TIMES, &self.unit).or_else(|| {
-            self.suffix(|text| find_in(&TIMES, text))
-                .map(|(unit, _)| unit)
-        })
+        find_in(&TIMES, &self.unit)
+            .or_else(|| find_in(&LONG_TIMES, &self.unit))
+            .or_else(|| {
+                self.suffix(|text| find_in(&TIMES, text))
+                    .map(|(unit, _)| unit)
+            })
     }
 
     /// Words without those that say a unit.
@@ -216,6 +218,9 @@ mod tests {
         assert_eq!(parts("TimeUS", "").time_unit(), Some("us"));
         assert_eq!(parts("time [s]", "").time_unit(), Some("s"));
         assert_eq!(parts("t", "ms").time_unit(), Some("ms"));
+        assert_eq!(parts("time [min]", "").time_unit(), Some("min"));
+        assert_eq!(parts("Time", "hours").time_unit(), Some("h"));
+        assert_eq!(parts("lat_min", "").time_unit(), None);
     }
 
     #[test]

@@ -465,3 +465,48 @@ fn ticks_of_xsens_time_a_table_and_local_times_have_their_zone() {
         assert_flown(&flight, 0.01);
     }
 }
+
+#[test]
+fn words_for_no_value_and_times_in_minutes_leave_the_rest_of_a_table_as_it_is() {
+    let places = |fix: &Fix| format!("{:.8},{:.8},{:.3}", fix.latitude, fix.longitude, fix.height);
+    for word in ["NULL", "N/A", "None", "-", "--", "?", ""] {
+        let missing = [word; 3].join(",");
+        let rows = table("time_s,lat,lon,alt_msl_m\n", |fix| {
+            let is_late = fix.time > 8.0;
+            format!(
+                "{:.2},{}",
+                fix.time,
+                if is_late {
+                    places(fix)
+                } else {
+                    missing.clone()
+                }
+            )
+        });
+        let (map, flight) = flight(&rows);
+        assert_eq!(guessed(&map, "lat").1, "deg", "{word}");
+        assert_eq!(
+            values(&flight, ChannelName::GpsNorth).len(),
+            fixes().len() - 41,
+            "{word}"
+        );
+    }
+    for (name, seconds) in [
+        ("time [min]", 60.0),
+        ("Time (hours)", 3600.0),
+        ("time", 60.0),
+    ] {
+        let rows = table(&format!("{name},lat,lon,alt_msl_m\n"), |fix| {
+            format!("{:.9},{}", fix.time / seconds, places(fix))
+        });
+        let (map, flight) = flight(&rows);
+        assert_eq!(guessed(&map, "lat").1, "deg", "{name}");
+        assert_flown(&flight, 0.002);
+        let times = &flight.channels[0].times;
+        assert!(
+            (times[299] - times[0] - 59.8).abs() < 1e-4,
+            "{name}: {}",
+            times[299]
+        );
+    }
+}

@@ -7,7 +7,7 @@ use super::header::parts;
 use super::makers;
 use super::{ColumnSample, Separator, TableShape};
 use crate::cells::spellings::is_unit;
-use crate::cells::{Moment, date_and_time, unit_behind};
+use crate::cells::{Moment, date_and_time, is_missing, unit_behind};
 use crate::folder::{decoded, decoded_table};
 
 /// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
@@ -223,7 +223,7 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<ColumnSample>, 
                     }
                     sample.numbers.push(number);
                 }
-                None if cell.is_empty() => sample.empty += 1,
+                None if cell.is_empty() || is_missing(cell) => sample.empty += 1,
                 None => sample.texts.push(cell.clone().into_owned()),
             }
         }

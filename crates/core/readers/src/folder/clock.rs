@@ -34,6 +34,12 @@ pub enum TimeFormat {
     /// Days, as spreadsheets and MATLAB count dates.
     #[serde(rename = "d")]
     Days,
+    /// Minutes with decimals in the flight's time base.
+    #[serde(rename = "min")]
+    Minutes,
+    /// Hours with decimals in the flight's time base.
+    #[serde(rename = "h")]
+    Hours,
 }
 
 impl TimeFormat {
@@ -60,6 +66,8 @@ impl TimeFormat {
             Self::Microseconds => scaled(1e-6),
             Self::Nanoseconds => scaled(1e-9),
             Self::Days => scaled(86_400.0),
+            Self::Minutes => scaled(60.0),
+            Self::Hours => scaled(3600.0),
             Self::Clock => number(text, false)
                 .and_then(of_clock_number)
                 .map(|seconds| Moment::Absolute(seconds.floor() as i64, seconds.fract()))

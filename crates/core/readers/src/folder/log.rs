@@ -202,6 +202,8 @@ fn time_unit(time: &TimeColumn) -> &'static str {
         TimeFormat::Microseconds => "us",
         TimeFormat::Nanoseconds => "ns",
         TimeFormat::Days => "d",
+        TimeFormat::Minutes => "min",
+        TimeFormat::Hours => "h",
         TimeFormat::Camera | TimeFormat::Iso | TimeFormat::Clock => "",
     }
 }

@@ -2,34 +2,39 @@
 
 use std::borrow::Cow;
 
+use crate::cells::has_zone;
+
 /// Columns of Garmin: day and time where the aircraft is, and hours from Greenwich.
 const LOCAL: [&str; 3] = ["Lcl Date", "Lcl Time", "UTCOfst"];
 /// Clock of Xsens in tenths of milliseconds, and what it is called in seconds.
 const FINE: (&str, &str) = ("SampleTimeFine", "SampleTimeFine time [s]");
 /// Where the clock of Xsens begins anew, seconds.
 const FINE_TURN: f64 = 429_496.729_6;
+/// Words of universal time.
+const ZONES: [&str; 2] = ["utc", "gmt"];
 /// Lines within which the names of columns stand.
 const HEAD: usize = 40;
 
-/// The text of a table with days and hours from Greenwich about its local times, and seconds for ticks of Xsens where no other column
-/// is a time.
+/// The text of a table with days and hours from Greenwich about its local times, dates about those of universal time, and
+/// seconds for ticks of Xsens where no other column is a time.
 pub(super) fn with_told_clocks(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     let head = text.split(|b| *b == b'\n').take(HEAD);
-    let has = |line: &[u8], name: &str| line.windows(name.len()).any(|w| w == name.as_bytes());
+    let has = |line: &[u8], name: &str| {
+        line.windows(name.len())
+            .any(|w| w.eq_ignore_ascii_case(name.as_bytes()))
+    };
     let found = head.enumerate().find_map(|(number, line)| {
         let is_local = LOCAL.iter().all(|name| has(line, name));
-        (is_local || has(line, FINE.0)).then_some((number, is_local))
+        let is_universal =
+            has(line, "date") && has(line, "time") && ZONES.iter().any(|zone| has(line, zone));
+        (is_local || is_universal || has(line, FINE.0)).then_some(number)
     });
-    let Some((number, is_local)) = found else {
+    let Some(number) = found else {
         return text;
     };
     let changed = {
         let text = String::from_utf8_lossy(&text);
-        if is_local {
-            with_zones(&text, number)
-        } else {
-            in_seconds(&text, number)
-        }
+        with_zones(&text, number).or_else(|| in_seconds(&text, number))
     };
     changed.map_or(text, |changed| Cow::Owned(changed.into_bytes()))
 }
@@ -55,19 +60,56 @@ fn columns<const N: usize>(names: &str, separator: char, wanted: [&str; N]) -> O
         .then(|| found.map(|at| at.unwrap_or(0)))
 }
 
+/// The columns of date and time of day, and that of hours from Greenwich; without one they are in universal time.
+fn clock(names: &str, separator: char) -> Option<(usize, usize, Option<usize>)> {
+    if let Some([date, time, offset]) = columns(names, separator, LOCAL) {
+        return Some((date, time, Some(offset)));
+    }
+    let mut found = [None; 2];
+    let mut is_universal = false;
+    for (at, name) in names.split(separator).enumerate() {
+        let plain = name
+            .to_lowercase()
+            .replace(|c: char| !c.is_alphanumeric(), " ");
+        let mut words: Vec<&str> = plain.split_whitespace().collect();
+        let count = words.len();
+        words.retain(|word| !ZONES.contains(word) && *word != "gps");
+        let has_zone = words.len() < count && !plain.contains("gps");
+        let of = match words[..] {
+            ["date"] => 0,
+            ["time"] => 1,
+            _ => continue,
+        };
+        // Another clock beside it may be the one that the date belongs to.
+        if found[of].replace(at).is_some() {
+            return None;
+        }
+        is_universal |= has_zone;
+    }
+    found[0]
+        .zip(found[1])
+        .filter(|_| is_universal)
+        .map(|(date, time)| (date, time, None))
+}
+
 fn with_zones(text: &str, number: usize) -> Option<String> {
     let names = text.lines().nth(number)?;
     let separator = separator_of(names);
-    let [date, time, offset] = columns(names, separator, LOCAL)?;
+    let (date, time, offset) = clock(names, separator)?;
+    if has_late_dates(text.lines().skip(number + 1), separator, (date, time)) {
+        return None;
+    }
     let line = |(index, line): (usize, &str)| {
         let mut cells: Vec<&str> = line.split(separator).collect();
-        let is_row =
-            index > number && cells.len() > date.max(time).max(offset) && !line.contains('"');
-        let zone = if is_row { cells[offset].trim() } else { "" };
-        if !is_row || !zone.starts_with(['+', '-']) || !cells[time].contains(':') {
+        let last = date.max(time).max(offset.unwrap_or(0));
+        if index <= number || cells.len() <= last || line.contains('"') {
             return line.to_owned();
         }
-        let told = format!("{} {}{zone}", cells[date].trim_end(), cells[time].trim());
+        let zone = offset.map_or("Z", |offset| cells[offset].trim());
+        let told = format!("{} {}{zone}", cells[date].trim(), cells[time].trim());
+        if cells[date].trim().is_empty() || !cells[time].contains(':') || !has_zone(&told) {
+            return line.to_owned();
+        }
         cells[time] = &told;
         cells.join(&separator.to_string())
     };
@@ -76,6 +118,29 @@ fn with_zones(text: &str, number: usize) -> Option<String> {
             .enumerate()
             .fold(String::new(), |text, next| text + &line(next) + "\n"),
     )
+}
+
+/// Whether the date stays as it is over midnight: it is that of the beginning then.
+fn has_late_dates<'a>(
+    rows: impl Iterator<Item = &'a str>,
+    separator: char,
+    (date, time): (usize, usize),
+) -> bool {
+    let mut before: Option<(&str, u8)> = None;
+    for row in rows {
+        let cells: Vec<&str> = row.split(separator).map(str::trim).collect();
+        let hour = cells
+            .get(time)
+            .and_then(|cell| cell.split(':').next()?.parse().ok());
+        let Some((date, hour)) = cells.get(date).copied().zip(hour) else {
+            continue;
+        };
+        if hour == 0 && before == Some((date, 23)) {
+            return true;
+        }
+        before = Some((date, hour));
+    }
+    false
 }
 
 fn in_seconds(text: &str, number: usize) -> Option<String> {
@@ -133,6 +198,16 @@ mod tests {
         let table = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01, 14:00:00, -04:00, 1.5\n , , , \n";
         let right = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01,2024-05-01 14:00:00-04:00, -04:00, 1.5\n , , , \n";
         assert_eq!(told(table), right);
+        let table = "UTC Date;UTC Time;Latitude\n13.05.2024;10:00:00.5;1\n;10:00:01.0;2\n";
+        let right =
+            "UTC Date;UTC Time;Latitude\n13.05.2024;13.05.2024 10:00:00.5Z;1\n;10:00:01.0;2\n";
+        assert_eq!(told(table), right);
+        for other in [
+            "Date,Time,lat\n2024-05-13,10:00:00,1\n",
+            "date_utc,time_utc,time,lat\n2024-05-13,10:00:00,1,1\n",
+        ] {
+            assert_eq!(told(other), other);
+        }
     }
 
     #[test]

@@ -155,10 +155,15 @@ fn readings(board: &mut FlightColumns, known: &Known, pair: (Id, Id)) -> Vec<Pla
     let is_time_told = is_date || time.is_none_or(|id| board.basis(id) == UnitBasis::Stated);
     let mut time_units = vec![None];
     if !is_time_told {
-        let others = ["s", "ms", "us", "ns"].into_iter();
+        let others = ["s", "ms", "us", "ns", "min", "h"].into_iter();
         let others = others.filter(|unit| time_unit.as_deref() != Some(*unit));
         time_units.extend(others.map(Some));
     }
+    // Parts of degrees are counted in whole numbers.
+    let are_broken = {
+        let raw = board.raw(latitude).values;
+        2 * raw.iter().filter(|value| value.fract() != 0.0).count() > raw.len()
+    };
     let mut readings = Vec::new();
     for unit_of_time in time_units {
         // No other unit of time outweighs a reading that is likely by itself.
@@ -185,6 +190,9 @@ fn readings(board: &mut FlightColumns, known: &Known, pair: (Id, Id)) -> Vec<Pla
             _ => &UNITS[..],
         };
         for (unit, prior) in units.iter().copied() {
+            if are_broken && unit.starts_with("deg1e") && unit != present {
+                continue;
+            }
             let by_range = if could_be_radians && unit != "rad" {
                 0.1
             } else {
