@@ -216,9 +216,10 @@ fn positive(value: Option<f64>) -> Option<f64> {
     value.filter(|value| *value > 0.0)
 }
 
-/// When a photo was taken, and whether that is UTC.
+/// When a photo was taken, and whether that is UTC. What changed it later may have set its third clock, and hardly the time
+/// of the satellites.
 fn taken(exif: &Exif) -> (Option<(i64, f64)>, bool) {
-    let clocks = [
+    let [original, digitized, changed] = [
         (
             &exif.photo,
             exif::DATE_TIME_ORIGINAL,
@@ -238,10 +239,8 @@ fn taken(exif: &Exif) -> (Option<(i64, f64)>, bool) {
             exif::OFFSET_TIME,
         ),
     ];
-    for (directory, moment, fraction, offset) in clocks {
-        let Some(text) = directory.text(moment) else {
-            continue;
-        };
+    let told = |(directory, moment, fraction, offset): (&ExifDirectory, u16, u16, u16)| {
+        let text = directory.text(moment)?;
         let digits = exif
             .photo
             .text(fraction)
@@ -250,23 +249,31 @@ fn taken(exif: &Exif) -> (Option<(i64, f64)>, bool) {
         let offset = exif.photo.text(offset);
         let with_offset = offset.and_then(|offset| date_and_time(&format!("{text}{offset}")));
         let is_utc = with_offset.is_some();
-        if let Some(Moment::Absolute(whole, part)) = with_offset.or_else(|| date_and_time(&text)) {
-            return (Some((whole, part)), is_utc);
+        match with_offset.or_else(|| date_and_time(&text))? {
+            Moment::Absolute(whole, part) => Some(((whole, part), is_utc)),
+            Moment::Relative(_) => None,
         }
-    }
-    let (Some(date), &[hours, minutes, seconds]) = (
-        exif.gps.text(exif::GPS_DATE),
-        exif.gps.reals(exif::GPS_TIME).as_slice(),
-    ) else {
-        return (None, false);
     };
-    match date_and_time(&format!("{date} 00:00:00")) {
-        Some(Moment::Absolute(day, _)) => {
-            let seconds = hours * 3600.0 + minutes * 60.0 + seconds;
-            (Some((day + seconds.floor() as i64, seconds.fract())), true)
-        }
-        _ => (None, false),
-    }
+    let found = told(original)
+        .or_else(|| told(digitized))
+        .or_else(|| Some((satellite_time(exif)?, true)))
+        .or_else(|| told(changed));
+    found.map_or((None, false), |(time, is_utc)| (Some(time), is_utc))
+}
+
+/// Coordinated universal time of the receiver: whole seconds since 1970 and the rest.
+fn satellite_time(exif: &Exif) -> Option<(i64, f64)> {
+    let date = exif.gps.text(exif::GPS_DATE)?;
+    let &[hours, minutes, seconds] = exif.gps.reals(exif::GPS_TIME).as_slice() else {
+        return None;
+    };
+    let Moment::Absolute(day, _) = date_and_time(&format!("{date} 00:00:00"))? else {
+        return None;
+    };
+    let seconds = hours * 3600.0 + minutes * 60.0 + seconds;
+    (0.0..=86_401.0)
+        .contains(&seconds)
+        .then(|| (day + seconds.floor() as i64, seconds.fract()))
 }
 
 /// Degrees, minutes and seconds together, radians; negative where `reference` says so.

@@ -400,3 +400,46 @@ fn a_tiff_says_when_where_and_how_it_was_taken() {
         let _ = read_photo(&MemoryBytes::new("a.tif", file[..end].to_vec()));
     }
 }
+
+/// A clock that was set when the photo was changed, and the satellites' at which it was taken.
+#[test]
+fn the_time_of_the_satellites_goes_before_that_of_a_change() {
+    let file = |original: Option<&str>| {
+        let photo_tags: Vec<Tag> = original
+            .map(|time| text(exif::DATE_TIME_ORIGINAL, time))
+            .into_iter()
+            .collect();
+        let gps_tags = [
+            (exif::GPS_TIME, 5, 3, ratio(&[(10, 1), (20, 1), (305, 10)])),
+            text(exif::GPS_DATE, "2024:05:01"),
+        ];
+        let image = |photo: u32, gps: u32| {
+            [
+                (exif::WIDTH, 3, 1, 640_u16.to_le_bytes().to_vec()),
+                (exif::HEIGHT, 3, 1, 480_u16.to_le_bytes().to_vec()),
+                text(exif::DATE_TIME, "2024:06:30 18:00:00"),
+                (0x8769, 4, 1, photo.to_le_bytes().to_vec()),
+                (0x8825, 4, 1, gps.to_le_bytes().to_vec()),
+            ]
+        };
+        let at = 8 + directory(8, &image(0, 0)).len();
+        let of_photo = directory(at, &photo_tags);
+        let behind = at + of_photo.len();
+        [
+            b"II*\0\x08\0\0\0".to_vec(),
+            directory(8, &image(at as u32, behind as u32)),
+            of_photo,
+            directory(behind, &gps_tags),
+        ]
+        .concat()
+    };
+    let taken = |original| {
+        let photo = read_photo(&MemoryBytes::new("a.tif", file(original))).unwrap();
+        photo.taken
+    };
+    assert_eq!(taken(None), Some((1_714_558_830, 0.5)));
+    assert_eq!(
+        taken(Some("2024:05:01 12:20:30")),
+        Some((1_714_566_030, 0.0))
+    );
+}
