@@ -510,3 +510,29 @@ fn words_for_no_value_and_times_in_minutes_leave_the_rest_of_a_table_as_it_is() 
         );
     }
 }
+
+#[test]
+fn places_of_a_long_flight_are_straight_below_it() {
+    let row = |i: i32| {
+        let t = f64::from(i);
+        (-33.85 + 0.0055 * t, -0.42 + 0.0044 * t, 1500.0 + t)
+    };
+    let rows: String = (0..400)
+        .map(|i| {
+            let (latitude, longitude, height) = row(i);
+            format!("{},{latitude:.7},{longitude:.7},{height}\n", 10 * i)
+        })
+        .collect();
+    let (_, flight) = flight(&format!("time_s,lat,lon,alt_msl_m\n{rows}"));
+    let world = flight.frame_on_globe.unwrap();
+    let [north, east] =
+        [ChannelName::GpsNorth, ChannelName::GpsEast].map(|name| values(&flight, name));
+    for i in [0, 100, 399] {
+        let ground = pilotage_base::frames::GroundPoint::new(north[i], east[i]);
+        let place = world.geodetic_from_ground(&ground);
+        let (latitude, longitude, _) = row(i as i32);
+        let off = (place.latitude.to_degrees() - latitude)
+            .hypot(place.longitude.to_degrees() - longitude);
+        assert!(off < 1e-7, "row {i}: {off} degrees");
+    }
+}

@@ -23,15 +23,19 @@ impl Positions {
             .ok_or_else(|| "places on the globe need an \"origin\"".to_owned())
     }
 
-    /// Ground point of a latitude and longitude in radians.
+    /// Ground point straight below or above a latitude and longitude in radians; of the far side of the globe one that is no
+    /// nearer than that.
     pub(super) fn geodetic(&self, latitude: f64, longitude: f64) -> Result<GroundPoint, String> {
         let frame = self.frame()?;
-        let p = frame.world_from_geodetic(&Geodetic {
+        let place = Geodetic {
             latitude,
             longitude,
             height: frame.origin.height,
-        });
-        Ok(GroundPoint::new(p.x, p.y))
+        };
+        Ok(frame.ground_if_near(&place).unwrap_or_else(|| {
+            let far = frame.world_from_geodetic(&place);
+            GroundPoint::new(far.x, far.y)
+        }))
     }
 
     /// Ground points of columns of latitude and longitude, in degrees unless they name a unit.
