@@ -331,6 +331,12 @@ fn from_magnetic_north(columns: &[MappedColumn]) -> Option<String> {
     let heading = ColumnRole::Channel(ChannelName::Heading);
     let heading = columns.iter().find(|column| column.role == heading)?;
     let words = parts_of_name(&heading.name, "").words;
+    if words.ends_with(&["by".to_owned(), "variation".to_owned()]) {
+        return Some(format!(
+            "{} is made of the magnetic one and the variation beside it",
+            heading.name
+        ));
+    }
     let is_magnetic = words.iter().any(|w| w == "mag" || w == "magnetic");
     is_magnetic.then(|| {
         format!(

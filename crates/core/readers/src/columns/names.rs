@@ -68,8 +68,9 @@ const RULES: &[Rule] = &[
     rule(
         Course,
         0.9,
-        "course|cog|ground course|course over ground|gcrs|crs|track|ground track|gps course|track angle",
+        "course|cog|ground course|course over ground|gcrs|crs|track|trk|ground track|gps course|gps track|track angle",
     ),
+    rule(Course, 0.95, "track by variation"),
     rule(Course, 0.6, "direction"),
     rule(
         Channel(ChannelName::Airspeed),
@@ -85,6 +86,11 @@ const RULES: &[Rule] = &[
         Channel(ChannelName::Heading),
         0.95,
         "heading|yaw|hdg|true heading|psi|yaw angle|heading angle|bearing|hding true",
+    ),
+    rule(
+        Channel(ChannelName::Heading),
+        0.98,
+        "true heading by variation",
     ),
     rule(
         Channel(ChannelName::Heading),
@@ -226,6 +232,7 @@ const RULES: &[Rule] = &[
     ),
     rule(SpeedOverGround, 0.5, "geschwindigkeit|vitesse|velocidad"),
     rule(Course, 0.8, "kurs|rumbo"),
+    rule(Channel(ChannelName::Heading), 0.5, "cap"),
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,

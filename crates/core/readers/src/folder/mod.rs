@@ -24,6 +24,7 @@ mod tests;
 mod time_unit;
 mod told_clocks;
 mod utc;
+mod variation;
 mod write;
 
 pub(super) use clock::TimeFormat;

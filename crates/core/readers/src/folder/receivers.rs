@@ -8,6 +8,7 @@ use pilotage_base::frames::Ellipsoid;
 
 use super::solutions::{missing_names, of_baselines};
 use super::told_clocks::with_told_clocks;
+use super::variation::with_true_directions;
 
 /// Names of RTKLIB over degrees, minutes and seconds in three cells, and names for each of them.
 const THREE_CELLS: [(&str, [&str; 3]); 2] = [
@@ -37,7 +38,7 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
         return Cow::Owned([names.as_bytes(), &text].concat());
     }
     if !text.starts_with(b"%") {
-        return with_told_clocks(text);
+        return with_true_directions(with_told_clocks(text));
     }
     let names = |name: &str| {
         let head = &text[..text.len().min(1 << 14)];
