@@ -5,7 +5,8 @@ use std::collections::HashSet;
 
 use pilotage_base::frames::ReferenceSystem;
 
-use super::csv_preface::is_comment;
+use super::angle;
+use super::csv_preface::{is_comment, names_places};
 use super::csv_system::{system, system_of_remark};
 
 /// Digits behind the point of a latitude or longitude.
@@ -48,6 +49,9 @@ fn given_names(content: &str) -> Result<Option<NamedTable>, String> {
             return Ok(Some(of_system(&system?, &rows)));
         }
         return Ok(None);
+    }
+    if let Some(table) = between_blanks(content) {
+        return Ok(Some(table));
     }
     if let Some(table) = of_metashape(content) {
         return Ok(Some(table));
@@ -215,6 +219,60 @@ fn of_metashape(content: &str) -> Option<NamedTable> {
     })
 }
 
+/// A table with names whose cells stand between blanks.
+fn between_blanks(content: &str) -> Option<NamedTable> {
+    let is_remark = |line: &str| line.trim().is_empty() || line.trim_start().starts_with('#');
+    let mut rows = content.lines().filter(|line| !is_remark(line));
+    let names = rows.next()?;
+    let count = names.split_whitespace().count();
+    let is_plain = |line: &str| !line.contains([',', ';', '\t', '|', '"']);
+    let is_row = |line: &str| is_plain(line) && line.split_whitespace().count() == count;
+    if count < 2
+        || !is_plain(names)
+        || !names_places(&names.split_whitespace().collect::<Vec<_>>().join(","))
+        || !rows.all(is_row)
+    {
+        return None;
+    }
+    let line = |line: &str| {
+        if is_remark(line) {
+            return line.to_owned();
+        }
+        line.split_whitespace().collect::<Vec<_>>().join(",")
+    };
+    Some(NamedTable {
+        text: content
+            .lines()
+            .map(line)
+            .fold(String::new(), |text, line| text + &line + "\n"),
+        added: 0,
+        notes: Vec::new(),
+    })
+}
+
+/// The cells of a row whose latitude and longitude have the letters of their hemispheres, without these and the latitude
+/// first; south and west are negative.
+fn without_letters(mut cells: Vec<String>) -> Vec<String> {
+    let of = |cell: &String, letters: (char, char)| {
+        let last = cell.chars().next_back().map(|c| c.to_ascii_uppercase());
+        let has_letter = last.is_some_and(|c| c == letters.0 || c == letters.1);
+        let is_angle = has_letter && cell.starts_with(|c: char| c.is_ascii_digit());
+        angle::degrees(cell, letters).filter(|_| is_angle)
+    };
+    for at in 0..cells.len().min(3).saturating_sub(1) {
+        let (latitude, longitude) = (('N', 'S'), ('E', 'W'));
+        let [first, second] = [&cells[at], &cells[at + 1]];
+        let found = of(first, latitude)
+            .zip(of(second, longitude))
+            .or_else(|| of(second, latitude).zip(of(first, longitude)));
+        if let Some((latitude, longitude)) = found {
+            (cells[at], cells[at + 1]) = (latitude.to_string(), longitude.to_string());
+            break;
+        }
+    }
+    cells
+}
+
 /// The cells of a line, a number with a point before its decimals.
 fn split(line: &str, seam: char) -> Vec<String> {
     if seam == ' ' {
@@ -273,14 +331,25 @@ fn row_of(cells: &[String], seam: char) -> Option<Row> {
         });
     }
     let behind = cells.get(numbers..)?;
-    let is_one = behind.len() == 1 || seam == ' ';
-    let is_named =
-        (2..=3).contains(&numbers) && is_one && behind.first().is_some_and(|c| is_name(c));
+    let is_named = (2..=3).contains(&numbers) && behind.first().is_some_and(|c| is_name(c));
+    let mut rest = vec![
+        cells
+            .get(2)
+            .filter(|_| numbers == 3)
+            .cloned()
+            .unwrap_or_default(),
+    ];
+    let name = if seam == ' ' {
+        behind.join(" ")
+    } else {
+        rest.extend(behind.iter().skip(1).cloned());
+        behind.first().cloned().unwrap_or_default()
+    };
     is_named.then(|| Row {
-        name: behind.join(" "),
+        name,
         x: cells[0].clone(),
         y: cells[1].clone(),
-        rest: cells[2..numbers].to_vec(),
+        rest,
         is_photo: false,
     })
 }
@@ -302,7 +371,8 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
         .clone()
         .find(|seam| first.contains(*seam))
         .unwrap_or(' ');
-    let rows = lines().map(|line| is_told(&line).then(|| row_of(&split(line, seam), seam)));
+    let rows = lines()
+        .map(|line| is_told(&line).then(|| row_of(&without_letters(split(line, seam)), seam)));
     let rows: Vec<Option<Option<Row>>> = rows.collect();
     let told: Option<Vec<&Row>> = rows.iter().flatten().map(Option::as_ref).collect();
     let Some(told) = told.filter(|rows| !rows.is_empty()) else {
@@ -458,6 +528,10 @@ mod tests {
             "a b;47,3712;8,5421;410,5\n",
             "47.3712\t8.5421\ta b\n",
             "47.3712 8.5421 a b\n",
+            "47.3712,8.5421,a b,12\n",
+            "a b,47.3712N,8.5421E\n",
+            "a b,8.5421 E,47.3712 N\n",
+            "47.3712N;8.5421E;a b\n",
             "# points\n\n47.3712,8.5421,410.5,a b\n",
         ] {
             assert_at(table, &near);
@@ -470,6 +544,20 @@ mod tests {
         let east = [("a", 151.2, -33.851), ("b", 151.3, -33.852)];
         assert_at("a,-33.851,151.200\nb,-33.852,151.300\n", &east);
         assert_at("a,151.200,-33.851\nb,151.300,-33.852\n", &east);
+    }
+
+    #[test]
+    fn names_of_columns_may_stand_between_blanks() {
+        assert_at(
+            "# x\nname  lat lon\nA 47.3712   8.5421\n",
+            &[("A", 8.5421, 47.3712)],
+        );
+        for text in [
+            "name lat lon\nA b 47.3712 8.5421\n",
+            "one two three\n1 2 3\n",
+        ] {
+            assert!(!super::is_bare(text), "{text}");
+        }
     }
 
     #[test]

@@ -60,7 +60,7 @@ pub(super) fn is_comment(line: &str) -> bool {
 }
 
 /// Whether a line has the names of columns of places.
-fn names_places(line: &str) -> bool {
+pub(super) fn names_places(line: &str) -> bool {
     let names = line
         .split(delimiter_of(line))
         .map(|name| name.trim().trim_matches('"').to_owned());
