@@ -1,4 +1,4 @@
-//! Tables of places that have no line of names: control points and places of photos, as `OpenDroneMap`, Pix4D and Metashape
+//! Tables of places that have no line of names: control points and places of photos, as `OpenDroneMap`, `Pix4D` and Metashape
 //! write them, and places with their names. They are given the names that other tables have.
 
 use std::collections::HashSet;
@@ -154,9 +154,17 @@ fn cells(system: &ReferenceSystem, name: &str, x: &str, y: &str, rest: &[String]
     };
     for cell in rest {
         text.push(',');
-        text.push_str(cell);
+        text.push_str(&quoted(cell));
     }
     text
+}
+
+/// A cell as it stands between commas.
+fn quoted(cell: &str) -> String {
+    if cell.contains([',', '"']) {
+        return format!("\"{}\"", cell.replace('"', "\"\""));
+    }
+    cell.to_owned()
 }
 
 /// Longitude and latitude of coordinates in a system of metres, degrees as text.
@@ -187,7 +195,9 @@ fn of_metashape(content: &str) -> Option<NamedTable> {
         (Some(y), "latitude"),
         (find("Z/Altitude"), "z"),
     ] {
-        own.into_iter().for_each(|own| names[own] = other);
+        if let Some(own) = own {
+            names[own] = other;
+        }
     }
     let mut text = format!("\n{}", names.join(","));
     for line in lines {
@@ -203,13 +213,7 @@ fn of_metashape(content: &str) -> Option<NamedTable> {
         {
             (cells[x], cells[y]) = (longitude, latitude);
         }
-        let cells = cells.iter().map(|cell| {
-            if is_number(cell) {
-                cell.clone()
-            } else {
-                format!("\"{}\"", cell.replace('"', "\"\""))
-            }
-        });
+        let cells = cells.iter().map(|cell| quoted(cell));
         text.push_str(&cells.collect::<Vec<_>>().join(","));
     }
     Some(NamedTable {
@@ -422,14 +426,11 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
         names
     };
     let width = told.iter().map(|row| row.rest.len()).max().unwrap_or(0);
-    let mut text = names.to_owned();
-    for column in 0..width {
-        text.push_str(&if column == 0 {
-            ",z".to_owned()
-        } else {
-            format!(",value {}", column + 4)
-        });
-    }
+    let more = (0..width).map(|column| match column {
+        0 => ",z".to_owned(),
+        column => format!(",value {}", column + 4),
+    });
+    let mut text = names.to_owned() + &more.collect::<String>();
     for row in &rows {
         text.push('\n');
         if let Some(Some(row)) = row {

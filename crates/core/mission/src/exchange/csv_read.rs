@@ -21,7 +21,7 @@ use crate::mission::{USUAL_ALTITUDE, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 use pilotage_base::text::{LastRow, last_row};
 
-/// Reads a table with a header line.
+/// Reads a table, and the tasks behind it.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
     // The lines of tasks have other cells.
     let (content, tasks) = without_tasks(content);
@@ -29,8 +29,22 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
         file: file.to_owned(),
         cause: format!("line 1: {cause}"),
     })?;
-    let (added, bare) = given.map_or((0, None), |table| (table.added, Some(table)));
-    let content = bare.as_ref().map_or(content, |table| table.text.as_str());
+    let mut found = match given {
+        Some(table) => {
+            let mut found = read_named(file, &table.text, table.added)?;
+            found.notes.extend(table.notes);
+            found
+        }
+        None => read_named(file, content, 0)?,
+    };
+    if let Some(tasks) = tasks {
+        add_tasks(tasks, &mut found);
+    }
+    Ok(found)
+}
+
+/// Reads a table with a header line, of which so many lines were `added`.
+fn read_named(file: &str, content: &str, added: u64) -> Result<GeodeticContent, ExchangeError> {
     let preface = preface(content);
     let delimiter = preface.delimiter;
     let mut reader = csv::ReaderBuilder::new()
@@ -117,12 +131,6 @@ pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, Exchang
     found.notes.extend(xy);
     found.notes.extend(utm);
     found.notes.extend(end);
-    found
-        .notes
-        .extend(bare.into_iter().flat_map(|table| table.notes));
-    if let Some(tasks) = tasks {
-        add_tasks(tasks, &mut found);
-    }
     if let Some(places) = table.places.filter(|places| !places.is_told) {
         found.notes.push(format!(
             "nothing tells which number of `{}` is the latitude: the first is taken; call the column `lon lat` if it is the \

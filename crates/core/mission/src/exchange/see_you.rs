@@ -45,12 +45,12 @@ pub(super) fn add_tasks(tasks: &str, found: &mut GeodeticContent) {
     let (mut routes, mut unknown) = (Vec::new(), Vec::new());
     for record in reader.records().map_while(Result::ok) {
         let first = record.get(0).unwrap_or("").to_lowercase();
-        let is_more = |word: &&str| {
+        let is_more = |word: &str| {
             first
-                .strip_prefix(*word)
+                .strip_prefix(word)
                 .is_some_and(|r| r.is_empty() || r.starts_with('='))
         };
-        if MORE.iter().any(|word| is_more(&word)) {
+        if MORE.iter().any(|word| is_more(word)) {
             continue;
         }
         let mut way_points = Vec::new();
@@ -117,8 +117,8 @@ mod tests {
         assert_eq!(names, [Some("Triangle"), None]);
         let right = [
             (8.5421, 47.3712),
-            (8.7087667, 47.5378667),
-            (-8.8754333, 47.7045333),
+            (8.708_766_7, 47.537_866_7),
+            (-8.875_433_3, 47.704_533_3),
             (8.5421, 47.3712),
         ];
         let way_points = &found.routes[0].way_points;

@@ -517,13 +517,12 @@ fn places_of_a_long_flight_are_straight_below_it() {
         let t = f64::from(i);
         (-33.85 + 0.0055 * t, -0.42 + 0.0044 * t, 1500.0 + t)
     };
-    let rows: String = (0..400)
-        .map(|i| {
-            let (latitude, longitude, height) = row(i);
-            format!("{},{latitude:.7},{longitude:.7},{height}\n", 10 * i)
-        })
-        .collect();
-    let (_, flight) = flight(&format!("time_s,lat,lon,alt_msl_m\n{rows}"));
+    let mut rows = String::from("time_s,lat,lon,alt_msl_m\n");
+    for i in 0..400 {
+        let (latitude, longitude, height) = row(i);
+        writeln!(rows, "{},{latitude:.7},{longitude:.7},{height}", 10 * i).unwrap();
+    }
+    let (_, flight) = flight(&rows);
     let world = flight.frame_on_globe.unwrap();
     let [north, east] =
         [ChannelName::GpsNorth, ChannelName::GpsEast].map(|name| values(&flight, name));

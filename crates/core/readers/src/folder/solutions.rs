@@ -179,8 +179,8 @@ mod tests {
             let found: f64 = row[at].parse().unwrap();
             assert!((found - right).abs() < by, "{found} {right}");
         };
-        near(2, -33.8860575118, 1e-9);
-        near(3, 151.2324294196, 1e-9);
+        near(2, -33.886_057_511_8, 1e-9);
+        near(3, 151.232_429_419_6, 1e-9);
         near(4, 44.4636, 1e-3);
         assert!(found.contains("latitude(deg)  longitude(deg)  height(m)"));
         assert_eq!(of_baselines(&table.replace("ref pos", "base")), None);

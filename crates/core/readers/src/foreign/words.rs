@@ -30,6 +30,7 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\nepsg:", POINTS, CONVERT),
     word("\n+proj=", POINTS, CONVERT),
     word("\nwgs84 utm", POINTS, CONVERT),
+    word("\nname,code,country,lat,lon", "places and tasks of SeeYou (.cup)", CONVERT),
     word("\nimagename x y z omega phi kappa", "the places of cameras that Pix4D computed", POINTS_ADVICE),
     word("\n# coordinatesystem:", "a reference table of Metashape", CONVERT),
     word("\n# image list with two lines of data per image", "the places of cameras that COLMAP computed, in metres of its own", PHOTOS),
