@@ -8,7 +8,7 @@ use crate::cells::has_zone;
 const LOCAL: [&str; 3] = ["Lcl Date", "Lcl Time", "UTCOfst"];
 /// Clock of Xsens in tenths of milliseconds, and what it is called in seconds.
 const FINE: (&str, &str) = ("SampleTimeFine", "SampleTimeFine time [s]");
-/// Where the clock of Xsens begins anew, seconds.
+/// Time after which the clock of Xsens begins anew, seconds.
 const FINE_TURN: f64 = 429_496.729_6;
 /// Words of universal time.
 const ZONES: [&str; 2] = ["utc", "gmt"];
