@@ -37,7 +37,7 @@ pub(super) fn estimate(ui: &mut Ui, tokens: &Tokens, found: &FoundCamera, units:
     };
     ui.spacing_mut().item_spacing.y = 0.0;
     let titles = ["estimate", "± σ"].map(str::to_owned);
-    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+    table::heads(ui, tokens, &titles, |ui| {
         ui.label(small("to be added to the flight as opened"));
     });
     let (length, length_unit) = units.length();

@@ -249,7 +249,7 @@ fn summaries(ui: &mut Ui, context: &ViewContext<'_>, preview: &ResidualPreview) 
     let tokens = context.tokens;
     let (factor, length) = context.units.length();
     let titles = ["opened", "est.", "hand"].map(str::to_owned);
-    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+    table::heads(ui, tokens, &titles, |ui| {
         ui.label(muted(tokens, "RMS"));
     });
     let mut row = |name: String, of: &dyn Fn(&ResidualSummary) -> Option<f64>| {

@@ -43,7 +43,7 @@ impl ContestState {
         let Some(found) = &self.found else { return };
         let (factor, unit) = context.units.length();
         let titles = ["RMS", "median", "most", "NEES"].map(str::to_owned);
-        table::row(ui, tokens, &titles, tokens.muted, |ui| {
+        table::heads(ui, tokens, &titles, |ui| {
             ui.label(small(&format!("error, {unit}")));
         });
         for row in &found.rows {

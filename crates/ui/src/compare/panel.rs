@@ -168,7 +168,7 @@ impl CompareView {
         let title = |ui: &mut Ui| {
             ui.label(small(&format!("error, {unit}")));
         };
-        table::row(ui, tokens, &titles, tokens.muted, title);
+        table::heads(ui, tokens, &titles, title);
         for row in &self.results.rows {
             let is_reference = row.comparison.is_none();
             let cells = figures(row.comparison.as_ref(), factor);

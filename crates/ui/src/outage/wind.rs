@@ -32,7 +32,7 @@ pub(super) fn winds(ui: &mut Ui, context: &ViewContext<'_>, report: &WindReport)
             .font(tokens.heading()),
     );
     let titles = ["north", "east", "apart"].map(str::to_owned);
-    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+    table::heads(ui, tokens, &titles, |ui| {
         ui.label(small(format!("where the air goes, {unit}")));
     });
     let row = |ui: &mut Ui, name: &str, colour: Color32, wind: [f64; 2], apart: Option<f64>| {

@@ -28,7 +28,7 @@ pub(super) fn list(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &PhotosSt
         "hdg".to_owned(),
         format!("{unit} high"),
     ];
-    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+    table::heads(ui, tokens, &titles, |ui| {
         ui.label(RichText::new("photo").color(tokens.muted));
     });
     egui::ScrollArea::vertical()

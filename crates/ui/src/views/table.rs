@@ -1,6 +1,6 @@
 //! Rows of a table of numbers: what a row is about at the left, its numbers right-aligned.
 
-use egui::{Align, Align2, Color32, Layout, Sense, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Align2, Color32, FontId, Layout, Sense, Ui, UiBuilder, pos2, vec2};
 
 use super::parts;
 use crate::tokens::Tokens;
@@ -16,7 +16,14 @@ pub(crate) fn row(
     colour: Color32,
     lead: impl FnOnce(&mut Ui),
 ) {
-    tall_row(ui, tokens, (cells, colour), height(tokens), lead);
+    let cells = (cells, colour, parts::normal(tokens));
+    tall_row(ui, tokens, cells, height(tokens), lead);
+}
+
+/// Draws the heads of columns: small, so that each has room within its column.
+pub(crate) fn heads(ui: &mut Ui, tokens: &Tokens, titles: &[String], lead: impl FnOnce(&mut Ui)) {
+    let titles = (titles, tokens.muted, parts::small(tokens));
+    tall_row(ui, tokens, titles, height(tokens), lead);
 }
 
 /// Height of a row in which nothing can be pressed.
@@ -27,7 +34,7 @@ fn height(tokens: &Tokens) -> f32 {
 fn tall_row(
     ui: &mut Ui,
     tokens: &Tokens,
-    (cells, colour): (&[String], Color32),
+    (cells, colour, font): (&[String], Color32, FontId),
     height: f32,
     lead: impl FnOnce(&mut Ui),
 ) {
@@ -40,9 +47,8 @@ fn tall_row(
     let mut right = rect.right() - 0.5 * tokens.space;
     for cell in cells.iter().rev() {
         let at = pos2(right, rect.center().y);
-        let font = parts::normal(tokens);
         ui.painter()
-            .text(at, Align2::RIGHT_CENTER, cell, font, colour);
+            .text(at, Align2::RIGHT_CENTER, cell, font.clone(), colour);
         right -= column;
     }
     let mut left = rect;
@@ -68,7 +74,7 @@ pub(crate) fn named_row(
     let font = parts::normal(tokens);
     let galley = ui
         .painter()
-        .layout_no_wrap(name.to_owned(), font, tokens.text);
+        .layout_no_wrap(name.to_owned(), font.clone(), tokens.text);
     // A name that can be clicked has a margin at both sides.
     let margin = 2.0 * ui.spacing().button_padding.x;
     let needed = beside + galley.size().x + margin + tokens.space;
@@ -80,10 +86,10 @@ pub(crate) fn named_row(
         height(tokens)
     };
     if needed + of_cells > ui.available_width() {
-        tall_row(ui, tokens, (&[], tokens.text), height, lead);
+        tall_row(ui, tokens, (&[], tokens.text, font), height, lead);
         row(ui, tokens, cells, tokens.text, |_| {});
     } else {
-        tall_row(ui, tokens, (cells, tokens.text), height, lead);
+        tall_row(ui, tokens, (cells, tokens.text, font), height, lead);
     }
 }
 
@@ -92,6 +98,25 @@ mod tests {
     use egui_kittest::kittest::Queryable as _;
 
     use super::*;
+
+    #[test]
+    fn heads_of_columns_keep_apart() {
+        let harness = egui_kittest::Harness::new_ui(|ui| {
+            let titles = ["RMS", "median", "largest", "inside"].map(str::to_owned);
+            heads(ui, &Tokens::dark(), &titles, |_| {});
+        });
+        let shapes = harness.output().shapes.iter();
+        let rects = shapes.filter_map(|drawn| match &drawn.shape {
+            egui::Shape::Text(text) => Some(text.galley.rect.translate(text.pos.to_vec2())),
+            _ => None,
+        });
+        let mut rects: Vec<_> = rects.collect();
+        rects.sort_by(|a, b| a.left().total_cmp(&b.left()));
+        assert_eq!(rects.len(), 4);
+        for pair in rects.windows(2) {
+            assert!(pair[0].right() + 4.0 <= pair[1].left(), "{rects:?}");
+        }
+    }
 
     #[test]
     fn numbers_go_below_a_name_that_has_no_room_beside_them() {
