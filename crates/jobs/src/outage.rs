@@ -11,6 +11,11 @@ use super::{
     WindReport, WorkerState,
 };
 
+/// Time in the air that comes before an outage at least, seconds: there is nothing to go on from otherwise.
+const BEFORE: f64 = 1.0;
+/// Shortest outage, seconds.
+const SHORTEST: f64 = 1.0;
+
 /// Most points of a course of the wind: more than a chart has columns.
 const MOST_WINDS: usize = 2000;
 
@@ -56,6 +61,12 @@ impl OutageOrder {
         }
         ways
     }
+}
+
+/// The part of `cut` in which the aircraft flies, and has flown for a moment; all times are seconds.
+fn in_the_air((begin, end): (f64, f64), cut: (f64, f64)) -> Option<(f64, f64)> {
+    let (from, to) = (cut.0.max(begin + BEFORE), cut.1.min(end));
+    (to - from >= SHORTEST).then_some((from, to))
 }
 
 /// A cut that is being made: events `Progress`, at the end `OutageMade` or `OutagesStudied`. Of cuts all along the flight
@@ -132,7 +143,12 @@ impl RunningJob for MakeOutage {
         };
         let made = match self.order.cut {
             Outage::Stretch(from, to) => {
-                let span = (from, to);
+                let Some(span) = in_the_air(instruments.stretch, (from, to)) else {
+                    return Err(format!(
+                        "{name}: the aircraft does not fly then; move the cursor to where it is in the air, or select a \
+                         stretch of the flight"
+                    ));
+                };
                 let goes_on = |share| tell(share, "Navigating without GPS");
                 let made = reckon(
                     instruments,
@@ -143,7 +159,13 @@ impl RunningJob for MakeOutage {
                 );
                 let made = made.map_err(|cause| cause.to_string())?;
                 let winds = wind_report(instruments, name);
-                JobEvent::OutageMade(Box::new(report(span, made, winds)))
+                let mut report = report(span, made, winds);
+                if span.0 > from {
+                    let words = "The outage begins a second after take-off: the wind is hardly known by then, and \
+                                 errors grow faster than later in the flight.";
+                    report.remarks.insert(0, words.to_owned());
+                }
+                JobEvent::OutageMade(Box::new(report))
             }
             Outage::AllAlong(length) => {
                 if let Some(way) = self.order.ways(instruments).get(self.studies.len()) {

@@ -23,7 +23,7 @@ pub(crate) fn colour(tokens: &Tokens, number: usize) -> Color32 {
 }
 
 /// Draws error (line) and the radius that should hold it in 95 of 100 cases (dashes) against the time since
-/// the cut.
+/// GPS was lost.
 pub(super) fn growth_chart(
     ui: &mut Ui,
     tokens: &Tokens,
@@ -38,7 +38,7 @@ pub(super) fn growth_chart(
     let (outer, response) = ui.allocate_exact_size(size, egui::Sense::hover());
     parts::name(
         &response,
-        format!("Error against the time since the cut, {unit}"),
+        format!("Error against the time since GPS was lost, {unit}"),
     );
     let ends = results.iter().filter_map(|r| r.growth.last());
     let last = ends.map(|p| p.since).fold(0.0, f64::max);
@@ -60,7 +60,7 @@ pub(super) fn growth_chart(
         log: false,
     };
     axes.draw_y(&painter, tokens);
-    axes.draw_x(&painter, tokens, "since the cut, s");
+    axes.draw_x(&painter, tokens, "since GPS was lost, s");
     let inside = painter.with_clip_rect(rect);
     for (number, result) in results.iter().enumerate() {
         let colour = colour(tokens, number);

@@ -29,7 +29,7 @@ pub use state::Outages;
 /// Description of the feature.
 const INFO: FeatureInfo = FeatureInfo {
     id: ID,
-    tab: "GPS cut",
+    tab: "GPS outage",
     place: FeaturePlace::Tab,
     commands,
 };
@@ -37,7 +37,7 @@ const INFO: FeatureInfo = FeatureInfo {
 fn commands() -> Vec<CommandEntry> {
     vec![entry(
         CommandGroup::View,
-        "Cut GPS out of the flight",
+        "Try a GPS outage",
         vec![shift(Key::G)],
         OutageCommand::Show.into(),
     )]
@@ -59,7 +59,9 @@ impl Outages {
         }
         let words = match cut {
             Outage::Stretch(..) => "Navigating without GPS".to_owned(),
-            Outage::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
+            Outage::AllAlong(length) => {
+                format!("GPS outages of {length:.0} s all along the flight")
+            }
         };
         let order = OutageOrder {
             flight: documents.flight.source.clone(),

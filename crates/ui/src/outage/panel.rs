@@ -1,4 +1,4 @@
-//! Choose a stretch, cut it, and read what would have been known.
+//! Choose a stretch, cut GPS out of it, and read what would have been known.
 
 use egui::{RichText, Stroke, Ui, vec2};
 
@@ -12,15 +12,15 @@ use crate::units::clock;
 use crate::views::{parts, table};
 use pilotage_jobs::{OutageReport, StudyReport};
 
-/// Lengths of cuts that are offered, seconds.
+/// Lengths of outages that are offered, seconds.
 const LENGTHS: [f64; 3] = [30.0, 60.0, 120.0];
-/// Times since the cut at which errors are told, seconds.
+/// Times since GPS was lost at which errors are told, seconds.
 const TOLD: [f64; 2] = [10.0, 30.0];
 
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
 
-/// Draws the view of a cut.
+/// Draws the view of an outage.
 pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     let tokens = context.tokens;
     ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
@@ -31,7 +31,7 @@ pub fn outage_panel(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outage
         "mean speed"
     };
     let words = format!(
-        "How far off would it be if GPS failed here? The program learns from the flight up to the cut, goes on by \
+        "How far off would it be if GPS failed here? The program learns from the flight up to the outage, goes on by \
          {by} and heading alone, and is compared with the {}.",
         context.known_track()
     );
@@ -102,7 +102,7 @@ fn wrapped(ui: &mut Ui, colour: egui::Color32, text: &str) {
     ui.add(egui::Label::new(RichText::new(text).color(colour)).wrap());
 }
 
-/// Numbers and the growth of the error of one cut.
+/// Numbers and the growth of the error of one outage.
 fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
     let tokens = context.tokens;
     let (factor, unit) = context.units.length();
@@ -129,7 +129,7 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
         .into_iter()
         .chain(["end".to_owned(), "95 %".to_owned()])
         .collect();
-    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+    table::heads(ui, tokens, &titles, |ui| {
         ui.label(small(format!("error, {unit}")));
     });
     for (number, result) in report.results.iter().enumerate() {
@@ -160,7 +160,7 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
         Some(since),
     );
     let caption = format!(
-        "Lines: distance from the {}. Dashes: the radius that should hold it in 95 of 100 cases.",
+        "Lines: distance from the {}, {unit}. Dashes: the radius that should hold it in 95 of 100 cases.",
         context.known_track()
     );
     ui.add(egui::Label::new(small(caption)).wrap());
@@ -176,11 +176,11 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
         ui.label(
-            RichText::new("One cut after the other along the whole flight, each of:")
+            RichText::new("One outage after the other along the whole flight, each of:")
                 .color(tokens.muted),
         );
         for length in LENGTHS {
-            let name = format!("Cuts of {length:.0} s all along");
+            let name = format!("Outages of {length:.0} s all along");
             let on = outages.study.as_ref().is_some_and(|s| s.length == length);
             if parts::chip(ui, tokens, on, &format!("{length:.0} s"), &name).clicked() {
                 let study = OutageCommand::Study(length);
@@ -198,9 +198,9 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
             .size(tokens.text_sizes[0])
             .color(tokens.muted)
     };
-    let titles = ["median", "90th", "in ellipse"].map(str::to_owned);
-    table::row(ui, tokens, &titles, tokens.muted, |ui| {
-        ui.label(small(&format!("{cuts} cuts, end error, {unit}")));
+    let titles = ["median", "90 %", "inside"].map(str::to_owned);
+    table::heads(ui, tokens, &titles, |ui| {
+        ui.label(small(&format!("{cuts} outages, end error, {unit}")));
     });
     for row in studies {
         let cells = [
@@ -216,6 +216,7 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     wrapped(
         ui,
         tokens.muted,
-        "The 95 % ellipse is honest where it holds the truth in about 95 of 100 cuts.",
+        "90 %: nine of ten end nearer. Inside: how often the 95 % ellipse held the truth; an honest one does in about 95 % of \
+         outages.",
     );
 }

@@ -57,7 +57,7 @@ fn rig_with(log: Vec<u8>) -> Rig {
         content: log.into(),
     }]);
     rig.settle();
-    rig.open_tab("GPS cut");
+    rig.open_tab("GPS outage");
     rig
 }
 
@@ -97,6 +97,56 @@ fn a_cut_from_the_cursor_says_how_the_error_grows() {
 }
 
 #[test]
+fn a_cut_at_the_very_beginning_begins_in_the_air_and_says_why_and_one_past_the_end_ends_with_the_flight()
+ {
+    let mut rig = rig_with_rounds();
+    rig.key(egui::Key::Home);
+    let (begin, end) = span(&rig);
+    rig.harness.get_by_label("Cut 120 s from here").click();
+    rig.settle();
+    let outage = rig.state()["outage"].clone();
+    let from = outage["span"][0].as_f64().expect("a beginning");
+    assert!(from > begin && from < begin + 15.0, "{outage}");
+    assert!(outage["trouble"].is_null(), "{outage}");
+    let why = "The outage begins a second after take-off";
+    assert!(rig.harness.query_by_label_contains(why).is_some());
+    let strip = rig.rect("/timeline");
+    let near_end = egui::pos2(strip.right() - 0.1 * strip.width(), strip.center().y);
+    rig.drag(near_end - egui::vec2(20.0, 0.0), near_end);
+    rig.harness.get_by_label("Cut 120 s from here").click();
+    rig.settle();
+    let to = rig.state()["outage"]["span"][1].as_f64().expect("an end");
+    assert!(to <= end, "it lasts until {to}, the flight until {end}");
+    assert!(rig.harness.query_by_label_contains(why).is_none());
+    // Nothing is left of the flight.
+    rig.key(egui::Key::End);
+    rig.harness.get_by_label("Cut 30 s from here").click();
+    rig.settle();
+    let trouble = rig.state()["outage"]["trouble"].to_string();
+    assert!(
+        trouble.contains("the aircraft does not fly then"),
+        "{trouble}"
+    );
+}
+
+/// First and last time of the flight, seconds.
+fn span(rig: &Rig) -> (f64, f64) {
+    let span = &rig.state()["span"];
+    let [begin, end] = [0, 1].map(|i| span[i].as_f64().expect("a time"));
+    (begin, end)
+}
+
+#[test]
+fn the_heads_of_the_table_of_outages_have_room() {
+    let mut rig = rig_with_rounds();
+    rig.harness
+        .get_by_label("Outages of 30 s all along")
+        .click();
+    rig.settle();
+    rig.harness.get_by_label("median 90 % inside");
+}
+
+#[test]
 fn the_selected_stretch_is_cut() {
     let mut rig = rig_with_rounds();
     let strip = rig.rect("/timeline");
@@ -114,7 +164,7 @@ fn the_selected_stretch_is_cut() {
 fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
     let mut rig = rig();
     rig.settle();
-    rig.open_tab("GPS cut");
+    rig.open_tab("GPS outage");
     rig.harness.get_by_label("Cut 30 s from here").click();
     rig.frames(3);
     let host = rig.host();
@@ -130,7 +180,7 @@ fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
 #[test]
 fn a_simulated_flight_has_a_true_track_and_a_log_a_recorded_one() {
     let mut simulated = rig();
-    simulated.open_tab("GPS cut");
+    simulated.open_tab("GPS outage");
     let told = |rig: &Rig, words: &str| rig.harness.query_by_label_contains(words).is_some();
     assert!(told(&simulated, "is compared with the true track"));
     let mut recorded = rig_with_rounds();

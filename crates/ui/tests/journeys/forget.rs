@@ -138,7 +138,7 @@ fn leave_traces(rig: &mut Rig) {
         rig.drag_with(Modifiers::SHIFT, at(0.3), at(0.6));
     }
     for (tab, button) in [
-        ("GPS cut", "Cut GPS from"),
+        ("GPS outage", "Cut GPS from"),
         ("Compare", "Fly by all estimators"),
     ] {
         let tabs = rig

@@ -97,7 +97,7 @@ fn all_of(rig: &Rig, role: Role) -> Vec<(String, Rect)> {
 #[test]
 fn on_a_phone_small_switches_are_as_high_as_a_finger() {
     let mut rig = touched(vec2(390.0, 844.0));
-    for label in ["Compare", "Plots", "GPS cut"] {
+    for label in ["Compare", "Plots", "GPS outage"] {
         tap(&mut rig, label);
         let switches = all_of(&rig, Role::CheckBox);
         assert!(!switches.is_empty(), "{label}");
@@ -176,7 +176,7 @@ fn fingers_are_not_told_to_press_keys() {
         |rig: &Rig, words: &'static str| rig.harness.query_all_by_label_contains(words).count();
     assert_eq!(told(&rig, "press N"), 0);
     assert_eq!(told(&rig, "the first button at the right"), 1);
-    tap(&mut rig, "GPS cut");
+    tap(&mut rig, "GPS outage");
     assert_eq!(told(&rig, "hold Shift"), 0);
     rig.harness.hover_at(pos2(200.0, 300.0));
     rig.frames(3);

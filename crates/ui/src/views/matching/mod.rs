@@ -136,7 +136,7 @@ fn waiting(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>
     let (title, hint) = if !has_pictures {
         (
             "No pictures",
-            "Without a camera there is nothing to look for; GPS cut shows how it goes on without GPS.",
+            "Without a camera there is nothing to look for; GPS outage shows how it goes on without GPS.",
         )
     } else if lays_pictures {
         (
