@@ -41,11 +41,7 @@ impl App {
             Command::Jump(seconds) => self.seek(time + seconds),
             Command::GoToStart => self.seek(f64::NEG_INFINITY),
             Command::GoToEnd => {
-                // Beyond what is flown nothing is known yet.
-                let run = &self.documents.run;
-                let flown = run.navigated.as_ref().filter(|_| !run.is_complete);
-                let flown = flown.and_then(pilotage_core::navigator::Run::span);
-                self.seek(flown.map_or(f64::INFINITY, |span| span.1));
+                self.seek(f64::INFINITY);
                 self.playback.playing = false;
             }
             Command::SelectSpan(selected) => self.playback.select(selected, whole),
@@ -141,9 +137,14 @@ impl App {
         }
     }
 
+    /// Moves the cursor to a time, seconds, or to the end of what is flown: beyond it nothing is known yet, and what was
+    /// known last would stand there as though it were of that time.
     fn seek(&mut self, time: f64) {
-        let span = self.documents.span();
-        self.playback.seek(time, span);
+        let run = &self.documents.run;
+        let flown = run.navigated.as_ref().filter(|_| !run.is_complete);
+        let flown = flown.and_then(pilotage_core::navigator::Run::span);
+        let time = time.min(flown.map_or(f64::INFINITY, |span| span.1));
+        self.playback.seek(time, self.documents.span());
     }
 
     fn toggle_play(&mut self) {
@@ -179,7 +180,8 @@ impl App {
         };
         let index = frame_after(flight, self.playback.time, count);
         if let Some(frame) = flight.frames.get(index) {
-            self.playback.seek(frame.time, self.documents.span());
+            let time = frame.time;
+            self.seek(time);
         }
     }
 

@@ -4,6 +4,8 @@ use egui::{
     Align2, Color32, Key, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
+use pilotage_core::navigator::Run;
+
 use super::bins::Bins;
 use super::playback::Playback;
 use super::selected::{Span, SpanPointer, TimeOnScreen, paint_span};
@@ -280,7 +282,10 @@ fn paint_hover(
     painter.vline(x, scale.track.y_range(), faint);
     let mut text = clock(time, scale.span.0);
     let step = context.run.and_then(|r| r.step_at(time));
-    if let Some(step) = step.filter(|s| (s.time - time).abs() < 2.0) {
+    let flown = context.run.and_then(Run::span);
+    if context.flying.is_some() && flown.is_some_and(|span| time > span.1) {
+        text = format!("{text}   not flown yet");
+    } else if let Some(step) = step.filter(|s| (s.time - time).abs() < 2.0) {
         let radius = context.units.short(step.radius_held());
         text = format!("{text}   within {radius} (95 %)");
         if let Some(frame) = context

@@ -57,6 +57,14 @@ fn while_it_flies_the_end_is_the_end_of_what_is_flown() {
     let state = rig.state();
     assert_eq!(state["time"].as_f64(), Some(last));
     assert!(state["span"][1].as_f64() > Some(last), "it goes on");
+    // Nor does a click beyond it show what was known last as though it were of then.
+    rig.key(Key::Home);
+    let track = rig.rect("/timeline");
+    let beyond = Pos2::new(track.left() + 0.9 * track.width(), track.center().y);
+    rig.drag(beyond - Vec2::new(5.0, 0.0), beyond);
+    assert_eq!(rig.state()["time"].as_f64(), Some(last));
+    rig.key(Key::ArrowRight);
+    assert_eq!(rig.state()["time"].as_f64(), Some(last));
 }
 
 #[test]
