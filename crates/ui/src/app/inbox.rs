@@ -219,6 +219,8 @@ impl App {
         let is_log = log.is_some();
         let has_flight = flight.is_some() || is_log;
         let are_laid = !has_flight && !photos.is_empty();
+        // What is said from here on is of these files.
+        self.toasts.withdraw_notes();
         if has_flight || map.is_some() {
             // What lacked before may be here now.
             self.toasts.withdraw_trouble();

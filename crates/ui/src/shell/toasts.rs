@@ -108,6 +108,11 @@ impl Toasts {
         self.list.retain(|said| !said.trouble);
     }
 
+    /// Takes what was told of earlier files off the screen, as others were opened; it can still be read again.
+    pub fn withdraw_notes(&mut self) {
+        self.list.retain(|said| said.trouble);
+    }
+
     /// Notices that were said since the page was opened, the last first.
     pub fn said(&self) -> impl ExactSizeIterator<Item = &Toast> {
         self.said.iter().rev()
@@ -240,9 +245,19 @@ mod tests {
         let mut toasts = Toasts::default();
         toasts.note(0.0, "A note", "");
         toasts.trouble(0.0, "There is no map", "Open one.");
+        let titles = |toasts: &Toasts| -> Vec<String> {
+            toasts
+                .list()
+                .iter()
+                .map(|said| said.title.clone())
+                .collect()
+        };
+        let mut without_notes = toasts.clone();
+        without_notes.withdraw_notes();
+        assert_eq!(titles(&without_notes), ["There is no map"]);
+        assert_eq!(without_notes.said().len(), 2);
         toasts.withdraw_trouble();
-        let titles: Vec<_> = toasts.list().iter().map(|said| &said.title).collect();
-        assert_eq!(titles, ["A note"]);
+        assert_eq!(titles(&toasts), ["A note"]);
         assert_eq!(toasts.said().len(), 2);
     }
 

@@ -203,6 +203,20 @@ fn an_elevation_model_that_was_not_kept_goes_alone() {
 }
 
 #[test]
+fn what_was_told_of_one_file_does_not_stand_over_the_next() {
+    let mut rig = rig_with_a_map();
+    for (name, before) in [("second.png", "area.png"), ("third.png", "second.png")] {
+        rig.host().opened.push(vec![OpenedFile {
+            path: name.into(),
+            content: vec![7; 100].into(),
+        }]);
+        rig.frames(6);
+        let told = rig.state()["toasts"].to_string();
+        assert!(told.contains(name) && !told.contains(before), "{told}");
+    }
+}
+
+#[test]
 fn opened_files_that_were_refused_are_named_and_stored_again() {
     let mut rig = rig_with_a_map();
     let key = "file 0 of opened-1".to_owned();
