@@ -242,8 +242,8 @@ fn outcome_words(outcome: &TrainingOutcome, context: &ViewContext<'_>) -> String
         count => format!("{count} false alarms"),
     };
     format!(
-        "Found in {} of {} held-out photos ({:.0}\u{a0}%), {alarms}, from a score of {:.2} on; place \
-         ±{north:.2}\u{a0}{unit} north, ±{east:.2}\u{a0}{unit} east.",
+        "Found in {} of {} photos that it did not learn from ({:.0}\u{a0}%), {alarms}. It counts as found where its \
+         score is {:.2} or more. Its place is known to ±{north:.2}\u{a0}{unit} north and ±{east:.2}\u{a0}{unit} east (1σ).",
         outcome.found,
         outcome.judged,
         100.0 * outcome.found as f64 / outcome.judged.max(1) as f64,
@@ -328,10 +328,11 @@ fn stages(ui: &mut Ui, training: &Training, tokens: &Tokens) {
         return;
     }
     ui.add_space(0.5 * tokens.space);
-    let heads = ["Stage", "Features", "Hits", "False alarms", "Came to it"];
-    let hint = "Features: votes of the stage. Hits: views of the landmark that pass. False alarms: windows \
-                of something else that pass, though no vote was fitted to them. Came to it: of all such \
-                windows, those that passed the stages before.";
+    let heads = ["Stage", "Features", "Hits", "False alarms", "Looked at"];
+    let hint = "A detector asks stage after stage, each only about what the stages before let pass. Features: what the \
+                stage measures. Hits: views of the landmark that it lets pass. False alarms: places that are something \
+                else and that it lets pass, though it did not learn from them. Looked at: of all such places, those \
+                that the stages before let pass to it.";
     cells(ui, &heads.map(str::to_owned), tokens.muted, tokens, None).on_hover_text(hint);
     for (number, stage) in whole.iter().enumerate() {
         let StageReport { row, passed_before } = stage;
@@ -357,7 +358,7 @@ fn line(ui: &mut Ui, number: usize, row: &StageRow, before: Option<f64>, tokens:
         texts[3],
         before.map_or_else(
             || "growing".to_owned(),
-            |p| format!("{} came to it", percent(p))
+            |p| format!("{} looked at", percent(p))
         )
     );
     let color = if before.is_some() {

@@ -40,7 +40,7 @@ impl Planner {
             };
             let title = format!("The detector of {} is trained", landmark.name);
             let text = format!(
-                "Found in {} of {} held-out photos; trained in {:.0}\u{a0}s.",
+                "Found in {} of {} photos that it did not learn from; trained in {:.0}\u{a0}s.",
                 outcome.found, outcome.judged, outcome.seconds
             );
             let change = LandmarkChange::Trained(outcome.detector);

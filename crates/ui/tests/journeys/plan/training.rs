@@ -106,10 +106,10 @@ fn the_stage_table_grows_while_a_detector_is_trained_and_the_flight_flies_with_i
     assert!(within >= 30.0, "look-alikes are sought within {within} m");
     say(&mut rig, id, report(2));
     rig.harness.get_by_label(
-        "Stage 1: 7 features, 99.6\u{a0}% hits, 37.0\u{a0}% false alarms, 100\u{a0}% came to it",
+        "Stage 1: 7 features, 99.6\u{a0}% hits, 37.0\u{a0}% false alarms, 100\u{a0}% looked at",
     );
     rig.harness.get_by_label(
-        "Stage 2: 14 features, 99.6\u{a0}% hits, 37.0\u{a0}% false alarms, 37.0\u{a0}% came to it",
+        "Stage 2: 14 features, 99.6\u{a0}% hits, 37.0\u{a0}% false alarms, 37.0\u{a0}% looked at",
     );
     rig.harness
         .get_by_label("Stage 3: 3 features, 99.6\u{a0}% hits, 37.0\u{a0}% false alarms, growing");
@@ -119,7 +119,8 @@ fn the_stage_table_grows_while_a_detector_is_trained_and_the_flight_flies_with_i
     say(&mut rig, id, outcome(&order));
     say(&mut rig, id, JobEvent::Finished);
     rig.harness.get_by_label_contains(
-        "Found in 99 of 100 held-out photos (99\u{a0}%), 1 false alarm, from a score of 3.42 on",
+        "Found in 99 of 100 photos that it did not learn from (99\u{a0}%), 1 false alarm. It counts as found where its \
+         score is 3.42 or more",
     );
     let unused = "Flights do not use it yet";
     rig.harness.get_by_label_contains(unused);
