@@ -183,7 +183,21 @@ fn paint_over(
     }
 }
 
-/// Says in the shaded stretches why they are shaded, over the curves.
+/// Distance by which words are moved to the right so that they stand within a stretch, or beside it where it is narrower
+/// than they are: behind it, or before it where the chart ends.
+fn beside((left, right): (f32, f32), words: egui::Rangef, chart: egui::Rangef) -> f32 {
+    if words.span() < right - left {
+        return 0.0;
+    }
+    let behind = right + 6.0 - words.min;
+    if words.max + behind <= chart.max {
+        behind
+    } else {
+        left - 6.0 - words.max
+    }
+}
+
+/// Says at the shaded stretches why they are shaded, over the curves; the longest are named first, and no two words meet.
 fn name_stretches(
     painter: &Painter,
     scene: &ChartScene<'_>,
@@ -191,26 +205,34 @@ fn name_stretches(
     rect: Rect,
 ) {
     let tokens = scene.tokens;
-    let write = |[begin, end]: [f64; 2], text: String, color: Color32, align: Align2| {
+    let mut taken = Vec::new();
+    let mut write = |[begin, end]: [f64; 2], text: String, color: Color32, align: Align2| {
         let [left, right] = [begin, end].map(|it| at(it, 0.0).x);
         let galley = painter.layout_no_wrap(text, tokens.small(), color);
-        let middle = pos2(0.5 * (left + right), rect.top());
-        let place = pos2(middle.x, align.pos_in_rect(&rect.shrink(4.0)).y);
-        let words = align.anchor_size(place, galley.size());
-        if words.width() < right - left {
-            painter.rect_filled(
-                words.expand(2.0),
-                tokens.radius,
-                tokens.surface.gamma_multiply(0.7),
-            );
-            painter.galley(words.min, galley, color);
+        let y = align.pos_in_rect(&rect.shrink(4.0)).y;
+        let words = align.anchor_size(pos2(0.5 * (left + right), y), galley.size());
+        let words = words.translate(vec2(
+            beside((left, right), words.x_range(), rect.x_range()),
+            0.0,
+        ));
+        if taken.iter().any(|other: &Rect| other.intersects(words)) {
+            return;
         }
+        painter.rect_filled(
+            words.expand(2.0),
+            tokens.radius,
+            tokens.surface.gamma_multiply(0.7),
+        );
+        painter.galley(words.min, galley, color);
+        taken.push(words.expand(4.0));
     };
     for &(begin, end) in scene.no_fly {
         let text = "no-fly area".to_owned();
         write([begin, end], text, tokens.no_fly, Align2::CENTER_BOTTOM);
     }
-    for stretch in &scene.prediction.over_limit {
+    let mut over: Vec<_> = scene.prediction.over_limit.iter().collect();
+    over.sort_by(|a, b| (b.end - b.begin).total_cmp(&(a.end - a.begin)));
+    for stretch in over {
         let length = distance_text(stretch.end - stretch.begin, scene.units);
         let text = format!("over the limit for {length}");
         let ends = [stretch.begin, stretch.end];
@@ -337,4 +359,25 @@ fn paint_cursor(
     let card = Rect::from_min_size(pos2(left, rect.top() + 2.0), size);
     painter.rect_filled(card, tokens.radius, tokens.raised);
     painter.galley(card.min + vec2(6.0, 3.0), galley, tokens.text);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_a_narrow_stretch_stand_behind_it_or_before_it_where_the_chart_ends() {
+        let chart = egui::Rangef::new(40.0, 640.0);
+        let middle = |left: f32, right: f32| {
+            let center = 0.5 * (left + right);
+            egui::Rangef::new(center - 50.0, center + 50.0)
+        };
+        let placed = |left: f32, right: f32| {
+            let words = middle(left, right);
+            words.min + beside((left, right), words, chart)
+        };
+        assert_eq!(placed(100.0, 300.0), 150.0, "within");
+        assert_eq!(placed(60.0, 90.0), 96.0, "behind");
+        assert_eq!(placed(600.0, 630.0), 494.0, "before");
+    }
 }
