@@ -99,6 +99,7 @@ pub fn brief(scene: &BriefScene<'_>) -> String {
         let _ = write!(text, "<p class=\"warning\">{}</p>", without_markup(warning));
     }
     map(&mut text, scene);
+    let _ = write!(text, "<p class=\"key\">{}</p>", key_to_map(scene));
     if !scene.attribution.is_empty() {
         let _ = write!(text, "<p>Map: {}</p>", without_markup(scene.attribution));
     }
@@ -167,7 +168,7 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
             );
         }
     }
-    for (index, known) in scene.landmarks.iter().enumerate() {
+    for known in scene.landmarks {
         let b = known.landmark.bounds;
         let outline = known.landmark.outline().unwrap_or_else(|| {
             [
@@ -180,14 +181,7 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
             .to_vec()
         });
         let ring = points(&mut outline.into_iter());
-        let (x, y) = at(&GroundPoint::new(b.north, b.center().east));
-        let letter = letter(index);
-        let _ = write!(
-            text,
-            "<polygon class=\"landmark\" points=\"{ring}\"/>\
-             <text class=\"halo\" x=\"{x:.1}\" y=\"{:.1}\">{letter}</text>",
-            y - 4.0
-        );
+        let _ = write!(text, "<polygon class=\"landmark\" points=\"{ring}\"/>");
     }
     if let Some(ends) = scene.way_back {
         way_back(text, ends.map(|place| at(&place)));
@@ -197,6 +191,17 @@ fn map(text: &mut String, scene: &BriefScene<'_>) {
         text,
         "<polyline class=\"under\" points=\"{line}\"/><polyline class=\"route\" points=\"{line}\"/>"
     );
+    // The line of the route does not run over the letters.
+    for (index, known) in scene.landmarks.iter().enumerate() {
+        let b = known.landmark.bounds;
+        let (x, y) = at(&GroundPoint::new(b.north, b.center().east));
+        let _ = write!(
+            text,
+            "<text class=\"halo\" x=\"{x:.1}\" y=\"{:.1}\">{}</text>",
+            y - 4.0,
+            letter(index)
+        );
+    }
     for (index, way_point) in scene.route.way_points.iter().enumerate() {
         let (x, y) = at(&way_point.position);
         if let WayPointAction::Loiter { radius, .. } | WayPointAction::Wait { radius, .. } =
@@ -460,6 +465,22 @@ fn letter(index: usize) -> char {
     char::from(b'A' + (index % 26) as u8)
 }
 
+/// Says what the marks of the map are, as far as there are any.
+fn key_to_map(scene: &BriefScene<'_>) -> String {
+    let lettered = letter(scene.landmarks.len().saturating_sub(1));
+    let marks = [
+        (!scene.landmarks.is_empty()).then(|| match lettered {
+            'A' => "A: landmark, shown below".to_owned(),
+            last => format!("A to {last}: landmarks, shown below"),
+        }),
+        Some("numbers: way-points".to_owned()),
+        (!scene.rally.is_empty()).then(|| "R: rally point".to_owned()),
+        (scene.prediction.is_some()).then(|| "blue: 95 % corridor".to_owned()),
+        (!scene.no_fly.is_empty()).then(|| "red: no-fly area".to_owned()),
+    ];
+    marks.into_iter().flatten().collect::<Vec<_>>().join(" · ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -529,6 +550,15 @@ mod tests {
         let warning = text.find("Leg 1 crosses &lt;Area&gt; for 40 m.");
         assert!(warning < text.find("<svg"), "{text}");
         assert!(text.contains("class=\"no-fly\"") && text.contains(">&lt;Area&gt;</text>"));
+    }
+
+    #[test]
+    fn what_the_marks_of_the_map_are_is_said_below_it_and_no_line_covers_a_letter() {
+        let text = page(Units::Metric);
+        let key = "A: landmark, shown below · numbers: way-points · red: no-fly area";
+        assert!(text.find("</svg>") < text.find(key), "{text}");
+        assert!(text.contains(key) && !text.contains("corridor"), "{text}");
+        assert!(text.find("class=\"route\"") < text.find(">A</text>"));
     }
 
     #[test]
