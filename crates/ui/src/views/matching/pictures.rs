@@ -91,19 +91,17 @@ impl MatchTextures {
                 Stroke::new(1.0, tokens.line),
                 egui::StrokeKind::Outside,
             );
-            let room = size.x.max(3.0 * caption) + 0.5 * gap;
-            let fits = |text: &str| {
-                let galley =
-                    painter.layout_no_wrap(text.to_owned(), parts::small(tokens), tokens.muted);
-                galley.size().x <= room
+            let room = if i == 2 { area.right() - left } else { size.x };
+            let lay = |text: &str| {
+                painter.layout_no_wrap(text.to_owned(), parts::small(tokens), tokens.muted)
             };
-            painter.text(
-                pos2(left, area.top()),
-                Align2::LEFT_TOP,
-                if fits(long) { long } else { short },
-                parts::small(tokens),
-                tokens.muted,
-            );
+            let galley = Some(lay(long)).filter(|long| long.size().x <= room);
+            let galley = galley.unwrap_or_else(|| lay(short));
+            // Two captions never touch.
+            let slot = Rect::from_min_size(pos2(left, area.top()), vec2(room, caption));
+            painter
+                .with_clip_rect(slot)
+                .galley(slot.min, galley, tokens.muted);
             places.push(rect);
             left += size.x + gap;
         }

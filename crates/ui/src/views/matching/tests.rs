@@ -1,6 +1,7 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
+use pilotage_core::raster::Gray;
 use pilotage_core::registration::FollowSettings;
 
 use super::super::fixture::{Fixture, match_pictures};
@@ -61,6 +62,37 @@ fn pictures_of_another_match_are_not_shown() {
     harness.state_mut().pictures = Some(right);
     harness.run();
     harness.get_by_label("Map patch, rectified picture, and score at every place");
+}
+
+#[test]
+fn captions_of_pictures_keep_apart_however_narrow_a_picture_is() {
+    for patch in [4, 9, 20] {
+        let mut harness = harness(12.0);
+        harness.run();
+        let (time, landmark) = harness.state().view.wanted().unwrap();
+        let mut pictures = match_pictures(time, landmark);
+        pictures.patch = Gray::from_fn(patch, 30, |_, _| 100.0);
+        harness.state_mut().pictures = Some(pictures);
+        harness.run();
+        let shapes = harness.output().shapes.iter();
+        let texts = shapes.filter_map(|drawn| match &drawn.shape {
+            egui::Shape::Text(text) => {
+                let rect = text.galley.rect.translate(text.pos.to_vec2());
+                Some((text.galley.text(), rect.intersect(drawn.clip_rect)))
+            }
+            _ => None,
+        });
+        let captions = ["Map", "Camera", "Score"];
+        let is_caption = |text: &str| captions.iter().any(|it| text.starts_with(it));
+        let shown: Vec<_> = texts.filter(|(text, _)| is_caption(text)).collect();
+        // The last is the name of the number below.
+        for pair in shown[..3].windows(2) {
+            assert!(
+                pair[0].1.right() + 4.0 <= pair[1].1.left(),
+                "{patch}: {pair:?}"
+            );
+        }
+    }
 }
 
 #[test]
