@@ -13,6 +13,7 @@ use pilotage_core::navigator::{FrameReport, JointReport, Run, StepReport};
 use super::parts::{self, NumberReadout, figures};
 use super::picking;
 use crate::context::{DrawnTimes, ViewContext};
+use crate::units::clock;
 
 /// Explains the filter's step at the cursor.
 #[derive(Default)]
@@ -86,8 +87,8 @@ impl InspectorView {
             let step = &run.steps[shown];
             ui.label(
                 RichText::new(format!(
-                    "t = {:.2} s, step {} of {}",
-                    step.time - context.clock_zero,
+                    "at {}, step {} of {}",
+                    clock(step.time, context.clock_zero),
                     shown + 1,
                     run.steps.len()
                 ))

@@ -54,10 +54,10 @@ fn a_corrected_step_shows_its_sentence_gain_and_landmarks() {
 fn the_step_at_the_cursor_can_be_shown_instead_of_the_last_picture() {
     let mut harness = harness(12.2);
     harness.run();
-    harness.get_by_label_contains("t = 12.00 s");
+    harness.get_by_label_contains("at 0:12.0");
     harness.get_by_label("This very step").click();
     harness.run();
-    harness.get_by_label_contains("t = 12.20 s");
+    harness.get_by_label_contains("at 0:12.2");
 }
 
 #[test]

@@ -49,9 +49,14 @@ impl PanelKind {
     /// Names of the two choices of the panel, short and long.
     pub fn choices(self) -> [(&'static str, &'static str); 2] {
         match self {
-            Self::PositionError | Self::Wind => [("N", "north"), ("E", "east")],
-            Self::Distance | Self::Nis => [("lin", "linear scale"), ("log", "logarithmic scale")],
-            Self::Innovations => [("x", "right in the picture"), ("y", "down in the picture")],
+            Self::PositionError | Self::Wind => [("north", "north"), ("east", "east")],
+            Self::Distance | Self::Nis => {
+                [("linear", "linear scale"), ("log", "logarithmic scale")]
+            }
+            Self::Innovations => [
+                ("right", "right in the picture"),
+                ("down", "down in the picture"),
+            ],
         }
     }
 
