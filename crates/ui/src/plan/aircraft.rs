@@ -65,7 +65,7 @@ pub fn aircraft(ui: &mut Ui, preferences: &PlanPreferences, context: &mut ViewCo
     ui.horizontal_wrapped(|ui| {
         optional(
             ui,
-            "Power",
+            "Power in cruise",
             " W",
             "Power in cruise",
             &mut next.power,
@@ -73,7 +73,7 @@ pub fn aircraft(ui: &mut Ui, preferences: &PlanPreferences, context: &mut ViewCo
         );
         optional(
             ui,
-            "on board",
+            "Energy on board",
             " Wh",
             "Energy on board",
             &mut next.energy,

@@ -202,11 +202,11 @@ fn find(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
     caption(ui, tokens, "Find a route");
     ui.horizontal(|ui| {
         for (pick, end, name) in [
-            (FindPick::From, finder.from, "A"),
-            (FindPick::To, finder.to, "B"),
+            (FindPick::From, finder.from, "start A"),
+            (FindPick::To, finder.to, "end B"),
         ] {
             let label = match (finder.pick == pick, end) {
-                (true, _) => format!("{name}: click …"),
+                (true, _) => format!("Click {name} …"),
                 (false, Some(_)) => format!("Move {name}"),
                 (false, None) => format!("Choose {name}"),
             };

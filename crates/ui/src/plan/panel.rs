@@ -166,6 +166,14 @@ impl Planner {
     }
 }
 
+/// Name of a format as it stands in a menu: with a capital letter, and no article before it.
+fn in_menu(words: &str) -> String {
+    let words = words.strip_prefix("a ").unwrap_or(words);
+    let mut letters = words.chars();
+    let first = letters.next().map(|letter| letter.to_uppercase());
+    first.into_iter().flatten().chain(letters).collect()
+}
+
 /// Draws the menu of the formats in which the route and the landmarks can be saved for other programs.
 fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
     let button = icon_button(ui, context.tokens, Icon::Export, "Export");
@@ -182,7 +190,7 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
             caption(ui, tokens, "Rally points");
             let words = Format::Waypoints.as_words();
             let name = format!("Export the rally points as {words}");
-            if ui.button(words).accessible_name(name).clicked() {
+            if ui.button(in_menu(words)).accessible_name(name).clicked() {
                 context.commands.push(ExportCommand::Rally.into());
                 ui.close();
             }
@@ -197,7 +205,7 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
                 };
                 let words = format.as_words();
                 let name = format!("Export the {part} as {words}");
-                if ui.button(words).accessible_name(name).clicked() {
+                if ui.button(in_menu(words)).accessible_name(name).clicked() {
                     context.commands.push(command.into());
                     ui.close();
                 }

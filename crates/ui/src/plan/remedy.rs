@@ -165,14 +165,14 @@ impl Remedies {
             let like = self.like;
             list.push(if self.landmark_helps() {
                 format!(
-                    "To fix the worst stretch, add a landmark at {begin} of the way, or before. Found like {like}, it \
-                     makes the largest error {} instead of {} (1σ).",
+                    "To fix the worst stretch, add a landmark {begin} along the route, or before. Found like {like}, it \
+                     makes the largest error there {} instead of {} (1σ).",
                     short(sigma),
                     short(worst.stretch.sigma)
                 )
             } else {
                 format!(
-                    "A landmark at {begin} of the way that is found like {like} would not mend the worst stretch."
+                    "A landmark {begin} along the route that is found like {like} would not mend the worst stretch."
                 )
             });
         }
@@ -180,12 +180,12 @@ impl Remedies {
             let height = format!("{:.0} {unit}", HIGHER * order.path.height * factor);
             list.push(if sigma < HELPS * worst.stretch.sigma {
                 format!(
-                    "From {height} above ground its largest error is {} (1σ), if landmarks are found as well from there.",
+                    "At {height} above ground its largest error is {} (1σ), if landmarks are found as well from there.",
                     short(sigma)
                 )
             } else {
                 format!(
-                    "Flying higher does not mend it: from {height} above ground its largest error is {} (1σ).",
+                    "Flying higher does not mend it: at {height} above ground its largest error is {} (1σ).",
                     short(sigma)
                 )
             });

@@ -31,7 +31,7 @@ fn the_worst_stretch_is_told_with_what_a_landmark_or_more_height_would_do_and_an
         ["0", "1", "2"].map(|i| number(&rig, &format!("/remedies/sigmas/{i}")));
     assert!(aided < 0.95 * planned, "{planned} {aided} {higher}");
     rig.harness
-        .get_by_label_contains("To fix the worst stretch, add a landmark at ");
+        .get_by_label_contains("To fix the worst stretch, add a landmark ");
     rig.harness
         .get_by_label_contains("Found like the tested ones, it makes the largest error");
     rig.harness
