@@ -36,14 +36,14 @@ pub fn length_text(metres: f64, units: Units) -> String {
     }
 }
 
-/// Draws the scale bar with its right end at `right_bottom`.
+/// Draws the scale bar with its right end at `right_bottom`; the part of the screen that it takes.
 pub fn paint_scale_bar(
     painter: &Painter,
     view: &ScreenFromWorld,
     right_bottom: Pos2,
     units: Units,
     tokens: &Tokens,
-) {
+) -> Rect {
     let (factor, _) = units.length();
     let length = round_length(120.0 * view.metres_per_point * factor) / factor;
     let width = view.points(length);
@@ -56,7 +56,7 @@ pub fn paint_scale_bar(
     ];
     painter.add(Shape::line(bar.clone(), Stroke::new(4.0, tokens.outline())));
     painter.add(Shape::line(bar, Stroke::new(1.5, tokens.sigma)));
-    super::symbols::paint_halo_text(
+    let words = super::symbols::paint_halo_text(
         painter,
         pos2(left.x + 0.5 * width, left.y - 8.0),
         Align2::CENTER_BOTTOM,
@@ -64,6 +64,7 @@ pub fn paint_scale_bar(
         tokens.small(),
         tokens.sigma,
     );
+    words.union(Rect::from_two_pos(left, right_bottom))
 }
 
 /// Coordinates of the pointer, in words.

@@ -5,6 +5,10 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 
 /// Finest and coarsest map scale, metres per point.
 pub const SCALES: [f64; 2] = [0.02, 64.0];
+/// Height from which on a map has figures at its top that hide something of it, points.
+const HIGH: f32 = 400.0;
+/// Room that these take beside the margin, points.
+const LOWER: f32 = 44.0;
 
 /// Takes ground points to screen points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,16 +155,22 @@ impl MapCamera {
         self.center.east += ground.east - after.east;
     }
 
-    /// Shows all of `ground` in `rect` with a margin.
+    /// Shows all of `ground` in `rect` with a margin, in a high one below what is told at its top.
     pub fn fit(&mut self, rect: Rect, ground: &GroundRect) {
-        self.center = ground.center();
+        let lower = if rect.height() > HIGH { LOWER } else { 0.0 };
         let (sin, cos) = (self.up.sin().abs(), self.up.cos().abs());
         let right = ground.width() * cos + ground.height() * sin;
         let ahead = ground.height() * cos + ground.width() * sin;
-        let room = (rect.size() - vec2(96.0, 112.0)).max(vec2(50.0, 50.0));
+        let room = (rect.size() - vec2(96.0, 112.0 + lower)).max(vec2(50.0, 50.0));
         self.metres_per_point = (right / f64::from(room.x))
             .max(ahead / f64::from(room.y))
             .clamp(SCALES[0], SCALES[1]);
+        let above = 0.5 * f64::from(lower) * self.metres_per_point;
+        let middle = ground.center();
+        self.center = GroundPoint::new(
+            middle.north + above * self.up.cos(),
+            middle.east + above * self.up.sin(),
+        );
     }
 }
 
@@ -240,7 +250,14 @@ mod tests {
         let ground = GroundRect::centered(GroundPoint::new(500.0, -200.0), 900.0, 300.0);
         camera.fit(rect(), &ground);
         for corner in camera.screen_from_world(rect()).corners(&ground) {
-            assert!(rect().contains(corner));
+            assert!(rect().contains(corner) && corner.y > crate::shell::BELOW_HUD);
+        }
+        // The figures at the top hide nothing of a high one, either.
+        let high = GroundRect::centered(GroundPoint::new(500.0, -200.0), 300.0, 900.0);
+        camera.up = 0.0;
+        camera.fit(rect(), &high);
+        for corner in camera.screen_from_world(rect()).corners(&high) {
+            assert!(rect().contains(corner) && corner.y > crate::shell::BELOW_HUD);
         }
     }
 }

@@ -519,7 +519,8 @@ impl MapView {
     ) {
         let (tokens, rect) = (context.tokens, response.rect);
         let corner = rect.right_bottom() - vec2(16.0, 16.0);
-        paint_scale_bar(painter, view, corner, context.units, tokens);
+        let bar = paint_scale_bar(painter, view, corner, context.units, tokens);
+        self.cover(bar);
         if let Some(pointer) = response.hover_pos() {
             let place = view.inverse(pointer);
             let mut text = coordinates_text(&place, extra.frame.as_ref(), context.units);

@@ -49,7 +49,7 @@ fn a_route_over_a_no_fly_area_is_told_in_the_tab_and_above_the_map_and_asked_abo
 #[test]
 fn a_route_whose_corridor_alone_reaches_into_an_area_is_told_as_well_and_one_far_off_is_not() {
     let mut rig = planning();
-    over_an_area(&mut rig, [(-150.0, 64.0), (150.0, 64.0)]);
+    over_an_area(&mut rig, [(-130.0, 64.0), (150.0, 64.0)]);
     let warnings = rig.state()["plan"]["no_fly_warnings"].to_string();
     assert!(
         warnings.contains("The 95 % corridor reaches into"),
@@ -59,7 +59,7 @@ fn a_route_whose_corridor_alone_reaches_into_an_area_is_told_as_well_and_one_far
     rig.harness
         .get_by_label_contains("No-fly areas: corridor reaches");
     let mut rig = planning();
-    over_an_area(&mut rig, [(-150.0, 380.0), (0.0, 380.0)]);
+    over_an_area(&mut rig, [(-130.0, 380.0), (20.0, 380.0)]);
     assert_eq!(
         rig.state()["plan"]["no_fly_warnings"],
         serde_json::json!([])
