@@ -93,7 +93,7 @@ impl App {
         self.input_waits = ShortcutListener::waits(ui.ctx());
         let mut commands = ShortcutListener::take(ui.ctx());
         commands.append(&mut self.commands);
-        self.escape_from_span(ui.ctx(), &mut commands);
+        self.escape(ui.ctx(), &mut commands);
         self.layout(ui, now, &mut commands);
         for command in commands {
             self.execute(command, ui.ctx(), host);
@@ -122,8 +122,8 @@ impl App {
         }
     }
 
-    /// Escape selects no span of time, unless something else is about to be left by it.
-    fn escape_from_span(&self, context: &egui::Context, commands: &mut Vec<Command>) {
+    /// Escape selects no span of time, or else closes the settings, unless something else is about to be left by it.
+    fn escape(&self, context: &egui::Context, commands: &mut Vec<Command>) {
         let dialogs = &self.dialogs;
         let views = &self.views;
         let is_taken = context.text_edit_focused()
@@ -133,11 +133,15 @@ impl App {
             || dialogs.notices
             || views.map.picking
             || views.beside_map().is_some()
-            || views.features.iter().any(|it| it.is_open_over())
-            || self.is_flight_hidden();
-        let is_pressed = || context.input(|i| i.key_pressed(egui::Key::Escape));
-        if self.playback.selected_span.is_some() && !is_taken && is_pressed() {
+            || views.fills_window(self.view.workspace).is_some()
+            || views.features.iter().any(|it| it.is_open_over());
+        if is_taken || !context.input(|i| i.key_pressed(egui::Key::Escape)) {
+            return;
+        }
+        if self.playback.selected_span.is_some() && !self.is_flight_hidden() {
             commands.push(Command::SelectSpan(None));
+        } else if dialogs.settings {
+            commands.push(Command::ToggleSettings);
         }
     }
 

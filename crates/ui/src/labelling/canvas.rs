@@ -217,7 +217,10 @@ impl Labeller {
         if pressed(Key::Enter) {
             send(LabelCommand::Accept);
         }
-        if pressed(Key::Escape) {
+        if pressed(Key::Escape) && self.drag.is_none() {
+            if self.proposal.is_none() {
+                send(LabelCommand::Toggle);
+            }
             self.decline();
         }
         let (alt, shift) = ui.input(|i| (i.modifiers.alt, i.modifiers.shift));

@@ -92,6 +92,14 @@ impl Feature for Labelling {
         true
     }
 
+    /// Whoever asks for the workspace that the labels are over wants to see it.
+    fn intercept(&mut self, command: &Command, context: &mut FeatureContext<'_>) -> bool {
+        if *command == Command::ShowWorkspace(Workspace::Replay) && context.is_shown {
+            self.labeller = None;
+        }
+        false
+    }
+
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {
         if let Some(labeller) = &mut self.labeller {
             let (past, future) = documents.mission.history.depth();

@@ -129,3 +129,20 @@ fn a_training_learns_from_labelled_frames_as_well() {
         assert_eq!(labels, usize::from(is_labelled), "{}", order.landmark.name);
     }
 }
+
+#[test]
+fn escape_and_the_tab_of_replay_lead_back_to_the_flight() {
+    let mut rig = labelling();
+    assert!(rig.state()["labelling"].is_object());
+    rig.key(Key::Escape);
+    assert!(rig.state()["labelling"].is_null());
+    rig.key(Key::K);
+    rig.frames(3);
+    assert!(rig.state()["labelling"].is_object());
+    // From another workspace one comes back to the labels.
+    rig.open_tab("Plan");
+    rig.open_tab("Replay");
+    assert!(rig.state()["labelling"].is_object());
+    rig.open_tab("Replay");
+    assert!(rig.state()["labelling"].is_null());
+}

@@ -157,3 +157,20 @@ fn landmarks_on_a_map_of_another_date_are_looked_for_by_edges() {
     assert_eq!(detector.features, TemplateFeatures::Orientation);
     assert_eq!(detector.map_deviation, 3.0);
 }
+
+#[test]
+fn escape_closes_the_settings_once_nothing_else_is_left_by_it() {
+    let mut rig = rig();
+    let is_open = |rig: &Rig| rig.state()["dialogs"]["settings"] == true;
+    for workspace in ["Replay", "Plan"] {
+        rig.open_tab(workspace);
+        rig.harness.get_by_label("Filter settings").click();
+        rig.frames(3);
+        assert!(is_open(&rig), "{workspace}");
+        rig.key_with(egui::Modifiers::COMMAND, egui::Key::K);
+        rig.key(egui::Key::Escape);
+        assert!(is_open(&rig), "{workspace}: the palette is closed first");
+        rig.key(egui::Key::Escape);
+        assert!(!is_open(&rig), "{workspace}");
+    }
+}
