@@ -216,7 +216,7 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     wrapped(
         ui,
         tokens.muted,
-        "90 %: nine of ten end nearer. Inside: how often the 95 % ellipse held the truth; an honest one does in about 95 % of \
-         outages.",
+        "90 %: nine of ten end nearer than that. Inside: how often the 95\u{a0}% ellipse held the truth; an honest one \
+         does in about 95\u{a0}% of outages.",
     );
 }
