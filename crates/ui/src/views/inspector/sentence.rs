@@ -15,6 +15,9 @@ use super::super::plots::DEAD_RECKONING_AFTER;
 use super::super::{ellipse, picking};
 use crate::units::Units;
 
+/// Motion of the estimate that is not worth a number, metres.
+const LITTLE: f64 = 0.02;
+
 /// Summary of step `index` of the run, for people.
 pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
     let doubts = run.steps.get(index).map_or_else(String::new, disbelieved);
@@ -85,15 +88,14 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
 
 /// Aids that told the place, and what that did to the estimate, in words.
 fn by_aids(step: &StepReport, units: Units) -> String {
-    let (factor, unit) = units.length();
     let names: Vec<&str> = step.placed_by().map(|aid| aid.label).collect();
     let moved = step.after.position().distance(&step.predicted.position());
     format!(
-        "{} moved the estimate by {} {unit}: its 1σ goes from {} to {} {unit}.",
+        "{} moved the estimate by {}: its 1σ goes from {} to {}.",
         names.join(" and "),
-        figures(factor * moved),
-        figures(factor * sigma(&step.predicted)),
-        figures(factor * sigma(&step.after))
+        units.short(moved),
+        units.short(sigma(&step.predicted)),
+        units.short(sigma(&step.after))
     )
 }
 
@@ -104,7 +106,6 @@ fn whole_picture(
     laid: &RegistrationReport,
     units: Units,
 ) -> String {
-    let (factor, unit) = units.length();
     let off = frame.joint.as_ref().map_or(0.0, |j| j.innovation.norm());
     let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
     let by = match (laid.laid_by, laid.probability) {
@@ -115,10 +116,10 @@ fn whole_picture(
         _ => format!("{agreeing} of {} patches agreeing", laid.tried),
     };
     let mut text = format!(
-        "The whole picture lies {} {unit} from where expected, {by}: the 1σ of the estimate goes from {} to {} {unit}.",
-        figures(factor * off),
-        figures(factor * sigma(&step.predicted)),
-        figures(factor * sigma(&step.after))
+        "The whole picture lies {} from where expected, {by}: the 1σ of the estimate goes from {} to {}.",
+        units.short(off),
+        units.short(sigma(&step.predicted)),
+        units.short(sigma(&step.after))
     );
     if frame.joint.as_ref().is_some_and(|j| j.recovered.is_some()) {
         text.push_str(
@@ -139,7 +140,6 @@ fn correction(
     flight: Option<&Flight>,
     units: Units,
 ) -> String {
-    let (factor, unit) = units.length();
     let names: Vec<String> = frame
         .accepted()
         .map(|c| picking::landmark_name(run, c.landmark))
@@ -155,25 +155,20 @@ fn correction(
             .collect();
         format!("{} px", figures(mean(&pixels)))
     } else {
-        format!("{} {unit}", figures(factor * mean(&metres)))
+        units.short(mean(&metres))
     };
     let shift = step.after.position().to_vector() - step.predicted.position().to_vector();
-    let moved = factor * shift.norm();
-    let moved = if moved < 0.05 {
+    let moved = if shift.norm() < LITTLE {
         "hardly moved".to_owned()
     } else {
-        format!("moved {} {unit} {}", figures(moved), compass(&shift))
+        format!("moved {} {}", units.short(shift.norm()), compass(&shift))
     };
-    let before = factor * sigma(&step.predicted);
-    let after = factor * sigma(&step.after);
-    let spread = if after < 0.98 * before {
-        format!(
-            "shrank from {} to {} {unit}",
-            figures(before),
-            figures(after)
-        )
+    let (before, after) = (sigma(&step.predicted), sigma(&step.after));
+    let [before_words, after_words] = [before, after].map(|it| units.short(it));
+    let spread = if after < 0.98 * before && before_words != after_words {
+        format!("shrank from {before_words} to {after_words}")
     } else {
-        format!("stayed at {} {unit}", figures(after))
+        format!("stayed at {after_words}")
     };
     let verdicts = refusals(run, frame);
     let average = if names.len() > 1 { " on average" } else { "" };
@@ -430,9 +425,15 @@ mod tests {
         frame.candidates[0].measured_pixel =
             Some(frame.candidates[0].predicted_pixel + Vector2::new(pixels, 0.0));
         let text = of(&fixture, index);
-        assert!(text.contains("found 10.0 m from"), "{text}");
+        assert!(text.contains("found 10 m from"), "{text}");
+        let near = fixture.run.steps[index].frame.as_mut().unwrap();
+        let predicted = near.candidates[0].predicted_pixel;
+        near.candidates[0].measured_pixel = Some(predicted + Vector2::new(0.01 * pixels, 0.0));
+        assert!(of(&fixture, index).contains("found 10 cm from"));
+        let frame = fixture.run.steps[index].frame.as_mut().unwrap();
+        frame.candidates[0].measured_pixel = Some(predicted + Vector2::new(pixels, 0.0));
         let feet = sentence(&fixture.run, index, Some(&fixture.flight), Units::Aviation);
-        assert!(feet.contains("found 32.8 ft from"), "{feet}");
+        assert!(feet.contains("found 33 ft from"), "{feet}");
     }
 
     #[test]
@@ -464,7 +465,7 @@ mod tests {
         frame.laid = Some(laid.clone());
         let text = of(&fixture, index);
         assert!(
-            text.starts_with("The whole picture lies 5.00 m from where expected"),
+            text.starts_with("The whole picture lies 5.0 m from where expected"),
             "{text}"
         );
         laid.refusal = Some("nothing within reach looks like the picture".to_owned());
