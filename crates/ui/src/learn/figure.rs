@@ -1,11 +1,12 @@
 //! The small picture of a stop, into which its lesson draws.
 
-use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Ui, pos2, vec2};
+use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{Run, StepReport};
 
 use super::moment::TourMoment;
 use crate::context::ViewContext;
+use crate::map::{length_text, round_length};
 use crate::tokens::Tokens;
 use crate::units::Units;
 use crate::views::chart::ChartAxes;
@@ -13,6 +14,9 @@ use crate::views::parts;
 
 /// Least and most height of a figure, points.
 const HEIGHTS: [f32; 2] = [128.0, 248.0];
+
+/// Greatest length of the bar that says how large a figure is, points.
+const LONGEST_BAR: f32 = 64.0;
 
 /// At most this many points of a curve in a figure.
 const MOST_POINTS: usize = 400;
@@ -90,6 +94,20 @@ impl Figure<'_> {
             let at = at + vec2(11.0, 0.0);
             self.caption(at, Align2::LEFT_TOP, text, tokens.muted);
         }
+    }
+
+    /// Draws a bar of a round length whose right end is `right`, where a metre is so many points long.
+    pub fn scale(&self, points_per_metre: f32, right: Pos2) {
+        let (factor, _) = self.units.length();
+        let most = f64::from(LONGEST_BAR / points_per_metre.max(1e-6));
+        let length = round_length(most * factor) / factor;
+        let left = right - vec2(length as f32 * points_per_metre, 0.0);
+        let ink = self.tokens.muted;
+        self.painter
+            .line_segment([left, right], Stroke::new(1.5, ink));
+        let words = length_text(length, self.units);
+        let above = right - vec2(0.0, 3.0);
+        self.caption(above, Align2::RIGHT_BOTTOM, &words, ink);
     }
 
     /// Axes over values from left to right and from the bottom up, in the middle of the figure.

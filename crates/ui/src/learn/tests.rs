@@ -110,3 +110,41 @@ fn arrow_keys_turn_the_pages_while_a_button_of_the_tour_has_the_focus() {
     harness.run();
     assert_eq!(harness.state().tour.number(), 0);
 }
+
+/// Words that are painted.
+fn painted(harness: &Harness<'_, State>) -> Vec<String> {
+    let shapes = harness.output().shapes.iter();
+    let texts = shapes.filter_map(|drawn| match &drawn.shape {
+        egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+        _ => None,
+    });
+    texts.collect()
+}
+
+#[test]
+fn figures_say_how_large_they_are_and_what_is_asked_of_a_match() {
+    let mut harness = harness();
+    harness.run();
+    harness.get_by_label("Next").click();
+    harness.run();
+    let words = painted(&harness);
+    assert!(
+        words.iter().any(|it| it == "before the picture"),
+        "{words:?}"
+    );
+    assert!(words.iter().any(|it| is_length(it)), "{words:?}");
+    for _ in 0..2 {
+        harness.get_by_label("Next").click();
+        harness.run();
+    }
+    let words = painted(&harness);
+    for asked in ["runner-up / best", "at most 0.85", "surprise (NIS)"] {
+        assert!(words.iter().any(|it| it == asked), "{asked} in {words:?}");
+    }
+}
+
+/// Whether these words are a round length.
+fn is_length(words: &str) -> bool {
+    let number = words.strip_suffix(" m");
+    number.is_some_and(|number| number.parse::<f64>().is_ok())
+}

@@ -27,6 +27,7 @@ mod view;
 
 pub use button::MapButton;
 pub(crate) use card::MapCard;
+pub(crate) use furniture::{length_text, round_length};
 pub use labels::LandmarkLabel;
 pub use layer::MapLayer;
 pub(crate) use layers::track_colour;

@@ -58,6 +58,8 @@ impl Lesson for Growing {
         let width = 0.25 * rect.width();
         let widest = reach(&run.steps[moment.index].sigma.after_predict).max(0.01);
         let scale = 0.42 * width.min(rect.height() - 3.0 * tokens.text_sizes[0]) / widest as f32;
+        let corner = pos2(rect.right() - tokens.space, rect.top() + 2.5 * tokens.space);
+        figure.scale(scale, corner);
         for i in 0..4 {
             let step = &run.steps[first + span * i / 3];
             let middle = pos2(

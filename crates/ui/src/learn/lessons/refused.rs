@@ -104,28 +104,32 @@ impl Lesson for Refused {
         let rows = [
             ("score", Some(candidate.score), detector.least_score, false),
             (
-                "second place",
+                "runner-up / best",
                 Some(picking::ambiguity(candidate)),
                 detector.greatest_ambiguity,
                 true,
             ),
-            ("NIS", candidate.nis, candidate.threshold, true),
+            ("surprise (NIS)", candidate.nis, candidate.threshold, true),
         ];
         let row_height = (rect.height() - 2.0 * tokens.space) / 3.0;
-        let left = rect.left() + 8.0 * tokens.text_sizes[0];
+        let left = rect.left() + 9.0 * tokens.text_sizes[0];
         let right = rect.right() - 4.5 * tokens.text_sizes[0];
         for (i, (name, value, limit, below)) in rows.into_iter().enumerate() {
             let y = rect.top() + tokens.space + (i as f32 + 0.5) * row_height;
             let at = pos2(rect.left() + tokens.space, y);
-            figure.caption(at, Align2::LEFT_CENTER, name, tokens.muted);
+            let bound = if below { "at most" } else { "at least" };
+            let bound = format!("{bound} {}", figures(limit));
+            figure.caption(at, Align2::LEFT_BOTTOM, name, tokens.text);
+            figure.caption(at, Align2::LEFT_TOP, &bound, tokens.muted);
             let bar = Rect::from_min_max(pos2(left, y - 3.0), pos2(right, y + 3.0));
-            painter.rect_filled(bar, 3.0, tokens.line);
             let full = 2.0 * limit.max(1e-9);
             let value_at = pos2(rect.right() - tokens.space, y);
             let Some(value) = value else {
-                figure.caption(value_at, Align2::RIGHT_CENTER, "–", tokens.muted);
+                let words = "not asked: refused before";
+                figure.caption(value_at, Align2::RIGHT_CENTER, words, tokens.muted);
                 continue;
             };
+            painter.rect_filled(bar, 3.0, tokens.line);
             let good = (value <= limit) == below;
             let color = if good { tokens.truth } else { tokens.refused };
             let width = bar.width() * (value / full).clamp(0.0, 1.0) as f32;

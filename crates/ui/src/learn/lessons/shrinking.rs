@@ -85,6 +85,8 @@ impl Lesson for Shrinking {
         if let Some(truth) = flight.and_then(|f| f.truth.as_ref()?.position(step.time)) {
             painter.circle_stroke(at(truth.x, truth.y), 5.0, Stroke::new(2.0, tokens.truth));
         }
+        let corner = rect.right_bottom() - vec2(tokens.space, tokens.space);
+        figure.scale(scale, corner);
         figure.key(&[
             ("before the picture", tokens.dead_reckoning),
             ("after it", tokens.corrected),
