@@ -13,6 +13,9 @@ use super::transform::ScreenFromWorld;
 use crate::tokens::Tokens;
 use crate::units::{Units, with_minus};
 
+/// Distance of the belief below the middle of the lens, points.
+const BELOW_NAME: f32 = 8.0;
+
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `most`.
 pub fn round_length(most: f64) -> f64 {
     let power = 10.0_f64.powf(most.max(1e-9).log10().floor());
@@ -150,16 +153,18 @@ pub fn paint_lens(
     let largest = covariance.diagonal().max().max(1e-6).sqrt();
     // Steps of a factor two, so that growth is seen as growth.
     let reach = 2.0_f64.powf((3.6 * largest).log2().ceil());
+    // The outermost sigma points stay clear of the name above them.
+    let middle = rect.center() + vec2(0.0, BELOW_NAME);
     let view = ScreenFromWorld {
         center: belief.position,
         metres_per_point: 2.0 * reach / f64::from(rect.width()),
         up: map.up,
-        middle: rect.center(),
+        middle,
     };
     painter.rect_filled(rect, tokens.radius, tokens.over_map());
     let inside = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
     let line = Stroke::new(1.0, tokens.line);
-    inside.hline(rect.x_range(), rect.center().y, line);
+    inside.hline(rect.x_range(), middle.y, line);
     inside.vline(rect.center().x, rect.y_range(), line);
     paint_ellipses(&inside, &view, &belief.position, &covariance, color, tokens);
     if let Some(truth) = truth {
