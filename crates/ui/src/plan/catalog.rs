@@ -108,7 +108,7 @@ fn routes() -> Vec<CommandEntry> {
         of("Duplicate the route", vec![], PlanCommand::DuplicateRoute),
         of("Delete the route", vec![], PlanCommand::DeleteRoute),
         of(
-            "Plan the route of the demo",
+            "Plan the route of this flight",
             vec![],
             PlanCommand::TakeFlightRoute,
         ),

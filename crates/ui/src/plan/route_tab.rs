@@ -128,7 +128,14 @@ fn nothing(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut 
         );
         if built_in {
             let take = PlanCommand::TakeFlightRoute;
-            button(ui, context, None, "Plan the route of the demo", false, take);
+            button(
+                ui,
+                context,
+                None,
+                "Plan the route of this flight",
+                false,
+                take,
+            );
         }
         let survey = PlanCommand::Mark(Purpose::Survey);
         button(ui, context, None, "Survey an area", false, survey);
