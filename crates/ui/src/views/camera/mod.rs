@@ -156,9 +156,10 @@ impl CameraView {
             }
         } else {
             painter.rect_filled(placement.rect, 0.0, tokens.raised);
+            // Below the marks, most of which are around the middle.
             painter.text(
-                placement.rect.center(),
-                egui::Align2::CENTER_CENTER,
+                placement.rect.center_bottom() - vec2(0.0, 2.0 * tokens.space),
+                egui::Align2::CENTER_BOTTOM,
                 self.cache
                     .trouble()
                     .unwrap_or(lacking(&flight.frames[index])),
