@@ -24,8 +24,9 @@ impl Lesson for YourTurn {
 
     fn find(&self, run: &Run, _flight: Option<&Flight>, _units: Units) -> Option<TourMoment> {
         let index = run.steps.len().checked_sub(1)?;
-        let text = "Now pick something that looks like nothing else around it: drag a box on the map, name it, and fly again. \
-                    The old run stays as a ghost, so that you see at once whether your landmark helped."
+        let text = "Now pick something that looks like nothing else around it: drag a box on the map and name it. The flight \
+                    is flown again by itself, and the run before it stays on the map as a faint line, so that you see \
+                    at once whether your landmark helped."
             .to_owned();
         Some(TourMoment::new(run, index, text))
     }
@@ -59,11 +60,15 @@ impl Lesson for YourTurn {
         sort(&mut rows, &|a, b| b.1.cmp(&a.1));
         rows.truncate(6);
         let most = rows.iter().map(|r| r.1 + r.2).max().unwrap_or(1).max(1) as f32;
-        let height = (rect.height() - 2.0 * tokens.space) / rows.len().max(1) as f32;
+        let head = 1.5 * tokens.text_sizes[0];
+        let height = (rect.height() - 2.0 * tokens.space - head) / rows.len().max(1) as f32;
         let left = rect.left() + 10.5 * tokens.text_sizes[0];
         let width = rect.right() - 6.0 * tokens.text_sizes[0] - left;
+        let corner = pos2(rect.right() - tokens.space, rect.top() + 0.75 * tokens.space);
+        let heading = "looks: used (blue) / refused (orange)";
+        figure.caption(corner, Align2::RIGHT_TOP, heading, tokens.muted);
         for (i, (id, used, refused)) in rows.iter().enumerate() {
-            let y = rect.top() + tokens.space + (i as f32 + 0.5) * height;
+            let y = rect.top() + tokens.space + head + (i as f32 + 0.5) * height;
             let name = picking::landmark_name(run, *id);
             let at = pos2(rect.left() + tokens.space, y);
             let clip = Rect::from_min_max(rect.min, pos2(left - 4.0, rect.bottom()));
