@@ -13,7 +13,7 @@ use pilotage_base::frames::{AltitudeFrame, LocalFrame};
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
     name: "Litchi CSV",
-    as_words: "a table of Litchi",
+    as_words: "a Litchi table (CSV)",
     extensions: &["csv"],
     is_told_by_extension: false,
     begins: None,

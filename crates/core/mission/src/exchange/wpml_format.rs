@@ -9,7 +9,7 @@ use super::{fence, rally};
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
     name: NAME,
-    as_words: "a mission of DJI (WPML)",
+    as_words: "a DJI mission (WPML)",
     extensions: &["kmz", "wpml"],
     is_told_by_extension: false,
     begins: None,
