@@ -120,6 +120,8 @@ impl App {
         match event {
             JobEvent::Opened(opened) => {
                 if let Some(set) = self.openings.end(id) {
+                    // What is said from here on is of these files.
+                    self.toasts.withdraw_notes();
                     self.take_opened(context, host, &set, *opened);
                 }
             }
@@ -219,8 +221,6 @@ impl App {
         let is_log = log.is_some();
         let has_flight = flight.is_some() || is_log;
         let are_laid = !has_flight && !photos.is_empty();
-        // What is said from here on is of these files.
-        self.toasts.withdraw_notes();
         if has_flight || map.is_some() {
             // What lacked before may be here now.
             self.toasts.withdraw_trouble();

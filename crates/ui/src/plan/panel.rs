@@ -170,7 +170,7 @@ impl Planner {
 fn in_menu(words: &str) -> String {
     let words = words.strip_prefix("a ").unwrap_or(words);
     let mut letters = words.chars();
-    let first = letters.next().map(|letter| letter.to_uppercase());
+    let first = letters.next().map(char::to_uppercase);
     first.into_iter().flatten().chain(letters).collect()
 }
 
