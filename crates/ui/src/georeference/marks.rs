@@ -22,14 +22,18 @@ pub fn nearest(places: &[Pos2], at: Pos2) -> Option<usize> {
 /// Least error that is drawn as an arrow, pixels or metres: what is less is how numbers are rounded.
 const LEAST_DRAWN: f32 = 0.01;
 
-/// Screen points per unit at which the largest arrow is well seen, but never drawn smaller than it is; none where there
-/// is no error to draw.
+/// Times at most that an arrow is longer than its error: errors of a perfect fit do not look like bad ones.
+const MOST_TIMES: f32 = 100.0;
+
+/// Screen points per unit at which the largest arrow is well seen, but never drawn smaller than it is, nor so much larger
+/// that it misleads; none where there is no error to draw.
 pub fn stretch(arrows: &[egui::Vec2], points_per_unit: f32) -> f32 {
     let largest = arrows.iter().map(|a| a.length()).fold(0.0, f32::max);
     if largest < LEAST_DRAWN {
         return 0.0;
     }
-    (LONGEST_ARROW / largest).max(points_per_unit)
+    let most = MOST_TIMES * points_per_unit;
+    (LONGEST_ARROW / largest).min(most).max(points_per_unit)
 }
 
 /// Draws a control point with its number and its residual.
@@ -92,5 +96,6 @@ mod tests {
         assert_eq!(stretch(&[vec2(100.0, 0.0)], 4.0), 4.0);
         assert_eq!(stretch(&[vec2(1e-9, 0.0), vec2(0.0, 3e-5)], 1.0), 0.0);
         assert_eq!(stretch(&[], 1.0), 0.0);
+        assert_eq!(stretch(&[vec2(0.05, 0.0)], 0.2), 20.0, "a hundred times");
     }
 }

@@ -48,6 +48,7 @@ impl Georeferencer {
                 }
             }
         });
+        ui.label(muted(tokens, kind_words(self.kind)));
         ui.add_space(tokens.space);
         self.errors(ui, tokens, units);
         ui.add_space(tokens.space);
@@ -97,7 +98,10 @@ impl Georeferencer {
         if let Some(why) = &self.typed_wrong {
             ui.label(muted(tokens, why.clone()).color(tokens.warning));
         } else if let Some(system) = self.system {
-            ui.label(muted(tokens, format!("Metres count in {}.", system.name())));
+            ui.label(muted(
+                tokens,
+                format!("Coordinates in metres are those of {}.", system.name()),
+            ));
         }
     }
 
@@ -162,14 +166,14 @@ impl Georeferencer {
             ui,
             tokens,
             &format!(
-                "RMS {:.2} px, {:.2} {unit}",
-                fit.rms_in_pixels,
-                fit.rms_in_plane * factor
+                "RMS {} px, {} {unit}",
+                hundredths(fit.rms_in_pixels),
+                hundredths(fit.rms_in_plane * factor)
             ),
         );
         let left_out = fit.rms_left_out.map_or_else(
             || "More points, apart from each other, would show how far a place between them may be off.".to_owned(),
-            |rms| format!("Each point left out of its own fit: RMS {:.2} {unit}. That is what to expect between the points.", rms * factor),
+            |rms| format!("Each point left out of its own fit: RMS {} {unit}. That is what to expect between the points.", hundredths(rms * factor)),
         );
         ui.label(muted(tokens, left_out));
     }
@@ -300,4 +304,37 @@ fn cell<R>(ui: &mut Ui, width: f32, contents: impl FnOnce(&mut Ui) -> R) {
         ui.set_min_width(width);
         contents(ui);
     });
+}
+
+/// A kind of transform in words.
+fn kind_words(kind: TransformKind) -> &'static str {
+    match kind {
+        TransformKind::Similarity => {
+            "Moved, turned and scaled: for a picture that looks straight down."
+        }
+        TransformKind::Affine => "Also stretched and skewed: for a scan or an orthophoto.",
+        TransformKind::Projective => {
+            "Also in perspective: for flat ground that is seen from the side."
+        }
+    }
+}
+
+/// An error to two decimals; a lesser one is not said to be none.
+fn hundredths(error: f64) -> String {
+    if error < 0.005 {
+        "under 0.01".to_owned()
+    } else {
+        format!("{error:.2}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_small_error_is_not_said_to_be_none() {
+        assert_eq!(hundredths(0.04), "0.04");
+        assert_eq!(hundredths(0.0004), "under 0.01");
+    }
 }

@@ -76,6 +76,8 @@ fn a_picture_without_a_place_is_put_on_the_ground_by_clicks() {
     );
     assert!(it["rms_left_out"].is_number(), "{it}");
     assert!(rig.harness.query_all_by_label_contains("RMS").count() > 0);
+    rig.harness
+        .get_by_label_contains("Also stretched and skewed");
     rig.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(rig.state()["georeferencer"]["points"], 3);
     // Any three points fit: no error of theirs is told.
