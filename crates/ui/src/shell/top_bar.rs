@@ -13,6 +13,8 @@ use crate::tokens::Tokens;
 const WITH_WORDS: f32 = 1200.0;
 /// Bars narrower than this have one menu in the place of most groups.
 const NARROW: f32 = 620.0;
+/// Width of the bar that says how far what is under way is, points.
+const PROGRESS: f32 = 64.0;
 
 /// The step that comes next in a workspace: the one button that stands out.
 #[derive(Clone, Debug)]
@@ -150,11 +152,15 @@ fn next_step(
     }
 }
 
+/// Draws what is under way, or else the title, as far as there is room.
 fn middle(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Vec<Command>) {
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         ui.add_space(2.0 * tokens.space);
         if let Some((fraction, words)) = bar.progress {
-            let (rect, _) = ui.allocate_exact_size(egui::vec2(64.0, 4.0), egui::Sense::hover());
+            if ui.available_width() < PROGRESS + tokens.target() + 3.0 * tokens.space {
+                return;
+            }
+            let (rect, _) = ui.allocate_exact_size(egui::vec2(PROGRESS, 4.0), egui::Sense::hover());
             ui.painter().rect_filled(rect, 2.0, tokens.line);
             let mut done = rect;
             done.set_right(rect.left() + rect.width() * fraction.clamp(0.0, 1.0));

@@ -183,3 +183,28 @@ fn fingers_are_not_told_to_press_keys() {
     assert_eq!(told(&rig, "press N"), 1);
     assert_eq!(told(&rig, "hold Shift"), 1);
 }
+
+#[test]
+fn what_is_under_way_never_lies_over_the_next_step() {
+    for (width, fits) in [
+        (640.0, false),
+        (720.0, false),
+        (820.0, false),
+        (1440.0, true),
+    ] {
+        let host = ScriptedHost {
+            pointer: Pointing::Fingers,
+            silent_flights: true,
+            ..ScriptedHost::default()
+        };
+        let mut rig = rig_on(host, vec2(width, 700.0));
+        let id = rig.host().last_flight().expect("a flight").0;
+        let progress = pilotage_jobs::JobEvent::Progress(0.5, "Flying".into());
+        rig.host().events.push((id, progress));
+        rig.frames(3);
+        let next = rig.harness.get_by_label("Take the tour").rect();
+        let stop = rig.harness.query_by_label("Stop computing");
+        assert_eq!(stop.is_some(), fits, "{width}");
+        assert!(stop.is_none_or(|it| !it.rect().intersects(next)), "{width}");
+    }
+}
