@@ -41,7 +41,7 @@ export async function run(page, tools) {
   const { left, mean_votes: mean, all_votes: all } = detector.shown;
   tools.check(left.every((count, i) => i === 0 || count <= left[i - 1]) && left.at(-1) < 0.05 * left[0], `left after each stage: ${left}`);
   tools.check(mean > 1 && mean < 0.5 * all, `${mean} of ${all} votes for a window`);
-  await tools.find(null, /A window costs .* on average; asked all/);
+  await tools.find(null, /Each window.* is tested by .* on average; all/);
   await tools.screenshot("detector");
 
   // One stage after the other, by the keyboard; then all of them by themselves.

@@ -14,8 +14,8 @@ const HEIGHT: f32 = 220.0;
 const SCALE: f32 = 76.0;
 const BAR: f32 = 10.0;
 /// Meaning of scores, in words.
-const MEANING: &str = "From 0 on, a window passed every stage by so much; below, one less for each stage \
-     that it did not reach.";
+const MEANING: &str = "0 or more: the window passed every stage by so much. Below 0: one less for each stage \
+                       that it did not reach.";
 
 /// Scores at the two ends of the colour scale.
 pub(super) fn range(evidence: &CascadeEvidence) -> (f32, f32) {

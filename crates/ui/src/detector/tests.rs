@@ -224,7 +224,7 @@ fn stages_are_stepped_through_and_the_counts_are_those_of_the_search() {
     let told = evidence(&harness);
     assert_eq!(told.all_votes(), 9);
     assert!(told.left_after(3) > 0 && told.left_after(3) < told.windows);
-    harness.get_by_label_contains("asked all 9 it would cost");
+    harness.get_by_label_contains("all 9 everywhere would take");
     assert_eq!(harness.state().view.passed(), (3, 3), "all at first");
     harness.get_by_label("One stage back (,)").click();
     harness.run();

@@ -43,7 +43,8 @@ pub(super) fn lesson(evidence: &CascadeEvidence) -> String {
     let (all, mean) = (evidence.all_votes(), evidence.mean_votes);
     let times = all as f64 / mean.max(1e-9);
     format!(
-        "A window costs {mean:.1} {} on average; asked all {all} it would cost {times:.1} times as much.",
+        "Each window, a place where the landmark may be, is tested by {mean:.1} {} on average; all {all} everywhere would take \
+         {times:.1} times as long.",
         asked(evidence)
     )
 }
