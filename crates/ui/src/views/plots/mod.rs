@@ -361,7 +361,7 @@ fn choices(ui: &mut Ui, tokens: &Tokens, panel: &mut PanelState, title: &str) {
         let name = format!("{title}, {long}");
         let opacity = match (is_near || tokens.touch, is_chosen) {
             (true, _) => 1.0,
-            (false, true) => 0.6,
+            (false, true) => 0.7,
             (false, false) => 0.0,
         };
         let response = ui.scope(|ui| {
