@@ -317,23 +317,11 @@ pub fn assumptions(
         .cloned()
         .collect();
     let measured = planner.assessments.count(&used);
-    let mut list = Vec::new();
-    if used.is_empty() {
-        list.push("No landmark is switched on.".to_owned());
-    } else if measured < used.len() {
-        list.push(format!(
-            "{} of {} landmarks {} tested. Each of the others counts like {}.",
-            match measured {
-                0 => "None".to_owned(),
-                some => some.to_string(),
-            },
-            used.len(),
-            if measured == 1 { "is" } else { "are" },
-            planner.untested.words()
-        ));
-    } else {
-        list.push(format!("All {measured} landmarks in use are tested."));
-    }
+    let mut list = vec![tested_words(
+        measured,
+        used.len(),
+        &planner.untested.words(),
+    )];
     let climbs = route
         .way_points
         .windows(2)
@@ -428,4 +416,52 @@ fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
             }
         });
     });
+}
+
+/// Number of the landmarks in use that are tested, and what one that is not counts like, in words.
+fn tested_words(tested: usize, used: usize, like: &str) -> String {
+    match (tested, used) {
+        (_, 0) => "No landmark is switched on.".to_owned(),
+        (0, 1) => format!("The landmark in use is not tested. It counts like {like}."),
+        (0, all) => format!("None of {all} landmarks is tested. Each counts like {like}."),
+        (1, 1) => "The landmark in use is tested.".to_owned(),
+        (2, 2) => "Both landmarks in use are tested.".to_owned(),
+        (some, all) if some >= all => format!("All {all} landmarks in use are tested."),
+        (some, all) => {
+            let are = if some == 1 { "is" } else { "are" };
+            let rest = match all - some {
+                1 => "The other one counts",
+                _ => "Each of the others counts",
+            };
+            format!("{some} of {all} landmarks {are} tested. {rest} like {like}.")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tested_landmarks_are_counted_as_people_say_it() {
+        let told = |tested, used| tested_words(tested, used, "a box");
+        assert_eq!(
+            told(0, 1),
+            "The landmark in use is not tested. It counts like a box."
+        );
+        assert_eq!(
+            told(0, 3),
+            "None of 3 landmarks is tested. Each counts like a box."
+        );
+        assert_eq!(
+            told(1, 2),
+            "1 of 2 landmarks is tested. The other one counts like a box."
+        );
+        assert_eq!(
+            told(2, 5),
+            "2 of 5 landmarks are tested. Each of the others counts like a box."
+        );
+        assert_eq!(told(2, 2), "Both landmarks in use are tested.");
+        assert_eq!(told(9, 9), "All 9 landmarks in use are tested.");
+    }
 }

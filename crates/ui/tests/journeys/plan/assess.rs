@@ -11,7 +11,7 @@ fn a_measured_landmark_is_believed_instead_of_the_assumption() {
     draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
     rig.settle();
     rig.harness.get_by_label_contains(
-        "landmarks are tested. Each of the others counts like a box at random on fields, found in 18 % of pictures",
+        "landmarks is tested. Each counts like a box at random on fields, found in 18 % of pictures",
     );
     rig.open_tab("Landmarks");
     rig.harness.get_by_label_contains("Chapel: ").click();
