@@ -30,7 +30,11 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> CommandResult {
     let path = &arguments.path;
     let labels = crate::labels::read(path);
-    let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
+    let opened = match (open(path, arguments.columns.as_deref()), &labels) {
+        // An archive of labels is none of flights.
+        (Err(_), Ok(Some(_))) => OpenedPath::Nothing(String::new()),
+        (opened, _) => opened?.of_vehicle(arguments.vehicle)?,
+    };
     let is_flight = !matches!(opened, OpenedPath::Nothing(_));
     match labels {
         Ok(Some((format, found))) => {
