@@ -117,8 +117,8 @@ fn plain_text_of_another_kind_is_called_by_its_name_and_a_plan_by_its_line() {
         assert!(!output.status.success());
         words(&output.stderr)
     };
-    let points = told("EPSG:32632\n465429.7 5246517.2 430 100 200 a.jpg one\n");
-    assert!(points.contains("control points"), "{points}");
+    let points = told("ply\nformat ascii 1.0\nelement vertex 3\n");
+    assert!(points.contains("cloud of points"), "{points}");
     let later = told("QGC WPL 130\n0\t1\t0\t16\t0\t0\t0\t0\t47.4\t8.5\t60\t1\n");
     assert!(
         later.contains("line 1") && later.contains("QGC WPL 110"),
