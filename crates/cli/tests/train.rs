@@ -91,7 +91,7 @@ fn a_landmark_is_trained_and_evaluated_on_days_that_it_has_not_seen() {
     let said = words(&output);
     assert!(output.status.success(), "{said}");
     assert!(
-        said.contains("at 0.01 false alarms a photo: found in"),
+        said.contains("at 0.01 false alarms per picture") && said.contains("as flown: found "),
         "{said}"
     );
     let csv = folder.text("e.csv");

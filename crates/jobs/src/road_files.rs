@@ -94,7 +94,7 @@ fn notes(roads: &[RoadLine], read: &RoadsRead, far: usize) -> Vec<String> {
     notes
 }
 
-/// What was left out of a file of roads, in sentences.
+/// Sentences on all that was left out of a file of roads.
 pub fn left_out_of_roads(read: &RoadsRead) -> Vec<String> {
     let mut notes = Vec::new();
     if read.others > 0 {

@@ -26,7 +26,7 @@ pub struct PythonPrediction {
     /// Names of the landmarks, in the order of the columns of `detection`.
     #[pyo3(get)]
     landmarks: Vec<String>,
-    /// What was assumed of the files, and how each landmark was measured, in sentences.
+    /// Sentences on what was assumed of the files, and on how each landmark was measured.
     #[pyo3(get)]
     notes: Vec<String>,
 }
