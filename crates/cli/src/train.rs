@@ -6,6 +6,7 @@ use pilotage_core::landmark::cascade::train::FeatureKind;
 use pilotage_core::landmark::trained::Preparation;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
+use pilotage_core::plan::Proposal;
 use pilotage_core::text::plain_name;
 use pilotage_core::training::{FlightEnvelope, StageReport, TrainingPlan};
 use pilotage_jobs::{JobEvent, LabelledFrames, OpenFlight, TrainOrder, TrainingOutcome};
@@ -150,19 +151,9 @@ fn train(
             labels: ground.mission.labels.clone(),
         }
     });
+    let with = ground.circumstances(Proposal::POSITION);
     let order = |landmark: &Landmark| {
-        let order = TrainOrder {
-            map: ground.source.clone(),
-            landmark: landmark.untrained(),
-            camera: ground.camera.clone(),
-            height: ground.height,
-            sensors: ground.mission.navigator.sensors,
-            ground_down: ground.ground_down,
-            plan: plan.clone(),
-            look_alikes_within: ground.searched(&landmark.bounds),
-            labelled: labelled.clone(),
-            left: None,
-        };
+        let order = with.training(landmark, plan.clone(), labelled.clone());
         let usual = order.envelope();
         let heading_error = arguments.heading_error.map(f64::to_radians);
         let envelope = FlightEnvelope {

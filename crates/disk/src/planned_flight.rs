@@ -9,10 +9,11 @@ use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route, WayPoint, open_dem};
-use pilotage_core::plan::{FieldView, FlownWay, Proposal, RouteGround, planned_aircraft};
+use pilotage_core::plan::{FlownWay, Proposal, RouteGround, planned_aircraft};
 use pilotage_core::simulate::{Scenario, Wind};
 use pilotage_jobs::{
-    AssessmentOrder, FlightSource, HeightsOrder, MapSource, PlannedPath, PredictionOrder,
+    AssessmentOrder, FlightSource, HeightsOrder, MapSource, PlanCircumstances, PlannedPath,
+    PredictionOrder,
 };
 
 use crate::files::{DirectoryFiles, MAP_CACHE};
@@ -250,30 +251,25 @@ impl PlannedFlight {
         self.over(route, |ground| ground.mean_above(route))
     }
 
-    /// Order to measure a landmark, on the days of the page or those of `seed`.
-    pub fn assessment(&self, landmark: &Landmark, seed: Option<u64>) -> AssessmentOrder {
-        AssessmentOrder {
+    /// Circumstances with which its orders are made, where the position is known to `position` metres per axis.
+    pub fn circumstances(&self, position: f64) -> PlanCircumstances {
+        PlanCircumstances {
             map: self.source.clone(),
-            landmark: landmark.clone(),
             camera: self.camera.clone(),
             height: self.height,
-            navigator: self.mission.navigator.clone(),
             ground_down: self.ground_down,
-            seed: seed.unwrap_or(AssessmentOrder::SEED),
+            navigator: self.mission.navigator.clone(),
+            position,
         }
     }
 
-    /// View of the ground from its height, where its position is known to `position` metres per axis.
-    pub fn view(&self, position: f64) -> FieldView {
-        let sensors = &self.mission.navigator.sensors;
-        FieldView::of_flight(self.camera.clone(), self.height, position, sensors)
-    }
-
-    /// Distance around a box within which a landmark is looked for, metres, where its position is known as in proposals.
-    pub fn searched(&self, bounds: &GroundRect) -> f64 {
-        let sigmas = self.mission.navigator.detector.search_sigmas;
-        let side = bounds.width().max(bounds.height());
-        self.view(Proposal::POSITION).searched(sigmas, side)
+    /// Order to measure a landmark, on the days of the page or those of `seed`.
+    pub fn assessment(&self, landmark: &Landmark, seed: Option<u64>) -> AssessmentOrder {
+        let usual = self.circumstances(Proposal::POSITION).assessment(landmark);
+        AssessmentOrder {
+            seed: seed.unwrap_or(usual.seed),
+            ..usual
+        }
     }
 
     /// Its map, for the workers.

@@ -3,12 +3,12 @@
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::Route;
 use pilotage_core::plan::{
-    Aim, BudgetOf, FieldView, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns, cruise,
+    Aim, BudgetOf, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns, cruise,
     highest_ground, planned_aircraft,
 };
 use pilotage_jobs::{
-    FieldFrom, FieldOrder, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PlannedPath,
-    PredictionOrder,
+    FieldFrom, FieldOrder, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PlanCircumstances,
+    PlannedPath, PredictionOrder,
 };
 use serde::Serialize;
 
@@ -86,17 +86,19 @@ fn order(
     let settings = &ground.mission.navigator;
     let straight = ground.at_its_altitude(&[from, to]);
     let height = ground.mean_above(&straight).unwrap_or(ground.height);
-    let camera = ground.camera.clone();
-    let view = FieldView::of_flight(camera, height, Proposal::POSITION, &settings.sensors);
+    let with = PlanCircumstances {
+        height,
+        ..ground.circumstances(Proposal::POSITION)
+    };
     let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
         expected(ground, arguments.seed, &|line| println!("{line}"))?
     } else {
         Vec::new()
     };
     let field = FieldOrder {
-        map: ground.source.clone(),
         region: ground.map.bounds(),
-        view,
+        view: with.view(),
+        map: with.map,
         from: match wanted.over {
             Over::Landmarks => FieldFrom::Landmarks(
                 landmarks

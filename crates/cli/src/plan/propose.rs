@@ -1,7 +1,8 @@
 //! `pilotage plan --suggest`: places of the map that would serve as landmarks.
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::plan::{Suggestion, cruise};
+use pilotage_core::mission::Route;
+use pilotage_core::plan::Suggestion;
 use pilotage_jobs::{JobEvent, ProposeOrder, Share, ShareOrder, SuggestOrder};
 
 use super::arguments::Arguments;
@@ -12,23 +13,17 @@ use crate::workers;
 const SHARES: usize = 8;
 
 fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> SuggestOrder {
-    let settings = &ground.mission.navigator;
-    let route = ground.mission.routes.first();
-    let first = route.and_then(|r| r.way_points.first());
     let plan = ground.plan.as_ref();
+    let places = plan.map(|plan| plan.path.way_points.clone());
+    let usual = Route::default();
+    let route = ground.mission.routes.first().unwrap_or(&usual);
+    let along = places.map(|places| (route, places));
+    let with = ground.circumstances(arguments.position);
+    let order = with.proposal(&ground.mission.landmarks, along, count);
     SuggestOrder {
-        map: ground.source.clone(),
-        view: ground.view(arguments.position),
-        way_points: plan.map_or_else(Vec::new, |p| p.path.way_points.clone()),
-        speed: first
-            .and_then(|w| w.speed)
-            .unwrap_or_else(|| plan.map_or(1.0, |_| cruise())),
-        ground_down: ground.ground_down,
-        navigator: settings.clone(),
-        taken: ground.mission.landmarks.iter().map(|l| l.bounds).collect(),
-        count,
         side: arguments.side,
-        seed: arguments.seed.unwrap_or(SuggestOrder::SEED),
+        seed: arguments.seed.unwrap_or(order.seed),
+        ..order
     }
 }
 

@@ -14,7 +14,7 @@ pub fn untested(
 ) -> Result<UntestedDetection, String> {
     let mission = &ground.mission;
     let drawn = || UntestedOrder::usual_side(mission);
-    let usual = || Proposal::usual_side(&ground.view(arguments.position));
+    let usual = || Proposal::usual_side(&ground.circumstances(arguments.position).view());
     let side = arguments.side.or_else(drawn).or_else(usual);
     let side = side.ok_or("the camera does not look down at the ground")?;
     let like = ground.assessment(&UntestedOrder::usual_box(side), arguments.seed);

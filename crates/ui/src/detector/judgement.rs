@@ -1,9 +1,8 @@
 //! Judgement of a detector where it was not trained: asked for, taken.
 
 use pilotage_core::landmark::Landmark;
-use pilotage_jobs::{
-    AssessmentOrder, EvaluationOrder, EvaluationReport, FlightSource, Job, JobEvent, JobId,
-};
+use pilotage_core::plan::Proposal;
+use pilotage_jobs::{EvaluationOrder, EvaluationReport, FlightSource, Job, JobEvent, JobId};
 use serde_json::Value;
 
 use super::evaluation::EvaluationView;
@@ -49,7 +48,7 @@ impl Judgement {
         self.stop(context);
         (self.landmark, self.of) = (Some(landmark.id), of);
         (self.report, self.trouble) = (None, None);
-        let job = context.start(judging(landmark, context.documents));
+        let job = context.start(judging(&landmark, context.documents));
         self.job = Some((job, 0.0, "Starting …".to_owned()));
     }
 
@@ -108,16 +107,9 @@ impl Judgement {
 }
 
 /// Job that judges the detector of a landmark: on generated days and, where the flight was recorded, on its pictures.
-fn judging(landmark: Landmark, documents: &Documents) -> Job {
-    let about = AssessmentOrder {
-        map: documents.map.source.clone(),
-        landmark,
-        camera: flown::camera(documents),
-        height: flown::flown_height(documents),
-        navigator: documents.mission.navigator.clone(),
-        ground_down: flown::ground_down(documents),
-        seed: AssessmentOrder::SEED,
-    };
+fn judging(landmark: &Landmark, documents: &Documents) -> Job {
+    let with = flown::planned_with(documents, Proposal::POSITION);
+    let about = with.assessment(landmark);
     let is_recorded = matches!(documents.flight.source, FlightSource::Files(_));
     let flight = is_recorded.then(|| documents.flight.source.clone());
     let order = EvaluationOrder::usual(about, flight);

@@ -2,7 +2,6 @@
 
 use pilotage_core::frames::GroundRect;
 
-use super::flown::flown_height;
 use super::planner::Planner;
 use crate::documents::Documents;
 use crate::feature::FeatureContext;
@@ -17,9 +16,7 @@ impl Planner {
     /// Distance around a landmark within which the detector will look for it: that far look-alikes count,
     /// metres.
     pub(super) fn look_alike_radius(&self, documents: &Documents, bounds: &GroundRect) -> f64 {
-        let view = self.field_view(documents, flown_height(documents));
-        let sigmas = documents.mission.navigator.detector.search_sigmas;
-        view.searched(sigmas, bounds.width().max(bounds.height()))
+        self.planned_with(documents).searched(bounds)
     }
 
     /// Whether a landmark was compared for another uncertainty of the position.

@@ -7,7 +7,7 @@ use pilotage_core::plan::{FlownWay, home_way_point};
 use pilotage_core::simulate::{Scenario, Wind};
 
 use crate::documents::Documents;
-use pilotage_jobs::FlightSource;
+use pilotage_jobs::{FlightSource, PlanCircumstances};
 
 /// The mean wind of the open flight.
 pub fn flight_wind(documents: &Documents) -> Wind {
@@ -32,6 +32,18 @@ pub fn ground_down(documents: &Documents) -> f64 {
         .measured
         .as_ref()
         .map_or(0.0, |f| f.ground_down)
+}
+
+/// Circumstances with which orders of the plan are made, where the position is known to `position` metres per axis.
+pub fn planned_with(documents: &Documents, position: f64) -> PlanCircumstances {
+    PlanCircumstances {
+        map: documents.map.source.clone(),
+        camera: camera(documents),
+        height: flown_height(documents),
+        ground_down: ground_down(documents),
+        navigator: documents.mission.navigator.clone(),
+        position,
+    }
 }
 
 /// A route over places, all at one altitude.

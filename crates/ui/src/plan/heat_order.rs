@@ -3,12 +3,12 @@
 use pilotage_core::plan::{FieldView, FixSource, Localizability, PlannedLandmark};
 use serde_json::{Value, json};
 
-use super::flown::{camera, flown_height};
+use super::flown::flown_height;
 use super::heat::BLIND;
 use super::heat_command::{HeatCommand, HeatOf};
 use super::planner::Planner;
 use crate::documents::Documents;
-use pilotage_jobs::{FieldFrom, FieldOrder};
+use pilotage_jobs::{FieldFrom, FieldOrder, PlanCircumstances};
 
 impl Planner {
     /// The ground, the camera at a height above it, metres, and what gives fixes, for the heat map or a
@@ -49,9 +49,11 @@ impl Planner {
 
     /// Camera's view of the ground from a height above it, metres, and the uncertainty of the position then.
     pub fn field_view(&self, documents: &Documents, height: f64) -> FieldView {
-        let sensors = &documents.mission.navigator.sensors;
-        let position = self.preferences.heat.position;
-        FieldView::of_flight(camera(documents), height, position, sensors)
+        let with = PlanCircumstances {
+            height,
+            ..self.planned_with(documents)
+        };
+        with.view()
     }
 
     /// Field that the heat map is to show; `None` while it is hidden.

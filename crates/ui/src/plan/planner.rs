@@ -16,7 +16,7 @@ use super::examination::Examination;
 use super::find_command::FindPreferences;
 use super::finder::Finder;
 use super::flown::{
-    camera, flight_wind, flown_height, flown_way, ground_down, height, line, usual_altitude,
+    camera, flight_wind, flown_way, ground_down, height, line, planned_with, usual_altitude,
 };
 use super::forecast::Forecast;
 use super::heat::Heat;
@@ -37,7 +37,7 @@ use super::untested::Untested;
 use crate::documents::Documents;
 use crate::map::ScreenFromWorld;
 use crate::views::LandmarkList;
-use pilotage_jobs::{AssessmentOrder, PlannedPath, PredictionOrder};
+use pilotage_jobs::{AssessmentOrder, PlanCircumstances, PlannedPath, PredictionOrder};
 
 /// Preferences and assumptions of the user; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -212,15 +212,12 @@ impl Planner {
 
     /// Order of the measurement of a landmark.
     pub fn assessment(&self, landmark: &Landmark, documents: &Documents) -> AssessmentOrder {
-        AssessmentOrder {
-            map: documents.map.source.clone(),
-            landmark: landmark.clone(),
-            camera: camera(documents),
-            height: flown_height(documents),
-            navigator: documents.mission.navigator.clone(),
-            ground_down: ground_down(documents),
-            seed: AssessmentOrder::SEED,
-        }
+        self.planned_with(documents).assessment(landmark)
+    }
+
+    /// Circumstances with which orders of the plan are made.
+    pub(super) fn planned_with(&self, documents: &Documents) -> PlanCircumstances {
+        planned_with(documents, self.preferences.heat.position)
     }
 
     /// Expected detections of a landmark: as it was tested, or as of one that nobody tested.

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::button::button;
 use super::command::PlanCommand;
-use super::flown::{flown_height, flown_way, ground_down};
+use super::flown::flown_way;
 use super::planner::Planner;
 use super::suggest_command::SuggestCommand;
 use super::suggestions::is_added;
@@ -18,7 +18,6 @@ use crate::documents::{Added, Brought, Documents};
 use crate::map::{ScreenFromWorld, paint_halo_text, paint_lifted_line};
 use crate::shell::{caption, icon_button, icons::Icon, muted};
 use crate::tokens::Tokens;
-use pilotage_core::plan::cruise;
 use pilotage_jobs::SuggestOrder;
 
 impl Planner {
@@ -26,21 +25,10 @@ impl Planner {
     pub fn suggest_order(&self, documents: &Documents) -> Option<SuggestOrder> {
         documents.map.info.as_ref()?;
         let mission = &documents.mission;
-        let route = mission.selected_route();
-        let speed = route.and_then(|r| r.way_points.first()?.speed);
-        let way = route.map(|route| flown_way(route, documents, self.preferences.bank));
-        Some(SuggestOrder {
-            map: documents.map.source.clone(),
-            view: self.field_view(documents, flown_height(documents)),
-            way_points: way.map_or_else(Vec::new, |way| way.places),
-            speed: speed.unwrap_or_else(cruise),
-            ground_down: ground_down(documents),
-            navigator: mission.navigator.clone(),
-            taken: mission.landmarks.iter().map(|l| l.bounds).collect(),
-            count: self.preferences.suggest,
-            side: None,
-            seed: SuggestOrder::SEED,
-        })
+        let way = |route| flown_way(route, documents, self.preferences.bank).places;
+        let along = mission.selected_route().map(|route| (route, way(route)));
+        let with = self.planned_with(documents);
+        Some(with.proposal(&mission.landmarks, along, self.preferences.suggest))
     }
 
     /// Carries a command out; the landmarks that were added.

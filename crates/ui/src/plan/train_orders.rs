@@ -3,7 +3,6 @@
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, Mission};
 
-use super::flown::{camera, flown_height, ground_down};
 use super::planner::Planner;
 use crate::documents::Documents;
 use pilotage_jobs::{FlightSource, LabelledFrames, TrainOrder};
@@ -31,22 +30,11 @@ impl Planner {
     /// Orders of trainings for landmarks.
     pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
         let mission = &documents.mission;
-        let height = flown_height(documents);
+        let with = self.planned_with(documents);
+        let plan = TrainOrder::usual_plan(mission, self.preferences.photos);
         let landmarks = ids.iter().filter_map(|id| mission.landmark(*id));
         let order = |landmark: &Landmark| {
-            let landmark = landmark.untrained();
-            TrainOrder {
-                map: documents.map.source.clone(),
-                camera: camera(documents),
-                height,
-                sensors: mission.navigator.sensors,
-                ground_down: ground_down(documents),
-                plan: TrainOrder::usual_plan(mission, self.preferences.photos),
-                look_alikes_within: self.look_alike_radius(documents, &landmark.bounds),
-                labelled: labelled(&landmark, documents),
-                left: None,
-                landmark,
-            }
+            with.training(landmark, plan.clone(), labelled(landmark, documents))
         };
         landmarks.map(order).collect()
     }

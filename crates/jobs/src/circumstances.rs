@@ -1,0 +1,153 @@
+//! Circumstances of a plan, of which its orders are made alike wherever people plan.
+
+use pilotage_core::camera::CameraModel;
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Route;
+use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::plan::{FieldView, cruise};
+use pilotage_core::training::TrainingPlan;
+
+use super::{AssessmentOrder, LabelledFrames, MapSource, SuggestOrder, TrainOrder};
+
+/// Map of a plan, and how it is flown over.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanCircumstances {
+    /// The map.
+    pub map: MapSource,
+    /// The camera.
+    pub camera: CameraModel,
+    /// Mean height above ground, metres.
+    pub height: f64,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    /// Settings of the navigator.
+    pub navigator: NavigatorSettings,
+    /// Standard deviation of the position per axis with which landmarks are looked for, metres.
+    pub position: f64,
+}
+
+impl PlanCircumstances {
+    /// View of the ground.
+    pub fn view(&self) -> FieldView {
+        let camera = self.camera.clone();
+        FieldView::of_flight(camera, self.height, self.position, &self.navigator.sensors)
+    }
+
+    /// Distance around a box within which a landmark is looked for, metres.
+    pub fn searched(&self, bounds: &GroundRect) -> f64 {
+        let side = bounds.width().max(bounds.height());
+        let sigmas = self.navigator.detector.search_sigmas;
+        self.view().searched(sigmas, side)
+    }
+
+    /// Order to measure a landmark, on the days that everybody takes.
+    pub fn assessment(&self, landmark: &Landmark) -> AssessmentOrder {
+        AssessmentOrder {
+            map: self.map.clone(),
+            landmark: landmark.clone(),
+            camera: self.camera.clone(),
+            height: self.height,
+            navigator: self.navigator.clone(),
+            ground_down: self.ground_down,
+            seed: AssessmentOrder::SEED,
+        }
+    }
+
+    /// Order to train a detector for a landmark, without the one that it has.
+    pub fn training(
+        &self,
+        landmark: &Landmark,
+        plan: TrainingPlan,
+        labelled: Option<LabelledFrames>,
+    ) -> TrainOrder {
+        TrainOrder {
+            map: self.map.clone(),
+            landmark: landmark.untrained(),
+            camera: self.camera.clone(),
+            height: self.height,
+            sensors: self.navigator.sensors,
+            ground_down: self.ground_down,
+            plan,
+            look_alikes_within: self.searched(&landmark.bounds),
+            labelled,
+            left: None,
+        }
+    }
+
+    /// Order to propose up to `count` landmarks beside those that are there, along the places of a route's way, or all over
+    /// the map without a route.
+    pub fn proposal(
+        &self,
+        landmarks: &[Landmark],
+        route: Option<(&Route, Vec<GroundPoint>)>,
+        count: usize,
+    ) -> SuggestOrder {
+        let first = route
+            .as_ref()
+            .and_then(|(route, _)| route.way_points.first());
+        let stated = first.and_then(|way_point| way_point.speed);
+        SuggestOrder {
+            map: self.map.clone(),
+            view: self.view(),
+            speed: stated.unwrap_or_else(cruise),
+            way_points: route.map_or_else(Vec::new, |(_, places)| places),
+            ground_down: self.ground_down,
+            navigator: self.navigator.clone(),
+            taken: landmarks.iter().map(|landmark| landmark.bounds).collect(),
+            count,
+            side: None,
+            seed: SuggestOrder::SEED,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::frames::{Altitude, AltitudeFrame};
+    use pilotage_core::mission::WayPoint;
+    use pilotage_core::plan::Proposal;
+
+    use super::*;
+
+    #[test]
+    fn orders_of_one_plan_agree_in_what_it_is_flown_with() {
+        let with = PlanCircumstances {
+            map: MapSource::world("countryside"),
+            camera: CameraModel::pinhole(640, 480, 1.0),
+            height: 130.0,
+            ground_down: -5.0,
+            navigator: NavigatorSettings::default(),
+            position: Proposal::POSITION,
+        };
+        let bounds = GroundRect::centered(GroundPoint::new(10.0, 20.0), 30.0, 40.0);
+        let landmark = Landmark::new(3, "barn", bounds);
+        let measured = with.assessment(&landmark);
+        let trained = with.training(&landmark, TrainingPlan::default(), None);
+        let altitude = Altitude::new(130.0, AltitudeFrame::AboveGround);
+        let route = Route {
+            way_points: vec![WayPoint {
+                speed: Some(17.0),
+                ..WayPoint::new(GroundPoint::default(), altitude)
+            }],
+            ..Route::default()
+        };
+        let along = Some((&route, vec![GroundPoint::default()]));
+        let proposed = with.proposal(std::slice::from_ref(&landmark), along, 4);
+        assert_eq!(
+            (measured.height, trained.height, proposed.view.height),
+            (130.0, 130.0, 130.0)
+        );
+        assert_eq!(
+            (measured.ground_down, trained.ground_down),
+            (-5.0, proposed.ground_down)
+        );
+        assert_eq!(
+            (proposed.speed, proposed.taken.as_slice()),
+            (17.0, &[bounds][..])
+        );
+        assert!(trained.look_alikes_within >= 40.0, "a box at least");
+        let anywhere = with.proposal(&[], None, 4);
+        assert!(anywhere.way_points.is_empty() && (anywhere.speed - cruise()).abs() < 1e-9);
+    }
+}
