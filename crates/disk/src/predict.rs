@@ -6,6 +6,23 @@ use pilotage_jobs::{FINE, PredictionOrder};
 use crate::landmarks::{Say, expected};
 use crate::planned_flight::PlannedFlight;
 
+/// Order to predict without landmarks, in the worlds of the page or those of `seed`.
+///
+/// # Errors
+/// A mission without a route.
+pub fn prediction(
+    ground: &PlannedFlight,
+    seed: Option<u64>,
+) -> Result<PredictionOrder, &'static str> {
+    let plan = ground.plan.as_ref();
+    let plan = plan.ok_or("the mission has no route to predict along")?;
+    Ok(PredictionOrder {
+        navigator: ground.mission.navigator.clone(),
+        seed: seed.unwrap_or(PredictionOrder::SEED),
+        ..plan.clone()
+    })
+}
+
 /// Measures the landmarks and predicts, as the page does or on days and in worlds of `seed`, with stretches over `limit`
 /// metres; what was predicted of comes with it.
 pub fn predict(
@@ -14,17 +31,14 @@ pub fn predict(
     limit: f64,
     say: Say<'_>,
 ) -> Result<(PredictionOrder, RoutePrediction), Box<dyn std::error::Error>> {
-    let plan = ground
-        .plan
-        .as_ref()
-        .ok_or("the mission has no route to predict along")?;
+    let order = PredictionOrder {
+        worlds: FINE,
+        limit,
+        ..prediction(ground, seed)?
+    };
     let order = PredictionOrder {
         landmarks: expected(ground, seed, say)?,
-        navigator: ground.mission.navigator.clone(),
-        worlds: FINE,
-        seed: seed.unwrap_or(PredictionOrder::SEED),
-        limit,
-        ..plan.clone()
+        ..order
     };
     let begun = std::time::Instant::now();
     let prediction = order.predict()?;

@@ -10,6 +10,7 @@ use pilotage_core::plan::{
 };
 use pilotage_disk::landmarks::{enabled, expected};
 use pilotage_disk::planned_flight::{PlanSource, PlannedFlight};
+use pilotage_disk::predict::prediction;
 use pilotage_jobs::{FINE, PredictionOrder};
 use pyo3::prelude::*;
 
@@ -76,10 +77,7 @@ pub fn predict_route(
     };
     let predict = || -> Result<PythonPrediction, Box<dyn std::error::Error>> {
         let ground = PlannedFlight::along(&source, route)?;
-        let plan = ground
-            .plan
-            .as_ref()
-            .ok_or("the mission has no route to predict along")?;
+        let order = prediction(&ground, seed)?;
         let notes = RefCell::new(ground.notes.clone());
         let say = |line: &str| notes.borrow_mut().push(line.to_owned());
         let landmarks = match detection {
@@ -93,11 +91,9 @@ pub fn predict_route(
         };
         let order = PredictionOrder {
             landmarks,
-            navigator: ground.mission.navigator.clone(),
             worlds,
-            seed: seed.unwrap_or(PredictionOrder::SEED),
             limit,
-            ..plan.clone()
+            ..order
         };
         let names = order.landmarks.iter();
         Ok(PythonPrediction {

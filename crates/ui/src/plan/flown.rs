@@ -7,7 +7,7 @@ use pilotage_core::plan::{FlownWay, home_way_point};
 use pilotage_core::simulate::{Scenario, Wind};
 
 use crate::documents::Documents;
-use pilotage_jobs::{FlightSource, PlanCircumstances};
+use pilotage_jobs::PlanCircumstances;
 
 /// The mean wind of the open flight.
 pub fn flight_wind(documents: &Documents) -> Wind {
@@ -55,12 +55,12 @@ pub fn line(places: &[GroundPoint], altitude: Altitude) -> Route {
     }
 }
 
-/// Mean height of a route above the ground below it, metres.
+/// Mean height of a route above the ground below it, metres; the usual one while it has no way-point.
 pub fn height(route: &Route, documents: &Documents) -> f64 {
     let relief = documents.relief();
     let at = |p: &GroundPoint| relief.at(p);
     let mean = relief.under(route, &at).mean_above(route);
-    mean.unwrap_or(FlightSource::USUAL_HEIGHT)
+    mean.unwrap_or_else(|| usual_altitude(documents).metres)
 }
 
 /// Height above ground of the selected route, or the usual one, metres.
