@@ -88,14 +88,9 @@ fn by_mission(own: &OwnMap) -> Result<OwnPlan, Box<dyn std::error::Error>> {
         .plan
         .ok_or("the mission has no route to fly; add one, or leave it out and say --route")?;
     let route = ground.mission.routes.first();
-    let planned = RehearsedFlight {
-        name: route.map_or_else(String::new, |route| route.name.clone()),
-        origin: ground.mission.origin,
-        path: plan.path,
-        wind_deviation: plan.navigator.start.wind,
-        map: ground.source,
-        seed: 1,
-    };
+    let name = route.map_or_else(String::new, |route| route.name.clone());
+    let of = (name, ground.mission.origin);
+    let planned = RehearsedFlight::of_plan(plan, of, ground.source, 1);
     Ok((planned, lent))
 }
 

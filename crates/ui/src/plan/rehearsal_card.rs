@@ -57,14 +57,8 @@ impl Planner {
             .filter(|_| self.rehearsal.is_of_now());
         let seed = seed.or_else(|| Some(worst?.seed)).unwrap_or(1);
         let map = documents.map.source.clone();
-        let flight = RehearsedFlight {
-            name,
-            origin: documents.mission.origin,
-            wind_deviation: plan.navigator.start.wind,
-            path: plan.path,
-            map: map.clone(),
-            seed,
-        };
+        let of = (name, documents.mission.origin);
+        let flight = RehearsedFlight::of_plan(plan, of, map.clone(), seed);
         context.fly_over(FlightSource::Rehearsed(Box::new(flight)), map);
         context.ask(Command::ShowWorkspace(Workspace::Replay));
     }
