@@ -64,7 +64,10 @@ impl Lesson for YourTurn {
         let height = (rect.height() - 2.0 * tokens.space - head) / rows.len().max(1) as f32;
         let left = rect.left() + 10.5 * tokens.text_sizes[0];
         let width = rect.right() - 6.0 * tokens.text_sizes[0] - left;
-        let corner = pos2(rect.right() - tokens.space, rect.top() + 0.75 * tokens.space);
+        let corner = pos2(
+            rect.right() - tokens.space,
+            rect.top() + 0.75 * tokens.space,
+        );
         let heading = "looks: used (blue) / refused (orange)";
         figure.caption(corner, Align2::RIGHT_TOP, heading, tokens.muted);
         for (i, (id, used, refused)) in rows.iter().enumerate() {
