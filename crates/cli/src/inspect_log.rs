@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::flight::FlightFolder;
 use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::in_log_time;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
 use pilotage_core::flight::log::{Log, LogOutline, SetParameter};
 use pilotage_core::flight::overview::{Overview, Severity, modes, overview};
@@ -103,7 +104,7 @@ fn judged(seen: &Overview) {
             Severity::Warning => "warning",
             Severity::Trouble => "trouble",
         };
-        println!("{word}: {}. {}", finding.title, finding.text);
+        println!("{word}: {}. {}", finding.title, in_log_time(&finding.text));
     }
     for ability in &seen.abilities {
         match &ability.lacks {

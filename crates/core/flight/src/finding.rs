@@ -20,7 +20,8 @@ pub struct Finding {
     pub severity: Severity,
     /// Its name, in a few words.
     pub title: String,
-    /// The measurement and its consequence, in a sentence or two.
+    /// The measurement and its consequence, in a sentence or two; times in it are moments
+    /// ([`moment`](crate::moment)).
     pub text: String,
     /// Its time, seconds in the log's time base, where it has a time.
     pub span: Option<(f64, f64)>,

@@ -4,6 +4,7 @@ use egui::{RichText, Ui};
 use pilotage_core::exchange::Format;
 use pilotage_core::flight::log::{LogFormat, LogOutline};
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
+use pilotage_core::flight::with_moments;
 use pilotage_core::sorting::sort;
 use pilotage_core::text::capitalised;
 
@@ -217,7 +218,8 @@ fn findings(ui: &mut Ui, context: &mut ViewContext<'_>, findings: &[Finding], fi
                 }
                 None => ui.label(heading),
             };
-            let text = capitalised(&finding.text);
+            let text = with_moments(&finding.text, |time| clock(time, first));
+            let text = capitalised(&text);
             response.on_hover_text(&text);
             ui.label(
                 RichText::new(text)

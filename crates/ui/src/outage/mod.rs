@@ -7,6 +7,7 @@ mod state;
 mod wind;
 
 use egui::{Key, Ui};
+use pilotage_core::flight::in_log_time;
 use pilotage_core::instruments::PositionFix;
 use pilotage_core::navigator::position_fixes;
 use pilotage_jobs::{Job, JobEvent, JobId, Outage, OutageOrder};
@@ -182,7 +183,7 @@ impl Feature for Outages {
         json!({
             "span": report.map(|r| [r.span.0, r.span.1]),
             "results": results.collect::<Vec<_>>(),
-            "remarks": report.map(|r| r.remarks.clone()),
+            "remarks": report.map(|r| r.remarks.iter().map(|it| in_log_time(it)).collect::<Vec<_>>()),
             "winds": report.and_then(|r| r.winds.as_ref()),
             "study": study,
             "trouble": self.work.trouble,

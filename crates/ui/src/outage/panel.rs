@@ -2,6 +2,8 @@
 
 use egui::{RichText, Stroke, Ui, vec2};
 
+use pilotage_core::flight::with_moments;
+
 use super::chart::{colour, growth_chart};
 use super::state::{OutageCommand, Outages, measures_airspeed};
 use super::wind::winds;
@@ -165,7 +167,8 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
     );
     ui.add(egui::Label::new(small(caption)).wrap());
     for remark in &report.remarks {
-        wrapped(ui, tokens.warning, remark);
+        let remark = with_moments(remark, |time| clock(time, context.clock_zero));
+        wrapped(ui, tokens.warning, &remark);
     }
 }
 

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::calibration::HeadingSource;
 use super::series::Series;
 use pilotage_base::frames::wrap_pi;
-use pilotage_flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity, moment};
 
 /// Share of the nose's direction that must lie in the horizontal for its heading to mean something.
 const LEVEL: f64 = 0.5;
@@ -113,10 +113,10 @@ impl HeadingCheck {
             ),
             text: format!(
                 "The logged heading strays from what the turn rates add up to by {:.0}° (standard deviation; a \
-                 constant and a steady drift do not count), most by {:.0}° at {:.1} s.{fits} {taken}",
+                 constant and a steady drift do not count), most by {:.0}° at {}.{fits} {taken}",
                 self.deviation.to_degrees(),
                 self.largest.to_degrees(),
-                self.at
+                moment(self.at)
             ),
             span: Some(self.span),
         })

@@ -2,7 +2,7 @@
 
 use super::series::{LONGEST_GAP, Series, SeriesValue};
 use super::statistics::quantile;
-use pilotage_flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity, moment};
 
 /// Shortest time for which a sensor that moves shows the same number when it is stuck, seconds.
 const STUCK: f64 = 3.0;
@@ -81,8 +81,9 @@ pub fn stuck_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
         severity: Severity::Warning,
         title: format!("{what} is stuck"),
         text: format!(
-            "It shows one and the same number until {to:.1} s and is refused from {from:.1} s on, when that \
-             could be noticed.{more}"
+            "It shows one and the same number until {} and is refused from {} on, when that could be noticed.{more}",
+            moment(*to),
+            moment(*from)
         ),
         span: Some((*from, *to)),
     }]
@@ -104,7 +105,11 @@ pub fn gap_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
     vec![Finding {
         severity: Severity::Warning,
         title: format!("{what} is missing for {:.1} s in the air", to - from),
-        text: format!("There is no sample between {from:.1} and {to:.1} s.{more}"),
+        text: format!(
+            "There is no sample between {} and {}.{more}",
+            moment(*from),
+            moment(*to)
+        ),
         span: Some((*from, *to)),
     }]
 }

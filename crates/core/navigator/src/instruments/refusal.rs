@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use pilotage_flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity, moment};
 
 /// Longest pause between two refusals of one stretch, seconds.
 const LONGEST_PAUSE: f64 = 2.0;
@@ -57,12 +57,14 @@ impl RefusedStretch {
             severity: Severity::Warning,
             title: format!("{what} refused"),
             text: format!(
-                "{} between {from:.1} and {to:.1} s, up to {:.1} {unit} from where airspeed, heading and wind \
-                 put it, which is more than the doubt about them allows.{end}",
+                "{} between {} and {}, up to {:.1} {unit} from where airspeed, heading and wind put it, which is more \
+                 than the doubt about them allows.{end}",
                 match self.count {
                     1 => "One measurement".to_owned(),
                     n => format!("{n} measurements"),
                 },
+                moment(from),
+                moment(to),
                 self.largest
             ),
             span: Some(self.span),

@@ -3,7 +3,7 @@
 use std::mem::discriminant;
 
 use super::{Doubt, Run};
-use pilotage_flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity, moment};
 
 impl Run {
     /// Findings on what the navigator did not believe in any of the steps: once for each instrument and
@@ -35,7 +35,11 @@ fn findings(doubts: impl Iterator<Item = (f64, Doubt)>) -> Vec<Finding> {
     let finding = |(doubt, from, until): (Doubt, f64, f64)| Finding {
         severity: Severity::Warning,
         title: format!("In flight: {}", doubt.words()),
-        text: format!("The navigator allowed for it from {from:.1} s to {until:.1} s."),
+        text: format!(
+            "The navigator allowed for it from {} to {}.",
+            moment(from),
+            moment(until)
+        ),
         span: Some((from, until)),
     };
     last.into_iter().map(finding).collect()

@@ -3,6 +3,7 @@
 use super::sensor::{SampleGap, Sensor, often};
 use super::{Finding, Severity};
 use crate::interpret::Role;
+use pilotage_flight::moment;
 
 /// Seconds by which the ends of two stretches with one cause may lie apart.
 const NEAR: f64 = 2.0;
@@ -118,9 +119,11 @@ fn is_held(group: &[&Sensor]) -> Option<Finding> {
             to - from
         ),
         text: format!(
-            "{} {} one number from {from:.1} to {to:.1} s.",
+            "{} {} one number from {} to {}.",
             sources(group),
-            verb(group, "shows", "each show")
+            verb(group, "shows", "each show"),
+            moment(from),
+            moment(to)
         ),
         span: Some((from, to)),
     })
@@ -152,11 +155,11 @@ fn is_missing(group: &[&Sensor]) -> Option<Finding> {
             gap.to - gap.from
         ),
         text: format!(
-            "{} {} no sample between {:.1} and {:.1} s{usual}.{others}",
+            "{} {} no sample between {} and {}{usual}.{others}",
             sources(group),
             verb(group, "has", "have"),
-            gap.from,
-            gap.to
+            moment(gap.from),
+            moment(gap.to)
         ),
         span: Some((gap.from, gap.to)),
     })

@@ -2,7 +2,7 @@
 
 use super::super::interpret::{Role, RoleSeries};
 use super::{Finding, Severity};
-use pilotage_flight::TruthState;
+use pilotage_flight::{TruthState, moment};
 
 /// A jump is this many times the usual disagreement between positions and velocities, and at least so
 /// many metres.
@@ -52,7 +52,8 @@ pub fn findings(found: &[RoleSeries], states: &[TruthState]) -> Vec<Finding> {
         title: format!("GPS jumps by {size:.0} m"),
         text: format!(
             "{count} the position moved by more than its own velocity tells (usually they agree to \
-             {usual:.1} m); most at {time:.1} s."
+             {usual:.1} m); most at {}.",
+            moment(*time)
         ),
         span: Some((*time, *time)),
     }]

@@ -3,6 +3,7 @@
 use super::super::interpret::RoleSeries;
 use super::{Finding, Severity};
 use crate::log::{Log, Topic};
+use pilotage_flight::moment;
 
 /// Shortest stretch that counts, seconds.
 const LEAST: f64 = 3.0;
@@ -110,7 +111,7 @@ pub fn several(
         } else {
             format!(" ({})", modes.join(", "))
         };
-        format!("from {from:.0} to {to:.0} s{modes}")
+        format!("from {} to {}{modes}", moment(*from), moment(*to))
     });
     Some(Finding {
         severity: Severity::Note,

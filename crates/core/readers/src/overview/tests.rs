@@ -1,6 +1,7 @@
 //! Flights that are made here, and what is said of them.
 
 use nalgebra::{Point3, Vector2};
+use pilotage_flight::in_log_time;
 
 use super::super::interpret::{Role, RoleSeries};
 use super::*;
@@ -189,8 +190,8 @@ fn what_the_autopilot_says_of_flying_is_believed_and_two_flights_are_two() {
     let told = states::several(&log, &flights, |_| true).unwrap();
     assert_eq!(told.title, "2 flights in one log");
     assert_eq!(
-        told.text,
-        "It was in the air from 5 to 40 s (STABILIZE, AUTO), from 60 to 90 s (LOITER)."
+        in_log_time(&told.text),
+        "It was in the air from 5.0 s to 40.0 s (STABILIZE, AUTO), from 60.0 s to 90.0 s (LOITER)."
     );
     assert_eq!(states::several(&log, &flights[..1], |_| true), None);
 }
