@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use pilotage_base::frames::Ellipsoid;
 
 use super::solutions::{missing_names, of_baselines};
+use super::table_text::{joined, solution_cells, solution_separator};
 use super::told_clocks::with_told_clocks;
 use super::variation::with_true_directions;
 
@@ -76,7 +77,7 @@ fn with_names_of_three(text: &str) -> String {
         if !line.starts_with('%') {
             return line.to_owned();
         }
-        let separator = separator_of(line);
+        let separator = solution_separator(line);
         THREE_CELLS
             .iter()
             .fold(line.to_owned(), |line, (name, three)| {
@@ -86,26 +87,13 @@ fn with_names_of_three(text: &str) -> String {
     joined(text.lines().map(line))
 }
 
-/// Separator of the cells of RTKLIB's tables.
-fn separator_of(line: &str) -> &'static str {
-    let found = [",", ";", "\t"].into_iter();
-    found.into_iter().find(|c| line.contains(*c)).unwrap_or(" ")
-}
-
 /// Latitude, longitude and height for geocentric coordinates; velocities along their axes are left out.
 fn geodetic(text: &str) -> String {
     let (mut separator, mut names) = (" ", Vec::new());
-    let split = |line: &str, separator: &str| -> Vec<String> {
-        let cells: Vec<&str> = match separator {
-            " " => line.split_whitespace().collect(),
-            separator => line.split(separator).map(str::trim).collect(),
-        };
-        cells.into_iter().map(str::to_owned).collect()
-    };
     let line = |line: &str| {
         if line.starts_with('%') && line.contains(GEOCENTRIC) {
-            separator = separator_of(line);
-            names = split(line.trim_start_matches('%'), separator);
+            separator = solution_separator(line);
+            names = solution_cells(line.trim_start_matches('%'), separator);
             let velocity = names.iter().position(|name| name == GEOCENTRIC_VELOCITY);
             let mut told = names[..velocity.unwrap_or(names.len())].to_vec();
             if let Some(x) = told.iter().position(|name| name == GEOCENTRIC)
@@ -119,7 +107,7 @@ fn geodetic(text: &str) -> String {
         let Some(x) = names.iter().position(|name| name == GEOCENTRIC) else {
             return line.to_owned();
         };
-        let mut cells = split(line, separator);
+        let mut cells = solution_cells(line, separator);
         // Date and time of day have one name.
         let more = cells.len().saturating_sub(names.len());
         let at = x + more;
@@ -142,8 +130,4 @@ fn geodetic(text: &str) -> String {
         cells.join(separator)
     };
     joined(text.lines().map(line))
-}
-
-fn joined(lines: impl Iterator<Item = String>) -> String {
-    lines.fold(String::new(), |text, line| text + &line + "\n")
 }

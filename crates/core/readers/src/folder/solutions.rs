@@ -3,6 +3,8 @@
 use nalgebra::Point3;
 use pilotage_base::frames::{Geodetic, LocalFrame};
 
+use super::table_text::{joined, solution_cells, solution_separator};
+
 /// Names of the first of three coordinates of a baseline.
 const BASELINE: &str = "e-baseline(m)";
 /// Names behind the time.
@@ -17,11 +19,8 @@ pub(super) fn missing_names(text: &[u8]) -> Option<String> {
         .split(|b| *b == b'\n')
         .find(|line| !line.trim_ascii().is_empty())?;
     let line = std::str::from_utf8(line).ok()?;
-    let separator = [',', ';', '\t'].into_iter().find(|c| line.contains(*c));
-    let cells: Vec<&str> = match separator {
-        Some(separator) => line.trim().split(separator).map(str::trim).collect(),
-        None => line.split_whitespace().collect(),
-    };
+    let separator = solution_separator(line);
+    let cells = solution_cells(line.trim(), separator);
     let number = |at: usize| cells.get(at).and_then(|cell| cell.parse::<f64>().ok());
     let is_day = |cell: &str| {
         let parts: Vec<&str> = cell.split('/').collect();
@@ -33,7 +32,7 @@ pub(super) fn missing_names(text: &[u8]) -> Option<String> {
     // Date and time may be one cell.
     let (names, first) = match cells.first()?.split_once(' ') {
         Some((day, clock)) if is_day(day) && is_clock(clock) => ("GPST", 1),
-        None if is_day(cells[0]) && cells.get(1).is_some_and(|cell| is_clock(cell)) => ("GPST", 2),
+        None if is_day(&cells[0]) && cells.get(1).is_some_and(|cell| is_clock(cell)) => ("GPST", 2),
         None if number(0)
             .is_some_and(|week| (1000.0..4096.0).contains(&week) && week.fract() == 0.0)
             && number(1).is_some_and(|second| (0.0..=604_800.0).contains(&second)) =>
@@ -54,10 +53,9 @@ pub(super) fn missing_names(text: &[u8]) -> Option<String> {
     if !is_position || !(8..=told.len()).contains(&count) {
         return None;
     }
-    let separator = separator.unwrap_or(' ').to_string();
     Some(format!(
         "%{names}{separator}{}\n",
-        told[..count].join(&separator)
+        told[..count].join(separator)
     ))
 }
 
@@ -96,16 +94,8 @@ pub(super) fn of_baselines(text: &str) -> Option<String> {
         .find(|line| line.contains(BASELINE))
         .filter(|_| is_geodetic)?;
     let frame = LocalFrame::new(Geodetic::from_degrees(station[0], station[1], station[2]));
-    let separator = [",", ";", "\t"].into_iter().find(|c| names.contains(*c));
-    let split = |line: &str| -> Vec<String> {
-        let own = |cell: &str| cell.trim().to_owned();
-        match separator {
-            Some(separator) => line.split(separator).map(own).collect(),
-            None => line.split_whitespace().map(own).collect(),
-        }
-    };
-    let separator = separator.unwrap_or(" ");
-    let columns = split(names.trim_start_matches('%'));
+    let separator = solution_separator(names);
+    let columns = solution_cells(names.trim_start_matches('%'), separator);
     let first = columns.iter().position(|name| name == BASELINE)?;
     let line = |line: &str| {
         if line.starts_with('%') {
@@ -115,7 +105,7 @@ pub(super) fn of_baselines(text: &str) -> Option<String> {
                 .replace("u-baseline(m)", "height(m)");
             return names;
         }
-        let mut cells = split(line);
+        let mut cells = solution_cells(line, separator);
         // Date and time of day have one name.
         let at = first + cells.len().saturating_sub(columns.len());
         let number = |index: usize| cells.get(index)?.parse::<f64>().ok();
@@ -128,10 +118,7 @@ pub(super) fn of_baselines(text: &str) -> Option<String> {
         cells[at + 2] = format!("{:.4}", place.height);
         cells.join(separator)
     };
-    Some(
-        text.lines()
-            .fold(String::new(), |text, next| text + &line(next) + "\n"),
-    )
+    Some(joined(text.lines().map(line)))
 }
 
 #[cfg(test)]

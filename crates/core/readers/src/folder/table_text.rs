@@ -77,6 +77,34 @@ pub(super) fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
     places
 }
 
+/// Separator of the cells of RTKLIB's tables.
+pub(super) fn solution_separator(line: &str) -> &'static str {
+    let found = [",", ";", "\t"].into_iter();
+    found.into_iter().find(|c| line.contains(*c)).unwrap_or(" ")
+}
+
+/// The cells of a line of RTKLIB's, without blanks around them.
+pub(super) fn solution_cells(line: &str, separator: &str) -> Vec<String> {
+    let cells: Vec<&str> = match separator {
+        " " => line.split_whitespace().collect(),
+        separator => line.split(separator).map(str::trim).collect(),
+    };
+    cells.into_iter().map(str::to_owned).collect()
+}
+
+/// Separator of a line of names: the one that it has most of.
+pub(super) fn name_separator(line: &str) -> char {
+    let found = [',', ';', '\t'].into_iter();
+    found
+        .max_by_key(|c| line.matches(*c).count())
+        .unwrap_or(',')
+}
+
+/// A text of these lines.
+pub(super) fn joined(lines: impl Iterator<Item = String>) -> String {
+    lines.fold(String::new(), |text, line| text + &line + "\n")
+}
+
 /// Words of a name in small letters.
 pub(super) fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];

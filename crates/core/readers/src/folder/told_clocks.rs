@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::table_text::{joined, name_separator};
 use crate::cells::has_zone;
 
 /// Columns of Garmin: day and time where the aircraft is, and hours from Greenwich.
@@ -37,14 +38,6 @@ pub(super) fn with_told_clocks(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
         with_zones(&text, number).or_else(|| in_seconds(&text, number))
     };
     changed.map_or(text, |changed| Cow::Owned(changed.into_bytes()))
-}
-
-/// Separator of a line of names.
-fn separator_of(line: &str) -> char {
-    let found = [',', ';', '\t'].into_iter();
-    found
-        .max_by_key(|c| line.matches(*c).count())
-        .unwrap_or(',')
 }
 
 /// Columns of those names.
@@ -94,7 +87,7 @@ fn clock(names: &str, separator: char) -> Option<(usize, usize, Option<usize>)> 
 
 fn with_zones(text: &str, number: usize) -> Option<String> {
     let names = text.lines().nth(number)?;
-    let separator = separator_of(names);
+    let separator = name_separator(names);
     let (date, time, offset) = clock(names, separator)?;
     if has_late_dates(text.lines().skip(number + 1), separator, (date, time)) {
         return None;
@@ -113,11 +106,7 @@ fn with_zones(text: &str, number: usize) -> Option<String> {
         cells[time] = &told;
         cells.join(&separator.to_string())
     };
-    Some(
-        text.lines()
-            .enumerate()
-            .fold(String::new(), |text, next| text + &line(next) + "\n"),
-    )
+    Some(joined(text.lines().enumerate().map(line)))
 }
 
 /// Whether the date stays as it is over midnight: it is that of the beginning then.
@@ -145,7 +134,7 @@ fn has_late_dates<'a>(
 
 fn in_seconds(text: &str, number: usize) -> Option<String> {
     let names = text.lines().nth(number)?;
-    let separator = separator_of(names);
+    let separator = name_separator(names);
     let [clock] = columns(names, separator, [FINE.0])?;
     let is_time = |name: &str| {
         let name = name.to_lowercase();
@@ -176,12 +165,7 @@ fn in_seconds(text: &str, number: usize) -> Option<String> {
         cells[clock] = &told;
         cells.join(&separator.to_string())
     };
-    Some(
-        text.lines()
-            .enumerate()
-            .map(line)
-            .fold(String::new(), |text, line| text + &line + "\n"),
-    )
+    Some(joined(text.lines().enumerate().map(line)))
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use super::table_text::{joined, name_separator};
+
 /// Names of the columns that are added, degrees clockwise from true north.
 const HEADING: &str = "true heading by variation [deg]";
 const TRACK: &str = "track by variation [deg]";
@@ -63,16 +65,11 @@ fn changed(text: &str) -> Option<String> {
                 line = format!("{line}{separator}{}", value.unwrap_or_default());
             }
         }
-        line + "\n"
+        line
     };
     let is_any = magnetic.iter().any(Option::is_some);
-    is_any.then(|| {
-        text.lines()
-            .enumerate()
-            .fold(String::new(), |text, (index, line)| {
-                text + &added(line, index)
-            })
-    })
+    let lines = text.lines().enumerate();
+    is_any.then(|| joined(lines.map(|(index, line)| added(line, index))))
 }
 
 fn number_in(cell: &str) -> Option<f64> {
@@ -81,8 +78,7 @@ fn number_in(cell: &str) -> Option<f64> {
 
 /// The columns of a line of names.
 fn columns(line: &str) -> Option<MagneticColumns> {
-    let separators = [',', ';', '\t'].into_iter();
-    let separator = separators.max_by_key(|c| line.matches(*c).count())?;
+    let separator = name_separator(line);
     let names: Vec<&str> = line.split(separator).map(str::trim).collect();
     let plain: Vec<String> = names.iter().map(|name| plain(name)).collect();
     let find = |wanted: &[&str]| {
