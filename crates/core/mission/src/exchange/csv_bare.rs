@@ -4,6 +4,7 @@
 use std::collections::HashSet;
 
 use pilotage_base::frames::ReferenceSystem;
+use pilotage_base::text::{csv_cell, in_quotes};
 
 use super::angle;
 use super::csv_preface::{is_comment, names_places};
@@ -147,24 +148,16 @@ fn of_system(system: &ReferenceSystem, rows: &[Option<Row>]) -> NamedTable {
 
 /// The cells of a row below `name,longitude,latitude`, degrees on WGS 84; what has no place keeps its cells.
 fn cells(system: &ReferenceSystem, name: &str, x: &str, y: &str, rest: &[String]) -> String {
-    let name = name.replace('"', "\"\"");
+    let name = in_quotes(name);
     let mut text = match place(system, x, y) {
-        Some((longitude, latitude)) => format!("\"{name}\",{longitude},{latitude}"),
-        None => format!("\"{name}\",{x},{y}"),
+        Some((longitude, latitude)) => format!("{name},{longitude},{latitude}"),
+        None => format!("{name},{x},{y}"),
     };
     for cell in rest {
         text.push(',');
-        text.push_str(&quoted(cell));
+        text.push_str(&csv_cell(cell));
     }
     text
-}
-
-/// A cell as it stands between commas.
-fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"']) {
-        return format!("\"{}\"", cell.replace('"', "\"\""));
-    }
-    cell.to_owned()
 }
 
 /// Longitude and latitude of coordinates in a system of metres, degrees as text.
@@ -213,7 +206,7 @@ fn of_metashape(content: &str) -> Option<NamedTable> {
         {
             (cells[x], cells[y]) = (longitude, latitude);
         }
-        let cells = cells.iter().map(|cell| quoted(cell));
+        let cells = cells.iter().map(|cell| csv_cell(cell));
         text.push_str(&cells.collect::<Vec<_>>().join(","));
     }
     Some(NamedTable {
