@@ -75,23 +75,21 @@ impl PlanCircumstances {
         }
     }
 
-    /// Order to propose up to `count` landmarks beside those that are there, along the places of a route's way, or all over
-    /// the map without a route.
+    /// Order to propose up to `count` landmarks beside those that are there, along the places of a way, which is that of
+    /// `route` where it was drawn, or all over the map without a place.
     pub fn proposal(
         &self,
         landmarks: &[Landmark],
-        route: Option<(&Route, Vec<GroundPoint>)>,
+        route: Option<&Route>,
+        way_points: Vec<GroundPoint>,
         count: usize,
     ) -> SuggestOrder {
-        let first = route
-            .as_ref()
-            .and_then(|(route, _)| route.way_points.first());
-        let stated = first.and_then(|way_point| way_point.speed);
+        let stated = route.and_then(|route| route.way_points.first()?.speed);
         SuggestOrder {
             map: self.map.clone(),
             view: self.view(),
             speed: stated.unwrap_or_else(cruise),
-            way_points: route.map_or_else(Vec::new, |(_, places)| places),
+            way_points,
             ground_down: self.ground_down,
             navigator: self.navigator.clone(),
             taken: landmarks.iter().map(|landmark| landmark.bounds).collect(),
@@ -132,8 +130,8 @@ mod tests {
             }],
             ..Route::default()
         };
-        let along = Some((&route, vec![GroundPoint::default()]));
-        let proposed = with.proposal(std::slice::from_ref(&landmark), along, 4);
+        let beside = std::slice::from_ref(&landmark);
+        let proposed = with.proposal(beside, Some(&route), vec![GroundPoint::default()], 4);
         assert_eq!(
             (measured.height, trained.height, proposed.view.height),
             (130.0, 130.0, 130.0)
@@ -147,7 +145,7 @@ mod tests {
             (17.0, &[bounds][..])
         );
         assert!(trained.look_alikes_within >= 40.0, "a box at least");
-        let anywhere = with.proposal(&[], None, 4);
+        let anywhere = with.proposal(&[], None, Vec::new(), 4);
         assert!(anywhere.way_points.is_empty() && (anywhere.speed - cruise()).abs() < 1e-9);
     }
 }

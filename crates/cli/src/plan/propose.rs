@@ -1,7 +1,6 @@
 //! `pilotage plan --suggest`: places of the map that would serve as landmarks.
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::mission::Route;
 use pilotage_core::plan::Suggestion;
 use pilotage_jobs::{JobEvent, ProposeOrder, Share, ShareOrder, SuggestOrder};
 
@@ -14,12 +13,10 @@ const SHARES: usize = 8;
 
 fn order(arguments: &Arguments, ground: &PlannedFlight, count: usize) -> SuggestOrder {
     let plan = ground.plan.as_ref();
-    let places = plan.map(|plan| plan.path.way_points.clone());
-    let usual = Route::default();
-    let route = ground.mission.routes.first().unwrap_or(&usual);
-    let along = places.map(|places| (route, places));
+    let places = plan.map_or_else(Vec::new, |plan| plan.path.way_points.clone());
+    let route = ground.mission.routes.first();
     let with = ground.circumstances(arguments.position);
-    let order = with.proposal(&ground.mission.landmarks, along, count);
+    let order = with.proposal(&ground.mission.landmarks, route, places, count);
     SuggestOrder {
         side: arguments.side,
         seed: arguments.seed.unwrap_or(order.seed),

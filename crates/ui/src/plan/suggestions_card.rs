@@ -25,10 +25,11 @@ impl Planner {
     pub fn suggest_order(&self, documents: &Documents) -> Option<SuggestOrder> {
         documents.map.info.as_ref()?;
         let mission = &documents.mission;
+        let route = mission.selected_route();
         let way = |route| flown_way(route, documents, self.preferences.bank).places;
-        let along = mission.selected_route().map(|route| (route, way(route)));
+        let places = route.map_or_else(Vec::new, way);
         let with = self.planned_with(documents);
-        Some(with.proposal(&mission.landmarks, along, self.preferences.suggest))
+        Some(with.proposal(&mission.landmarks, route, places, self.preferences.suggest))
     }
 
     /// Carries a command out; the landmarks that were added.
