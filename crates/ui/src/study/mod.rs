@@ -158,7 +158,7 @@ impl Feature for StudyFeature {
     }
 
     fn tend(&mut self, context: &mut FeatureContext<'_>) {
-        if self.sheet.is_asking() {
+        if self.sheet.was_drawn {
             self.reading.ask(&self.sheet.draft, context);
         }
     }

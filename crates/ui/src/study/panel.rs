@@ -21,8 +21,8 @@ use crate::shell::{heading, icon_button, muted, text_button, title};
 pub struct StudySheet {
     /// The plan that is written down.
     pub draft: StudyDraft,
-    /// Whether it was drawn, so that its plan is worth reading.
-    is_asking: bool,
+    /// Whether it was ever drawn, so that its plan is worth reading.
+    pub was_drawn: bool,
     /// Whether results stand in the place of the form.
     is_form_away: bool,
     /// Plots that are shown.
@@ -63,11 +63,6 @@ impl StudySheet {
         &self.outcome.insert(kept.unwrap_or_else(made)).2
     }
 
-    /// Whether its form is on screen, and so what the plan is.
-    pub fn is_asking(&self) -> bool {
-        self.is_asking
-    }
-
     /// Draws the sheet.
     pub fn show(
         &mut self,
@@ -76,7 +71,7 @@ impl StudySheet {
         study: Option<&StudyUnderWay>,
         documents: &Documents,
     ) {
-        self.is_asking = true;
+        self.was_drawn = true;
         let tokens = context.tokens;
         if title(ui, tokens, "Study") {
             context.commands.push(StudyCommand::Close.into());
