@@ -5,10 +5,13 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{FieldView, cruise};
+use pilotage_core::plan::{DetectionStatistics, FieldView, FixSource, PlannedLandmark, cruise};
 use pilotage_core::training::TrainingPlan;
 
-use super::{AssessmentOrder, LabelledFrames, MapSource, SuggestOrder, TrainOrder};
+use super::{
+    AssessmentOrder, FieldFrom, FieldOrder, FixesFrom, LabelledFrames, MapSource, SuggestOrder,
+    TrainOrder,
+};
 
 /// Map of a plan, and how it is flown over.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +75,37 @@ impl PlanCircumstances {
             look_alikes_within: self.searched(&landmark.bounds),
             labelled,
             left: None,
+        }
+    }
+
+    /// Field of the probability of a fix over `region`, from landmarks and what is expected of them, or from whatever the map
+    /// offers.
+    pub fn field(
+        &self,
+        of: FixesFrom,
+        region: GroundRect,
+        landmarks: &[(Landmark, DetectionStatistics)],
+    ) -> FieldOrder {
+        let source = |(landmark, detection): &(Landmark, DetectionStatistics)| {
+            let planned = PlannedLandmark {
+                landmark: landmark.clone(),
+                detection: detection.clone(),
+            };
+            FixSource::of(&planned, self.height)
+        };
+        FieldOrder {
+            map: self.map.clone(),
+            region,
+            view: self.view(),
+            from: match of {
+                FixesFrom::Landmarks => {
+                    FieldFrom::Landmarks(landmarks.iter().filter_map(source).collect())
+                }
+                FixesFrom::Map => FieldFrom::Map {
+                    search_sigmas: self.navigator.detector.search_sigmas,
+                    days: FieldFrom::FEW_DAYS,
+                },
+            },
         }
     }
 

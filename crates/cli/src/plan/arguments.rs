@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use pilotage_core::plan::Proposal;
-use pilotage_jobs::{FindOrder, PredictionOrder};
+use pilotage_core::plan::{Aim, BudgetOf, Proposal};
+use pilotage_jobs::{FindOrder, FixesFrom, PredictionOrder, RouteWishes};
 
 use super::source::SourceArguments;
 
@@ -137,4 +137,27 @@ pub struct FindArguments {
     /// Height that a found route keeps above the ground of the elevation model, metres.
     #[arg(long, default_value_t = FindOrder::GROUND_CLEARANCE)]
     pub ground_clearance: f64,
+}
+
+impl FindArguments {
+    /// Wishes that the arguments state.
+    pub fn wishes(&self) -> RouteWishes {
+        RouteWishes {
+            budget: self.budget,
+            budget_of: match self.budget_of {
+                Of::Time => BudgetOf::Time,
+                Of::Length => BudgetOf::Length,
+            },
+            aim: match self.least {
+                Least::Worst => Aim::Worst,
+                Least::Mean => Aim::Mean,
+            },
+            over: match self.over {
+                Over::Landmarks => FixesFrom::Landmarks,
+                Over::Map => FixesFrom::Map,
+            },
+            clearance: self.clearance,
+            ground_clearance: self.ground_clearance,
+        }
+    }
 }

@@ -2,17 +2,14 @@
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::Route;
-use pilotage_core::plan::{
-    Aim, BudgetOf, FixSource, FoundRoutes, PlannedLandmark, Proposal, Turns, cruise,
-    highest_ground, planned_aircraft,
-};
+use pilotage_core::plan::{FoundRoutes, Proposal};
 use pilotage_jobs::{
-    FieldFrom, FieldOrder, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PlanCircumstances,
-    PlannedPath, PredictionOrder,
+    FindOrder, FixesFrom, Foreseen, FoundPlan, HighGround, JobEvent, PlanCircumstances,
+    PlannedPath, PredictionOrder, RouteWishes,
 };
 use serde::Serialize;
 
-use super::arguments::{Arguments, FindArguments, Least, Of, Over};
+use super::arguments::Arguments;
 use super::ground::way_points;
 use super::landmarks::expected;
 use super::planned_flight::PlannedFlight;
@@ -74,7 +71,7 @@ fn order(
     ground: &PlannedFlight,
     ends: &[String],
 ) -> Result<FindOrder, Box<dyn std::error::Error>> {
-    let wanted = &arguments.find;
+    let wishes = arguments.find.wishes();
     let ends = way_points(&ends.join(";"))?;
     let &[from, to] = &ends[..] else {
         return Err("--find takes two places, NORTH,EAST each".into());
@@ -83,73 +80,38 @@ fn order(
         .plan
         .clone()
         .ok_or("the mission has no route whose height and speed could be taken")?;
-    let settings = &ground.mission.navigator;
     let straight = ground.at_its_altitude(&[from, to]);
     let height = ground.mean_above(&straight).unwrap_or(ground.height);
     let with = PlanCircumstances {
         height,
         ..ground.circumstances(Proposal::POSITION)
     };
-    let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
+    let landmarks = if wishes.over == FixesFrom::Landmarks || arguments.predict {
         expected(ground, arguments.seed, &|line| println!("{line}"))?
     } else {
         Vec::new()
     };
-    let field = FieldOrder {
-        region: ground.map.bounds(),
-        view: with.view(),
-        map: with.map,
-        from: match wanted.over {
-            Over::Landmarks => FieldFrom::Landmarks(
-                landmarks
-                    .iter()
-                    .filter_map(|(landmark, detection)| {
-                        let planned = PlannedLandmark {
-                            landmark: landmark.clone(),
-                            detection: detection.clone(),
-                        };
-                        FixSource::of(&planned, height)
-                    })
-                    .collect(),
-            ),
-            Over::Map => FieldFrom::Map {
-                search_sigmas: settings.detector.search_sigmas,
-                days: FieldFrom::FEW_DAYS,
-            },
-        },
-    };
-    let field = field
-        .between(&from, &to)
-        .ok_or("--find: the map reaches neither of the two places")?;
+    let field = with.field(wishes.over, ground.map.bounds(), &landmarks);
     let zones = ground.mission.no_fly.iter();
-    Ok(FindOrder {
-        from,
-        to,
-        field,
-        no_fly: zones.map(|z| z.corners.clone()).collect(),
-        clearance: wanted.clearance,
-        high_ground: high_ground(wanted, ground, &from),
-        turns: turns(&plan),
-        budget: wanted.budget,
-        budget_of: match wanted.budget_of {
-            Of::Time => BudgetOf::Time,
-            Of::Length => BudgetOf::Length,
+    let flight = PredictionOrder {
+        navigator: with.navigator,
+        landmarks,
+        path: PlannedPath {
+            height,
+            targets: Vec::new(),
+            ..plan.path
         },
-        aim: match wanted.least {
-            Least::Worst => Aim::Worst,
-            Least::Mean => Aim::Mean,
-        },
-        flight: PredictionOrder {
-            navigator: settings.clone(),
-            landmarks,
-            path: PlannedPath {
-                height,
-                targets: Vec::new(),
-                ..plan.path
-            },
-            ..plan
-        },
-    })
+        ..plan
+    };
+    wishes
+        .order(
+            (from, to),
+            field,
+            flight,
+            zones.map(|z| z.corners.clone()).collect(),
+            high_ground(&wishes, ground, &from),
+        )
+        .ok_or_else(|| "--find: the map reaches neither of the two places".into())
 }
 
 impl ComparedRoute {
@@ -193,21 +155,14 @@ fn take(ground: &mut PlannedFlight, way_points: &[GroundPoint]) {
     ground.mission.routes.insert(0, found);
 }
 
-/// Turns of the aircraft with the wind behind it.
-fn turns(plan: &PredictionOrder) -> Turns {
-    let bank = plan.path.bank;
-    let bank = bank.unwrap_or_else(|| planned_aircraft().bank_limit);
-    Turns::of_flight(cruise() + plan.path.wind.speed, bank)
-}
-
 /// Ground of the elevation model that is too high for a route that takes off at `from`.
 fn high_ground(
-    wanted: &FindArguments,
+    wishes: &RouteWishes,
     ground: &PlannedFlight,
     from: &GroundPoint,
 ) -> Option<HighGround> {
     let heights = ground.heights.clone()?;
     let take_off = ground.height_at(from);
-    let highest = highest_ground(ground.altitude, take_off, wanted.ground_clearance)?;
+    let highest = wishes.highest_ground(ground.altitude, take_off)?;
     Some(HighGround { heights, highest })
 }

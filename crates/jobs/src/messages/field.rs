@@ -6,6 +6,16 @@ use serde::{Deserialize, Serialize};
 
 use super::MapSource;
 
+/// Choice of where fixes are to come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum FixesFrom {
+    /// The landmarks that are switched on.
+    #[default]
+    Landmarks,
+    /// Whatever the map offers.
+    Map,
+}
+
 /// Sources of fixes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FieldFrom {

@@ -1,11 +1,14 @@
 //! A route to be found, and what was found.
 
-use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::imagery::terrain::HeightGrid;
-use pilotage_core::plan::{Aim, BudgetOf, FoundRoute, NoFlyArea, RoutePrediction, Turns};
+use pilotage_core::plan::{
+    Aim, BudgetOf, FoundRoute, NoFlyArea, RoutePrediction, Turns, cruise, highest_ground,
+    planned_aircraft,
+};
 use serde::{Deserialize, Serialize};
 
-use super::{FieldOrder, PredictionOrder};
+use super::{FieldOrder, FixesFrom, PredictionOrder};
 
 /// Route to be found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,6 +46,72 @@ impl FindOrder {
     pub const CLEARANCE: f64 = 50.0;
     /// Height that is kept above the ground of an elevation model where nobody states one, metres.
     pub const GROUND_CLEARANCE: f64 = 60.0;
+}
+
+/// Wishes for a route that is to be found.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RouteWishes {
+    /// Greatest cost over that of the shortest route.
+    pub budget: f64,
+    /// Measure of the cost: time or length.
+    pub budget_of: BudgetOf,
+    /// Uncertainty that is to be least: the worst or the mean.
+    pub aim: Aim,
+    /// Sources of fixes that the route shall lead over.
+    pub over: FixesFrom,
+    /// Distance that is kept from no-fly areas, metres.
+    pub clearance: f64,
+    /// Height that is kept above the ground of the elevation model, metres.
+    pub ground_clearance: f64,
+}
+
+impl Default for RouteWishes {
+    fn default() -> Self {
+        Self {
+            budget: FindOrder::BUDGET,
+            budget_of: BudgetOf::default(),
+            aim: Aim::default(),
+            over: FixesFrom::default(),
+            clearance: FindOrder::CLEARANCE,
+            ground_clearance: FindOrder::GROUND_CLEARANCE,
+        }
+    }
+}
+
+impl RouteWishes {
+    /// Order to find such a route from one place to another, flown as `flight` says, whose turns are those of that flight
+    /// with the wind behind it; `None` where the map reaches neither place.
+    pub fn order(
+        &self,
+        (from, to): (GroundPoint, GroundPoint),
+        field: FieldOrder,
+        flight: PredictionOrder,
+        no_fly: Vec<NoFlyArea>,
+        high_ground: Option<HighGround>,
+    ) -> Option<FindOrder> {
+        let path = &flight.path;
+        let bank = path.bank.unwrap_or_else(|| planned_aircraft().bank_limit);
+        Some(FindOrder {
+            from,
+            to,
+            field: field.between(&from, &to)?,
+            no_fly,
+            clearance: self.clearance,
+            high_ground,
+            turns: Turns::of_flight(cruise() + path.wind.speed, bank),
+            budget: self.budget,
+            budget_of: self.budget_of,
+            aim: self.aim,
+            flight,
+        })
+    }
+
+    /// Greatest height of ground that a route at `altitude` is led over, metres above the datum of the elevation model, where
+    /// the ground of its take-off is `take_off` high.
+    pub fn highest_ground(&self, altitude: Altitude, take_off: f64) -> Option<f64> {
+        highest_ground(altitude, take_off, self.ground_clearance)
+    }
 }
 
 /// Ground above a height.

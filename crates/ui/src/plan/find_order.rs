@@ -1,7 +1,6 @@
 //! Order of the search for a route, and the use of its result.
 
 use pilotage_core::frames::{Altitude, GroundPoint};
-use pilotage_core::plan::{Turns, cruise, highest_ground};
 use serde_json::{Value, json};
 
 use super::compared::RouteFigures;
@@ -23,32 +22,24 @@ impl Planner {
             documents,
         );
         let field = self.field_order(documents, wanted.over, height)?;
-        let field = field.between(&from, &to)?;
-        let wind = self.wind(documents);
-        let bank = self.preferences.bank;
-        let speed = cruise() + wind.speed;
         let path = PlannedPath {
-            bank: Some(bank),
-            wind,
+            bank: Some(self.preferences.bank),
+            wind: self.wind(documents),
             ground_down: ground_down(documents),
             ..PlannedPath::level(vec![from, to], field.view.height, field.view.camera.clone())
         };
-        Some(FindOrder {
-            from,
-            to,
-            flight: PredictionOrder {
-                landmarks: self.expected_landmarks(mission),
-                ..PredictionOrder::along(path, mission)
-            },
+        let flight = PredictionOrder {
+            landmarks: self.expected_landmarks(mission),
+            ..PredictionOrder::along(path, mission)
+        };
+        let no_fly = mission.no_fly.iter().map(|z| z.corners.clone());
+        wanted.order(
+            (from, to),
             field,
-            no_fly: mission.no_fly.iter().map(|z| z.corners.clone()).collect(),
-            clearance: wanted.clearance,
-            high_ground: self.high_ground(documents),
-            turns: Turns::of_flight(speed, bank),
-            budget: wanted.budget,
-            budget_of: wanted.budget_of,
-            aim: wanted.aim,
-        })
+            flight,
+            no_fly.collect(),
+            self.high_ground(documents),
+        )
     }
 
     /// The altitude of a route that is found: that of the selected route.
@@ -63,8 +54,8 @@ impl Planner {
     pub fn highest_ground(&self, documents: &Documents) -> Option<f64> {
         documents.map.terrain.heights()?;
         let take_off = documents.relief().at(&self.finder.from?);
-        let clearance = self.preferences.find.ground_clearance;
-        highest_ground(self.found_altitude(documents), take_off, clearance)
+        let wanted = &self.preferences.find;
+        wanted.highest_ground(self.found_altitude(documents), take_off)
     }
 
     fn high_ground(&self, documents: &Documents) -> Option<HighGround> {

@@ -11,7 +11,7 @@ use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
 use super::find_tool::hint;
 use super::heat::BLIND;
-use super::heat_command::{HeatCommand, HeatOf};
+use super::heat_command::HeatCommand;
 use super::legs::time_text;
 use super::name_field::name_field;
 use super::planner::Planner;
@@ -23,6 +23,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{caption, icon_button, icons::Icon, muted};
 use crate::units::{Units, with_minus};
+use pilotage_jobs::FixesFrom;
 
 /// Draws the tab.
 pub fn ground_tab(
@@ -71,8 +72,8 @@ fn heat(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     });
     row(ui, "Fixes from", |ui| {
         // Right to left.
-        ui.selectable_value(&mut heat.of, HeatOf::Map, "the map alone");
-        ui.selectable_value(&mut heat.of, HeatOf::Landmarks, "landmarks");
+        ui.selectable_value(&mut heat.of, FixesFrom::Map, "the map alone");
+        ui.selectable_value(&mut heat.of, FixesFrom::Landmarks, "landmarks");
     });
     let (factor, unit) = context.units.length();
     row(ui, "Position error before it (1σ)", |ui| {
@@ -274,8 +275,8 @@ fn length(
 fn wishes(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
     let mut wanted = planner.preferences.find;
     row(ui, "Use", |ui| {
-        ui.selectable_value(&mut wanted.over, HeatOf::Map, "any good place");
-        ui.selectable_value(&mut wanted.over, HeatOf::Landmarks, "my landmarks");
+        ui.selectable_value(&mut wanted.over, FixesFrom::Map, "any good place");
+        ui.selectable_value(&mut wanted.over, FixesFrom::Landmarks, "my landmarks");
     });
     row(ui, "Minimise", |ui| {
         ui.selectable_value(&mut wanted.aim, Aim::Mean, "the mean");
@@ -403,7 +404,7 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
             "Nothing within the budget is better than the shortest way.",
         ));
     }
-    if planner.preferences.find.over == HeatOf::Map {
+    if planner.preferences.find.over == FixesFrom::Map {
         ui.label(muted(
             tokens,
             "Predicted with the landmarks in use: draw some along the found route.",

@@ -1,17 +1,8 @@
-//! Sources of fixes, and preferences and commands of the heat map.
+//! Preferences and commands of the heat map.
 
 use pilotage_core::plan::Proposal;
+use pilotage_jobs::FixesFrom;
 use serde::{Deserialize, Serialize};
-
-/// Sources of fixes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum HeatOf {
-    /// The landmarks that are switched on.
-    #[default]
-    Landmarks,
-    /// Whatever the map offers.
-    Map,
-}
 
 /// Preferences of the heat map; remembered between visits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -26,7 +17,7 @@ pub struct HeatPreferences {
     /// Standard deviation of the position that is assumed, metres.
     pub position: f64,
     /// Sources of fixes.
-    pub of: HeatOf,
+    pub of: FixesFrom,
 }
 
 impl Default for HeatPreferences {
@@ -36,7 +27,7 @@ impl Default for HeatPreferences {
             blind: false,
             opacity: 0.6,
             position: Proposal::POSITION,
-            of: HeatOf::default(),
+            of: FixesFrom::default(),
         }
     }
 }

@@ -1,14 +1,14 @@
 //! Field that the heat map is to show of the plan.
 
-use pilotage_core::plan::{FieldView, FixSource, Localizability, PlannedLandmark};
+use pilotage_core::plan::{FieldView, Localizability};
 use serde_json::{Value, json};
 
 use super::flown::flown_height;
 use super::heat::BLIND;
-use super::heat_command::{HeatCommand, HeatOf};
+use super::heat_command::HeatCommand;
 use super::planner::Planner;
 use crate::documents::Documents;
-use pilotage_jobs::{FieldFrom, FieldOrder, PlanCircumstances};
+use pilotage_jobs::{FieldOrder, FixesFrom, PlanCircumstances};
 
 impl Planner {
     /// The ground, the camera at a height above it, metres, and what gives fixes, for the heat map or a
@@ -16,35 +16,15 @@ impl Planner {
     pub fn field_order(
         &self,
         documents: &Documents,
-        of: HeatOf,
+        of: FixesFrom,
         height: f64,
     ) -> Option<FieldOrder> {
-        let mission = &documents.mission;
-        let map = documents.map.info.as_ref()?;
-        let view = self.field_view(documents, height);
-        let from = match of {
-            HeatOf::Landmarks => {
-                let enabled = mission.landmarks.iter().filter(|l| l.enabled);
-                let sources = enabled.filter_map(|l| {
-                    let planned = PlannedLandmark {
-                        landmark: l.clone(),
-                        detection: self.expected(l),
-                    };
-                    FixSource::of(&planned, view.height)
-                });
-                FieldFrom::Landmarks(sources.collect())
-            }
-            HeatOf::Map => FieldFrom::Map {
-                search_sigmas: mission.navigator.detector.search_sigmas,
-                days: FieldFrom::FEW_DAYS,
-            },
+        let with = PlanCircumstances {
+            height,
+            ..self.planned_with(documents)
         };
-        Some(FieldOrder {
-            map: documents.map.source.clone(),
-            region: map.bounds,
-            view,
-            from,
-        })
+        let region = documents.map.info.as_ref()?.bounds;
+        Some(with.field(of, region, &self.expected_landmarks(&documents.mission)))
     }
 
     /// Camera's view of the ground from a height above it, metres, and the uncertainty of the position then.

@@ -5,11 +5,11 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Str
 use egui::{WidgetInfo, pos2, vec2};
 
 use super::heat::{BLIND, blind_color};
-use super::heat_command::HeatOf;
 use super::planner::Planner;
 use crate::map::{ScreenFromWorld, paint_halo_text};
 use crate::tokens::Tokens;
 use crate::views::color_map::viridis;
+use pilotage_jobs::FixesFrom;
 
 /// Size of the legend, points.
 const LEGEND: egui::Vec2 = vec2(232.0, 58.0);
@@ -74,8 +74,8 @@ impl Planner {
         let rect = Rect::from_min_size(left_top, LEGEND);
         let title = match (heat.blind, heat.of) {
             (true, _) => "Blind areas",
-            (false, HeatOf::Landmarks) => "Probability of a fix, landmarks",
-            (false, HeatOf::Map) => "Probability of a fix, map alone",
+            (false, FixesFrom::Landmarks) => "Probability of a fix, landmarks",
+            (false, FixesFrom::Map) => "Probability of a fix, map alone",
         };
         let state = match (self.heat.under_way(), self.heat.trouble()) {
             (Some((share, _)), _) => format!("{:.0} %", 100.0 * share),

@@ -13,7 +13,6 @@ use super::assessments::Assessments;
 use super::chart::Chart;
 use super::drawn_landmarks::DrawnLandmarks;
 use super::examination::Examination;
-use super::find_command::FindPreferences;
 use super::finder::Finder;
 use super::flown::{
     camera, flight_wind, flown_way, ground_down, height, line, planned_with, usual_altitude,
@@ -37,7 +36,9 @@ use super::untested::Untested;
 use crate::documents::Documents;
 use crate::map::ScreenFromWorld;
 use crate::views::LandmarkList;
-use pilotage_jobs::{AssessmentOrder, PlanCircumstances, PlannedPath, PredictionOrder};
+use pilotage_jobs::{
+    AssessmentOrder, PlanCircumstances, PlannedPath, PredictionOrder, RouteWishes,
+};
 
 /// Preferences and assumptions of the user; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,7 +51,7 @@ pub struct PlanPreferences {
     /// Preferences of the heat map.
     pub heat: HeatPreferences,
     /// Preferences of the search for a route.
-    pub find: FindPreferences,
+    pub find: RouteWishes,
     /// Number of landmarks that are proposed.
     pub suggest: usize,
     /// Number of photos that a detector learns from.
@@ -75,7 +76,7 @@ impl Default for PlanPreferences {
             limit: PredictionOrder::LIMIT,
             wind: None,
             heat: HeatPreferences::default(),
-            find: FindPreferences::default(),
+            find: RouteWishes::default(),
             suggest: 6,
             photos: TrainingPlan::default().photos,
             bank: planned_aircraft().bank_limit,
