@@ -27,6 +27,7 @@ use super::rehearse::RehearseOrder;
 use super::running::once;
 use super::share::ShareOrder;
 use super::smooth::SmoothOrder;
+use super::study_enough::StudyEnoughOrder;
 use super::study_flights::StudyFlightsOrder;
 use super::suggest::ProposeOrder;
 use super::tables::MakeFlightOrder;
@@ -158,6 +159,7 @@ orders! {
     Pack(Box<PackOrder>),
     Export(Box<ExportOrder>),
     ReadStudyPlan(ReadStudyPlanOrder),
+    StudyEnough(StudyEnoughOrder),
     StudyFlights(StudyFlightsOrder),
     }
 }

@@ -115,6 +115,11 @@ impl<'a> StudyTally<'a> {
         self.is_enough
     }
 
+    /// Draws after which it was enough.
+    pub fn enough_after(&self) -> Option<u64> {
+        self.is_enough.then_some(self.draws)
+    }
+
     /// Takes in the next row; rows after it was enough are left out.
     ///
     /// ```

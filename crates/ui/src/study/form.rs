@@ -1,7 +1,7 @@
 //! The form in which a study is chosen, and its plan as text.
 
 use egui::{DragValue, Id, Label, RichText, TextEdit, Ui};
-use pilotage_study::{SHIPPED_PLANS, StudyPlan, question_of};
+use pilotage_study::{SHIPPED_PLANS, StopRule, StudyMeasure, StudyPlan, question_of};
 
 use super::command::StudyCommand;
 use super::draft::{DRAWS, StudyDraft};
@@ -112,9 +112,10 @@ fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f
             context.commands.push(StudyCommand::SavePlan.into());
         }
     });
-    if draft.plan().is_some_and(|plan| plan.stop.is_some()) {
-        let words =
-            "The plan's rule to stop early is for the terminal: here all flights are flown.";
+    if let Some(plan) = draft.plan()
+        && let Some(stop) = &plan.stop
+    {
+        let words = stop_words(stop, &plan.measure);
         ui.add(Label::new(muted(tokens, words)).wrap());
     }
     let name = draft.plan().map_or("PLAN", |plan| plan.name.as_str());
@@ -122,6 +123,19 @@ fn start(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &StudyDraft, pace: f
         "More flights, on all cores or a cluster: save the plan, and on the terminal: pilotage study {name}.toml"
     );
     ui.add(Label::new(muted(tokens, words)).wrap());
+}
+
+/// The rule of a plan to stop early, in words.
+fn stop_words(stop: &StopRule, measures: &[StudyMeasure]) -> String {
+    let measure = measures.iter().find(|own| own.name() == stop.measure);
+    let unit = measure.map_or("", |own| if own.is_share() { "" } else { own.of.unit() });
+    let space = if unit.is_empty() { "" } else { " " };
+    format!(
+        "Ends early, once the 95 % interval of \"{}\" is no wider than {}{space}{unit}; looked at every {} draws.",
+        stop.measure,
+        2.0 * stop.half_width,
+        stop.every
+    )
 }
 
 /// Questions of the plans that come with the program.

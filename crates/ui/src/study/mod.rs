@@ -10,6 +10,7 @@ mod outcome;
 mod panel;
 mod reading;
 mod results;
+mod stop_asked;
 mod under_way;
 
 use egui::Ui;
@@ -211,6 +212,7 @@ impl Feature for StudyFeature {
                 "flights": study.plan().runs(),
                 "flown": study.flown(),
                 "under_way": study.is_under_way(),
+                "enough_after": study.stopped_by_rule(),
                 "trouble": study.trouble(),
                 "settings": settings.collect::<Vec<_>>(),
                 "failed": failed.collect::<Vec<_>>(),

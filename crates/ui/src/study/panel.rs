@@ -133,10 +133,12 @@ fn progress(ui: &mut Ui, context: &mut ViewContext<'_>, study: &StudyUnderWay) {
     let tokens = context.tokens;
     let (flown, all) = (study.flown(), study.plan().runs());
     if !study.is_under_way() {
-        let words = if flown < all {
-            format!("Stopped after {flown} of {all} flights.")
-        } else {
-            format!("{all} flights flown.")
+        let words = match study.stopped_by_rule() {
+            Some(draws) => format!(
+                "Enough after {flown} of {all} flights ({draws} draws), by the plan's rule to stop."
+            ),
+            None if flown < all => format!("Stopped after {flown} of {all} flights."),
+            None => format!("{all} flights flown."),
         };
         ui.label(muted(tokens, words));
         return;

@@ -2,9 +2,12 @@
 
 use std::ops::Range;
 
-use pilotage_jobs::{Job, JobEvent, JobId, StudiedFlight, StudyFlightsOrder, WorkerRole};
+use pilotage_jobs::{
+    Job, JobEvent, JobId, StudiedFlight, StudyEnoughOrder, StudyFlightsOrder, WorkerRole,
+};
 use pilotage_study::{StudyDesign, StudyPlan};
 
+use super::stop_asked::StopAsked;
 use crate::feature::FeatureContext;
 
 /// Flights of a shard: about a tenth of a second of work.
@@ -33,6 +36,7 @@ pub struct StudyUnderWay {
     /// When its last numbers came.
     latest: f64,
     trouble: Option<String>,
+    rule: StopAsked,
 }
 
 impl StudyUnderWay {
@@ -49,6 +53,7 @@ impl StudyUnderWay {
             begun: now,
             latest: now,
             trouble: None,
+            rule: StopAsked::default(),
         };
         for share in (0..WorkerRole::ALL.len())
             .cycle()
@@ -85,6 +90,14 @@ impl StudyUnderWay {
         event: &JobEvent,
         context: &mut FeatureContext<'_>,
     ) -> bool {
+        if let Some(answer) = self.rule.receive(id, event) {
+            match answer {
+                Ok(Some(draws)) => self.end_after(draws, context),
+                Ok(None) => self.ask_rule(context),
+                Err(why) => self.trouble = Some(why),
+            }
+            return true;
+        }
         let Some(at) = self.shards.iter().position(|shard| shard.job == id) else {
             return false;
         };
@@ -97,6 +110,7 @@ impl StudyUnderWay {
                         self.flown += 1;
                     }
                     self.latest = context.host.now();
+                    self.ask_rule(context);
                 }
                 Err(why) => self.trouble = Some(why),
             },
@@ -119,7 +133,36 @@ impl StudyUnderWay {
         for shard in self.shards.drain(..) {
             context.cancel(shard.job);
         }
+        self.rule.forget(context);
         is_under_way
+    }
+
+    /// Asks the plan's rule to stop about the draws that are whole, from the first on.
+    fn ask_rule(&mut self, context: &mut FeatureContext<'_>) {
+        let whole = self
+            .numbers
+            .iter()
+            .take_while(|numbers| !numbers.is_empty());
+        let draws = whole.count() as u64 / self.plan().cells();
+        if let Some(draws) = self.rule.due(self.design.plan(), draws) {
+            let flights = (draws * self.plan().cells()) as usize;
+            let order = StudyEnoughOrder {
+                plan: self.plan().clone().into(),
+                numbers: self.numbers[..flights].to_vec(),
+            };
+            self.rule
+                .asked(context.start(Job::StudyEnough(order)), draws);
+        }
+    }
+
+    /// Ends after so many draws, which are enough by the plan's rule; what was flown beyond is left out, as everywhere.
+    fn end_after(&mut self, draws: u64, context: &mut FeatureContext<'_>) {
+        self.stop(context);
+        let flights = draws * self.plan().cells();
+        for numbers in &mut self.numbers[flights as usize..] {
+            numbers.clear();
+        }
+        self.flown = flights;
     }
 
     /// The plan.
@@ -134,7 +177,7 @@ impl StudyUnderWay {
 
     /// Whether flights are under way.
     pub fn is_under_way(&self) -> bool {
-        !self.shards.is_empty()
+        !self.shards.is_empty() || self.rule.is_under_way()
     }
 
     /// Flights that were flown.
@@ -155,6 +198,12 @@ impl StudyUnderWay {
     /// Time that is left, milliseconds.
     pub fn left(&self) -> Option<f64> {
         Some(self.pace()? * (self.plan().runs() - self.flown) as f64)
+    }
+
+    /// Draws after which it was enough by the plan's rule, and less than the plan has.
+    pub fn stopped_by_rule(&self) -> Option<u64> {
+        let draws = self.rule.enough()?;
+        (draws < self.plan().draws).then_some(draws)
     }
 
     /// Why it could not go on.

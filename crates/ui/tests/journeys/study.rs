@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::simulate::Scenario;
 use pilotage_jobs::{FlightSource, Job, JobEvent, StudyFlightsOrder};
-use pilotage_study::{MeasureKind, Study, StudyPlan};
+use pilotage_study::{MeasureKind, Study, StudyDesign, StudyPlan, StudyTally};
 use serde_json::Value;
 
 use super::support::real::Studies;
@@ -126,6 +126,39 @@ fn a_plan_that_makes_no_sense_is_refused_with_its_place_and_nothing_is_flown() {
     large
         .harness
         .get_by_label_contains("plan and fly it on the terminal: pilotage study short.toml");
+}
+
+#[test]
+fn a_study_whose_plan_says_when_it_is_enough_ends_there_as_on_the_terminal() {
+    let rule = "stop = { measure = \"error-rms\", half_width = 1000, every = 3 }";
+    let text = format!("{PLAN}{rule}\n");
+    let mut rig = typed(&text);
+    rig.harness.get_by_label_contains(
+        "once the 95 % interval of \"error-rms\" is no wider than 2000 m; looked at every 3 draws",
+    );
+    rig.harness.get_by_label_contains("Fly 20 flights").click();
+    for _ in 0..40 {
+        rig.frames(2);
+        if study(&rig)["study"]["under_way"] == false {
+            break;
+        }
+    }
+    let plan = StudyPlan::read(&text).expect("a plan");
+    let design = StudyDesign::new(plan.clone());
+    let mut tally = StudyTally::new(&design);
+    let whole = Study::new(plan).expect("a study");
+    for run in 0..20 {
+        tally
+            .take(whole.fly(run).expect("a row"))
+            .expect("the next");
+    }
+    let terminal = tally.summary();
+    assert!(terminal.is_stopped && terminal.draws < 10);
+    let told = &study(&rig)["study"];
+    assert_eq!(told["enough_after"], terminal.draws);
+    assert_eq!(told["flown"], terminal.flights);
+    rig.harness
+        .get_by_label_contains("by the plan's rule to stop");
 }
 
 #[test]

@@ -29,6 +29,7 @@ pub fn is_real(job: &Job) -> bool {
             | Job::Smooth(_)
             | Job::Rehearse(_)
             | Job::ReadStudyPlan(_)
+            | Job::StudyEnough(_)
             | Job::StudyFlights(_)
             | Job::Fly(FlyOrder {
                 flight: FlightSource::Studied(_),
