@@ -58,8 +58,9 @@ pub struct Arguments {
     /// Fly another vehicle of a telemetry log, by the number of its system.
     #[arg(long, value_name = "SYSTEM")]
     vehicle: Option<u32>,
-    /// Study GPS outages of that length all along the flight; of 60 s where there is no map and no run is asked for.
-    #[arg(long, value_name = "SECONDS", conflicts_with_all = ["scenario", "map", "mission", "out", "track", "summary"])]
+    /// Study GPS outages of that length all along the flight; of 60 s where there is no map and no run is asked for. Over
+    /// a map also by what the pictures show.
+    #[arg(long, value_name = "SECONDS", conflicts_with = "seeds")]
     outage: Option<f64>,
     /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind,gps-velocity=true,gps-velocity.noise=0.4.
     #[arg(long, default_value = "")]
@@ -110,8 +111,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     tell(&flight.notes);
     let map = flight.map(arguments.map.as_deref())?.map(told);
     let is_studied = map.is_none() && !arguments.asks_for_a_run();
-    if let Some(length) = arguments.outage.or(is_studied.then_some(OUTAGE)) {
-        return crate::outage::study(&flight.open, length);
+    if is_studied {
+        let length = arguments.outage.unwrap_or(OUTAGE);
+        return crate::outage::study(&flight.open.flight, None, length);
     }
     let mission = if arguments.no_mission {
         None
@@ -218,7 +220,10 @@ fn report(
     if let Some(why) = unused_pictures(run) {
         eprintln!("{why}");
     }
-    println!("{}", serde_json::to_string_pretty(summary)?);
+    match arguments.outage {
+        Some(length) => crate::outage::study(flight, Some(run), length)?,
+        None => println!("{}", serde_json::to_string_pretty(summary)?),
+    }
     if let Some(path) = &arguments.summary {
         write_json(path, summary)?;
     }

@@ -74,7 +74,13 @@ fn a_table_is_replayed_without_a_flight_file() {
     let run = folder.run(&["inspect", "a.run"]).unwrap();
     assert!(run.starts_with("run \"a\": "), "{run}");
     let both = folder.run(&["replay", "a.csv", "--outage", "30", "--out", "b.run"]);
-    assert!(both.unwrap_err().contains("cannot be used with"));
+    assert!(both.unwrap().contains("without GPS for 30 s"));
+    assert!(
+        folder
+            .run(&["inspect", "b.run"])
+            .unwrap()
+            .starts_with("run \"a\": ")
+    );
 }
 
 /// Page and terminal look for a flight in one order: what people said of the columns of tables, what says itself that it

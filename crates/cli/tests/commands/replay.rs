@@ -69,6 +69,28 @@ fn terminal_and_page_fly_the_same_flight_to_the_bit_in_a_world_beside_the_countr
 }
 
 #[test]
+fn outages_of_a_flight_over_its_map_are_shown_with_what_the_landmarks_say() {
+    let folder = Folder::new("replay-outage");
+    let said = folder.run(&[
+        "replay",
+        "--scenario",
+        "distinct-400ft-wind",
+        "--outage",
+        "20",
+        "--summary",
+        "flown.json",
+    ]);
+    let said = said.expect("it is flown and cut");
+    let ways: Vec<&str> = said.lines().skip(1).map(str::trim).collect();
+    let is_there = |name: &str| ways.iter().any(|way| way.starts_with(name));
+    assert!(is_there("Airspeed and wind  "), "{said}");
+    assert!(is_there("Airspeed, wind, landmarks  "), "{said}");
+    let summary = std::fs::read_to_string(folder.0.join("flown.json")).expect("the summary");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    assert!(summary["frames_with_update"].as_u64() > Some(20));
+}
+
+#[test]
 fn a_flight_that_no_world_has_is_refused_with_those_of_all_worlds() {
     let folder = Folder::new("replay-unknown");
     for command in [

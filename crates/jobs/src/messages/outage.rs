@@ -1,6 +1,7 @@
 //! Satellite navigation to be cut out of a flight, and what came of it.
 
 use pilotage_core::instruments::{Growth, OutageStudy, PositionFix};
+use pilotage_core::navigator::{Run, position_fixes};
 use serde::{Deserialize, Serialize};
 
 use super::FlightSource;
@@ -23,6 +24,20 @@ pub struct OutageOrder {
     pub cut: Outage,
     /// Positions that the run found in the pictures, and what to call them.
     pub seen: Option<(String, Vec<PositionFix>)>,
+}
+
+impl OutageOrder {
+    /// Positions that a run to the end of a flight found in its pictures, and what to call the way that uses them; `None`
+    /// without any.
+    pub fn seen_by(run: &Run) -> Option<(String, Vec<PositionFix>)> {
+        let fixes = position_fixes(run);
+        let by = if run.settings.whole_frames.is_some() {
+            "pictures"
+        } else {
+            "landmarks"
+        };
+        (!fixes.is_empty()).then(|| (format!("Airspeed, wind, {by}"), fixes))
+    }
 }
 
 /// Result of one way to navigate through the cut.

@@ -9,7 +9,6 @@ mod wind;
 use egui::{Key, Ui};
 use pilotage_core::flight::in_log_time;
 use pilotage_core::instruments::PositionFix;
-use pilotage_core::navigator::position_fixes;
 use pilotage_jobs::{Job, JobEvent, JobId, Outage, OutageOrder};
 use serde_json::{Value, json};
 
@@ -77,18 +76,8 @@ impl Outages {
 
 /// Positions that the whole run found in the pictures, and what to call them; `None` without any.
 fn seen(documents: &Documents) -> Option<(String, Vec<PositionFix>)> {
-    let run = documents
-        .run
-        .navigated
-        .as_ref()
-        .filter(|_| documents.run.is_complete)?;
-    let fixes = position_fixes(run);
-    let by = if run.settings.whole_frames.is_some() {
-        "pictures"
-    } else {
-        "landmarks"
-    };
-    (!fixes.is_empty()).then(|| (format!("Airspeed, wind, {by}"), fixes))
+    let run = documents.run.navigated.as_ref();
+    OutageOrder::seen_by(run.filter(|_| documents.run.is_complete)?)
 }
 
 impl Feature for Outages {
