@@ -9,7 +9,7 @@ use std::{
 use brotli::{CompressorWriter, enc::BrotliEncoderParams};
 use flate2::{Compression, write::GzEncoder};
 
-use super::files;
+use super::{files, side_by_side::side_by_side};
 use crate::failure::Failure;
 
 /// Endings of files that shrink; pictures are compressed already.
@@ -35,22 +35,20 @@ pub fn beside(file: &Path, ending: &str) -> PathBuf {
 
 /// Writes a `.br` of the given quality (0 to 11) and a `.gz` beside every file that shrinks.
 pub fn folder(dist: &Path, brotli_quality: u32) -> Result<(), Failure> {
-    for file in files::below(dist)? {
-        let ending = file
-            .extension()
-            .and_then(|ending| ending.to_str())
-            .unwrap_or_default();
-        if !SHRINKING.contains(&ending) {
-            continue;
-        }
-        let place = dist.join(&file);
+    let shrinks = |file: &PathBuf| {
+        let ending = file.extension().and_then(|ending| ending.to_str());
+        SHRINKING.contains(&ending.unwrap_or_default())
+    };
+    let mut left = files::below(dist)?;
+    left.retain(shrinks);
+    side_by_side(&left, |file| {
+        let place = dist.join(file);
         let content = fs::read(&place).map_err(Failure::file(&place))?;
         let brotli = beside(&place, "br");
         write_brotli(&brotli, &content, brotli_quality).map_err(Failure::file(&brotli))?;
         let gzip = beside(&place, "gz");
-        write_gzip(&gzip, &content).map_err(Failure::file(&gzip))?;
-    }
-    Ok(())
+        write_gzip(&gzip, &content).map_err(Failure::file(&gzip))
+    })
 }
 
 fn write_brotli(place: &Path, content: &[u8], quality: u32) -> std::io::Result<()> {

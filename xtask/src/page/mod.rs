@@ -8,6 +8,7 @@ mod compress;
 mod files;
 mod offline;
 mod profile;
+mod side_by_side;
 mod sizes;
 mod wasm;
 mod weights;
@@ -17,6 +18,8 @@ use std::path::Path;
 pub use profile::{PROGRAMS, Profile};
 pub use sizes::check as check_sizes;
 pub use wasm::{TARGET, compile, ensure_target, without_flags};
+
+use side_by_side::side_by_side;
 
 use crate::{failure::Failure, progress::step};
 
@@ -28,9 +31,7 @@ pub fn build(profile: Profile, dist: &Path) -> Result<(), Failure> {
     })?;
     step("putting the page together", || {
         files::clear(dist)?;
-        for module in &modules {
-            wasm::bind(module, dist)?;
-        }
+        side_by_side(&modules, |module| wasm::bind(module, dist))?;
         files::copy_shell(dist)?;
         offline::stamp(dist)
     })?;
