@@ -4,8 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::fly::{Study, StudyRow};
 use super::plan::{StudyError, StudyPlan};
+use super::settings::StudySetting;
 use super::summary::{CellSummary, MeasureSummary, StudySummary};
 use super::table::digits;
+use super::value::SettingValue;
 
 /// Number of draws whose flights are kept, to be flown again.
 const KEPT_DRAWS: u64 = 3;
@@ -95,7 +97,13 @@ impl StudyRecord {
     pub fn lines(&self) -> String {
         let summary = &self.summary;
         let line = |cell: &CellSummary| {
-            let settings = cell.settings.values().map(|value| format!(", {value}"));
+            let settings = cell.settings.iter().map(|(key, value)| match value {
+                SettingValue::Number(number) => {
+                    let value = StudySetting::with_unit(key, &number.to_string());
+                    format!(", {key} {value}")
+                }
+                SettingValue::Text(name) => format!(", {name}"),
+            });
             let figures: Vec<String> = cell.measures.iter().map(figure).collect();
             format!(
                 "| `{}`{} | {} | {} | {} |\n",

@@ -137,6 +137,24 @@ macro_rules! settings {
 }
 
 impl StudySetting {
+    /// A value of the setting `key` with its unit.
+    ///
+    /// ```
+    /// use pilotage_study::StudySetting;
+    ///
+    /// assert_eq!(StudySetting::with_unit("wind-speed", "4"), "4 m/s");
+    /// assert_eq!(StudySetting::with_unit("wind-from", "90"), "90°");
+    /// assert_eq!(StudySetting::with_unit("vehicle", "airplane-wind"), "airplane-wind");
+    /// ```
+    pub fn with_unit(key: &str, value: &str) -> String {
+        let setting = Self::ALL.iter().find(|setting| setting.key == key);
+        match setting.map_or("", |setting| setting.unit) {
+            "" => value.to_owned(),
+            "°" => format!("{value}°"),
+            unit => format!("{value} {unit}"),
+        }
+    }
+
     /// All of them, in the order in which people read them.
     pub const ALL: &[Self] = settings! {
         text("scenario", "scenario whose route and landmarks are flown", set_scenario);

@@ -1,10 +1,13 @@
 //! Outcome of a study as a table for people.
 
 use super::measured::{IntervalBy, MeanSummary};
+use super::settings::StudySetting;
 use super::summary::StudySummary;
 
 /// Number with a sensible number of digits.
 pub(super) fn digits(value: f64) -> String {
+    // What would be written as nothing below zero is nothing.
+    let value = if value.abs() < 5e-6 { 0.0 } else { value };
     let places = match value.abs() {
         size if size >= 100.0 => 1,
         size if size >= 10.0 => 2,
@@ -39,7 +42,9 @@ impl StudySummary {
         for cell in &self.cells {
             let settings = cell.settings.iter();
             let settings: Vec<String> = settings
-                .map(|(key, value)| format!("{key} {value}"))
+                .map(|(key, value)| {
+                    format!("{key} {}", StudySetting::with_unit(key, &value.to_string()))
+                })
                 .collect();
             for measure in &cell.measures {
                 let at = |share: f64| {

@@ -119,15 +119,12 @@ fn by_size(key: &str, values: &[SettingValue]) -> FlightGroups {
 
 /// A value of a setting with its unit, a number that has none with its name.
 fn in_words(key: &str, value: &str) -> String {
-    let setting = StudySetting::ALL.iter().find(|setting| setting.key == key);
-    match setting.map_or("", |setting| setting.unit) {
-        "" if value.starts_with(|c: char| c.is_ascii_digit() || "-−".contains(c)) => {
-            format!("{key} {value}")
-        }
-        "" => value.to_owned(),
-        "°" => format!("{value}°"),
-        unit => format!("{value} {unit}"),
+    let told = StudySetting::with_unit(key, value);
+    let is_number = value.starts_with(|c: char| c.is_ascii_digit() || "-−".contains(c));
+    if is_number && told == value {
+        return format!("{key} {value}");
     }
+    told
 }
 
 /// Values that are compared, of cell number `cell`, in words.
