@@ -63,11 +63,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     tell(&on_disk.notes);
     let map = on_disk.map(arguments.map.as_deref())?;
     let map = map.ok_or("there is no map on which its pictures could be laid; name it by --map")?;
-    let stated = if arguments.no_mission {
-        None
-    } else {
-        on_disk.mission(arguments.mission.as_deref())?
-    };
+    let stated = on_disk.mission(arguments.mission.as_deref(), arguments.no_mission)?;
     let open = on_disk.open;
     let (source, lent) = Lent::over(Some(told(map)));
     let mut mission = match stated {

@@ -39,6 +39,9 @@ pub struct Arguments {
     /// Mission file (GeoJSON).
     #[arg(long)]
     mission: Option<PathBuf>,
+    /// Fly without the mission that lies in the flight's folder: by whole frames where there is a map.
+    #[arg(long, conflicts_with = "mission")]
+    no_mission: bool,
     /// Map picture with its georeference beside it, if none lies in the folder.
     #[arg(long)]
     map: Option<PathBuf>,
@@ -172,7 +175,7 @@ fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::e
     let map = flight.map(arguments.map.as_deref())?.map(told);
     let (source, lent) = Lent::over(map);
     let lent = lent.with_flight(&flight.open);
-    let stated = flight.mission(arguments.mission.as_deref())?;
+    let stated = flight.mission(arguments.mission.as_deref(), arguments.no_mission)?;
     let mission = stated.unwrap_or_else(|| BareMission::of(&flight.open.flight, &source).mission);
     contest(arguments, mission, vec![Lent::flight()], &source, &lent)
 }

@@ -115,11 +115,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         let length = arguments.outage.unwrap_or(OUTAGE);
         return crate::outage::study(&flight.open.flight, None, length);
     }
-    let mission = if arguments.no_mission {
-        None
-    } else {
-        flight.mission(arguments.mission.as_deref())?
-    };
+    let mission = flight.mission(arguments.mission.as_deref(), arguments.no_mission)?;
     let mut over = over_map(flight.open, map, mission, &arguments.filter)?;
     if let Some(why) = over.why {
         eprintln!("note: {why}");

@@ -71,15 +71,20 @@ impl FlightOnDisk {
         Ok(map.map(|(_, map)| MapOnDisk::cached(map, MAP_CACHE)))
     }
 
-    /// The mission that is stated, or else that among the files of the flight; `None` where there is none.
+    /// The mission that is stated, or else that among the files of the flight unless it shall fly without; `None` where
+    /// there is none.
     ///
     /// # Errors
     /// A mission that cannot be read, with the file's name.
-    pub fn mission(&self, stated: Option<&Path>) -> Result<Option<Mission>, Failure> {
+    pub fn mission(
+        &self,
+        stated: Option<&Path>,
+        flies_without: bool,
+    ) -> Result<Option<Mission>, Failure> {
         Ok(match (stated, &self.files) {
             (Some(path), _) => Some(OpenMission::read(path)?.package.mission),
-            (None, Some(files)) => mission_beside_flight(files.as_ref())?,
-            (None, None) => None,
+            (None, Some(files)) if !flies_without => mission_beside_flight(files.as_ref())?,
+            (None, _) => None,
         })
     }
 }

@@ -34,11 +34,7 @@ pub fn replay(
     let fly = || -> Result<PythonRun, Box<dyn std::error::Error>> {
         let flight = flight_at(&path, columns.as_deref(), vehicle)?;
         let map = flight.map(map.as_deref())?;
-        let mission = if no_mission {
-            None
-        } else {
-            flight.mission(mission.as_deref())?
-        };
+        let mission = flight.mission(mission.as_deref(), no_mission)?;
         let mut notes = flight.notes;
         let map = map.map(|map| {
             notes.extend(map.notes);
