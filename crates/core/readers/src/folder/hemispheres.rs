@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::table_text::{ANGLES, TableText, places, some_lines, spliced, words};
+use super::table_text::{ANGLES, TableText, bare_cells, places, some_lines, spliced, words};
 use crate::cells::Separator;
 
 /// Letters that leave an angle as it is, and those that turn it.
@@ -144,10 +144,7 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
     if !names.iter().any(is_place) {
         return (text, Vec::new());
     }
-    let cells = |line| -> Vec<&str> {
-        let places = places(line, separator).into_iter();
-        places.map(|place| &line[place]).collect()
-    };
+    let cells = |line| bare_cells(line, separator);
     let some: Vec<Vec<&str>> = some_lines(rows).into_iter().map(cells).collect();
     let mut changes: Vec<(Range<usize>, Vec<u8>)> = Vec::new();
     let mut notes = Vec::new();

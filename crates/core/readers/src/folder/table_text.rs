@@ -93,11 +93,29 @@ pub(super) fn solution_cells(line: &str, separator: &str) -> Vec<String> {
 }
 
 /// Separator of a line of names: the one that it has most of.
-pub(super) fn name_separator(line: &str) -> char {
-    let found = [',', ';', '\t'].into_iter();
+pub(super) fn name_separator(line: &str) -> Separator {
+    let found = [
+        Separator::Bar,
+        Separator::Comma,
+        Separator::Semicolon,
+        Separator::Tab,
+    ];
+    let count = |separator: &Separator| line.matches(char::from(separator.byte())).count();
     found
-        .max_by_key(|c| line.matches(*c).count())
-        .unwrap_or(',')
+        .into_iter()
+        .max_by_key(count)
+        .unwrap_or(Separator::Comma)
+}
+
+/// The cells of a line, without blanks and quotation marks around them.
+pub(super) fn bare_cells(line: &str, separator: Separator) -> Vec<&str> {
+    let places = places(line, separator).into_iter();
+    places.map(|place| &line[place]).collect()
+}
+
+/// A line with another text in the place of one of its cells.
+pub(super) fn with_cell(line: &str, place: &Range<usize>, cell: &str) -> String {
+    [&line[..place.start], cell, &line[place.end..]].concat()
 }
 
 /// A text of these lines.

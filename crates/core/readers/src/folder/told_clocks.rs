@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::table_text::{joined, name_separator};
-use crate::cells::has_zone;
+use super::table_text::{bare_cells, joined, name_separator, places, with_cell};
+use crate::cells::{Separator, has_zone};
 
 /// Columns of Garmin: day and time where the aircraft is, and hours from Greenwich.
 const LOCAL: [&str; 3] = ["Lcl Date", "Lcl Time", "UTCOfst"];
@@ -41,11 +41,12 @@ pub(super) fn with_told_clocks(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
 }
 
 /// Columns of those names.
-fn columns<const N: usize>(names: &str, separator: char, wanted: [&str; N]) -> Option<[usize; N]> {
-    let names: Vec<&str> = names
-        .split(separator)
-        .map(|name| name.trim().trim_matches('"'))
-        .collect();
+fn columns<const N: usize>(
+    names: &str,
+    separator: Separator,
+    wanted: [&str; N],
+) -> Option<[usize; N]> {
+    let names = bare_cells(names, separator);
     let found = wanted.map(|name| names.iter().position(|other| *other == name));
     found
         .iter()
@@ -54,13 +55,13 @@ fn columns<const N: usize>(names: &str, separator: char, wanted: [&str; N]) -> O
 }
 
 /// The columns of date and time of day, and that of hours from Greenwich; without one they are in universal time.
-fn clock(names: &str, separator: char) -> Option<(usize, usize, Option<usize>)> {
+fn clock(names: &str, separator: Separator) -> Option<(usize, usize, Option<usize>)> {
     if let Some([date, time, offset]) = columns(names, separator, LOCAL) {
         return Some((date, time, Some(offset)));
     }
     let mut found = [None; 2];
     let mut is_universal = false;
-    for (at, name) in names.split(separator).enumerate() {
+    for (at, name) in bare_cells(names, separator).into_iter().enumerate() {
         let plain = name
             .to_lowercase()
             .replace(|c: char| !c.is_alphanumeric(), " ");
@@ -93,18 +94,15 @@ fn with_zones(text: &str, number: usize) -> Option<String> {
         return None;
     }
     let line = |(index, line): (usize, &str)| {
-        let mut cells: Vec<&str> = line.split(separator).collect();
-        let last = date.max(time).max(offset.unwrap_or(0));
-        if index <= number || cells.len() <= last || line.contains('"') {
+        let places = places(line, separator);
+        let cell = |at: usize| places.get(at).map_or("", |place| &line[place.clone()]);
+        let zone = offset.map_or("Z", cell);
+        let told = format!("{} {}{zone}", cell(date), cell(time));
+        if index <= number || cell(date).is_empty() || !cell(time).contains(':') || !has_zone(&told)
+        {
             return line.to_owned();
         }
-        let zone = offset.map_or("Z", |offset| cells[offset].trim());
-        let told = format!("{} {}{zone}", cells[date].trim(), cells[time].trim());
-        if cells[date].trim().is_empty() || !cells[time].contains(':') || !has_zone(&told) {
-            return line.to_owned();
-        }
-        cells[time] = &told;
-        cells.join(&separator.to_string())
+        with_cell(line, &places[time], &told)
     };
     Some(joined(text.lines().enumerate().map(line)))
 }
@@ -112,12 +110,12 @@ fn with_zones(text: &str, number: usize) -> Option<String> {
 /// Whether the date stays as it is over midnight: it is that of the beginning then.
 fn has_late_dates<'a>(
     rows: impl Iterator<Item = &'a str>,
-    separator: char,
+    separator: Separator,
     (date, time): (usize, usize),
 ) -> bool {
     let mut before: Option<(&str, u8)> = None;
     for row in rows {
-        let cells: Vec<&str> = row.split(separator).map(str::trim).collect();
+        let cells = bare_cells(row, separator);
         let hour = cells
             .get(time)
             .and_then(|cell| cell.split(':').next()?.parse().ok());
@@ -141,7 +139,7 @@ fn in_seconds(text: &str, number: usize) -> Option<String> {
         name.contains("utc")
             || name.contains("time") && !name.contains("fine") && !name.contains("coarse")
     };
-    if names.split(separator).any(is_time) {
+    if bare_cells(names, separator).into_iter().any(is_time) {
         return None;
     }
     let (mut last, mut turned) = (f64::NEG_INFINITY, 0.0);
@@ -149,11 +147,10 @@ fn in_seconds(text: &str, number: usize) -> Option<String> {
         if index == number {
             return line.replacen(FINE.0, FINE.1, 1);
         }
-        let mut cells: Vec<&str> = line.split(separator).collect();
-        let ticks = cells
-            .get(clock)
-            .and_then(|cell| cell.trim().parse::<f64>().ok());
-        let Some(ticks) = ticks.filter(|_| index > number) else {
+        let places = places(line, separator);
+        let place = places.get(clock).filter(|_| index > number);
+        let ticks = place.and_then(|place| Some((place, line[place.clone()].parse::<f64>().ok()?)));
+        let Some((place, ticks)) = ticks else {
             return line.to_owned();
         };
         let seconds = ticks / 1e4;
@@ -161,9 +158,7 @@ fn in_seconds(text: &str, number: usize) -> Option<String> {
             turned += FINE_TURN;
         }
         last = seconds;
-        let told = format!("{:.4}", seconds + turned);
-        cells[clock] = &told;
-        cells.join(&separator.to_string())
+        with_cell(line, place, &format!("{:.4}", seconds + turned))
     };
     Some(joined(text.lines().enumerate().map(line)))
 }
@@ -180,11 +175,14 @@ mod tests {
     #[test]
     fn local_times_have_the_hours_that_stand_beside_them() {
         let table = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01, 14:00:00, -04:00, 1.5\n , , , \n";
-        let right = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01,2024-05-01 14:00:00-04:00, -04:00, 1.5\n , , , \n";
+        let right = "#airframe_info\n  Lcl Date, Lcl Time, UTCOfst, Latitude\n2024-05-01, 2024-05-01 14:00:00-04:00, -04:00, 1.5\n , , , \n";
         assert_eq!(told(table), right);
         let table = "UTC Date;UTC Time;Latitude\n13.05.2024;10:00:00.5;1\n;10:00:01.0;2\n";
         let right =
             "UTC Date;UTC Time;Latitude\n13.05.2024;13.05.2024 10:00:00.5Z;1\n;10:00:01.0;2\n";
+        assert_eq!(told(table), right);
+        let table = "\"UTC Date\",\"Note\",\"UTC Time\"\n\"2024-05-13\",\"a, b\",\"10:00:00.5\"\n";
+        let right = "\"UTC Date\",\"Note\",\"UTC Time\"\n\"2024-05-13\",\"a, b\",\"2024-05-13 10:00:00.5Z\"\n";
         assert_eq!(told(table), right);
         for other in [
             "Date,Time,lat\n2024-05-13,10:00:00,1\n",

@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::table_text::{joined, name_separator};
+use super::table_text::{bare_cells, joined, name_separator};
+use crate::cells::Separator;
 
 /// Names of the columns that are added, degrees clockwise from true north.
 const HEADING: &str = "true heading by variation [deg]";
@@ -17,7 +18,7 @@ const WAY: f64 = 1e-4;
 
 /// The columns of a table that matter here.
 struct MagneticColumns {
-    separator: char,
+    separator: Separator,
     count: usize,
     variation: usize,
     heading: Option<usize>,
@@ -49,9 +50,9 @@ fn changed(text: &str) -> Option<String> {
         let column = column?;
         Some((column, name, sign(rows(), &columns, column)?))
     });
-    let separator = columns.separator;
+    let separator = char::from(columns.separator.byte());
     let added = |line: &str, index: usize| -> String {
-        let cells: Vec<&str> = line.split(separator).map(str::trim).collect();
+        let cells = bare_cells(line, columns.separator);
         let mut line = line.to_owned();
         for (column, name, sign) in magnetic.into_iter().flatten() {
             if index + 1 == number && line.starts_with('#') && cells.len() == columns.count {
@@ -62,7 +63,11 @@ fn changed(text: &str) -> Option<String> {
                 let pair = number_in(cells[column]).zip(number_in(cells[columns.variation]));
                 let value =
                     pair.map(|(angle, by)| format!("{:.3}", (angle + sign * by).rem_euclid(360.0)));
-                line = format!("{line}{separator}{}", value.unwrap_or_default());
+                let mut value = value.unwrap_or_default();
+                if cells[column].contains(',') {
+                    value = format!("\"{}\"", value.replace('.', ","));
+                }
+                line = format!("{line}{separator}{value}");
             }
         }
         line
@@ -73,13 +78,14 @@ fn changed(text: &str) -> Option<String> {
 }
 
 fn number_in(cell: &str) -> Option<f64> {
-    cell.parse().ok().filter(|number: &f64| number.is_finite())
+    let number = cell.replacen(',', ".", 1).parse().ok();
+    number.filter(|number: &f64| number.is_finite())
 }
 
 /// The columns of a line of names.
 fn columns(line: &str) -> Option<MagneticColumns> {
     let separator = name_separator(line);
-    let names: Vec<&str> = line.split(separator).map(str::trim).collect();
+    let names = bare_cells(line, separator);
     let plain: Vec<String> = names.iter().map(|name| plain(name)).collect();
     let find = |wanted: &[&str]| {
         plain
@@ -115,11 +121,7 @@ fn columns(line: &str) -> Option<MagneticColumns> {
 
 /// A name in small letters without what stands in brackets.
 fn plain(name: &str) -> String {
-    let name = name
-        .trim_matches('"')
-        .split(['(', '['])
-        .next()
-        .unwrap_or("");
+    let name = name.split(['(', '[']).next().unwrap_or("");
     let words: Vec<String> = name.split(['_', ' ']).map(str::to_lowercase).collect();
     words.join(" ").trim().to_owned()
 }
@@ -136,7 +138,7 @@ fn sign<'a>(
         return Some(1.0);
     };
     let numbers = |row: &str| -> Option<[f64; 4]> {
-        let cells: Vec<&str> = row.split(columns.separator).map(str::trim).collect();
+        let cells = bare_cells(row, columns.separator);
         let number = |at: usize| number_in(cells.get(at)?);
         Some([
             number(latitude)?,
@@ -197,6 +199,21 @@ mod tests {
             assert!(lines[30].ends_with(",45.000"), "{}", lines[30]);
         }
         assert_eq!(changed(&table(44.5, 12.0)), None);
+    }
+
+    #[test]
+    fn cells_in_quotation_marks_have_a_variation_as_well() {
+        let names = "\"time\",\"Magnetic Heading (deg)\",\"Note, free\",\"Mag Var (deg)\"";
+        for (row, right) in [
+            ("\"0\",\"350.0\",\"a, b\",\"15.0\"", "5.000"),
+            ("0,\"350,5\",,\"-15,25\"", "\"335,250\""),
+        ] {
+            let found = changed(&format!("{names}\n{row}\n")).unwrap();
+            let end = format!("\n{row},{right}\n");
+            assert!(found.ends_with(&end), "{found}");
+        }
+        let found = changed("Magnetic Heading|Mag Var\n350|15\n").unwrap();
+        assert!(found.ends_with("350|15|5.000\n"), "{found}");
     }
 
     #[test]
