@@ -18,7 +18,10 @@ const VALUES: [(&str, &[&str]); 7] = [
         "longitude [deg]",
         &["longitude", "longtitude", "lon", "lng"],
     ),
-    ("height above takeoff [m]", &["rel_alt", "barometer", "h"]),
+    (
+        "height above takeoff [m]",
+        &["rel_alt", "barometer", "hb", "h"],
+    ),
     ("altitude msl [m]", &["abs_alt", "altitude", "alt"]),
     ("heading [deg]", &["gb_yaw"]),
     ("pitch [deg]", &["gb_pitch"]),
@@ -27,6 +30,7 @@ const VALUES: [(&str, &[&str]); 7] = [
 const LATITUDE: usize = 0;
 const LONGITUDE: usize = 1;
 const HEIGHT: usize = 2;
+const ALTITUDE: usize = 3;
 const HEADING: usize = 4;
 const PITCH: usize = 5;
 const ROLL: usize = 6;
@@ -167,8 +171,9 @@ fn seconds(text: &str) -> Option<f64> {
 }
 
 /// The values in the words of a subtitle: `[latitude: 47.1]`, `[rel_alt: 1.5 abs_alt: 440]`, `BAROMETER:91.2`,
-/// `GPS (8.5, 47.1, 15)` with the longitude first, `H 20.0m`, `G.PRY (-90.0°, 0.0°, 90.0°)`, and Autel's
-/// `GPS(W: 8.5, N: 47.1, 20.00m)` with the height above take-off last.
+/// `GPS (8.5, 47.1, 15)` with the longitude first and satellites last, `GPS(47.1, 8.5, 0.0M) BAROMETER(91.2)` with the latitude
+/// first and a height last, `H 20.0m`, `G.PRY (-90.0°, 0.0°, 90.0°)`, and Autel's `GPS(W: 8.5, N: 47.1, 20.00m)` with the
+/// height above take-off last.
 fn values(words: &str) -> [Option<f64>; 7] {
     let plain = with_points(&words.to_lowercase());
     let seam = |c: char| c.is_whitespace() || "[]<>,".contains(c);
@@ -188,18 +193,23 @@ fn values(words: &str) -> [Option<f64>; 7] {
     if values[LATITUDE].zip(values[LONGITUDE]).is_none()
         && let Some(inside) = in_brackets(&plain, "gps")
     {
-        let mut parts = inside.split(',').map(str::trim);
-        for (place, usual) in [parts.next(), parts.next()]
-            .into_iter()
-            .zip([LONGITUDE, LATITUDE])
-        {
-            if let Some((index, value)) = place.and_then(|place| axis(place, usual)) {
+        let parts: Vec<&str> = inside.split(',').map(str::trim).collect();
+        let order = match is_latitude_first(&parts) {
+            true => [LATITUDE, LONGITUDE],
+            false => [LONGITUDE, LATITUDE],
+        };
+        for (place, usual) in parts.iter().zip(order) {
+            if let Some((index, value)) = axis(place, usual) {
                 values[index] = Some(value);
             }
         }
-        let height = parts.next().filter(|height| height.ends_with(['m', 't']));
-        if let Some(height) = height.and_then(amount) {
-            values[HEIGHT] = values[HEIGHT].or(Some(height));
+        let barometer = in_brackets(&plain, "barometer").and_then(amount);
+        values[HEIGHT] = values[HEIGHT].or(barometer);
+        let last = parts.get(2).copied().unwrap_or("");
+        if last.ends_with(['m', 't']) {
+            values[HEIGHT] = values[HEIGHT].or(amount(last));
+        } else if last.contains('.') {
+            values[ALTITUDE] = values[ALTITUDE].or(amount(last));
         }
     }
     if values[PITCH].is_none()
@@ -219,6 +229,21 @@ fn values(words: &str) -> [Option<f64>; 7] {
     }
     values[PITCH] = values[PITCH].map(|pitch| pitch + 90.0);
     values
+}
+
+/// Whether the latitude is the first of `GPS(…)`: a number beyond 90 is the longitude, and firmware that writes a height last,
+/// as of the Matrice 300 and the Avata 2, has the latitude first; where satellites are counted last, the longitude is.
+fn is_latitude_first(parts: &[&str]) -> bool {
+    let is_beyond = |at: usize| {
+        let number = parts.get(at).and_then(|part| part.parse::<f64>().ok());
+        number.is_some_and(|number| number.abs() > 90.0)
+    };
+    let last = parts.get(2).copied().unwrap_or("");
+    match (is_beyond(0), is_beyond(1)) {
+        (true, _) => false,
+        (_, true) => true,
+        _ => last.ends_with('m') || last.contains('.'),
+    }
 }
 
 /// The words with a point for the decimal comma of `latitude: 47,1`.
@@ -293,6 +318,33 @@ mod tests {
             )
         };
         (0..50).map(cue).collect()
+    }
+
+    #[test]
+    fn the_latitude_is_first_where_a_height_is_last() {
+        let place = |words: &str| {
+            let values = values(words);
+            (values[LATITUDE], values[LONGITUDE], values[HEIGHT])
+        };
+        for (words, right) in [
+            (
+                "GPS(-41.3899,74.0177,0.0M) BAROMETER:97.7M",
+                (-41.3899, 74.0177, 97.7),
+            ),
+            ("GPS(36.5,-6.1,0.0M) BAROMETER: 3.5M", (36.5, -6.1, 3.5)),
+            (
+                "GPS(39.9,116.3,69.8) BAROMETER(91.2) HOME(39.9,116.4)",
+                (39.9, 116.3, 91.2),
+            ),
+            (
+                "HOME(131.1660,-25.2088)\nGPS(131.1660,-25.2088,14) BAROMETER:2.5",
+                (-25.2088, 131.166, 2.5),
+            ),
+            ("GPS(8.5,47.1,16) Hb:118.5 Hs:n/a", (47.1, 8.5, 118.5)),
+        ] {
+            let right = (Some(right.0), Some(right.1), Some(right.2));
+            assert_eq!(place(words), right, "{words}");
+        }
     }
 
     #[test]
