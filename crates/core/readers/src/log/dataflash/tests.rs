@@ -273,11 +273,27 @@ fn units_and_instances_may_be_told_after_the_rows() {
     let early = tst(tst(tst(early, 1, 2, 1500), 2, 5, 1), 3, 2, 7);
     let log = read(&early.raw(&all[announcements..]));
     let names: Vec<String> = log.topics.iter().map(|t| t.name.to_string()).collect();
-    assert_eq!(names, ["FMT", "TST[2]", "UNIT", "MULT", "FMTU", "TST[5]"]);
+    assert_eq!(names, ["FMT", "TST[2]", "TST[5]", "UNIT", "MULT", "FMTU"]);
     let topic = log.topic(&instance("TST", 2)).unwrap();
     assert_eq!(topic.values("Length"), Some(vec![1.5, 0.007]));
     assert_eq!(topic.times, [1e-6, 3e-6]);
     assert_eq!(topic.field("Length").map(|f| f.unit.as_str()), Some("m"));
+}
+
+#[test]
+fn receivers_are_told_apart_without_units() {
+    let text = "FMT, 130, 19, GPS, QBBL, TimeUS,I,Status,Lat\nFMT, 131, 12, PIDR, Qf, TimeUS,I\n";
+    let rows = "GPS, 1000, 0, 3, 47.5\nGPS, 1100, 1, 3, -33.5\nPIDR, 1000, 0.5\nPIDR, 1100, 1.5\nGPS, 2000, 0, 3, 47.6\n";
+    let log = read_text(&format!("{text}{rows}"));
+    let topics = log.topics.iter().filter(|topic| topic.name.name != "FMT");
+    let names: Vec<_> = topics.map(|topic| topic.name.clone()).collect();
+    let right = [
+        instance("GPS", 0),
+        instance("GPS", 1),
+        TopicName::single("PIDR"),
+    ];
+    assert_eq!(names, right);
+    assert_eq!(log.topic(&instance("GPS", 0)).unwrap().len(), 2);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::{FieldKind, FieldLayout, Log, Rows, TopicName};
 use super::clock::Stamp;
-use super::format::MessageFormat;
+use super::format::{MessageField, MessageFormat};
 use super::units::{INSTANCE, Labels, UnitTables};
 
 /// Most topics of a log: what is damaged or made up must not fill the memory with names.
@@ -81,8 +81,11 @@ impl MessageKind {
     pub fn set_labels(&mut self, labels: Labels, units: &UnitTables) -> bool {
         self.labels = labels;
         self.set_fields(units);
-        let marked = self.labels.units.iter().position(|u| *u == INSTANCE);
         let (columns, _) = self.format.fields();
+        let marked = match self.labels.units.as_slice() {
+            [] => usual_instance(&self.format.name, &columns),
+            units => units.iter().position(|u| *u == INSTANCE),
+        };
         let name = marked.and_then(|i| columns.get(i)).map(|c| &c.name);
         let instance = name.and_then(|name| self.fields.iter().position(|f| f.name == *name));
         let is_other = instance != self.instance;
@@ -214,6 +217,14 @@ impl MessageKind {
     pub fn places(&self) -> impl Iterator<Item = usize> {
         self.parts.values().copied().chain(self.whole)
     }
+}
+
+/// The field by which instances are told apart in logs that state no units: the number behind the time that is called `I`, or
+/// `C` in messages of estimators.
+fn usual_instance(message: &str, columns: &[MessageField]) -> Option<usize> {
+    let second = columns.get(1)?;
+    let is_usual = second.name == "I" || second.name == "C" && message.starts_with(['X', 'N']);
+    (is_usual && second.letter.kind == FieldKind::U8).then_some(1)
 }
 
 /// Name of the topic of an instance. What is no whole number of 32 bits stands in the name itself.
