@@ -61,7 +61,9 @@ pub fn is_nmea(head: &[u8]) -> bool {
         let name = line
             .rsplit_once('$')
             .and_then(|(_, rest)| rest.split(',').next());
-        let Some(name) = name.filter(|name| name.is_ascii() && name.len() >= 4) else {
+        // Sentences of instruments have short names: `$D,11.25,97863.281*44`.
+        let is_named = |name: &&str| name.len() >= 4 || line.starts_with('$') && line.contains('*');
+        let Some(name) = name.filter(|name| name.is_ascii()).filter(is_named) else {
             continue;
         };
         sentences += 1;

@@ -31,6 +31,15 @@ fn recording() -> String {
 }
 
 #[test]
+fn sentences_with_short_names_may_be_most() {
+    let text: String = (recording().lines())
+        .map(|line| line.to_owned() + "\r\n" + &sentence("D,11.25,97863.281,,,656.0").repeat(5))
+        .collect();
+    assert!(is_nmea(text.as_bytes()));
+    assert!(read_nmea("a.nmea", text.as_bytes()).unwrap().is_some());
+}
+
+#[test]
 fn sentences_are_a_flight_with_heights_and_speeds_over_midnight() {
     let text = recording();
     assert!(is_nmea(text.as_bytes()));
