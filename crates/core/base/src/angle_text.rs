@@ -240,7 +240,18 @@ fn hemisphere(word: &str) -> Option<char> {
 /// two of seconds.
 fn packed_degrees(text: &str, letter: char) -> Option<f64> {
     let digits = text.find(['.', ',']).unwrap_or(text.len());
-    let of_degrees = if "NS".contains(letter) { 2 } else { 3 };
+    let (usual, most) = if "NS".contains(letter) {
+        (2, 90)
+    } else {
+        (3, 180)
+    };
+    // Radios write no zeros before: beyond what degrees reach, the last two digits are minutes.
+    let is_beyond = text[..digits].parse().is_ok_and(|whole: u32| whole > most);
+    let of_degrees = if is_beyond && digits < usual + 2 {
+        digits.checked_sub(2)?
+    } else {
+        usual
+    };
     let has_seconds = match digits.checked_sub(of_degrees)? {
         2 => false,
         4 => true,
@@ -300,6 +311,11 @@ mod tests {
         assert_eq!(degrees_of_text("0°30'W"), Some(-0.5));
         assert_eq!(degrees_of_text("0083000.0E"), Some(8.5));
         assert_eq!(degrees_of_text("00830.0W"), Some(-8.5));
+        // Without zeros before, as OpenTX 2.0 writes them.
+        assert_eq!(degrees_of_text("1130.0W"), Some(-11.5));
+        assert_eq!(degrees_of_text("830.0E"), Some(8.5));
+        assert_eq!(degrees_of_text("330.0S"), Some(-3.5));
+        assert_eq!(degrees_of_text("130.0E"), Some(130.0));
         // With the ordinal sign of Spanish keyboards, and words that end where the south begins.
         for text in [
             "33.85ºS",
