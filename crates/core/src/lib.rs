@@ -43,7 +43,7 @@ pub mod flight {
 pub mod mission {
     pub use pilotage_maps::{
         CornersError, MapFileError, MapOptions, Mosaic, OpenMap, open_dem, open_map, open_map_with,
-        with_world_file,
+        places_in_degrees, with_world_file,
     };
     pub use pilotage_mission::mission::*;
 }

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod auxiliary_xml;
+mod control_points;
 mod corners_error;
 mod dem_file;
 pub mod georeferencer;
@@ -18,6 +19,7 @@ pub mod terrain;
 pub mod tiff;
 pub mod web_tiles;
 
+pub use control_points::places_in_degrees;
 pub use corners_error::CornersError;
 pub use dem_file::open_dem;
 pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
