@@ -257,6 +257,9 @@ pub(super) struct CsvColumn {
 /// Meanings of the columns of those names, or in words the error of one.
 pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
     let mut taken = Vec::new();
+    let is_of_little_navmap = LITTLE_NAVMAP
+        .iter()
+        .all(|name| names.contains(&(*name).to_owned()));
     names
         .iter()
         .zip(parts_of_angles(names))
@@ -276,6 +279,9 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
                 },
                 None => column(name),
             };
+            if is_of_little_navmap && column.role == Some(CsvRole::Altitude) {
+                column.unit = column.unit.or(Some(Unit::Foot));
+            }
             if let Some(role) = column.role {
                 if taken.contains(&role) {
                     // The first of several is meant.
@@ -293,6 +299,9 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
         })
         .collect()
 }
+
+/// Columns of the user points of Little Navmap, whose elevations are feet.
+const LITTLE_NAVMAP: [&str; 3] = ["Ident", "Magnetic Declination", "Visible From"];
 
 /// Roles of the columns that hold the degrees, minutes or seconds of latitudes or longitudes alone; with a greatest value
 /// beside it, `lat_min` is the least.
@@ -443,6 +452,23 @@ fn column_of(name: &str, words: &str) -> CsvColumn {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn elevations_of_little_navmap_are_feet() {
+        let unit = |names: &str| {
+            let names: Vec<String> = names.split(',').map(str::to_owned).collect();
+            let columns = columns(&names).unwrap();
+            columns
+                .into_iter()
+                .find(|c| c.name == "Elevation")
+                .unwrap()
+                .unit
+        };
+        let names =
+            "Name,Ident,Latitude,Longitude,Elevation,Magnetic Declination,Tags,Visible From";
+        assert_eq!(unit(names), Some(Unit::Foot));
+        assert_eq!(unit("Name,Ident,Latitude,Longitude,Elevation"), None);
+    }
 
     #[test]
     fn columns_are_known_in_the_spellings_that_people_use() {
