@@ -18,7 +18,7 @@ pub(super) fn system(text: &str) -> Option<Result<ReferenceSystem, String>> {
         if !rest.is_empty() && !rest.starts_with("utm") {
             return None;
         }
-        ReferenceSystem::from_name(line)
+        ReferenceSystem::from_name(line).or_else(|| of_band(line))
     };
     Some(found.ok_or_else(|| {
         format!(
@@ -26,6 +26,18 @@ pub(super) fn system(text: &str) -> Option<Result<ReferenceSystem, String>> {
              zone of UTM (EPSG:32632)"
         )
     }))
+}
+
+/// The zone whose band stands where others have the hemisphere: `WGS84 UTM 30U`.
+fn of_band(line: &str) -> Option<ReferenceSystem> {
+    let band = line.chars().next_back()?.to_ascii_uppercase();
+    let half = match band {
+        'C'..='H' | 'J'..='M' => 'S',
+        'P'..='X' => 'N',
+        _ => return None,
+    };
+    let zone = line.strip_suffix(|c: char| c.is_ascii_alphabetic())?;
+    ReferenceSystem::from_name(&format!("{zone}{half}"))
 }
 
 /// The system that a remark of Metashape names.
@@ -73,6 +85,8 @@ mod tests {
         assert_eq!(system("EPSG:4326\n"), Some(Ok(ReferenceSystem::Geographic)));
         assert_eq!(system("epsg:32760"), utm(60, true));
         assert_eq!(system("WGS84 UTM 32 N"), utm(32, false));
+        assert_eq!(system("WGS84 UTM 30U"), utm(30, false));
+        assert_eq!(system("WGS84 UTM 19H"), utm(19, true));
         assert_eq!(
             system("+proj=utm +zone=7 +south +ellps=WGS84 +units=m +no_defs"),
             utm(7, true)

@@ -26,15 +26,16 @@ const NORTHINGS: [&str; 8] = [
     "utm n",
     "utm y",
 ];
-const ZONES: [&str; 4] = ["zone", "utm zone", "grid zone", "zone number"];
-const HALVES: [&str; 7] = [
-    "hemisphere",
-    "half",
-    "n/s",
+const ZONES: [&str; 5] = ["zone", "utm zone", "grid zone", "zone number", "utm z"];
+const HALVES: [&str; 3] = ["hemisphere", "half", "n/s"];
+/// Those of the letter of a band, of which the northern ones begin with N; the last two are of `GPSBabel`.
+const BANDS: [&str; 6] = [
     "band",
     "utm band",
     "zone letter",
     "latitude band",
+    "utm ch",
+    "utm c",
 ];
 
 /// Writes latitude and longitude on WGS 84, degrees, where northing and easting stand, in a table that has no place beside
@@ -65,7 +66,8 @@ pub(super) fn in_degrees(
     if table.has(CsvRole::Latitude) || table.has(CsvRole::Longitude) {
         return Ok(None);
     }
-    let half = find(&HALVES);
+    let half = find(&HALVES).map(|column| (column, false));
+    let half = half.or_else(|| Some((find(&BANDS)?, true)));
     for (line, row) in records.iter_mut() {
         let cell = |column: usize| row.get(column).unwrap_or("").trim();
         let metres = |column: usize| {
@@ -76,7 +78,12 @@ pub(super) fn in_degrees(
                 cell.to_owned()
             }
         };
-        let zone = format!("{}{}", cell(zone), half.map_or("", cell));
+        let half = half.map_or("", |(column, is_band)| match cell(column) {
+            // Alone an S would be the south.
+            "S" | "s" if is_band => "N",
+            letter => letter,
+        });
+        let zone = format!("{}{half}", cell(zone));
         let text = format!("{zone} {} {}", metres(east), metres(north));
         let place = place_of_text(&text).map_err(|error| ExchangeError::Place {
             file: table.file.to_owned(),
@@ -98,7 +105,7 @@ pub(super) fn in_degrees(
         (east, Some(CsvRole::Longitude)),
     ]
     .into_iter()
-    .chain(half.map(|half| (half, None)))
+    .chain(half.map(|(half, _)| (half, None)))
     {
         let column = &mut table.columns[column];
         (column.role, column.unit, column.hemisphere) = (role, None, None);
@@ -131,6 +138,9 @@ mod tests {
         for table in [
             "name,easting,northing,zone\nA,465429.756,5246517.201,32T\n",
             "name,zone,utm_e,utm_n\nA,32N,465429.756,5246517.201\n",
+            // A band, as GPSBabel has it.
+            "No,UTM-Zone,UTM-Ch,UTM-East,UTM-North,Name\n1,32,T,465429.756,5246517.201,A\n",
+            "name,band,zone,easting,northing\nA,S,32,465429.756,5246517.201\n",
             "name;Zone;Hemisphere;Easting (m);Northing (m)\nA;32;N;465429,756;5246517,201\n",
         ] {
             let found = places(table).unwrap()[0];
