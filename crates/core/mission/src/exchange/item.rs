@@ -16,6 +16,7 @@ pub(super) const RETURN_TO_LAUNCH: u16 = 20;
 pub(super) const LAND: u16 = 21;
 pub(super) const TAKE_OFF: u16 = 22;
 pub(super) const LOITER_TO_ALTITUDE: u16 = 31;
+const ARC_WAY_POINT: u16 = 36;
 const SPLINE_WAY_POINT: u16 = 82;
 const VTOL_TAKE_OFF: u16 = 84;
 pub(super) const VTOL_LAND: u16 = 85;
@@ -24,7 +25,7 @@ pub(super) const JUMP: u16 = 177;
 pub(super) const CHANGE_SPEED: u16 = 178;
 
 /// Names of commands that are met often, for notes.
-const NAMES: [(u16, &str); 30] = [
+const NAMES: [(u16, &str); 31] = [
     (LOITER_UNLIMITED, "LOITER_UNLIM"),
     (LOITER_TURNS, "LOITER_TURNS"),
     (LOITER_TIME, "LOITER_TIME"),
@@ -33,6 +34,7 @@ const NAMES: [(u16, &str); 30] = [
     (TAKE_OFF, "TAKEOFF"),
     (30, "CONTINUE_AND_CHANGE_ALT"),
     (LOITER_TO_ALTITUDE, "LOITER_TO_ALT"),
+    (ARC_WAY_POINT, "ARC_WAYPOINT"),
     (SPLINE_WAY_POINT, "SPLINE_WAYPOINT"),
     (VTOL_TAKE_OFF, "VTOL_TAKEOFF"),
     (VTOL_LAND, "VTOL_LAND"),
@@ -128,7 +130,9 @@ impl MissionItem {
                     seconds: self.parameters[0],
                 }
             }
-            WAY_POINT | LOITER_TO_ALTITUDE | SPLINE_WAY_POINT => WayPointAction::FlyBy,
+            WAY_POINT | LOITER_TO_ALTITUDE | ARC_WAY_POINT | SPLINE_WAY_POINT => {
+                WayPointAction::FlyBy
+            }
             LOITER_UNLIMITED => WayPointAction::Wait {
                 radius: self.parameters[2].unwrap_or(0.0),
                 seconds: None,
