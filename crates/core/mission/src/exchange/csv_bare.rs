@@ -51,6 +51,9 @@ fn given_names(content: &str) -> Result<Option<NamedTable>, String> {
         }
         return Ok(None);
     }
+    if let Some(table) = of_dji_marks(content) {
+        return Ok(Some(table));
+    }
     if let Some(table) = between_blanks(content) {
         return Ok(Some(table));
     }
@@ -64,7 +67,7 @@ fn given_names(content: &str) -> Result<Option<NamedTable>, String> {
 pub(super) fn is_bare(head: &str) -> bool {
     // The last line may be cut off.
     let whole = head.rfind('\n').map_or(head, |end| &head[..end]);
-    named(whole).map_or_else(|_| system(whole).is_some(), |table| table.is_some())
+    named(whole).map_or(true, |table| table.is_some())
 }
 
 /// A row: the name, the numbers of its place, and other cells.
@@ -168,6 +171,31 @@ fn place(system: &ReferenceSystem, x: &str, y: &str) -> Option<(String, String)>
     let place = system.geodetic(x.parse().ok()?, y.parse().ok()?)?;
     let degrees = |radians: f64| format!("{:.10}", radians.to_degrees());
     Some((degrees(place.longitude), degrees(place.latitude)))
+}
+
+/// The marks of photos that DJI's aircraft write (`.MRK`): number, seconds of the week, `[week]`, millimetres to the antenna,
+/// `47.1,Lat`, `8.5,Lon`, `500.0,Ellh`.
+fn of_dji_marks(content: &str) -> Option<NamedTable> {
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split('\t').map(str::trim).collect();
+        let find = |name: &str| cells.iter().find_map(|cell| cell.strip_suffix(name));
+        let values = [find(",Lat")?, find(",Lon")?, find(",Ellh")?];
+        let are_numbers = values.into_iter().all(is_number) && is_number(cells[0]);
+        are_numbers.then(|| format!("mark {},{}", cells[0], values.join(",")))
+    };
+    row(content.lines().next()?)?;
+    let rows = content.lines().map(|line| row(line).unwrap_or_default());
+    let text = rows.fold("name,latitude,longitude,z".to_owned(), |text, row| {
+        text + "\n" + &row
+    });
+    Some(NamedTable {
+        text: text + "\n",
+        added: 1,
+        notes: vec![
+            "it has no names of columns, and is read as the marks of DJI's photos (.MRK); heights (z) are above the ellipsoid"
+                .to_owned(),
+        ],
+    })
 }
 
 /// A reference table of Metashape in metres of the system that its first remark names.
@@ -327,7 +355,9 @@ fn row_of(cells: &[String], seam: char) -> Option<Row> {
             is_photo: false,
         });
     }
-    let behind = cells.get(numbers..)?;
+    // A height may lack.
+    let lacks_height = numbers == 2 && cells.get(2).is_some_and(String::is_empty);
+    let behind = cells.get(numbers + usize::from(lacks_height)..)?;
     let is_named = (2..=3).contains(&numbers) && behind.first().is_some_and(|c| is_name(c));
     let mut rest = vec![
         cells
@@ -478,6 +508,32 @@ mod tests {
             let off = (longitude - x).hypot(latitude - y);
             assert!(name == other && off < 3e-7, "{table}: {found:?}");
         }
+    }
+
+    #[test]
+    fn marks_of_djis_photos_are_landmarks() {
+        let mark = |number: u32, latitude: &str| {
+            let rest = "400373.488877\t[2264]\t  -40,N\t    0,E\t  86,V";
+            format!(
+                "{number}\t{rest}\t{latitude},Lat\t-1.26196331,Lon\t359.494,Ellh\t0.028, 0.031, 0.055\t16,Q\n"
+            )
+        };
+        let found = places(&(mark(1, "-44.42824637") + &mark(2, "-44.42834637")));
+        let right = [
+            ("mark 1".to_owned(), -1.261_963_31, -44.428_246_37),
+            ("mark 2".to_owned(), -1.261_963_31, -44.428_346_37),
+        ];
+        assert_eq!(found, right);
+    }
+
+    #[test]
+    fn a_height_may_lack_before_a_name() {
+        let found = places("-28.606309,41.491196,85.9,a,x\n-28.605513,41.492136,,b,y\n");
+        let right = [
+            ("a".to_owned(), 41.491_196, -28.606_309),
+            ("b".to_owned(), 41.492_136, -28.605_513),
+        ];
+        assert_eq!(found, right);
     }
 
     #[test]

@@ -193,6 +193,10 @@ fn version_of(line: &str) -> Result<&'static str, String> {
             "this is version 100 of 2010, whose columns are others: open it in Mission Planner and save it, or write \
              `{HEADER} {VERSION}`"
         ),
+        _ if !line.contains("QGC") => format!(
+            "it is no list of way-points (the first line has to be `{HEADER} {VERSION}`), and no table with names over columns \
+             of latitude and longitude"
+        ),
         _ => format!("the first line has to be `{HEADER} {VERSION}`"),
     })
 }
