@@ -17,7 +17,8 @@ pub(super) fn parts(name: &str, unit: &str) -> NameParts {
     let (plain, in_name) = brackets(name);
     let beside = brackets(unit).1.unwrap_or_else(|| unit.to_owned());
     // A second line of names below the first is none of units: what the name states goes before it.
-    let is_told_by_name = in_name.as_deref().is_some_and(is_unit) && !is_unit(&beside);
+    let is_stated = |text: &str| is_unit(without_datum(&text.to_lowercase()));
+    let is_told_by_name = in_name.as_deref().is_some_and(is_stated) && !is_unit(&beside);
     let unit = if beside.trim().is_empty() || is_told_by_name {
         in_name.unwrap_or_default()
     } else {
@@ -37,8 +38,14 @@ pub(super) fn parts(name: &str, unit: &str) -> NameParts {
         .to_owned();
     NameParts {
         words: words(&plain),
-        unit: bare,
+        unit: without_datum(&bare).to_owned(),
     }
+}
+
+/// A unit without what it counts from: `wgs84 ft`, `deg true`.
+fn without_datum(unit: &str) -> &str {
+    let unit = unit.strip_prefix("wgs84 ").unwrap_or(unit);
+    unit.strip_suffix(" true").unwrap_or(unit)
 }
 
 /// A text without what stands in brackets, and that.
@@ -214,6 +221,11 @@ mod tests {
             Some("ft")
         );
         assert_eq!(unit("AltMSL", "ft msl", Dimension::Length), Some("ft"));
+        for beside in ["", "AltGPS"] {
+            let altitude = unit("GPS Altitude (WGS84 ft)", beside, Dimension::Length);
+            assert_eq!(altitude, Some("ft"));
+        }
+        assert_eq!(unit("Track (deg true)", "", Dimension::Angle), Some("deg"));
         assert_eq!(unit("VSpd", "fpm", Dimension::Speed), Some("ft/min"));
         assert_eq!(parts("TimeUS", "").time_unit(), Some("us"));
         assert_eq!(parts("time [s]", "").time_unit(), Some("s"));

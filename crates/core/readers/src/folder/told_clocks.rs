@@ -62,7 +62,15 @@ fn clock(names: &str, separator: Separator) -> Option<(usize, usize, Option<usiz
     let mut found = [None; 2];
     let mut is_universal = false;
     for (at, name) in bare_cells(names, separator).into_iter().enumerate() {
-        let plain = name
+        // Behind brackets stands how it is written: `UTC Date (yyyy-mm-dd)`.
+        let bare = name
+            .split(['(', '['])
+            .next()
+            .filter(|bare| !bare.is_empty());
+        let has_form = name.contains(['y', 'Y', 'h', 'H']);
+        let plain = bare
+            .filter(|_| has_form)
+            .unwrap_or(name)
             .to_lowercase()
             .replace(|c: char| !c.is_alphanumeric(), " ");
         let mut words: Vec<&str> = plain.split_whitespace().collect();

@@ -135,6 +135,13 @@ fn plausible(board: &mut FlightColumns, known: &Known, id: Id) {
     }
 }
 
+/// Whether decimetres would come nearest: nobody writes heights so, and a nose lies off the path by more than feet do.
+fn is_of_decimetres(board: &FlightColumns, id: Id, factor: f64) -> bool {
+    let present = board.column(id).role.factor(&board.column(id).unit);
+    let found = nearest(Dimension::Length, factor * present.unwrap_or(1.0));
+    found.is_some_and(|(unit, _)| unit == "dm")
+}
+
 fn settle(board: &mut FlightColumns, id: Id, factor: f64, what: &str) {
     let present = board.column(id).role.factor(&board.column(id).unit);
     let factor = factor * present.unwrap_or(1.0);
@@ -187,6 +194,7 @@ pub(super) fn by_pitch(board: &mut FlightColumns, known: &Known) {
         let climbing = centred(&known.grid.rate(&board.values(id)));
         if let Some((correlation, factor, _)) = compare(&climb, &climbing)
             && correlation > 0.7
+            && !is_of_decimetres(board, id, factor)
         {
             settle(board, id, factor, "pitch and speed");
         }
