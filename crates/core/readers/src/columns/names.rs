@@ -117,6 +117,11 @@ const RULES: &[Rule] = &[
         0.7,
         "rel alt|relative alt|relative altitude|altitude relative|height above takeoff|height above take off|height|dist bottom",
     ),
+    turned(
+        Channel(ChannelName::HeightAboveGround),
+        0.6,
+        "down|position down|down position|pos d|pd|z down",
+    ),
     rule(
         Channel(ChannelName::BarometricHeight),
         0.9,
