@@ -230,6 +230,7 @@ fn guess_columns(
     let groups = groups(file, &names, &is_numeric);
     let mut guesses: Vec<Vec<NameGuess>> = names.iter().map(|p| by_name(file, p)).collect();
     makers::course_of_radio(&names, &mut guesses);
+    makers::course_of_phone(&names, &mut guesses);
     makers::short_names(&names, &mut guesses);
     makers::roles(samples.iter().map(|s| s.name.as_str()), &mut guesses);
     let mut hints = vec![Hint::default(); samples.len()];

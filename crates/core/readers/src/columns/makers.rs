@@ -105,6 +105,25 @@ pub(super) fn course_of_radio(names: &[NameParts], guesses: &mut [Vec<NameGuess>
     }
 }
 
+/// Receivers of phones and loggers call their course a bearing, beside the speed over ground.
+pub(super) fn course_of_phone(names: &[NameParts], guesses: &mut [Vec<NameGuess>]) {
+    let is_course = |guess: &NameGuess| guess.role == ColumnRole::Course;
+    let is_speed = |guess: &NameGuess| guess.role == ColumnRole::SpeedOverGround;
+    let has = |is: fn(&NameGuess) -> bool| guesses.iter().any(|of| of.first().is_some_and(is));
+    if has(is_course) || !has(is_speed) {
+        return;
+    }
+    for (parts, guesses) in names.iter().zip(guesses) {
+        if matches!(parts.plain_words(), [word] if word == "bearing") {
+            *guesses = vec![NameGuess {
+                role: ColumnRole::Course,
+                sign: 1.0,
+                confidence: 0.85,
+            }];
+        }
+    }
+}
+
 /// Whether a column is a clock that counts in none of the units of times: tenths of milliseconds of Xsens.
 pub(super) fn is_clock_of_no_unit(name: &str) -> bool {
     name == "SampleTimeFine"
