@@ -300,7 +300,8 @@ pub(super) fn groups(file: &str, names: &[NameParts], is_numeric: &[bool]) -> Ve
         };
         if let Some((wanted, columns)) = four {
             return Some(ColumnGroup {
-                kind: kind(4).or(Some(Quaternion)),
+                // Parts that are only counted may be the cells of a battery.
+                kind: kind(4).or((wanted == "wxyz").then_some(Quaternion)),
                 columns,
                 is_told: wanted == "wxyz",
             });

@@ -102,7 +102,10 @@ pub(super) fn inertial(board: &mut FlightColumns, known: &Known) {
         let unit = gravity
             .iter()
             .find(|(_, size)| (middle / size - 1.0).abs() < 0.08);
-        if let Some((unit, _)) = unit.filter(|_| third > 0.8 * middle) {
+        // A row of a rotation, as poses have them, is one to the last digit.
+        let is_one = |size: &f64| (size - 1.0).abs() < 1e-5;
+        let is_rotation = sizes.len() > 1 && sizes.iter().all(is_one);
+        if let Some((unit, _)) = unit.filter(|_| third > 0.8 * middle && !is_rotation) {
             take(
                 board,
                 ids,
