@@ -157,6 +157,13 @@ const WORDS: [(GroupQuantity, &[&str]); 8] = [
 ];
 
 impl GroupQuantity {
+    /// Roles of a position's columns as ROS has them: east, north, up.
+    pub const POSITION_OF_ROS: [Option<(ColumnRole, f64)>; 3] = [
+        Some((ColumnRole::Channel(ChannelName::GpsEast), 1.0)),
+        Some((ColumnRole::Channel(ChannelName::GpsNorth), 1.0)),
+        Some((ColumnRole::Channel(ChannelName::GpsHeight), 1.0)),
+    ];
+
     /// Roles of the columns along the first, second and third axis, and the sign of their values, before anything is
     /// known of the axes: forward, right, down, or north, east, down.
     pub fn roles(self) -> [Option<(ColumnRole, f64)>; 3] {

@@ -4,7 +4,7 @@ use super::bodies::of_one_body;
 use super::groups::{ColumnGroup, GroupQuantity, context, groups, quaternion_roles, telling};
 use super::header::{NameParts, parts as parts_of_name};
 use super::names::{NameGuess, is_otherwise, meanings};
-use super::physics::{self, Hint, TableEvidence};
+use super::physics::{self, Hint, TableEvidence, is_of_ros};
 use super::rows::EvenRows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
@@ -235,7 +235,13 @@ fn guess_columns(
     makers::roles(samples.iter().map(|s| s.name.as_str()), &mut guesses);
     let mut hints = vec![Hint::default(); samples.len()];
     for group in &groups {
-        let roles = group.kind.map_or([None; 3], GroupQuantity::roles);
+        let names = group.columns.iter().map(|at| samples[*at].name.as_str());
+        let roles = match group.kind {
+            Some(GroupQuantity::Position) if is_of_ros(&names.collect::<String>()) => {
+                GroupQuantity::POSITION_OF_ROS
+            }
+            kind => kind.map_or([None; 3], GroupQuantity::roles),
+        };
         for (column, role) in group.columns.iter().zip(roles) {
             hints[*column].is_axis = true;
             if let Some((role, sign)) = role {

@@ -30,6 +30,7 @@ use board::FlightColumns;
 use known::Known;
 
 pub(super) use evidence::{Hint, TableEvidence};
+pub(super) use ros::is_of_ros;
 
 /// Judges the tables of one flight, a map each, and writes into the maps what was found.
 pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[TableEvidence]) {

@@ -4,7 +4,7 @@
 pub(super) const AHEAD: f64 = 0.7;
 
 /// Whether columns are called as ROS writes them to tables.
-pub(super) fn is_of_ros(names: &str) -> bool {
+pub(in crate::columns) fn is_of_ros(names: &str) -> bool {
     let names = names.to_lowercase();
     [
         "orientation.",
