@@ -103,6 +103,123 @@ fn the_course_of_a_radios_receiver_is_no_heading() {
 }
 
 #[test]
+fn the_bearing_of_a_phones_receiver_is_its_course() {
+    let role = |head: &str, rest: &str| {
+        let text = table(head, |i| format!("{i},{{lat}},{{lon}},90.{},{rest}", i % 9));
+        guessed(&guess_table("a.csv", text.as_bytes()).unwrap(), "bearing").0
+    };
+    assert_eq!(role("time [s],lat,lon,bearing,speed\n", "50.0"), Course);
+    let heading = Channel(ChannelName::Heading);
+    assert_eq!(role("time [s],lat,lon,bearing,sats\n", "9"), heading);
+}
+
+#[test]
+fn heights_and_dates_of_a_garmin_g5_stand_behind_their_datum() {
+    let head = "#info,log_version=\"1.00\"\nUTC Date (yyyy-mm-dd),UTC Time (hh:mm:ss),Latitude (WGS84 deg),Longitude (WGS84 deg),GPS Altitude (WGS84 ft),GPS Ground Speed (kt)\nUTC Date,UTC Time,Latitude,Longitude,AltGPS,GndSpd\n";
+    let text = table(head, |i| {
+        format!("2024-05-14,{{clock}},{{lat}},{{lon}},{},97", 4000 + i % 30)
+    });
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    let height = Channel(ChannelName::GpsHeight);
+    assert_eq!(guessed(&map, "GPS Altitude (WGS84 ft)"), is(height, "ft"));
+    let plain = crate::folder::decoded_table(text.as_bytes());
+    assert!(String::from_utf8_lossy(&plain).contains(",2024-05-14 09:10:01Z,"));
+}
+
+#[test]
+fn positions_of_ros_are_east_north_and_up() {
+    let head = "%time,field.header.seq,field.pose.position.x,field.pose.position.y,field.pose.position.z\n";
+    let text = table(head, |i| {
+        let (t, way) = (i as f64, 12.0 * i as f64);
+        format!(
+            "{}000000000,{i},{:.3},{way:.3},{:.3}",
+            175 + i,
+            30.0 * (t / 9.0).sin(),
+            40.0 + 0.2 * t
+        )
+    });
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    for (axis, name) in [
+        ("x", ChannelName::GpsEast),
+        ("y", ChannelName::GpsNorth),
+        ("z", ChannelName::GpsHeight),
+    ] {
+        let name_of = format!("field.pose.position.{axis}");
+        assert_eq!(guessed(&map, &name_of).0, Channel(name), "{axis}");
+        assert!(
+            map.columns
+                .iter()
+                .any(|c| c.name == name_of && c.scale > 0.0),
+            "{axis}"
+        );
+    }
+}
+
+#[test]
+fn both_numbers_of_a_place_may_stand_below_one_name() {
+    let head = "Date,Time,RSSI(dB),GPS,GPS alt.(m),GPS speed(km/h),GPS course(°)\n";
+    let text = table(head, |i| {
+        format!(
+            "2021-08-26,{{clock}}.000,88,{{lat}},{{lon}},{},180.0,90.0",
+            520 + i % 9
+        )
+    });
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "GPS latitude").0, super::ColumnRole::Latitude);
+    assert_eq!(
+        guessed(&map, "GPS longitude").0,
+        super::ColumnRole::Longitude
+    );
+    let height = Channel(ChannelName::GpsHeight);
+    assert_eq!(guessed(&map, "GPS alt.(m)"), is(height, "m"));
+    assert_eq!(
+        guessed(&map, "GPS speed(km/h)"),
+        is(SpeedOverGround, "km/h")
+    );
+}
+
+#[test]
+fn cells_of_a_battery_are_no_quaternion_and_rows_of_a_rotation_no_accelerations() {
+    let text = table("time [s],lat,lon,Cell 1,Cell 2,Cell 3,Cell 4\n", |i| {
+        format!("{i},{{lat}},{{lon}},3.8{},3.82,3.81,3.80", i % 9)
+    });
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "Cell 1").0, super::ColumnRole::Nothing);
+    let rows: String = (0..60)
+        .map(|i| {
+            let (sine, cosine) = (0.03 * f64::from(i)).sin_cos();
+            format!(
+                "{cosine:.9} 0 {sine:.9} {:.3} 0 0 1 0 {:.9} 0 {cosine:.9} {}\n",
+                0.1 * f64::from(i),
+                -sine,
+                0.9 * f64::from(i)
+            )
+        })
+        .collect();
+    let map = guess_table("poses.txt", rows.as_bytes()).unwrap();
+    let forward = Channel(ChannelName::AccelerationForward);
+    assert!(map.column(forward).is_none());
+}
+
+#[test]
+fn fixes_of_googles_logger_stand_among_other_rows() {
+    let head = "# \n# Header Description:\n# Raw,utcTimeMillis,TimeNanos\n# Fix,Provider,LatitudeDegrees,LongitudeDegrees,AltitudeMeters,SpeedMps,AccuracyMeters,BearingDegrees,UnixTimeMillis\n# \n";
+    let text = table(head, |i| {
+        let time = 1_715_679_012_000_u64 + 1000 * i as u64;
+        format!(
+            "Raw,{time},12\nFix,GPS,{{lat}},{{lon}},{}.5,50.0,3.8,90.0,{time}",
+            400 + i % 9
+        )
+    });
+    let map = guess_table("gnss_log.txt", text.as_bytes()).unwrap();
+    assert_eq!(
+        guessed(&map, "LatitudeDegrees").0,
+        super::ColumnRole::Latitude
+    );
+    assert_eq!(guessed(&map, "BearingDegrees").0, Course);
+}
+
+#[test]
 fn decimal_commas_may_have_powers_of_ten_behind_them() {
     let text = table("\"Time (s)\";\"Latitude (°)\";\"Longitude (°)\"\n", |i| {
         let longitude = 8.0 + i as f64 * 50.0 / 76_058.0;

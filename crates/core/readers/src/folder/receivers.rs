@@ -7,7 +7,9 @@ use nalgebra::Vector3;
 use pilotage_base::frames::Ellipsoid;
 
 use super::solutions::{missing_names, of_baselines};
-use super::table_text::{joined, solution_cells, solution_separator};
+use super::table_text::{
+    bare_cells, joined, name_separator, places, solution_cells, solution_separator, with_cell,
+};
 use super::told_clocks::with_told_clocks;
 use super::variation::with_true_directions;
 
@@ -35,11 +37,14 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     if text.starts_with(b"$FLYS,") {
         return Cow::Owned(of_flysight(&String::from_utf8_lossy(&text)).into_bytes());
     }
+    if let Some(fixes) = of_gnss_logger(&text) {
+        return Cow::Owned(fixes.into_bytes());
+    }
     if let Some(names) = missing_names(&text) {
         return Cow::Owned([names.as_bytes(), &text].concat());
     }
     if !text.starts_with(b"%") {
-        return with_true_directions(with_told_clocks(text));
+        return with_true_directions(with_told_clocks(with_both_names(text)));
     }
     let names = |name: &str| {
         let head = &text[..text.len().min(1 << 14)];
@@ -57,6 +62,57 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
         Some(places) => Cow::Owned(places.into_bytes()),
         None => text,
     }
+}
+
+/// Rows that tell whether both numbers of a place stand below one name.
+const ROWS: usize = 20;
+
+/// Names for both cells of a place, where radios write one: firmware of Ethos and of `OpenTX` 2.1 has `GPS` over latitude and
+/// longitude, and every name behind it over the cell before its own.
+fn with_both_names(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
+    let head = String::from_utf8_lossy(&text[..text.len().min(1 << 14)]);
+    let mut lines = head.lines();
+    let names = lines.next().unwrap_or("");
+    let separator = name_separator(names);
+    let cells = bare_cells(names, separator);
+    let Some(at) = cells.iter().position(|name| *name == "GPS") else {
+        return text;
+    };
+    let is_shifted = |row: &str| {
+        let row = bare_cells(row, separator);
+        let degrees = |at: usize, most: f64| {
+            let cell = row.get(at).filter(|cell| cell.contains('.'));
+            let number = cell.and_then(|cell| cell.parse::<f64>().ok());
+            number.is_some_and(|number| number.abs() <= most)
+        };
+        row.len() == cells.len() + 1 && degrees(at, 90.0) && degrees(at + 1, 180.0)
+    };
+    let rows: Vec<bool> = lines.take(ROWS).map(is_shifted).collect();
+    if 2 * rows.iter().filter(|row| **row).count() <= rows.len() {
+        return text;
+    }
+    let seam = char::from(separator.byte());
+    let both = format!("GPS latitude{seam}GPS longitude");
+    let named = with_cell(names, &places(names, separator)[at], &both);
+    let rest = &text[names.len()..];
+    Cow::Owned([named.as_bytes(), rest].concat())
+}
+
+/// The fixes of Google's `GnssLogger`, whose file has the names of each kind of row behind a `#`.
+fn of_gnss_logger(text: &[u8]) -> Option<String> {
+    let head = &text[..text.len().min(1 << 12)];
+    let is_name = |line: &[u8]| line.starts_with(b"# Fix,Provider,");
+    if !text.starts_with(b"#") || !head.split(|b| *b == b'\n').any(is_name) {
+        return None;
+    }
+    let text = String::from_utf8_lossy(text);
+    let line = |line: &str| {
+        let names = line.strip_prefix("# ").unwrap_or(line);
+        names
+            .strip_prefix("Fix,")
+            .map_or_else(String::new, str::to_owned)
+    };
+    Some(joined(text.lines().map(line)))
 }
 
 /// The places of a `FlySight` 2: names and units stand behind `$COL,GNSS` and `$UNIT,GNSS`, rows behind `$GNSS`.
