@@ -59,7 +59,9 @@ pub(super) fn of_items(items: &[&MissionItem]) -> Fences {
             CIRCLE_INSIDE | CIRCLE_OUTSIDE => {
                 fences.circle(place, first, item.command == CIRCLE_INSIDE);
             }
-            _ => {}
+            RETURN_POINT | RALLY_POINT => {}
+            // A circle about home (5005) or one that MAVLink does not have yet.
+            command => fences.broken += usize::from(is_fence(command)),
         }
     }
     fences.broken += usize::from(!corners.is_empty());

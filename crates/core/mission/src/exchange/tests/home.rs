@@ -216,6 +216,17 @@ fn fences_are_areas_and_talk_of_no_home() {
 }
 
 #[test]
+fn a_fence_about_home_that_has_no_place_is_told() {
+    let (imported, text) = read(&["0 0 0 5005 50 0 0 0 0 0 0 0"]);
+    assert!(
+        told(&imported, "fence that is no area"),
+        "{:?}",
+        imported.notes
+    );
+    assert_eq!(written(&imported), text);
+}
+
+#[test]
 fn areas_become_fences_of_a_plan_once_and_are_a_note_elsewhere() {
     let (imported, _) = read(&[
         "0 1 0 16 0 0 0 0 47 8 430 1",
