@@ -194,9 +194,10 @@ fn values(words: &str) -> [Option<f64>; 7] {
         && let Some(inside) = in_brackets(&plain, "gps")
     {
         let parts: Vec<&str> = inside.split(',').map(str::trim).collect();
-        let order = match is_latitude_first(&parts) {
-            true => [LATITUDE, LONGITUDE],
-            false => [LONGITUDE, LATITUDE],
+        let order = if is_latitude_first(&parts) {
+            [LATITUDE, LONGITUDE]
+        } else {
+            [LONGITUDE, LATITUDE]
         };
         for (place, usual) in parts.iter().zip(order) {
             if let Some((index, value)) = axis(place, usual) {

@@ -253,3 +253,68 @@ fn pressures_of_a_barometer_are_no_heights() {
         assert_eq!(guessed(&map, name).0, super::ColumnRole::Nothing, "{name}");
     }
 }
+
+#[test]
+fn heights_count_from_where_the_program_counts_them() {
+    let time = |i: usize| 1_715_679_012 + i;
+    let (gps, above) = (ChannelName::GpsHeight, ChannelName::HeightAboveGround);
+    for (column, channel, unit, text) in [
+        (
+            "hMSL",
+            gps,
+            "mm",
+            table("time,lat,lon,height,hMSL,velD\n", |i| {
+                let height = 80_000 + 500 * (i % 30);
+                format!(
+                    "{},{{lat}},{{lon}},{},{height},-500",
+                    time(i),
+                    height + 47_000
+                )
+            }),
+        ),
+        (
+            "altitude(m)",
+            above,
+            "m",
+            table(
+                "latitude,longitude,altitude(m),speed(mps),distance(m),velocityX(mps),isflying,time\n",
+                |i| format!("{{lat}},{{lon}},{},50,0,0,1,{}", 30 + i % 30, time(i)),
+            ),
+        ),
+        (
+            "altitude",
+            above,
+            "mm",
+            table(
+                "time,product_gps_latitude,product_gps_longitude,angle_psi,altitude\n",
+                |i| {
+                    format!(
+                        "{},{{lat}},{{lon}},1.5707963,{}",
+                        time(i),
+                        30_000 + 500 * (i % 30)
+                    )
+                },
+            ),
+        ),
+        (
+            "Height (m)",
+            gps,
+            "m",
+            table(
+                "Time (s),Latitude (°),Longitude (°),Height (m),Velocity (m/s),Direction (°)\n",
+                |i| format!("{i},{{lat}},{{lon}},{},50,90", 400 + i % 30),
+            ),
+        ),
+    ] {
+        let map = guess_table("a.csv", text.as_bytes()).unwrap();
+        let found = map
+            .columns
+            .iter()
+            .find(|known| known.role == Channel(channel));
+        let found = found.map(|known| (known.name.as_str(), known.unit.as_str()));
+        assert_eq!(found, Some((column, unit)), "{text}");
+        let heights =
+            [gps, above].map(|name| map.columns.iter().any(|known| known.role == Channel(name)));
+        assert_eq!(heights, [channel == gps, channel == above], "{column}");
+    }
+}

@@ -20,7 +20,10 @@ const OF_LOGGER: &[(&str, ColumnRole)] = &[
     ("SPEED", ColumnRole::SpeedOverGround),
 ];
 
-const MAKERS: [Maker; 9] = [
+/// A height above the place of the take-off.
+const ABOVE_START: ColumnRole = ColumnRole::Channel(ChannelName::HeightAboveGround);
+
+const MAKERS: [Maker; 13] = [
     // The track log of FlightAware's pages.
     Maker {
         has: &["Course", "kts", "mph", "feet"],
@@ -80,6 +83,30 @@ const MAKERS: [Maker; 9] = [
         has: &["hMSL", "velN", "cAcc"],
         units: &[],
         roles: &[("heading", ColumnRole::Course)],
+    },
+    // Messages of u-blox, whose `height` is above the ellipsoid.
+    Maker {
+        has: &["hMSL", "height"],
+        units: &[],
+        roles: &[("height", ColumnRole::Nothing)],
+    },
+    // Flights of Litchi.
+    Maker {
+        has: &["isflying", "velocityX(mps)"],
+        units: &[],
+        roles: &[("altitude(m)", ABOVE_START)],
+    },
+    // Flights of Parrot's FreeFlight.
+    Maker {
+        has: &["angle_psi", "product_gps_latitude"],
+        units: &[("altitude", "mm")],
+        roles: &[("altitude", ABOVE_START)],
+    },
+    // Phyphox, of phones.
+    Maker {
+        has: &["Height (m)", "Velocity (m/s)", "Direction (°)"],
+        units: &[],
+        roles: &[("Height (m)", ColumnRole::Channel(ChannelName::GpsHeight))],
     },
 ];
 
@@ -145,6 +172,7 @@ pub(super) fn roles<'a>(
                 sign: 1.0,
                 confidence: 0.9,
             }];
+            guesses.retain(|guess| guess.role != ColumnRole::Nothing);
         }
     }
 }
