@@ -260,7 +260,7 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
     let is_of_little_navmap = LITTLE_NAVMAP
         .iter()
         .all(|name| names.contains(&(*name).to_owned()));
-    names
+    let columns: Result<Vec<CsvColumn>, String> = names
         .iter()
         .zip(parts_of_angles(names))
         .zip(hemispheres_in_names(names))
@@ -297,7 +297,34 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
             }
             Ok(column)
         })
-        .collect()
+        .collect();
+    columns.map(|mut columns| {
+        name_photos(&mut columns);
+        columns
+    })
+}
+
+/// Rows of photos are places that are called by their pictures, whose altitudes are no heights to fly at.
+fn name_photos(columns: &mut [CsvColumn]) {
+    let is_photo = |column: &CsvColumn| {
+        let name = column.name.to_lowercase().replace([' ', '_', '#'], "");
+        ["photoname", "imagename", "filename", "photo", "image"].contains(&name.as_str())
+    };
+    let is_flown = |column: &CsvColumn| {
+        use CsvRole::{Action, Frame, Name, Route, Speed};
+        column
+            .role
+            .is_some_and(|role| [Action, Frame, Name, Route, Speed].contains(&role))
+    };
+    if columns.iter().any(is_flown) {
+        return;
+    }
+    if let Some(at) = columns.iter().position(is_photo) {
+        for column in columns.iter_mut() {
+            column.role = column.role.filter(|role| *role != CsvRole::Altitude);
+        }
+        columns[at].role = Some(CsvRole::Name);
+    }
 }
 
 /// Columns of the user points of Little Navmap, whose elevations are feet.

@@ -341,3 +341,15 @@ fn a_reference_table_of_metashape_has_its_names_behind_a_comment() {
         assert!((degrees[0] - 8.51).abs() < 1e-9 && (degrees[1] - 47.3).abs() < 1e-9);
     }
 }
+
+#[test]
+fn rows_of_photos_are_places_and_no_heights_to_fly_at() {
+    let found = read(
+        "Photo Name,Latitude,Longitude,Altitude,Yaw\nDJI_0001.JPG,47.5,8.25,485.2,90\nDJI_0002.JPG,47.6,8.25,485.3,90\n",
+    );
+    assert_at(&landmarks(&found), &[[47.5, 8.25], [47.6, 8.25]]);
+    assert_eq!(found.landmarks[0].name, "DJI_0001.JPG");
+    assert!(found.landmarks[0].properties["Altitude"].contains("485.2"));
+    let flown = read("latitude,longitude,altitude,image,speed\n47.5,8.25,40,a.jpg,5\n");
+    assert_at(&way_points(&flown), &[[47.5, 8.25]]);
+}
