@@ -88,6 +88,15 @@ mod tests {
             (b"1\n00:00:00,000 --> 00:00:00,033\n".to_vec(), "subtitles"),
             (b"$GPGGA,1,2\r\n".to_vec(), "NMEA"),
             (with(16, b"BUILD"), "DJI aircraft"),
+            (
+                b"OziExplorer Map Data File Version 2.2\r\n".to_vec(),
+                "where a picture lies",
+            ),
+            (
+                b"OziExplorer Waypoint File Version 1.1\r\n".to_vec(),
+                "places or tracks",
+            ),
+            (b"!table\n!version 300\n".to_vec(), "MapInfo"),
             (b"I\n1100 Version\nCYCLE 1710\n".to_vec(), "X-Plane"),
             (b"I\r\n3 version\r\n1\r\n4\r\n".to_vec(), "X-Plane"),
             (b"G  WGS 84\r\nU  1\r\n".to_vec(), "CompeGPS"),

@@ -52,6 +52,8 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\narduplane v2", "a text log of ArduPilot from before 2013, whose lines nothing in it explains", "open it in a Mission Planner of that time, save it as GPX or KML, and open that"),
     word("\nrally\t", "rally points of ArduPilot (.ral)", MISSION_PLANNER),
     word("\n#saved by apm planner", "a fence of ArduPilot, as Mission Planner saves it (.fen)", MISSION_PLANNER),
+    word("\noziexplorer map data", "where a picture lies, as OziExplorer has it (.map)", "make a GeoTIFF of it (`gdal_translate`) and open that"),
+    word("\n!table", "a table of MapInfo (.tab)", "make a GeoTIFF of its picture (`gdal_translate`), or GeoJSON of its features (`ogr2ogr`), and open that"),
     word("\noziexplorer ", "places or tracks of OziExplorer", "make a GPX of it (gpsbabel -i ozi) and open that"),
     word("\nncols ", "a grid of heights as text (Esri ASCII, .asc)", "make a GeoTIFF of it (`gdal_translate`) and open that"),
     word("\ngeogcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
