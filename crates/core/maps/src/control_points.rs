@@ -16,7 +16,7 @@ const HEAD: usize = 10;
 ///
 /// let (text, notes) = places_in_degrees("EPSG:2193\n1576041.15 5189200.5 12.5 640 480 a.jpg p\n").unwrap();
 /// assert_eq!(text, "EPSG:4326\n172.7038878651 -43.4497156338 12.5 640 480 a.jpg p\n");
-/// assert!(notes[0].contains("2193"), "{notes:?}");
+/// assert!(notes[0].contains("Transverse Mercator"), "{notes:?}");
 /// assert!(places_in_degrees("EPSG:32632\n500000 5000000 1 640 480 a.jpg p\n").is_none());
 /// ```
 pub fn places_in_degrees(text: &str) -> Option<(String, Vec<String>)> {
