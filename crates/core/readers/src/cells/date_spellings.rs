@@ -76,7 +76,7 @@ fn without_seams(text: &str) -> Option<String> {
     ))
 }
 
-/// `2024-05-13-10-00-00.5`, `2024-05-13_10:00:00`, `2024_05_13_10_00_00`; `2024:134:10:00:00.5` by the day of the year.
+/// `2024-05-13-10-00-00.5`, `2024-05-13_10:00:00`, `2024_05_13_10_00_00_500`; `2024:134:10:00:00.5` by the day of the year.
 fn with_dashes(text: &str) -> Option<String> {
     let end = text
         .find(|c: char| !(c.is_ascii_digit() || "-_:.".contains(c)))
@@ -90,6 +90,7 @@ fn with_dashes(text: &str) -> Option<String> {
     let [year, month, day, hour, minute, second] = parts.as_slice() else {
         return None;
     };
+    let second = second.replacen('_', ".", 1);
     let lengths = [(year, 4), (month, 2), (day, 2), (hour, 2), (minute, 2)];
     let fit = |(text, length): &(&&str, usize)| text.len() == *length && are_digits(text);
     lengths
@@ -164,6 +165,7 @@ mod tests {
             "20240513T100000.5Z",
             "2024-05-13-10-00-00.5Z",
             "2024-05-13_10:00:00.5Z",
+            "2024_05_13_10_00_00_5Z",
             "13-May-2024 10:00:00.5Z",
             "May 13, 2024 10:00:00.5Z",
             "Mon May 13 10:00:00.5Z 2024",
