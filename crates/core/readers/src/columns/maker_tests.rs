@@ -185,17 +185,16 @@ fn cells_of_a_battery_are_no_quaternion_and_rows_of_a_rotation_no_accelerations(
     });
     let map = guess_table("a.csv", text.as_bytes()).unwrap();
     assert_eq!(guessed(&map, "Cell 1").0, super::ColumnRole::Nothing);
-    let rows: String = (0..60)
-        .map(|i| {
-            let (sine, cosine) = (0.03 * f64::from(i)).sin_cos();
-            format!(
-                "{cosine:.9} 0 {sine:.9} {:.3} 0 0 1 0 {:.9} 0 {cosine:.9} {}\n",
-                0.1 * f64::from(i),
-                -sine,
-                0.9 * f64::from(i)
-            )
-        })
-        .collect();
+    let row = |i: u32| {
+        let (sine, cosine) = (0.03 * f64::from(i)).sin_cos();
+        format!(
+            "{cosine:.9} 0 {sine:.9} {:.3} 0 0 1 0 {:.9} 0 {cosine:.9} {}\n",
+            0.1 * f64::from(i),
+            -sine,
+            0.9 * f64::from(i)
+        )
+    };
+    let rows: String = (0..60).map(row).collect();
     let map = guess_table("poses.txt", rows.as_bytes()).unwrap();
     let forward = Channel(ChannelName::AccelerationForward);
     assert!(map.column(forward).is_none());
@@ -316,5 +315,30 @@ fn heights_count_from_where_the_program_counts_them() {
         let heights =
             [gps, above].map(|name| map.columns.iter().any(|known| known.role == Channel(name)));
         assert_eq!(heights, [channel == gps, channel == above], "{column}");
+    }
+}
+
+#[test]
+fn loggers_made_at_home_have_their_clock_and_pressure_height() {
+    let text = table(
+        "FC_Boot_Time_ms,GPS_Unix_Time_usec,GPS_Lat,GPS_Lon,GPS_Alt,bmp_altitude_m,gps_baro_alt_diff_m\n",
+        |i| {
+            let micros = 1_715_679_012_000_000_u64 + 1_000_000 * i as u64;
+            let height = 400 + i % 30;
+            format!(
+                "{},{micros},{{lat}},{{lon}},{height},{},3",
+                1000 * i,
+                height - 3
+            )
+        },
+    );
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    let pressure = Channel(ChannelName::BarometricHeight);
+    for (column, role, unit) in [
+        ("GPS_Unix_Time_usec", super::ColumnRole::Time, "us"),
+        ("bmp_altitude_m", pressure, "m"),
+        ("gps_baro_alt_diff_m", super::ColumnRole::Nothing, ""),
+    ] {
+        assert_eq!(guessed(&map, column), is(role, unit), "{column}");
     }
 }

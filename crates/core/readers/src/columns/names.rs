@@ -42,7 +42,7 @@ const RULES: &[Rule] = &[
     rule(
         Time,
         0.95,
-        "time|timestamp|time stamp|datetime|date time|log time|utc time|gps time|t|t s|t ms|t us|t ns|t sec|elapsed|elapsed time",
+        "time|timestamp|time stamp|datetime|date time|log time|utc time|gps time|unix time|gps unix time|timpstemp|t|t s|t ms|t us|t ns|t sec|elapsed|elapsed time",
     ),
     rule(
         Time,
@@ -125,7 +125,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::BarometricHeight),
         0.9,
-        "baro alt|baro altitude|baro height|barometric altitude|barometric height|baro|pressure altitude|press alt|baroaltitude|alt baro",
+        "baro alt|baro altitude|baro height|barometric altitude|barometric height|baro|pressure altitude|press alt|baroaltitude|alt baro|bmp alt|bmp altitude|bme alt|bme altitude",
     ),
     rule(
         Channel(ChannelName::GpsHeight),
@@ -246,7 +246,7 @@ const RULES: &[Rule] = &[
 ];
 
 /// Words with which a column is about something else than what was measured.
-const OTHERWISE: [&str; 40] = [
+const OTHERWISE: [&str; 42] = [
     "desired",
     "des",
     "target",
@@ -287,6 +287,8 @@ const OTHERWISE: [&str; 40] = [
     "estimator",
     "limits",
     "delta",
+    "diff",
+    "difference",
 ];
 
 /// Meaning that a name may have.
