@@ -342,3 +342,25 @@ fn loggers_made_at_home_have_their_clock_and_pressure_height() {
         assert_eq!(guessed(&map, column), is(role, unit), "{column}");
     }
 }
+
+#[test]
+fn a_height_beside_north_and_east_has_their_unit() {
+    let row = |i: usize| {
+        let time = 0.5 * i as f64;
+        let pitch: f64 = 0.05 + 0.035 * (time / 9.0).sin();
+        let fallen = 13.5 * ((time / 9.0).cos() - 1.0);
+        let (w, y) = ((pitch / 2.0).cos(), (pitch / 2.0).sin());
+        format!(
+            "{}\t{:.3}\t0.0\t{fallen:.4}\t{w:.6}\t0\t{y:.6}\t0\n",
+            1_715_595_630_000 + 500 * i as u64,
+            12.0 * time
+        )
+    };
+    let text = "TimeStamp\tPOS_X\tPOS_Y\tPOS_Z\tQ_W\tQ_X\tQ_Y\tQ_Z\n".to_owned()
+        + &(0..120).map(row).collect::<String>();
+    let map = guess_table("airsim_rec.txt", text.as_bytes()).unwrap();
+    assert_eq!(
+        guessed(&map, "POS_Z"),
+        is(Channel(ChannelName::GpsHeight), "m")
+    );
+}

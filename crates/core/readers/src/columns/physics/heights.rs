@@ -188,7 +188,13 @@ pub(super) fn by_pitch(board: &mut FlightColumns, known: &Known) {
     let is_fast = quantile(&speed, 0.5) > 7.0;
     for name in HEIGHTS {
         let id = board.find(ColumnRole::Channel(name));
-        let Some(id) = id.filter(|id| is_fast && board.basis(*id) == UnitBasis::Assumed) else {
+        // The third of a position along axes is in the unit of the others.
+        let is_along = |id: &Id| {
+            let north = board.find_in(id.0, ColumnRole::Channel(ChannelName::GpsNorth));
+            name == ChannelName::GpsHeight && north.is_some()
+        };
+        let is_open = |id: &Id| is_fast && board.basis(*id) == UnitBasis::Assumed;
+        let Some(id) = id.filter(|id| is_open(id) && !is_along(id)) else {
             continue;
         };
         let climbing = centred(&known.grid.rate(&board.values(id)));
