@@ -364,3 +364,29 @@ fn a_height_beside_north_and_east_has_their_unit() {
         is(Channel(ChannelName::GpsHeight), "m")
     );
 }
+
+#[test]
+fn simulators_have_heights_above_sea_level_and_climbs_in_feet_a_minute() {
+    let jsbsim = table(
+        "Time,/fdm/jsbsim/position/lat-geod-deg,/fdm/jsbsim/position/long-gc-deg,/fdm/jsbsim/position/h-sl-ft\n",
+        |i| format!("{i},{{lat}},{{lon}},{}", 1000 + i % 30),
+    );
+    let map = guess_table("a.csv", jsbsim.as_bytes()).unwrap();
+    assert_eq!(
+        guessed(&map, "/fdm/jsbsim/position/h-sl-ft"),
+        is(Channel(ChannelName::GpsHeight), "ft")
+    );
+    let flown = table(
+        "time [s],lat,lon,heading,Airspeed True,Vertical Speed\n",
+        |i| {
+            format!(
+                "{i},{{lat}},{{lon}},90,{},{}",
+                97 + i % 2,
+                295 - 5 * (i % 30)
+            )
+        },
+    );
+    let map = guess_table("a.csv", flown.as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "Airspeed True").1, "kt");
+    assert_eq!(guessed(&map, "Vertical Speed").1, "ft/min");
+}

@@ -130,7 +130,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::GpsHeight),
         0.9,
-        "gps alt|gps altitude|gps height|alt msl|altitude msl|amsl|alt amsl|msl|height msl|altitude amsl|g alt|galt|geoaltitude|geo altitude|alt geom|geometric altitude",
+        "gps alt|gps altitude|gps height|alt msl|altitude msl|amsl|alt amsl|msl|height msl|altitude amsl|g alt|galt|geoaltitude|geo altitude|alt geom|geometric altitude|h sl",
     ),
     rule(
         Channel(ChannelName::GpsHeight),

@@ -125,7 +125,16 @@ fn same_units(board: &mut FlightColumns) {
             let unit = board.column((table, other)).unit.clone();
             let name = board.name((table, other));
             let factor = board.column(id).role.factor(&unit).unwrap_or(1.0);
-            let reach = super::grid::quantile(&board.raw(id).map(f64::abs).values, 1.0) * factor;
+            let raw = |id| super::grid::quantile(&board.raw(id).map(f64::abs).values, 1.0);
+            let reach = raw(id) * factor;
+            // Nothing climbs faster than it flies: pilots beside knots count feet a minute.
+            if board.column(id).role == ColumnRole::Channel(ChannelName::GpsVelocityDown)
+                && ["kt", "mph"].contains(&unit.as_str())
+                && raw(id) > raw((table, other))
+            {
+                board.found(id, "ft/min", &format!("in ft/min, as {name} is in {unit}"));
+                continue;
+            }
             let most = match quantity {
                 Quantity::Angle => 7.0,
                 Quantity::Speed => 400.0,
