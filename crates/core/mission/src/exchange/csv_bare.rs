@@ -476,11 +476,26 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
     } else {
         ", as the other one is beyond 90"
     };
+    let mut notes = vec![format!("no line names its columns: {order}{why}")];
+    if is_nameless && ends_as_a_fence(&told) {
+        notes.push("its last place is the second one, as in a fence of ArduPilot, which begins with the place to return to".to_owned());
+    }
     Ok(Some(NamedTable {
         text: text + "\n",
         added: 1,
-        notes: vec![format!("no line names its columns: {order}{why}")],
+        notes,
     }))
+}
+
+/// Whether the last place is the second once more, and not the first.
+fn ends_as_a_fence(rows: &[&Row]) -> bool {
+    let place = |row: &Row| (row.x.clone(), row.y.clone());
+    match rows {
+        [first, second, _, .., last] if rows.len() > 4 => {
+            place(second) == place(last) && place(first) != place(last)
+        }
+        _ => false,
+    }
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ pub(super) const JUMP: u16 = 177;
 pub(super) const CHANGE_SPEED: u16 = 178;
 
 /// Names of commands that are met often, for notes.
-const NAMES: [(u16, &str); 31] = [
+const NAMES: [(u16, &str); 33] = [
     (LOITER_UNLIMITED, "LOITER_UNLIM"),
     (LOITER_TURNS, "LOITER_TURNS"),
     (LOITER_TIME, "LOITER_TIME"),
@@ -50,6 +50,8 @@ const NAMES: [(u16, &str); 31] = [
     (203, "DO_DIGICAM_CONTROL"),
     (205, "DO_MOUNT_CONTROL"),
     (206, "DO_SET_CAM_TRIGG_DIST"),
+    (600, "JUMP_TAG"),
+    (601, "DO_JUMP_TAG"),
     (2000, "IMAGE_START_CAPTURE"),
     (5000, "FENCE_RETURN_POINT"),
     (5001, "FENCE_POLYGON_VERTEX_INCLUSION"),
