@@ -5,6 +5,7 @@ use pilotage_flight::ChannelName;
 use super::header::NameParts;
 use super::names::is_otherwise;
 use super::{ColumnRole, QuaternionPart};
+use crate::cells::Dimension;
 
 /// Words that say nothing of what a column measures.
 const FILLERS: [&str; 22] = [
@@ -134,6 +135,7 @@ const WORDS: [(GroupQuantity, &[&str]); 8] = [
             "vel",
             "velocity",
             "v",
+            "v rs r",
             "linear",
             "linear velocity",
             "lin vel",
@@ -147,6 +149,7 @@ const WORDS: [(GroupQuantity, &[&str]); 8] = [
             "pos",
             "position",
             "p",
+            "p rs r",
             "xyz",
             "local position",
             "translation",
@@ -321,7 +324,17 @@ pub(super) fn groups(file: &str, names: &[NameParts], is_numeric: &[bool]) -> Ve
             is_told: false,
         })
     };
-    stems.into_iter().filter_map(group).collect()
+    let mut found: Vec<ColumnGroup> = stems.into_iter().filter_map(group).collect();
+    let is_posed = found.iter().any(|g| g.kind == Some(Quaternion));
+    for group in found.iter_mut().filter(|g| is_posed && g.kind.is_none()) {
+        // A translation beside a rotation, as trajectories have them.
+        let stem = names[group.columns[0]].component().map(|(stem, _)| stem);
+        group.kind = stem.is_some_and(|stem| stem == ["t"]).then_some(Position);
+    }
+    // What is stated in metres is no turn rate, whatever it agrees with.
+    let is_length = |at: &usize| names[*at].unit(Dimension::Length).is_some();
+    found.retain(|g| g.kind.is_some() || !g.columns.iter().all(is_length));
+    found
 }
 
 /// The roles of a quaternion's parts, the real one first.

@@ -390,3 +390,62 @@ fn simulators_have_heights_above_sea_level_and_climbs_in_feet_a_minute() {
     assert_eq!(guessed(&map, "Airspeed True").1, "kt");
     assert_eq!(guessed(&map, "Vertical Speed").1, "ft/min");
 }
+
+#[test]
+fn positions_beside_a_rotation_are_east_north_and_up_and_no_turn_rates() {
+    let pose = |i: usize, separator: &str, real_first: bool| {
+        let (yaw, time) = (0.02 * i as f64, 0.5 * i as f64);
+        let place =
+            [600.0 * yaw.sin(), 600.0 - 600.0 * yaw.cos(), time / 4.0].map(|at| format!("{at:.4}"));
+        let (z, w) = (yaw / 2.0).sin_cos();
+        let turn = if real_first {
+            [w, 0.0, 0.0, z]
+        } else {
+            [0.0, 0.0, z, w]
+        };
+        let cells = place
+            .into_iter()
+            .chain(turn.map(|part| format!("{part:.6}")));
+        cells.collect::<Vec<_>>().join(separator) + "\n"
+    };
+    let tum = |i: usize| {
+        format!(
+            "{:.3} {}",
+            1_715_595_630.0 + 0.5 * i as f64,
+            pose(i, " ", false)
+        )
+    };
+    let euroc = |i: usize| {
+        format!(
+            "{},{}",
+            1_715_595_630_000_000_000 + 500_000_000 * i as u64,
+            pose(i, ",", true)
+        )
+    };
+    let head = "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z []\n";
+    for (text, names) in [
+        (
+            "# timestamp tx ty tz qx qy qz qw\n".to_owned()
+                + &(0..120).map(tum).collect::<String>(),
+            ["tx", "ty", "tz"],
+        ),
+        (
+            head.to_owned() + &(0..120).map(euroc).collect::<String>(),
+            ["p_RS_R_x [m]", "p_RS_R_y [m]", "p_RS_R_z [m]"],
+        ),
+    ] {
+        let map = guess_table("a.txt", text.as_bytes()).unwrap();
+        let roles = [
+            ChannelName::GpsEast,
+            ChannelName::GpsNorth,
+            ChannelName::GpsHeight,
+        ];
+        for (name, role) in names.into_iter().zip(roles) {
+            assert_eq!(guessed(&map, name), is(Channel(role), "m"), "{name}");
+            assert_eq!(
+                map.columns.iter().find(|c| c.name == name).unwrap().scale,
+                1.0
+            );
+        }
+    }
+}

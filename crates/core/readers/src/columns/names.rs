@@ -135,7 +135,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,
-        "alt|altitude|hgt|h|elevation|feet|abs alt|absolute altitude|ellipsoid height|ellipsoidal height|h ell|height ell",
+        "alt|altitude|hgt|h|elevation|feet|abs alt|absolute altitude|ellipsoid height|ellipsoidal height|h ell|height ell|height ellipsoid|altitude ellipsoid|alt ellipsoid|height above ellipsoid",
     ),
     rule(
         Channel(ChannelName::GpsNorth),

@@ -13,6 +13,9 @@ pub(in crate::columns) fn is_of_ros(names: &str) -> bool {
         "linear_acceleration.",
         "twist.",
         "pose.",
+        // Trajectories of TUM, and the truth of EuRoC.
+        "txtytz",
+        "p_rs_r",
     ]
     .iter()
     .any(|word| names.contains(word))
