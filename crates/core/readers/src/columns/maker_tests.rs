@@ -449,3 +449,29 @@ fn positions_beside_a_rotation_are_east_north_and_up_and_no_turn_rates() {
         }
     }
 }
+
+#[test]
+fn a_direction_that_is_stated_in_degrees_is_none_in_hundredths_because_it_hardly_turns_then() {
+    let row = |i: usize| {
+        let turn = 40.0 + 55.0 * (1.0 - (0.06 * i as f64).cos());
+        let (sine, cosine) = turn.to_radians().sin_cos();
+        (turn, sine, cosine)
+    };
+    let mut text = "time [s],lat,lon,speed(m/s),course(°),TrueHeading(°)\n".to_owned();
+    let (mut latitude, mut longitude) = (47.0, 8.0);
+    for i in 0..120 {
+        let (turn, sine, cosine) = row(i);
+        text += &format!(
+            "{i},{latitude:.7},{longitude:.7},12.0,{turn:.2},{:.2}\n",
+            turn + 90.0
+        );
+        latitude += 12.0 * cosine / 111_190.0;
+        longitude += 12.0 * sine / 76_058.0;
+    }
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    assert_eq!(
+        guessed(&map, "TrueHeading(°)"),
+        is(Channel(ChannelName::Heading), "deg")
+    );
+    assert_eq!(guessed(&map, "course(°)"), is(Course, "deg"));
+}

@@ -132,6 +132,10 @@ pub(super) fn readings(
             let Some((cosine, off)) = agreement(reference, &cells) else {
                 continue;
             };
+            // One that hardly turns in a unit agrees with anything: it has to turn as the track does.
+            if unit != expected && spread(&cells) < 0.5 * spread(reference) {
+                continue;
+            }
             let bonus = match (unit == expected, is_stated) {
                 (true, true) => 0.2,
                 (true, false) => 0.08,
