@@ -1,5 +1,7 @@
 //! Tables as the programs of pilots, radios and receivers write them: units above the names or nowhere, second names.
 
+use std::fmt::Write as _;
+
 use pilotage_flight::ChannelName;
 
 use super::ColumnRole::{Channel, Course, SpeedOverGround};
@@ -461,10 +463,12 @@ fn a_direction_that_is_stated_in_degrees_is_none_in_hundredths_because_it_hardly
     let (mut latitude, mut longitude) = (47.0, 8.0);
     for i in 0..120 {
         let (turn, sine, cosine) = row(i);
-        text += &format!(
-            "{i},{latitude:.7},{longitude:.7},12.0,{turn:.2},{:.2}\n",
-            turn + 90.0
-        );
+        let aside = turn + 90.0;
+        writeln!(
+            text,
+            "{i},{latitude:.7},{longitude:.7},12.0,{turn:.2},{aside:.2}"
+        )
+        .unwrap();
         latitude += 12.0 * cosine / 111_190.0;
         longitude += 12.0 * sine / 76_058.0;
     }
