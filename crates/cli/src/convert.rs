@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use pilotage_core::exchange::{
-    ExchangeError, Format, Imported, Places, read_any, write_landmarks, write_places,
+    ExchangeError, Format, Imported, Places, write_landmarks, write_places,
 };
-use pilotage_core::mission::{Route, places_in_degrees};
+use pilotage_core::mission::Route;
+use pilotage_jobs::read_exchange;
 
 use crate::CommandResult;
 use crate::opening::{foreign_words, has_ending};
@@ -66,12 +67,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             known.join(", .")
         )
     })?;
-    let mut bytes = std::fs::read(from).map_err(|e| format!("{}: {e}", from.display()))?;
-    if let Some((text, told)) = std::str::from_utf8(&bytes).ok().and_then(places_in_degrees) {
-        tell(from, &told);
-        bytes = text.into_bytes();
-    }
-    let mut imported = read_any(&from.to_string_lossy(), &bytes, None).map_err(|error| {
+    let bytes = std::fs::read(from).map_err(|e| format!("{}: {e}", from.display()))?;
+    let mut imported = read_exchange(&from.to_string_lossy(), &bytes, None).map_err(|error| {
         // What is of another kind is called by its name; plain text may be anything.
         let is_unsure = has_ending(from, &["txt", "csv"]) && !bytes.starts_with(b"QGC");
         let is = match error {

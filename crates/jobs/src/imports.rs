@@ -1,11 +1,12 @@
 //! Routes, landmarks and roads of other programs among dropped files.
 
 use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
-use pilotage_core::exchange::{Format, Imported, read_any};
+use pilotage_core::exchange::{ExchangeError, Format, Imported, read_any};
 use pilotage_core::flight::beside_log::PICTURE_TABLE;
 use pilotage_core::flight::columns::{ColumnRole, GuessedTable};
 use pilotage_core::flight::files::{FileSet, has_ending, names_ending_in};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
+use pilotage_core::mission::places_in_degrees;
 
 use super::ImportedFile;
 use super::far_away::{FARTHEST, too_far};
@@ -14,6 +15,25 @@ use super::road_files::{OF_OSM, is_of_roads, roads_of};
 
 /// Endings that formats of routes and landmarks share with flights, and with anything else.
 const ANYBODYS: [&str; 5] = ["csv", "tsv", "geojson", "json", "txt"];
+
+/// Reads the routes and landmarks of a file as [`read_any`] does, and control points in systems that only readers of maps
+/// know.
+///
+/// # Errors
+/// As [`read_any`].
+pub fn read_exchange(
+    name: &str,
+    bytes: &[u8],
+    frame: Option<LocalFrame>,
+) -> Result<Imported, ExchangeError> {
+    let in_degrees = std::str::from_utf8(bytes).ok().and_then(places_in_degrees);
+    let Some((text, told)) = in_degrees else {
+        return read_any(name, bytes, frame);
+    };
+    let mut imported = read_any(name, text.as_bytes(), frame)?;
+    imported.notes.splice(0..0, told);
+    Ok(imported)
+}
 
 /// Whether a file is a mission of this program, which is opened instead of added.
 pub fn is_mission(name: &str, bytes: &[u8]) -> bool {
@@ -63,7 +83,7 @@ pub fn imports(
         if !is_exchange(&name, &bytes) {
             continue;
         }
-        match read_any(&name, &bytes, Some(LocalFrame::new(origin))) {
+        match read_exchange(&name, &bytes, Some(LocalFrame::new(origin))) {
             Ok(imported) => found.push(placed(name, imported)?),
             Err(cause) if may_be_other(&name) => {
                 refused.get_or_insert(cause.to_string());
@@ -166,6 +186,29 @@ mod tests {
         assert!(
             (first.north - 111.2).abs() < 0.3 && first.east.abs() < 1e-6,
             "{first:?}"
+        );
+    }
+
+    #[test]
+    fn control_points_of_a_national_system_are_placed_as_the_terminal_places_them() {
+        // 9.2624835° E 60.2695103° N by pyproj 3.7.
+        let table = "#CoordinateSystem: EPSG::25832\n#Label,X/Easting,Y/Northing,Z/Altitude\n\
+                     924-01,514521.45,6681455.436,220.1\n";
+        let files = [("marks.csv".to_owned(), table.as_bytes().to_vec().into())];
+        let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
+        let near = Geodetic::from_degrees(60.26, 9.26, 0.0);
+        let found = imports(&pool, near, false, false, &[]).unwrap();
+        let frame = LocalFrame::new(near);
+        let place = frame.geodetic_from_ground(&found[0].routes[0].way_points[0].position);
+        let off = [place.latitude, place.longitude].map(f64::to_degrees);
+        assert!((off[0] - 60.269_510_3).abs() < 1e-6, "{off:?}");
+        assert!((off[1] - 9.262_483_5).abs() < 1e-6, "{off:?}");
+        let terminal = read_exchange("marks.csv", table.as_bytes(), None).unwrap();
+        assert_eq!(terminal.routes.len(), found[0].routes.len());
+        assert!(
+            found[0].notes[0].contains("read in"),
+            "{:?}",
+            found[0].notes
         );
     }
 

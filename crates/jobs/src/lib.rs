@@ -93,7 +93,7 @@ pub use flight_among::{flight_among, flight_of_file, with_films_told};
 pub use flights::{KeptFrames, OpenFlight};
 pub use fly::FlyOrder;
 pub use frame_picture::{FramePictureOrder, PictureForm};
-pub use imports::labels;
+pub use imports::{labels, read_exchange};
 pub use inline::InlineWorkers;
 pub use job::Job;
 pub use lent::{LentFiles, OpenAddress};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pilotage_core::exchange::{Format, read_any};
+use pilotage_core::exchange::Format;
 use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::{FileSet, has_ending, names_ending_in};
 use pilotage_core::flight::log::LogFormat;
@@ -19,7 +19,7 @@ use pilotage_core::mission::{
 use pilotage_core::navigator::{Run, decode_run};
 
 use super::flights::OpenFlight;
-use super::imports::{imports, is_mission, is_picture_table, labels};
+use super::imports::{imports, is_mission, is_picture_table, labels, read_exchange};
 use super::log_flights::{flight_of_log, foreign_kind, head, log_among};
 use super::table_names::tables_among;
 use super::tables::{columns_file, flight_folder};
@@ -204,7 +204,7 @@ pub fn places(pool: &dyn FileSet) -> Result<Vec<(String, Geodetic)>, String> {
     let mut places = Vec::new();
     for name in pool.names() {
         let bytes = pool.read(&name).unwrap_or_default();
-        let found = read_any(&name, &bytes, None).map_err(|cause| cause.to_string())?;
+        let found = read_exchange(&name, &bytes, None).map_err(|cause| cause.to_string())?;
         let frame = found.frame;
         places.extend(found.landmarks.iter().map(|landmark| {
             let at = frame.geodetic_from_ground(&landmark.reference);
