@@ -47,7 +47,10 @@ export async function run(page, tools) {
   await page.goto(`${tools.address}learn.html#${course}/plan`);
   await page.waitForSelector(".plan");
   const minutes = await page.$$eval(".plan tbody td:first-child", (all) => all.map((it) => Number(it.textContent)));
-  tools.check(minutes[0] === 0 && minutes.at(-1) === 40 && minutes.every((it, i) => i === 0 || it >= minutes[i - 1]), `the plan's minutes are ${minutes}`);
+  // A long course fills two presentations, each from its beginning to the questions or the next one.
+  const begins = minutes.filter((it) => it === 0).length;
+  const goesOn = (it, i) => i === 0 || it === 0 || it > minutes[i - 1];
+  tools.check(minutes[0] === 0 && begins === 2 && Math.abs(minutes.at(-1) - 40) < 3 && minutes.every((it, i) => it < 45 && goesOn(it, i)), `the plan's minutes are ${minutes}`);
   await page.evaluate((own) => { location.hash = `${own}/handout`; }, course);
   await page.waitForFunction((rows) => document.querySelectorAll(".sheet figure svg").length === rows, minutes.length - 1);
   tools.say(`a handout of ${minutes.length - 1} lessons`);

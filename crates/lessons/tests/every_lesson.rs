@@ -258,3 +258,32 @@ fn names_are_those_of_files_and_stand_once() {
         assert!(!apart.contains(course.name), "{}", course.name);
     }
 }
+
+#[test]
+fn no_plan_hurries_a_lesson_and_each_presentation_ends_in_time() {
+    for course in all().0 {
+        let plan = pilotage_lessons::plan(course).expect("a text with all sections");
+        let rows: Vec<&str> = plan.split("<tr>").skip(2).collect();
+        let minute = |row: &str| -> Option<f64> {
+            row.strip_prefix("<td>")?.split('<').next()?.parse().ok()
+        };
+        let mut lessons = course.lessons.iter();
+        for pair in rows.windows(2) {
+            let Some(begin) = minute(pair[0]) else {
+                continue;
+            };
+            let lesson = lessons.next().expect("a row for each lesson");
+            let text = LessonText::read(lesson.text).expect("a text with all sections");
+            let end = minute(pair[1]).unwrap_or(45.0 + LONGEST);
+            // Minutes are rounded.
+            let room = end - begin + 1.0;
+            assert!(room >= text.minutes(), "{}: {room} minutes", lesson.name);
+            assert!(begin < 45.0, "{}: begins at {begin}", lesson.name);
+        }
+        assert!(
+            lessons.next().is_none(),
+            "{}: lessons left out",
+            course.name
+        );
+    }
+}

@@ -45,46 +45,74 @@ fn listed(course: &Course, page: &Words) -> Result<String, TextError> {
     let _ = write!(
         made,
         r##"</ol><p class="links"><a href="#{name}/plan">{}</a> <a href="#{name}/handout">{}</a></p></section>"##,
-        page.get("plan"),
+        plan_title(course, page)?,
         page.get("handout")
     );
     Ok(made)
 }
 
-/// HTML of the plan of a presentation of 45 minutes: each lesson with its minutes and what is said, then the questions.
+fn lessons_of(course: &Course) -> Result<Vec<LessonText<'static>>, TextError> {
+    let lessons = course.lessons.iter();
+    lessons
+        .map(|lesson| LessonText::read(lesson.text))
+        .collect()
+}
+
+/// Presentations that a course of so many minutes takes, so that none of its lessons is hurried.
+fn presentations(minutes: f64) -> usize {
+    (minutes / (PRESENTATION - DISCUSSION)).ceil().max(1.0) as usize
+}
+
+/// Title of the plan of a course: presentations and their length.
+fn plan_title(course: &Course, page: &Words) -> Result<String, TextError> {
+    let minutes = lessons_of(course)?.iter().map(LessonText::minutes).sum();
+    let times = match presentations(minutes) {
+        1 => String::new(),
+        several => format!("{several} × "),
+    };
+    let (plan, unit) = (page.get("plan"), page.get("plan-minutes"));
+    Ok(format!("{plan} {times}{PRESENTATION:.0} {unit}"))
+}
+
+/// HTML of the plan of presentations of 45 minutes: each lesson with its minutes and what is said, then the questions.
+/// A course that is longer than one fills several.
 pub fn plan(course: &Course) -> Result<String, TextError> {
     let (page, terms) = (page_words(), glossary());
     let text = CourseText::read(course.text)?;
-    let lessons: Result<Vec<LessonText<'_>>, _> = course
-        .lessons
-        .iter()
-        .map(|lesson| LessonText::read(lesson.text))
-        .collect();
-    let lessons = lessons?;
+    let lessons = lessons_of(course)?;
     let whole: f64 = lessons.iter().map(LessonText::minutes).sum();
-    let scale = (PRESENTATION - DISCUSSION) / whole.max(1e-9);
+    let parts = presentations(whole);
+    let room = PRESENTATION * parts as f64 - DISCUSSION;
+    let scale = room / whole.max(1e-9);
     let mut made = format!(
         r#"<header><h1 id="lesson-title" tabindex="-1">{}: {}</h1></header><table class="plan"><thead><tr><th>{}</th><th>{}</th><th>{}</th></tr></thead><tbody>"#,
         text.title,
-        page.get("plan"),
+        plan_title(course, &page)?,
         page.get("minute"),
-        page.get("lesson"),
+        page.get("lessons"),
         page.get("notes")
     );
     // Notes name no numbers of the reader's setting.
     let notes = renderer(&page, &terms);
-    let mut at = 0.0;
+    let (mut at, mut part, mut begins) = (0.0, 1, 0.0);
     for (lesson, own) in course.lessons.iter().zip(&lessons) {
+        let takes = own.minutes() * scale;
+        if at + 0.5 * takes > PRESENTATION * f64::from(part) {
+            (part, begins) = (part + 1, at);
+            let next = page.get("part");
+            let _ = write!(made, r#"<tr><th colspan="3">{next} {part}</th></tr>"#);
+        }
         let _ = write!(
             made,
             r##"<tr><td>{:.0}</td><td><a href="#{}">{}</a></td><td>{}</td></tr>"##,
-            at,
+            at - begins,
             lesson.name,
             own.title,
             notes.block(own.section(Section::Notes))?
         );
-        at += own.minutes() * scale;
+        at += takes;
     }
+    at -= begins;
     let _ = write!(
         made,
         "<tr><td>{at:.0}</td><td>{}</td><td><ul>",
