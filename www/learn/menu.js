@@ -52,6 +52,15 @@ function stepInView() {
   return scrollY > 40 ? passed.at(-1)?.id : undefined;
 }
 
+let silence;
+
+/** Says something for a few seconds, to those who see and to those who hear the page. */
+export function tell(words) {
+  find("status").textContent = words;
+  clearTimeout(silence);
+  silence = setTimeout(() => { find("status").textContent = ""; }, 6000);
+}
+
 function embedCode(page) {
   const address = new URL(location.href);
   address.search = "?embed";
@@ -62,7 +71,7 @@ function embedCode(page) {
 async function copy(text, words, said) {
   try {
     await navigator.clipboard.writeText(text);
-    find("status").textContent = words[said];
+    tell(words[said]);
   } catch {
     prompt(words["copy-this"], text);
   }

@@ -1,5 +1,7 @@
 // A lesson on a projector: one step at a time, a spotlight, a pointer, and notes in a second window.
 
+import { tell as say } from "./menu.js";
+
 const find = (id) => document.getElementById(id);
 const channel = new BroadcastChannel("pilotage-lesson");
 
@@ -42,8 +44,10 @@ async function begin(show) {
   if (!show.page.open) location.hash = show.page.lessons[0];
   await new Promise((done) => { requestAnimationFrame(done); });
   show.on = true;
+  find("menu").hidden = true;
   document.body.classList.add("presenting");
   collect(show, 0);
+  say(show.page.words["present-keys"]);
   show.full = await document.documentElement.requestFullscreen?.().then(() => true, () => false);
 }
 
