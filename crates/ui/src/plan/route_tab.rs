@@ -21,7 +21,7 @@ use super::words::{PredictionFigures, distance_text};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{caption, heading, icon_button, icon_toggle, icons::Icon, muted};
+use crate::shell::{at_right, caption, heading, icon_button, icon_toggle, icons::Icon, muted};
 use crate::units::Units;
 use pilotage_core::plan::{MOST_CIRCLES, circles_at, cruise};
 use pilotage_jobs::FlightSource;
@@ -383,38 +383,39 @@ fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
     let mut wind = planner.wind(documents);
     ui.horizontal(|ui| {
         caption(ui, tokens, "Wind");
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let (factor, unit) = context.units.speed();
-            let mut speed = wind.speed * factor;
-            let mut from = wind.from.to_degrees().rem_euclid(360.0);
-            let speed_field = DragValue::new(&mut speed)
-                .range(0.0..=60.0)
-                .speed(0.1)
-                .fixed_decimals(1)
-                .suffix(format!(" {unit}"));
-            let mut changed = ui.add(speed_field).accessible_name("Wind speed").changed();
-            let from_field = DragValue::new(&mut from)
-                .range(0.0..=360.0)
-                .speed(1.0)
-                .fixed_decimals(0)
-                .suffix("°");
-            changed |= ui.add(from_field).accessible_name("Wind from").changed();
-            if changed {
-                wind.speed = speed / factor;
-                wind.from = from.to_radians();
-                let wind = PlanCommand::SetWind(Some(wind));
-                context.commands.push(Command::from(wind));
-            }
-            if own {
-                if icon_button(ui, tokens, Icon::Undo, "Use the flight's wind").clicked() {
-                    context
-                        .commands
-                        .push(Command::from(PlanCommand::SetWind(None)));
+        at_right(
+            ui,
+            |_| {},
+            |ui| {
+                let (factor, unit) = context.units.speed();
+                let mut speed = wind.speed * factor;
+                let mut from = wind.from.to_degrees().rem_euclid(360.0);
+                if !own {
+                    ui.label(muted(tokens, "as on the flight, from"));
+                } else if icon_button(ui, tokens, Icon::Undo, "Use the flight's wind").clicked() {
+                    let command = PlanCommand::SetWind(None);
+                    context.commands.push(Command::from(command));
                 }
-            } else {
-                ui.label(muted(tokens, "as on the flight, from"));
-            }
-        });
+                let from_field = DragValue::new(&mut from)
+                    .range(0.0..=360.0)
+                    .speed(1.0)
+                    .fixed_decimals(0)
+                    .suffix("°");
+                let mut changed = ui.add(from_field).accessible_name("Wind from").changed();
+                let speed_field = DragValue::new(&mut speed)
+                    .range(0.0..=60.0)
+                    .speed(0.1)
+                    .fixed_decimals(1)
+                    .suffix(format!(" {unit}"));
+                changed |= ui.add(speed_field).accessible_name("Wind speed").changed();
+                if changed {
+                    wind.speed = speed / factor;
+                    wind.from = from.to_radians();
+                    let wind = PlanCommand::SetWind(Some(wind));
+                    context.commands.push(Command::from(wind));
+                }
+            },
+        );
     });
 }
 

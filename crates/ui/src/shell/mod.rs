@@ -32,6 +32,6 @@ pub use toasts::{Toast, Toasts};
 pub use top_bar::{NextStep, TopBar, top_bar};
 pub use touch::is_touched;
 pub use widgets::{
-    at_work, caption, chip, column_tabs, heading, icon_button, icon_toggle, is_entered, muted,
-    paint_focus_ring, paint_row, reading, tab, text_button, title,
+    at_right, at_work, caption, chip, column_tabs, heading, icon_button, icon_toggle, is_entered,
+    muted, paint_focus_ring, paint_row, reading, tab, text_button, title,
 };

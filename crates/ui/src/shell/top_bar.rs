@@ -1,11 +1,11 @@
 //! The bar at the top: name, workspaces, document, and what can be done with it.
 
-use egui::{Align, Layout, RichText, Ui};
+use egui::{RichText, Ui};
 
 use super::bar_menu::{BarButton, bar_menu};
 use super::entry::{BarMenu, MenuTable};
 use super::icons::Icon;
-use super::widgets::{icon_button, muted, tab_in, text_button};
+use super::widgets::{at_right, icon_button, muted, tab_in, text_button};
 use crate::command::{Command, Workspace};
 use crate::tokens::Tokens;
 
@@ -70,18 +70,24 @@ pub fn top_bar(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Ve
             commands.push(Command::ShowWorkspace(workspace));
         }
     }
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        groups(ui, tokens, bar, width, commands);
+    let mut stop = false;
+    let before = |ui: &mut Ui| {
+        if !is_narrow {
+            stop = middle(ui, tokens, bar);
+        }
+    };
+    at_right(ui, before, |ui| {
         if let Some(next) = &bar.next {
             next_step(ui, tokens, next, is_narrow, commands);
         }
-        if !is_narrow {
-            middle(ui, tokens, bar, commands);
-        }
+        groups(ui, tokens, bar, width, commands);
     });
+    if stop {
+        commands.push(Command::CancelJob);
+    }
 }
 
-/// Groups of what can be done, from the right to the left: at most six groups, in narrow bars two.
+/// Groups of what can be done: at most six groups, in narrow bars two.
 fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: &mut Vec<Command>) {
     let has_words = width >= WITH_WORDS;
     let button = |icon, name, words: &'static str| BarButton {
@@ -107,18 +113,10 @@ fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: 
             BarMenu::View,
             BarMenu::Help,
         ];
-        menu(ui, Icon::More, "More", &rest);
         menu(ui, Icon::Open, "Open", &[BarMenu::Open]);
+        menu(ui, Icon::More, "More", &rest);
         return;
     }
-    menu(ui, Icon::Help, "Help", &[BarMenu::Help]);
-    let find = button(Icon::Search, "Find a command", "Find").show(ui, tokens);
-    menu(ui, Icon::Side, "View", &[BarMenu::View]);
-    let filter = BarButton {
-        on: Some(bar.settings_open),
-        ..button(Icon::Settings, "Filter settings", "Filter")
-    };
-    let filter = filter.show(ui, tokens);
     let save = [
         BarMenu::Save,
         BarMenu::Export,
@@ -126,8 +124,16 @@ fn groups(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, width: f32, commands: 
         BarMenu::ExportLandmarks,
         BarMenu::ExportTrack,
     ];
-    menu(ui, Icon::Save, "Save", &save);
     menu(ui, Icon::Open, "Open", &[BarMenu::Open]);
+    menu(ui, Icon::Save, "Save", &save);
+    let filter = BarButton {
+        on: Some(bar.settings_open),
+        ..button(Icon::Settings, "Filter settings", "Filter")
+    };
+    let filter = filter.show(ui, tokens);
+    menu(ui, Icon::Side, "View", &[BarMenu::View]);
+    let find = button(Icon::Search, "Find a command", "Find").show(ui, tokens);
+    menu(ui, Icon::Help, "Help", &[BarMenu::Help]);
     if find.clicked() {
         commands.push(Command::TogglePalette);
     }
@@ -143,41 +149,37 @@ fn next_step(
     is_narrow: bool,
     commands: &mut Vec<Command>,
 ) {
-    if !is_narrow {
-        ui.add_space(tokens.space);
-    }
     let icon = (!is_narrow).then_some(next.icon);
     if text_button(ui, tokens, icon, next.label, true).clicked() {
         commands.push(next.command.clone());
     }
+    if !is_narrow {
+        ui.add_space(tokens.space);
+    }
 }
 
-/// Draws what is under way, or else the title, as far as there is room.
-fn middle(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>, commands: &mut Vec<Command>) {
-    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-        ui.add_space(2.0 * tokens.space);
-        if let Some((fraction, words)) = bar.progress {
-            if ui.available_width() < PROGRESS + tokens.target() + 3.0 * tokens.space {
-                return;
-            }
-            let (rect, _) = ui.allocate_exact_size(egui::vec2(PROGRESS, 4.0), egui::Sense::hover());
-            ui.painter().rect_filled(rect, 2.0, tokens.line);
-            let mut done = rect;
-            done.set_right(rect.left() + rect.width() * fraction.clamp(0.0, 1.0));
-            ui.painter().rect_filled(done, 2.0, tokens.accent);
-            ui.add_space(0.5 * tokens.space);
-            let words = egui::Label::new(muted(tokens, words)).truncate();
-            let room = ui.available_width() - tokens.target() - tokens.space;
-            ui.scope(|ui| {
-                ui.set_max_width(room.max(0.0));
-                ui.add(words);
-            });
-            if icon_button(ui, tokens, Icon::Close, "Stop computing").clicked() {
-                commands.push(Command::CancelJob);
-            }
-        } else {
-            let text = RichText::new(bar.title).color(tokens.muted);
-            ui.add(egui::Label::new(text).truncate());
-        }
+/// Draws what is under way, or else the title, as far as there is room; whether that is to be stopped.
+fn middle(ui: &mut Ui, tokens: &Tokens, bar: &TopBar<'_>) -> bool {
+    ui.add_space(2.0 * tokens.space);
+    let Some((fraction, words)) = bar.progress else {
+        let text = RichText::new(bar.title).color(tokens.muted);
+        ui.add(egui::Label::new(text).truncate());
+        return false;
+    };
+    if ui.available_width() < PROGRESS + tokens.target() + 3.0 * tokens.space {
+        return false;
+    }
+    let (rect, _) = ui.allocate_exact_size(egui::vec2(PROGRESS, 4.0), egui::Sense::hover());
+    ui.painter().rect_filled(rect, 2.0, tokens.line);
+    let mut done = rect;
+    done.set_right(rect.left() + rect.width() * fraction.clamp(0.0, 1.0));
+    ui.painter().rect_filled(done, 2.0, tokens.accent);
+    ui.add_space(0.5 * tokens.space);
+    let words = egui::Label::new(muted(tokens, words)).truncate();
+    let room = ui.available_width() - tokens.target() - tokens.space;
+    ui.scope(|ui| {
+        ui.set_max_width(room.max(0.0));
+        ui.add(words);
     });
+    icon_button(ui, tokens, Icon::Close, "Stop computing").clicked()
 }

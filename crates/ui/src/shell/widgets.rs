@@ -1,8 +1,8 @@
 //! Small widgets that give the app its own face.
 
 use egui::{
-    Align2, Color32, CornerRadius, FontId, FontSelection, Key, Response, RichText, Role, Sense,
-    Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align, Align2, Color32, CornerRadius, FontId, FontSelection, Key, Layout, Response, RichText,
+    Role, Sense, Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
 use super::icons::Icon;
@@ -262,6 +262,30 @@ pub fn heading(ui: &mut Ui, tokens: &Tokens, text: &str) {
             .font(tokens.heading())
             .color(tokens.text),
     );
+}
+
+/// Draws what stands at the right end of a row, and what is `before` it in the room that is left, both from the left to
+/// the right: that is the order in which Tab goes through them, too.
+pub fn at_right(ui: &mut Ui, before: impl FnOnce(&mut Ui), add: impl FnOnce(&mut Ui)) {
+    let id = ui.unique_id().with("at right");
+    let room = ui.available_rect_before_wrap();
+    let width: f32 = ui.data(|data| data.get_temp(id)).unwrap_or(room.width());
+    let [mut left, mut right] = [room; 2];
+    right.min.x = room.right() - width;
+    left.max.x = right.left().max(room.left());
+    let row = Layout::left_to_right(Align::Center);
+    // What does not fit yet must not widen the panel that it is in.
+    before(&mut ui.new_child(UiBuilder::new().max_rect(left).layout(row)));
+    let mut at_right = ui.new_child(UiBuilder::new().max_rect(right).layout(row));
+    add(&mut at_right);
+    let shown = at_right.min_rect();
+    ui.allocate_rect(shown.intersect(room), Sense::hover());
+    let shown = shown.width();
+    if (shown - width).abs() > 0.5 {
+        ui.data_mut(|data| data.insert_temp(id, shown));
+        ui.ctx()
+            .request_discard("the width of what stands at the right");
+    }
 }
 
 /// The title of a dialog, with a button that closes it; true when that was pressed.

@@ -1,5 +1,5 @@
 use egui::Key;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use super::support::{Rig, rig};
 
@@ -67,4 +67,24 @@ fn what_cannot_be_saved_now_says_in_the_menu_what_is_missing() {
     rig.key(Key::I);
     rig.key(Key::I);
     assert_eq!(shown(&mut rig), [false, false, true]);
+}
+
+#[test]
+fn tab_goes_through_the_bar_as_it_is_read() {
+    let mut rig = rig();
+    let order = ["Take the tour", "Open", "Save", "Filter settings", "View"];
+    rig.harness.get_by_label(order[0]).focus();
+    rig.frames(2);
+    for pair in order.windows(2) {
+        let left = |label: &str| rig.harness.get_by_label(label).rect().left();
+        assert!(left(pair[0]) < left(pair[1]), "{pair:?}");
+        rig.key(Key::Tab);
+        assert!(
+            rig.harness
+                .get_by_label(pair[1])
+                .accesskit_node()
+                .is_focused(),
+            "{pair:?}"
+        );
+    }
 }
