@@ -95,7 +95,9 @@ pub fn paint_landmarks(
         }
         if scene.names || selected || scene.hovered == Some(landmark.id) {
             let text = match score {
-                Some(score) if around.width() > 12.0 => format!("{}  {score:.2}", landmark.name),
+                Some(score) if around.width() > 12.0 => {
+                    format!("{}, score {score:.2}", landmark.name)
+                }
                 _ => landmark.name.clone(),
             };
             let rank = match state {

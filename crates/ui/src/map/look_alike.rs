@@ -55,7 +55,10 @@ impl LookAlike {
             rank: RANK,
             around: Rect::from_points(&corners),
             top: topmost(&corners),
-            text: format!("look-alike {:.2}, refused from {most:.2}", self.score),
+            text: format!(
+                "look-alike, score {:.2}, refused from {most:.2}",
+                self.score
+            ),
             color: tokens.warning,
         }
     }

@@ -145,16 +145,19 @@ fn label(
     }
     let name = picking::landmark_name(run, candidate.landmark);
     let (text, color) = match candidate.outcome {
-        Outcome::Accepted => (format!("{name}  {:.2}", candidate.score), tokens.text),
+        Outcome::Accepted => (format!("{name}, score {:.2}", candidate.score), tokens.text),
         Outcome::Refused(refusal) if reason => (
             format!(
-                "{name}  {:.2}\n{}",
+                "{name}, score {:.2}\n{}",
                 candidate.score,
                 picking::reason(run, candidate, refusal)
             ),
             tokens.refused,
         ),
-        Outcome::Refused(_) => (format!("{name}  {:.2}", candidate.score), tokens.refused),
+        Outcome::Refused(_) => (
+            format!("{name}, score {:.2}", candidate.score),
+            tokens.refused,
+        ),
     };
     let at = anchor + vec2(RING + 4.0, -RING);
     parts::tag(painter, tokens, at, &text, color, taken);
