@@ -121,6 +121,17 @@ impl Units {
     }
 }
 
+/// Unit of a log as people read it.
+///
+/// ```
+/// assert_eq!(pilotage_ui::units::shown_unit("deg/s"), "°/s");
+/// assert_eq!(pilotage_ui::units::shown_unit("m/s2"), "m/s²");
+/// ```
+pub fn shown_unit(unit: &str) -> String {
+    let unit = unit.replace("deg", "°");
+    unit.replace("/s2", "/s²")
+}
+
 /// A number as text with the sign for minus that is as wide as a figure, in the place of a hyphen.
 pub fn with_minus(text: &str) -> String {
     text.replace('-', "\u{2212}")

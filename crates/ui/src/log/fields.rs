@@ -8,6 +8,7 @@ use super::presets::OwnPresets;
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::units::shown_unit;
 use crate::views::parts;
 use pilotage_jobs::SeriesName;
 
@@ -256,7 +257,7 @@ fn row(
             context.commands.push(Command::from(command));
         }
         ui.label(
-            RichText::new(unit)
+            RichText::new(shown_unit(unit))
                 .size(tokens.text_sizes[0])
                 .color(tokens.muted),
         );

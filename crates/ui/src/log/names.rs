@@ -1,6 +1,7 @@
 //! The names of a log's series, as expressions write them.
 
 use super::OpenLog;
+use crate::units::shown_unit;
 
 /// A series by name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,14 +18,14 @@ pub(super) fn names(log: &OpenLog) -> Vec<NamedSeries> {
     let mut names: Vec<NamedSeries> = sensors
         .map(|sensor| NamedSeries {
             name: sensor.role.label().to_owned(),
-            unit: sensor.role.unit().0.to_owned(),
+            unit: shown_unit(sensor.role.unit().0),
         })
         .collect();
     for topic in log.outline.iter().flat_map(|outline| &outline.topics) {
         let numbers = topic.fields.iter().filter(|field| field.is_number);
         names.extend(numbers.map(|field| NamedSeries {
             name: format!("{}.{}", topic.name, field.name),
-            unit: field.unit.clone(),
+            unit: shown_unit(&field.unit),
         }));
     }
     names

@@ -9,6 +9,7 @@ use pilotage_core::frames::LocalFrame;
 
 use super::SpanFigures;
 use crate::short_map::ShortMap;
+use crate::units::shown_unit;
 use crate::views::ExtentPyramid;
 use pilotage_jobs::{LogSeries, RecordedPlaces, SeriesName};
 
@@ -59,7 +60,7 @@ impl PlottedSeries {
         }
         if piece.first == 0 {
             *self = Self {
-                unit: piece.unit.clone(),
+                unit: shown_unit(&piece.unit),
                 times: Vec::with_capacity(piece.total),
                 base: piece.base,
                 lacks: piece.lacks.clone(),

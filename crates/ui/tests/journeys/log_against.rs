@@ -86,8 +86,8 @@ fn the_plots_are_saved_as_a_drawing_with_names_and_units() {
     assert!(text.starts_with("<svg "), "{text}");
     for wanted in [
         ">Ground speed, m/s<",
-        ">Roll, deg<",
-        ">Pitch, deg<",
+        ">Roll, °<",
+        ">Pitch, °<",
         ">time, s<",
         "<path d=\"M",
         "east.log",
