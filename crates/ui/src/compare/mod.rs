@@ -97,7 +97,7 @@ impl Compare {
             let text = "Simulate or open a flight first.".to_owned();
             return context.note("Nothing to keep", text);
         };
-        let of = flight.map_or("the flight", |f| f.name.as_str());
+        let of = documents.subject();
         track.name = match id {
             TrackId::Truth if is_recorded => format!("{of}, recorded"),
             TrackId::Truth => format!("{of}, true"),
@@ -121,7 +121,7 @@ impl Compare {
             return context.note("Nothing to smooth yet", text);
         };
         let track = Trajectory {
-            name: format!("{}, smoothed", named_after(&flight.name, Some(run))),
+            name: format!("{}, smoothed", named_after(documents.subject(), Some(run))),
             frame: flight.frame_on_globe,
             utc_at_zero: utc_at_zero(documents),
             has_height: false,

@@ -93,8 +93,7 @@ impl Documents {
                 } else {
                     "same day"
                 };
-                let choice = SimulationChoice::named(&options.scenario);
-                let title = choice.map_or(options.scenario.as_str(), |choice| choice.title);
+                let title = self.subject();
                 format!("{title} · {day} · seed {}", options.seed)
             }
             FlightSource::Rehearsed(flight) => {
@@ -208,10 +207,17 @@ impl Documents {
         self.span().map_or(0.0, |span| span.0)
     }
 
-    /// Name of what is looked at, for files: the flight, or else the mission.
+    /// Name of what is looked at: the flight as people chose it, or else the mission.
     pub fn subject(&self) -> &str {
-        let flight = self.flight.measured.as_ref();
-        flight.map_or(&self.mission.name, |flight| &flight.name)
+        let chosen = match &self.flight.source {
+            FlightSource::Simulated(options) => SimulationChoice::named(&options.scenario),
+            _ => None,
+        };
+        match (chosen, &self.flight.measured) {
+            (Some(choice), _) => choice.title,
+            (None, Some(flight)) => &flight.name,
+            (None, None) => &self.mission.name,
+        }
     }
 
     /// Time at which looking at a flight begins: just before the take-off of a log, or else its start.

@@ -30,7 +30,7 @@ fn the_replay_is_filmed_from_its_beginning_and_the_film_ends_with_it() {
     }
     let films = &rig.host().films;
     assert_eq!(films.len(), 2, "{films:?}");
-    assert!(films[1].starts_with("Invented-0-00-0"), "{films:?}");
+    assert!(films[1].starts_with("Village-in-wind-0-00-0"), "{films:?}");
     assert!(films[1].contains(".webm"), "{films:?}");
     assert_eq!(rig.state()["playing"], false);
 }

@@ -47,7 +47,7 @@ fn a_picture_of_the_screen_is_saved_as_it_is_after_the_palette_is_gone() {
     asked.complete(ColorImage::from_rgba_unmultiplied(size, &pixels).into());
     rig.frames(2);
     let (name, png) = rig.host().saved.pop().expect("a file");
-    assert_eq!(name, "Invented-0-00-3.png");
+    assert_eq!(name, "Village-in-wind-0-00-3.png");
     let saved = image::load_from_memory(&png).expect("a picture");
     assert!(
         saved.into_rgba8() == pixels,
