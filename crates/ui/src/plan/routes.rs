@@ -35,9 +35,15 @@ impl Documents {
         self.mission.remember();
         self.mission.is_edited = true;
         let id = self.free_route_id();
+        let is_taken = |name: &str| self.mission.routes.iter().any(|it| it.name == name);
+        let name = match name {
+            Some(name) if is_taken(name) => format!("{name} {id}"),
+            Some(name) => name.to_owned(),
+            None => format!("Route {id}"),
+        };
         self.mission.routes.push(Route {
             id,
-            name: name.map_or_else(|| format!("Route {id}"), str::to_owned),
+            name,
             way_points,
             ..Route::default()
         });
