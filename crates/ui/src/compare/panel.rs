@@ -187,7 +187,9 @@ impl CompareView {
                     }
                 }
                 let label = RichText::new(&row.name).size(tokens.text_sizes[1]);
-                let response = ui.add(egui::Button::selectable(is_reference, label).truncate());
+                let face = egui::Button::selectable(is_reference, label).truncate();
+                // A row is cut off at its height, which fingers have more of.
+                let response = ui.add(if tokens.touch { face } else { face.small() });
                 let name = format!("Compare with {}", row.name);
                 response.widget_info(|| {
                     let role = egui::Role::Button;
