@@ -26,8 +26,11 @@ pub fn help_sheet(context: &Context, tokens: &Tokens, catalog: &[CommandEntry]) 
                 .show(ui, |ui| {
                     if wide {
                         ui.columns(2, |columns| {
-                            group_ui(&mut columns[0], tokens, catalog, CommandGroup::Playback);
-                            for group in [CommandGroup::View, CommandGroup::Edit, CommandGroup::Plan, CommandGroup::Document] {
+                            // Columns of about the same length.
+                            for group in [CommandGroup::Playback, CommandGroup::Edit, CommandGroup::Document] {
+                                group_ui(&mut columns[0], tokens, catalog, group);
+                            }
+                            for group in [CommandGroup::View, CommandGroup::Plan] {
                                 group_ui(&mut columns[1], tokens, catalog, group);
                             }
                         });
