@@ -216,6 +216,11 @@ impl Labeller {
                 }
             });
         }
+        let asked = frame.map(|(_, index)| (index, landmark.id));
+        if !is_said && self.proposal.is_none() && asked.is_some() && self.asked == asked {
+            let text = "No proposal: the pose of the picture does not see the landmark in it.";
+            ui.label(muted(tokens, text));
+        }
         ui.checkbox(&mut self.always, "Propose in every picture")
             .on_hover_text("Then → and Enter label picture after picture");
         let text = "Drag: box. Drag inside: move. Drag an edge: size. Alt with arrows: one pixel, \
