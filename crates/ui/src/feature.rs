@@ -61,17 +61,29 @@ pub struct FeatureInfo {
     pub commands: fn() -> Vec<CommandEntry>,
 }
 
-/// Lack for which `command` can do nothing now, as the feature says that it is for.
+/// Lack for which `command` can do nothing now, to an edit or a bookmark, or as the feature says that it is for.
 pub fn lack(
     command: &Command,
     features: &[Box<dyn Feature>],
     documents: &Documents,
+    selected: Option<u32>,
 ) -> Option<CommandLack> {
-    let Command::Feature(command) = command else {
-        return None;
+    let (past, future) = documents.mission.history.depth();
+    let (is_there, what, advice) = match command {
+        Command::Feature(command) => {
+            let owner = features.iter().find(|it| it.info().id == command.to())?;
+            return owner.missing(command, documents, selected);
+        }
+        Command::Undo => (past > 0, "Nothing to undo", ""),
+        Command::Redo => (future > 0, "Nothing to redo", ""),
+        Command::PreviousBookmark | Command::NextBookmark => (
+            !documents.flight.bookmarks.is_empty(),
+            "No bookmark",
+            "Set one with B.",
+        ),
+        _ => return None,
     };
-    let owner = features.iter().find(|it| it.info().id == command.to())?;
-    owner.missing(command, documents)
+    CommandLack::unless(is_there, what, advice)
 }
 
 /// Button of a feature on the camera picture.
@@ -405,8 +417,13 @@ pub trait Feature {
     /// Carries out a command that is addressed to it; false if it is none of its own.
     fn execute(&mut self, command: &FeatureCommand, context: &mut FeatureContext<'_>) -> bool;
 
-    /// Lack of the documents for which a command of its own can do nothing now.
-    fn missing(&self, _command: &FeatureCommand, _documents: &Documents) -> Option<CommandLack> {
+    /// Lack for which a command of its own can do nothing now, in the documents, the landmark that is selected or itself.
+    fn missing(
+        &self,
+        _command: &FeatureCommand,
+        _documents: &Documents,
+        _selected: Option<u32>,
+    ) -> Option<CommandLack> {
         None
     }
 

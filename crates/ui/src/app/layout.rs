@@ -87,7 +87,14 @@ impl App {
         let workspace = self.view.workspace;
         let mut features = self.views.features.iter();
         let next = features.find_map(|it| it.next_step(workspace, &self.documents));
-        let lack = |command: &Command| lack(command, &self.views.features, &self.documents);
+        let lack = |command: &Command| {
+            lack(
+                command,
+                &self.views.features,
+                &self.documents,
+                self.selection,
+            )
+        };
         bar(&tokens, BAR_HEIGHT).show(ui, |ui| {
             let bar = TopBar {
                 workspace,
@@ -193,9 +200,19 @@ impl App {
         commands: &mut Vec<Command>,
         room: egui::Rect,
     ) {
-        self.dialogs
-            .palette
-            .show(ui, tokens, &self.catalog, commands);
+        let lack = |command: &Command| {
+            lack(
+                command,
+                &self.views.features,
+                &self.documents,
+                self.selection,
+            )
+        };
+        let table = MenuTable {
+            catalog: &self.catalog,
+            lack: &lack,
+        };
+        self.dialogs.palette.show(ui, tokens, &table, commands);
         if self.dialogs.help && help_sheet(ui.ctx(), tokens, &self.catalog) {
             self.dialogs.help = false;
         }

@@ -1,7 +1,7 @@
 //! Trained detectors as a feature: what one saw and did in a picture, and how well it does elsewhere.
 
 use egui::Ui;
-use pilotage_core::landmark::CascadeEvidence;
+use pilotage_core::landmark::{CascadeEvidence, Landmark};
 use pilotage_jobs::{DetectorSearch, ExplainedBy, JobEvent, JobId};
 use serde_json::Value;
 
@@ -13,6 +13,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::explanations::{ExplainedStep, Explanations, of_run};
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
+use crate::shell::CommandLack;
 use crate::state_json::object;
 
 /// Description of the feature.
@@ -65,6 +66,27 @@ impl Feature for DetectorFeature {
             }
         }
         true
+    }
+
+    fn missing(
+        &self,
+        command: &FeatureCommand,
+        documents: &Documents,
+        _selected: Option<u32>,
+    ) -> Option<CommandLack> {
+        let (is_there, what) = match command.action()? {
+            DetectorCommand::Stages(_) | DetectorCommand::Play => {
+                (self.view.passed().1 > 0, "No search is shown")
+            }
+            DetectorCommand::Evaluate => {
+                let landmarks = &documents.mission.landmarks;
+                let is_trained = landmarks.iter().any(Landmark::is_trained);
+                (is_trained, "No detector is trained")
+            }
+            _ => return None,
+        };
+        let advice = "Train a detector for a landmark first.";
+        CommandLack::unless(is_there, what, advice)
     }
 
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {

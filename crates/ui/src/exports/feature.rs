@@ -129,7 +129,12 @@ impl Feature for ExportsFeature {
         true
     }
 
-    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<CommandLack> {
+    fn missing(
+        &self,
+        command: &FeatureCommand,
+        documents: &Documents,
+        _selected: Option<u32>,
+    ) -> Option<CommandLack> {
         missing(command.action()?, documents)
     }
 

@@ -41,5 +41,5 @@ pub(super) fn missing(command: &ExportCommand, documents: &Documents) -> Option<
             return None;
         }
     };
-    (!is_there).then_some(CommandLack { what, advice })
+    CommandLack::unless(is_there, what, advice)
 }

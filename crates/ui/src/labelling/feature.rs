@@ -15,6 +15,7 @@ use crate::documents::Documents;
 use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, PictureButton,
 };
+use crate::shell::CommandLack;
 use crate::shell::icons::Icon;
 use crate::state_json::object;
 use crate::views::CameraView;
@@ -90,6 +91,32 @@ impl Feature for Labelling {
             }
         }
         true
+    }
+
+    fn missing(
+        &self,
+        command: &FeatureCommand,
+        documents: &Documents,
+        selected: Option<u32>,
+    ) -> Option<CommandLack> {
+        let (is_there, what, advice) = match command.action()? {
+            LabelCommand::Toggle => (
+                documents.flight.measured.is_some(),
+                "No flight is open",
+                "Open one, or simulate one.",
+            ),
+            LabelCommand::Export(_) => (
+                !documents.mission.labels.is_empty(),
+                "No labels to export",
+                "Press K and drag boxes around landmarks in the pictures of a flight.",
+            ),
+            _ => (
+                self.labeller.is_some() && selected.is_some(),
+                "No picture is being labelled",
+                "Press K, and choose a landmark.",
+            ),
+        };
+        CommandLack::unless(is_there, what, advice)
     }
 
     /// Whoever asks for the workspace that the labels are over wants to see it.

@@ -16,6 +16,7 @@ use crate::feature::{
     Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace, FlightFiles,
 };
 use crate::map::{MapLayer, ScreenFromWorld};
+use crate::shell::CommandLack;
 use crate::tokens::Tokens;
 
 /// Description of the feature.
@@ -46,6 +47,15 @@ impl Feature for LogFeature {
             self.carry_out(command.clone(), context);
         }
         command.is_some()
+    }
+
+    fn missing(
+        &self,
+        _command: &FeatureCommand,
+        _documents: &Documents,
+        _selected: Option<u32>,
+    ) -> Option<CommandLack> {
+        CommandLack::unless(self.log.is_some(), "No log is open", "Open one first.")
     }
 
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {

@@ -9,7 +9,6 @@ use super::catalog::commands;
 use super::command::{ID, PlanCommand};
 use super::landmark_commands::delete;
 use super::planner::{Planner, Seen};
-use super::print::NO_ROUTE;
 use super::readouts::plan_readouts;
 use super::tab::PlanTab;
 use crate::command::{Command, Workspace};
@@ -46,9 +45,13 @@ impl Feature for Planner {
         is_known
     }
 
-    fn missing(&self, command: &FeatureCommand, documents: &Documents) -> Option<CommandLack> {
-        let is_brief = command.action() == Some(&PlanCommand::PrintBrief);
-        (is_brief && documents.mission.selected_route().is_none()).then_some(NO_ROUTE)
+    fn missing(
+        &self,
+        command: &FeatureCommand,
+        documents: &Documents,
+        selected: Option<u32>,
+    ) -> Option<CommandLack> {
+        self.lack_of(command.action()?, documents, selected)
     }
 
     /// Keeps to the landmark that is selected, and has its own answers to what is asked of the map and of landmarks

@@ -32,6 +32,7 @@ mod imports;
 mod incursion_check;
 mod incursions;
 mod kept;
+mod lack;
 mod landmark_commands;
 mod landmark_editor;
 mod landmark_table;

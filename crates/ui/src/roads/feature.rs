@@ -12,6 +12,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::map::{MapButton, MapTool};
+use crate::shell::CommandLack;
 use crate::shell::icons::Icon;
 use crate::state_json::object;
 
@@ -22,6 +23,10 @@ const INFO: FeatureInfo = FeatureInfo {
     place: FeaturePlace::Nowhere,
     commands,
 };
+
+/// Lack of a point at which a road could be split, and what to do about it.
+const NO_POINT: &str = "No point of a road is selected";
+const CLICK_POINT: &str = "Click one between the ends of the selected road first.";
 
 /// Buttons of the other tools that have the map now.
 fn tools_on<'a>(context: &'a FeatureContext<'_>) -> impl Iterator<Item = MapButton> + 'a {
@@ -163,8 +168,7 @@ impl Roads {
                 let point = self.point.take();
                 is_over = point.is_some_and(|point| documents.split_road(road, point));
                 if !is_over {
-                    let text = "Click the point first: one between the ends of the road.";
-                    context.note("The road is split at a selected point", text);
+                    context.note(NO_POINT, CLICK_POINT);
                 }
             }
             RoadCommand::Join => {
@@ -200,6 +204,31 @@ impl Feature for Roads {
             self.carry_out(command, context);
         }
         is_known
+    }
+
+    fn missing(
+        &self,
+        command: &FeatureCommand,
+        documents: &Documents,
+        _selected: Option<u32>,
+    ) -> Option<CommandLack> {
+        let (is_there, what, advice) = match command.action()? {
+            RoadCommand::Next => (
+                !documents.mission.roads.is_empty(),
+                "No roads",
+                "Draw one, or open a file of them.",
+            ),
+            RoadCommand::NextPoint | RoadCommand::Delete | RoadCommand::Join => (
+                self.selected.is_some(),
+                "No road is selected",
+                "Click one on the map.",
+            ),
+            RoadCommand::MoveHere | RoadCommand::DeletePoint | RoadCommand::Split => {
+                (self.point.is_some(), NO_POINT, CLICK_POINT)
+            }
+            _ => return None,
+        };
+        CommandLack::unless(is_there, what, advice)
     }
 
     /// Leaves the map to whoever draws a landmark.

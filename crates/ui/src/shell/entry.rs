@@ -104,6 +104,13 @@ pub struct CommandLack {
     pub advice: &'static str,
 }
 
+impl CommandLack {
+    /// That lack, unless what is needed `is_there`.
+    pub fn unless(is_there: bool, what: &'static str, advice: &'static str) -> Option<Self> {
+        (!is_there).then_some(Self { what, advice })
+    }
+}
+
 /// Commands of which menus show theirs.
 pub struct MenuTable<'a> {
     /// All commands.

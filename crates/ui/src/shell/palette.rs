@@ -5,7 +5,7 @@ use egui::{
 };
 use pilotage_core::sorting::sort;
 
-use super::catalog::CommandEntry;
+use super::entry::{CommandEntry, CommandLack, MenuTable};
 use super::search::{by_words, in_order};
 use crate::command::Command;
 use crate::tokens::Tokens;
@@ -17,6 +17,9 @@ pub struct Palette {
     query: String,
     chosen: usize,
 }
+
+/// Command that fits, and its lack if it can do nothing now.
+type FoundCommand = (CommandEntry, Option<CommandLack>);
 
 impl Palette {
     /// Opens or closes the palette.
@@ -32,33 +35,35 @@ impl Palette {
         self.open
     }
 
-    fn matching(&self, catalog: &[CommandEntry]) -> Vec<CommandEntry> {
-        let mut found: Vec<(i32, CommandEntry)> = catalog
-            .iter()
-            .filter_map(|e| {
-                let score = by_words(&self.query, &e.label, e.also)?;
-                Some((score, e.clone()))
-            })
+    fn matching(&self, table: &MenuTable<'_>) -> Vec<FoundCommand> {
+        let ranked = |score: i32, entry: &CommandEntry| {
+            let lack = (table.lack)(&entry.command);
+            // Of equals, what cannot be done comes last.
+            let rank = 4 * score - 6 * i32::from(lack.is_some());
+            (rank, (entry.clone(), lack))
+        };
+        let mut found: Vec<(i32, FoundCommand)> = (table.catalog.iter())
+            .filter_map(|e| Some(ranked(by_words(&self.query, &e.label, e.also)?, e)))
             .collect();
         if found.is_empty() {
             // People who know a command type the first letters of its words.
-            let by_letters = catalog.iter();
+            let by_letters = table.catalog.iter();
             let by_letters =
-                by_letters.filter_map(|e| Some((in_order(&self.query, &e.label)?, e.clone())));
+                by_letters.filter_map(|e| Some(ranked(in_order(&self.query, &e.label)?, e)));
             found.extend(by_letters);
         }
         if !self.query.is_empty() {
             sort(&mut found, &|a, b| b.0.cmp(&a.0));
         }
-        found.into_iter().map(|(_, e)| e).collect()
+        found.into_iter().map(|(_, found)| found).collect()
     }
 
-    /// Draws the palette over the commands of `catalog` and sends the one that is chosen.
+    /// Draws the palette over the commands of `table` and sends the one that is chosen, unless it can do nothing now.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         tokens: &Tokens,
-        catalog: &[CommandEntry],
+        table: &MenuTable<'_>,
         commands: &mut Vec<Command>,
     ) {
         if !self.open {
@@ -112,7 +117,7 @@ impl Palette {
                         );
                     });
                     // Letters and Enter may arrive in one frame: what runs is what they name.
-                    entries = self.matching(catalog);
+                    entries = self.matching(table);
                     let last = entries.len().saturating_sub(1);
                     self.chosen = (self.chosen + down).saturating_sub(up).min(last);
                     run = enter.then_some(self.chosen);
@@ -147,7 +152,7 @@ impl Palette {
                     .interact_pos()
                     .is_some_and(|p| !area.response.rect.contains(p))
         });
-        if let Some(entry) = run.and_then(|index| entries.get(index)) {
+        if let Some((entry, None)) = run.and_then(|index| entries.get(index)) {
             commands.push(entry.command.clone());
             self.open = false;
         } else if escape || outside {
@@ -159,10 +164,19 @@ impl Palette {
     }
 }
 
-fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui::Response {
+fn row(ui: &mut Ui, tokens: &Tokens, (entry, lack): &FoundCommand, chosen: bool) -> egui::Response {
     let size = vec2(ui.available_width(), tokens.target());
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &*entry.label));
+    let beside = match lack {
+        Some(lack) => lack.what.to_owned(),
+        None => entry.keys_beside(tokens.touch),
+    };
+    response.widget_info(|| {
+        let lack = lack.map(|lack| format!(" ({})", lack.what));
+        let is_enabled = lack.is_none();
+        let label = format!("{}{}", entry.label, lack.unwrap_or_default());
+        WidgetInfo::selected(Role::Button, is_enabled, chosen, label)
+    });
     if ui.is_rect_visible(rect) {
         let painter = ui.painter();
         if chosen || response.hovered() {
@@ -184,7 +198,11 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui
             Align2::LEFT_CENTER,
             &entry.label,
             tokens.normal(),
-            tokens.text,
+            if lack.is_some() {
+                tokens.muted
+            } else {
+                tokens.text
+            },
         );
         painter.text(
             egui::pos2(left.right() + tokens.space, inner.center().y),
@@ -196,10 +214,13 @@ fn row(ui: &mut Ui, tokens: &Tokens, entry: &CommandEntry, chosen: bool) -> egui
         painter.text(
             inner.right_center(),
             Align2::RIGHT_CENTER,
-            entry.keys_beside(tokens.touch),
+            beside,
             tokens.small(),
             tokens.muted,
         );
     }
-    response
+    match lack {
+        Some(lack) if !lack.advice.is_empty() => response.on_hover_text(lack.advice),
+        _ => response,
+    }
 }

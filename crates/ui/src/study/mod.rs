@@ -24,6 +24,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureCommand, FeatureContext, FeatureInfo, FeaturePlace};
 use crate::feature_command::STUDIES;
+use crate::shell::CommandLack;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, entry};
 
 use draft::StudyDraft;
@@ -134,6 +135,17 @@ impl Feature for StudyFeature {
             StudyCommand::Open(run) => self.open(run, context),
         }
         true
+    }
+
+    fn missing(
+        &self,
+        command: &FeatureCommand,
+        _documents: &Documents,
+        _selected: Option<u32>,
+    ) -> Option<CommandLack> {
+        let is_stop = command.action() == Some(&StudyCommand::Stop);
+        let is_under_way = self.study.as_ref().is_some_and(StudyUnderWay::is_under_way);
+        CommandLack::unless(!is_stop || is_under_way, "No study is under way", "")
     }
 
     fn panel(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, documents: &Documents) {

@@ -111,6 +111,7 @@ fn evaluate(rig: &mut Rig) -> Vec<JobId> {
 fn a_detector_is_evaluated_once_and_what_came_of_it_goes_with_the_flight() {
     let mut rig = rig();
     assert!(evaluate(&mut rig).is_empty(), "there is no detector");
+    rig.key(Key::Escape);
     assert_eq!(rig.state()["detector"]["evaluation"]["open"], false);
     open_trained(&mut rig);
     let jobs = evaluate(&mut rig);

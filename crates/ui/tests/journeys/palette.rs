@@ -85,3 +85,27 @@ fn generic_landmarks_are_found_where_they_are_chosen_and_letters_from_anywhere_f
         );
     }
 }
+
+#[test]
+fn what_can_do_nothing_says_why_and_does_nothing() {
+    for (words, label, reason) in [
+        ("redo", "Redo", "Nothing to redo"),
+        ("next bookmark", "Next bookmark", "No bookmark"),
+        ("plot attitude", "Plot the attitude", "No log is open"),
+        ("stop study", "Stop the study", "No study is under way"),
+        (
+            "delete point road",
+            "Delete the point of the road",
+            "No point of a road is selected",
+        ),
+    ] {
+        let mut rig = rig();
+        rig.key_with(Modifiers::COMMAND, Key::K);
+        rig.harness.event(egui::Event::Text(words.into()));
+        rig.frames(2);
+        let row = format!("{label} ({reason})");
+        assert!(rig.harness.query_by_label(&row).is_some(), "{row}");
+        rig.key(Key::Enter);
+        assert_eq!(rig.state()["dialogs"]["palette"], true, "{row}");
+    }
+}
