@@ -29,12 +29,15 @@ const INFO: FeatureInfo = FeatureInfo {
 };
 
 fn commands() -> Vec<CommandEntry> {
-    vec![entry(
-        CommandGroup::View,
-        "Camera to log: time offset, mount, focal length",
-        vec![shift(Key::T)],
-        Command::Feature(FeatureCommand::show(super::ID)),
-    )]
+    vec![
+        entry(
+            CommandGroup::View,
+            "Camera to log: time offset, mount, focal length",
+            vec![shift(Key::T)],
+            Command::Feature(FeatureCommand::show(super::ID)),
+        )
+        .also("calibrate calibration synchronise delay lag boresight"),
+    ]
 }
 
 /// Camera beside its log.

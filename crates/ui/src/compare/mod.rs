@@ -41,7 +41,8 @@ fn commands() -> Vec<CommandEntry> {
             "Compare runs and flights",
             vec![shift(Key::C)],
             CompareCommand::Show.into(),
-        ),
+        )
+        .also("difference error ghost trajectory ape rpe"),
         entry(
             CommandGroup::Document,
             "Keep this run for comparison",
@@ -53,7 +54,8 @@ fn commands() -> Vec<CommandEntry> {
             "Keep this run smoothed",
             Vec::new(),
             CompareCommand::KeepSmoothed.into(),
-        ),
+        )
+        .also("smoother rts"),
     ]
 }
 

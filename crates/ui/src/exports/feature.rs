@@ -71,7 +71,9 @@ fn commands() -> Vec<CommandEntry> {
             ExportCommand::Track(_) => BarMenu::ExportTrack,
             _ => BarMenu::Export,
         };
-        entry(CommandGroup::Document, label, keys, command.into()).under(menu)
+        entry(CommandGroup::Document, label, keys, command.into())
+            .also("download file")
+            .under(menu)
     })
     .collect()
 }

@@ -17,7 +17,8 @@ pub fn commands() -> Vec<CommandEntry> {
             "Label landmarks in the pictures",
             vec![plain(Key::K)],
             LabelCommand::Toggle,
-        ),
+        )
+        .also("annotate annotation bounding box"),
         of(
             "Propose the label of the landmark",
             vec![plain(Key::Q)],

@@ -40,7 +40,9 @@ fn commands() -> Vec<CommandEntry> {
         vec![],
         LearnCommand::OpenLessons.into(),
     );
-    let lessons = lessons.also("help tutorial lesson teach course explain how learn presenter");
+    let lessons = lessons.also(
+        "help tutorial lesson teach course explain how learn presenter presentation slides handout",
+    );
     vec![learn.under(BarMenu::Help), lessons.under(BarMenu::Help)]
 }
 

@@ -41,7 +41,7 @@ fn commands() -> Vec<CommandEntry> {
     let row = |(label, command)| {
         let is_rare = command == LinkCommand::OpenBefore;
         let command = Command::Feature(FeatureCommand::new(ID, command));
-        let row = entry(CommandGroup::Document, label, vec![], command);
+        let row = entry(CommandGroup::Document, label, vec![], command).also("share url");
         if is_rare {
             row
         } else {

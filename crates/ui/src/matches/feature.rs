@@ -22,12 +22,15 @@ const INFO: FeatureInfo = FeatureInfo {
 };
 
 fn commands() -> Vec<CommandEntry> {
-    vec![entry(
-        CommandGroup::View,
-        "Show how a landmark was matched",
-        vec![],
-        Command::Feature(FeatureCommand::show(MATCH)),
-    )]
+    vec![
+        entry(
+            CommandGroup::View,
+            "Show how a landmark was matched",
+            vec![],
+            Command::Feature(FeatureCommand::show(MATCH)),
+        )
+        .also("why refused score template correlation"),
+    ]
 }
 
 /// Matches of landmarks, explained.

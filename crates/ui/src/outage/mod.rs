@@ -35,12 +35,15 @@ const INFO: FeatureInfo = FeatureInfo {
 };
 
 fn commands() -> Vec<CommandEntry> {
-    vec![entry(
-        CommandGroup::View,
-        "Try a GPS outage",
-        vec![shift(Key::G)],
-        OutageCommand::Show.into(),
-    )]
+    vec![
+        entry(
+            CommandGroup::View,
+            "Try a GPS outage",
+            vec![shift(Key::G)],
+            OutageCommand::Show.into(),
+        )
+        .also("lost jamming spoofing denied failure dead reckoning drift"),
+    ]
 }
 
 impl Outages {

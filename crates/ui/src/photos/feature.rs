@@ -32,12 +32,15 @@ const INFO: FeatureInfo = FeatureInfo {
 };
 
 fn commands() -> Vec<CommandEntry> {
-    vec![entry(
-        CommandGroup::View,
-        "Lay photos on the map",
-        vec![shift(Key::O)],
-        Command::Feature(FeatureCommand::show(super::ID)),
-    )]
+    vec![
+        entry(
+            CommandGroup::View,
+            "Lay photos on the map",
+            vec![shift(Key::O)],
+            Command::Feature(FeatureCommand::show(super::ID)),
+        )
+        .also("images pictures exif locate"),
+    ]
 }
 
 /// Photos on the map.

@@ -20,7 +20,7 @@ pub fn commands() -> Vec<CommandEntry> {
         vec![control(Key::P)],
         Command::from(PlanCommand::PrintBrief),
     );
-    entries.push(print.under(BarMenu::Save));
+    entries.push(print.also("paper pdf briefing").under(BarMenu::Save));
     entries
 }
 
@@ -199,7 +199,8 @@ fn ground() -> Vec<CommandEntry> {
             "Show or hide where a fix would be had",
             vec![plain(Key::H)],
             PlanCommand::Heat(HeatCommand::Toggle),
-        ),
+        )
+        .also("heat map heatmap coverage probability"),
         of(
             "Show blind areas",
             vec![shift(Key::H)],
@@ -209,7 +210,8 @@ fn ground() -> Vec<CommandEntry> {
             "Find a route: choose A and B",
             vec![shift(Key::F)],
             PlanCommand::Find(FindCommand::Begin),
-        ),
+        )
+        .also("path planning avoid safest"),
         of(
             "Find the route from A to B",
             vec![],
@@ -225,6 +227,7 @@ fn ground() -> Vec<CommandEntry> {
             "Draw a no-fly area",
             vec![shift(Key::A)],
             PlanCommand::Find(FindCommand::Pick(FindPick::Area)),
-        ),
+        )
+        .also("geofence fence keep out forbidden restricted airspace zone"),
     ]
 }

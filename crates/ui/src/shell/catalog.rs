@@ -84,7 +84,8 @@ fn playback() -> Vec<CommandEntry> {
             "Repeat at the end",
             vec![plain(Key::L)],
             Command::ToggleLoop,
-        ),
+        )
+        .also("loop"),
         of(
             "Set or remove a bookmark",
             vec![plain(Key::B)],
@@ -114,7 +115,8 @@ fn playback() -> Vec<CommandEntry> {
         "Speed 20×",
     ];
     for ((key, speed), label) in DIGIT_SPEEDS.into_iter().zip(labels) {
-        entries.push(of(label, vec![plain(key)], Command::SetSpeed(speed)));
+        let of = of(label, vec![plain(key)], Command::SetSpeed(speed));
+        entries.push(of.also("playback faster slower slow motion"));
     }
     entries
 }
@@ -170,7 +172,7 @@ fn view() -> Vec<CommandEntry> {
             Command::ShowWorkspace(Workspace::Plan),
         ),
         of("Dark or light", vec![], Command::ToggleTheme)
-            .also("theme colours colors night day")
+            .also("theme mode colours colors night day")
             .under(BarMenu::View),
         of(
             "Metric or aviation units",
@@ -241,7 +243,7 @@ fn document() -> Vec<CommandEntry> {
             vec![control(Key::O)],
             Command::Open,
         )
-        .also("load file import log bin ulog geotiff kml photo georeference")
+        .also("load file import log bin ulog geotiff kml photo picture georeference place orthophoto elevation dem")
         .under(BarMenu::Open),
         of("Stop computing", vec![], Command::CancelJob).also("cancel abort"),
         of("Open the built-in demo", vec![], Command::OpenDemo)

@@ -38,8 +38,9 @@ impl Palette {
     fn matching(&self, table: &MenuTable<'_>) -> Vec<FoundCommand> {
         let ranked = |score: i32, entry: &CommandEntry| {
             let lack = (table.lack)(&entry.command);
-            // Of equals, what cannot be done comes last.
-            let rank = 4 * score - 6 * i32::from(lack.is_some());
+            // Of equals, files of ten kinds come behind what is done with a thing, and what cannot be done last.
+            let is_one_of_many = entry.menu.is_some_and(|menu| menu.beginning().is_some());
+            let rank = 4 * score - 2 * i32::from(is_one_of_many) - 6 * i32::from(lack.is_some());
             (rank, (entry.clone(), lack))
         };
         let mut found: Vec<(i32, FoundCommand)> = (table.catalog.iter())

@@ -11,7 +11,11 @@ pub fn by_words(query: &str, label: &str, also: &str) -> Option<i32> {
     for asked in query.to_lowercase().split_whitespace() {
         let in_label = words(&label).enumerate();
         let in_label = in_label.filter_map(|(at, word)| {
-            let first = if at == 0 { 3 } else { 0 };
+            let first = match at {
+                0 => 3,
+                1..=2 => 1,
+                _ => 0,
+            };
             Some(4 + first + likeness(asked, word)?)
         });
         let in_also = words(&also).filter_map(|word| likeness(asked, word));
@@ -25,9 +29,10 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     parts.filter(|word| !word.is_empty())
 }
 
-/// Likeness of a typed word to another: the whole, its beginning, a part, or mistyped.
+/// Likeness of a typed word to another: the whole, be it one or many, its beginning, a part, or mistyped.
 fn likeness(asked: &str, word: &str) -> Option<i32> {
-    if word == asked {
+    let is_plural = |many: &str, one: &str| many.strip_suffix('s') == Some(one);
+    if word == asked || is_plural(word, asked) || is_plural(asked, word) {
         Some(20)
     } else if word.starts_with(asked) {
         Some(12)

@@ -36,6 +36,7 @@ fn commands() -> Vec<CommandEntry> {
             vec![shift(Key::M)],
             Command::Feature(FeatureCommand::show(ID)),
         )
+        .also("openstreetmap osm satellite imagery base basemap orthophoto xyz")
         .under(BarMenu::Open),
     ]
 }

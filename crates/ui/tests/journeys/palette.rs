@@ -109,3 +109,28 @@ fn what_can_do_nothing_says_why_and_does_nothing() {
         assert_eq!(rig.state()["dialogs"]["palette"], true, "{row}");
     }
 }
+
+#[test]
+fn a_thing_is_drawn_before_its_files_are_and_found_by_the_words_of_others() {
+    for (words, first, then) in [
+        (
+            "route",
+            "Draw a route, or finish it",
+            "Export the route as KML",
+        ),
+        ("road", "Draw and edit roads", "Delete the road"),
+        ("geofence", "Draw a no-fly area", "Draw a no-fly area"),
+        ("jamming", "Try a GPS outage", "Try a GPS outage"),
+    ] {
+        let mut rig = rig();
+        rig.key_with(Modifiers::COMMAND, Key::K);
+        rig.harness.event(egui::Event::Text(words.into()));
+        rig.frames(2);
+        let top = |label: &str| {
+            let rows = rig.harness.query_all_by_label_contains(label);
+            let mut tops = rows.map(|row| row.rect()).filter(|it| it.width() > 400.0);
+            tops.next().map(|it| it.top())
+        };
+        assert!(top(first).is_some() && top(first) <= top(then), "{words}");
+    }
+}
