@@ -186,7 +186,8 @@ fn view() -> Vec<CommandEntry> {
             vec![control(Key::K), plain(Key::P)],
             Command::TogglePalette,
         )
-        .also("search palette"),
+        .also("search palette")
+        .under(BarMenu::Help),
         of(
             "Show all shortcuts",
             vec![plain(Key::Questionmark), shift(Key::Questionmark)],
