@@ -126,6 +126,8 @@ impl Palette {
                     let height = 360.0_f32.min(screen.height() - 240.0);
                     egui::ScrollArea::vertical()
                         .max_height(height)
+                        // Its room is that of the frame before, which may have had one row.
+                        .min_scrolled_height(height)
                         .auto_shrink([false, true])
                         .show(ui, |ui| {
                             ui.spacing_mut().item_spacing.y = 0.0;

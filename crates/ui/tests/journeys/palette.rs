@@ -134,3 +134,24 @@ fn a_thing_is_drawn_before_its_files_are_and_found_by_the_words_of_others() {
         assert!(top(first).is_some() && top(first) <= top(then), "{words}");
     }
 }
+
+#[test]
+fn the_list_is_as_long_again_once_letters_are_taken_back() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    for words in ["speed", " 0.25"] {
+        rig.harness.event(egui::Event::Text(words.into()));
+        rig.frames(4);
+    }
+    for _ in 0..5 {
+        rig.key(Key::Backspace);
+    }
+    rig.frames(4);
+    rig.harness.get_by_label("Speed 4×").click();
+    rig.frames(3);
+    assert_eq!(
+        rig.state()["speed"],
+        4.0,
+        "a row that has no room is not hit"
+    );
+}
