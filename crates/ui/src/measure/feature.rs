@@ -67,10 +67,12 @@ impl Feature for Measure {
         true
     }
 
-    /// Leaves the map to whoever draws a landmark.
+    /// Leaves the map to whoever draws a landmark, and takes the last point of its line back.
     fn intercept(&mut self, command: &Command, _context: &mut FeatureContext<'_>) -> bool {
-        if *command == Command::TogglePickTool {
-            self.is_on = false;
+        match command {
+            Command::TogglePickTool => self.is_on = false,
+            Command::Undo if self.is_on => return self.line.take_back(),
+            _ => {}
         }
         false
     }

@@ -109,12 +109,14 @@ impl Line {
         }
     }
 
-    /// Takes its last point back, of a closed one its last leg.
-    pub(super) fn take_back(&mut self) {
+    /// Takes its last point back, of a closed one its last leg; whether there was one.
+    pub(super) fn take_back(&mut self) -> bool {
+        let had_points = !self.points.is_empty();
         if self.stage != Stage::Closed {
             self.points.pop();
         }
         self.stage = Stage::Drawing;
+        had_points
     }
 
     /// First and second point of every leg.

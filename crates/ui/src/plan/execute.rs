@@ -119,6 +119,13 @@ impl Planner {
         }
     }
 
+    /// Takes the last corner of what is being drawn back; whether there was one.
+    pub(super) fn take_corner_back(&mut self) -> bool {
+        let outline = self.marking.as_mut().map(|it| &mut it.corners);
+        let corners = outline.unwrap_or(&mut self.finder.corners);
+        corners.pop().is_some()
+    }
+
     fn finish_drawing(&mut self, context: &mut FeatureContext<'_>) {
         self.drawing = false;
         let short = context.documents.mission.selected_route();

@@ -65,6 +65,7 @@ impl Feature for Planner {
                 self.tab = PlanTab::Landmarks;
             }
             Command::AddLandmark(_) => self.tab = PlanTab::Landmarks,
+            Command::Undo => return self.take_corner_back(),
             Command::TogglePickTool => {
                 self.drawing = false;
                 self.marking = None;

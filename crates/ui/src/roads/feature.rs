@@ -231,10 +231,15 @@ impl Feature for Roads {
         CommandLack::unless(is_there, what, advice)
     }
 
-    /// Leaves the map to whoever draws a landmark.
+    /// Leaves the map to whoever draws a landmark, and takes the last point of a road that is being drawn back.
     fn intercept(&mut self, command: &Command, _context: &mut FeatureContext<'_>) -> bool {
-        if *command == Command::TogglePickTool {
-            self.leave();
+        match command {
+            Command::TogglePickTool => self.leave(),
+            Command::Undo => {
+                let points = self.drawing.as_mut().filter(|_| self.is_on);
+                return points.and_then(Vec::pop).is_some();
+            }
+            _ => {}
         }
         false
     }

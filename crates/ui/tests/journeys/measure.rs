@@ -249,3 +249,15 @@ fn escape_leaves_the_selected_span_of_time_until_nothing_is_measured() {
     rig.key(Key::Escape);
     assert!(rig.state()["selected"].is_null());
 }
+
+#[test]
+fn undo_while_measuring_takes_the_last_point_back_and_no_edit() {
+    let mut rig = measuring();
+    let edits = rig.state()["undo"].clone();
+    click(&mut rig, 0.0, -50.0);
+    click(&mut rig, 0.0, 50.0);
+    assert_eq!(count(&rig), Some(2));
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(count(&rig), Some(1));
+    assert_eq!(rig.state()["undo"], edits);
+}

@@ -159,3 +159,22 @@ fn another_tool_of_the_map_takes_turns_with_it() {
     assert_eq!(of(&rig, "on"), true);
     assert!(rig.state()["measure"].is_null());
 }
+
+#[test]
+fn undo_while_a_road_is_drawn_takes_its_last_point_back_and_no_other_edit() {
+    let mut rig = drawing();
+    draw(&mut rig, &[(0.0, -80.0), (0.0, 80.0)]);
+    rig.key(Key::Enter);
+    click(&mut rig, 60.0, -40.0);
+    click(&mut rig, 60.0, 40.0);
+    assert_eq!(of(&rig, "drawing"), 2);
+    for left in [1, 0] {
+        rig.key_with(Modifiers::COMMAND, Key::Z);
+        assert_eq!(
+            (of(&rig, "drawing"), of(&rig, "count")),
+            (left.into(), 1.into())
+        );
+    }
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(of(&rig, "count"), 0, "then the road before");
+}
