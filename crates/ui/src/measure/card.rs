@@ -60,7 +60,9 @@ impl Measure {
             if text_button(ui, tokens, None, "Copy", false).clicked() {
                 say(MeasureCommand::Copy);
             }
-            if self.line.can_close() && text_button(ui, tokens, None, "Close", false).clicked() {
+            if self.line.can_close()
+                && text_button(ui, tokens, None, "Close the line", false).clicked()
+            {
                 say(MeasureCommand::Close);
             }
             if text_button(ui, tokens, None, "Clear", false).clicked() {

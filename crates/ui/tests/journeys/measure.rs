@@ -157,7 +157,7 @@ fn the_button_on_the_card_closes_the_line_and_clicks_beside_it_add_no_point() {
     let beside = title.right_center() + Vec2::new(40.0, 0.0);
     click_at(&mut rig, beside);
     assert_eq!(count(&rig), Some(3), "the card is no map");
-    press(&mut rig, "Close");
+    press(&mut rig, "Close the line");
     assert_eq!(measured(&rig, "closed"), true);
 }
 
