@@ -11,9 +11,7 @@ use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::feature::{Feature, FeatureId, FeaturePlace, PictureButton, examined, lack};
 use crate::map::{LookAlike, MapExtra, MapTool};
-use crate::shell::{
-    MenuTable, TopBar, column_tabs, help_sheet, icon_button, notices_sheet, top_bar,
-};
+use crate::shell::{MenuTable, TopBar, column_tabs, icon_button, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 
@@ -200,25 +198,14 @@ impl App {
         commands: &mut Vec<Command>,
         room: egui::Rect,
     ) {
-        let lack = |command: &Command| {
-            lack(
-                command,
-                &self.views.features,
-                &self.documents,
-                self.selection,
-            )
-        };
+        let (features, documents) = (&self.views.features, &self.documents);
+        let lack = |command: &Command| lack(command, features, documents, self.selection);
         let table = MenuTable {
             catalog: &self.catalog,
             lack: &lack,
         };
-        self.dialogs.palette.show(ui, tokens, &table, commands);
-        if self.dialogs.help && help_sheet(ui.ctx(), tokens, &self.catalog) {
-            self.dialogs.help = false;
-        }
-        if self.dialogs.notices && notices_sheet(ui.ctx(), tokens, &self.toasts, now) {
-            self.dialogs.notices = false;
-        }
+        let notices = (&self.toasts, now);
+        self.dialogs.show(ui, tokens, &table, notices, commands);
         let (scene, views) = self.scene(tokens);
         for feature in &mut views.features {
             scene.with_context(commands, |context| {

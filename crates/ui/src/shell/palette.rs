@@ -207,20 +207,19 @@ fn row(ui: &mut Ui, tokens: &Tokens, (entry, lack): &FoundCommand, chosen: bool)
                 tokens.text
             },
         );
-        painter.text(
-            egui::pos2(left.right() + tokens.space, inner.center().y),
-            Align2::LEFT_CENTER,
-            entry.group.label(),
-            tokens.small(),
-            tokens.muted,
-        );
-        painter.text(
-            inner.right_center(),
-            Align2::RIGHT_CENTER,
-            beside,
-            tokens.small(),
-            tokens.muted,
-        );
+        // Beside a label stands what there is room for, first what is at the right.
+        let small = |text: String| painter.layout_no_wrap(text, tokens.small(), tokens.muted);
+        let (group, beside) = (small(entry.group.label().to_owned()), small(beside));
+        let at = left.right() + tokens.space;
+        let middle = |galley: &egui::Galley| inner.center().y - 0.5 * galley.size().y;
+        let mut end = inner.right() - beside.size().x;
+        if at <= end {
+            painter.galley(egui::pos2(end, middle(&beside)), beside, tokens.muted);
+            end -= tokens.space;
+        }
+        if at + group.size().x <= end {
+            painter.galley(egui::pos2(at, middle(&group)), group, tokens.muted);
+        }
     }
     match lack {
         Some(lack) if !lack.advice.is_empty() => response.on_hover_text(lack.advice),
