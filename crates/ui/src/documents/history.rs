@@ -4,6 +4,8 @@ use pilotage_core::mission::Mission;
 
 /// Most snapshots kept.
 const DEPTH: usize = 100;
+/// Most steps of what is given up again.
+const GIVEN_UP: usize = 3;
 
 /// Snapshots of the mission before and after each edit.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +47,24 @@ impl History {
         self.past.push(mission);
         self.future.clear();
         self.edits += 1;
+    }
+
+    /// Forgets the last few steps if they did nothing but what `without` leaves out of a mission, and gives the mission as
+    /// it was before them: what was begun and given up again is no edit.
+    pub fn give_up(
+        &mut self,
+        mission: &Mission,
+        without: impl Fn(&Mission) -> Mission,
+    ) -> Option<Mission> {
+        let wanted = without(mission);
+        let from = self.past.len().saturating_sub(GIVEN_UP);
+        let same = from + self.past[from..].iter().rposition(|it| *it == wanted)?;
+        if self.past[same + 1..].iter().any(|it| without(it) != wanted) {
+            return None;
+        }
+        self.edits -= (self.past.len() - same) as u64;
+        self.past.truncate(same);
+        Some(wanted)
     }
 
     /// Notes that the mission was saved as it is.
@@ -123,6 +143,27 @@ mod tests {
         history.begin_drag(&named("same"));
         history.finish_drag(&named("same"));
         assert_eq!(history.depth(), (0, 0));
+    }
+
+    #[test]
+    fn what_is_given_up_again_is_no_step_and_leaves_the_mission_saved() {
+        let mut history = History::default();
+        history.remember(&named("empty"));
+        history.mark_saved();
+        history.remember(&named("saved"));
+        history.remember(&named("saved+"));
+        let without = |mission: &Mission| named(mission.name.trim_end_matches('+'));
+        assert_eq!(
+            history.give_up(&named("saved++"), without),
+            Some(named("saved"))
+        );
+        assert_eq!(history.depth(), (1, 0));
+        assert!(history.is_saved());
+        // What is as long ago was another edit that was made and taken back.
+        history.remember(&named("saved"));
+        history.remember(&named("another"));
+        assert_eq!(history.give_up(&named("saved+"), without), None);
+        assert_eq!(history.depth(), (3, 0));
     }
 
     #[test]

@@ -131,7 +131,7 @@ impl Planner {
         let short = context.documents.mission.selected_route();
         let short = short.filter(|r| r.way_points.len() < 2).map(|r| r.id);
         if let Some(id) = short {
-            context.documents.delete_route(id);
+            context.documents.give_up_route(id);
         }
     }
 

@@ -1,7 +1,7 @@
 //! Edits of routes, each one undo step; a drag is one.
 
 use pilotage_core::frames::{Altitude, GroundPoint};
-use pilotage_core::mission::{Route, WayPoint};
+use pilotage_core::mission::{Mission, Route, WayPoint};
 
 use super::patterns::Pattern;
 use crate::context::route_of;
@@ -100,6 +100,20 @@ impl Documents {
         }
     }
 
+    /// Takes away a route that came to nothing: no step to be undone, where nothing but it was edited since it was begun.
+    pub fn give_up_route(&mut self, id: u32) {
+        let without = |mission: &Mission| {
+            let mut mission = mission.clone();
+            mission.routes.retain(|route| route.id != id);
+            mission
+        };
+        let mission = &mut self.mission;
+        match mission.history.give_up(&mission.content, without) {
+            Some(before) => mission.content = before,
+            None => self.delete_route(id),
+        }
+    }
+
     /// Makes two routes of one at a way-point; the second one's id. Parts of a pattern are none.
     pub fn split_route(&mut self, id: u32, index: usize) -> Option<u32> {
         let (mut first, mut second) = route_of(&self.mission, id)?.split(index)?;
@@ -138,6 +152,24 @@ mod tests {
         let way_points = places.map(|(n, e)| WayPoint::new(GroundPoint::new(n, e), ALTITUDE));
         let id = documents.add_route(None, way_points.to_vec());
         (documents, id)
+    }
+
+    #[test]
+    fn a_route_that_is_given_up_after_a_click_leaves_nothing_to_be_undone() {
+        let (mut documents, first) = documents();
+        let depth = documents.mission.history.depth();
+        let begun = documents.add_route(None, Vec::new());
+        let point = WayPoint::new(GroundPoint::new(5.0, 6.0), ALTITUDE);
+        documents.edit_route(begun, EditStep::Whole, |route| route.way_points.push(point));
+        documents.give_up_route(begun);
+        assert_eq!(documents.mission.history.depth(), depth);
+        assert!(route_of(&documents.mission, first).is_some());
+        // With an edit in between there is something to be undone.
+        let begun = documents.add_route(None, Vec::new());
+        documents.delete_route(first);
+        documents.give_up_route(begun);
+        assert_eq!(documents.mission.history.depth().0, depth.0 + 3);
+        assert!(documents.mission.routes.iter().all(|it| it.id != begun));
     }
 
     #[test]
