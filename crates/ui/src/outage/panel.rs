@@ -142,7 +142,7 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
         let end = result.growth.last();
         let ends = [end.and_then(|p| p.error), end.map(|p| p.radius)];
         let cells: Vec<String> = (TOLD.map(at).into_iter().chain(ends))
-            .map(|value| value.map_or_else(|| "–".into(), |v| parts::figures(factor * v)))
+            .map(|value| value.map_or_else(|| "–".into(), |v| error_text(factor * v)))
             .collect();
         table::named_row(ui, tokens, &cells, (&result.label, 16.0), |ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
@@ -170,6 +170,12 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &OutageReport) {
         let remark = with_moments(remark, |time| clock(time, context.clock_zero));
         wrapped(ui, tokens.warning, &remark);
     }
+}
+
+/// Error in a column of others, with as many decimals as they.
+fn error_text(value: f64) -> String {
+    let decimals = if value < 9.995 { 2 } else { 1 };
+    format!("{value:.decimals$}")
 }
 
 /// Outages all along the flight.
@@ -207,8 +213,8 @@ fn study(ui: &mut Ui, context: &mut ViewContext<'_>, outages: &Outages) {
     });
     for row in studies {
         let cells = [
-            parts::figures(factor * row.error_quantile(0.5)),
-            parts::figures(factor * row.error_quantile(0.9)),
+            error_text(factor * row.error_quantile(0.5)),
+            error_text(factor * row.error_quantile(0.9)),
             format!("{:.0} %", 100.0 * row.covered()),
         ];
         table::named_row(ui, tokens, &cells, (&row.label, 0.0), |ui| {
