@@ -100,7 +100,7 @@ impl Roads {
                 .range(WIDTHS.0 * factor..=WIDTHS.1 * factor)
                 .speed(0.1)
                 .fixed_decimals(1)
-                .suffix(format!(" {unit}"));
+                .suffix(format!(" {unit} wide"));
             let field = ui.add(field).accessible_name("Width of the road");
             if field.changed() || field.drag_stopped() {
                 let width = RoadChange::Width(value / factor);
