@@ -111,6 +111,8 @@ fn draw(height: f64, density: f64, words: &Words) -> Svg {
         .map(|index| f64::from(index) * 25.0)
         .filter_map(|at| looks(at, density).map(|it| (at, it)))
         .collect();
+    // Where the error is off the plot, the set height is still seen.
+    plot.line(&mut svg, &[[height, 0.0], [height, 80.0]], "axis");
     svg.part("look", |svg| {
         let line: Vec<[f64; 2]> = curve
             .iter()
