@@ -34,8 +34,10 @@ fn listed(course: &Course, page: &Words) -> Result<String, TextError> {
         text.title,
         renderer(page, &glossary()).block(text.about)?
     );
+    let mut minutes = 0.0;
     for lesson in course.lessons {
         let own = LessonText::read(lesson.text)?;
+        minutes += own.minutes();
         let _ = write!(
             made,
             r##"<li><a href="#{}" data-lesson="{0}"><b>{}</b> <span>{}</span></a></li>"##,
@@ -45,17 +47,10 @@ fn listed(course: &Course, page: &Words) -> Result<String, TextError> {
     let _ = write!(
         made,
         r##"</ol><p class="links"><a href="#{name}/plan">{}</a> <a href="#{name}/handout">{}</a></p></section>"##,
-        plan_title(course, page)?,
+        plan_title(minutes, page),
         page.get("handout")
     );
     Ok(made)
-}
-
-fn lessons_of(course: &Course) -> Result<Vec<LessonText<'static>>, TextError> {
-    let lessons = course.lessons.iter();
-    lessons
-        .map(|lesson| LessonText::read(lesson.text))
-        .collect()
 }
 
 /// Presentations that a course of so many minutes takes, so that none of its lessons is hurried.
@@ -63,15 +58,14 @@ fn presentations(minutes: f64) -> usize {
     (minutes / (PRESENTATION - DISCUSSION)).ceil().max(1.0) as usize
 }
 
-/// Title of the plan of a course: presentations and their length.
-fn plan_title(course: &Course, page: &Words) -> Result<String, TextError> {
-    let minutes = lessons_of(course)?.iter().map(LessonText::minutes).sum();
+/// Title of the plan of a course of so many minutes: presentations and their length.
+fn plan_title(minutes: f64, page: &Words) -> String {
     let times = match presentations(minutes) {
         1 => String::new(),
         several => format!("{several} × "),
     };
     let (plan, unit) = (page.get("plan"), page.get("plan-minutes"));
-    Ok(format!("{plan} {times}{PRESENTATION:.0} {unit}"))
+    format!("{plan} {times}{PRESENTATION:.0} {unit}")
 }
 
 /// HTML of the plan of presentations of 45 minutes: each lesson with its minutes and what is said, then the questions.
@@ -79,7 +73,9 @@ fn plan_title(course: &Course, page: &Words) -> Result<String, TextError> {
 pub fn plan(course: &Course) -> Result<String, TextError> {
     let (page, terms) = (page_words(), glossary());
     let text = CourseText::read(course.text)?;
-    let lessons = lessons_of(course)?;
+    let lessons = course.lessons.iter();
+    let lessons = lessons.map(|lesson| LessonText::read(lesson.text));
+    let lessons: Vec<LessonText<'_>> = lessons.collect::<Result<_, _>>()?;
     let whole: f64 = lessons.iter().map(LessonText::minutes).sum();
     let parts = presentations(whole);
     let room = PRESENTATION * parts as f64 - DISCUSSION;
@@ -87,7 +83,7 @@ pub fn plan(course: &Course) -> Result<String, TextError> {
     let mut made = format!(
         r#"<header><h1 id="lesson-title" tabindex="-1">{}: {}</h1></header><table class="plan"><thead><tr><th>{}</th><th>{}</th><th>{}</th></tr></thead><tbody>"#,
         text.title,
-        plan_title(course, &page)?,
+        plan_title(whole, &page),
         page.get("minute"),
         page.get("lessons"),
         page.get("notes")
