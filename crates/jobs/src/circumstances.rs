@@ -5,7 +5,7 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{DetectionStatistics, FieldView, FixSource, PlannedLandmark, cruise};
+use pilotage_core::plan::{FieldView, FixSource, PlannedLandmark, cruise};
 use pilotage_core::training::TrainingPlan;
 
 use super::{
@@ -84,22 +84,16 @@ impl PlanCircumstances {
         &self,
         of: FixesFrom,
         region: GroundRect,
-        landmarks: &[(Landmark, DetectionStatistics)],
+        landmarks: impl Iterator<Item = PlannedLandmark>,
     ) -> FieldOrder {
-        let source = |(landmark, detection): &(Landmark, DetectionStatistics)| {
-            let planned = PlannedLandmark {
-                landmark: landmark.clone(),
-                detection: detection.clone(),
-            };
-            FixSource::of(&planned, self.height)
-        };
         FieldOrder {
             map: self.map.clone(),
             region,
             view: self.view(),
             from: match of {
                 FixesFrom::Landmarks => {
-                    FieldFrom::Landmarks(landmarks.iter().filter_map(source).collect())
+                    let source = |planned| FixSource::of(&planned, self.height);
+                    FieldFrom::Landmarks(landmarks.filter_map(source).collect())
                 }
                 FixesFrom::Map => FieldFrom::Map {
                     search_sigmas: self.navigator.detector.search_sigmas,

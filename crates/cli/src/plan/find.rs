@@ -91,10 +91,9 @@ fn order(
     } else {
         Vec::new()
     };
-    let field = with.field(wishes.over, ground.map.bounds(), &landmarks);
     let zones = ground.mission.no_fly.iter();
     let flight = PredictionOrder {
-        navigator: with.navigator,
+        navigator: with.navigator.clone(),
         landmarks,
         path: PlannedPath {
             height,
@@ -103,6 +102,8 @@ fn order(
         },
         ..plan
     };
+    let planned = flight.planned_landmarks().into_iter();
+    let field = with.field(wishes.over, ground.map.bounds(), planned);
     wishes
         .order(
             (from, to),

@@ -1,6 +1,6 @@
 //! Field that the heat map is to show of the plan.
 
-use pilotage_core::plan::{FieldView, Localizability};
+use pilotage_core::plan::{FieldView, Localizability, PlannedLandmark};
 use serde_json::{Value, json};
 
 use super::flown::flown_height;
@@ -24,7 +24,12 @@ impl Planner {
             ..self.planned_with(documents)
         };
         let region = documents.map.info.as_ref()?.bounds;
-        Some(with.field(of, region, &self.expected_landmarks(&documents.mission)))
+        let enabled = documents.mission.landmarks.iter().filter(|l| l.enabled);
+        let planned = enabled.map(|landmark| PlannedLandmark {
+            landmark: landmark.clone(),
+            detection: self.expected(landmark),
+        });
+        Some(with.field(of, region, planned))
     }
 
     /// Camera's view of the ground from a height above it, metres, and the uncertainty of the position then.
