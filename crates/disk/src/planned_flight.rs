@@ -118,7 +118,7 @@ impl PlannedFlight {
         }
         let camera = stated.unwrap_or_else(Scenario::camera);
         let route = match route {
-            Some(name) => Some(route_named(&mission, name)?),
+            Some(name) => Some(mission.route_named(name)?),
             None => mission.routes.first(),
         };
         let mut route = route.cloned();
@@ -276,19 +276,6 @@ impl PlannedFlight {
     pub fn lent(&self) -> Lent {
         Lent::default().with_map(self.source.clone(), Arc::clone(&self.map))
     }
-}
-
-fn route_named<'a>(mission: &'a Mission, name: &str) -> Result<&'a Route, String> {
-    let routes = &mission.routes;
-    let found = routes.iter().find(|route| route.name == name);
-    found.ok_or_else(|| {
-        let names: Vec<String> = routes.iter().map(|r| format!("\"{}\"", r.name)).collect();
-        let names = match &names[..] {
-            [] => "none at all".to_owned(),
-            names => names.join(", "),
-        };
-        format!("the mission has no route \"{name}\"; it has: {names}")
-    })
 }
 
 /// Heights of an elevation model over `area`.

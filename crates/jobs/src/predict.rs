@@ -1,14 +1,13 @@
 //! The uncertainty along a planned route, as a job.
 
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::plan::{PlannedLandmark, PredictionRequest, RoutePrediction, planned_aircraft};
+use pilotage_core::plan::{
+    PlannedLandmark, PredictionRequest, RoutePrediction, longest_flight, planned_aircraft,
+};
 use pilotage_core::simulate::{FlightPlan, SensorSpec, world_origin};
 
 use super::order::{Order, Urgency, WorkerRole};
 use super::{Advance, JobEvent, PlannedPath, PredictionOrder, RunningJob, WorkerState};
-
-/// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
-const PATIENCE: f64 = 120.0;
 
 /// A prediction as a job.
 pub struct Predict(pub PredictionOrder);
@@ -37,18 +36,13 @@ impl PlannedPath {
         let mut airframe = planned_aircraft();
         airframe.cruise = self.airspeed.unwrap_or(airframe.cruise);
         airframe.bank_limit = self.bank.unwrap_or(airframe.bank_limit);
-        let length: f64 = self
-            .way_points
-            .windows(2)
-            .map(|pair| pair[0].distance(&pair[1]))
-            .sum();
         FlightPlan {
             name: String::new(),
             way_points: self.way_points.clone(),
             height: self.height,
             targets: self.targets.clone(),
             wind: self.wind.velocity(),
-            longest: PATIENCE + 4.0 * length / airframe.cruise.max(1.0),
+            longest: longest_flight(&self.way_points, airframe.cruise),
             airframe,
             sensors: SensorSpec::default(),
             camera: self.camera.clone(),

@@ -25,6 +25,9 @@ pub const MOST_CIRCLES: f64 = 20.0;
 /// Lowest height above ground that is flown, metres.
 const LOWEST: f64 = 1.0;
 
+/// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
+const PATIENCE: f64 = 120.0;
+
 /// The aircraft that is planned for.
 pub fn planned_aircraft() -> Airframe {
     Airframe::sig_kadet_senior()
@@ -33,6 +36,14 @@ pub fn planned_aircraft() -> Airframe {
 /// Airspeed in cruise of the aircraft that is planned for, m/s.
 pub fn cruise() -> f64 {
     planned_aircraft().cruise
+}
+
+/// Longest time of a flight over these places at an airspeed, m/s, before it is broken off because the wind is too strong to
+/// get on, seconds.
+pub fn longest_flight(places: &[GroundPoint], airspeed: f64) -> f64 {
+    let legs = places.windows(2);
+    let length: f64 = legs.map(|pair| pair[0].distance(&pair[1])).sum();
+    PATIENCE + 4.0 * length / airspeed.max(1.0)
 }
 
 /// Ground under a route.

@@ -116,6 +116,23 @@ impl Mission {
         stated.is_finite().then_some(stated)
     }
 
+    /// The route of that name.
+    ///
+    /// # Errors
+    /// Where there is none, with the names that there are.
+    pub fn route_named(&self, name: &str) -> Result<&Route, String> {
+        let routes = &self.routes;
+        let found = routes.iter().find(|route| route.name == name);
+        found.ok_or_else(|| {
+            let names: Vec<String> = routes.iter().map(|r| format!("\"{}\"", r.name)).collect();
+            let names = match &names[..] {
+                [] => "none at all".to_owned(),
+                names => names.join(", "),
+            };
+            format!("the mission has no route \"{name}\"; it has: {names}")
+        })
+    }
+
     /// States the height of level ground, metres above mean sea level.
     pub fn state_ground(&mut self, height: f64) {
         self.properties
