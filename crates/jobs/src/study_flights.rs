@@ -37,14 +37,17 @@ impl RunningJob for Flown {
             emit(JobEvent::Finished);
             return Ok(Advance::Done);
         };
-        let scenario = &flight.settings.scenario;
+        let Some(scenario) = flight.of_scenario() else {
+            self.numbers.push(flight.numbers(&[]));
+            return Ok(Advance::More);
+        };
         match &self.landmarks {
             Some((of, landmarks)) if of == scenario => {
                 self.numbers.push(flight.numbers(landmarks));
             }
             _ => {
                 let landmarks = worker.scenario(scenario)?.landmarks.clone();
-                self.landmarks = Some((scenario.clone(), landmarks));
+                self.landmarks = Some((scenario.to_owned(), landmarks));
             }
         }
         Ok(Advance::More)

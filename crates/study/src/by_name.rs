@@ -33,6 +33,15 @@ impl<T> ByName<T> {
         found.map(|(_, value)| value)
     }
 
+    /// Adds one, in the place of the one of that name if there is one.
+    pub(crate) fn put(&mut self, name: String, value: T) {
+        let at = self.0.partition_point(|(own, _)| *own < name);
+        match self.0.get_mut(at) {
+            Some((own, old)) if *own == name => *old = value,
+            _ => self.0.insert(at, (name, value)),
+        }
+    }
+
     /// All names.
     pub fn keys(&self) -> impl DoubleEndedIterator<Item = &String> {
         self.0.iter().map(|(name, _)| name)

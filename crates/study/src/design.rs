@@ -4,12 +4,15 @@
 //! as any other. All cells of a draw have the same seeds and the same drawn settings (common random numbers), so that
 //! what differs between them is the cell alone.
 
+use pilotage_core::mission::Mission;
+
 use super::philox::{Philox, Stream};
 use super::plan::{DrawBy, StudyError, StudyPlan};
 use super::run_settings::RunSettings;
 use super::seeds::Seeds;
 use super::sobol::SobolPoints;
 use super::study_flight::StudyFlight;
+use super::study_mission::StudyMission;
 use super::value::SettingValue;
 
 /// Run of a study before it is flown.
@@ -27,6 +30,8 @@ pub struct StudyRun {
     pub values: Vec<SettingValue>,
     /// Seeds by stream.
     pub(crate) seeds: Seeds,
+    /// Mission that is flown in place of a scenario.
+    pub(crate) mission: Option<StudyMission>,
 }
 
 impl StudyRun {
@@ -35,6 +40,7 @@ impl StudyRun {
         StudyFlight {
             settings: self.settings.clone(),
             seeds: self.seeds,
+            mission: self.mission.clone().map(Box::new),
         }
     }
 }
@@ -45,6 +51,8 @@ pub struct StudyDesign {
     plan: StudyPlan,
     random: Philox,
     points: SobolPoints,
+    /// The plan's missions; those that cannot be read are left out.
+    missions: Vec<(String, Mission)>,
 }
 
 impl StudyDesign {
@@ -53,6 +61,11 @@ impl StudyDesign {
         Self {
             random: Philox::new(plan.seed),
             points: SobolPoints::new(plan.draw.len()),
+            missions: plan
+                .missions
+                .iter()
+                .filter_map(|(name, text)| Some((name.clone(), text.read().ok()?)))
+                .collect(),
             plan,
         }
     }
@@ -94,6 +107,13 @@ impl StudyDesign {
             DrawBy::Random => draw,
             DrawBy::Sobol => draw % self.plan.scrambles,
         }
+    }
+
+    /// The mission of that name along the route and at the height of the settings.
+    fn mission(&self, name: &str, settings: &RunSettings) -> Result<StudyMission, String> {
+        let found = self.missions.iter().find(|(own, _)| own == name);
+        let (_, mission) = found.ok_or_else(|| format!("\"{name}\" is not in the plan"))?;
+        StudyMission::along(mission, settings.route.as_deref(), settings.height)
     }
 
     fn unit(&self, draw: u64, index: usize) -> f64 {
@@ -151,7 +171,12 @@ impl StudyDesign {
             settings.set_drawn(key, &value).map_err(refused(key))?;
             values.push(value);
         }
+        let mission = match &settings.mission {
+            Some(name) => Some(self.mission(name, &settings).map_err(refused("mission"))?),
+            None => None,
+        };
         Ok(StudyRun {
+            mission,
             number,
             draw,
             cell,

@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 use super::design::StudyDesign;
 use super::plan::{StudyError, StudyPlan, refusal};
 use super::run_settings::RunSettings;
-use super::value::{SettingDistribution, SettingValue};
 
 /// Outcome of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,9 +32,14 @@ impl Study {
     /// # Errors
     /// Where it names a scenario that there is not.
     pub fn new(plan: StudyPlan) -> Result<Self, StudyError> {
-        let map = Scenario::map();
         let mut landmarks = BTreeMap::new();
-        for name in scenarios(&plan) {
+        let scenarios = scenarios(&plan);
+        if scenarios.is_empty() {
+            let design = StudyDesign::new(plan);
+            return Ok(Self { design, landmarks });
+        }
+        let map = Scenario::map();
+        for name in scenarios {
             let scenario = Scenario::named(&name)
                 .ok_or_else(|| refusal("scenario", format!("there is no \"{name}\"")))?;
             landmarks.insert(name, scenario.mission_over(&map).landmarks);
@@ -72,11 +76,15 @@ impl Study {
     /// Where its settings make no sense.
     pub fn fly(&self, number: u64) -> Result<StudyRow, StudyError> {
         let run = self.design.run(number)?;
-        let landmarks = self.landmarks.get(&run.settings.scenario).ok_or_else(|| {
-            let why = format!("\"{}\" is not laid out", run.settings.scenario);
-            refusal("scenario", why)
-        })?;
-        let observed = run.flight().observe(landmarks);
+        let flight = run.flight();
+        let landmarks = match flight.of_scenario() {
+            Some(scenario) => self
+                .landmarks
+                .get(scenario)
+                .ok_or_else(|| refusal("scenario", format!("\"{scenario}\" is not laid out")))?,
+            None => &[][..],
+        };
+        let observed = flight.observe(landmarks);
         let measured = self.design.plan().measure.iter();
         let measured = measured.map(|measure| observed.measure(measure));
         Ok(StudyRow {
@@ -86,18 +94,11 @@ impl Study {
     }
 }
 
-/// Names of all scenarios that a plan may fly.
+/// Names of all scenarios that a plan may fly; none where it flies missions.
 fn scenarios(plan: &StudyPlan) -> Vec<String> {
-    const KEY: &str = "scenario";
-    let drawn = match plan.draw.get(KEY) {
-        Some(SettingDistribution::Choice(values)) => &values[..],
-        _ => &[],
-    };
-    let crossed = plan.cross.get(KEY).map_or(&[][..], Vec::as_slice);
-    let values = plan.fixed.get(KEY).into_iter().chain(crossed).chain(drawn);
-    let mut names: Vec<String> = values.map(SettingValue::to_string).collect();
-    if names.is_empty() {
-        names.push(RunSettings::default().scenario);
+    let names = plan.values_of("scenario");
+    if names.is_empty() && plan.values_of("mission").is_empty() {
+        return vec![RunSettings::default().scenario];
     }
     names
 }

@@ -1,11 +1,13 @@
 //! Plans of studies: what varies and how, what is measured, when it is enough. Files of TOML.
 
+use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
 
 use super::by_name::ByName;
 use super::measure::MeasureKind;
 use super::run_settings::RunSettings;
 use super::sobol::SobolPoints;
+use super::study_mission::MissionText;
 use super::value::{SettingDistribution, SettingValue};
 
 /// Fewest scrambles whose scatter tells an error.
@@ -106,6 +108,9 @@ pub struct StudyPlan {
     /// When it is enough, if before the end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stop: Option<StopRule>,
+    /// Missions that are flown, by the names that settings call them.
+    #[serde(default, skip_serializing_if = "ByName::is_empty")]
+    pub missions: ByName<MissionText>,
 }
 
 fn usual_scrambles() -> u64 {
@@ -160,10 +165,35 @@ impl StudyPlan {
     /// # Ok::<(), pilotage_study::StudyError>(())
     /// ```
     pub fn read(text: &str) -> Result<Self, StudyError> {
-        let plan: Self =
+        Self::read_with(text, &mut |name| {
+            Err(format!(
+                "\"{name}\" is not in the plan; pilotage study PLAN --pack FILE puts mission files into one"
+            ))
+        })
+    }
+
+    /// The plan in a file of TOML, with the missions that it names and has not: `find` says what mission a name means, or why
+    /// there is none.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_with(
+        text: &str,
+        find: &mut dyn FnMut(&str) -> Result<Mission, String>,
+    ) -> Result<Self, StudyError> {
+        let mut plan: Self =
             basic_toml::from_str(text).map_err(|why| StudyError::NoPlan(why.to_string()))?;
+        plan.take_missions(find)?;
         plan.check()?;
         Ok(plan)
+    }
+
+    /// The plan as TOML, with its missions.
+    ///
+    /// # Errors
+    /// Where it cannot be written, in words.
+    pub fn to_toml(&self) -> Result<String, String> {
+        basic_toml::to_string(self).map_err(|why| why.to_string())
     }
 
     /// Number of cells that are compared.
@@ -200,6 +230,7 @@ impl StudyPlan {
             self.check_sobol()?;
         }
         self.check_settings()?;
+        self.check_missions()?;
         self.check_measures()
     }
 

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::by_name::ByName;
 use super::measure::MeasureKind;
 use super::plan::{DrawBy, StopRule, StudyMeasure, StudyPlan};
+use super::study_mission::MissionText;
 use super::value::{SettingDistribution, SettingValue};
 
 /// Value of a setting, with its kind before it.
@@ -38,6 +39,7 @@ pub struct StudyPlanParts {
     draw: Vec<(String, DistributionPart)>,
     measure: Vec<(MeasureKind, Option<String>, Option<f64>)>,
     stop: Option<(String, f64, u64)>,
+    missions: Vec<(String, String)>,
 }
 
 impl From<SettingValue> for ValuePart {
@@ -100,6 +102,7 @@ impl From<StudyPlan> for StudyPlanParts {
             draw: plan.draw.into_named(DistributionPart::from),
             measure: measure.map(|it| (it.of, it.name, it.at_most)).collect(),
             stop: (plan.stop).map(|stop| (stop.measure, stop.half_width, stop.every)),
+            missions: plan.missions.into_named(|text| text.as_str().to_owned()),
         }
     }
 }
@@ -120,6 +123,7 @@ impl From<StudyPlanParts> for StudyPlan {
             measure: measure
                 .map(|(of, name, at_most)| StudyMeasure { of, name, at_most })
                 .collect(),
+            missions: ByName::of_named(parts.missions, MissionText::from),
             stop: parts.stop.map(|(measure, half_width, every)| StopRule {
                 measure,
                 half_width,

@@ -66,6 +66,13 @@ pub struct RunSettings {
     pub doubts: bool,
     /// Keys of aids beside pictures.
     pub aids: Vec<String>,
+    /// Name of the mission in the plan that is flown in place of a scenario; [`StudyFlight`](super::StudyFlight) has the
+    /// mission itself.
+    #[serde(skip)]
+    pub mission: Option<String>,
+    /// Name of its route, if another than the first.
+    #[serde(skip)]
+    pub route: Option<String>,
 }
 
 impl Default for RunSettings {
@@ -103,6 +110,8 @@ impl Default for RunSettings {
             fault_delay: 1.0,
             doubts: true,
             aids: Vec::new(),
+            mission: None,
+            route: None,
         }
     }
 }

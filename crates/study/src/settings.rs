@@ -32,6 +32,8 @@ pub struct StudySetting {
 }
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// Longest time that can be flown, seconds.
+const LONGEST: f64 = 3600.0;
 const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 const POSITIVE: [f64; 2] = [0.0, f64::INFINITY];
 
@@ -88,6 +90,26 @@ fn set_scenario(run: &mut RunSettings, name: &str) -> Result<(), String> {
         .collect();
     among(name, &known).map_err(|why| format!("{why}, which fly by landmarks"))?;
     name.clone_into(&mut run.scenario);
+    Ok(())
+}
+
+fn named(name: &str, what: &str) -> Result<String, String> {
+    if name.trim().is_empty() {
+        return Err(format!("give the name of a {what}"));
+    }
+    Ok(name.to_owned())
+}
+
+fn set_mission(run: &mut RunSettings, name: &str) -> Result<(), String> {
+    run.mission = Some(named(name, "file of a mission")?);
+    // All of its route by its own navigator, where nobody says otherwise: settings come in the order of their names.
+    run.seconds = LONGEST;
+    run.is_told = false;
+    Ok(())
+}
+
+fn set_route(run: &mut RunSettings, name: &str) -> Result<(), String> {
+    run.route = Some(named(name, "route")?);
     Ok(())
 }
 
@@ -158,7 +180,9 @@ impl StudySetting {
     /// All of them, in the order in which people read them.
     pub const ALL: &[Self] = settings! {
         text("scenario", "scenario whose route and landmarks are flown", set_scenario);
-        number("seconds", "s", "longest time flown", [1.0, 3600.0], |r, v| r.seconds = v);
+        text("mission", "mission file beside the plan, flown over level ground in place of a scenario", set_mission);
+        text("route", "route of the mission, if not the first", set_route);
+        number("seconds", "s", "longest time flown", [1.0, LONGEST], |r, v| r.seconds = v);
         number("height", "m", "height above ground", [10.0, 10_000.0], |r, v| r.height = Some(v));
         number("wind-speed", "m/s", "speed of the wind", [0.0, 14.0], |r, v| r.wind_speed = Some(v));
         number("wind-from", "°", "direction from which it blows", ANY, |r, v| r.wind_from = Some(v));
@@ -206,7 +230,7 @@ impl StudySetting {
         text("aids", "aids beside pictures, separated by commas, or none", set_aids);
         text("vehicle", "process model", set_vehicle);
         text("estimator", "estimator", set_estimator);
-        text("told", "whether the filter is told of the sensors' errors: yes or no", set_told);
+        text("told", "whether the filter is told of the sensors' errors: yes or no; a mission has its own settings if not said", set_told);
         text("doubts", "whether the filter thinks of late pictures and turned compasses: yes or no", set_doubts);
         number("start-wind", "m/s", "deviation of the wind that the filter assumes at first", POSITIVE,
             |r, v| r.start_wind = Some(v));
@@ -306,6 +330,8 @@ mod tests {
         assert_eq!(keys.len(), StudySetting::ALL.len());
         let names = [
             ("scenario", "distinct-400ft-calm"),
+            ("mission", "river.geojson"),
+            ("route", "Out"),
             ("fault", "airspeed-stuck"),
             ("aids", "gps-velocity, magnetic-heading"),
             ("vehicle", "airplane-wind"),

@@ -20,6 +20,7 @@ use super::philox::Stream;
 use super::run_settings::RunSettings;
 use super::seeds::Seeds;
 use super::stated_navigation::StatedNavigation;
+use super::study_mission::StudyMission;
 
 /// Time between two readings of an aid, seconds, where the aid does not say another.
 const READING_APART: f64 = 1.0;
@@ -31,6 +32,8 @@ pub struct StudyFlight {
     /// Settings.
     pub settings: RunSettings,
     pub(crate) seeds: Seeds,
+    /// Mission that is flown in place of a scenario.
+    pub mission: Option<Box<StudyMission>>,
 }
 
 /// Flight of a study that was flown, ready to be navigated.
@@ -44,10 +47,27 @@ pub struct PreparedFlight {
 }
 
 impl StudyFlight {
+    /// The scenario whose landmarks it is navigated by; `None` where it has a mission with landmarks of its own.
+    pub fn of_scenario(&self) -> Option<&str> {
+        let is_own = self.mission.is_some();
+        (!is_own).then_some(self.settings.scenario.as_str())
+    }
+
+    /// Time that it takes at most in calm air, seconds.
+    pub fn lasts(&self) -> f64 {
+        let longest = self.settings.seconds;
+        let mission = self.mission.as_ref();
+        mission.map_or(longest, |mission| mission.lasts().min(longest))
+    }
+
     /// Its scenario, with the height and the mean wind that it has; `None` where there is no such scenario.
     fn scenario(&self) -> Option<Scenario> {
         let settings = &self.settings;
         let mut scenario = Scenario::named(&settings.scenario)?;
+        if let Some(mission) = &self.mission {
+            scenario.height = mission.height();
+            scenario.wind = Wind::default();
+        }
         scenario.height = settings.height.unwrap_or(scenario.height);
         scenario.wind = Wind {
             speed: settings.wind_speed.unwrap_or(scenario.wind.speed),
@@ -88,7 +108,11 @@ impl StudyFlight {
         } else {
             RunSettings::default().sensors
         };
-        let mut settings = scenario.navigator(&told);
+        let usual = scenario.navigator(&told);
+        let mut settings = match &self.mission {
+            Some(mission) if !of_run.is_told => mission.navigator().clone(),
+            _ => usual,
+        };
         settings.vehicle = of_run.vehicle.unwrap_or(settings.vehicle);
         settings.estimator.choice = of_run.estimator;
         settings.estimator.particles.seed = self.seeds.of(Stream::Estimator);
@@ -116,6 +140,9 @@ impl StudyFlight {
         };
         let mut plan = scenario.plan(&overrides);
         plan.longest = settings.seconds;
+        if let Some(mission) = &self.mission {
+            plan = mission.flown(plan, settings.seconds);
+        }
         if settings.wind_scatter > 0.0 {
             plan = plan.in_wind_of(self.seeds.of(Stream::Wind), settings.wind_scatter);
         }
@@ -192,9 +219,11 @@ impl StudyFlight {
         }
     }
 
-    /// Flies and navigates it by these landmarks, and observes it; nothing is observed of a flight that the filter gives
-    /// up.
+    /// Flies and navigates it, and observes it; nothing is observed of a flight that the filter gives up. `landmarks` are
+    /// those of its scenario.
     pub(crate) fn observe(&self, landmarks: &[Landmark]) -> Observed {
+        let own = self.mission.as_ref();
+        let landmarks = own.map_or(landmarks, |mission| mission.landmarks.as_slice());
         let Some(prepared) = self.prepare() else {
             return Observed::default();
         };
@@ -213,8 +242,8 @@ impl StudyFlight {
         observed
     }
 
-    /// Flies and navigates it by these landmarks; its numbers of all kinds, in the order of
-    /// [`MeasureKind::ALL`](super::MeasureKind::ALL), `None` where there is no such number.
+    /// Flies and navigates it, by the landmarks of its scenario where it has no mission; its numbers of all kinds, in the
+    /// order of [`MeasureKind::ALL`](super::MeasureKind::ALL), `None` where there is no such number.
     pub fn numbers(&self, landmarks: &[Landmark]) -> Vec<Option<f64>> {
         self.observe(landmarks).numbers()
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import tomllib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -48,7 +49,7 @@ def run_study(
     # Workers of a cluster in use need not have this package.
     cloudpickle.register_pickle_by_value(sys.modules[__package__])
     program = program or Program()
-    text = plan.read_text(encoding="utf-8")
+    text = program.packed(plan)
     description = program.describe(plan, out, runs_per_shard)
     while not description.is_complete:
         _fly_round(text, out, client, program, runs_per_shard, tries, description, tell)
@@ -59,7 +60,7 @@ def run_study(
 def _fly_round(text, out, client, program, runs_per_shard, tries, description, tell) -> None:
     threads = sum(client.nthreads().values())
     pieces = list(_pieces(description.missing, threads))
-    if "stop" in text:
+    if "stop" in tomllib.loads(text):
         # It may be enough before the end: no more is given out than a few rounds.
         pieces = pieces[: ROUNDS * max(1, threads)]
 

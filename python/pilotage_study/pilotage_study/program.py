@@ -53,6 +53,13 @@ class Program:
             is_complete=said["is_complete"],
         )
 
+    def packed(self, plan: Path) -> str:
+        """Text of the plan with the mission files that it names in it: all that other machines need."""
+        with tempfile.TemporaryDirectory(prefix="pilotage-study-") as folder:
+            file = Path(folder, "plan.toml")
+            self._call([str(plan), "--pack", str(file)])
+            return file.read_text(encoding="utf-8")
+
     def fly(self, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> dict[str, bytes]:
         """Bytes of the files of these shards of the plan with this text, by their names."""
         with tempfile.TemporaryDirectory(prefix="pilotage-study-") as folder:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -25,6 +26,14 @@ fixed = { seconds = 8, step = 0.25, scenario = "distinct-400ft-calm" }
 cross.vehicle = ["airplane-wind", "airplane-full"]
 draw.wind-speed = { uniform = [0, 6] }
 measure = [{ of = "error-rms" }, { of = "error-max", name = "near", at_most = 6 }]
+"""
+ROUTE_PLAN = """
+name = "survey"
+question = "Does the height matter?"
+draws = 6
+fixed = { mission = "survey.geojson", seconds = 8, step = 0.25 }
+cross.height = [40, 80]
+measure = [{ of = "error-rms" }]
 """
 RUNS_PER_SHARD = 4
 RESULTS = ["rows.parquet", "summary.json", "summary.txt"]
@@ -79,6 +88,19 @@ class OnACluster(unittest.TestCase):
             )
         self.assertTrue(was_killed.is_set())
         self.assertEqual(results(out), self.plain)
+
+    def test_a_plan_that_names_a_mission_is_sent_to_the_workers_with_the_mission_in_it(self):
+        plan = Path(self.root, "route.toml")
+        plan.write_text(ROUTE_PLAN, encoding="utf-8")
+        mission = Path(__file__).parents[3] / "tests" / "flights" / "brighton" / "route.geojson"
+        shutil.copy(mission, self.root / "survey.geojson")
+        plain = self.root / "route-plain"
+        words = [self.program.path, "study", str(plan), "--quiet", "--out", str(plain)]
+        subprocess.run(words, check=True)
+        out = self.root / "route"
+        with Client(self.cluster) as client:
+            run_study(plan, out, client, program=self.program, runs_per_shard=RUNS_PER_SHARD)
+        self.assertEqual(results(out), results(plain))
 
     def test_a_driver_that_is_killed_in_the_middle_goes_on_when_it_is_started_again(self):
         out = self.root / "driver"

@@ -1,6 +1,6 @@
 //! `pilotage study PLAN.toml`: flies what is left of a study, and sums up.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_jobs::{JobEvent, StudyShardOrder};
@@ -12,6 +12,8 @@ use super::progress::Progress;
 use super::results;
 use crate::CommandResult;
 use crate::files::write_whole;
+use crate::mission_file::OpenMission;
+use crate::notes::tell;
 use crate::workers::{self, Lent};
 
 /// Arguments of `pilotage study PLAN`.
@@ -46,6 +48,9 @@ pub struct Arguments {
     /// Prints how many shards there are and which are there, as JSON, and flies nothing.
     #[arg(long, conflicts_with_all = ["share", "only", "merge"])]
     describe: bool,
+    /// Writes the plan with the mission files that it names in it, TOML, and flies nothing: all that other machines need.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["share", "only", "merge", "describe", "record"])]
+    pack: Option<PathBuf>,
     /// Threads; as many as there are processors if not given.
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     threads: Option<u64>,
@@ -111,9 +116,13 @@ const ENOUGH: &str = "enough";
 
 /// Carries out the study.
 pub fn run(arguments: &Arguments) -> CommandResult {
-    let path = &arguments.plan;
-    let text = std::fs::read_to_string(path).map_err(|why| format!("{}: {why}", path.display()))?;
-    let plan = StudyPlan::read(&text).map_err(|why| format!("{}: {why}", path.display()))?;
+    let plan = read_plan(&arguments.plan)?;
+    if !arguments.quiet {
+        tell(&plan.notes());
+    }
+    if let Some(path) = &arguments.pack {
+        return Ok(write_whole(path, plan.to_toml()?)?);
+    }
     let usual = || PathBuf::from(format!("{}.study", plan.name));
     let root = arguments.out.clone().unwrap_or_else(usual);
     let folder = StudyFolder::open(&root, &plan, arguments.runs_per_shard)?;
@@ -154,6 +163,15 @@ pub fn run(arguments: &Arguments) -> CommandResult {
         write_whole(&results::place(records, &record.plan.name), text)?;
     }
     Ok(())
+}
+
+/// The plan in a file, with the mission files beside it that it names.
+fn read_plan(path: &Path) -> Result<StudyPlan, String> {
+    let blame = |why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
+    let text = std::fs::read_to_string(path).map_err(|why| blame(&why))?;
+    let beside = path.parent().unwrap_or(Path::new(""));
+    let mut mission = |name: &str| Ok(OpenMission::read(&beside.join(name))?.package.mission);
+    StudyPlan::read_with(&text, &mut mission).map_err(|why| blame(&why))
 }
 
 /// Numbers of the shards that this program flies.

@@ -3,6 +3,9 @@
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{Mission, Route, WayPoint, write_mission};
 use pilotage_study::StudyPlan;
 use pilotage_tests::data::repository;
 use serde_json::Value;
@@ -177,4 +180,74 @@ fn every_plan_of_the_repository_can_be_followed_and_is_named_as_its_file() {
         count += 1;
     }
     assert!(count >= 5, "{count} plans");
+}
+
+/// A mission of five landmarks along one of its two routes, 120 m above the ground.
+fn mission() -> String {
+    let altitude = Altitude::new(120.0, AltitudeFrame::AboveGround);
+    let route = |name: &str, east: f64| Route {
+        name: name.to_owned(),
+        way_points: [0.0, 400.0]
+            .map(|north| WayPoint::new(GroundPoint::new(north, east), altitude))
+            .into(),
+        ..Route::default()
+    };
+    let mut mission = Mission::new("Barns", Geodetic::from_degrees(46.8, -92.0, 183.0));
+    for id in 1..6 {
+        let at = GroundPoint::new(80.0 * f64::from(id), 0.0);
+        let bounds = GroundRect::centered(at, 30.0, 30.0);
+        mission
+            .landmarks
+            .push(Landmark::new(id, format!("Barn {id}"), bounds));
+    }
+    mission.routes = vec![route("Over the barns", 0.0), route("Beside them", 900.0)];
+    write_mission(&mission)
+}
+
+#[test]
+fn routes_of_a_mission_beside_the_plan_are_compared_and_the_packed_plan_needs_no_other_file() {
+    let plan = r#"
+        name = "routes"
+        question = "Which way is better known?"
+        draws = 4
+        fixed = { mission = "barns.geojson", step = 0.25, wind-scatter = 2 }
+        cross.route = ["Over the barns", "Beside them"]
+        measure = [{ of = "error-rms" }, { of = "frames-used" }]
+    "#;
+    let folder = Folder::with_plan("mission", plan);
+    let refused = folder.study(&["--out", "none"]).unwrap_err();
+    assert!(
+        refused.contains("plan.toml") && refused.contains("barns.geojson"),
+        "{refused}"
+    );
+    folder.write("barns.geojson", mission());
+    folder
+        .study(&["--out", "beside", "--quiet", "--runs-per-shard", "3"])
+        .unwrap();
+    let beside = folder.outcome("beside");
+    let summary: Value = serde_json::from_slice(&beside[1]).unwrap();
+    let mean = |cell: usize, measure: usize| {
+        summary["cells"][cell]["measures"][measure]["mean"]["mean"]
+            .as_f64()
+            .unwrap()
+    };
+    // Cells come in the order of the plan: the route over the barns first.
+    assert!(
+        mean(0, 0) < mean(1, 0) && mean(0, 1) > 0.0 && mean(1, 1) == 0.0,
+        "{summary}"
+    );
+
+    // On another machine there is the packed plan alone.
+    folder.study(&["--pack", "packed.toml"]).unwrap();
+    let packed = std::fs::read_to_string(folder.0.join("packed.toml")).unwrap();
+    let elsewhere = Folder::with_plan("mission-packed", &packed);
+    elsewhere.study(&["--out", "there", "--quiet"]).unwrap();
+    assert!(elsewhere.outcome("there") == beside);
+
+    // A mission that is changed is another study.
+    folder.write("barns.geojson", mission().replace("Barn 5", "Barn five"));
+    let other = folder
+        .study(&["--out", "beside", "--runs-per-shard", "3"])
+        .unwrap_err();
+    assert!(other.contains("begun with another plan"), "{other}");
 }

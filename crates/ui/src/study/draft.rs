@@ -162,7 +162,7 @@ impl StudyDraft {
         let Some(plan) = self.plan() else { return 0.0 };
         let cells = plan.cells().min(MOST_FLIGHTS);
         let design = StudyDesign::new(plan.clone());
-        let seconds = (0..cells).filter_map(|cell| Some(design.run(cell).ok()?.settings.seconds));
+        let seconds = (0..cells).filter_map(|cell| Some(design.run(cell).ok()?.flight().lasts()));
         seconds.sum::<f64>() * plan.draws as f64
     }
 }

@@ -1,0 +1,85 @@
+//! The missions that a plan names.
+
+use pilotage_core::mission::Mission;
+
+use super::plan::{StudyError, StudyPlan, refusal};
+use super::study_mission::{MissionText, StudyMission};
+use super::value::{SettingDistribution, SettingValue};
+
+/// Settings of missions.
+const MISSION: &str = "mission";
+const ROUTE: &str = "route";
+
+impl StudyPlan {
+    /// Takes the missions that it names and has not.
+    pub(crate) fn take_missions(
+        &mut self,
+        find: &mut dyn FnMut(&str) -> Result<Mission, String>,
+    ) -> Result<(), StudyError> {
+        for name in self.values_of(MISSION) {
+            if self.missions.get(&name).is_none() {
+                let mission = find(&name).map_err(|why| refusal(MISSION, why))?;
+                self.missions.put(name, MissionText::of(&mission));
+            }
+        }
+        Ok(())
+    }
+
+    /// Sentences on what may surprise of its missions.
+    pub fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        for (name, text) in self.missions.iter() {
+            let Ok(mission) = text.read() else { continue };
+            if mission.landmarks.is_empty() {
+                notes.push(format!(
+                    "{name} has no landmark that is switched on: it is flown by dead reckoning alone"
+                ));
+            }
+            if mission.camera.is_none() {
+                notes.push(format!(
+                    "{name} states no camera: that of the built-in scenarios is taken"
+                ));
+            }
+        }
+        notes
+    }
+
+    /// All values that a setting may have, as text.
+    pub(crate) fn values_of(&self, key: &str) -> Vec<String> {
+        let drawn = match self.draw.get(key) {
+            Some(SettingDistribution::Choice(values)) => &values[..],
+            _ => &[],
+        };
+        let crossed = self.cross.get(key).map_or(&[][..], Vec::as_slice);
+        let values = self.fixed.get(key).into_iter().chain(crossed).chain(drawn);
+        values.map(SettingValue::to_string).collect()
+    }
+
+    /// Every route of every mission is tried.
+    pub(crate) fn check_missions(&self) -> Result<(), StudyError> {
+        let missions = self.values_of(MISSION);
+        let routes = self.values_of(ROUTE);
+        if missions.is_empty() {
+            return match routes.first() {
+                Some(_) => Err(refusal(ROUTE, "say the mission that has it")),
+                None => Ok(()),
+            };
+        }
+        if !self.values_of("scenario").is_empty() {
+            return Err(refusal(MISSION, "fly missions or scenarios, not both"));
+        }
+        for name in missions {
+            let refused = |why: String| refusal(MISSION, format!("{name}: {why}"));
+            let Some(text) = self.missions.get(&name) else {
+                return Err(refused("it is not in the plan".to_owned()));
+            };
+            let mission = text.read().map_err(refused)?;
+            let named = routes.iter().map(|route| Some(route.as_str()));
+            let first = routes.is_empty().then_some(None);
+            for route in named.chain(first) {
+                StudyMission::along(&mission, route, None).map_err(refused)?;
+            }
+        }
+        Ok(())
+    }
+}
