@@ -66,7 +66,11 @@ impl Fly {
             (open.flight.clone(), open.mission.clone())
         };
         let is_given = self.mission.is_some();
-        let (mission, why) = if let Some(mission) = self.mission.take().or(own_mission) {
+        // A study flew its own copy of a mission, and its flight is to be the same to the bit.
+        let is_own =
+            matches!(&self.flight, FlightSource::Studied(it) if it.flight.mission.is_some());
+        let given = self.mission.take().filter(|_| !is_own);
+        let (mission, why) = if let Some(mission) = given.or(own_mission) {
             (mission, None)
         } else {
             let BareMission { mission, why } = BareMission::of(&flight, &self.map);

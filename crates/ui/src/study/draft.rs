@@ -1,5 +1,6 @@
 //! The plan that is written down, and what it would take to fly it.
 
+use pilotage_core::mission::Mission;
 use pilotage_study::{DrawBy, SHIPPED_PLANS, StudyDesign, StudyPlan};
 use serde_json::{Value, json};
 
@@ -92,6 +93,33 @@ impl StudyDraft {
         &self.text
     }
 
+    /// Whether its text names missions.
+    pub fn flies_missions(&self) -> bool {
+        self.text.contains("mission")
+    }
+
+    /// Has its text read again, for what it names is another.
+    pub fn read_again(&mut self) {
+        self.awaited = self.awaited.or(Some(WantedDraws::AsWritten));
+    }
+
+    /// Its text with the missions that it flies, for the terminal.
+    pub fn packed(&self) -> String {
+        let missions = self.plan().map(|plan| &plan.missions);
+        let mut text = self.text.clone();
+        if let Some(missions) = missions.filter(|it| !it.is_empty() && !text.contains("[missions"))
+        {
+            text.push_str("\n[missions]\n");
+            for (name, mission) in missions.iter() {
+                // A text of JSON may say an apostrophe in another way.
+                let mission = mission.as_str().replace('\'', "\\u0027");
+                let entry = [&quoted(name), " = '''\n", &mission, "'''\n"];
+                text.extend(entry);
+            }
+        }
+        text
+    }
+
     /// The text that a worker has to read.
     pub fn unread(&self) -> Option<&str> {
         self.awaited.map(|_| self.text.as_str())
@@ -167,6 +195,44 @@ impl StudyDraft {
     }
 }
 
+/// A text in the quotation marks of TOML.
+fn quoted(text: &str) -> String {
+    Value::from(text).to_string()
+}
+
+/// Plan that compares the routes of a mission, in winds of up to 8 m/s from anywhere; `None` where it has none to fly.
+pub fn plan_of_routes(mission: &Mission) -> Option<String> {
+    let flown = mission
+        .routes
+        .iter()
+        .filter(|route| route.way_points.len() > 1);
+    let names: Vec<String> = flown.map(|route| quoted(&route.name)).collect();
+    let routes = match &names[..] {
+        [] => return None,
+        [only] => format!("fixed.route = {only}"),
+        names => format!("cross.route = [{}]", names.join(", ")),
+    };
+    Some(format!(
+        "# Landmarks are found as the two lines below say, each alike. The navigator is that of the mission.\n\
+         name = \"routes\"\n\
+         question = \"How well is the place known along the routes of this mission, in any wind up to 8 m/s?\"\n\
+         draws = {USUAL_DRAWS}\n\
+         fixed.mission = {}\n\
+         {routes}\n\
+         fixed.recognised = 0.9 # share of days on which a landmark can be recognised\n\
+         fixed.found = 0.7 # share of frames that find it then\n\
+         fixed.step = 0.25\n\
+         draw.wind-speed = {{ uniform = [0, 8] }}\n\
+         draw.wind-from = {{ uniform = [0, 360] }}\n\
+         measure = [\n\
+         \x20 {{ of = \"error-rms\" }},\n\
+         \x20 {{ of = \"error-max\", name = \"within 20 m all the time\", at_most = 20 }},\n\
+         \x20 {{ of = \"inside-95-end\" }},\n\
+         ]\n",
+        quoted(&mission.name),
+    ))
+}
+
 /// The number of draws that a line of a plan says.
 fn draws_in(line: &str) -> Option<u64> {
     let rest = line.trim_start().strip_prefix("draws")?;
@@ -175,7 +241,7 @@ fn draws_in(line: &str) -> Option<u64> {
 }
 
 /// The text of a plan with another number of draws.
-fn with_draws(text: &str, draws: u64) -> String {
+pub fn with_draws(text: &str, draws: u64) -> String {
     let mut is_done = false;
     let lines = text.lines().map(|line| {
         if is_done || draws_in(line).is_none() {
@@ -189,6 +255,9 @@ fn with_draws(text: &str, draws: u64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint};
+    use pilotage_core::mission::{Route, WayPoint};
+
     use super::*;
 
     /// The draft once a worker has read it.
@@ -210,6 +279,41 @@ mod tests {
         let mut draft = StudyDraft::default();
         draft.write(text.to_owned());
         read(draft)
+    }
+
+    #[test]
+    fn the_routes_of_a_mission_become_a_plan_that_can_be_saved_with_the_mission_in_it() {
+        let altitude = Altitude::new(120.0, AltitudeFrame::AboveGround);
+        let route = |name: &str, ends: &[f64]| Route {
+            name: name.to_owned(),
+            way_points: (ends.iter())
+                .map(|north| WayPoint::new(GroundPoint::new(*north, 0.0), altitude))
+                .collect(),
+            ..Route::default()
+        };
+        let mut mission = Mission::new("Bob's \"mill\"", Geodetic::from_degrees(47.0, 8.0, 400.0));
+        assert_eq!(plan_of_routes(&mission), None);
+        mission.routes = vec![route("There", &[0.0, 500.0]), route("Nowhere", &[0.0])];
+        for (more, runs) in [(None, 40), (Some(route("It's \\ back", &[500.0, 0.0])), 80)] {
+            mission.routes.extend(more);
+            let text = plan_of_routes(&mission).unwrap();
+            let read = |text: &str| StudyPlan::read_with(text, &mut |_| Ok(mission.clone()));
+            let mut draft = StudyDraft::default();
+            draft.write(text.clone());
+            draft.take(read(&text).map_err(|why| why.to_string()));
+            assert_eq!(draft.refusal(), None);
+            let plan = draft.plan().unwrap();
+            assert_eq!(plan.runs(), runs);
+            // The terminal reads the same out of one file.
+            let packed = StudyPlan::read(&draft.packed()).unwrap();
+            assert_eq!(packed.cross, plan.cross);
+            let missions = |plan: &StudyPlan| {
+                let all = plan.missions.iter();
+                all.map(|(name, text)| (name.clone(), text.read().unwrap()))
+                    .collect::<Vec<_>>()
+            };
+            assert_eq!(missions(&packed), missions(plan));
+        }
     }
 
     #[test]

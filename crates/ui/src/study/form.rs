@@ -4,7 +4,7 @@ use egui::{DragValue, Id, Label, RichText, TextEdit, Ui};
 use pilotage_study::{SHIPPED_PLANS, StopRule, StudyMeasure, StudyPlan, question_of};
 
 use super::command::StudyCommand;
-use super::draft::{DRAWS, StudyDraft};
+use super::draft::{DRAWS, StudyDraft, plan_of_routes, with_draws};
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
 use crate::shell::{caption, muted, text_button};
@@ -34,7 +34,8 @@ pub(super) fn form(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut Study
             draft.choose(number);
         }
     }
-    if draft.chosen().is_none() {
+    let is_routes = own_routes(ui, context, draft);
+    if draft.chosen().is_none() && !is_routes {
         let _ = ui.radio(true, "Your own plan, below");
     }
     flights(ui, context, draft);
@@ -46,6 +47,22 @@ pub(super) fn form(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut Study
         ui.add(Label::new(text).wrap());
     }
     start(ui, context, draft, pace);
+}
+
+/// Draws the question about the routes of the mission, if it has any; whether it is chosen.
+fn own_routes(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut StudyDraft) -> bool {
+    let Some(text) = plan_of_routes(context.mission) else {
+        return false;
+    };
+    let words = match context.mission.routes.len() {
+        1 => "How well is the place known along my route, in any wind up to 8 m/s?",
+        _ => "Along which of my routes is the place known best, in any wind up to 8 m/s?",
+    };
+    let is_chosen = draft.chosen().is_none() && with_draws(draft.text(), 0) == with_draws(&text, 0);
+    if ui.radio(is_chosen, words).clicked() && !is_chosen {
+        draft.write(text);
+    }
+    is_chosen
 }
 
 /// Draws how often each setting is flown.

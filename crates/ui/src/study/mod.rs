@@ -97,7 +97,7 @@ impl StudyFeature {
             let name = format!("{}.toml", plan.name);
             context
                 .host
-                .save_file(&name, self.sheet.draft.text().as_bytes());
+                .save_file(&name, self.sheet.draft.packed().as_bytes());
         }
     }
 
@@ -106,11 +106,20 @@ impl StudyFeature {
         let Some(studied) = self.study.as_ref().and_then(|study| study.flight(run)) else {
             return;
         };
-        let scenario = &studied.flight.settings.scenario;
-        let map = SimulationChoice::named(scenario).map_or(MapSource::Nothing, |choice| {
-            MapSource::world(choice.world.key())
+        let scenario = studied.flight.of_scenario().map(SimulationChoice::named);
+        let map = scenario.map(|choice| {
+            choice.map_or(MapSource::Nothing, |choice| {
+                MapSource::world(choice.world.key())
+            })
         });
-        context.fly_own(FlightSource::Studied(Box::new(studied)), map);
+        let flight = FlightSource::Studied(Box::new(studied));
+        if let Some(map) = map {
+            context.fly_own(flight, map);
+        } else {
+            // The mission that is open stays: it may have been edited since.
+            let map = context.documents.map.source.clone();
+            context.fly_over(flight, map);
+        }
         context.ask(Command::ShowWorkspace(Workspace::Replay));
     }
 }
@@ -172,7 +181,7 @@ impl Feature for StudyFeature {
 
     fn tend(&mut self, context: &mut FeatureContext<'_>) {
         if self.sheet.was_drawn {
-            self.reading.ask(&self.sheet.draft, context);
+            self.reading.ask(&mut self.sheet.draft, context);
         }
     }
 

@@ -19,6 +19,7 @@ mod rally;
 mod rehearse;
 mod remedy;
 mod route_tab;
+mod study;
 mod suggest;
 mod training;
 mod undo;
