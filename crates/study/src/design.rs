@@ -4,8 +4,6 @@
 //! as any other. All cells of a draw have the same seeds and the same drawn settings (common random numbers), so that
 //! what differs between them is the cell alone.
 
-use pilotage_core::mission::Mission;
-
 use super::philox::{Philox, Stream};
 use super::plan::{DrawBy, StudyError, StudyPlan};
 use super::run_settings::RunSettings;
@@ -51,8 +49,6 @@ pub struct StudyDesign {
     plan: StudyPlan,
     random: Philox,
     points: SobolPoints,
-    /// The plan's missions; those that cannot be read are left out.
-    missions: Vec<(String, Mission)>,
 }
 
 impl StudyDesign {
@@ -61,11 +57,6 @@ impl StudyDesign {
         Self {
             random: Philox::new(plan.seed),
             points: SobolPoints::new(plan.draw.len()),
-            missions: plan
-                .missions
-                .iter()
-                .filter_map(|(name, text)| Some((name.clone(), text.read().ok()?)))
-                .collect(),
             plan,
         }
     }
@@ -111,9 +102,9 @@ impl StudyDesign {
 
     /// The mission of that name along the route and at the height of the settings.
     fn mission(&self, name: &str, settings: &RunSettings) -> Result<StudyMission, String> {
-        let found = self.missions.iter().find(|(own, _)| own == name);
-        let (_, mission) = found.ok_or_else(|| format!("\"{name}\" is not in the plan"))?;
-        StudyMission::along(mission, settings.route.as_deref(), settings.height)
+        let found = self.plan.missions.get(name);
+        let own = found.ok_or_else(|| format!("\"{name}\" is not in the plan"))?;
+        StudyMission::along(own.mission(), settings.route.as_deref(), settings.height)
     }
 
     fn unit(&self, draw: u64, index: usize) -> f64 {

@@ -7,7 +7,7 @@ use super::by_name::ByName;
 use super::measure::MeasureKind;
 use super::run_settings::RunSettings;
 use super::sobol::SobolPoints;
-use super::study_mission::MissionText;
+use super::study_mission::PlanMission;
 use super::value::{SettingDistribution, SettingValue};
 
 /// Fewest scrambles whose scatter tells an error.
@@ -110,7 +110,7 @@ pub struct StudyPlan {
     pub stop: Option<StopRule>,
     /// Missions that are flown, by the names that settings call them.
     #[serde(default, skip_serializing_if = "ByName::is_empty")]
-    pub missions: ByName<MissionText>,
+    pub missions: ByName<PlanMission>,
 }
 
 fn usual_scrambles() -> u64 {

@@ -3,7 +3,7 @@
 use pilotage_core::mission::Mission;
 
 use super::plan::{StudyError, StudyPlan, refusal};
-use super::study_mission::{MissionText, StudyMission};
+use super::study_mission::{PlanMission, StudyMission};
 use super::value::{SettingDistribution, SettingValue};
 
 /// Settings of missions.
@@ -19,7 +19,8 @@ impl StudyPlan {
         for name in self.values_of(MISSION) {
             if self.missions.get(&name).is_none() {
                 let mission = find(&name).map_err(|why| refusal(MISSION, why))?;
-                self.missions.put(name, MissionText::of(&mission));
+                let mission = PlanMission::of(&mission).map_err(|why| refusal(MISSION, why))?;
+                self.missions.put(name, mission);
             }
         }
         Ok(())
@@ -29,7 +30,7 @@ impl StudyPlan {
     pub fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
         for (name, text) in self.missions.iter() {
-            let Ok(mission) = text.read() else { continue };
+            let mission = text.mission();
             if mission.landmarks.is_empty() {
                 notes.push(format!(
                     "{name} has no landmark that is switched on: it is flown by dead reckoning alone"
@@ -73,11 +74,11 @@ impl StudyPlan {
             let Some(text) = self.missions.get(&name) else {
                 return Err(refused("it is not in the plan".to_owned()));
             };
-            let mission = text.read().map_err(refused)?;
+            let mission = text.mission();
             let named = routes.iter().map(|route| Some(route.as_str()));
             let first = routes.is_empty().then_some(None);
             for route in named.chain(first) {
-                StudyMission::along(&mission, route, None).map_err(refused)?;
+                StudyMission::along(mission, route, None).map_err(refused)?;
             }
         }
         Ok(())

@@ -1,12 +1,13 @@
 //! Plans as they pass from a worker to the page: every part in its place, for the wire names none. Whoever takes one
 //! links no reader of TOML.
 
+use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
 
 use super::by_name::ByName;
 use super::measure::MeasureKind;
 use super::plan::{DrawBy, StopRule, StudyMeasure, StudyPlan};
-use super::study_mission::MissionText;
+use super::study_mission::PlanMission;
 use super::value::{SettingDistribution, SettingValue};
 
 /// Value of a setting, with its kind before it.
@@ -39,7 +40,7 @@ pub struct StudyPlanParts {
     draw: Vec<(String, DistributionPart)>,
     measure: Vec<(MeasureKind, Option<String>, Option<f64>)>,
     stop: Option<(String, f64, u64)>,
-    missions: Vec<(String, String)>,
+    missions: Vec<(String, (String, Mission))>,
 }
 
 impl From<SettingValue> for ValuePart {
@@ -102,7 +103,9 @@ impl From<StudyPlan> for StudyPlanParts {
             draw: plan.draw.into_named(DistributionPart::from),
             measure: measure.map(|it| (it.of, it.name, it.at_most)).collect(),
             stop: (plan.stop).map(|stop| (stop.measure, stop.half_width, stop.every)),
-            missions: plan.missions.into_named(|text| text.as_str().to_owned()),
+            missions: plan
+                .missions
+                .into_named(|own| (own.as_str().to_owned(), own.mission().clone())),
         }
     }
 }
@@ -123,7 +126,9 @@ impl From<StudyPlanParts> for StudyPlan {
             measure: measure
                 .map(|(of, name, at_most)| StudyMeasure { of, name, at_most })
                 .collect(),
-            missions: ByName::of_named(parts.missions, MissionText::from),
+            missions: ByName::of_named(parts.missions, |(text, mission)| {
+                PlanMission::of_read(text, mission)
+            }),
             stop: parts.stop.map(|(measure, half_width, every)| StopRule {
                 measure,
                 half_width,

@@ -1,7 +1,7 @@
 //! Missions as studies fly them: their routes, and by what is navigated, without map and pictures.
 
 use std::collections::BTreeMap;
-use std::fmt;
+use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};
@@ -10,17 +10,24 @@ use pilotage_core::mission::{Mission, read_mission, write_mission};
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::{FlownWay, RouteGround, cruise, longest_flight, planned_aircraft};
 use pilotage_core::simulate::{FlightPlan, Scenario, Target};
-use serde::de::{Error, Visitor};
+use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Mission in a plan, as text: whoever has the plan needs no other file, and reads the same numbers to the bit.
+/// Mission in a plan. In files it is a text, GeoJSON: whoever has the plan needs no other file, and reads the same numbers
+/// to the bit.
 #[derive(Clone, Debug, PartialEq)]
-pub struct MissionText(String);
+pub struct PlanMission {
+    text: String,
+    mission: Arc<Mission>,
+}
 
-impl MissionText {
+impl PlanMission {
     /// What studies need of a mission: its routes, the landmarks that are switched on without their detectors, its camera and
     /// the settings of its navigator.
-    pub fn of(mission: &Mission) -> Self {
+    ///
+    /// # Errors
+    /// Where it cannot be read back, in words.
+    pub fn of(mission: &Mission) -> Result<Self, String> {
         let mut kept = Mission::new(mission.name.clone(), mission.origin);
         let on = mission.landmarks.iter().filter(|landmark| landmark.enabled);
         kept.landmarks = on
@@ -35,54 +42,45 @@ impl MissionText {
         if let Some(height) = mission.stated_ground() {
             kept.state_ground(height);
         }
-        Self(write_mission(&kept))
+        Self::read(write_mission(&kept))
     }
 
-    /// The mission.
+    /// The mission of a text.
     ///
     /// # Errors
     /// Where the text is no mission, in words.
-    pub fn read(&self) -> Result<Mission, String> {
-        read_mission(self.0.as_bytes()).map_err(|why| why.to_string())
+    fn read(text: String) -> Result<Self, String> {
+        let mission = read_mission(text.as_bytes()).map_err(|why| why.to_string())?;
+        let mission = Arc::new(mission);
+        Ok(Self { text, mission })
     }
 
-    /// The text, GeoJSON.
+    /// One that was read before, by its text and what that says.
+    pub(crate) fn of_read(text: String, mission: Mission) -> Self {
+        let mission = Arc::new(mission);
+        Self { text, mission }
+    }
+
+    /// The mission.
+    pub fn mission(&self) -> &Mission {
+        &self.mission
+    }
+
+    /// Its text, GeoJSON.
     pub fn as_str(&self) -> &str {
-        &self.0
+        &self.text
     }
 }
 
-impl From<String> for MissionText {
-    fn from(text: String) -> Self {
-        Self(text)
-    }
-}
-
-impl Serialize for MissionText {
+impl Serialize for PlanMission {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        to.serialize_str(&self.0)
+        to.serialize_str(&self.text)
     }
 }
 
-impl<'d> Deserialize<'d> for MissionText {
+impl<'d> Deserialize<'d> for PlanMission {
     fn deserialize<D: Deserializer<'d>>(from: D) -> Result<Self, D::Error> {
-        struct Words;
-
-        impl Visitor<'_> for Words {
-            type Value = MissionText;
-
-            fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-                to.write_str("a mission as text")
-            }
-
-            fn visit_str<E: Error>(self, text: &str) -> Result<MissionText, E> {
-                let text = MissionText(text.to_owned());
-                text.read().map_err(E::custom)?;
-                Ok(text)
-            }
-        }
-
-        from.deserialize_str(Words)
+        Self::read(String::deserialize(from)?).map_err(D::Error::custom)
     }
 }
 
