@@ -144,7 +144,7 @@ fn train(
     choice: DetectorChoice,
 ) -> Result<Vec<TrainedRow>, Box<dyn std::error::Error>> {
     let mut lent = ground.lent();
-    let labelled = labelled_flight(arguments, ground)?.map(|folder| {
+    let labelled = labelled_flight(arguments.source.flight.as_ref(), ground)?.map(|folder| {
         lent = lent.clone().with_flight(&folder);
         LabelledFrames {
             flight: Lent::flight(),
@@ -223,11 +223,10 @@ fn write_cascade(folder: &Path, landmark: &Landmark) -> Result<(), String> {
 }
 
 /// The flight in whose frames people labelled landmarks, if there is one.
-fn labelled_flight(
-    arguments: &Arguments,
+pub fn labelled_flight(
+    path: Option<&PathBuf>,
     ground: &PlannedFlight,
 ) -> Result<Option<OpenFlight>, Box<dyn std::error::Error>> {
-    let path = arguments.source.flight.as_ref();
     let Some(path) = path.filter(|_| !ground.mission.labels.is_empty()) else {
         return Ok(None);
     };

@@ -6,7 +6,7 @@ mod envelopes;
 mod find;
 mod ground;
 mod no_fly;
-mod propose;
+pub mod propose;
 mod source;
 mod untested;
 mod verify;

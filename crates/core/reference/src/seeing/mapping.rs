@@ -1,6 +1,7 @@
 //! A map made into a table, tile by tile.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::landmarks_seen;
@@ -111,6 +112,20 @@ impl ReferenceMapping {
         }
     }
 
+    /// Number of tiles of a map with those bounds.
+    pub fn tiles(bounds: &GroundRect) -> usize {
+        tiles_of(bounds).count()
+    }
+
+    /// Only those of the tiles, in the order in which their landmarks come.
+    #[must_use]
+    pub fn part(mut self, tiles: Range<usize>) -> Self {
+        let end = tiles.end.min(self.left.len());
+        self.left = self.left[tiles.start.min(end)..end].to_vec();
+        self.all = self.left.len();
+        self
+    }
+
     /// Tiles that are done, and tiles in all.
     pub fn progress(&self) -> (usize, usize) {
         (self.all - self.left.len(), self.all)
@@ -125,9 +140,13 @@ impl ReferenceMapping {
         next.is_some()
     }
 
+    /// Landmarks that were found so far, by tiles.
+    pub fn into_landmarks(self) -> Vec<GenericLandmark> {
+        self.tiles.tiles.into_values().flatten().collect()
+    }
+
     /// The table of what was found so far.
     pub fn into_table(self) -> ReferenceTable {
-        let found = self.tiles.tiles.into_values().flatten();
-        ReferenceTable::new(found.collect(), Vec::new())
+        ReferenceTable::new(self.into_landmarks(), Vec::new())
     }
 }
