@@ -69,7 +69,7 @@ class Program:
             only = ",".join(str(shard) for shard in shards)
             words = [str(file), "--out", str(out), "--runs-per-shard", str(runs_per_shard)]
             self._call([*words, "--only", only, "--threads", "1", "--quiet"])
-            files = sorted(Path(out, "shards").glob("*.parquet"))
+            files = sorted(Path(out, "shards").glob("[0-9]*"))
             if len(files) != len(shards):
                 raise StudyFailure(f"{len(files)} of {len(shards)} shards came")
             return {file.name: file.read_bytes() for file in files}

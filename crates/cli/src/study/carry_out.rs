@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use pilotage_jobs::{JobEvent, StudyShardOrder};
 use pilotage_study::{Study, StudyPlan, StudyRecord, StudyTally};
-use serde::Serialize;
 
+use super::arguments::Arguments;
 use super::folder::StudyFolder;
 use super::progress::Progress;
 use super::results;
@@ -15,68 +15,6 @@ use crate::files::write_whole;
 use crate::mission_file::OpenMission;
 use crate::notes::tell;
 use crate::workers::{self, Lent};
-
-/// Arguments of `pilotage study PLAN`.
-#[derive(clap::Args)]
-#[group(id = "study_plan")]
-pub struct Arguments {
-    /// Plan of the study, TOML.
-    plan: PathBuf,
-    /// Folder for shards and summary; what is there already is not flown again. NAME.study if not given.
-    #[arg(long, value_name = "FOLDER")]
-    out: Option<PathBuf>,
-    /// Flights of a shard: what is lost at most when the program is killed.
-    #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u64).range(1..))]
-    runs_per_shard: u64,
-    /// Number of programs that share the shards; each flies its own, and none sums up.
-    #[arg(long, value_name = "N", requires = "share", value_parser = clap::value_parser!(u64).range(1..))]
-    shares: Option<u64>,
-    /// Number of this program among them, from 0.
-    #[arg(long, value_name = "I", requires = "shares")]
-    share: Option<u64>,
-    /// Flies these shards alone, separated by commas, and does not sum up.
-    #[arg(
-        long,
-        value_name = "NUMBERS",
-        value_delimiter = ',',
-        conflicts_with = "share"
-    )]
-    only: Vec<u64>,
-    /// Flies nothing: sums up what is there.
-    #[arg(long, conflicts_with_all = ["share", "only"])]
-    merge: bool,
-    /// Prints how many shards there are and which are there, as JSON, and flies nothing.
-    #[arg(long, conflicts_with_all = ["share", "only", "merge"])]
-    describe: bool,
-    /// Writes the plan with the mission files that it names in it, TOML, and flies nothing: all that other machines need.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["share", "only", "merge", "describe", "record"])]
-    pack: Option<PathBuf>,
-    /// Threads; as many as there are processors if not given.
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
-    threads: Option<u64>,
-    /// Keeps a record of the whole study in this folder, for the measured results.
-    #[arg(long, value_name = "FOLDER", requires = "made", conflicts_with_all = ["share", "only", "describe"])]
-    record: Option<PathBuf>,
-    /// Date and state of the program that the record tells.
-    #[arg(long, value_name = "TEXT", requires = "record")]
-    made: Option<String>,
-    /// Tells no progress and prints no table.
-    #[arg(long)]
-    quiet: bool,
-}
-
-/// A study for other programs.
-#[derive(Serialize)]
-struct Description {
-    name: String,
-    flights: u64,
-    runs_per_shard: u64,
-    shards: u64,
-    /// Numbers of the shards that are not there, of those that are needed as far as is known.
-    missing: Vec<u64>,
-    /// Whether the shards that are there are enough.
-    is_complete: bool,
-}
 
 /// The shards that are there, taken in one after the other from the first on.
 struct Front<'a> {
@@ -96,7 +34,7 @@ impl<'a> Front<'a> {
 
     /// Takes in the shards that follow and are there.
     fn move_on(&mut self, study: &Study) -> Result<(), String> {
-        while !self.is_complete() && self.folder.has(self.next) {
+        while !self.is_complete() && self.folder.shards.has(self.next) {
             for row in self.folder.rows(study.design(), self.next)? {
                 self.tally.take(row).map_err(|why| why.to_string())?;
             }
@@ -107,7 +45,7 @@ impl<'a> Front<'a> {
 
     /// Whether no more shards are needed.
     fn is_complete(&self) -> bool {
-        self.tally.is_enough() || self.next == self.folder.shards()
+        self.tally.is_enough() || self.next == self.folder.shards.count
     }
 }
 
@@ -132,25 +70,16 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     if arguments.describe {
         return describe(&study, &front);
     }
-    let is_part = arguments.share.is_some() || !arguments.only.is_empty();
+    let is_part = arguments.is_part();
     if !arguments.merge && !front.is_complete() {
-        let wanted = wanted(arguments, &folder)?;
+        let wanted = arguments.wanted(&folder.shards)?;
         fly(arguments, &study, &mut front, &wanted)?;
     }
     if is_part {
         return Ok(());
     }
     if !front.is_complete() {
-        let missing = (0..folder.shards())
-            .filter(|shard| !folder.has(*shard))
-            .count();
-        let all = folder.shards();
-        return Err(format!(
-            "{missing} of {all} shards are missing in {}; run the study without --merge, or the shares \
-             that are left",
-            root.display()
-        )
-        .into());
+        return Err(folder.shards.lacking().into());
     }
     let summary = front.tally.summary();
     folder.conclude(study.design(), &summary)?;
@@ -174,32 +103,6 @@ fn read_plan(path: &Path) -> Result<StudyPlan, String> {
     StudyPlan::read_with(&text, &mut mission).map_err(|why| blame(&why))
 }
 
-/// Numbers of the shards that this program flies.
-fn wanted(arguments: &Arguments, folder: &StudyFolder) -> Result<Vec<u64>, String> {
-    let all = 0..folder.shards();
-    if let Some(beyond) = arguments.only.iter().find(|shard| !all.contains(shard)) {
-        return Err(format!(
-            "--only {beyond}: there are {} shards, from 0",
-            all.end
-        ));
-    }
-    let (count, own) = (arguments.shares.unwrap_or(1), arguments.share.unwrap_or(0));
-    if own >= count {
-        return Err(format!("--share {own}: there are {count} shares, from 0"));
-    }
-    let is_own = |shard: &u64| {
-        if arguments.only.is_empty() {
-            shard % count == own
-        } else {
-            arguments.only.contains(shard)
-        }
-    };
-    Ok(all
-        .filter(is_own)
-        .filter(|shard| !folder.has(*shard))
-        .collect())
-}
-
 /// Flies the wanted shards, until it is enough.
 fn fly(
     arguments: &Arguments,
@@ -220,9 +123,7 @@ fn fly(
         .map(|order| order.runs.end - order.runs.start)
         .sum();
     let mut progress = Progress::new(left, arguments.quiet);
-    let threads = arguments
-        .threads
-        .map_or_else(workers::processors, |count| count as usize);
+    let threads = arguments.threads();
     let outcome = workers::run_on(threads, orders, &Lent::default(), &mut |order, event| {
         match event {
             JobEvent::Failed(why) => return Err(why),
@@ -250,15 +151,7 @@ fn fly(
 fn describe(study: &Study, front: &Front<'_>) -> CommandResult {
     let folder = front.folder;
     let is_complete = front.is_complete();
-    let missing = (0..folder.shards()).filter(|shard| !is_complete && !folder.has(*shard));
-    let description = Description {
-        name: study.design().plan().name.clone(),
-        flights: study.design().plan().runs(),
-        runs_per_shard: folder.runs_of(0).end,
-        shards: folder.shards(),
-        missing: missing.collect(),
-        is_complete,
-    };
-    println!("{}", serde_json::to_string_pretty(&description)?);
-    Ok(())
+    let plan = study.design().plan();
+    let shards = &folder.shards;
+    Ok(shards.describe(&plan.name, plan.runs(), folder.runs_of(0).end, is_complete)?)
 }

@@ -1,11 +1,14 @@
 //! `pilotage study`: questions over many flights.
 
+mod arguments;
 mod carry_out;
 mod folder;
+mod map_work;
 mod progress;
 mod results;
 mod rows;
 mod sensitivity;
+mod shards;
 
 use pilotage_study::{MeasureKind, StudySetting};
 
@@ -18,7 +21,7 @@ pub struct Arguments {
     #[command(subcommand)]
     other: Option<Other>,
     #[command(flatten)]
-    plan: Option<carry_out::Arguments>,
+    plan: Option<arguments::Arguments>,
 }
 
 #[derive(clap::Subcommand)]
@@ -40,6 +43,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             list();
             Ok(())
         }
+        (None, Some(plan)) if map_work::run(plan)? => Ok(()),
         (None, Some(plan)) => carry_out::run(plan),
         (None, None) => Err("give the plan of a study, or see pilotage study --help".into()),
     }

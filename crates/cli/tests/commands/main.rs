@@ -9,6 +9,7 @@ mod detect;
 mod folder;
 mod georef;
 mod map;
+mod map_work;
 mod own_map;
 mod plan;
 mod reference_map;

@@ -1,0 +1,126 @@
+//! A detector trained for each landmark of a mission, a landmark in a piece.
+
+use pilotage_core::landmark::{DetectorChoice, Landmark};
+use pilotage_core::mission::write_mission;
+use pilotage_core::plan::Proposal;
+use pilotage_core::training::TrainingPlan;
+use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder};
+use serde::{Deserialize, Serialize};
+
+use super::piecework::{Piecework, PieceworkOutcome, order_each};
+use super::plan::MapWorkPlan;
+use crate::notes::tell;
+use crate::plan::PlannedFlight;
+use crate::train::labelled_flight;
+use crate::workers::Lent;
+
+/// A detector that was trained, and how it did. The time that it took is left out: it is another each time.
+#[derive(Serialize, Deserialize)]
+struct Trained {
+    detector: String,
+    judged: usize,
+    found: usize,
+    false_alarms: usize,
+    sigmas: [f64; 2],
+}
+
+/// The detectors to be trained.
+pub struct TrainedDetectors {
+    ground: PlannedFlight,
+    lent: Lent,
+    landmarks: Vec<Landmark>,
+    plan: TrainingPlan,
+    labelled: Option<LabelledFrames>,
+}
+
+impl TrainedDetectors {
+    /// Those of the landmarks of a plan's mission that have none, or of all that are switched on.
+    pub fn open(plan: &MapWorkPlan) -> Result<Self, Box<dyn std::error::Error>> {
+        let ground = PlannedFlight::at(&plan.source())?;
+        tell(&ground.notes);
+        let landmarks: Vec<Landmark> = TrainOrder::wanted(&ground.mission).cloned().collect();
+        if landmarks.is_empty() {
+            return Err("the mission has no landmark that is switched on".into());
+        }
+        let mut lent = ground.lent();
+        let labelled = labelled_flight(plan.flight.as_ref(), &ground)?.map(|folder| {
+            lent = lent.clone().with_flight(&folder);
+            LabelledFrames {
+                flight: Lent::flight(),
+                labels: ground.mission.labels.clone(),
+            }
+        });
+        Ok(Self {
+            plan: TrainingPlan {
+                seed: plan.seed,
+                ..TrainOrder::usual_plan(&ground.mission, plan.photos)
+            },
+            ground,
+            lent,
+            landmarks,
+            labelled,
+        })
+    }
+}
+
+impl Piecework for TrainedDetectors {
+    fn pieces(&self) -> u64 {
+        self.landmarks.len() as u64
+    }
+
+    fn carry_out(
+        &self,
+        wanted: &[u64],
+        threads: usize,
+        keep: &mut dyn FnMut(u64, Vec<u8>) -> Result<(), String>,
+    ) -> Result<(), String> {
+        let with = self.ground.circumstances(Proposal::POSITION);
+        let order = |piece: u64| {
+            let landmark = &self.landmarks[piece as usize];
+            let order = with.training(landmark, self.plan.clone(), self.labelled.clone());
+            let envelope = order.envelope();
+            order.within(envelope)
+        };
+        let of = |event: JobEvent| match event {
+            JobEvent::Trained(outcome) => {
+                let trained = Trained {
+                    detector: outcome.detector,
+                    judged: outcome.judged,
+                    found: outcome.found,
+                    false_alarms: outcome.false_alarms,
+                    sigmas: outcome.sigmas,
+                };
+                Some(serde_json::to_vec(&trained).map_err(|why| why.to_string()))
+            }
+            _ => None,
+        };
+        order_each(wanted, (&order, &of), (threads, &self.lent), keep)
+    }
+
+    fn conclude(
+        &self,
+        pieces: Vec<Vec<u8>>,
+    ) -> Result<PieceworkOutcome, Box<dyn std::error::Error>> {
+        let mut mission = self.ground.mission.clone();
+        let mut words = String::new();
+        for (landmark, piece) in self.landmarks.iter().zip(pieces) {
+            let trained: Trained = serde_json::from_slice(&piece)?;
+            let [north, east] = trained.sigmas;
+            let line = format!(
+                "{}: found in {} of {} held-out photos, {} false alarms, ± {north:.2} m north, {east:.2} m east\n",
+                landmark.name, trained.found, trained.judged, trained.false_alarms
+            );
+            words.push_str(&line);
+            let kept = mission.landmarks.iter_mut().find(|l| l.id == landmark.id);
+            if let Some(kept) = kept {
+                kept.keep_trained_text(Some(&trained.detector));
+                kept.choose_detector(DetectorChoice::Cascade);
+            }
+        }
+        Ok(PieceworkOutcome {
+            name: "mission.geojson",
+            bytes: write_mission(&mission).into_bytes(),
+            words,
+        })
+    }
+}

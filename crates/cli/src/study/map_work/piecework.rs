@@ -1,0 +1,66 @@
+//! Work on a map that is cut into pieces.
+
+use pilotage_jobs::{JobEvent, Order};
+
+use crate::workers::{self, Lent};
+
+/// Outcome of all pieces: a file, and words for people.
+pub struct PieceworkOutcome {
+    /// Name of the file.
+    pub name: &'static str,
+    /// Its content.
+    pub bytes: Vec<u8>,
+    /// Words on it.
+    pub words: String,
+}
+
+/// Work on a map in pieces, each of which is the same to the bit whoever does it.
+pub trait Piecework {
+    /// Number of the pieces.
+    fn pieces(&self) -> u64;
+
+    /// Does these pieces; `keep` takes each.
+    ///
+    /// # Errors
+    /// Whatever fails in a piece, or `keep` says.
+    fn carry_out(
+        &self,
+        wanted: &[u64],
+        threads: usize,
+        keep: &mut dyn FnMut(u64, Vec<u8>) -> Result<(), String>,
+    ) -> Result<(), String>;
+
+    /// Sums up all pieces, in the order of their numbers.
+    ///
+    /// # Errors
+    /// Pieces that cannot be read, or that come to nothing.
+    fn conclude(
+        &self,
+        pieces: Vec<Vec<u8>>,
+    ) -> Result<PieceworkOutcome, Box<dyn std::error::Error>>;
+}
+
+/// Bytes of the event that has what a piece came to; `None` of all others.
+pub type BytesOf = dyn Fn(JobEvent) -> Option<Result<Vec<u8>, String>>;
+
+/// Does an order for each wanted piece; `keep` takes what `of` makes of the event that has it.
+///
+/// # Errors
+/// Whatever fails in an order, or `keep` says.
+pub fn order_each<O: Order + Send>(
+    wanted: &[u64],
+    (order, of): (&dyn Fn(u64) -> O, &BytesOf),
+    (threads, lent): (usize, &Lent),
+    keep: &mut dyn FnMut(u64, Vec<u8>) -> Result<(), String>,
+) -> Result<(), String> {
+    let orders = wanted.iter().map(|piece| order(*piece)).collect();
+    workers::run_on(threads, orders, lent, &mut |number, event| {
+        if let JobEvent::Failed(why) = event {
+            return Err(why);
+        }
+        match of(event) {
+            Some(bytes) => keep(wanted[number], bytes?),
+            None => Ok(()),
+        }
+    })
+}

@@ -1,0 +1,213 @@
+//! Plans of work on a map: files of TOML that say what is made of which map.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use pilotage_core::plan::Proposal;
+use pilotage_core::training::TrainingPlan;
+use serde::{Deserialize, Serialize};
+
+use crate::plan::PlanSource;
+
+/// Thing that is made of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MapWorkKind {
+    /// Table of generic landmarks, as by `pilotage reference-map`.
+    ReferenceTable,
+    /// Proposed landmarks, as by `pilotage plan --suggest`.
+    Suggestions,
+    /// A detector for each landmark, as by `pilotage train`.
+    Detectors,
+}
+
+/// Plan of work on a map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MapWorkPlan {
+    /// Name, by which its folder is called.
+    pub name: String,
+    /// Thing that is made.
+    pub work: MapWorkKind,
+    /// The map; of a mission that holds its own it may be left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<PathBuf>,
+    /// The mission, of suggestions and detectors.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mission: Option<PathBuf>,
+    /// A built-in scenario in place of map and mission.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scenario: Option<String>,
+    /// Flight folder whose camera is flown, if the mission states none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flight: Option<PathBuf>,
+    /// Height above ground, metres, in place of that of the route.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height: Option<f64>,
+    /// Number of landmarks to propose.
+    #[serde(default = "usual_count")]
+    pub count: usize,
+    /// Side of their boxes, metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub side: Option<f64>,
+    /// Standard deviation of the position per axis when they are looked for, metres.
+    #[serde(default = "usual_position")]
+    pub position: f64,
+    /// Photos that each detector learns from.
+    #[serde(default = "usual_photos")]
+    pub photos: usize,
+    /// Seed of days and photos.
+    #[serde(default = "usual_seed")]
+    pub seed: u64,
+}
+
+fn usual_count() -> usize {
+    10
+}
+
+fn usual_position() -> f64 {
+    Proposal::POSITION
+}
+
+fn usual_photos() -> usize {
+    TrainingPlan::default().photos
+}
+
+fn usual_seed() -> u64 {
+    1
+}
+
+/// A file that a plan names, by its content: another map under the same name is another work.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct NamedFile {
+    bytes: u64,
+    crc32: u32,
+}
+
+impl MapWorkPlan {
+    /// The plan in a text; `None` where it is that of a study.
+    ///
+    /// # Errors
+    /// In words, where it is a plan of such work and wrong.
+    pub fn read(text: &str) -> Result<Option<Self>, String> {
+        #[derive(Deserialize)]
+        struct Kind {
+            work: Option<String>,
+        }
+        let kind: Option<Kind> = basic_toml::from_str(text).ok();
+        if kind.is_none_or(|kind| kind.work.is_none()) {
+            return Ok(None);
+        }
+        let plan: Self = basic_toml::from_str(text).map_err(|why| why.to_string())?;
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        if plan.name.is_empty() || !plan.name.chars().all(is_plain) {
+            return Err("name: give a word of letters, digits and hyphens".to_owned());
+        }
+        if plan.work == MapWorkKind::ReferenceTable && plan.map.is_none() {
+            return Err("map: say the map that is made into a table".to_owned());
+        }
+        let has_mission = plan.mission.is_some() || plan.scenario.is_some();
+        if plan.work != MapWorkKind::ReferenceTable && !has_mission {
+            return Err("mission: say the mission on the map, or a scenario".to_owned());
+        }
+        Ok(Some(plan))
+    }
+
+    /// The same with the files that it names beside `folder`, wherever it is read.
+    ///
+    /// # Errors
+    /// Where a file is not there.
+    pub fn beside(mut self, folder: &Path) -> Result<Self, String> {
+        let files = [&mut self.map, &mut self.mission, &mut self.flight];
+        for path in files.into_iter().flatten() {
+            let full = folder.join(&*path);
+            *path =
+                std::path::absolute(&full).map_err(|why| format!("{}: {why}", full.display()))?;
+            if !path.exists() {
+                return Err(format!("{}: there is no such file", path.display()));
+            }
+        }
+        Ok(self)
+    }
+
+    /// The source of its map, mission and camera.
+    pub fn source(&self) -> PlanSource {
+        PlanSource {
+            scenario: self.scenario.clone(),
+            mission: self.mission.clone(),
+            map: self.map.clone(),
+            flight: self.flight.clone(),
+            height: self.height,
+            dem: None,
+        }
+    }
+
+    /// The same without places of files, and the content of map and mission: equal for all who do the same work.
+    ///
+    /// # Errors
+    /// Where a file cannot be read.
+    pub fn by_content(&self) -> Result<(Self, Vec<NamedFile>), String> {
+        let files = [&self.map, &self.mission].into_iter().flatten();
+        let files = files.map(|path| content(path)).collect::<Result<_, _>>()?;
+        let name = |path: &Option<PathBuf>| Some(PathBuf::from(path.as_ref()?.file_name()?));
+        let plan = Self {
+            map: name(&self.map),
+            mission: name(&self.mission),
+            flight: name(&self.flight),
+            ..self.clone()
+        };
+        Ok((plan, files))
+    }
+}
+
+fn content(path: &Path) -> Result<NamedFile, String> {
+    let blame = |why: std::io::Error| format!("{}: {why}", path.display());
+    let mut file = File::open(path).map_err(blame)?;
+    let (mut sum, mut bytes) = (crc32fast::Hasher::new(), 0);
+    let mut part = vec![0; 1 << 20];
+    loop {
+        let count = file.read(&mut part).map_err(blame)?;
+        if count == 0 {
+            break;
+        }
+        sum.update(&part[..count]);
+        bytes += count as u64;
+    }
+    Ok(NamedFile {
+        bytes,
+        crc32: sum.finalize(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plan_of_work_is_told_from_that_of_a_study_and_says_what_it_lacks() {
+        let study = "name = \"a\"\nquestion = \"?\"\ndraws = 1\n";
+        assert_eq!(MapWorkPlan::read(study), Ok(None));
+        assert_eq!(MapWorkPlan::read("name = "), Ok(None));
+        let read = |more: &str| MapWorkPlan::read(&format!("name = \"county\"\n{more}"));
+        let plan = read("work = \"reference-table\"\nmap = \"county.tif\"")
+            .unwrap()
+            .unwrap();
+        assert_eq!((plan.count, plan.seed, plan.position), (10, 1, 10.0));
+        for (more, words) in [
+            ("work = \"reference-table\"", "map: say the map"),
+            (
+                "work = \"suggestions\"\nmap = \"county.tif\"",
+                "mission: say the mission",
+            ),
+            ("work = \"tables\"\nmap = \"county.tif\"", "unknown variant"),
+            (
+                "work = \"detectors\"\nmission = \"m\"\nphoto = 3",
+                "unknown field `photo`",
+            ),
+        ] {
+            let why = read(more).unwrap_err();
+            assert!(why.contains(words), "{why}");
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! A map made into a table of generic landmarks, some tiles in a piece.
+
+use pilotage_core::frames::LocalFrame;
+use pilotage_core::imagery::Imagery;
+use pilotage_core::reference::seeing::ReferenceMapping;
+use pilotage_core::reference::{GenericLandmark, ReferenceTable};
+use pilotage_jobs::{JobEvent, ReferenceTilesOrder};
+use std::path::Path;
+use std::sync::Arc;
+
+use super::piecework::{Piecework, PieceworkOutcome, order_each};
+use crate::files::{MAP_CACHE, open_map};
+use crate::notes::tell;
+use crate::workers::Lent;
+
+/// Tiles in a piece: some half a square kilometre of map.
+const TILES: usize = 4;
+
+/// The table to be made.
+pub struct TableOfMap {
+    map: Arc<dyn Imagery>,
+    frame: Option<LocalFrame>,
+    tiles: usize,
+}
+
+impl TableOfMap {
+    /// That of the map in a file.
+    pub fn open(map: &Path) -> Result<Self, Box<dyn std::error::Error>> {
+        let opened = open_map(map, None, MAP_CACHE)?;
+        tell(&opened.notes);
+        Ok(Self {
+            tiles: ReferenceMapping::tiles(&opened.map.bounds()),
+            map: opened.map,
+            frame: opened.frame,
+        })
+    }
+}
+
+impl Piecework for TableOfMap {
+    fn pieces(&self) -> u64 {
+        self.tiles.div_ceil(TILES) as u64
+    }
+
+    fn carry_out(
+        &self,
+        wanted: &[u64],
+        threads: usize,
+        keep: &mut dyn FnMut(u64, Vec<u8>) -> Result<(), String>,
+    ) -> Result<(), String> {
+        let lent = Lent::default().with_map(Lent::map_of_file(), Arc::clone(&self.map));
+        let order = |piece: u64| {
+            let first = piece as usize * TILES;
+            ReferenceTilesOrder {
+                map: Lent::map_of_file(),
+                tiles: first..(first + TILES).min(self.tiles),
+            }
+        };
+        let of = |event: JobEvent| match event {
+            JobEvent::Figures(bytes) => Some(Ok(bytes)),
+            _ => None,
+        };
+        order_each(wanted, (&order, &of), (threads, &lent), keep)
+    }
+
+    fn conclude(
+        &self,
+        pieces: Vec<Vec<u8>>,
+    ) -> Result<PieceworkOutcome, Box<dyn std::error::Error>> {
+        let mut found: Vec<GenericLandmark> = Vec::new();
+        for piece in pieces {
+            found.extend(JobEvent::Figures(piece).read_figures::<Vec<GenericLandmark>>()?);
+        }
+        let table = ReferenceTable::new(found, Vec::new());
+        let table = table.on_globe(self.frame.map(|frame| frame.origin));
+        let bytes = table.to_bytes();
+        let words = format!(
+            "{} landmarks of {} tiles, {} bytes\n",
+            table.landmarks().len(),
+            self.tiles,
+            bytes.len()
+        );
+        Ok(PieceworkOutcome {
+            name: "landmarks.table",
+            bytes,
+            words,
+        })
+    }
+}

@@ -1,0 +1,183 @@
+//! `pilotage study` of work on a map: the same to the bit as the command that does it whole, however it is cut.
+
+use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint};
+use pilotage_core::mission::{MapReference, Mission, Route, WayPoint, write_mission};
+use pilotage_core::raster::{Picture, encode_png};
+use pilotage_core::simulate::Scenario;
+use serde_json::Value;
+
+use super::folder::Folder;
+
+/// Rough green ground of 1.4 by 1.4 km with smooth bright roofs.
+fn map(folder: &Folder) {
+    let picture = Picture::from_fn(1400, 1400, |x, y| {
+        let noise = ((x * 7919 + y * 104_729) % 37) as u8;
+        let is_roof = (20..32).contains(&(x % 130)) && (30..46).contains(&(y % 110));
+        if is_roof {
+            [165, 110, 95]
+        } else {
+            [70 + noise, 92 + noise, 48 + noise]
+        }
+    });
+    folder.write("map.png", encode_png(&picture).unwrap());
+    folder.write("map.pgw", b"1\n0\n0\n-1\n100.5\n-50.5\n");
+}
+
+const TABLE: &str = "name = \"county\"\nwork = \"reference-table\"\nmap = \"map.png\"\n";
+
+impl Folder {
+    fn work(&self, words: &[&str]) -> Result<String, String> {
+        self.run(&[&["study", "work.toml"], words].concat())
+    }
+
+    fn bytes(&self, path: &str) -> Vec<u8> {
+        std::fs::read(self.0.join(path)).unwrap_or_else(|why| panic!("{path}: {why}"))
+    }
+}
+
+#[test]
+fn the_table_of_a_map_is_the_same_by_pieces_of_two_programs_and_whole() {
+    let folder = Folder::new("map-work-table");
+    map(&folder);
+    folder.write("work.toml", TABLE);
+    folder
+        .run(&["reference-map", "map.png", "-o", "whole.table"])
+        .unwrap();
+    let whole = folder.bytes("whole.table");
+    let said = folder.work(&["--out", "one"]).unwrap();
+    assert!(said.contains("landmarks of 16 tiles"), "{said}");
+    assert!(folder.bytes("one/landmarks.table") == whole && whole.len() > 200);
+
+    // By two programs on one folder, the second first.
+    let share = |share| ["--out", "two", "--shares", "2", "--share", share];
+    assert_eq!(folder.work(&share("1")), Ok(String::new()));
+    let described = folder.work(&["--out", "two", "--describe"]).unwrap();
+    let described: Value = serde_json::from_str(&described).unwrap();
+    assert_eq!(
+        (&described["shards"], &described["is_complete"]),
+        (&4.into(), &false.into())
+    );
+    assert_eq!(described["missing"], serde_json::json!([0, 2]));
+    let lacking = folder.work(&["--out", "two", "--merge"]).unwrap_err();
+    assert!(lacking.contains("2 of 4 shards are missing"), "{lacking}");
+    folder.work(&share("0")).unwrap();
+    folder
+        .work(&["--out", "two", "--merge", "--quiet"])
+        .unwrap();
+    assert_eq!(folder.bytes("two/landmarks.table"), whole);
+
+    // Sent to another machine, which sees the map under the same name.
+    folder.work(&["--pack", "packed.toml"]).unwrap();
+    let elsewhere = Folder::new("map-work-elsewhere");
+    elsewhere.write("work.toml", folder.bytes("packed.toml"));
+    elsewhere
+        .work(&["--out", "there", "--only", "3", "--quiet"])
+        .unwrap();
+    assert_eq!(
+        elsewhere.bytes("there/shards/000003.piece"),
+        folder.bytes("one/shards/000003.piece")
+    );
+
+    // Another map under the same name is other work.
+    folder.write(
+        "map.png",
+        encode_png(&Picture::from_fn(1400, 1400, |_, _| [9; 3])).unwrap(),
+    );
+    let other = folder.work(&["--out", "one"]).unwrap_err();
+    assert!(other.contains("begun with another plan"), "{other}");
+}
+
+/// A mission of the first landmark of a scenario over its own generated map.
+fn mission_of_one() -> String {
+    let name = "distinct-400ft-calm";
+    let mut mission = Scenario::named(name).unwrap().mission();
+    mission.landmarks.truncate(1);
+    mission.map = Some(MapReference::Scenario(name.to_owned()));
+    write_mission(&mission)
+}
+
+#[test]
+fn a_detector_by_pieces_is_the_one_that_is_trained_at_once() {
+    let folder = Folder::new("map-work-detectors");
+    folder.write("one.geojson", mission_of_one());
+    folder.write(
+        "work.toml",
+        "name = \"cascades\"\nwork = \"detectors\"\nmission = \"one.geojson\"\nphotos = 6\n",
+    );
+    folder.work(&["--out", "pieces", "--quiet"]).unwrap();
+    let words = "train --mission one.geojson --positives 6 --write-mission whole.geojson";
+    folder.run(&words.split(' ').collect::<Vec<_>>()).unwrap();
+    assert_eq!(
+        folder.bytes("pieces/mission.geojson"),
+        folder.bytes("whole.geojson")
+    );
+    let words = String::from_utf8(folder.bytes("pieces/summary.txt")).unwrap();
+    assert!(words.contains("held-out photos"), "{words}");
+}
+
+/// Fields of many sizes and greys, none like another, 200 by 200 m.
+fn patchwork(folder: &Folder) {
+    let picture = Picture::from_fn(400, 400, |x, y| {
+        let (column, row) = (x / (17 + y / 90), y / (13 + x / 120));
+        let drawn = (column * 7919 + row * 104_729 + column * row * 31) % 197;
+        [drawn as u8, 40 + drawn as u8, 20 + (drawn / 2) as u8]
+    });
+    folder.write("map.png", encode_png(&picture).unwrap());
+    folder.write("map.pgw", b"0.5\n0\n0\n-0.5\n-99.75\n99.75\n");
+}
+
+#[test]
+fn landmarks_proposed_by_shares_are_those_that_are_proposed_at_once() {
+    let folder = Folder::new("map-work-suggestions");
+    patchwork(&folder);
+    let altitude = Altitude::new(60.0, AltitudeFrame::AboveGround);
+    let at = |north| WayPoint::new(GroundPoint::new(north, 0.0), altitude);
+    let mut mission = Mission::new("Fields", Geodetic::from_degrees(0.0, 0.0, 0.0));
+    mission.routes.push(Route {
+        name: "Over the fields".to_owned(),
+        way_points: vec![at(-60.0), at(60.0)],
+        ..Route::default()
+    });
+    folder.write("fields.geojson", write_mission(&mission));
+    folder.write(
+        "work.toml",
+        "name = \"fields\"\nwork = \"suggestions\"\nmission = \"fields.geojson\"\nmap = \"map.png\"\ncount = 2\n",
+    );
+    let said = folder.work(&["--out", "pieces"]).unwrap();
+    let words = "plan --mission fields.geojson --map map.png --suggest 2 --out whole.geojson";
+    let whole = folder.run(&words.split(' ').collect::<Vec<_>>()).unwrap();
+    assert_eq!(
+        folder.bytes("pieces/mission.geojson"),
+        folder.bytes("whole.geojson")
+    );
+    let first = whole
+        .lines()
+        .find(|line| line.starts_with("  1  north"))
+        .unwrap();
+    assert!(said.contains(first), "{said}");
+}
+
+#[test]
+fn work_that_cannot_be_done_is_refused_with_the_file_and_the_place() {
+    let folder = Folder::new("map-work-refused");
+    for (text, words) in [
+        (TABLE.to_owned(), "map.png: there is no such file"),
+        (
+            TABLE.replace("reference-table", "tables"),
+            "unknown variant",
+        ),
+        (TABLE.replace("county", "a county"), "name: give a word"),
+        (
+            TABLE.replace("map = \"map.png\"", "count = 3"),
+            "map: say the map",
+        ),
+        (
+            TABLE.replace("reference-table", "detectors"),
+            "mission: say the mission",
+        ),
+    ] {
+        folder.write("work.toml", &text);
+        let why = folder.work(&[]).unwrap_err();
+        assert!(why.contains("work.toml") && why.contains(words), "{why}");
+    }
+}
