@@ -13,6 +13,7 @@ mod shards;
 use pilotage_study::{MeasureKind, StudySetting};
 
 use crate::CommandResult;
+use map_work::MapWorkPlan;
 
 /// Arguments of `pilotage study`.
 #[derive(clap::Args)]
@@ -57,5 +58,9 @@ fn list() {
     println!("Measures:");
     for kind in MeasureKind::ALL {
         println!("  {:18} {}", kind.key(), kind.unit());
+    }
+    println!("Work on a map, in a plan of its own:");
+    for (key, about) in MapWorkPlan::SETTINGS {
+        println!("  {key:18} {about}");
     }
 }

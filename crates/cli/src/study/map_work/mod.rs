@@ -17,9 +17,11 @@ use crate::CommandResult;
 use crate::files::write_whole;
 use detectors::TrainedDetectors;
 use piecework::Piecework;
-use plan::{MapWorkKind, MapWorkPlan, NamedFile};
+use plan::{MapWorkKind, NamedFile};
 use reference_table::TableOfMap;
 use suggestions::ProposedLandmarks;
+
+pub use plan::MapWorkPlan;
 
 /// Plan of a folder, and the content of the files that it names.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]

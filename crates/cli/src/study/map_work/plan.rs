@@ -86,6 +86,31 @@ pub struct NamedFile {
 }
 
 impl MapWorkPlan {
+    /// Its settings and what they are, for people.
+    pub const SETTINGS: [(&'static str, &'static str); 12] = [
+        ("name", "name of letters, digits and hyphens"),
+        ("work", "reference-table, suggestions or detectors"),
+        (
+            "map",
+            "the map; of a mission that holds its own it may be left out",
+        ),
+        ("mission", "the mission on it, of suggestions and detectors"),
+        ("scenario", "a built-in scenario in place of both"),
+        (
+            "flight",
+            "flight folder whose camera is flown, if the mission states none",
+        ),
+        ("height", "m above ground, in place of that of the route"),
+        ("count", "landmarks to propose; 10 if not said"),
+        ("side", "m, side of their boxes"),
+        (
+            "position",
+            "m, deviation of the position per axis when they are looked for; 10 if not said",
+        ),
+        ("photos", "photos that each detector learns from"),
+        ("seed", "seed of days and photos; 1 if not said"),
+    ];
+
     /// The plan in a text; `None` where it is that of a study.
     ///
     /// # Errors
@@ -183,6 +208,30 @@ fn content(path: &Path) -> Result<NamedFile, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_setting_is_told_to_people() {
+        let whole = MapWorkPlan {
+            map: Some("a".into()),
+            mission: Some("b".into()),
+            scenario: Some("c".to_owned()),
+            flight: Some("d".into()),
+            height: Some(1.0),
+            side: Some(2.0),
+            ..MapWorkPlan::read("name = \"a\"\nwork = \"reference-table\"\nmap = \"m\"")
+                .unwrap()
+                .unwrap()
+        };
+        let text = basic_toml::to_string(&whole).unwrap();
+        let mut keys: Vec<&str> = text
+            .lines()
+            .filter_map(|line| Some(line.split_once(" = ")?.0))
+            .collect();
+        let mut told = MapWorkPlan::SETTINGS.map(|(key, _)| key);
+        keys.sort_unstable();
+        told.sort_unstable();
+        assert_eq!(keys, told);
+    }
 
     #[test]
     fn a_plan_of_work_is_told_from_that_of_a_study_and_says_what_it_lacks() {
