@@ -31,7 +31,7 @@ impl Order for StudyEnoughOrder {
             let design = StudyDesign::new(plan);
             let mut tally = StudyTally::new(&design);
             for (run, numbers) in (0..).zip(&self.numbers) {
-                let judged = measures.iter().map(|m| m.judged(m.of.among(numbers)));
+                let judged = measures.iter().map(|m| m.among(numbers));
                 let measured = judged.collect();
                 tally
                     .take(StudyRow { run, measured })

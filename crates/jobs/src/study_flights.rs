@@ -143,7 +143,7 @@ mod tests {
         for (run, numbers) in (2..5).zip(&numbers) {
             let row = study.fly(run).unwrap();
             let measures = &study.design().plan().measure;
-            let measured = measures.iter().map(|m| m.judged(m.of.among(numbers)));
+            let measured = measures.iter().map(|m| m.among(numbers));
             assert_eq!(measured.collect::<Vec<_>>(), row.measured);
         }
         assert_ne!(numbers[0], numbers[1]);

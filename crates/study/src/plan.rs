@@ -57,6 +57,11 @@ impl StudyMeasure {
         )))
     }
 
+    /// The measure of a flight with these numbers of all kinds, in the order of [`MeasureKind::ALL`].
+    pub fn among(&self, numbers: &[Option<f64>]) -> Option<f64> {
+        self.judged(self.of.among(numbers))
+    }
+
     /// Whether it is the share of flights for which something holds.
     pub fn is_share(&self) -> bool {
         self.at_most.is_some() || self.of.is_share()

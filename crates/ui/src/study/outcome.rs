@@ -176,7 +176,7 @@ fn failure(plan: &StudyPlan, numbers: &[Option<f64>]) -> Option<String> {
     let mut why = Vec::new();
     for measure in plan.measure.iter().filter(|m| m.at_most.is_some()) {
         let is_error = !measure.of.unit().is_empty();
-        if is_error && measure.judged(measure.of.among(numbers)) == Some(0.0) {
+        if is_error && measure.among(numbers) == Some(0.0) {
             why.push(format!("not {}", measure.name()));
         }
     }
