@@ -22,7 +22,7 @@ pub struct PlanMission {
 }
 
 impl PlanMission {
-    /// What studies need of a mission: its routes, the landmarks that are switched on without their detectors, its camera and
+    /// Part of a mission that studies need: its routes, the landmarks that are switched on without their detectors, its camera and
     /// the settings of its navigator.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ impl PlanMission {
         Ok(Self { text, mission })
     }
 
-    /// One that was read before, by its text and what that says.
+    /// A mission that was read before, by its text and what that says.
     pub(crate) fn of_read(text: String, mission: Mission) -> Self {
         let mission = Arc::new(mission);
         Self { text, mission }

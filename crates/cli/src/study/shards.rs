@@ -18,11 +18,11 @@ struct Begun<T> {
     of: T,
 }
 
-/// How far a folder is, for other programs.
+/// State of a folder, for other programs.
 #[derive(Serialize)]
 struct Description<'a> {
     name: &'a str,
-    /// What the shards are made of: flights, or pieces of work on a map.
+    /// Number of things that the shards are made of: flights, or pieces of work on a map.
     flights: u64,
     runs_per_shard: u64,
     shards: u64,

@@ -19,7 +19,7 @@ fn map(folder: &Folder) {
             [70 + noise, 92 + noise, 48 + noise]
         }
     });
-    folder.write("map.png", encode_png(&picture).unwrap());
+    folder.write("map.png", encode_png(&picture).expect("a picture"));
     folder.write("map.pgw", b"1\n0\n0\n-1\n100.5\n-50.5\n");
 }
 
@@ -90,7 +90,7 @@ fn the_table_of_a_map_is_the_same_by_pieces_of_two_programs_and_whole() {
 /// A mission of the first landmark of a scenario over its own generated map.
 fn mission_of_one() -> String {
     let name = "distinct-400ft-calm";
-    let mut mission = Scenario::named(name).unwrap().mission();
+    let mut mission = Scenario::named(name).expect("it is there").mission();
     mission.landmarks.truncate(1);
     mission.map = Some(MapReference::Scenario(name.to_owned()));
     write_mission(&mission)
@@ -122,7 +122,7 @@ fn patchwork(folder: &Folder) {
         let drawn = (column * 7919 + row * 104_729 + column * row * 31) % 197;
         [drawn as u8, 40 + drawn as u8, 20 + (drawn / 2) as u8]
     });
-    folder.write("map.png", encode_png(&picture).unwrap());
+    folder.write("map.png", encode_png(&picture).expect("a picture"));
     folder.write("map.pgw", b"0.5\n0\n0\n-0.5\n-99.75\n99.75\n");
 }
 
