@@ -40,7 +40,7 @@ impl Roads {
         let hint = match (&self.drawing, selected) {
             (Some(_), _) => {
                 tokens.advice(
-                    "Click along the middle of the road. Enter or a double click ends it, Backspace takes a point back.",
+                    "Click along the middle of the road. Enter, Escape or a double click ends it, Backspace takes a point back.",
                     "Tap along the middle of the road. A double tap ends it.",
                 )
             }

@@ -83,8 +83,10 @@ impl Roads {
         }
     }
 
-    fn back(&mut self) {
+    fn back(&mut self, context: &mut FeatureContext<'_>) {
         match &mut self.drawing {
+            // A road by now, as a route would be: undo takes it away again.
+            Some(points) if points.len() > 1 => self.draw(context),
             Some(points) if !points.is_empty() => points.clear(),
             Some(_) => self.drawing = None,
             None if self.is_joining => self.is_joining = false,
@@ -110,7 +112,7 @@ impl Roads {
                 self.drawing.get_or_insert_default().push(place);
                 self.select(None, None);
             }
-            RoadCommand::Back => self.back(),
+            RoadCommand::Back => self.back(context),
             RoadCommand::Select(road, point) => self.select(road, point),
             RoadCommand::Next => {
                 self.drawing = None;

@@ -148,6 +148,22 @@ fn escape_leaves_step_by_step() {
 }
 
 #[test]
+fn escape_ends_a_road_and_keeps_the_points_that_were_drawn() {
+    let mut rig = drawing();
+    for (north, east) in [(0.0, -80.0), (40.0, -80.0), (80.0, -60.0)] {
+        click(&mut rig, north, east);
+    }
+    rig.key(Key::Escape);
+    rig.frames(2);
+    assert_eq!(of(&rig, "drawing"), serde_json::Value::Null);
+    let course = of(&rig, "selected")["course"].clone();
+    assert_eq!(course.as_array().map(Vec::len), Some(3));
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    rig.frames(2);
+    assert_eq!(of(&rig, "selected"), serde_json::Value::Null);
+}
+
+#[test]
 fn another_tool_of_the_map_takes_turns_with_it() {
     let mut rig = drawing();
     rig.key_with(Modifiers::SHIFT, Key::U);
