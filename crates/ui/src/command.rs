@@ -68,6 +68,8 @@ pub enum Command {
     },
     /// Delete a landmark.
     DeleteLandmark(u32),
+    /// Delete the landmark that is selected.
+    DeleteSelectedLandmark,
     /// Navigate with other settings; the run recomputes.
     SetNavigator(Box<NavigatorSettings>),
     /// Take the last edit back.

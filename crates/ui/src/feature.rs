@@ -76,6 +76,11 @@ pub fn lack(
         }
         Command::Undo => (past > 0, "Nothing to undo", ""),
         Command::Redo => (future > 0, "Nothing to redo", ""),
+        Command::DeleteSelectedLandmark => (
+            selected.is_some(),
+            "No landmark is selected",
+            "Click one on the map or in the list.",
+        ),
         Command::PreviousBookmark | Command::NextBookmark => (
             !documents.flight.bookmarks.is_empty(),
             "No bookmark",

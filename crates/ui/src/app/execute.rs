@@ -88,6 +88,11 @@ impl App {
                 self.edited(changed, now);
             }
             Command::DeleteLandmark(id) => self.delete_landmark(id, now),
+            Command::DeleteSelectedLandmark => {
+                if let Some(id) = self.selection {
+                    self.delete_landmark(id, now);
+                }
+            }
             Command::Undo => self.step_in_history(Documents::undo, now),
             Command::Redo => self.step_in_history(Documents::redo, now),
             Command::SetNavigator(settings) => {

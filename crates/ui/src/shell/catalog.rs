@@ -210,6 +210,12 @@ fn edit() -> Vec<CommandEntry> {
             Command::TogglePickTool,
         )
         .also("add mark box new"),
+        of(
+            "Delete the landmark",
+            vec![],
+            Command::DeleteSelectedLandmark,
+        )
+        .also("remove erase"),
         of("Undo", vec![control(Key::Z)], Command::Undo).also("back revert"),
         of(
             "Redo",

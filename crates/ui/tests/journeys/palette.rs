@@ -155,3 +155,42 @@ fn the_list_is_as_long_again_once_letters_are_taken_back() {
         "a row that has no room is not hit"
     );
 }
+
+/// The command that these letters find, chosen.
+fn choose(rig: &mut super::support::Rig, letters: &str) {
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    rig.harness.event(egui::Event::Text(letters.into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.frames(3);
+}
+
+#[test]
+fn the_selected_landmark_is_deleted_from_the_palette_and_none_where_none_is_selected() {
+    let mut rig = rig();
+    let count = |rig: &super::support::Rig| {
+        let landmarks = rig.state()["landmarks"].clone();
+        landmarks.as_array().map(Vec::len).expect("landmarks")
+    };
+    let before = count(&rig);
+    assert!(before > 1);
+    choose(&mut rig, "delete the landmark");
+    assert_eq!(count(&rig), before, "none is selected");
+    rig.key(Key::Escape);
+    rig.key(Key::F);
+    rig.frames(2);
+    let barn = rig.state()["landmarks"][0].clone();
+    let middle = |one: &str, other: &str| {
+        let metres = |side: &str| barn[side].as_f64().expect("metres");
+        0.5 * (metres(one) + metres(other))
+    };
+    super::plan::click(&mut rig, middle("north", "south"), middle("east", "west"));
+    rig.frames(3);
+    let selected = rig.state()["selection"].clone();
+    assert!(selected.is_number(), "{selected}");
+    choose(&mut rig, "delete the landmark");
+    assert_eq!(count(&rig), before - 1);
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(rig.state()["selection"], selected);
+    assert_eq!(count(&rig), before);
+}
