@@ -87,7 +87,7 @@ mod tests {
             let events = read(name);
             let parts: StudyPlanParts = events[0].read_figures().unwrap();
             let plan = StudyPlan::from(parts);
-            let kept = plan.missions.get(name).unwrap().mission().clone();
+            let kept = plan.missions.get(name).unwrap().read().unwrap();
             assert_eq!(
                 (kept.routes.len(), kept.landmarks.len()),
                 (1, mission.landmarks.len())

@@ -18,7 +18,7 @@ pub fn open(worker: &mut WorkerState, studied: &StudiedFlight) -> Result<OpenFli
         frame.name.clear();
     }
     let navigator = prepared.settings;
-    let mission = match (&studied.flight.mission, studied.flight.of_scenario()) {
+    let mission = match (&prepared.mission, studied.flight.of_scenario()) {
         (None, Some(scenario)) => Mission {
             navigator,
             ..Mission::clone(&*worker.scenario(scenario)?)

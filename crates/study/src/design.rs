@@ -10,7 +10,7 @@ use super::run_settings::RunSettings;
 use super::seeds::Seeds;
 use super::sobol::SobolPoints;
 use super::study_flight::StudyFlight;
-use super::study_mission::StudyMission;
+use super::study_mission::FlownMission;
 use super::value::SettingValue;
 
 /// Run of a study before it is flown.
@@ -29,7 +29,7 @@ pub struct StudyRun {
     /// Seeds by stream.
     pub(crate) seeds: Seeds,
     /// Mission that is flown in place of a scenario.
-    pub(crate) mission: Option<StudyMission>,
+    pub(crate) mission: Option<FlownMission>,
 }
 
 impl StudyRun {
@@ -38,7 +38,7 @@ impl StudyRun {
         StudyFlight {
             settings: self.settings.clone(),
             seeds: self.seeds,
-            mission: self.mission.clone().map(Box::new),
+            mission: self.mission.clone(),
         }
     }
 }
@@ -100,13 +100,6 @@ impl StudyDesign {
         }
     }
 
-    /// The mission of that name along the route and at the height of the settings.
-    fn mission(&self, name: &str, settings: &RunSettings) -> Result<StudyMission, String> {
-        let found = self.plan.missions.get(name);
-        let own = found.ok_or_else(|| format!("\"{name}\" is not in the plan"))?;
-        StudyMission::along(own.mission(), settings.route.as_deref(), settings.height)
-    }
-
     fn unit(&self, draw: u64, index: usize) -> f64 {
         match self.plan.draw_by {
             DrawBy::Random => self.random.unit(Stream::Setting, draw, index as u32),
@@ -162,10 +155,12 @@ impl StudyDesign {
             settings.set_drawn(key, &value).map_err(refused(key))?;
             values.push(value);
         }
-        let mission = match &settings.mission {
-            Some(name) => Some(self.mission(name, &settings).map_err(refused("mission"))?),
-            None => None,
-        };
+        let missions = &self.plan.missions;
+        let named = settings
+            .mission
+            .as_ref()
+            .and_then(|name| missions.get(name));
+        let mission = named.map(|own| own.along(settings.route.as_deref()));
         Ok(StudyRun {
             mission,
             number,

@@ -48,6 +48,6 @@ pub use shipped::{SHIPPED_PLANS, question_of};
 pub use sobol::SobolPoints;
 pub use stated_navigation::StatedNavigation;
 pub use study_flight::{PreparedFlight, StudyFlight};
-pub use study_mission::{PlanMission, StudyMission};
+pub use study_mission::{FlownMission, PlanMission, StudyMission};
 pub use summary::{CellSummary, MeasureSummary, StudySummary, StudyTally};
 pub use value::{SettingDistribution, SettingValue};

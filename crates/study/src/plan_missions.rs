@@ -19,8 +19,7 @@ impl StudyPlan {
         for name in self.values_of(MISSION) {
             if self.missions.get(&name).is_none() {
                 let mission = find(&name).map_err(|why| refusal(MISSION, why))?;
-                let mission = PlanMission::of(&mission).map_err(|why| refusal(MISSION, why))?;
-                self.missions.put(name, mission);
+                self.missions.put(name, PlanMission::of(&mission));
             }
         }
         Ok(())
@@ -30,7 +29,7 @@ impl StudyPlan {
     pub fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
         for (name, text) in self.missions.iter() {
-            let mission = text.mission();
+            let Ok(mission) = text.read() else { continue };
             if mission.landmarks.is_empty() {
                 notes.push(format!(
                     "{name} has no landmark that is switched on: it is flown by dead reckoning alone"
@@ -74,11 +73,11 @@ impl StudyPlan {
             let Some(text) = self.missions.get(&name) else {
                 return Err(refused("it is not in the plan".to_owned()));
             };
-            let mission = text.mission();
+            let mission = text.read().map_err(refused)?;
             let named = routes.iter().map(|route| Some(route.as_str()));
             let first = routes.is_empty().then_some(None);
             for route in named.chain(first) {
-                StudyMission::along(mission, route, None).map_err(refused)?;
+                StudyMission::along(&mission, route, None).map_err(refused)?;
             }
         }
         Ok(())

@@ -1,13 +1,12 @@
 //! Plans as they pass from a worker to the page: every part in its place, for the wire names none. Whoever takes one
 //! links no reader of TOML.
 
-use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
 
 use super::by_name::ByName;
 use super::measure::MeasureKind;
 use super::plan::{DrawBy, StopRule, StudyMeasure, StudyPlan};
-use super::study_mission::PlanMission;
+use super::study_mission::{PlanMission, PlanMissionParts};
 use super::value::{SettingDistribution, SettingValue};
 
 /// Value of a setting, with its kind before it.
@@ -40,7 +39,7 @@ pub struct StudyPlanParts {
     draw: Vec<(String, DistributionPart)>,
     measure: Vec<(MeasureKind, Option<String>, Option<f64>)>,
     stop: Option<(String, f64, u64)>,
-    missions: Vec<(String, (String, Mission))>,
+    missions: Vec<(String, PlanMissionParts)>,
 }
 
 impl From<SettingValue> for ValuePart {
@@ -103,9 +102,7 @@ impl From<StudyPlan> for StudyPlanParts {
             draw: plan.draw.into_named(DistributionPart::from),
             measure: measure.map(|it| (it.of, it.name, it.at_most)).collect(),
             stop: (plan.stop).map(|stop| (stop.measure, stop.half_width, stop.every)),
-            missions: plan
-                .missions
-                .into_named(|own| (own.as_str().to_owned(), own.mission().clone())),
+            missions: plan.missions.into_named(PlanMission::into_parts),
         }
     }
 }
@@ -126,9 +123,7 @@ impl From<StudyPlanParts> for StudyPlan {
             measure: measure
                 .map(|(of, name, at_most)| StudyMeasure { of, name, at_most })
                 .collect(),
-            missions: ByName::of_named(parts.missions, |(text, mission)| {
-                PlanMission::of_read(text, mission)
-            }),
+            missions: ByName::of_named(parts.missions, PlanMission::of_parts),
             stop: parts.stop.map(|(measure, half_width, every)| StopRule {
                 measure,
                 half_width,

@@ -20,7 +20,7 @@ use super::philox::Stream;
 use super::run_settings::RunSettings;
 use super::seeds::Seeds;
 use super::stated_navigation::StatedNavigation;
-use super::study_mission::StudyMission;
+use super::study_mission::{FlownMission, StudyMission};
 
 /// Time between two readings of an aid, seconds, where the aid does not say another.
 const READING_APART: f64 = 1.0;
@@ -33,7 +33,7 @@ pub struct StudyFlight {
     pub settings: RunSettings,
     pub(crate) seeds: Seeds,
     /// Mission that is flown in place of a scenario.
-    pub mission: Option<Box<StudyMission>>,
+    pub mission: Option<FlownMission>,
 }
 
 /// Flight of a study that was flown, ready to be navigated.
@@ -44,6 +44,8 @@ pub struct PreparedFlight {
     pub settings: NavigatorSettings,
     /// Statement of how landmarks are found.
     pub stated: StatedNavigation,
+    /// Mission that is flown in place of a scenario.
+    pub mission: Option<StudyMission>,
 }
 
 impl StudyFlight {
@@ -57,15 +59,14 @@ impl StudyFlight {
     pub fn lasts(&self) -> f64 {
         let longest = self.settings.seconds;
         let mission = self.mission.as_ref();
-        mission.map_or(longest, |mission| mission.lasts().min(longest))
+        mission.map_or(longest, |mission| mission.lasts.min(longest))
     }
 
     /// Its scenario, with the height and the mean wind that it has; `None` where there is no such scenario.
     fn scenario(&self) -> Option<Scenario> {
         let settings = &self.settings;
         let mut scenario = Scenario::named(&settings.scenario)?;
-        if let Some(mission) = &self.mission {
-            scenario.height = mission.height();
+        if self.mission.is_some() {
             scenario.wind = Wind::default();
         }
         scenario.height = settings.height.unwrap_or(scenario.height);
@@ -81,27 +82,35 @@ impl StudyFlight {
         self.scenario().map_or_else(Wind::default, |own| own.wind)
     }
 
-    /// Height above ground at which it flies, metres; `None` where there is no such scenario.
+    /// Height above ground at which it flies, metres; `None` where there is no such scenario, or its mission says it.
     pub fn height(&self) -> Option<f64> {
-        Some(self.scenario()?.height)
+        match self.mission {
+            Some(_) => self.settings.height,
+            None => Some(self.scenario()?.height),
+        }
     }
 
-    /// Settings of its navigator; `None` where there is no such scenario.
+    /// Settings of its navigator; `None` where there is no such scenario, or its mission says them.
     pub fn navigator(&self) -> Option<NavigatorSettings> {
-        Some(self.navigator_in(self.scenario()?))
+        self.of_scenario()?;
+        Some(self.navigator_in(self.scenario()?, None))
     }
 
-    /// Settings of its navigator in its scenario.
-    fn navigator_in(&self, mut scenario: Scenario) -> NavigatorSettings {
+    /// Settings of its navigator in its scenario or mission.
+    fn navigator_in(
+        &self,
+        mut scenario: Scenario,
+        mission: Option<&StudyMission>,
+    ) -> NavigatorSettings {
         if self.settings.wind_scatter > 0.0 {
             // Any wind: where none is expected, the filter of a scenario takes calm air for granted.
             scenario.wind.speed = scenario.wind.speed.max(self.settings.wind_scatter);
         }
-        self.navigation(&scenario)
+        self.navigation(&scenario, mission)
     }
 
-    /// Settings of the navigator: as in the scenario, where the run says no other.
-    fn navigation(&self, scenario: &Scenario) -> NavigatorSettings {
+    /// Settings of the navigator: as in the scenario or mission, where the run says no other.
+    fn navigation(&self, scenario: &Scenario, mission: Option<&StudyMission>) -> NavigatorSettings {
         let of_run = &self.settings;
         let told = if of_run.is_told {
             of_run.sensors
@@ -109,7 +118,7 @@ impl StudyFlight {
             RunSettings::default().sensors
         };
         let usual = scenario.navigator(&told);
-        let mut settings = match &self.mission {
+        let mut settings = match mission {
             Some(mission) if !of_run.is_told => mission.navigator().clone(),
             _ => usual,
         };
@@ -132,15 +141,22 @@ impl StudyFlight {
 
     /// Flies it, as far as to be navigated; `None` where it cannot begin.
     pub fn prepare(&self) -> Option<PreparedFlight> {
-        let scenario = self.scenario()?;
+        let mut scenario = self.scenario()?;
         let settings = &self.settings;
+        let mission = match &self.mission {
+            Some(mission) => Some(mission.read(settings.height).ok()?),
+            None => None,
+        };
+        if let Some(mission) = &mission {
+            scenario.height = mission.height();
+        }
         let overrides = Overrides {
             sensors: Some(settings.sensors),
             ..Overrides::default()
         };
         let mut plan = scenario.plan(&overrides);
         plan.longest = settings.seconds;
-        if let Some(mission) = &self.mission {
+        if let Some(mission) = &mission {
             plan = mission.flown(plan, settings.seconds);
         }
         if settings.wind_scatter > 0.0 {
@@ -156,7 +172,7 @@ impl StudyFlight {
         damage(&mut flight, settings);
         let deviations = Vector4::new(settings.place, settings.place, settings.turn, settings.turn);
         Some(PreparedFlight {
-            settings: self.navigator_in(scenario),
+            settings: self.navigator_in(scenario, mission.as_ref()),
             stated: StatedNavigation {
                 seen: as_seen(&flight, settings).map(Arc::new),
                 expected: ExpectedDetection {
@@ -170,6 +186,7 @@ impl StudyFlight {
                 is_trusting: !settings.doubts,
             },
             flight: Arc::new(flight),
+            mission,
         })
     }
 
@@ -222,11 +239,11 @@ impl StudyFlight {
     /// Flies and navigates it, and observes it; nothing is observed of a flight that the filter gives up. `landmarks` are
     /// those of its scenario.
     pub(crate) fn observe(&self, landmarks: &[Landmark]) -> Observed {
-        let own = self.mission.as_ref();
-        let landmarks = own.map_or(landmarks, |mission| mission.landmarks.as_slice());
         let Some(prepared) = self.prepare() else {
             return Observed::default();
         };
+        let own = prepared.mission.as_ref();
+        let landmarks = own.map_or(landmarks, |mission| mission.landmarks.as_slice());
         let (flight, settings) = (&prepared.flight, &prepared.settings);
         let Ok((mut navigator, mut frames)) = prepared.stated.begin(flight, landmarks, settings)
         else {

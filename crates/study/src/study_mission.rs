@@ -1,7 +1,6 @@
 //! Missions as studies fly them: their routes, and by what is navigated, without map and pictures.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};
@@ -13,21 +12,19 @@ use pilotage_core::simulate::{FlightPlan, Scenario, Target};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Mission in a plan. In files it is a text, GeoJSON: whoever has the plan needs no other file, and reads the same numbers
-/// to the bit.
+/// Mission in a plan: a text, GeoJSON. Whoever has the plan needs no other file, and reads the same numbers to the bit;
+/// whoever only hands it on, as the page does, links no reader of missions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanMission {
     text: String,
-    mission: Arc<Mission>,
+    /// Names of its routes that lead somewhere, and the time that each takes in calm air, seconds.
+    routes: Vec<(String, f64)>,
 }
 
 impl PlanMission {
-    /// Part of a mission that studies need: its routes, the landmarks that are switched on without their detectors, its camera and
-    /// the settings of its navigator.
-    ///
-    /// # Errors
-    /// Where it cannot be read back, in words.
-    pub fn of(mission: &Mission) -> Result<Self, String> {
+    /// Part of a mission that studies need: its routes, the landmarks that are switched on without their detectors, its
+    /// camera and the settings of its navigator.
+    pub fn of(mission: &Mission) -> Self {
         let mut kept = Mission::new(mission.name.clone(), mission.origin);
         let on = mission.landmarks.iter().filter(|landmark| landmark.enabled);
         kept.landmarks = on
@@ -42,33 +39,81 @@ impl PlanMission {
         if let Some(height) = mission.stated_ground() {
             kept.state_ground(height);
         }
-        Self::read(write_mission(&kept))
+        let text = write_mission(&kept);
+        // As it is read back, for places pass through degrees.
+        let kept = read_mission(text.as_bytes()).unwrap_or(kept);
+        Self::of_text(text, &kept)
     }
 
-    /// The mission of a text.
-    ///
-    /// # Errors
-    /// Where the text is no mission, in words.
-    fn read(text: String) -> Result<Self, String> {
-        let mission = read_mission(text.as_bytes()).map_err(|why| why.to_string())?;
-        let mission = Arc::new(mission);
-        Ok(Self { text, mission })
+    fn of_text(text: String, mission: &Mission) -> Self {
+        let named = mission.routes.iter().filter_map(|route| {
+            let flown = StudyMission::along(mission, Some(&route.name), None).ok()?;
+            Some((route.name.clone(), flown.lasts()))
+        });
+        Self {
+            routes: named.collect(),
+            text,
+        }
     }
 
-    /// A mission that was read before, by its text and what that says.
-    pub(crate) fn of_read(text: String, mission: Mission) -> Self {
-        let mission = Arc::new(mission);
-        Self { text, mission }
+    /// A mission that was read before, by its parts.
+    pub(crate) fn of_parts((text, routes): PlanMissionParts) -> Self {
+        Self { text, routes }
+    }
+
+    /// Its text, and its routes.
+    pub(crate) fn into_parts(self) -> PlanMissionParts {
+        (self.text, self.routes)
     }
 
     /// The mission.
-    pub fn mission(&self) -> &Mission {
-        &self.mission
+    ///
+    /// # Errors
+    /// Where the text is no mission, in words.
+    pub fn read(&self) -> Result<Mission, String> {
+        read_mission(self.text.as_bytes()).map_err(|why| why.to_string())
     }
 
     /// Its text, GeoJSON.
     pub fn as_str(&self) -> &str {
         &self.text
+    }
+
+    /// The mission along the route of that name, or else the first one.
+    pub(crate) fn along(&self, route: Option<&str>) -> FlownMission {
+        let mut routes = self.routes.iter();
+        let found = match route {
+            Some(name) => routes.find(|(own, _)| own == name),
+            None => routes.next(),
+        };
+        FlownMission {
+            text: self.text.clone(),
+            route: route.map(str::to_owned),
+            lasts: found.map_or(f64::INFINITY, |(_, lasts)| *lasts),
+        }
+    }
+}
+
+/// Text of a mission, and its routes with their times.
+pub(crate) type PlanMissionParts = (String, Vec<(String, f64)>);
+
+/// Mission of a flight of a study, still as text.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FlownMission {
+    text: String,
+    route: Option<String>,
+    /// Time in calm air, seconds.
+    pub lasts: f64,
+}
+
+impl FlownMission {
+    /// The mission as it is flown, at `height` metres above ground where one is given.
+    ///
+    /// # Errors
+    /// Where it cannot be read or flown, in words.
+    pub fn read(&self, height: Option<f64>) -> Result<StudyMission, String> {
+        let mission = read_mission(self.text.as_bytes()).map_err(|why| why.to_string())?;
+        StudyMission::along(&mission, self.route.as_deref(), height)
     }
 }
 
@@ -80,12 +125,14 @@ impl Serialize for PlanMission {
 
 impl<'d> Deserialize<'d> for PlanMission {
     fn deserialize<D: Deserializer<'d>>(from: D) -> Result<Self, D::Error> {
-        Self::read(String::deserialize(from)?).map_err(D::Error::custom)
+        let text = String::deserialize(from)?;
+        let mission = read_mission(text.as_bytes()).map_err(D::Error::custom)?;
+        Ok(Self::of_text(text, &mission))
     }
 }
 
 /// A route of a mission as a study flies it, over level ground, and what is navigated by.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StudyMission {
     origin: Geodetic,
     way: Vec<GroundPoint>,
@@ -244,8 +291,9 @@ mod tests {
         }
         // At 300 m above the sea over ground at 183 m, for all of its kilometre.
         let flight = study.design().run(0).unwrap().flight();
-        assert!((flight.height().unwrap() - 117.0).abs() < 0.1);
-        let flown = flight.prepare().unwrap().flight;
+        let prepared = flight.prepare().unwrap();
+        assert!((prepared.mission.unwrap().height() - 117.0).abs() < 0.1);
+        let flown = prepared.flight;
         let last = flown.truth.as_ref().unwrap().states.last().unwrap();
         assert!(
             (last.position.x - 1000.0).abs() < 60.0,
@@ -282,7 +330,8 @@ mod tests {
         let settings = |more: &str| {
             let fixed = format!("fixed = {{ mission = \"river.geojson\"{more} }}");
             let study = Study::new(plan(&fixed).unwrap()).unwrap();
-            study.design().run(0).unwrap().flight().navigator().unwrap()
+            let flight = study.design().run(0).unwrap().flight();
+            flight.prepare().unwrap().settings
         };
         let stated = mission().navigator;
         let (own, told) = (

@@ -309,7 +309,7 @@ mod tests {
             assert_eq!(packed.cross, plan.cross);
             let missions = |plan: &StudyPlan| {
                 let all = plan.missions.iter();
-                all.map(|(name, text)| (name.clone(), text.mission().clone()))
+                all.map(|(name, text)| (name.clone(), text.read().unwrap()))
                     .collect::<Vec<_>>()
             };
             assert_eq!(missions(&packed), missions(plan));
