@@ -497,14 +497,18 @@ impl KmlReader<'_> {
 fn tuples(text: &str) -> Vec<String> {
     let mut tuples: Vec<String> = Vec::new();
     for part in text.split_whitespace() {
-        // Behind a comma for a height that lacks the next place begins.
+        // Some programs begin every place with a comma, and behind a comma for a height that lacks the next one begins.
+        let inner = part.trim_start_matches(',');
         let is_next = |last: &String| {
-            last.matches(',').count() >= 2 && part.trim_start_matches(',').contains(',')
+            let commas = last.trim_end_matches(',').matches(',').count();
+            let has_begun = last.matches(',').count() >= 2 || part.starts_with(',') && commas == 1;
+            has_begun && inner.contains(',')
         };
         match tuples.last_mut() {
-            Some(last) if is_next(last) => tuples.push(part.to_owned()),
+            Some(last) if is_next(last) => tuples.push(inner.to_owned()),
             Some(last) if last.ends_with(',') || part.starts_with(',') => last.push_str(part),
-            _ => tuples.push(part.to_owned()),
+            _ if inner.is_empty() => {}
+            _ => tuples.push(inner.to_owned()),
         }
     }
     tuples

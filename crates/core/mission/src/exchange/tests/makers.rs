@@ -365,3 +365,29 @@ fn the_template_of_an_area_says_how_far_the_ellipsoid_of_its_waylines_is() {
     let back = read_with(&template.replace("EGM96", "relativeToStartPoint"));
     assert_eq!(metres(&back), [547.25, 553.25]);
 }
+
+#[test]
+fn places_of_a_kml_may_begin_with_a_comma() {
+    let of = |coordinates: &str| {
+        let text = format!(
+            "<kml><Placemark><LineString><coordinates>{coordinates}</coordinates></LineString></Placemark></kml>"
+        );
+        let read = read_any("a.kml", text.as_bytes(), None).unwrap();
+        let places = read.routes[0].way_points.iter();
+        let places = places.map(|w| read.frame.geodetic_from_ground(&w.position));
+        let rounded = |radians: f64| (radians.to_degrees() * 1e6).round() / 1e6;
+        places
+            .map(|p| (rounded(p.longitude), rounded(p.latitude)))
+            .collect::<Vec<_>>()
+    };
+    let right = [(8.1, 47.1), (8.2, 47.2), (8.3, 47.3)];
+    for coordinates in [
+        ",8.1,47.1,0 ,8.2,47.2,0\n,8.3,47.3,0",
+        ",8.1,47.1 ,8.2,47.2\n,8.3,47.3",
+        "8.1, 47.1, 0 8.2 ,47.2 ,0 8.3,47.3,0",
+        "8.1,47.1,5 , 8.2,47.2,5 , 8.3,47.3",
+        "8.1,47.1, 8.2,47.2, 8.3,47.3,",
+    ] {
+        assert_eq!(of(coordinates), right, "{coordinates}");
+    }
+}
