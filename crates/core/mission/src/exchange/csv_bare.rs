@@ -7,6 +7,7 @@ use pilotage_base::frames::ReferenceSystem;
 use pilotage_base::text::{csv_cell, in_quotes};
 
 use super::angle;
+use super::csv_fixed::fixed;
 use super::csv_preface::{is_comment, names_places};
 use super::csv_system::{system, system_of_remark};
 
@@ -50,6 +51,9 @@ fn given_names(content: &str) -> Result<Option<NamedTable>, String> {
             return Ok(Some(of_system(&system?, &rows)));
         }
         return Ok(None);
+    }
+    if let Some(table) = fixed(content)? {
+        return Ok(Some(table));
     }
     if let Some(table) = of_dji_marks(content) {
         return Ok(Some(table));
@@ -476,26 +480,12 @@ fn by_values(content: &str) -> Result<Option<NamedTable>, String> {
     } else {
         ", as the other one is beyond 90"
     };
-    let mut notes = vec![format!("no line names its columns: {order}{why}")];
-    if is_nameless && ends_as_a_fence(&told) {
-        notes.push("its last place is the second one, as in a fence of ArduPilot, which begins with the place to return to".to_owned());
-    }
+    let notes = vec![format!("no line names its columns: {order}{why}")];
     Ok(Some(NamedTable {
         text: text + "\n",
         added: 1,
         notes,
     }))
-}
-
-/// Whether the last place is the second once more, and not the first.
-fn ends_as_a_fence(rows: &[&Row]) -> bool {
-    let place = |row: &Row| (row.x.clone(), row.y.clone());
-    match rows {
-        [first, second, _, .., last] if rows.len() > 4 => {
-            place(second) == place(last) && place(first) != place(last)
-        }
-        _ => false,
-    }
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use serde_json::{Map, Value};
 
 use super::csv_bare::is_bare;
 use super::csv_preface::preface;
+use super::inav::is_inav;
 use super::old_mission::is_mission;
 use super::{Format, wpml};
 
@@ -27,7 +28,8 @@ impl Format {
         if head.starts_with('<') {
             return match () {
                 () if wpml::is_text(head) => Some(Self::Wpml),
-                () if head.contains("<gpx") => Some(Self::Gpx),
+                () if head.contains("<gpx") || head.contains("<LittleNavmap") => Some(Self::Gpx),
+                () if is_inav(head) => Some(Self::Plan),
                 () if head.contains("<kml") || head.contains(":kml") => Some(Self::Kml),
                 () => Self::of_name(name).filter(|f| matches!(f, Self::Kml | Self::Gpx)),
             };

@@ -61,7 +61,7 @@ formats! {
 }
 
 /// Extensions under which nothing is written: what is in such files is written as another format.
-const ONLY_READ: [&str; 2] = ["mission", "wpml"];
+const ONLY_READ: [&str; 3] = ["mission", "wpml", "lnmpln"];
 
 impl Format {
     /// Formats that the extension of a file's name tells, in that order: those of makers have extensions of others.
@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn no_plan_is_written_under_the_name_of_an_old_mission() {
         assert_eq!(Format::of_name("o.mission"), Some(Format::Plan));
-        for name in ["o.mission", "o.MISSION", "o.wpml"] {
+        for name in ["o.mission", "o.MISSION", "o.wpml", "o.lnmpln"] {
             assert_eq!(Format::to_write(name), None, "{name}");
         }
         for format in Format::told_by_extension() {

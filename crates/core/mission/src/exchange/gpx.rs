@@ -10,7 +10,7 @@ use super::format_work::{FormatWork, Read, TrackWork};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::written::WrittenFile;
 use super::xml::{NamedText, XmlElement};
-use super::{ExchangeError, Places, fence, flown_text, route_actions};
+use super::{ExchangeError, Places, fence, flown_text, little_navmap, route_actions};
 use crate::mission::found::{
     FoundLandmark, FoundRally, LandmarkExtent, LonLat, ReadRoute, on_globe,
 };
@@ -22,7 +22,7 @@ use pilotage_base::text::without_markup;
 pub(super) const INFO: FormatInfo = FormatInfo {
     name: "GPX",
     as_words: "GPX",
-    extensions: &["gpx"],
+    extensions: &["gpx", "lnmpln"],
     is_told_by_extension: true,
     begins: None,
     is_mission: false,
@@ -51,6 +51,9 @@ const OWN: &str = "feature";
 pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
     let source = NamedText { file, text };
     let root = source.root()?;
+    if root.name == little_navmap::ROOT {
+        return little_navmap::read(&source, &root);
+    }
     let mut found = GeodeticContent::default();
     let mut is_assumed = false;
     for route in root.all("rte") {

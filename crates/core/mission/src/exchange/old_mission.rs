@@ -7,7 +7,7 @@ use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
 use super::found::GeodeticContent;
 use super::written::WrittenFile;
-use super::{ExchangeError, plan};
+use super::{ExchangeError, inav, plan};
 
 /// Plans, and what stood in their place before.
 pub(super) const INFO: FormatInfo = FormatInfo {
@@ -25,6 +25,7 @@ pub(super) const INFO: FormatInfo = FormatInfo {
 pub(super) const WORK: FormatWork = FormatWork {
     read: Read::Text(|file, content| match as_plan(content) {
         Some(plan) => read(file, &plan),
+        None if inav::is_inav(content) => inav::read(file, content),
         None => plan::read(file, content),
     }),
     write: |places, frame| {

@@ -353,20 +353,3 @@ fn rows_of_photos_are_places_and_no_heights_to_fly_at() {
     let flown = read("latitude,longitude,altitude,image,speed\n47.5,8.25,40,a.jpg,5\n");
     assert_at(&way_points(&flown), &[[47.5, 8.25]]);
 }
-
-#[test]
-fn a_fence_without_names_is_told_to_be_one() {
-    let fence = "-27.302\t151.332\n-27.274\t151.340\n-27.266\t151.286\n-27.277\t151.284\n-27.274\t151.340\n";
-    let route = fence.replace(
-        "-27.277\t151.284\n-27.274\t151.340",
-        "-27.274\t151.340\n-27.277\t151.284",
-    );
-    for (text, is_fence) in [(fence.to_owned(), true), (route, false)] {
-        let found = read(&text);
-        assert_eq!(way_points(&found).len(), 5);
-        assert_eq!(
-            found.notes.iter().any(|n| n.contains("fence of ArduPilot")),
-            is_fence
-        );
-    }
-}

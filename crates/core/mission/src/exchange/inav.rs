@@ -1,0 +1,248 @@
+//! Missions of INAV and Multiwii (`.mission`, XML), as commands of `MAVLink` that do the same.
+//!
+//! <https://github.com/iNavFlight/inav/wiki>: places in degrees, heights in metres above take-off or, where the third
+//! parameter says so, above mean sea level.
+
+use std::collections::BTreeMap;
+
+use super::ExchangeError;
+use super::found::GeodeticContent;
+use super::item::{
+    CHANGE_SPEED, JUMP, LAND, LOITER_TIME, LOITER_UNLIMITED, MissionItem, RETURN_TO_LAUNCH,
+    WAY_POINT,
+};
+use super::item_route::{MissionStep, route_of};
+use super::xml::{NamedText, XmlElement};
+
+/// Frames of heights above mean sea level and above take-off.
+const ABSOLUTE: u8 = 0;
+const RELATIVE: u8 = 3;
+const YAW: u16 = 115;
+const REGION_OF_INTEREST: u16 = 201;
+/// Flag of the last command of a mission.
+const LAST: f64 = 165.0;
+
+/// Whether a text is such a mission, or begins as one.
+pub(super) fn is_inav(text: &str) -> bool {
+    let head: String = text.chars().take(4096).collect();
+    head.to_lowercase().contains("<missionitem")
+}
+
+/// Reads the missions of a file, each as a route.
+pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
+    let source = NamedText { file, text };
+    let root = source.root()?;
+    let mut found = GeodeticContent::default();
+    let mut mission = Vec::new();
+    let mut items = Vec::new();
+    gather(&root, &mut items);
+    for element in items {
+        let item = InavItem::of(&source, element)?;
+        let is_last = item.flag == LAST;
+        mission.push(item);
+        if is_last {
+            add(std::mem::take(&mut mission), &mut found);
+        }
+    }
+    add(mission, &mut found);
+    let mut notes = vec!["this is a mission of INAV or Multiwii; it is written as a plan".into()];
+    notes.append(&mut found.notes);
+    found.notes = notes;
+    Ok(found)
+}
+
+fn gather<'a>(element: &'a XmlElement, items: &mut Vec<&'a XmlElement>) {
+    for child in &element.children {
+        if child.name.eq_ignore_ascii_case("missionitem") {
+            items.push(child);
+        } else {
+            gather(child, items);
+        }
+    }
+}
+
+/// A command as the file states it.
+struct InavItem {
+    number: String,
+    action: String,
+    latitude: f64,
+    longitude: f64,
+    altitude: f64,
+    parameters: [f64; 3],
+    flag: f64,
+}
+
+impl InavItem {
+    fn of(source: &NamedText, element: &XmlElement) -> Result<Self, ExchangeError> {
+        let value = |name: &str| {
+            let mut all = element.attributes.iter();
+            let found = all.find(|(own, _)| own.eq_ignore_ascii_case(name));
+            found.map_or("", |(_, value)| value.trim())
+        };
+        let number = |name: &str| match value(name) {
+            "" => Ok(0.0),
+            text => text
+                .replacen(',', ".", 1)
+                .parse::<f64>()
+                .ok()
+                .filter(|number| number.is_finite())
+                .ok_or_else(|| {
+                    let cause = format!("missionitem/{name}: `{text}` is no number");
+                    source.error(element.begin, cause)
+                }),
+        };
+        Ok(Self {
+            number: value("no").to_owned(),
+            action: value("action").to_uppercase(),
+            latitude: number("lat")?,
+            longitude: number("lon")?,
+            altitude: number("alt")?,
+            parameters: [
+                number("parameter1")?,
+                number("parameter2")?,
+                number("parameter3")?,
+            ],
+            flag: number("flag")?,
+        })
+    }
+
+    /// The command with these first four parameters, at its place.
+    fn placed(&self, command: u16, first: [Option<f64>; 4]) -> MissionItem {
+        let is_absolute = self.parameters[2] as i64 & 1 == 1;
+        let [a, b, c, d] = first;
+        MissionItem {
+            command,
+            frame: if is_absolute { ABSOLUTE } else { RELATIVE },
+            parameters: [
+                a,
+                b,
+                c,
+                d,
+                Some(self.latitude),
+                Some(self.longitude),
+                Some(self.altitude),
+            ],
+            is_continued: true,
+        }
+    }
+}
+
+/// A command without a place.
+fn placeless(command: u16, first: [f64; 4]) -> MissionItem {
+    let [a, b, c, d] = first.map(Some);
+    MissionItem {
+        command,
+        frame: 2,
+        parameters: [a, b, c, d, Some(0.0), Some(0.0), Some(0.0)],
+        is_continued: true,
+    }
+}
+
+/// Adds the route of a mission.
+fn add(mission: Vec<InavItem>, found: &mut GeodeticContent) {
+    let mut steps = Vec::new();
+    let mut speed = 0.0;
+    let mut unknown = Vec::new();
+    for item in mission {
+        let none = [Some(0.0), Some(0.0), Some(0.0), None];
+        let [first, second, _] = item.parameters;
+        // Centimetres a second over ground; 0 is the usual speed.
+        let (command, own_speed) = match item.action.as_str() {
+            "WAYPOINT" => (item.placed(WAY_POINT, none), Some(first / 100.0)),
+            "POSHOLD_UNLIM" => (item.placed(LOITER_UNLIMITED, none), Some(second / 100.0)),
+            "POSHOLD_TIME" => {
+                let stay = [Some(first), Some(0.0), Some(0.0), None];
+                (item.placed(LOITER_TIME, stay), Some(second / 100.0))
+            }
+            "LAND" => (item.placed(LAND, none), Some(first / 100.0)),
+            "RTH" => (placeless(RETURN_TO_LAUNCH, [0.0; 4]), None),
+            "JUMP" => (placeless(JUMP, [first, second, 0.0, 0.0]), None),
+            "SET_HEAD" if first >= 0.0 => (placeless(YAW, [first, 0.0, 0.0, 0.0]), None),
+            "SET_POI" => (item.placed(REGION_OF_INTEREST, none), None),
+            _ => {
+                unknown.push(item.action);
+                continue;
+            }
+        };
+        let mut push = |item: MissionItem, number: &str| {
+            steps.push(MissionStep::Command {
+                text: item.json(number.parse().unwrap_or(0)),
+                altitude: None,
+                members: BTreeMap::from([("doJumpId".to_owned(), number.to_owned())]),
+                item,
+            });
+        };
+        if let Some(own) = own_speed.filter(|own| *own != speed && *own >= 0.0) {
+            let value = if own > 0.0 { own } else { -2.0 };
+            push(placeless(CHANGE_SPEED, [1.0, value, -1.0, 0.0]), "0");
+            speed = own;
+        }
+        push(command, &item.number);
+    }
+    if !unknown.is_empty() {
+        found.notes.push(format!(
+            "commands that are not known are left out: {}",
+            unknown.join(", ")
+        ));
+    }
+    if !steps.is_empty() {
+        let (route, notes) = route_of(steps, None);
+        found.notes.extend(notes);
+        found.routes.push(route);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Format, read_any};
+    use crate::mission::WayPointAction;
+    use pilotage_base::frames::AltitudeFrame;
+
+    const MISSION: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<mission>
+  <version value="2.3-pre8"></version>
+  <mwp cx="18.42" cy="-33.85" home-x="0" home-y="0" zoom="16"></mwp>
+  <missionitem no="1" action="WAYPOINT" lat="-33.8501" lon="18.4201" alt="50" parameter1="1250" parameter2="0" parameter3="0" flag="0"></missionitem>
+  <missionitem no="2" action="POSHOLD_TIME" lat="-33.8511" lon="18.4211" alt="60" parameter1="45" parameter2="0" parameter3="1" flag="0"></missionitem>
+  <missionitem no="3" action="LAND" lat="-33.8521" lon="18.4221" alt="0" parameter1="0" parameter2="0" parameter3="0" flag="165"></missionitem>
+</mission>"#;
+
+    #[test]
+    fn a_mission_of_inav_is_a_route_with_its_heights_speeds_and_stays() {
+        for text in [
+            MISSION.to_owned(),
+            MISSION.replace("missionitem", "MISSIONITEM"),
+        ] {
+            let bytes = text.as_bytes();
+            assert_eq!(Format::of("a.mission", bytes), Some(Format::Plan));
+            let read = read_any("a.mission", bytes, None).unwrap();
+            let way_points = &read.routes[0].way_points;
+            let place = |i: usize| {
+                let place = read.frame.geodetic_from_ground(&way_points[i].position);
+                (place.latitude.to_degrees(), place.longitude.to_degrees())
+            };
+            assert_eq!(way_points.len(), 3, "{:?}", read.notes);
+            assert!((place(1).0 + 33.8511).hypot(place(1).1 - 18.4211) < 1e-9);
+            let altitudes: Vec<_> = way_points.iter().map(|w| w.altitude).collect();
+            assert_eq!((altitudes[0].metres, altitudes[1].metres), (50.0, 60.0));
+            assert_eq!(altitudes[0].frame, AltitudeFrame::AboveTakeOff);
+            assert_eq!(altitudes[1].frame, AltitudeFrame::Amsl);
+            assert_eq!(way_points[0].speed, Some(12.5));
+            assert_eq!(way_points[1].speed, None);
+            assert!(
+                way_points[1].action.wait_seconds() == Some(45.0),
+                "{:?}",
+                way_points[1].action
+            );
+            assert_eq!(way_points[2].action, WayPointAction::Land);
+        }
+    }
+
+    #[test]
+    fn each_mission_of_a_file_is_a_route() {
+        let item = MISSION.lines().find(|line| line.contains("LAND")).unwrap();
+        let text = format!("<mission>{item}{item}</mission>");
+        let read = read_any("a.mission", text.as_bytes(), None).unwrap();
+        assert_eq!(read.routes.len(), 2);
+    }
+}
