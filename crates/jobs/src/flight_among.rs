@@ -5,6 +5,7 @@ use std::sync::Arc;
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables};
 use pilotage_core::flight::files::{FileSet, has_ending, names_ending_in};
 use pilotage_core::flight::gpmf::{FILMS, films_left_out, flight_of_film, read_gpmf};
+use pilotage_core::flight::igc::{flight_of_record, is_igc, read_igc};
 use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
 use pilotage_core::flight::photo::read_photos;
 use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
@@ -15,8 +16,8 @@ use super::log_flights::{head, log_among};
 use super::table_names::tables_among;
 
 /// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
-/// satellite receiver said.
-const FLOWN: [&str; 5] = ["jpg", "jpeg", "png", "srt", "nmea"];
+/// satellite receiver or a glider's recorder said.
+const FLOWN: [&str; 6] = ["jpg", "jpeg", "png", "srt", "nmea", "igc"];
 
 /// The flight among files: that of tables whose columns somebody said the `maps` of, a flight folder, or what says itself
 /// where it was: subtitles, sentences, photos, and films last. `None` beside tables that make a flight as their columns are
@@ -52,6 +53,9 @@ pub fn flight_among(
     if flown.is_none() {
         flown = flight_of_sentences(files).map_err(told)?;
     }
+    if flown.is_none() {
+        flown = flight_of_record(files).map_err(told)?;
+    }
     if let Some(flown) = flown.or_else(|| read_photos(files)) {
         return Ok(Some(with_films_told(flown, files.as_ref())));
     }
@@ -76,7 +80,7 @@ pub fn with_films_told(mut flown: FlightFolder, files: &dyn FileSet) -> FlightFo
 }
 
 /// The flight of one file that says itself where it was: subtitles of a film, a film of `GoPro`, or what a satellite receiver
-/// said, which is known by its content, whatever its name. `None` of any other file.
+/// or a glider's recorder said, which is known by its content, whatever its name. `None` of any other file.
 ///
 /// ```
 /// use pilotage_core::imagery::MemoryBytes;
@@ -101,10 +105,12 @@ pub fn flight_of_file(name: &str, source: &dyn ByteSource) -> Result<Option<Flig
     }
     let read = if has_ending(name, &["srt"]) {
         read_srt
-    } else if head(source).is_some_and(|head| is_nmea(&head)) {
-        read_nmea
     } else {
-        return Ok(None);
+        match head(source) {
+            Some(head) if is_nmea(&head) => read_nmea,
+            Some(head) if is_igc(&head) => read_igc,
+            _ => return Ok(None),
+        }
     };
     let bytes = source.read(0, source.length() as usize)?;
     read(name, &bytes).map_err(|cause| cause.to_string())

@@ -7,6 +7,7 @@ pub mod expression;
 mod folder;
 pub mod foreign;
 pub mod gpmf;
+pub mod igc;
 pub mod interpret;
 pub mod log;
 pub mod mat;

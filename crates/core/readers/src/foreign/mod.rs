@@ -93,7 +93,7 @@ mod tests {
                 "where a picture lies",
             ),
             (
-                b"OziExplorer Waypoint File Version 1.1\r\n".to_vec(),
+                b"OziExplorer Track Point File Version 2.1\r\n".to_vec(),
                 "places or tracks",
             ),
             (b"!table\n!version 300\n".to_vec(), "MapInfo"),
