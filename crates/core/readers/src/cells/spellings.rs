@@ -3,7 +3,7 @@
 use super::units::Dimension;
 
 /// Ways of writing the units that are known, besides their own names.
-pub(crate) const SPELLINGS: [(&str, &[&str]); 35] = [
+pub(crate) const SPELLINGS: [(&str, &[&str]); 36] = [
     ("m", &["meter", "meters", "metre", "metres", "mtr"]),
     (
         "ft",
@@ -87,6 +87,10 @@ pub(crate) const SPELLINGS: [(&str, &[&str]); 35] = [
     (
         "deg1e7",
         &["dege7", "1e7deg", "1e7", "deg*1e7", "1e 7deg", "e7"],
+    ),
+    (
+        "deg1e8",
+        &["dege8", "1e8deg", "1e8", "deg 1e8", "deg*1e8", "1e 8deg"],
     ),
     (
         "rad/s",

@@ -58,6 +58,7 @@ const ANGLES: &[(&str, f64)] = &[
     ("deg1e5", std::f64::consts::PI / 1.8e7),
     ("deg1e6", std::f64::consts::PI / 1.8e8),
     ("deg1e7", std::f64::consts::PI / 1.8e9),
+    ("deg1e8", std::f64::consts::PI / 1.8e10),
 ];
 const ANGULAR_RATES: &[(&str, f64)] = &[
     ("rad/s", 1.0),

@@ -15,7 +15,7 @@ use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, makers, parts};
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
-use crate::folder::are_above_ellipsoid;
+use crate::folder::{RECEIVER_DATE, are_above_ellipsoid};
 use pilotage_base::sorting::sort;
 use pilotage_flight::ChannelName;
 
@@ -296,7 +296,10 @@ fn guess_columns(
     }
     parts::date(samples, &mut columns);
     settle(&mut columns);
-    let told = told.into_iter().chain(from_magnetic_north(&columns));
+    let told = told
+        .into_iter()
+        .chain(from_magnetic_north(&columns))
+        .chain(supposed_date(&columns));
     let told = told.collect();
     // What is put together of several columns has the unit of its parts.
     let has = |columns: &[MappedColumn], role| columns.iter().any(|column| column.role == role);
@@ -350,6 +353,17 @@ fn from_magnetic_north(columns: &[MappedColumn]) -> Option<String> {
             "{} counts from magnetic north by its name, and is taken for the true heading: it is wrong by the declination there",
             heading.name
         )
+    })
+}
+
+/// Words about a date that is the receiver's, whose columns say no zone.
+fn supposed_date(columns: &[MappedColumn]) -> Option<String> {
+    let is_date = |column: &&MappedColumn| {
+        matches!(column.role, ColumnRole::Date | ColumnRole::Time) && column.name == RECEIVER_DATE
+    };
+    columns.iter().find(is_date).map(|_| {
+        "the date is that of the receiver's own columns, which say no zone: it is supposed to be universal time"
+            .to_owned()
     })
 }
 
@@ -409,6 +423,19 @@ fn column(
 ) -> MappedColumn {
     if !sample.is_numeric() {
         return unused(&sample.name, "its cells are no numbers");
+    }
+    let is_of_receiver = parts
+        .words
+        .iter()
+        .any(|word| word == "gps" || word == "gnss");
+    if is_of_receiver
+        && parts.words.iter().any(|word| word == "yaw")
+        && sample.range() == Some((0.0, 0.0))
+    {
+        return unused(
+            &sample.name,
+            "a receiver without two antennas says no yaw: it is always 0",
+        );
     }
     if PRESSURES.contains(&parts.unit.as_str()) {
         return unused(&sample.name, "its unit is one of pressure");

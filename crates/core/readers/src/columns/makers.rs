@@ -23,7 +23,21 @@ const OF_LOGGER: &[(&str, ColumnRole)] = &[
 /// A height above the place of the take-off.
 const ABOVE_START: ColumnRole = ColumnRole::Channel(ChannelName::HeightAboveGround);
 
-const MAKERS: [Maker; 13] = [
+const MAKERS: [Maker; 14] = [
+    // The page of sensors of Betaflight's and INAV's configurators.
+    Maker {
+        has: &["kinematicsX", "kinematicsY", "kinematicsZ"],
+        units: &[
+            ("kinematicsX", "deg"),
+            ("kinematicsY", "deg"),
+            ("kinematicsZ", "deg"),
+        ],
+        roles: &[
+            ("kinematicsX", ColumnRole::Channel(ChannelName::Roll)),
+            ("kinematicsY", ColumnRole::Channel(ChannelName::Pitch)),
+            ("kinematicsZ", ColumnRole::Channel(ChannelName::Heading)),
+        ],
+    },
     // The track log of FlightAware's pages.
     Maker {
         has: &["Course", "kts", "mph", "feet"],

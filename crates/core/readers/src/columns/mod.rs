@@ -31,6 +31,8 @@ mod pictures;
 mod preview;
 #[cfg(test)]
 mod receiver_tests;
+#[cfg(test)]
+mod recorder_tests;
 mod rows;
 mod sampling;
 mod settle;

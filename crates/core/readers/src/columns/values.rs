@@ -62,6 +62,13 @@ fn place(role: ColumnRole, sample: &ColumnSample) -> UnitGuess {
     } else {
         360.0
     };
+    if reach > 1.01e7 * most && role == ColumnRole::Latitude || reach > 3.7e9 {
+        return guess(
+            "deg1e8",
+            0.95,
+            format!("values reach {reach:.0}: degrees, a hundred million times"),
+        );
+    }
     if reach > most {
         return guess(
             "deg1e7",

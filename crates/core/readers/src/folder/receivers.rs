@@ -6,11 +6,13 @@ use std::borrow::Cow;
 use nalgebra::Vector3;
 use pilotage_base::frames::Ellipsoid;
 
+use super::receiver_dates::with_receiver_dates;
 use super::solutions::{missing_names, of_baselines};
 use super::table_text::{
     bare_cells, joined, name_separator, places, solution_cells, solution_separator, with_cell,
 };
 use super::told_clocks::with_told_clocks;
+use super::utm_places::with_places_of_utm;
 use super::variation::with_true_directions;
 
 /// Names of RTKLIB over degrees, minutes and seconds in three cells, and names for each of them.
@@ -44,7 +46,8 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
         return Cow::Owned([names.as_bytes(), &text].concat());
     }
     if !text.starts_with(b"%") {
-        return with_true_directions(with_told_clocks(with_both_names(text)));
+        let placed = with_places_of_utm(with_both_names(text));
+        return with_true_directions(with_told_clocks(with_receiver_dates(placed)));
     }
     let names = |name: &str| {
         let head = &text[..text.len().min(1 << 14)];

@@ -96,6 +96,10 @@ mod tests {
                 b"OziExplorer Track Point File Version 2.1\r\n".to_vec(),
                 "places or tracks",
             ),
+            (
+                b"2015-03-03T11:54:05.776,FE,1C,7D, 1, 1,1E,mavlink_attitude_t,time_boot_ms,490309,roll,0.1,,Len,36\n".to_vec(),
+                "Mission Planner",
+            ),
             (b"!table\n!version 300\n".to_vec(), "MapInfo"),
             (b"I\n1100 Version\nCYCLE 1710\n".to_vec(), "X-Plane"),
             (b"I\r\n3 version\r\n1\r\n4\r\n".to_vec(), "X-Plane"),

@@ -7,6 +7,9 @@ const PAGE: &str = "what was downloaded is a page about the file, not the file: 
 const POINTS: &str =
     "control points or places of photos, as OpenDroneMap has them (gcp_list.txt, geo.txt)";
 const POINTS_ADVICE: &str = "make a CSV of it with the columns name, latitude and longitude, or name, easting, northing and zone, and open that";
+const MADE_OF_TLOG: &str =
+    "telemetry that Mission Planner wrote as text, with a name before each value";
+const TLOG: &str = "open the .tlog of which it was made";
 const PHOTOS: &str = "open the folder of the photos themselves";
 pub(super) const PARAMETERS: &str =
     "settings tell of no flight: open its log, in which they stand as well";
@@ -27,6 +30,9 @@ const WORDS: &[(&str, Foreign)] = &[
     word("rinex version", "observations of a satellite receiver (RINEX)", "compute positions of them (RTKLIB) and open those as CSV"),
     word("\n$gp", "sentences of a satellite receiver (NMEA)", NMEA),
     word("\n$gn", "sentences of a satellite receiver (NMEA)", NMEA),
+    word(",mavlink_heartbeat_t,", MADE_OF_TLOG, TLOG),
+    word(",mavlink_attitude_t,", MADE_OF_TLOG, TLOG),
+    word(",mavlink_vfr_hud_t,", MADE_OF_TLOG, TLOG),
     word("\nepsg:", POINTS, CONVERT),
     word("\n+proj=", POINTS, CONVERT),
     word("\nwgs84 utm", POINTS, CONVERT),

@@ -11,12 +11,13 @@ use crate::columns::ColumnRole;
 use pilotage_base::frames::units::EARTH_RADIUS;
 
 /// Units of places on the globe, and how likely each is before anything is known.
-const UNITS: [(&str, f64); 5] = [
+const UNITS: [(&str, f64); 6] = [
     ("deg", 1.0),
     ("deg1e7", 0.9),
     ("rad", 1.0),
     ("deg1e6", 0.4),
     ("deg1e5", 0.2),
+    ("deg1e8", 0.2),
 ];
 /// Likelihood of another unit of time than that which values alone said.
 const OTHER_TIME: f64 = 0.2;
