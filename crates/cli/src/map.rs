@@ -174,10 +174,10 @@ fn info(arguments: &MapArguments, height_at: Option<&str>) -> CommandResult {
     let system = arguments.system()?;
     let place = height_at.map(|at| lat_lon(at, "--height-at")).transpose()?;
     let is_tiff = arguments.has_ending(&["tif", "tiff"]);
-    let is_height = arguments.has_ending(&["hgt"]);
+    let is_height = arguments.has_ending(&["hgt", "asc", "xyz"]);
     if place.is_some() && !is_tiff && !is_height {
         return Err(format!(
-            "--height-at: {} is no elevation model; a GeoTIFF or a .hgt file may be one: `gdal_translate` makes a GeoTIFF of other models",
+            "--height-at: {} is no elevation model; a GeoTIFF, a .hgt file or a grid of text (.asc, .xyz) may be one: `gdal_translate` makes a GeoTIFF of other models",
             arguments.name()
         )
         .into());
@@ -251,7 +251,10 @@ fn elevation(
     let geographic = ReferenceSystem::Geographic;
     let system = match &file {
         Some(file) => system_of(&file.georeference),
-        None => Some(geographic),
+        None => dem
+            .placement()
+            .georeference()
+            .map_or(Some(geographic), system_of),
     };
     Ok(Info {
         file: arguments.name(),

@@ -276,7 +276,7 @@ pub fn map(pool: &dyn FileSet, options: &MapOptions) -> Result<Option<(String, O
 
 /// The elevation model among the files, in the world frame `frame` or else its own.
 pub fn terrain(pool: &dyn FileSet, frame: Option<LocalFrame>) -> Result<Option<Dem>, String> {
-    let mut names = names_ending_in(pool, &["hgt", "tif", "tiff"]).into_iter();
+    let mut names = names_ending_in(pool, &["hgt", "asc", "tif", "tiff"]).into_iter();
     let Some(name) = names.find(|name| pool.source(name).is_some_and(Dem::is_one)) else {
         return Ok(None);
     };

@@ -3,6 +3,7 @@
 use crate::map_error::MapFileError;
 use crate::map_file::{geo_tiff_file, missing};
 use crate::map_options::{MapOptions, is_geo_tiff};
+use crate::place_beside::system_beside;
 use crate::terrain::Dem;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{LocalFrame, ReferenceSystem};
@@ -20,6 +21,12 @@ pub fn open_dem(
 ) -> Result<Dem, MapFileError> {
     if !is_geo_tiff(name) {
         let source = files.source(name).ok_or_else(|| missing(name))?;
+        let system = match system {
+            Some(system) => Some(system),
+            // The shuttle's are in degrees, whatever lies beside them.
+            None if name.to_ascii_lowercase().ends_with(".hgt") => None,
+            None => system_beside(files, name)?,
+        };
         return Ok(Dem::open(source, frame, system)?);
     }
     let options = MapOptions {

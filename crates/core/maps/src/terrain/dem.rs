@@ -1,10 +1,11 @@
-//! Elevation models in files: `GeoTIFF` and the .hgt of the shuttle's radar.
+//! Elevation models in files: `GeoTIFF`, the .hgt of the shuttle's radar and grids of text.
 
 use std::sync::Arc;
 
 use nalgebra::Point2;
 
 use super::hgt::Hgt;
+use super::text_grid::{TextGrid, is_ascii_grid};
 use super::tiff_posts::{TiffPosts, holds_heights};
 use super::{HeightDatum, HeightGrid, Terrain, TerrainError, between_posts};
 use crate::map_options::is_geo_tiff;
@@ -16,6 +17,8 @@ use pilotage_raster::imagery::Placement;
 
 /// Ending of the files of the shuttle's radar.
 const HGT: &str = ".hgt";
+/// Endings of grids of text.
+const TEXTS: [&str; 2] = [".asc", ".xyz"];
 
 /// Heights at a grid of posts; between posts they are interpolated.
 pub struct Dem {
@@ -28,6 +31,7 @@ pub struct Dem {
 enum Posts {
     GeoTiff(Box<TiffPosts>),
     Hgt(Hgt),
+    Text(TextGrid),
 }
 
 impl Dem {
@@ -55,6 +59,9 @@ impl Dem {
     ) -> Result<Self, TerrainError> {
         if source.name().to_ascii_lowercase().ends_with(HGT) {
             return Self::open_hgt(source.as_ref(), frame);
+        }
+        if has_ending(source.name(), &TEXTS) {
+            return Self::open_text(source.as_ref(), frame, system);
         }
         Self::of_geo_tiff(&GeoTiffFile::open(source, None, system)?, frame)
     }
@@ -102,6 +109,32 @@ impl Dem {
         })
     }
 
+    fn open_text(
+        source: &dyn ByteSource,
+        frame: Option<LocalFrame>,
+        system: Option<ReferenceSystem>,
+    ) -> Result<Self, TerrainError> {
+        let wrong = |cause: String| TerrainError::Text {
+            file: source.name().to_owned(),
+            cause,
+        };
+        let bytes = source.read(0, source.length() as usize).map_err(wrong)?;
+        let grid = TextGrid::read(source.name(), &bytes, system).map_err(wrong)?;
+        let georeference = grid.georeference();
+        let (columns, rows) = grid.size();
+        let own = georeference.origin(columns, rows);
+        let frame = frame.or(own.map(LocalFrame::new));
+        let frame = frame.ok_or_else(|| wrong("it says no place on Earth".to_owned()))?;
+        let placement = Placement::on_globe(georeference, frame, columns, rows)
+            .map_err(|e| wrong(e.to_string()))?;
+        Ok(Self {
+            posts: Posts::Text(grid),
+            placement,
+            frame,
+            datum: HeightDatum::NotStated,
+        })
+    }
+
     /// A grid over `area` for its heights, its posts as far apart as the model's, or farther so that it has at most
     /// `most_posts` along a side. [`HeightGrid::take_rows`] fills it.
     pub fn grid(&self, area: GroundRect, most_posts: usize) -> HeightGrid {
@@ -109,11 +142,15 @@ impl Dem {
         HeightGrid::over(name, datum, area, self.spacing(), most_posts)
     }
 
-    /// Whether a file is an elevation model without being asked for as one: `.hgt` by its name, or a TIFF with samples
+    /// Whether a file is an elevation model without being asked for as one: `.hgt` by its name, a grid of text, or a TIFF with samples
     /// that no picture has.
     pub fn is_one(source: Arc<dyn ByteSource>) -> bool {
         let name = source.name().to_ascii_lowercase();
         name.ends_with(HGT)
+            || has_ending(&name, &TEXTS[..1])
+                && source
+                    .read(0, 64.min(source.length() as usize))
+                    .is_ok_and(|head| is_ascii_grid(&head))
             || is_geo_tiff(&name) && TiffFile::open(source).is_ok_and(|file| holds_heights(&file))
     }
 
@@ -141,7 +178,7 @@ impl Dem {
     pub fn problem(&self) -> Option<TiffError> {
         match &self.posts {
             Posts::GeoTiff(posts) => posts.problem(),
-            Posts::Hgt(_) => None,
+            Posts::Hgt(_) | Posts::Text(_) => None,
         }
     }
 
@@ -150,7 +187,7 @@ impl Dem {
     pub fn notes(&self) -> Vec<String> {
         let mut notes = match &self.posts {
             Posts::GeoTiff(posts) => posts.notes(),
-            Posts::Hgt(_) => Vec::new(),
+            Posts::Hgt(_) | Posts::Text(_) => Vec::new(),
         };
         let georeference = self.placement.georeference();
         notes.extend(georeference.and_then(|place| place.system()?.note_on(self.name())));
@@ -162,8 +199,15 @@ impl Dem {
         match &self.posts {
             Posts::GeoTiff(posts) => posts.post(column, row),
             Posts::Hgt(hgt) => hgt.post(column, row),
+            Posts::Text(grid) => grid.post(column, row),
         }
     }
+}
+
+/// Whether a name has one of those endings, in small letters or capitals.
+fn has_ending(name: &str, endings: &[&str]) -> bool {
+    let name = name.to_ascii_lowercase();
+    endings.iter().any(|ending| name.ends_with(ending))
 }
 
 impl Terrain for Dem {
@@ -171,6 +215,7 @@ impl Terrain for Dem {
         match &self.posts {
             Posts::GeoTiff(posts) => posts.name(),
             Posts::Hgt(hgt) => hgt.name(),
+            Posts::Text(grid) => grid.name(),
         }
     }
 

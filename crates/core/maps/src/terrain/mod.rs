@@ -8,6 +8,7 @@ mod made_tiffs;
 mod terrain_error;
 #[cfg(test)]
 mod tests;
+mod text_grid;
 mod tiff_posts;
 #[cfg(test)]
 mod tiff_tests;

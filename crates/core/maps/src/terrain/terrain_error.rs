@@ -26,6 +26,14 @@ pub enum TerrainError {
         /// The meaning of the values.
         cause: String,
     },
+    /// A grid of text that cannot be read.
+    #[error("{file}: {cause}")]
+    Text {
+        /// Name of the file.
+        file: String,
+        /// Error of the file, in words.
+        cause: String,
+    },
     /// A .hgt file that cannot be read.
     #[error("{file}: {cause}")]
     Hgt {

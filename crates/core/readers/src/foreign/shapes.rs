@@ -1,6 +1,6 @@
 //! Files that no fixed bytes or words tell, but the shape of their contents.
 
-use super::kind::{FILM, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
+use super::kind::{CONVERT, FILM, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
 use super::words::{MISSION_PLANNER, PARAMETERS};
 
 /// Shape of bytes or of lines, and the kind that they are then.
@@ -74,10 +74,7 @@ pub(super) fn of_text(text: &str) -> Option<Foreign> {
             are_rally_points,
             kind("rally points of ArduPilot (.ral)", MISSION_PLANNER),
         ),
-        (
-            are_fence,
-            kind("a fence of ArduPilot (.fen)", MISSION_PLANNER),
-        ),
+        (are_fence, kind("a fence of ArduPilot (.fen)", CONVERT)),
         (
             is_world_file,
             kind(
