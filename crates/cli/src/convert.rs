@@ -70,10 +70,12 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let bytes = std::fs::read(from).map_err(|e| format!("{}: {e}", from.display()))?;
     let mut imported = read_exchange(&from.to_string_lossy(), &bytes, None).map_err(|error| {
         // What is of another kind is called by its name; plain text may be anything.
-        let is_unsure = has_ending(from, &["txt", "csv"]) && !bytes.starts_with(b"QGC");
+        let is_unsure = has_ending(from, &["txt", "csv", "json"]) && !bytes.starts_with(b"QGC");
         let is = match error {
             ExchangeError::Unknown { .. } => foreign_words(from),
-            ExchangeError::Place { .. } if is_unsure => foreign_words(from),
+            ExchangeError::Place { .. } | ExchangeError::File { .. } if is_unsure => {
+                foreign_words(from)
+            }
             _ => None,
         };
         is.unwrap_or_else(|| error.to_string())

@@ -250,24 +250,29 @@ fn of_metashape(content: &str) -> Option<NamedTable> {
 
 /// A table with names whose cells stand between blanks.
 fn between_blanks(content: &str) -> Option<NamedTable> {
-    let is_remark = |line: &str| line.trim().is_empty() || line.trim_start().starts_with('#');
+    let joined = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(",");
+    // Names may stand behind a `#`.
+    let named = |line: &&str| {
+        line.starts_with('#') && !line.contains(',') && names_places(&joined(&line[1..]))
+    };
+    let first = content.lines().find(named);
+    let is_remark = |line: &str| {
+        Some(line) != first && (line.trim().is_empty() || line.trim_start().starts_with('#'))
+    };
     let mut rows = content.lines().filter(|line| !is_remark(line));
     let names = rows.next()?;
+    let names = names.strip_prefix('#').unwrap_or(names);
     let count = names.split_whitespace().count();
     let is_plain = |line: &str| !line.contains([',', ';', '\t', '|', '"']);
     let is_row = |line: &str| is_plain(line) && line.split_whitespace().count() == count;
-    if count < 2
-        || !is_plain(names)
-        || !names_places(&names.split_whitespace().collect::<Vec<_>>().join(","))
-        || !rows.all(is_row)
-    {
+    if count < 2 || !is_plain(names) || !names_places(&joined(names)) || !rows.all(is_row) {
         return None;
     }
     let line = |line: &str| {
         if is_remark(line) {
             return line.to_owned();
         }
-        line.split_whitespace().collect::<Vec<_>>().join(",")
+        joined(line.strip_prefix('#').unwrap_or(line))
     };
     Some(NamedTable {
         text: content
@@ -607,6 +612,14 @@ mod tests {
             "# x\nname  lat lon\nA 47.3712   8.5421\n",
             &[("A", 8.5421, 47.3712)],
         );
+        // Mission Planner's places of photos.
+        let photos = read(
+            "location.txt",
+            "#name latitude/Y longitude/X height/Z yaw pitch roll SAlt\na.jpg 47.3712 8.5421 123.5 3 2 1 0\n",
+        )
+        .unwrap();
+        assert_eq!(photos.landmarks[0].reference, Some((8.5421, 47.3712)));
+        assert_eq!(photos.landmarks[0].properties["yaw"], "\"3\"");
         for text in [
             "name lat lon\nA b 47.3712 8.5421\n",
             "one two three\n1 2 3\n",

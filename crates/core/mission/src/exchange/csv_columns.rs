@@ -42,6 +42,8 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "latitude",
             "lat",
             "gps latitude",
+            "gpslatitude",
+            "latitude/y", // Mission Planner, of photos
             "latitud",
             "latitudine",
             "breitengrad",
@@ -58,6 +60,8 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "lng",
             "long",
             "gps longitude",
+            "gpslongitude",
+            "longitude/x",
             "longitud",
             "longitudine",
             "längengrad",
@@ -79,6 +83,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "lat ref",
             "latitude ref",
             "gps latitude ref",
+            "gpslatituderef",
             "lat dir",
             "lat direction",
             "latitude direction",
@@ -100,6 +105,7 @@ const NAMES: [(CsvRole, &[&str]); 20] = [
             "lon ref",
             "longitude ref",
             "gps longitude ref",
+            "gpslongituderef",
             "lon dir",
             "lon direction",
             "longitude direction",
@@ -308,7 +314,15 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
 fn name_photos(columns: &mut [CsvColumn]) {
     let is_photo = |column: &CsvColumn| {
         let name = column.name.to_lowercase().replace([' ', '_', '#'], "");
-        ["photoname", "imagename", "filename", "photo", "image"].contains(&name.as_str())
+        [
+            "photoname",
+            "imagename",
+            "filename",
+            "sourcefile",
+            "photo",
+            "image",
+        ]
+        .contains(&name.as_str())
     };
     let is_flown = |column: &CsvColumn| {
         use CsvRole::{Action, Frame, Name, Route, Speed};

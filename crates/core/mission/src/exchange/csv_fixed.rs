@@ -22,7 +22,10 @@ pub(super) fn fixed(content: &str) -> Result<Option<NamedTable>, String> {
     if content.trim_start().to_lowercase().starts_with(OZI) {
         return of_ozi_explorer(content).map(Some);
     }
-    Ok(of_little_navmap(content).or_else(|| of_fence(content)))
+    let found = of_little_navmap(content).or_else(|| of_fence(content));
+    Ok(found
+        .or_else(|| of_osmosis(content))
+        .or_else(|| of_geonames(content)))
 }
 
 fn cells_of(line: &str) -> Vec<String> {
@@ -149,6 +152,14 @@ fn of_fence(content: &str) -> Option<NamedTable> {
     let rows: Option<Vec<String>> = content.lines().filter(is_told).map(row).collect();
     let rows = rows?;
     let (first, corners) = rows.split_first()?;
+    let is_saved = content.trim_start().to_lowercase().starts_with("#saved by");
+    if is_saved && rows.len() > 3 && first == &rows[rows.len() - 1] {
+        return Some(NamedTable {
+            text: format!("name,wkt\nPolygon,\"POLYGON (({}))\"\n", rows.join(", ")),
+            added: 0,
+            notes: vec!["it is read as a polygon of Mission Planner".to_owned()],
+        });
+    }
     let is_closed = corners.len() > 3 && corners.first() == corners.last();
     if !is_closed || corners.last() == Some(first) {
         return None;
@@ -164,6 +175,75 @@ fn of_fence(content: &str) -> Option<NamedTable> {
              the corners of the area that the aircraft keeps in, which is no no-fly area"
                 .to_owned(),
         ],
+    })
+}
+
+/// Polygons as Osmosis and Geofabrik write them (`.poly`): a name, and rings between a name and `END`, of which those whose
+/// name begins with `!` are holes of the one before.
+fn of_osmosis(content: &str) -> Option<NamedTable> {
+    let mut lines = content
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty());
+    let name = lines
+        .next()
+        .filter(|name| !name.contains([',', ';', '\t']))?;
+    let mut polygons: Vec<Vec<String>> = Vec::new();
+    while let Some(ring) = lines.next().filter(|line| *line != "END") {
+        let mut corners = Vec::new();
+        for line in lines.by_ref().take_while(|line| *line != "END") {
+            let mut numbers = line.split_ascii_whitespace().map(str::parse::<f64>);
+            let (Some(Ok(longitude)), Some(Ok(latitude)), None) =
+                (numbers.next(), numbers.next(), numbers.next())
+            else {
+                return None;
+            };
+            on_globe(longitude, latitude).then_some(())?;
+            corners.push(format!("{longitude} {latitude}"));
+        }
+        if corners.len() < 3 {
+            return None;
+        }
+        let ring_text = format!("({}, {})", corners.join(", "), corners[0]);
+        match polygons.last_mut() {
+            Some(polygon) if ring.starts_with('!') => polygon.push(ring_text),
+            _ => polygons.push(vec![ring_text]),
+        }
+    }
+    let rows = polygons
+        .iter()
+        .map(|rings| format!("{},\"POLYGON ({})\"\n", csv_cell(name), rings.join(", ")));
+    let rows: String = rows.collect();
+    (!rows.is_empty()).then(|| NamedTable {
+        text: format!("name,wkt\n{rows}"),
+        added: 0,
+        notes: vec!["it is read as polygons of Osmosis".to_owned()],
+    })
+}
+
+/// Places as `GeoNames` has them, in nineteen cells between tabulators.
+fn of_geonames(content: &str) -> Option<NamedTable> {
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split('\t').collect();
+        let place = on_globe(cells.get(5)?.parse().ok()?, cells.get(4)?.parse().ok()?);
+        let is_class = matches!(cells[6].as_bytes(), [b'A'..=b'Z']);
+        let is_number = cells[0].bytes().all(|b| b.is_ascii_digit()) && !cells[0].is_empty();
+        (cells.len() == 19 && place && is_class && is_number).then(|| {
+            [
+                csv_cell(cells[1]),
+                cells[4].to_owned(),
+                cells[5].to_owned(),
+                cells[7].to_owned(),
+            ]
+            .join(",")
+        })
+    };
+    let rows: Option<Vec<String>> = content.lines().map(row).collect();
+    let rows = rows.filter(|rows| !rows.is_empty())?;
+    Some(NamedTable {
+        text: format!("name,latitude,longitude,feature\n{}\n", rows.join("\n")),
+        added: 1,
+        notes: vec!["it is read as places of GeoNames".to_owned()],
     })
 }
 
@@ -207,6 +287,31 @@ mod tests {
         assert_eq!(places, [(18.42, -33.85), (18.421, -33.851)]);
         assert_eq!(found.landmarks[0].name.as_deref(), Some("Table, top"));
         assert_eq!(found.landmarks[1].name.as_deref(), Some("X1"));
+    }
+
+    #[test]
+    fn polygons_of_mission_planner_and_osmosis_and_places_of_geonames_are_landmarks() {
+        let polygon = "#saved by Mission Planner 1.3.38\n-35.362 149.164\n-35.362 149.168\n-35.365 149.168\n-35.362 149.164\n";
+        let osmosis = "australia_v\n1\n   0.149164E+03    -0.35362E+02\n   0.149168E+03    -0.35362E+02\n   0.149168E+03    -0.35365E+02\nEND\n\
+                       !2\n 149.166 -35.363\n 149.167 -35.363\n 149.167 -35.364\nEND\nEND\n";
+        for (name, text, holes) in [("a.poly", polygon, 0), ("b.poly", osmosis, 1)] {
+            let read = read_any(name, text.as_bytes(), None).unwrap();
+            assert_eq!(read.landmarks.len(), 1, "{name}");
+            let found = read_landmark(text);
+            let LandmarkExtent::Corners(corners) = found.extent else {
+                panic!("{name}");
+            };
+            assert_eq!(corners[2], (149.168, -35.365));
+            assert_eq!(found.holes.len(), holes);
+        }
+        let geonames = "2657896\tZürich\tZurich\tZRH\t47.36667\t8.55\tP\tPPLA\tCH\t\tZH\t112\t261\t\t341730\t\t429\tEurope/Zurich\t2019-03-06\n";
+        let found = read_landmark(geonames);
+        assert_eq!(found.name.as_deref(), Some("Zürich"));
+        assert_eq!(found.reference, Some((8.55, 47.366_67)));
+    }
+
+    fn read_landmark(text: &str) -> crate::mission::found::FoundLandmark {
+        read("a.txt", text).unwrap().landmarks.remove(0)
     }
 
     #[test]

@@ -14,7 +14,7 @@ use super::found::{GeodeticContent, POINT_BOX};
 use super::item::frame_of_number;
 use super::litchi_actions::litchi_stay;
 use super::see_you::{add_tasks, without_tasks};
-use super::{ExchangeError, geojson};
+use super::{ExchangeError, geojson, rally};
 use crate::mission::found::{FoundLandmark, LandmarkExtent, ReadRoute};
 use crate::mission::way_point_file::{ACTION_WORDS, StatedCircles, action_of_word, frame_of_word};
 use crate::mission::{USUAL_ALTITUDE, WayPoint, WayPointAction};
@@ -23,6 +23,13 @@ use pilotage_base::text::{LastRow, last_row};
 
 /// Reads a table, and the tasks behind it.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {
+    if let Some(rally) = rally::of_lines(content) {
+        return Ok(GeodeticContent {
+            rally,
+            notes: vec!["it is read as rally points of ArduPilot (.ral)".to_owned()],
+            ..GeodeticContent::default()
+        });
+    }
     // The lines of tasks have other cells.
     let (content, tasks) = without_tasks(content);
     let given = named(content).map_err(|cause| ExchangeError::File {

@@ -47,10 +47,14 @@ impl Format {
                         .is_ok_and(|members| is_mission(&members))
             };
             return match Self::of_name(name) {
+                _ if is_inav(head) => Some(Self::Plan),
                 Some(Self::Plan) => Some(Self::Plan),
                 _ if is_plan || is_old_mission() => Some(Self::Plan),
                 _ => Some(Self::GeoJson),
             };
+        }
+        if is_inav(head) {
+            return Some(Self::Plan);
         }
         let named = Self::of_name(name);
         let first_line = preface(head).table.lines().next().unwrap_or("");

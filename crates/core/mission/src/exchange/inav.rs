@@ -5,6 +5,8 @@
 
 use std::collections::BTreeMap;
 
+use serde_json::Value;
+
 use super::ExchangeError;
 use super::found::GeodeticContent;
 use super::item::{
@@ -22,22 +24,87 @@ const REGION_OF_INTEREST: u16 = 201;
 /// Flag of the last command of a mission.
 const LAST: f64 = 165.0;
 
-/// Whether a text is such a mission, or begins as one.
+/// Names of the commands, by their numbers from one on.
+const ACTIONS: [&str; 8] = [
+    "WAYPOINT",
+    "POSHOLD_UNLIM",
+    "POSHOLD_TIME",
+    "RTH",
+    "SET_POI",
+    "JUMP",
+    "SET_HEAD",
+    "LAND",
+];
+
+/// Whether a text is such a mission, or begins as one: XML, the lines of INAV's terminal, or JSON of `mwp`.
 pub(super) fn is_inav(text: &str) -> bool {
     let head: String = text.chars().take(4096).collect();
     head.to_lowercase().contains("<missionitem")
+        || head.lines().any(|line| of_terminal(line).is_some())
+        || head.starts_with('{') && head.contains("\"mission\"") && head.contains("\"action\"")
+}
+
+/// The command of a line of INAV's terminal: `wp 0 1 543533193 -45179273 3500 0 0 0 0`, which are the number, the command,
+/// the place in degrees ten million times, centimetres, three parameters and the flag.
+fn of_terminal(line: &str) -> Option<InavItem> {
+    let numbers = line.trim().strip_prefix("wp ")?.split_ascii_whitespace();
+    let numbers: Option<Vec<f64>> = numbers
+        .map(|word| word.parse::<i64>().ok().map(|n| n as f64))
+        .collect();
+    let &[
+        number,
+        action,
+        latitude,
+        longitude,
+        altitude,
+        first,
+        second,
+        third,
+        flag,
+    ] = &numbers?[..]
+    else {
+        return None;
+    };
+    Some(InavItem {
+        number: number.to_string(),
+        action: (*ACTIONS.get((action as usize).checked_sub(1)?)?).to_owned(),
+        latitude: latitude * 1e-7,
+        longitude: longitude * 1e-7,
+        altitude: altitude * 0.01,
+        parameters: [first, second, third],
+        flag,
+    })
+}
+
+/// The commands of JSON as `mwp` writes it.
+fn of_json(text: &str) -> Option<Vec<InavItem>> {
+    let root: Value = serde_json::from_str(text).ok()?;
+    let item = |item: &Value| {
+        let number = |name: &str| item.get(name).and_then(Value::as_f64).unwrap_or(0.0);
+        let place = ["lat", "lon"].map(|name| item.get(name).and_then(Value::as_f64));
+        Some(InavItem {
+            number: number("no").to_string(),
+            action: item.get("action")?.as_str()?.to_uppercase(),
+            latitude: place[0].unwrap_or(0.0),
+            longitude: place[1].unwrap_or(0.0),
+            altitude: number("alt"),
+            parameters: [number("p1"), number("p2"), number("p3")],
+            flag: number("flag"),
+        })
+    };
+    let missions = root.get("missions").and_then(Value::as_array);
+    let items = match missions.and_then(|missions| missions.first()) {
+        Some(first) => first.get("mission").or_else(|| first.get("missionitems"))?,
+        None => root.get("mission")?,
+    };
+    items.as_array()?.iter().map(item).collect()
 }
 
 /// Reads the missions of a file, each as a route.
 pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeError> {
-    let source = NamedText { file, text };
-    let root = source.root()?;
     let mut found = GeodeticContent::default();
     let mut mission = Vec::new();
-    let mut items = Vec::new();
-    gather(&root, &mut items);
-    for element in items {
-        let item = InavItem::of(&source, element)?;
+    for item in items(file, text)? {
         let is_last = item.flag == LAST;
         mission.push(item);
         if is_last {
@@ -49,6 +116,24 @@ pub(super) fn read(file: &str, text: &str) -> Result<GeodeticContent, ExchangeEr
     notes.append(&mut found.notes);
     found.notes = notes;
     Ok(found)
+}
+
+/// The commands of a text of any of the three forms.
+fn items(file: &str, text: &str) -> Result<Vec<InavItem>, ExchangeError> {
+    if let Some(items) = of_json(text) {
+        return Ok(items);
+    }
+    if !text.trim_start().starts_with('<') {
+        return Ok(text.lines().filter_map(of_terminal).collect());
+    }
+    let source = NamedText { file, text };
+    let root = source.root()?;
+    let mut elements = Vec::new();
+    gather(&root, &mut elements);
+    let items = elements
+        .into_iter()
+        .map(|element| InavItem::of(&source, element));
+    items.collect()
 }
 
 fn gather<'a>(element: &'a XmlElement, items: &mut Vec<&'a XmlElement>) {
@@ -235,6 +320,31 @@ mod tests {
                 way_points[1].action
             );
             assert_eq!(way_points[2].action, WayPointAction::Land);
+        }
+    }
+
+    #[test]
+    fn lines_of_its_terminal_and_json_of_mwp_are_the_same_mission() {
+        let lines = "# wp load\n\n# wp\n# wp 3 valid\nwp 0 1 -338501000 184201000 5000 1250 0 0 0\n\
+                     wp 1 3 -338511000 184211000 6000 45 0 1 0\nwp 2 8 -338521000 184221000 0 0 0 0 165\nwp 3 0 0 0 0 0 0 0 0\n";
+        let json = r#"{"meta":{"zoom":14},"mission":[
+            {"no":1,"action":"WAYPOINT","lat":-33.8501,"lon":18.4201,"alt":50,"p1":1250,"p2":0,"p3":0},
+            {"no":2,"action":"POSHOLD_TIME","lat":-33.8511,"lon":18.4211,"alt":60,"p1":45,"p2":0,"p3":1},
+            {"no":3,"action":"LAND","lat":-33.8521,"lon":18.4221,"alt":0,"p1":0,"p2":0,"p3":0,"flag":165}]}"#;
+        let right = read_any("a.mission", MISSION.as_bytes(), None).unwrap();
+        for (name, text) in [("a.txt", lines), ("a.json", json)] {
+            let read = read_any(name, text.as_bytes(), None).unwrap();
+            let of = |read: &super::super::Imported| {
+                let places = read.routes[0].way_points.iter();
+                places
+                    .map(|w| (w.altitude, w.speed, w.action))
+                    .collect::<Vec<_>>()
+            };
+            assert_eq!(of(&read), of(&right), "{name}");
+            let off = read.routes[0].way_points[2]
+                .position
+                .distance(&right.routes[0].way_points[2].position);
+            assert!(off < 1e-6, "{name}: {off}");
         }
     }
 

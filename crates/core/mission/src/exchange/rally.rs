@@ -3,6 +3,8 @@
 //! <https://docs.qgroundcontrol.com/master/en/qgc-dev-guide/file_formats/plan.html>,
 //! <https://mavlink.io/en/messages/common.html#MAV_CMD_NAV_RALLY_POINT>
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -48,6 +50,26 @@ pub(super) fn of_item(item: &MissionItem) -> Option<FoundRally> {
         altitude,
         properties: own.map(|own| (OWN.to_owned(), own)).into_iter().collect(),
     })
+}
+
+/// The points of lines `RALLY`, latitude, longitude and metres above take-off, as ground stations of ArduPilot keep them
+/// (`.ral`); `None` of any other text.
+pub(super) fn of_lines(content: &str) -> Option<Vec<FoundRally>> {
+    let is_told = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
+    let point = |line: &str| {
+        let mut words = line.split_ascii_whitespace();
+        words.next().filter(|word| *word == "RALLY")?;
+        let mut number = || words.next()?.parse::<f64>().ok();
+        let (latitude, longitude, metres) = (number()?, number()?, number()?);
+        on_globe(longitude, latitude).then(|| FoundRally {
+            name: None,
+            place: (longitude, latitude),
+            altitude: Altitude::new(metres, AltitudeFrame::AboveTakeOff),
+            properties: BTreeMap::default(),
+        })
+    };
+    let points: Option<Vec<FoundRally>> = content.lines().filter(is_told).map(point).collect();
+    points.filter(|points| !points.is_empty())
 }
 
 /// The command of a rally point.

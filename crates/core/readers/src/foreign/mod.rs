@@ -100,6 +100,15 @@ mod tests {
                 b"2015-03-03T11:54:05.776,FE,1C,7D, 1, 1,1E,mavlink_attitude_t,time_boot_ms,490309,roll,0.1,,Len,36\n".to_vec(),
                 "Mission Planner",
             ),
+            (
+                b"FileType=text/acmi/tacview\nFileVersion=2.2\n".to_vec(),
+                "Tacview",
+            ),
+            (
+                b"2024-05-01 10:00:00.00: ATTITUDE {time_boot_ms : 94705, roll : 0.1}\n".to_vec(),
+                "pymavlink",
+            ),
+            (b"pitch:0;roll:1;yaw:2;vgx:0;vgy:0;vgz:0;\r\n".to_vec(), "Tello"),
             (b"!table\n!version 300\n".to_vec(), "MapInfo"),
             (b"I\n1100 Version\nCYCLE 1710\n".to_vec(), "X-Plane"),
             (b"I\r\n3 version\r\n1\r\n4\r\n".to_vec(), "X-Plane"),

@@ -1,7 +1,7 @@
 //! Files that no fixed bytes or words tell, but the shape of their contents.
 
 use super::kind::{CONVERT, FILM, Foreign, LOG, TO_CSV, TO_GEOJSON, kind};
-use super::words::{MISSION_PLANNER, PARAMETERS};
+use super::words::PARAMETERS;
 
 /// Shape of bytes or of lines, and the kind that they are then.
 type ShapeOfBytes = (fn(&[u8], u64) -> bool, Foreign);
@@ -72,7 +72,7 @@ pub(super) fn of_text(text: &str) -> Option<Foreign> {
         ),
         (
             are_rally_points,
-            kind("rally points of ArduPilot (.ral)", MISSION_PLANNER),
+            kind("rally points of ArduPilot (.ral)", CONVERT),
         ),
         (are_fence, kind("a fence of ArduPilot (.fen)", CONVERT)),
         (

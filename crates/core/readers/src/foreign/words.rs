@@ -9,11 +9,12 @@ const POINTS: &str =
 const POINTS_ADVICE: &str = "make a CSV of it with the columns name, latitude and longitude, or name, easting, northing and zone, and open that";
 const MADE_OF_TLOG: &str =
     "telemetry that Mission Planner wrote as text, with a name before each value";
+const PRINTED: &str = "messages of an autopilot as pymavlink prints them";
+const AIRSPACE: &str = "make KML or GeoJSON of them and open that";
 const TLOG: &str = "open the .tlog of which it was made";
 const PHOTOS: &str = "open the folder of the photos themselves";
 pub(super) const PARAMETERS: &str =
     "settings tell of no flight: open its log, in which they stand as well";
-pub(super) const MISSION_PLANNER: &str = "load it in Mission Planner or QGroundControl, save the mission with it (.plan, .waypoints) and open that";
 
 const fn word(
     word: &'static str,
@@ -30,6 +31,10 @@ const WORDS: &[(&str, Foreign)] = &[
     word("rinex version", "observations of a satellite receiver (RINEX)", "compute positions of them (RTKLIB) and open those as CSV"),
     word("\n$gp", "sentences of a satellite receiver (NMEA)", NMEA),
     word("\n$gn", "sentences of a satellite receiver (NMEA)", NMEA),
+    word(" {time_boot_ms : ", PRINTED, "open the .tlog or the dataflash log of which it was printed"),
+    word(" {timeus : ", PRINTED, "open the .tlog or the dataflash log of which it was printed"),
+    word("filetype=text/acmi", "a recording of Tacview (.acmi)", "export its flight as CSV in Tacview and open that"),
+    word(";vgx:", "what a Tello said of itself, without a place and without a clock", LOG),
     word(",mavlink_heartbeat_t,", MADE_OF_TLOG, TLOG),
     word(",mavlink_attitude_t,", MADE_OF_TLOG, TLOG),
     word(",mavlink_vfr_hud_t,", MADE_OF_TLOG, TLOG),
@@ -56,7 +61,7 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\n# vehicle-id component-id name value type", "parameters of an autopilot, as QGroundControl saves them (.params)", PARAMETERS),
     word("\narducopter v2", "a text log of ArduPilot from before 2013, whose lines nothing in it explains", "open it in a Mission Planner of that time, save it as GPX or KML, and open that"),
     word("\narduplane v2", "a text log of ArduPilot from before 2013, whose lines nothing in it explains", "open it in a Mission Planner of that time, save it as GPX or KML, and open that"),
-    word("\nrally\t", "rally points of ArduPilot (.ral)", MISSION_PLANNER),
+    word("\nrally\t", "rally points of ArduPilot (.ral)", CONVERT),
     word("\n#saved by apm planner", "a fence of ArduPilot, as Mission Planner saves it (.fen)", CONVERT),
     word("\noziexplorer map data", "where a picture lies, as OziExplorer has it (.map)", "make a GeoTIFF of it (`gdal_translate`) and open that"),
     word("\n!table", "a table of MapInfo (.tab)", "make a GeoTIFF of its picture (`gdal_translate`), or GeoJSON of its features (`ogr2ogr`), and open that"),
@@ -72,6 +77,13 @@ const WORDS: &[(&str, Foreign)] = &[
     word("<divelementsflightplanner", "a flight plan of SkyDemon (.flightplan)", FLIGHT_PLAN),
     word("<simbase.document", "a flight plan of a simulator (.pln)", FLIGHT_PLAN),
     word("<littlenavmap", "a flight plan of Little Navmap (.lnmpln)", CONVERT),
+    word("<flight_plan", "a flight plan of Paparazzi (XML)", FLIGHT_PLAN),
+    word("<loc ", "places of a geocache (.loc)", "make a GPX of it (gpsbabel -i geo) and open that"),
+    word("\nac ctr", "airspaces (OpenAir)", AIRSPACE),
+    word("\nal sfc", "airspaces (OpenAir)", AIRSPACE),
+    word("\nal gnd", "airspaces (OpenAir)", AIRSPACE),
+    word("\"horizontalprojection\"", "zones of unmanned aircraft (ED-269)", AIRSPACE),
+    word("\"progressive_course_activated\"", "a flight plan of Parrot's FreeFlight", FLIGHT_PLAN),
     word("<gpx", "a GPX file", CONVERT),
     word("<kml", "a KML file", CONVERT),
     word("<osm ", "a road map of OpenStreetMap", "import it: `pilotage roads import`"),
