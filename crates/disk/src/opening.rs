@@ -11,7 +11,7 @@ use pilotage_core::flight::photo::photos_lack;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder};
 use pilotage_jobs::{
     OpenFlight, StatedColumns, TABLES, choose_vehicle, flight_among, flight_of_file, foreign_kind,
-    log_among, maps_beside, open_log, table_names, with_films_told,
+    is_text_table, log_among, maps_beside, open_log, table_names, with_films_told,
 };
 
 use crate::files::{DirectoryFiles, DiskFile};
@@ -102,13 +102,15 @@ pub(crate) fn open_among(
     if let Some(folder) = flight_of_file(&name, &file)? {
         return Ok(OpenedPath::Folder(Box::new(folder)));
     }
-    if !has_ending(path, &TABLES) {
+    if !is_text_table(&file) {
         return Ok(OpenedPath::Nothing(String::new()));
     }
     let (files, names) = tables_at(&[path.to_owned()])?;
     let maps = said(files.as_ref(), &names, columns)?;
     Ok(match open_tables(&files, &names, maps)? {
         Some(folder) => OpenedPath::Folder(Box::new(folder)),
+        // Text under any other name need not be a table.
+        None if !has_ending(path, &TABLES) => OpenedPath::Nothing(String::new()),
         None => OpenedPath::Nothing(nothing(files.as_ref(), &names)),
     })
 }
@@ -227,6 +229,10 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
             );
             return format!("\n  {name}: {is}");
         };
+        let is = files.source(name).and_then(|it| foreign_kind(it.as_ref()));
+        if let Some(is) = is.filter(|_| !table.map.shape.has_header) {
+            return format!("\n  {name}: it is {}; {}", is.what, is.advice);
+        }
         let findings = table.map.findings.iter();
         let findings: Vec<String> = findings.map(|finding| format!("; {finding}")).collect();
         format!("\n  {name}: {}{}", lacking(&table.map), findings.concat())

@@ -140,7 +140,7 @@ pub use study_flights::StudyFlightsOrder;
 pub use study_shard::StudyShardOrder;
 pub use suggest::ProposeOrder;
 pub use summary::SummaryOrder;
-pub use table_names::{TABLES, table_names};
+pub use table_names::{TABLES, is_text_table, table_names};
 pub use tables::{
     COLUMNS_FILE, MakeFlightOrder, StatedColumns, columns_file, maps_beside, write_columns,
 };

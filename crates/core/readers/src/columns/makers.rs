@@ -23,7 +23,68 @@ const OF_LOGGER: &[(&str, ColumnRole)] = &[
 /// A height above the place of the take-off.
 const ABOVE_START: ColumnRole = ColumnRole::Channel(ChannelName::HeightAboveGround);
 
-const MAKERS: [Maker; 14] = [
+/// Columns of Crazyflie, whose axes are those of ROS; its pitch is positive with the nose up all the same.
+const OF_CRAZYFLIE: &[(&str, ColumnRole)] = &[
+    (
+        "stateEstimate.x",
+        ColumnRole::Channel(ChannelName::GpsNorth),
+    ),
+    ("stateEstimate.y", ColumnRole::Channel(ChannelName::GpsEast)),
+    ("stateEstimate.z", ABOVE_START),
+    (
+        "stateEstimate.vx",
+        ColumnRole::Channel(ChannelName::GpsVelocityNorth),
+    ),
+    (
+        "stateEstimate.vy",
+        ColumnRole::Channel(ChannelName::GpsVelocityEast),
+    ),
+    (
+        "stateEstimate.vz",
+        ColumnRole::Channel(ChannelName::GpsVelocityDown),
+    ),
+    ("stabilizer.yaw", ColumnRole::Channel(ChannelName::Heading)),
+    (
+        "stateEstimate.yaw",
+        ColumnRole::Channel(ChannelName::Heading),
+    ),
+];
+/// Columns of those that count the other way.
+const TURNED: [&str; 5] = [
+    "stateEstimate.y",
+    "stateEstimate.vy",
+    "stateEstimate.vz",
+    "stabilizer.yaw",
+    "stateEstimate.yaw",
+];
+
+const MAKERS: [Maker; 18] = [
+    // Crazyflie, with its place or its attitude alone.
+    Maker {
+        has: &["stateEstimate.x", "stateEstimate.y"],
+        units: &[],
+        roles: OF_CRAZYFLIE,
+    },
+    Maker {
+        has: &["stabilizer.roll", "stabilizer.yaw"],
+        units: &[],
+        roles: OF_CRAZYFLIE,
+    },
+    // Yuneec: its `tas` is the speed over ground.
+    Maker {
+        has: &["fsk_rssi", "tas", "gps_used"],
+        units: &[],
+        roles: &[
+            ("tas", ColumnRole::SpeedOverGround),
+            ("altitude", ABOVE_START),
+        ],
+    },
+    // The receiver in a radio of Yuneec.
+    Maker {
+        has: &["lon", "lat", "alt", "accuracy", "speed", "angle"],
+        units: &[],
+        roles: &[("angle", ColumnRole::Course)],
+    },
     // The page of sensors of Betaflight's and INAV's configurators.
     Maker {
         has: &["kinematicsX", "kinematicsY", "kinematicsZ"],
@@ -183,7 +244,7 @@ pub(super) fn roles<'a>(
         if let Some((_, role)) = maker.roles.iter().find(|(known, _)| *known == name) {
             *guesses = vec![NameGuess {
                 role: *role,
-                sign: 1.0,
+                sign: if TURNED.contains(&name) { -1.0 } else { 1.0 },
                 confidence: 0.9,
             }];
             guesses.retain(|guess| guess.role != ColumnRole::Nothing);
@@ -200,7 +261,14 @@ pub(super) fn short_names(names: &[NameParts], guesses: &mut [Vec<NameGuess>]) {
     let has_rates = rates.into_iter().filter(|has| *has).count() > 1;
     let has_velocity = ["n", "e"].iter().any(|to| has(&["vel", to]));
     let has_short = has(&["vn"]) || has(&["ve"]);
+    // Beside one above sea level a height is that above the ellipsoid.
+    let has_level = [["msl", "height"], ["height", "msl"]]
+        .iter()
+        .any(|words| has(words));
     for (parts, guesses) in names.iter().zip(guesses) {
+        if has_level && is(parts, &["height"]) {
+            guesses.clear();
+        }
         let is_rate = ["p", "q", "r"].iter().any(|word| is(parts, &[word]));
         let is_up = is(parts, &["vel", "u"]) && !has_velocity || is(parts, &["vu"]) && !has_short;
         if is_rate && !has_rates || is_up {

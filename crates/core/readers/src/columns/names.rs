@@ -54,6 +54,12 @@ const RULES: &[Rule] = &[
         0.98,
         "latitude|lat|gps lat|gps latitude|gps coord 0",
     ),
+    // Beside it stands the geocentric one, up to 21 km off.
+    rule(
+        Latitude,
+        0.99,
+        "latitude geodetic|geodetic latitude|lat geod|geod lat",
+    ),
     rule(
         Longitude,
         0.98,
@@ -71,7 +77,7 @@ const RULES: &[Rule] = &[
         "course|cog|ground course|course over ground|gcrs|crs|track|trk|ground track|gps course|gps track|track angle",
     ),
     rule(Course, 0.95, "track by variation"),
-    rule(Course, 0.6, "direction"),
+    rule(Course, 0.6, "direction|location orientation"),
     rule(
         Channel(ChannelName::Airspeed),
         0.95,
@@ -170,7 +176,7 @@ const RULES: &[Rule] = &[
     turned(
         Channel(ChannelName::GpsVelocityDown),
         0.8,
-        "climb|climb rate|vertical speed|vspeed|vario|vspd|v spd|vel u|velocity up|vel up|roc|v up|vu",
+        "climb|climb rate|rocd|vertical speed|vspeed|vario|vspd|v spd|vel u|velocity up|vel up|roc|v up|vu",
     ),
     rule(
         Channel(ChannelName::RollRate),
@@ -205,12 +211,12 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::WindNorth),
         0.9,
-        "wind north|wind n|wn|vwn|wind velocity north|wind vel n|windspeed north|wind speed north",
+        "wind north|wind n|wind v north|wn|vwn|wind velocity north|wind vel n|windspeed north|wind speed north",
     ),
     rule(
         Channel(ChannelName::WindEast),
         0.9,
-        "wind east|wind e|we|vwe|wind velocity east|wind vel e|windspeed east|wind speed east",
+        "wind east|wind e|wind v east|we|vwe|wind velocity east|wind vel e|windspeed east|wind speed east",
     ),
     rule(
         WindSpeed,
@@ -246,7 +252,9 @@ const RULES: &[Rule] = &[
 ];
 
 /// Words with which a column is about something else than what was measured.
-const OTHERWISE: [&str; 42] = [
+const OTHERWISE: [&str; 44] = [
+    "geocentric",
+    "gc",
     "desired",
     "des",
     "target",

@@ -137,3 +137,110 @@ fn a_receiver_that_says_no_yaw_tells_no_heading() {
             .is_none()
     );
 }
+
+/// Role of a column by its name, with its unit and scale.
+fn role_of(text: &str, name: &str) -> (ColumnRole, String, f64) {
+    let map = guess_table("a.csv", text.as_bytes()).unwrap();
+    let column = map.columns.into_iter().find(|c| c.name == name).unwrap();
+    (column.role, column.unit, column.scale)
+}
+
+#[test]
+fn yuneec_calls_its_speed_over_ground_an_airspeed() {
+    let text = table(
+        "stamp,fsk_rssi,altitude,latitude,longitude,tas,gps_used,yaw",
+        |t| {
+            format!(
+                "{t:.1},-60,{:.1},{:.7},18.42,11.1,true,{:.1}",
+                t,
+                -33.85 + 1e-4 * t,
+                5.0 * t
+            )
+        },
+    );
+    assert_ne!(role_of(&text, "tas").0, Channel(ChannelName::Airspeed));
+    let height = role_of(&text, "altitude").0;
+    assert_eq!(height, Channel(ChannelName::HeightAboveGround));
+}
+
+#[test]
+fn a_crazyflie_turns_its_yaw_and_its_left_the_other_way() {
+    let text = table(
+        "Timestamp,stateEstimate.x,stateEstimate.y,stateEstimate.z,stabilizer.roll,stabilizer.pitch,stabilizer.yaw",
+        |t| {
+            format!(
+                "{:.0},{:.3},{:.3},0.5,{:.1},{:.1},{:.1}",
+                1000.0 * t,
+                0.3 * t,
+                0.1 * t * t,
+                2.0 * t.sin(),
+                t.cos(),
+                10.0 * t.sin()
+            )
+        },
+    );
+    for (name, role, sign) in [
+        ("stateEstimate.x", ChannelName::GpsNorth, 1.0),
+        ("stateEstimate.y", ChannelName::GpsEast, -1.0),
+        ("stabilizer.yaw", ChannelName::Heading, -1.0),
+        ("stabilizer.pitch", ChannelName::Pitch, 1.0),
+    ] {
+        let (found, _, scale) = role_of(&text, name);
+        assert_eq!((found, scale), (Channel(role), sign), "{name}");
+    }
+}
+
+#[test]
+fn a_height_beside_that_above_sea_level_is_none_above_ground() {
+    let text = table("time,Lat,Long,Height [x8103],MSL Height [x8103]", |t| {
+        format!(
+            "{t:.1},{:.7},8.0,{:.2},{:.2}",
+            47.0 + 1e-4 * t,
+            448.0 + t,
+            400.0 + t
+        )
+    });
+    assert_eq!(role_of(&text, "Height [x8103]").0, ColumnRole::Nothing);
+    let level = role_of(&text, "MSL Height [x8103]").0;
+    assert_eq!(level, Channel(ChannelName::GpsHeight));
+}
+
+#[test]
+fn a_geodetic_latitude_goes_before_the_geocentric_one() {
+    let text = table(
+        "Time,Latitude (deg),Latitude Geodetic (deg),Longitude (deg)",
+        |t| {
+            let latitude = 47.0 + 1e-4 * t;
+            format!("{t:.1},{:.7},{latitude:.7},8.0", latitude - 0.19)
+        },
+    );
+    assert_eq!(role_of(&text, "Latitude Geodetic (deg)").0, Latitude);
+    assert_eq!(role_of(&text, "Latitude (deg)").0, ColumnRole::Nothing);
+}
+
+#[test]
+fn pitch_is_in_the_unit_that_the_track_tells_of_roll() {
+    // Turns at 17 m/s; the heading beside roll and pitch is in another unit.
+    let (mut north, mut east) = (0.0, 0.0);
+    let row = |i: u32| {
+        let t = 0.2 * f64::from(i);
+        let heading = 40.0 + 150.0 * (t / 17.0).sin();
+        let rate = (150.0 / 17.0 * (t / 17.0).cos()).to_radians();
+        let roll = (17.0 * rate / 9.81).atan();
+        let (sin, cos) = heading.to_radians().sin_cos();
+        north += 3.4 * cos;
+        east += 3.4 * sin;
+        format!(
+            "{t:.1},{:.8},{:.8},{roll:.5},{:.5},{:.2}\n",
+            47.0 + north / 111_200.0,
+            8.0 + east / 75_900.0,
+            0.07 * (t / 9.0).sin(),
+            heading.rem_euclid(360.0)
+        )
+    };
+    let rows: String = (0..600).map(row).collect();
+    let text = format!("time,lat,lon,att_roll,att_pitch,motion_heading_deg\n{rows}");
+    for name in ["att_roll", "att_pitch"] {
+        assert_eq!(role_of(&text, name).1, "rad", "{name}");
+    }
+}

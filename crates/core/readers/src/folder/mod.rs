@@ -7,6 +7,7 @@ mod channels;
 mod clock;
 mod error;
 mod files;
+mod fit_rows;
 mod guess;
 pub(crate) mod hemispheres;
 mod layout;

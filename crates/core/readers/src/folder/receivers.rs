@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use nalgebra::Vector3;
 use pilotage_base::frames::Ellipsoid;
 
+use super::fit_rows::of_fit_rows;
 use super::receiver_dates::with_receiver_dates;
 use super::solutions::{missing_names, of_baselines};
 use super::table_text::{
@@ -38,6 +39,9 @@ pub(super) fn plain(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     };
     if text.starts_with(b"$FLYS,") {
         return Cow::Owned(of_flysight(&String::from_utf8_lossy(&text)).into_bytes());
+    }
+    if let Some(records) = of_fit_rows(&text) {
+        return Cow::Owned(records.into_bytes());
     }
     if let Some(fixes) = of_gnss_logger(&text) {
         return Cow::Owned(fixes.into_bytes());

@@ -32,7 +32,20 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         }
     }
     if let Some(id) = channel(board, ChannelName::Roll) {
+        let before = board.column(id).unit.clone();
         roll(board, known, id);
+        let unit = board.column(id).unit.clone();
+        let pitch = board.find_in(id.0, ColumnRole::Channel(ChannelName::Pitch));
+        // What the track says of roll goes before the heading's unit for the pitch as well.
+        if let Some(pitch) =
+            pitch.filter(|pitch| unit != before && board.basis(*pitch) != UnitBasis::Stated)
+        {
+            board.found(
+                pitch,
+                &unit,
+                &format!("in {unit}, as {} is", board.name(id)),
+            );
+        }
     }
     if let Some(id) = channel(board, ChannelName::Pitch) {
         pitch(board, known, id);
