@@ -9,7 +9,8 @@ use super::rows::EvenRows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
 use super::several::{
-    degrees_and_minutes, hemispheres, parts_of_time, parts_without_hemispheres, places,
+    degrees_and_minutes, fraction_of_time, hemispheres, parts_of_time, parts_without_hemispheres,
+    places,
 };
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, makers, parts};
@@ -291,7 +292,7 @@ fn guess_columns(
     degrees_and_minutes(samples, &mut columns);
     hemispheres(samples, &mut columns);
     places(samples, &mut columns);
-    if !parts::calendar(samples, &mut columns) {
+    if !parts::calendar(samples, &mut columns) && !fraction_of_time(samples, &mut columns) {
         parts_of_time(samples, &mut columns);
     }
     parts::date(samples, &mut columns);

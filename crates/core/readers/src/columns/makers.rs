@@ -50,7 +50,8 @@ const OF_CRAZYFLIE: &[(&str, ColumnRole)] = &[
     ),
 ];
 /// Columns of those that count the other way.
-const TURNED: [&str; 5] = [
+const TURNED: [&str; 6] = [
+    "vertrate",
     "stateEstimate.y",
     "stateEstimate.vy",
     "stateEstimate.vz",
@@ -58,7 +59,26 @@ const TURNED: [&str; 5] = [
     "stateEstimate.yaw",
 ];
 
-const MAKERS: [Maker; 18] = [
+const MAKERS: [Maker; 20] = [
+    // Receivers of Advanced Navigation.
+    Maker {
+        has: &["Unix Time", "Microseconds", "Height"],
+        units: &[],
+        roles: &[("Height", ColumnRole::Channel(ChannelName::GpsHeight))],
+    },
+    // OpenSky: what transponders tell is the course.
+    Maker {
+        has: &["icao24", "velocity", "vertrate"],
+        units: &[],
+        roles: &[
+            ("velocity", ColumnRole::SpeedOverGround),
+            ("heading", ColumnRole::Course),
+            (
+                "vertrate",
+                ColumnRole::Channel(ChannelName::GpsVelocityDown),
+            ),
+        ],
+    },
     // Crazyflie, with its place or its attitude alone.
     Maker {
         has: &["stateEstimate.x", "stateEstimate.y"],

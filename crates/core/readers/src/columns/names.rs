@@ -68,13 +68,13 @@ const RULES: &[Rule] = &[
     rule(
         SpeedOverGround,
         0.9,
-        "ground speed|groundspeed|gnd spd|gnd speed|speed over ground|sog|gspd|gs|g spd|gps speed|gps spd|vtrue ktgs",
+        "ground speed|groundspeed|gnd spd|gnd speed|speed over ground|sog|gspd|gs|g spd|gps speed|gps spd|vtrue ktgs|g speed",
     ),
     rule(SpeedOverGround, 0.5, "spd|speed|velocity|kts"),
     rule(
         Course,
         0.9,
-        "course|cog|ground course|course over ground|gcrs|crs|track|trk|ground track|gps course|gps track|track angle",
+        "course|cog|ground course|course over ground|gcrs|crs|track|trk|ground track|gps course|gps track|track angle|head mot",
     ),
     rule(Course, 0.95, "track by variation"),
     rule(Course, 0.6, "direction|location orientation"),
@@ -121,7 +121,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::HeightAboveGround),
         0.7,
-        "rel alt|relative alt|relative altitude|altitude relative|height above takeoff|height above take off|height|dist bottom",
+        "rel alt|alt rel|altitude rel|height rel|relative alt|relative altitude|altitude relative|height above takeoff|height above take off|height|dist bottom",
     ),
     turned(
         Channel(ChannelName::HeightAboveGround),

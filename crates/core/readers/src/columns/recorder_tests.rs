@@ -244,3 +244,49 @@ fn pitch_is_in_the_unit_that_the_track_tells_of_roll() {
         assert_eq!(role_of(&text, name).1, "rad", "{name}");
     }
 }
+
+#[test]
+fn a_climb_in_metres_a_second_beside_kilometres_an_hour_makes_no_feet_of_heights() {
+    let (mut north, mut height) = (0.0, 300.0);
+    let row = |i: u32| {
+        let t = 0.2 * f64::from(i);
+        let climb = 1.6 * (t / 9.0).sin();
+        north += 3.0;
+        height += 0.2 * climb;
+        format!(
+            "{t:.1},{:.6},8.0,{height:.0},54.0,0,{climb:.1}\n",
+            47.0 + north / 111_200.0
+        )
+    };
+    let rows: String = (0..600).map(row).collect();
+    let text = format!("time,lat,lon,GPS_altitude,GPS_speed,GPS_ground_course,VSpd\n{rows}");
+    assert_eq!(role_of(&text, "GPS_speed").1, "km/h");
+    assert_eq!(role_of(&text, "GPS_altitude").1, "m");
+    assert_eq!(role_of(&text, "VSpd").1, "m/s");
+}
+
+#[test]
+fn whole_seconds_and_microseconds_beside_them_are_one_time() {
+    let text = table("Unix Time,Microseconds,Latitude,Longitude,Height", |t| {
+        let micros = (t.fract() * 1e6).round();
+        format!(
+            "{},{micros},{:.8},8.0,{:.2}",
+            1_714_557_600 + t as u64,
+            47.0 + 1e-4 * t,
+            400.0 + t
+        )
+    });
+    assert_eq!(role_of(&text, "Microseconds").0, ColumnRole::TimeRest);
+    let height = role_of(&text, "Height").0;
+    assert_eq!(height, Channel(ChannelName::GpsHeight));
+    let (first, last) = flown(&text).flight.span();
+    assert!((last - first - 9.9).abs() < 1e-4, "{first} to {last}");
+}
+
+#[test]
+fn transponders_tell_a_course_and_no_heading() {
+    let text = table("time,icao24,lat,lon,velocity,heading,vertrate", |t| {
+        format!("{t:.1},a0b1c2,{:.7},8.0,111.2,0.5,0", 47.0 + 1e-3 * t)
+    });
+    assert_ne!(role_of(&text, "heading").0, Channel(ChannelName::Heading));
+}

@@ -90,6 +90,56 @@ pub(super) fn parts_of_time(samples: &[ColumnSample], columns: &mut [MappedColum
     }
 }
 
+/// Puts whole seconds and their fraction in a column of its own together, as receivers of Advanced Navigation write them:
+/// `Unix Time`, `Microseconds`. Returns whether it did.
+pub(super) fn fraction_of_time(samples: &[ColumnSample], columns: &mut [MappedColumn]) -> bool {
+    let is_whole = |sample: &ColumnSample| sample.numbers.iter().all(|n| n.fract() == 0.0);
+    let grows = |sample: &ColumnSample| sample.numbers.windows(2).all(|pair| pair[0] <= pair[1]);
+    let is_called = |sample: &ColumnSample| {
+        parts(&sample.name, "")
+            .words
+            .iter()
+            .any(|word| word == "time")
+    };
+    let other = columns
+        .iter()
+        .any(|c| c.role == ColumnRole::Time && c.unit != "s");
+    let whole = columns.iter().zip(samples).position(|(column, sample)| {
+        (column.role == ColumnRole::Time || is_called(sample) && grows(sample))
+            && sample.is_numeric()
+            && is_whole(sample)
+    });
+    let whole = whole.filter(|_| !other);
+    let fraction = samples.iter().enumerate().find_map(|(index, sample)| {
+        let words = parts(&sample.name, "").words;
+        let (unit, count) = match words.as_slice() {
+            [word] if word == "microseconds" => ("us", 1e6),
+            [word] if word == "nanoseconds" => ("ns", 1e9),
+            [word] if word == "milliseconds" => ("ms", 1e3),
+            _ => return None,
+        };
+        let (low, high) = sample.range()?;
+        let falls = sample.numbers.windows(2).any(|pair| pair[1] < pair[0]);
+        (falls && low >= 0.0 && high < count).then_some((index, unit))
+    });
+    let Some((whole, (index, unit))) = whole.zip(fraction) else {
+        return false;
+    };
+    for (index, role, unit) in [
+        (whole, ColumnRole::Time, "s"),
+        (index, ColumnRole::TimeRest, unit),
+    ] {
+        columns[index] = MappedColumn {
+            role,
+            unit: unit.to_owned(),
+            confidence: 0.9,
+            reason: "whole seconds and their fraction stand in two columns".to_owned(),
+            ..unused(&columns[index].name, "")
+        };
+    }
+    true
+}
+
 /// The letters of hemispheres that the names of columns state.
 fn named(samples: &[ColumnSample]) -> Vec<Option<char>> {
     let names: Vec<&str> = samples.iter().map(|sample| sample.name.as_str()).collect();

@@ -11,6 +11,13 @@ const LOCAL: [&str; 3] = ["Lcl Date", "Lcl Time", "UTCOfst"];
 const FINE: (&str, &str) = ("SampleTimeFine", "SampleTimeFine time [s]");
 /// Time after which the clock of Xsens begins anew, seconds.
 const FINE_TURN: f64 = 429_496.729_6;
+/// Clocks of radios in hundredths of seconds: firmware's, and that of a script beside what it logs.
+const HUNDREDTHS: [(&str, &[&str]); 2] = [
+    ("tmr10ms", &[]),
+    ("time", &["GPS_numSat", "GPS_coord[0]", "VSpd", "RxBt"]),
+];
+/// What they are called in seconds.
+const OF_RADIO: &str = "time of radio [s]";
 /// Words of universal time.
 const ZONES: [&str; 2] = ["utc", "gmt"];
 /// Lines within which the names of columns stand.
@@ -28,14 +35,19 @@ pub(super) fn with_told_clocks(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
         let is_local = LOCAL.iter().all(|name| has(line, name));
         let is_universal =
             has(line, "date") && has(line, "time") && ZONES.iter().any(|zone| has(line, zone));
-        (is_local || is_universal || has(line, FINE.0)).then_some(number)
+        let is_of_radio = HUNDREDTHS
+            .iter()
+            .any(|(clock, beside)| has(line, clock) && beside.iter().all(|name| has(line, name)));
+        (is_local || is_universal || has(line, FINE.0) || is_of_radio).then_some(number)
     });
     let Some(number) = found else {
         return text;
     };
     let changed = {
         let text = String::from_utf8_lossy(&text);
-        with_zones(&text, number).or_else(|| in_seconds(&text, number))
+        with_zones(&text, number)
+            .or_else(|| in_seconds(&text, number))
+            .or_else(|| of_hundredths(&text, number))
     };
     changed.map_or(text, |changed| Cow::Owned(changed.into_bytes()))
 }
@@ -138,6 +150,32 @@ fn has_late_dates<'a>(
     false
 }
 
+/// Seconds for the hundredths that radios count.
+fn of_hundredths(text: &str, number: usize) -> Option<String> {
+    let names = text.lines().nth(number)?;
+    let separator = name_separator(names);
+    let cells = bare_cells(names, separator);
+    let has = |name: &&str| cells.contains(name);
+    let clock = HUNDREDTHS.iter().find_map(|(clock, beside)| {
+        let at = cells.iter().position(|name| name == clock)?;
+        beside.iter().all(has).then_some(at)
+    })?;
+    let line = |(index, line): (usize, &str)| {
+        let places = places(line, separator);
+        let Some(place) = places.get(clock).filter(|_| index >= number) else {
+            return line.to_owned();
+        };
+        if index == number {
+            return with_cell(line, place, OF_RADIO);
+        }
+        match line[place.clone()].parse::<f64>() {
+            Ok(hundredths) => with_cell(line, place, &format!("{:.2}", hundredths / 100.0)),
+            Err(_) => line.to_owned(),
+        }
+    };
+    Some(joined(text.lines().enumerate().map(line)))
+}
+
 fn in_seconds(text: &str, number: usize) -> Option<String> {
     let names = text.lines().nth(number)?;
     let separator = name_separator(names);
@@ -198,6 +236,19 @@ mod tests {
         ] {
             assert_eq!(told(other), other);
         }
+    }
+
+    #[test]
+    fn hundredths_of_radios_are_seconds() {
+        let table = "time,GPS_numSat,GPS_coord[0],GPS_coord[1],VSpd,RxBt\n12345,9,47,8,0,16\n";
+        let right = "time of radio [s],GPS_numSat,GPS_coord[0],GPS_coord[1],VSpd,RxBt\n123.45,9,47,8,0,16\n";
+        assert_eq!(told(table), right);
+        assert_eq!(
+            told("tmr10ms,GPS\n100,47 8\n"),
+            "time of radio [s],GPS\n1.00,47 8\n"
+        );
+        let other = "time,GPS_numSat,GPS_coord[0]\n12345,9,47\n";
+        assert_eq!(told(other), other);
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         .collect();
     let rate = |board: &FlightColumns, id: Id| known.grid.rate(&board.values(id));
     if let Some(down) = down {
-        as_beside(board, down);
+        as_beside(board, known, down, ids.first().copied());
     }
     if let (Some(down), Some(height)) = (down, ids.first()) {
         vertical(board, known, down, *height);
@@ -97,8 +97,26 @@ fn moves(values: &[f64]) -> bool {
     most - least > 1e-6 * most.abs().max(least.abs())
 }
 
-/// A group keeps its units: a vertical velocity is in that of the speed over ground beside it.
-fn as_beside(board: &mut FlightColumns, down: Id) {
+/// Whether a height and a vertical velocity of no stated units agree as they are, in metres and metres a second.
+fn agree_in_metres(board: &FlightColumns, known: &Known, down: Id, height: Id) -> bool {
+    let is_plain =
+        |id: Id, unit: &str| board.basis(id) == UnitBasis::Assumed && board.column(id).unit == unit;
+    if !is_plain(down, "m/s") || !is_plain(height, "m") {
+        return false;
+    }
+    let climbing = known.grid.rate(&board.values(height));
+    let velocity = known.grid.mean(&board.values(down));
+    compare(&climbing, &velocity).is_some_and(|(correlation, factor, _)| {
+        correlation.abs() > 0.6 && factor.abs().ln().abs() < 0.2
+    })
+}
+
+/// A group keeps its units: a vertical velocity is in that of the speed over ground beside it, unless it agrees with the
+/// height as it is: in kilometres an hour it would be nearly that of feet.
+fn as_beside(board: &mut FlightColumns, known: &Known, down: Id, height: Option<Id>) {
+    if height.is_some_and(|height| agree_in_metres(board, known, down, height)) {
+        return;
+    }
     let speed = board.find_in(down.0, ColumnRole::SpeedOverGround);
     let sure = speed.filter(|id| board.basis(*id) == UnitBasis::Found);
     if let Some(speed) = sure.filter(|_| board.basis(down) == UnitBasis::Assumed) {
