@@ -38,8 +38,7 @@ pub fn codes() -> Vec<u32> {
 }
 
 /// The system that a text names: "EPSG:25832", a bare code, a name like "WGS 84 / UTM zone 17N" or
-/// "ETRS89 / UTM zone 32N", or well-known text of either version, as .prj files hold it, or a text of PROJ for one of
-/// WGS 84.
+/// "ETRS89 / UTM zone 32N", or well-known text of either version, as .prj files hold it, or a text of PROJ.
 ///
 /// ```
 /// use pilotage_maps::systems::{by_code, by_name};
@@ -59,10 +58,15 @@ pub fn by_name(text: &str) -> Result<ReferenceSystem, SystemError> {
     {
         return by_code(code);
     }
-    if text.contains("+proj=") || text.contains("+init=") {
+    if text.starts_with('+') && (text.contains("+proj=") || text.contains("+init=")) {
         return proj_text::read(text);
     }
     if text.contains(['[', '(']) && text.contains(['"', '\u{201c}']) {
+        // GDAL says of the web's Mercator projection only here that it is one of a sphere.
+        let inner = text.split('"').find(|part| part.starts_with("+proj=merc "));
+        if let Some(Ok(ReferenceSystem::WebMercator)) = inner.map(proj_text::read) {
+            return Ok(ReferenceSystem::WebMercator);
+        }
         match well_known_text::read(text) {
             Ok(system) => return Ok(system),
             // Some programs write only its beginning.

@@ -127,3 +127,9 @@ proptest! {
         let _ = by_name(&format!("PROJCS[\"{text}\",GEOGCS[{text}],{text}]"));
     }
 }
+
+#[test]
+fn web_mercator_is_known_by_the_text_that_gdal_writes_with_that_of_proj_in_it() {
+    let text = r#"PROJCS["WGS 84 / Pseudo-Mercator",GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Mercator_1SP"],PARAMETER["central_meridian",0],PARAMETER["scale_factor",1],PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1],EXTENSION["PROJ4","+proj=merc +a=6378137 +b=6378137 +lat_ts=0 +lon_0=0 +x_0=0 +y_0=0 +k=1 +units=m +nadgrids=@null +wktext +no_defs"],AUTHORITY["EPSG","3857"]]"#;
+    assert_eq!(super::by_name(text), Ok(ReferenceSystem::WebMercator));
+}
