@@ -1,12 +1,15 @@
 //! When it was in the air.
 
 use super::super::interpret::{Role, RoleSeries};
+use pilotage_base::frames::units::EARTH_RADIUS;
 use pilotage_flight::stretches::{
     FLYING_SHARE, HOVERING, LEAST, STANDING, stretches, stretches_within,
 };
 
 /// Kind of fix from which on a receiver tells heights.
 const FIX: f64 = 3.0;
+/// Longest time between places that tell a speed, and half the time over which they do, seconds.
+const TRACK_STEP: f64 = 1.5;
 /// Height above the ground by satellite navigation alone from which on it hovers at least, metres: it wanders by some.
 const HOVERING_BY_GPS: f64 = 10.0;
 
@@ -24,6 +27,15 @@ pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
         flying.extend(speeds.iter().map(|(time, speed)| (*time, *speed > least)));
     } else if let Some(airspeed) = of(Role::Airspeed) {
         let speeds: Vec<(f64, f64)> = pairs(airspeed).collect();
+        let least = (FLYING_SHARE * fast(&speeds)).max(STANDING);
+        flying.extend(speeds.iter().map(|(time, speed)| (*time, *speed > least)));
+    }
+    // Photos are too far apart for that, and tell no speed.
+    if flying.is_empty() {
+        let speeds = match of(Role::GroundSpeed) {
+            Some(speed) => pairs(speed).collect(),
+            None => speeds_of_track(&of),
+        };
         let least = (FLYING_SHARE * fast(&speeds)).max(STANDING);
         flying.extend(speeds.iter().map(|(time, speed)| (*time, *speed > least)));
     }
@@ -55,6 +67,38 @@ pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
         }
     }
     stretches(flying)
+}
+
+/// Speeds over ground, metres a second, by places that are some seconds apart, so that a receiver's noise at rest is none;
+/// none where places are farther apart.
+fn speeds_of_track<'a>(of: &impl Fn(Role) -> Option<&'a RoleSeries>) -> Vec<(f64, f64)> {
+    let (Some(latitude), Some(longitude)) = (of(Role::Latitude), of(Role::Longitude)) else {
+        return Vec::new();
+    };
+    let place = |time: f64| Some((latitude.at(time)?, longitude.at(time)?));
+    let steps = latitude
+        .times
+        .windows(2)
+        .filter(|w| w[1] - w[0] <= TRACK_STEP);
+    if 2 * steps.count() < latitude.times.len() {
+        return Vec::new();
+    }
+    let speed = |time: f64| {
+        let from = latitude.times.partition_point(|t| *t < time - TRACK_STEP);
+        let to = latitude.times.partition_point(|t| *t <= time + TRACK_STEP);
+        let (from, to) = (
+            *latitude.times.get(from)?,
+            *latitude.times.get(to.checked_sub(1)?)?,
+        );
+        let ((lat, lon), (last_lat, last_lon)) = (place(from)?, place(to)?);
+        let way = (last_lat - lat).hypot((last_lon - lon) * lat.cos()) * EARTH_RADIUS;
+        (to > from).then(|| (time, way / (to - from)))
+    };
+    latitude
+        .times
+        .iter()
+        .filter_map(|time| speed(*time))
+        .collect()
 }
 
 /// Whether a slow aircraft without a barometer is high: above the ground as it was measured, else well above the least

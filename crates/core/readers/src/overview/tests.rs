@@ -30,6 +30,38 @@ fn times(seconds: usize) -> Vec<f64> {
     (0..5 * seconds).map(|i| 0.2 * i as f64).collect()
 }
 
+#[test]
+fn a_track_alone_tells_that_it_flies_from_beginning_to_end() {
+    let times = times(100);
+    // At 20 m/s, down to the height of the beginning and up again.
+    let height = |t: &f64| 120.0 + 20.0 * (t / 9.0).sin();
+    let found = [
+        series(
+            Role::Latitude,
+            times.clone(),
+            times.iter().map(|t| 0.8 + 20.0 * t / 6.371e6).collect(),
+        ),
+        series(Role::Longitude, times.clone(), vec![0.1; times.len()]),
+        series(
+            Role::GpsHeight,
+            times.clone(),
+            times.iter().map(height).collect(),
+        ),
+    ];
+    let flown = airborne::airborne(&found);
+    assert_eq!(flown.len(), 1, "{flown:?}");
+    assert!(flown[0].1 - flown[0].0 > 98.0, "{flown:?}");
+    // One that rests with a receiver's noise does not fly.
+    let rest: Vec<f64> = (0..times.len())
+        .map(|i| 0.8 + 2e-7 * f64::from(i as u32 % 3))
+        .collect();
+    let found = [
+        series(Role::Latitude, times.clone(), rest),
+        series(Role::Longitude, times.clone(), vec![0.1; times.len()]),
+    ];
+    assert!(airborne::airborne(&found).is_empty());
+}
+
 /// A circling flight from second 20 to second 100 of 120, its airspeed sensor reading by a factor wrong.
 fn circling(wind: Vector2<f64>, reads: f64) -> Vec<RoleSeries> {
     let times = times(120);
