@@ -10,6 +10,8 @@ const POINTS_ADVICE: &str = "make a CSV of it with the columns name, latitude an
 const MADE_OF_TLOG: &str =
     "telemetry that Mission Planner wrote as text, with a name before each value";
 const PRINTED: &str = "messages of an autopilot as pymavlink prints them";
+const PLACES: &str =
+    "write its places into a CSV with the columns latitude, longitude and altitude and open that";
 const AIRSPACE: &str = "make KML or GeoJSON of them and open that";
 const TLOG: &str = "open the .tlog of which it was made";
 const PHOTOS: &str = "open the folder of the photos themselves";
@@ -77,13 +79,13 @@ const WORDS: &[(&str, Foreign)] = &[
     word("<divelementsflightplanner", "a flight plan of SkyDemon (.flightplan)", FLIGHT_PLAN),
     word("<simbase.document", "a flight plan of a simulator (.pln)", FLIGHT_PLAN),
     word("<littlenavmap", "a flight plan of Little Navmap (.lnmpln)", CONVERT),
-    word("<flight_plan", "a flight plan of Paparazzi (XML)", FLIGHT_PLAN),
+    word("<flight_plan", "a flight plan of Paparazzi (XML)", PLACES),
     word("<loc ", "places of a geocache (.loc)", "make a GPX of it (gpsbabel -i geo) and open that"),
     word("\nac ctr", "airspaces (OpenAir)", AIRSPACE),
     word("\nal sfc", "airspaces (OpenAir)", AIRSPACE),
     word("\nal gnd", "airspaces (OpenAir)", AIRSPACE),
     word("\"horizontalprojection\"", "zones of unmanned aircraft (ED-269)", AIRSPACE),
-    word("\"progressive_course_activated\"", "a flight plan of Parrot's FreeFlight", FLIGHT_PLAN),
+    word("\"progressive_course_activated\"", "a flight plan of Parrot's FreeFlight", PLACES),
     word("<gpx", "a GPX file", CONVERT),
     word("<kml", "a KML file", CONVERT),
     word("<osm ", "a road map of OpenStreetMap", "import it: `pilotage roads import`"),
