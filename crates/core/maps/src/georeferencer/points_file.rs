@@ -97,6 +97,11 @@ pub fn read_points_in(
         if line.is_empty() {
             continue;
         }
+        // NumPy puts names behind a `#`.
+        let names = line.strip_prefix('#').map(str::trim);
+        let line = names
+            .filter(|names| names.starts_with("mapX,"))
+            .unwrap_or(line);
         if let Some(comment) = line.strip_prefix('#') {
             let name = comment.trim().strip_prefix("CRS:").map_or("", str::trim);
             if system.is_none() && !name.is_empty() {

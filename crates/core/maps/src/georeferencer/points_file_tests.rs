@@ -61,3 +61,11 @@ fn lines_of_different_systems_are_refused() {
         "{error}"
     );
 }
+
+#[test]
+fn names_may_stand_behind_a_number_sign() {
+    let text = "# mapX,mapY,pixelX,pixelY,enable\n8.0,47.0,20,-30,1.0\n";
+    let (points, system) = read_points(text).unwrap();
+    assert_eq!((points[0].pixel.x, points[0].pixel.y), (20.0, 30.0));
+    assert_eq!(system, None);
+}

@@ -82,6 +82,10 @@ fn words(name: &str) -> Vec<String> {
         }
     }
     words.retain(|word| !word.is_empty());
+    // One word for satellite navigation.
+    for word in words.iter_mut().filter(|word| *word == "gnss") {
+        "gps".clone_into(word);
+    }
     // A message of MAVLink, and no place or height of its own: `GLOBAL_POSITION_INT.vz` is `vz`.
     if words.len() > 3 && words[..3] == ["global", "position", "int"] {
         words.drain(..3);
@@ -192,6 +196,7 @@ mod tests {
         assert_eq!(words_of("GPSAlt_m"), "gps alt m");
         assert_eq!(words_of("TimeUS"), "time us");
         assert_eq!(words_of("rel_alt (m)"), "rel alt");
+        assert_eq!(words_of("GNSS_Lat"), "gps lat");
         assert_eq!(words_of("rollRate"), "roll rate");
         assert_eq!(
             words_of("/imu/angular_velocity.x"),
