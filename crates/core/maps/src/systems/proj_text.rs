@@ -126,20 +126,14 @@ impl<'a> ProjWords<'a> {
     }
 
     fn ellipsoid(&self) -> Option<Ellipsoid> {
-        let (semi_major, inverse) = match self.word("ellps") {
-            Some(name) => {
-                let (_, a, rf) = ELLIPSOIDS.iter().find(|(own, ..)| *own == name)?;
-                (*a, *rf)
-            }
-            None => {
-                let a = self.number("a", f64::NAN)?;
-                let b = self.number("b", f64::NAN);
-                (
-                    a,
-                    self.number("rf", f64::NAN)
-                        .or_else(|| b.map(|b| a / (a - b)))?,
-                )
-            }
+        let (semi_major, inverse) = if let Some(name) = self.word("ellps") {
+            let (_, a, rf) = ELLIPSOIDS.iter().find(|(own, ..)| *own == name)?;
+            (*a, *rf)
+        } else {
+            let a = self.number("a", f64::NAN)?;
+            let b = self.number("b", f64::NAN);
+            let stated = self.number("rf", f64::NAN);
+            (a, stated.or_else(|| b.map(|b| a / (a - b)))?)
         };
         inverse.is_finite().then(|| Ellipsoid {
             semi_major,

@@ -8,6 +8,7 @@ use pilotage_base::text::{csv_cell, in_quotes};
 
 use super::angle;
 use super::csv_fixed::fixed;
+use super::csv_named::NamedTable;
 use super::csv_preface::{is_comment, names_places};
 use super::csv_system::{system, system_of_remark};
 
@@ -17,16 +18,6 @@ const DECIMALS: usize = 3;
 const NAMES_WITHIN: usize = 40;
 /// Names of what stands behind the place of a photo, as `OpenDroneMap` has it.
 const BEHIND_PHOTO: [&str; 5] = ["yaw", "pitch", "roll", "accuracy", "vertical_accuracy"];
-
-/// A table that was given names.
-pub(super) struct NamedTable {
-    /// Its text, with commas between cells and points before decimals.
-    pub text: String,
-    /// Lines that were put before its own.
-    pub added: u64,
-    /// Sentences on what was assumed and left out.
-    pub notes: Vec<String>,
-}
 
 /// The table with names of its columns, where it has none of its own; `None` where it may have some.
 ///

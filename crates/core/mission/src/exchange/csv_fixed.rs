@@ -3,7 +3,7 @@
 
 use pilotage_base::text::csv_cell;
 
-use super::csv_bare::NamedTable;
+use super::csv_named::NamedTable;
 use crate::mission::found::on_globe;
 
 /// First words of a file of `OziExplorer`'s way-points, and the lines before these.

@@ -10,6 +10,7 @@ mod csv_bare;
 mod csv_columns;
 mod csv_fixed;
 mod csv_geometry;
+mod csv_named;
 mod csv_place;
 mod csv_preface;
 mod csv_read;

@@ -56,7 +56,7 @@ fn changed(text: &str, number: usize) -> Option<String> {
     let cells = bare_cells(names, separator);
     let find = |wanted: &[&str]| {
         let is_it = |name: &&str| said(name).is_some_and(|rest| wanted.contains(&rest.as_str()));
-        cells.iter().position(|name| is_it(name))
+        cells.iter().position(is_it)
     };
     let parts = PARTS.map(find);
     let columns = if parts.iter().all(Option::is_some) {

@@ -16,7 +16,7 @@ const HUNDREDTHS: [(&str, &[&str]); 2] = [
     ("tmr10ms", &[]),
     ("time", &["GPS_numSat", "GPS_coord[0]", "VSpd", "RxBt"]),
 ];
-/// What they are called in seconds.
+/// Their name in seconds.
 const OF_RADIO: &str = "time of radio [s]";
 /// Words of universal time.
 const ZONES: [&str; 2] = ["utc", "gmt"];

@@ -19,7 +19,13 @@ const ZONES: [&str; 5] = [
     "utm z",
 ];
 /// Bands, of which an S is in the north, and halves, of which it is in the south.
-const BANDS: [&str; 4] = ["utm zone letter", "zone letter", "utm band", "utm letter"];
+const BANDS: [&str; 5] = [
+    "band",
+    "utm zone letter",
+    "zone letter",
+    "utm band",
+    "utm letter",
+];
 const HALVES: [&str; 2] = ["utm hemisphere", "hemisphere"];
 
 /// The text of a table with latitudes and longitudes behind its own cells, where it has none and says in which zones its

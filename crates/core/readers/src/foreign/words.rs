@@ -69,7 +69,7 @@ const WORDS: &[(&str, Foreign)] = &[
     word("\n!table", "a table of MapInfo (.tab)", "make a GeoTIFF of its picture (`gdal_translate`), or GeoJSON of its features (`ogr2ogr`), and open that"),
     word("\noziexplorer waypoint", "way-points of OziExplorer (.wpt)", CONVERT),
     word("\noziexplorer ", "places or tracks of OziExplorer", "make a GPX of it (gpsbabel -i ozi) and open that"),
-    word("\nncols ", "a grid of heights as text (Esri ASCII, .asc)", "call it .asc and open it with the others"),
+    word("\nncols ", "a grid of heights as text (Esri ASCII, .asc)", "open it as .asc beside a map or a flight, or look at it with `pilotage map info`"),
     word("\ngeogcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
     word("\nprojcs[", "the reference system of a map (.prj)", "open the map beside which it lies"),
     word("\nmtllib ", "a model (OBJ)", MODEL),
