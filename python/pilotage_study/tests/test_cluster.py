@@ -4,12 +4,14 @@ import json
 import os
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import threading
 import time
 import unittest
+import zlib
 from pathlib import Path
 
 import duckdb
@@ -36,6 +38,31 @@ cross.height = [40, 80]
 measure = [{ of = "error-rms" }]
 """
 RUNS_PER_SHARD = 4
+
+
+def write_map(folder: Path) -> None:
+    """A map of 1400 by 1400 m with bright roofs on green ground, as PNG with its world file."""
+    side = 1400
+
+    def row(y: int) -> bytes:
+        is_roof = [30 <= y % 110 < 46 and 20 <= x % 130 < 32 for x in range(side)]
+        noise = [(x * 7919 + y * 104729) % 37 for x in range(side)]
+        pixels = (
+            (165, 110, 95) if roof else (70 + more, 92 + more, 48 + more)
+            for roof, more in zip(is_roof, noise, strict=True)
+        )
+        return b"\0" + bytes(value for pixel in pixels for value in pixel)
+
+    def chunk(name: bytes, content: bytes) -> bytes:
+        sum_of = zlib.crc32(name + content)
+        return struct.pack(">I", len(content)) + name + content + struct.pack(">I", sum_of)
+
+    head = struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)
+    picture = zlib.compress(b"".join(row(y) for y in range(side)))
+    png = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", picture) + chunk(b"IEND", b"")
+    Path(folder, "map.png").write_bytes(png)
+    Path(folder, "map.pgw").write_text("1\n0\n0\n-1\n100.5\n-50.5\n", encoding="utf-8")
+
 RESULTS = ["rows.parquet", "summary.json", "summary.txt"]
 
 
@@ -101,6 +128,20 @@ class OnACluster(unittest.TestCase):
         with Client(self.cluster) as client:
             run_study(plan, out, client, program=self.program, runs_per_shard=RUNS_PER_SHARD)
         self.assertEqual(results(out), results(plain))
+
+    def test_work_on_a_map_is_shared_out_as_flights_are(self):
+        write_map(self.root)
+        plan = Path(self.root, "table.toml")
+        plan.write_text('name = "table"\nwork = "reference-table"\nmap = "map.png"\n', encoding="utf-8")
+        plain = self.root / "table-plain"
+        words = [self.program.path, "study", str(plan), "--quiet", "--out", str(plain)]
+        subprocess.run(words, check=True)
+        out = self.root / "table"
+        with Client(self.cluster) as client:
+            said = run_study(plan, out, client, program=self.program)
+        self.assertIn("landmarks of 16 tiles", said)
+        self.assertEqual(len(list(Path(out, "shards").iterdir())), 4)
+        self.assertEqual(*(Path(it, "landmarks.table").read_bytes() for it in (plain, out)))
 
     def test_a_driver_that_is_killed_in_the_middle_goes_on_when_it_is_started_again(self):
         out = self.root / "driver"
