@@ -1,8 +1,9 @@
-//! Control points and places of photos of `OpenDroneMap` and Metashape in systems that readers of missions do not know,
+//! Control points, places of photos of `OpenDroneMap` and Metashape and GeoJSON in systems that readers of missions do not know,
 //! brought to degrees on WGS 84.
 
 use pilotage_base::frames::ReferenceSystem;
 
+use crate::geojson_system::geojson_in_degrees;
 use crate::systems::by_name;
 
 /// Lines among which the names of Metashape's columns stand.
@@ -20,6 +21,9 @@ const HEAD: usize = 10;
 /// assert!(places_in_degrees("EPSG:32632\n500000 5000000 1 640 480 a.jpg p\n").is_none());
 /// ```
 pub fn places_in_degrees(text: &str) -> Option<(String, Vec<String>)> {
+    if let Some(found) = geojson_in_degrees(text) {
+        return Some(found);
+    }
     let first = text.lines().next()?.trim();
     let remark = first.strip_prefix('#').map(str::trim_start);
     let found = match remark.and_then(|remark| remark.split_once(':')) {

@@ -4,6 +4,7 @@ mod auxiliary_xml;
 mod control_points;
 mod corners_error;
 mod dem_file;
+mod geojson_system;
 pub mod georeferencer;
 mod geotiff;
 mod map_error;
