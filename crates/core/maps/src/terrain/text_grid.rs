@@ -146,7 +146,8 @@ fn ascii(text: &str) -> Result<TextPosts, String> {
         None => wanted(&["yllcorner"])? + 0.5 * steps[1],
     };
     let missing = find(&["nodata_value", "nodata"]).unwrap_or(NODATA);
-    let mut heights = Vec::with_capacity(columns * rows);
+    // Each height is a letter and a blank at least.
+    let mut heights = Vec::with_capacity((columns * rows).min(text.len() / 2 + 1));
     for word in words {
         let height = match number(word) {
             Some(height) if height != missing => height as f32,

@@ -306,6 +306,7 @@ pub(super) fn columns(names: &[String]) -> Result<Vec<CsvColumn>, String> {
         .collect();
     columns.map(|mut columns| {
         name_photos(&mut columns);
+        leave_ground(&mut columns);
         columns
     })
 }
@@ -338,6 +339,32 @@ fn name_photos(columns: &mut [CsvColumn]) {
             column.role = column.role.filter(|role| *role != CsvRole::Altitude);
         }
         columns[at].role = Some(CsvRole::Name);
+    }
+}
+
+/// Elevations of airports, beside their identities, are no altitudes to fly at.
+fn leave_ground(columns: &mut [CsvColumn]) {
+    let is_called = |column: &CsvColumn, words: &[&str]| {
+        let name = column.name.to_lowercase().replace(' ', "_");
+        words.iter().any(|word| name == *word)
+    };
+    let is_airport = |column: &CsvColumn| {
+        is_called(column, &["ident", "icao", "icao_code", "iata", "iata_code"])
+    };
+    let is_flown = |column: &CsvColumn| {
+        use CsvRole::{Action, Frame, Route, Speed};
+        column
+            .role
+            .is_some_and(|role| [Action, Frame, Route, Speed].contains(&role))
+    };
+    if !columns.iter().any(is_airport) || columns.iter().any(is_flown) {
+        return;
+    }
+    for column in columns.iter_mut() {
+        let is_ground = column.name.to_lowercase().starts_with("elev");
+        column.role = column
+            .role
+            .filter(|role| *role != CsvRole::Altitude || !is_ground);
     }
 }
 

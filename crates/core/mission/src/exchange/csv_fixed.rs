@@ -225,10 +225,13 @@ fn of_osmosis(content: &str) -> Option<NamedTable> {
 fn of_geonames(content: &str) -> Option<NamedTable> {
     let row = |line: &str| {
         let cells: Vec<&str> = line.split('\t').collect();
-        let place = on_globe(cells.get(5)?.parse().ok()?, cells.get(4)?.parse().ok()?);
+        if cells.len() != 19 {
+            return None;
+        }
+        let place = on_globe(cells[5].parse().ok()?, cells[4].parse().ok()?);
         let is_class = matches!(cells[6].as_bytes(), [b'A'..=b'Z']);
         let is_number = cells[0].bytes().all(|b| b.is_ascii_digit()) && !cells[0].is_empty();
-        (cells.len() == 19 && place && is_class && is_number).then(|| {
+        (place && is_class && is_number).then(|| {
             [
                 csv_cell(cells[1]),
                 cells[4].to_owned(),

@@ -41,7 +41,16 @@ pub(super) fn is_inav(text: &str) -> bool {
     let head: String = text.chars().take(4096).collect();
     head.to_lowercase().contains("<missionitem")
         || head.lines().any(|line| of_terminal(line).is_some())
-        || head.starts_with('{') && head.contains("\"mission\"") && head.contains("\"action\"")
+        || is_json(&head)
+}
+
+/// Whether a text begins as JSON of `mwp`, and not as a plan or a mission of ours.
+fn is_json(head: &str) -> bool {
+    let has = |member: &str| head.contains(&format!("\"{member}\""));
+    let is_other = ["fileType", "FeatureCollection", "groundStation", "items"];
+    head.starts_with('{')
+        && ["mission", "action", "lat", "lon"].into_iter().all(has)
+        && !is_other.into_iter().any(has)
 }
 
 /// The command of a line of INAV's terminal: `wp 0 1 543533193 -45179273 3500 0 0 0 0`, which are the number, the command,

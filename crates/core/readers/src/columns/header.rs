@@ -112,6 +112,14 @@ impl NameParts {
         if is_axis(&words[0]) {
             return Some((words[1..].to_vec(), first(&words[0])?));
         }
+        // `OSD.xSpeed` of DJI.
+        let within = words
+            .iter()
+            .position(|word| matches!(word.as_str(), "x" | "y" | "z"));
+        if let Some(at) = within.filter(|_| words.len() == 3) {
+            let stem = [&words[..at], &words[at + 1..]].concat();
+            return Some((stem, first(&words[at])?));
+        }
         let letter = last.chars().next_back()?;
         let stem = &last[..last.len() - letter.len_utf8()];
         let mut axis = [0; 4];
@@ -203,6 +211,18 @@ mod tests {
             "imu angular velocity x"
         );
         assert_eq!(words_of("GLOBAL_POSITION_INT.vz"), "vz");
+    }
+
+    #[test]
+    fn an_axis_may_stand_within_a_name() {
+        let component = |name| parts(name, "").component();
+        let words = |words: [&str; 2]| words.map(str::to_owned).to_vec();
+        assert_eq!(
+            component("OSD.xSpeed [m/s]"),
+            Some((words(["osd", "speed"]), 'x'))
+        );
+        assert_eq!(component("imu gyro x"), Some((words(["imu", "gyro"]), 'x')));
+        assert_eq!(component("OSD.hSpeed [m/s]"), None);
     }
 
     #[test]

@@ -353,3 +353,15 @@ fn rows_of_photos_are_places_and_no_heights_to_fly_at() {
     let flown = read("latitude,longitude,altitude,image,speed\n47.5,8.25,40,a.jpg,5\n");
     assert_at(&way_points(&flown), &[[47.5, 8.25]]);
 }
+
+#[test]
+fn airports_are_landmarks_and_no_way_points_at_their_elevations() {
+    let found = read(
+        "\"id\",\"ident\",\"type\",\"name\",\"latitude_deg\",\"longitude_deg\",\"elevation_ft\"\n\
+         6523,\"00A\",\"heliport\",\"Total RF Heliport\",40.070985,-74.933689,11\n",
+    );
+    assert_at(&landmarks(&found), &[[40.070_985, -74.933_689]]);
+    assert!(found.routes.is_empty());
+    let flown = read("name,latitude,longitude,elevation\na,47.5,8.25,40\n");
+    assert_at(&way_points(&flown), &[[47.5, 8.25]]);
+}
