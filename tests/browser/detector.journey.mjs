@@ -31,7 +31,7 @@ export async function run(page, tools) {
     await tools.drawn();
     const { detector } = await tools.state();
     if (detector.wanted?.[1] === trained.id) {
-      shown = await tools.waitFor((s) => s.detector.shown && s.detector.shown.landmark === trained.id, "what its detector saw", 60_000);
+      shown = await tools.waitFor((s) => s.detector.shown?.landmark === trained.id && s.detector.stages > 0, "what its detector saw, stage by stage", 60_000);
     }
   }
   tools.check(shown, `${trained.name} is looked for nowhere`);
