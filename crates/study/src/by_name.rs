@@ -33,13 +33,14 @@ impl<T> ByName<T> {
         found.map(|(_, value)| value)
     }
 
-    /// Adds one, in the place of the one of that name if there is one.
-    pub(crate) fn put(&mut self, name: String, value: T) {
+    /// Adds one in its place; false where there is one of that name, which stays.
+    pub(crate) fn add(&mut self, name: String, value: T) -> bool {
         let at = self.0.partition_point(|(own, _)| *own < name);
-        match self.0.get_mut(at) {
-            Some((own, old)) if *own == name => *old = value,
-            _ => self.0.insert(at, (name, value)),
+        let is_new = self.0.get(at).is_none_or(|(own, _)| *own != name);
+        if is_new {
+            self.0.insert(at, (name, value));
         }
+        is_new
     }
 
     /// All names.
@@ -88,15 +89,14 @@ impl<'d, T: Deserialize<'d>> Deserialize<'d> for ByName<T> {
             }
 
             fn visit_map<A: MapAccess<'d>>(self, mut map: A) -> Result<ByName<T>, A::Error> {
-                let mut named: Vec<(String, T)> = Vec::new();
+                let mut named = ByName::default();
                 while let Some((name, value)) = map.next_entry::<String, T>()? {
-                    let at = named.partition_point(|(own, _)| *own < name);
-                    if named.get(at).is_some_and(|(own, _)| *own == name) {
-                        return Err(A::Error::custom(format_args!("\"{name}\" is set twice")));
+                    let words = format!("\"{name}\" is set twice");
+                    if !named.add(name, value) {
+                        return Err(A::Error::custom(words));
                     }
-                    named.insert(at, (name, value));
                 }
-                Ok(ByName(named))
+                Ok(named)
             }
         }
 

@@ -32,17 +32,12 @@ impl Study {
     /// # Errors
     /// Where it names a scenario that there is not.
     pub fn new(plan: StudyPlan) -> Result<Self, StudyError> {
-        let mut landmarks = BTreeMap::new();
-        let scenarios = scenarios(&plan);
-        if scenarios.is_empty() {
-            let design = StudyDesign::new(plan);
-            return Ok(Self { design, landmarks });
-        }
-        let map = Scenario::map();
-        for name in scenarios {
+        let (mut landmarks, mut map) = (BTreeMap::new(), None);
+        for name in scenarios(&plan) {
             let scenario = Scenario::named(&name)
                 .ok_or_else(|| refusal("scenario", format!("there is no \"{name}\"")))?;
-            landmarks.insert(name, scenario.mission_over(&map).landmarks);
+            let map = map.get_or_insert_with(Scenario::map);
+            landmarks.insert(name, scenario.mission_over(map).landmarks);
         }
         let design = StudyDesign::new(plan);
         Ok(Self { design, landmarks })

@@ -19,7 +19,7 @@ impl StudyPlan {
         for name in self.values_of(MISSION) {
             if self.missions.get(&name).is_none() {
                 let mission = find(&name).map_err(|why| refusal(MISSION, why))?;
-                self.missions.put(name, PlanMission::of(&mission));
+                self.missions.add(name, PlanMission::of(&mission));
             }
         }
         Ok(())
