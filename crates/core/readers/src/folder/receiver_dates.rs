@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::table_text::{bare_cells, joined, name_separator};
+use super::table_text::{bare_cells, name_separator, with_columns_behind};
 use crate::cells::{Moment, date_and_time};
 
 /// Name of the column that is added.
@@ -97,25 +97,8 @@ fn changed(text: &str, number: usize) -> Option<String> {
         };
         matches!(date_and_time(&told), Some(Moment::Absolute(..))).then_some(told)
     };
-    let seam = char::from(separator.byte());
-    let mut is_any = false;
-    let mut added = |index: usize, line: &str| {
-        let row = bare_cells(line, separator);
-        if index < number || row.len() < cells.len() {
-            return line.to_owned();
-        }
-        let cell = if index == number {
-            RECEIVER_DATE.to_owned()
-        } else {
-            let found = moment(&row);
-            is_any |= found.is_some();
-            found.unwrap_or_default()
-        };
-        format!("{line}{seam}{cell}")
-    };
-    let lines = text.lines().enumerate();
-    let text = joined(lines.map(|(index, line)| added(index, line)));
-    is_any.then_some(text)
+    let cell = |cells: &[&str]| Some([moment(cells)?]);
+    with_columns_behind(text, number, [RECEIVER_DATE], cell)
 }
 
 #[cfg(test)]

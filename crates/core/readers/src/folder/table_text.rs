@@ -77,6 +77,38 @@ pub(super) fn places(line: &str, separator: Separator) -> Vec<Range<usize>> {
     places
 }
 
+/// A text with columns added behind those of the table whose names stand in line `number`: `added` has their names, and
+/// `found` says their cells for those of a row, as many. `None` where it says none of any row; rows that are cut off stay.
+pub(super) fn with_columns_behind<const N: usize>(
+    text: &str,
+    number: usize,
+    added: [&str; N],
+    found: impl Fn(&[&str]) -> Option<[String; N]>,
+) -> Option<String> {
+    let names = text.lines().nth(number)?;
+    let separator = name_separator(names);
+    let count = bare_cells(names, separator).len();
+    let seam = char::from(separator.byte()).to_string();
+    let mut is_any = false;
+    let mut longer = |index: usize, line: &str| {
+        let cells = bare_cells(line, separator);
+        if index < number || cells.len() < count {
+            return line.to_owned();
+        }
+        let behind = if index == number {
+            added.map(str::to_owned).join(&seam)
+        } else {
+            let found = found(&cells);
+            is_any |= found.is_some();
+            found.map_or_else(|| [""; N].join(&seam), |cells| cells.join(&seam))
+        };
+        format!("{line}{seam}{behind}")
+    };
+    let lines = text.lines().enumerate();
+    let text = joined(lines.map(|(index, line)| longer(index, line)));
+    is_any.then_some(text)
+}
+
 /// Separator of the cells of RTKLIB's tables.
 pub(super) fn solution_separator(line: &str) -> &'static str {
     let found = [",", ";", "\t"].into_iter();

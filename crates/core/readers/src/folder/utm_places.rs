@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::table_text::{bare_cells, joined, name_separator};
+use super::table_text::{bare_cells, name_separator, with_columns_behind};
 use pilotage_base::place_text::place_of_text;
 
 /// Names of the columns that are added.
@@ -86,25 +86,7 @@ fn changed(text: &str, number: usize) -> Option<String> {
         let degrees = [place.latitude, place.longitude].map(f64::to_degrees);
         Some(degrees.map(|angle| format!("{angle:.9}")))
     };
-    let seam = char::from(separator.byte());
-    let mut is_any = false;
-    let mut added = |index: usize, line: &str| {
-        let cells = bare_cells(line, separator);
-        if index < number || cells.len() < plain.len() {
-            return line.to_owned();
-        }
-        let [latitude, longitude] = if index == number {
-            ADDED.map(str::to_owned)
-        } else {
-            let found = place(&cells);
-            is_any |= found.is_some();
-            found.unwrap_or_default()
-        };
-        format!("{line}{seam}{latitude}{seam}{longitude}")
-    };
-    let lines = text.lines().enumerate();
-    let text = joined(lines.map(|(index, line)| added(index, line)));
-    is_any.then_some(text)
+    with_columns_behind(text, number, ADDED, place)
 }
 
 #[cfg(test)]
