@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::order::{Order, Urgency, WorkerRole, keys_of};
 use super::running::slice;
-use super::{Advance, JobEvent, MapSource, RunningJob, WorkerState};
+use super::share::Shareable;
+use super::{Advance, JobEvent, MapSource, RunningJob, Share, WorkerState};
 
 /// Map to be made into a table: events `Progress`, and `Figures` with the bytes of the table
 /// ([`pilotage_core::reference::ReferenceTable::from_bytes`]).
@@ -16,6 +17,8 @@ pub struct ReferenceMapOrder(pub MapSource);
 /// The mapping under way.
 struct MapIntoTable {
     map: MapSource,
+    /// Share of the tiles that is looked at beside the others, if not all are.
+    share: Option<Share>,
     mapping: Option<ReferenceMapping>,
 }
 
@@ -26,9 +29,14 @@ impl RunningJob for MapIntoTable {
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
-        let mut mapping = match self.mapping.take() {
-            Some(mapping) => mapping,
-            None => ReferenceMapping::of(worker.map(&self.map)?, CoverNetwork::usual()),
+        let mut mapping = if let Some(mapping) = self.mapping.take() {
+            mapping
+        } else {
+            let whole = ReferenceMapping::of(worker.map(&self.map)?, CoverNetwork::usual());
+            match self.share {
+                Some(share) => whole.part(share.part, share.of),
+                None => whole,
+            }
         };
         let more = slice(clock, || mapping.advance());
         let (done, all) = mapping.progress();
@@ -38,7 +46,10 @@ impl RunningJob for MapIntoTable {
             self.mapping = Some(mapping);
             return Ok(Advance::More);
         }
-        emit(JobEvent::of_figures(&mapping.into_table().to_bytes())?);
+        emit(match self.share {
+            Some(_) => JobEvent::of_figures(&mapping.into_landmarks())?,
+            None => JobEvent::of_figures(&mapping.into_table().to_bytes())?,
+        });
         emit(JobEvent::Finished);
         Ok(Advance::Done)
     }
@@ -58,6 +69,20 @@ impl Order for ReferenceMapOrder {
     fn begin(self, _: &mut WorkerState) -> Box<dyn RunningJob> {
         Box::new(MapIntoTable {
             map: self.0,
+            share: None,
+            mapping: None,
+        })
+    }
+}
+
+impl Shareable for ReferenceMapOrder {
+    /// Its `Figures` are the landmarks of its tiles
+    /// (`Vec<`[`GenericLandmark`](pilotage_core::reference::GenericLandmark)`>`): those of all shares, one after the other,
+    /// are those of the whole map.
+    fn begin_share(self, share: Share) -> Box<dyn RunningJob> {
+        Box::new(MapIntoTable {
+            map: self.0,
+            share: Some(share),
             mapping: None,
         })
     }

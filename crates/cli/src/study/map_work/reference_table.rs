@@ -1,12 +1,13 @@
 //! A map made into a table of generic landmarks, some tiles in a piece.
 
+use std::path::Path;
+use std::sync::Arc;
+
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::reference::seeing::ReferenceMapping;
 use pilotage_core::reference::{GenericLandmark, ReferenceTable};
-use pilotage_jobs::{JobEvent, ReferenceTilesOrder};
-use std::path::Path;
-use std::sync::Arc;
+use pilotage_jobs::{JobEvent, ReferenceMapOrder, Share, ShareOrder};
 
 use super::piecework::{Piecework, PieceworkOutcome, order_each};
 use crate::files::{MAP_CACHE, open_map};
@@ -49,11 +50,11 @@ impl Piecework for TableOfMap {
     ) -> Result<(), String> {
         let lent = Lent::default().with_map(Lent::map_of_file(), Arc::clone(&self.map));
         let order = |piece: u64| {
-            let first = piece as usize * TILES;
-            ReferenceTilesOrder {
-                map: Lent::map_of_file(),
-                tiles: first..(first + TILES).min(self.tiles),
-            }
+            let share = Share {
+                part: piece as usize,
+                of: self.pieces() as usize,
+            };
+            ShareOrder(Box::new(ReferenceMapOrder(Lent::map_of_file())), share)
         };
         let of = |event: JobEvent| match event {
             JobEvent::Figures(bytes) => Some(Ok(bytes)),

@@ -1,7 +1,6 @@
 //! A map made into a table, tile by tile.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::sync::Arc;
 
 use super::landmarks_seen;
@@ -117,11 +116,11 @@ impl ReferenceMapping {
         tiles_of(bounds).count()
     }
 
-    /// Only those of the tiles, in the order in which their landmarks come.
+    /// Only one of `of` parts of the tiles, in the order in which their landmarks come.
     #[must_use]
-    pub fn part(mut self, tiles: Range<usize>) -> Self {
-        let end = tiles.end.min(self.left.len());
-        self.left = self.left[tiles.start.min(end)..end].to_vec();
+    pub fn part(mut self, part: usize, of: usize) -> Self {
+        let end = |parts: usize| self.all * parts / of;
+        self.left = self.left[end(part)..end(part + 1)].to_vec();
         self.all = self.left.len();
         self
     }
