@@ -1,6 +1,7 @@
 //! Arguments of `pilotage study PLAN`, and the shards that they ask for.
 
-use std::path::PathBuf;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
 
 use super::shards::Shards;
 use crate::workers;
@@ -55,6 +56,27 @@ pub struct Arguments {
 }
 
 impl Arguments {
+    /// Text of the plan.
+    pub fn text(&self) -> Result<String, String> {
+        std::fs::read_to_string(&self.plan).map_err(|why| self.blamed(why))
+    }
+
+    /// Words on what is wrong with the plan, with its file.
+    pub fn blamed(&self, why: impl Display) -> String {
+        format!("{}: {why}", self.plan.display())
+    }
+
+    /// Folder of the plan, beside which the files that it names lie.
+    pub fn beside(&self) -> &Path {
+        self.plan.parent().unwrap_or(Path::new(""))
+    }
+
+    /// Folder for what comes of a plan of that name.
+    pub fn folder(&self, name: &str) -> PathBuf {
+        let stated = self.out.clone();
+        stated.unwrap_or_else(|| PathBuf::from(format!("{name}.study")))
+    }
+
     /// Whether this program does a part of the shards and leaves it to others to sum up.
     pub fn is_part(&self) -> bool {
         self.share.is_some() || !self.only.is_empty()

@@ -1,6 +1,5 @@
 //! `pilotage study PLAN.toml`: flies what is left of a study, and sums up.
 
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_jobs::{JobEvent, StudyShardOrder};
@@ -53,16 +52,15 @@ impl<'a> Front<'a> {
 const ENOUGH: &str = "enough";
 
 /// Carries out the study.
-pub fn run(arguments: &Arguments) -> CommandResult {
-    let plan = read_plan(&arguments.plan)?;
+pub fn run(arguments: &Arguments, text: &str) -> CommandResult {
+    let plan = read_plan(arguments, text)?;
     if !arguments.quiet {
         tell(&plan.notes());
     }
     if let Some(path) = &arguments.pack {
         return Ok(write_whole(path, plan.to_toml()?)?);
     }
-    let usual = || PathBuf::from(format!("{}.study", plan.name));
-    let root = arguments.out.clone().unwrap_or_else(usual);
+    let root = arguments.folder(&plan.name);
     let folder = StudyFolder::open(&root, &plan, arguments.runs_per_shard)?;
     let study = Arc::new(Study::new(plan)?);
     let mut front = Front::new(&folder, &study);
@@ -94,13 +92,11 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     Ok(())
 }
 
-/// The plan in a file, with the mission files beside it that it names.
-fn read_plan(path: &Path) -> Result<StudyPlan, String> {
-    let blame = |why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
-    let text = std::fs::read_to_string(path).map_err(|why| blame(&why))?;
-    let beside = path.parent().unwrap_or(Path::new(""));
-    let mut mission = |name: &str| Ok(OpenMission::read(&beside.join(name))?.package.mission);
-    StudyPlan::read_with(&text, &mut mission).map_err(|why| blame(&why))
+/// The plan of a text, with the mission files beside it that it names.
+fn read_plan(arguments: &Arguments, text: &str) -> Result<StudyPlan, String> {
+    let file = |name: &str| arguments.beside().join(name);
+    let mut mission = |name: &str| Ok(OpenMission::read(&file(name))?.package.mission);
+    StudyPlan::read_with(text, &mut mission).map_err(|why| arguments.blamed(why))
 }
 
 /// Flies the wanted shards, until it is enough.

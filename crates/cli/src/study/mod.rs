@@ -44,8 +44,13 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             list();
             Ok(())
         }
-        (None, Some(plan)) if map_work::run(plan)? => Ok(()),
-        (None, Some(plan)) => carry_out::run(plan),
+        (None, Some(plan)) => {
+            let text = plan.text()?;
+            if map_work::run(plan, &text)? {
+                return Ok(());
+            }
+            carry_out::run(plan, &text)
+        }
         (None, None) => Err("give the plan of a study, or see pilotage study --help".into()),
     }
 }

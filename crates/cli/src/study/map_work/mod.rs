@@ -6,8 +6,6 @@ mod plan;
 mod reference_table;
 mod suggestions;
 
-use std::path::{Path, PathBuf};
-
 use serde::{Deserialize, Serialize};
 
 use super::arguments::Arguments;
@@ -30,20 +28,16 @@ struct Planned {
     files: Vec<NamedFile>,
 }
 
-/// Does the work that the arguments' plan asks for; false where it is the plan of a study.
+/// Does the work that the text of a plan asks for; false where it is the plan of a study.
 ///
 /// # Errors
 /// In words, whatever is wrong with the plan or fails in the work.
-pub fn run(arguments: &Arguments) -> Result<bool, Box<dyn std::error::Error>> {
-    let path = &arguments.plan;
-    let blame = |why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
-    let text = std::fs::read_to_string(path).map_err(|why| blame(&why))?;
-    let Some(plan) = MapWorkPlan::read(&text).map_err(|why| blame(&why))? else {
+pub fn run(arguments: &Arguments, text: &str) -> Result<bool, Box<dyn std::error::Error>> {
+    let Some(plan) = MapWorkPlan::read(text).map_err(|why| arguments.blamed(why))? else {
         return Ok(false);
     };
-    let beside = path.parent().unwrap_or(Path::new(""));
-    let plan = plan.beside(beside).map_err(|why| blame(&why))?;
-    carry_out(arguments, &plan)?;
+    let plan = plan.beside(arguments.beside());
+    carry_out(arguments, &plan.map_err(|why| arguments.blamed(why))?)?;
     Ok(true)
 }
 
@@ -61,8 +55,7 @@ fn carry_out(arguments: &Arguments, plan: &MapWorkPlan) -> CommandResult {
         (MapWorkKind::ReferenceTable, Some(map)) => Box::new(TableOfMap::open(map)?),
         (MapWorkKind::ReferenceTable, None) => return Err("map: say the map".into()),
     };
-    let usual = || PathBuf::from(format!("{}.study", plan.name));
-    let root = arguments.out.clone().unwrap_or_else(usual);
+    let root = arguments.folder(&plan.name);
     let (named, files) = plan.by_content()?;
     let planned = Planned { plan: named, files };
     let shards = Shards::open(&root, work.pieces(), "piece", planned)?;
