@@ -91,7 +91,6 @@ fn order(
     } else {
         Vec::new()
     };
-    let zones = ground.mission.no_fly.iter();
     let flight = PredictionOrder {
         navigator: with.navigator.clone(),
         landmarks,
@@ -109,7 +108,7 @@ fn order(
             (from, to),
             field,
             flight,
-            zones.map(|z| z.corners.clone()).collect(),
+            ground.mission.no_fly.clone(),
             high_ground(&wishes, ground, &from),
         )
         .ok_or_else(|| "--find: the map reaches neither of the two places".into())

@@ -2,11 +2,11 @@ use std::sync::Arc;
 
 use nalgebra::Vector2;
 use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_mission::mission::NoFlyZone;
 use proptest::prelude::*;
 
 use super::*;
 use crate::field::Localizability;
-use crate::no_fly::NoFlyArea;
 use crate::question::{BudgetOf, Forbidden};
 use crate::turns::Turns;
 
@@ -105,7 +105,10 @@ fn a_no_fly_area_is_flown_around_with_its_clearance() {
         (1600.0, 300.0),
         (1400.0, 300.0),
     ];
-    let area: NoFlyArea = area.map(|(n, e)| point(n, e)).to_vec();
+    let area = NoFlyZone {
+        corners: area.map(|(n, e)| point(n, e)).to_vec(),
+        ..NoFlyZone::default()
+    };
     let asked = RouteQuestion {
         no_fly: vec![area],
         ..question(&[])

@@ -3,7 +3,7 @@
 use pilotage_base::frames::GroundPoint;
 use pilotage_mission::mission::NoFlyZone;
 
-use super::no_fly::{distance, edges, inside};
+use super::no_fly::{is_forbidden, is_within, sides};
 use super::prediction::PredictionSample;
 
 /// Part of a route that leads over a no-fly area.
@@ -47,11 +47,6 @@ impl ReachedZone {
     }
 }
 
-/// Whether a place is in an area and in none of its holes.
-pub fn is_forbidden(zone: &NoFlyZone, place: &GroundPoint) -> bool {
-    inside(&zone.corners, place) && !zone.holes.iter().any(|hole| inside(hole, place))
-}
-
 /// Parts of the straight legs between `places` that lie over `zones`, in the order of the legs.
 ///
 /// ```
@@ -86,7 +81,7 @@ fn parts_over(a: &GroundPoint, b: &GroundPoint, zone: &NoFlyZone) -> Vec<[Ground
     let way = b.to_vector() - a.to_vector();
     let at = |share: f64| GroundPoint::from(a.to_vector() + way * share);
     let mut cuts = vec![0.0, 1.0];
-    for (c, d) in edges(&zone.corners).chain(zone.holes.iter().flat_map(edges)) {
+    for (c, d) in sides(zone) {
         let edge = d.to_vector() - c.to_vector();
         let turn = way.perp(&edge);
         let to = c.to_vector() - a.to_vector();
@@ -133,12 +128,6 @@ pub fn reached_zones(samples: &[PredictionSample], zones: &[NoFlyZone]) -> Vec<R
         }
     }
     found
-}
-
-/// Whether a place is over an area or closer to it than `margin`, metres.
-fn is_within(zone: &NoFlyZone, place: &GroundPoint, margin: f64) -> bool {
-    let mut rings = edges(&zone.corners).chain(zone.holes.iter().flat_map(edges));
-    is_forbidden(zone, place) || rings.any(|(a, b)| distance(place, &a, &b) < margin)
 }
 
 #[cfg(test)]

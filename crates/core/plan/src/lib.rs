@@ -56,8 +56,8 @@ pub use flown_way::{
     longest_flight, planned_aircraft,
 };
 pub use found::{FoundRoute, FoundRoutes};
-pub use incursion::{Incursion, ReachedZone, incursions, is_forbidden, reached_zones};
-pub use no_fly::{NoFlyArea, inside};
+pub use incursion::{Incursion, ReachedZone, incursions, reached_zones};
+pub use no_fly::{inside, is_forbidden};
 pub use offered::OfferedField;
 pub use poses::{poses_all_over, poses_over, shows_ground};
 pub use prediction::{PredictionSample, RoutePrediction, Stretch};

@@ -3,9 +3,7 @@
 use nalgebra::Vector2;
 
 use pilotage_base::frames::GroundPoint;
-
-/// A closed polygon that must not be flown over, its corners in either order.
-pub type NoFlyArea = Vec<GroundPoint>;
+use pilotage_mission::mission::NoFlyZone;
 
 /// Most that a way-point around a sharp corner is put off it, in clearances.
 const SHARPEST: f64 = 3.0;
@@ -15,40 +13,38 @@ const ROUNDING: f64 = 1e-6;
 /// No-fly areas and the distance that is kept from them, metres.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Obstacles<'a> {
-    pub areas: &'a [NoFlyArea],
+    pub areas: &'a [NoFlyZone],
     pub clearance: f64,
 }
 
 impl Obstacles<'_> {
     /// Whether a place lies in an area or too near to one.
     pub fn forbid(&self, place: &GroundPoint) -> bool {
-        self.areas.iter().any(|area| {
-            inside(area, place)
-                || edges(area).any(|(a, b)| distance(place, &a, &b) < self.clearance - ROUNDING)
-        })
+        let margin = self.clearance - ROUNDING;
+        self.areas.iter().any(|area| is_within(area, place, margin))
     }
 
     /// Whether the straight way from `a` to `b` keeps clear of every area.
     pub fn leave_free(&self, a: &GroundPoint, b: &GroundPoint) -> bool {
         self.areas.iter().all(|area| {
-            !inside(area, a)
-                && !inside(area, b)
-                && edges(area)
+            !is_forbidden(area, a)
+                && !is_forbidden(area, b)
+                && sides(area)
                     .all(|(c, d)| apart(a, b, &c, &d) >= (self.clearance - ROUNDING).max(0.0))
-                && edges(area).all(|(c, d)| !cross(a, b, &c, &d))
+                && sides(area).all(|(c, d)| !cross(a, b, &c, &d))
         })
     }
 
-    /// Places beside the corners of the areas from which one can fly along both sides.
+    /// Places beside the corners of the areas and their holes from which one can fly along both sides.
     pub fn corners(&self) -> Vec<GroundPoint> {
         let mut corners = Vec::new();
         let off = self.clearance.max(0.5);
-        for area in self.areas {
-            let n = area.len();
+        for ring in self.areas.iter().flat_map(NoFlyZone::rings) {
+            let n = ring.len();
             for i in 0..n {
-                let corner = area[i].to_vector();
-                let before = corner - area[(i + n - 1) % n].to_vector();
-                let after = corner - area[(i + 1) % n].to_vector();
+                let corner = ring[i].to_vector();
+                let before = corner - ring[(i + n - 1) % n].to_vector();
+                let after = corner - ring[(i + 1) % n].to_vector();
                 if before.norm() < 1e-6 || after.norm() < 1e-6 {
                     continue;
                 }
@@ -89,8 +85,23 @@ fn beside(
     ]
 }
 
-pub(super) fn edges(area: &NoFlyArea) -> impl Iterator<Item = (GroundPoint, GroundPoint)> + '_ {
-    (0..area.len()).map(|i| (area[i], area[(i + 1) % area.len()]))
+/// Sides of an area and of its holes.
+pub(super) fn sides(area: &NoFlyZone) -> impl Iterator<Item = (GroundPoint, GroundPoint)> + '_ {
+    let of = |ring: &'_ Vec<GroundPoint>| -> Vec<_> {
+        let next = ring.iter().cycle().skip(1);
+        ring.iter().copied().zip(next.copied()).collect()
+    };
+    area.rings().flat_map(of)
+}
+
+/// Whether a place is in an area and in none of its holes.
+pub fn is_forbidden(zone: &NoFlyZone, place: &GroundPoint) -> bool {
+    inside(&zone.corners, place) && !zone.holes.iter().any(|hole| inside(hole, place))
+}
+
+/// Whether a place is over an area or closer to it than `margin`, metres.
+pub(super) fn is_within(zone: &NoFlyZone, place: &GroundPoint, margin: f64) -> bool {
+    is_forbidden(zone, place) || sides(zone).any(|(a, b)| distance(place, &a, &b) < margin)
 }
 
 /// Whether a point lies in a polygon (crossing number).
@@ -149,10 +160,12 @@ mod tests {
         GroundPoint::new(north, east)
     }
 
-    fn square() -> NoFlyArea {
-        [(0.0, 0.0), (0.0, 100.0), (100.0, 100.0), (100.0, 0.0)]
-            .map(|(n, e)| point(n, e))
-            .to_vec()
+    fn square() -> NoFlyZone {
+        let corners = [(0.0, 0.0), (0.0, 100.0), (100.0, 100.0), (100.0, 0.0)];
+        NoFlyZone {
+            corners: corners.map(|(n, e)| point(n, e)).to_vec(),
+            ..NoFlyZone::default()
+        }
     }
 
     #[test]
@@ -187,7 +200,7 @@ mod tests {
     fn a_dent_in_an_area_has_no_corner_to_fly_around() {
         let mut dented = square();
         let dent = point(40.0, 50.0);
-        dented.insert(1, dent);
+        dented.corners.insert(1, dent);
         let areas = [dented];
         let obstacles = Obstacles {
             areas: &areas,
@@ -196,5 +209,54 @@ mod tests {
         let corners = obstacles.corners();
         assert!(corners.len() >= 4);
         assert!(corners.iter().all(|c| c.distance(&dent) > 30.0));
+    }
+
+    #[test]
+    fn in_a_hole_one_may_fly_with_the_clearance_and_over_its_edge_not() {
+        let hole = [(20.0, 20.0), (20.0, 80.0), (80.0, 80.0), (80.0, 20.0)];
+        let areas = [NoFlyZone {
+            holes: vec![hole.map(|(n, e)| point(n, e)).to_vec()],
+            ..square()
+        }];
+        let obstacles = Obstacles {
+            areas: &areas,
+            clearance: 10.0,
+        };
+        assert!(obstacles.leave_free(&point(31.0, 31.0), &point(69.0, 69.0)));
+        assert!(!obstacles.leave_free(&point(31.0, 50.0), &point(75.0, 50.0)));
+        assert!(!obstacles.leave_free(&point(50.0, 50.0), &point(50.0, 150.0)));
+        assert!(!obstacles.forbid(&point(50.0, 50.0)));
+        assert!(obstacles.forbid(&point(50.0, 75.0)));
+        assert!(obstacles.forbid(&point(50.0, 10.0)));
+    }
+
+    #[test]
+    fn what_pokes_into_a_hole_is_flown_around_within_it() {
+        let hole = [
+            (10.0, 10.0),
+            (10.0, 190.0),
+            (190.0, 190.0),
+            (190.0, 110.0),
+            (60.0, 100.0),
+            (190.0, 90.0),
+            (190.0, 10.0),
+        ];
+        let outline = [(0.0, 0.0), (0.0, 200.0), (200.0, 200.0), (200.0, 0.0)];
+        let areas = [NoFlyZone {
+            corners: outline.map(|(n, e)| point(n, e)).to_vec(),
+            holes: vec![hole.map(|(n, e)| point(n, e)).to_vec()],
+            ..NoFlyZone::default()
+        }];
+        let obstacles = Obstacles {
+            areas: &areas,
+            clearance: 5.0,
+        };
+        let (west, east) = (point(150.0, 50.0), point(150.0, 150.0));
+        assert!(!obstacles.leave_free(&west, &east));
+        let corners = obstacles.corners();
+        let around = |c: &GroundPoint| {
+            c.north < 60.0 && obstacles.leave_free(&west, c) && obstacles.leave_free(c, &east)
+        };
+        assert!(corners.iter().any(around), "{corners:?}");
     }
 }

@@ -8,9 +8,10 @@ use serde::{Deserialize, Serialize};
 use super::blind_way::{BlindWayField, Pace, Unsure};
 use super::field::Localizability;
 use super::found::FoundRoute;
-use super::no_fly::{NoFlyArea, Obstacles};
+use super::no_fly::Obstacles;
 use super::turns::{Turns, flown};
 use pilotage_base::frames::GroundPoint;
+use pilotage_mission::mission::NoFlyZone;
 
 /// Quantity that the budget limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -47,7 +48,7 @@ pub struct RouteQuestion {
     /// Shorter side of the picture on the ground, metres: the length of a pass over a landmark.
     pub pass: f64,
     /// Areas to fly around.
-    pub no_fly: Vec<NoFlyArea>,
+    pub no_fly: Vec<NoFlyZone>,
     /// Distance that is kept from them, metres.
     pub clearance: f64,
     /// Other places that are forbidden.
@@ -132,6 +133,7 @@ impl RouteQuestion {
     /// # use std::sync::Arc;
     /// # use nalgebra::Vector2;
     /// # use pilotage_base::frames::{GroundPoint, GroundRect};
+    /// # use pilotage_mission::mission::NoFlyZone;
     /// # use pilotage_plan::{Aim, BudgetOf, Localizability, RouteQuestion, Turns};
     /// # let region = GroundRect::centered(GroundPoint::new(250.0, 0.0), 1000.0, 1000.0);
     /// # let mut field = Localizability::unknown(&region, 50.0);
@@ -142,7 +144,10 @@ impl RouteQuestion {
     /// #     to: GroundPoint::new(500.0, 0.0),
     /// #     field: Arc::new(field),
     /// #     pass: 100.0,
-    /// #     no_fly: vec![corners.map(|(n, e)| GroundPoint::new(n, e)).to_vec()],
+    /// #     no_fly: vec![NoFlyZone {
+    /// #         corners: corners.map(|(n, e)| GroundPoint::new(n, e)).to_vec(),
+    /// #         ..NoFlyZone::default()
+    /// #     }],
     /// #     clearance: 20.0,
     /// #     forbidden: None,
     /// #     airspeed: 20.0,

@@ -2,9 +2,9 @@
 
 use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::imagery::terrain::HeightGrid;
+use pilotage_core::mission::NoFlyZone;
 use pilotage_core::plan::{
-    Aim, BudgetOf, FoundRoute, NoFlyArea, RoutePrediction, Turns, cruise, highest_ground,
-    planned_aircraft,
+    Aim, BudgetOf, FoundRoute, RoutePrediction, Turns, cruise, highest_ground, planned_aircraft,
 };
 use serde::{Deserialize, Serialize};
 
@@ -22,7 +22,7 @@ pub struct FindOrder {
     /// Settings of flight and navigation; the way-points are found.
     pub flight: PredictionOrder,
     /// Areas to fly around.
-    pub no_fly: Vec<NoFlyArea>,
+    pub no_fly: Vec<NoFlyZone>,
     /// Distance that is kept from them, metres.
     pub clearance: f64,
     /// Ground that is flown around because it is too high.
@@ -87,7 +87,7 @@ impl RouteWishes {
         (from, to): (GroundPoint, GroundPoint),
         field: FieldOrder,
         flight: PredictionOrder,
-        no_fly: Vec<NoFlyArea>,
+        no_fly: Vec<NoFlyZone>,
         high_ground: Option<HighGround>,
     ) -> Option<FindOrder> {
         let path = &flight.path;

@@ -32,12 +32,11 @@ impl Planner {
             landmarks: self.expected_landmarks(mission),
             ..PredictionOrder::along(path, mission)
         };
-        let no_fly = mission.no_fly.iter().map(|z| z.corners.clone());
         wanted.order(
             (from, to),
             field,
             flight,
-            no_fly.collect(),
+            mission.no_fly.clone(),
             self.high_ground(documents),
         )
     }
