@@ -96,9 +96,7 @@ impl App {
         match wishes.flight {
             Some(FlightWish::Nothing) => self.fly_work.stop(host),
             Some(FlightWish::Open(open)) => {
-                let (flight, map) = *open;
-                let mission = Some(self.documents.mission.clone());
-                self.fly_new(egui, host, flight, map, mission);
+                self.fly_over_mission(egui, host, *open);
             }
             Some(FlightWish::Own(own)) => {
                 let (flight, map) = *own;

@@ -42,6 +42,33 @@ impl App {
             .begin((flight, map), mission, staged, false, host);
     }
 
+    /// Tells of an edited mission that is about to make room for that of a flight.
+    fn tell_of_replaced(&mut self, staged: &Staged, host: &dyn Host) {
+        if staged.replaces_unsaved(&self.documents.mission) {
+            let title = "The flight brought a mission of its own";
+            let name = &self.documents.mission.name;
+            let text = format!("Undo brings back yours, \u{201c}{name}\u{201d}, to save it.");
+            self.toasts.note(host.now(), title, text);
+        }
+    }
+
+    /// Flies another flight over the mission that is open, which stays.
+    pub(super) fn fly_over_mission(
+        &mut self,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+        (flight, map): (FlightSource, MapSource),
+    ) {
+        self.tell_of_other_flight(egui, host);
+        let session = Session {
+            flight,
+            map,
+            mission: Some(self.documents.mission.clone()),
+            ..self.documents.session()
+        };
+        self.fly_open(host, session);
+    }
+
     /// Flies what a session names with the mission that is open, which stays: it may be edited before
     /// the run begins.
     pub(super) fn fly_open(&mut self, host: &mut dyn Host, session: Session) {
@@ -135,26 +162,7 @@ impl App {
                 fly.staged.camera_to_log = mission.camera_to_log;
                 fly.staged.mission = Some(*mission);
             }
-            JobEvent::RunStarted(head) => {
-                let again = fly.again;
-                let given = fly.given;
-                let staged = std::mem::take(&mut fly.staged);
-                let (flight, map) = (fly.flight.clone(), fly.map.clone());
-                let first = !fly.began();
-                fly.shown = ShownFlight::Run;
-                if again {
-                    self.documents.begin_run_again(*head, staged);
-                } else {
-                    self.documents.begin_run(*head, staged, &flight);
-                }
-                self.documents.mission.is_edited |= given;
-                if !again {
-                    self.take_place(host, map);
-                    if first {
-                        self.show_new_flight();
-                    }
-                }
-            }
+            JobEvent::RunStarted(head) => self.begin_run(host, *head),
             JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
             JobEvent::Remark(text) => tell_of_map(&text, &mut self.toasts, host),
             JobEvent::WithoutMission(why) => {
@@ -223,6 +231,30 @@ impl App {
         }
     }
 
+    /// Shows the run of what is flown, which has begun.
+    fn begin_run(&mut self, host: &mut dyn Host, head: Run) {
+        let Some(fly) = &mut self.fly_work.job else {
+            return;
+        };
+        let (again, given, first) = (fly.again, fly.given, !fly.began());
+        let staged = std::mem::take(&mut fly.staged);
+        let (flight, map) = (fly.flight.clone(), fly.map.clone());
+        fly.shown = ShownFlight::Run;
+        self.tell_of_replaced(&staged, host);
+        if again {
+            self.documents.begin_run_again(head, staged);
+        } else {
+            self.documents.begin_run(head, staged, &flight);
+        }
+        self.documents.keep_given(given);
+        if !again {
+            self.take_place(host, map);
+            if first {
+                self.show_new_flight();
+            }
+        }
+    }
+
     /// A flight that cannot be navigated is shown all the same; one that was flown before stays as it is.
     fn look_at_flight(&mut self, host: &mut dyn Host, why: &str) {
         let Some(fly) = &mut self.fly_work.job else {
@@ -239,8 +271,9 @@ impl App {
         let (flight, map, given) = (fly.flight.clone(), fly.map.clone(), fly.given);
         let is_first =
             self.documents.flight.measured.is_none() || self.documents.flight.source != flight;
+        self.tell_of_replaced(&staged, host);
         self.documents.look_at(staged, &flight);
-        self.documents.mission.is_edited |= given;
+        self.documents.keep_given(given);
         self.take_place(host, map);
         if is_first {
             self.show_new_flight();

@@ -182,8 +182,7 @@ impl App {
             let flight = FlightSource::Simulated(simulation);
             if flight != self.documents.flight.source {
                 let map = self.documents.map.source.clone();
-                let mission = self.documents.mission.clone();
-                self.fly_new(egui, host, flight, map, Some(mission));
+                self.fly_over_mission(egui, host, (flight, map));
             }
         }
         self.documents.flight.bookmarks = beside.bookmarks;

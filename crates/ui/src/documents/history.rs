@@ -63,13 +63,20 @@ impl History {
             return None;
         }
         self.edits -= (self.past.len() - same) as u64;
+        // What was saved meanwhile is what was given up.
+        self.saved = self.saved.filter(|saved| *saved <= self.edits);
         self.past.truncate(same);
         Some(wanted)
     }
 
-    /// Notes that the mission was saved as it is.
-    pub fn mark_saved(&mut self) {
-        self.saved = Some(self.edits);
+    /// Edits since the document was opened, of either direction.
+    pub fn edits(&self) -> u64 {
+        self.edits
+    }
+
+    /// Notes that the mission was saved as it was after so many edits.
+    pub fn mark_saved(&mut self, edits: u64) {
+        self.saved = Some(edits);
     }
 
     /// Whether nothing was edited since the mission was saved.
@@ -149,7 +156,7 @@ mod tests {
     fn what_is_given_up_again_is_no_step_and_leaves_the_mission_saved() {
         let mut history = History::default();
         history.remember(&named("empty"));
-        history.mark_saved();
+        history.mark_saved(history.edits());
         history.remember(&named("saved"));
         history.remember(&named("saved+"));
         let without = |mission: &Mission| named(mission.name.trim_end_matches('+'));
@@ -180,11 +187,11 @@ mod tests {
         let mut history = History::default();
         history.remember(&named("a"));
         assert!(!history.is_saved());
-        history.mark_saved();
+        history.mark_saved(history.edits());
         assert!(history.is_saved());
         history.undo(&named("b"));
         assert!(!history.is_saved());
-        history.mark_saved();
+        history.mark_saved(history.edits());
         history.redo(&named("a"));
         assert!(!history.is_saved());
     }

@@ -28,6 +28,14 @@ pub struct Staged {
     pub keeps_edits: bool,
 }
 
+impl Staged {
+    /// Whether a mission that people edited and did not save makes room for its own, which undo takes back.
+    pub fn replaces_unsaved(&self, mission: &MissionDocument) -> bool {
+        let is_unsaved = mission.is_edited && !mission.history.is_saved();
+        is_unsaved && self.mission.is_some() && !self.keeps_edits
+    }
+}
+
 /// Everything that is open. What features found out about it is theirs.
 #[derive(Debug)]
 pub struct Documents {
@@ -137,11 +145,15 @@ impl Documents {
             self.flight.flown_camera = staged.camera_to_log.unwrap_or_default();
         }
         if let Some(mission) = staged.mission {
-            let edited = staged.keeps_edits && self.mission.is_edited;
-            let own = std::mem::replace(&mut self.mission.content, mission);
-            self.mission.history.clear();
-            self.mission.is_edited = false;
+            let edited = self.mission.is_edited;
             if edited {
+                self.mission.remember();
+            } else {
+                self.mission.history.clear();
+            }
+            let own = std::mem::replace(&mut self.mission.content, mission);
+            self.mission.is_edited = false;
+            if edited && staged.keeps_edits {
                 self.add_all(vec![Brought {
                     routes: own.routes,
                     landmarks: own.landmarks,
@@ -150,6 +162,16 @@ impl Documents {
                     roads: own.roads,
                 }]);
             }
+        }
+    }
+
+    /// Keeps the mission as one of its own where a flight was flown with one that was `given`: it is not edited by that,
+    /// but neither is it the flight's own.
+    pub fn keep_given(&mut self, given: bool) {
+        if given && !self.mission.is_edited {
+            self.mission.is_edited = true;
+            let edits = self.mission.history.edits();
+            self.mission.history.mark_saved(edits);
         }
     }
 

@@ -5,9 +5,18 @@ use pilotage_jobs::{Beside, Job, JobEvent, JobId, PackOrder};
 use crate::feature::FeatureContext;
 use crate::host::stem;
 
-/// The mission file being made, and its name.
+/// The mission file being made.
+#[derive(Debug)]
+struct Packing {
+    job: JobId,
+    name: String,
+    /// Edits of the mission that it holds.
+    edits: u64,
+}
+
+/// The mission file being made, if one is.
 #[derive(Debug, Default)]
-pub(super) struct MissionFile(Option<(JobId, String)>);
+pub(super) struct MissionFile(Option<Packing>);
 
 impl MissionFile {
     /// Has the mission made into a file, with the pictures of its map and what other features save beside it.
@@ -27,8 +36,9 @@ impl MissionFile {
             map: documents.map.source.clone(),
         };
         let name = format!("{}.pilotage.zip", stem(&documents.mission.name));
-        let id = context.start(Job::Pack(Box::new(order)));
-        self.0 = Some((id, name));
+        let edits = documents.mission.history.edits();
+        let job = context.start(Job::Pack(Box::new(order)));
+        self.0 = Some(Packing { job, name, edits });
     }
 
     /// Whether it is being made.
@@ -38,19 +48,19 @@ impl MissionFile {
 
     /// Gives it up; its job.
     pub(super) fn stop(&mut self) -> Option<JobId> {
-        self.0.take().map(|(job, _)| job)
+        self.0.take().map(|packing| packing.job)
     }
 
     /// Takes what the worker says of the file.
     pub(super) fn take(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
-        let Some((_, name)) = self.0.as_ref().filter(|(id, _)| *id == job) else {
+        let Some(Packing { name, edits, .. }) = self.0.as_ref().filter(|it| it.job == job) else {
             return;
         };
         let is_last = event.is_last();
         match event {
             JobEvent::Packed { bytes, lacks } => {
                 context.host.save_file(name, &bytes);
-                context.documents.mission.history.mark_saved();
+                context.documents.mission.history.mark_saved(*edits);
                 if let Some(lacks) = lacks {
                     let text = format!("{name} is saved. {lacks}");
                     context.trouble("The mission file has no map in it", text);

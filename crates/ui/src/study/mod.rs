@@ -116,7 +116,7 @@ impl StudyFeature {
         if let Some(map) = map {
             context.fly_own(flight, map);
         } else {
-            // The mission that is open stays: it may have been edited since.
+            // The mission that is open stays, and its undo steps.
             let map = context.documents.map.source.clone();
             context.fly_over(flight, map);
         }

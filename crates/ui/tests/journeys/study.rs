@@ -8,6 +8,7 @@ use pilotage_jobs::{FlightSource, Job, JobEvent, StudyFlightsOrder};
 use pilotage_study::{MeasureKind, Study, StudyDesign, StudyPlan, StudyTally};
 use serde_json::Value;
 
+use super::plan::{draw, planning};
 use super::support::real::Studies;
 use super::support::{Rig, rig};
 
@@ -35,7 +36,10 @@ fn opened() -> Rig {
 
 /// The sheet with a plan typed in the place of the shipped one.
 fn typed(text: &str) -> Rig {
-    let mut rig = opened();
+    typed_in(opened(), text)
+}
+
+fn typed_in(mut rig: Rig, text: &str) -> Rig {
     rig.harness.get_by_label("The plan as text (TOML)").click();
     rig.frames(12);
     let field = rig.harness.get_by_label("Plan of the study");
@@ -51,7 +55,10 @@ fn typed(text: &str) -> Rig {
 
 /// The study flown to its end.
 fn flown(text: &str) -> Rig {
-    let mut rig = typed(text);
+    flown_in(typed(text))
+}
+
+fn flown_in(mut rig: Rig) -> Rig {
     rig.harness.get_by_label_contains("Fly 20 flights").click();
     for _ in 0..40 {
         rig.frames(2);
@@ -250,6 +257,30 @@ fn a_failed_flight_that_is_chosen_is_flown_again_to_the_bit_and_shown_in_replay(
     rig.settle();
     let after = study(&rig)["study"].clone();
     assert!(after["open"].is_null() && after["flown"] == 20, "{after:?}");
+}
+
+#[test]
+fn a_flight_of_a_scenario_leaves_ones_own_mission_one_undo_away_and_says_so() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, 0.0), (260.0, 0.0)]);
+    rig.menu("Open", "Fly a study: many flights…");
+    let mut rig = flown_in(typed_in(rig, PLAN));
+    let route = |rig: &Rig| rig.state()["plan"]["routes"][0]["name"].clone();
+    assert_eq!(route(&rig), "Route 1");
+    let failed = study(&rig)["study"]["failed"].clone();
+    let run = failed[0]["run"].as_u64().expect("a run");
+    let button = format!("Run {run}, ");
+    rig.harness.get_by_label_contains(&button).focus();
+    rig.frames(3);
+    rig.key(Key::Enter);
+    rig.frames(3);
+    rig.settle();
+    assert_ne!(route(&rig), "Route 1");
+    let said = rig.state()["toasts"].to_string();
+    assert!(said.contains("Undo brings back yours"), "{said}");
+    rig.key_with(egui::Modifiers::COMMAND, Key::Z);
+    rig.settle();
+    assert_eq!(route(&rig), "Route 1");
 }
 
 #[test]

@@ -111,4 +111,9 @@ fn a_failed_flight_of_a_route_is_watched_with_the_mission_that_is_open_left_as_i
     );
     assert_eq!(state["mission"], mission);
     assert_eq!(state["study"]["study"]["open"], run);
+    // Its undo steps are still there, too.
+    rig.key_with(egui::Modifiers::COMMAND, Key::Z);
+    rig.settle();
+    let left = &rig.state()["plan"]["routes"][0]["way_points"];
+    assert_eq!(left.as_array().map(Vec::len), Some(1));
 }
