@@ -103,7 +103,8 @@ impl App {
         let mut features = self.views.features.iter();
         let takes_letters = self.dialogs.palette.is_open() || features.any(|it| it.takes_letters());
         ShortcutListener::hold(ui.ctx(), takes_letters);
-        if !ui.input(|i| i.pointer.any_down()) {
+        // A name that is typed is one step, as a drag is.
+        if !ui.input(|i| i.pointer.any_down()) && !ui.ctx().text_edit_focused() {
             let documents = &mut self.documents;
             documents
                 .mission

@@ -48,6 +48,14 @@ impl Roads {
         }
     }
 
+    /// Leaves the map; a road that is being drawn is one by now, where it has two points.
+    fn end(&mut self, context: &mut FeatureContext<'_>) {
+        if self.drawing.is_some() {
+            self.draw(context);
+        }
+        self.leave();
+    }
+
     fn leave(&mut self) {
         *self = Self {
             class: self.class,
@@ -98,7 +106,7 @@ impl Roads {
 
     fn carry_out(&mut self, command: RoadCommand, context: &mut FeatureContext<'_>) {
         if command == RoadCommand::Toggle && self.is_on {
-            self.leave();
+            self.end(context);
             return;
         }
         self.begin(context);
@@ -115,7 +123,10 @@ impl Roads {
             RoadCommand::Back => self.back(context),
             RoadCommand::Select(road, point) => self.select(road, point),
             RoadCommand::Next => {
-                self.drawing = None;
+                if self.drawing.is_some() {
+                    self.draw(context);
+                }
+                let roads = &context.documents.mission.roads;
                 let next = self.selected.map_or(0, |road| road + 1);
                 let next = (!roads.is_empty()).then(|| next % roads.len());
                 self.select(next, None);
@@ -234,9 +245,9 @@ impl Feature for Roads {
     }
 
     /// Leaves the map to whoever draws a landmark, and takes the last point of a road that is being drawn back.
-    fn intercept(&mut self, command: &Command, _context: &mut FeatureContext<'_>) -> bool {
+    fn intercept(&mut self, command: &Command, context: &mut FeatureContext<'_>) -> bool {
         match command {
-            Command::TogglePickTool => self.leave(),
+            Command::TogglePickTool => self.end(context),
             Command::Undo => {
                 let points = self.drawing.as_mut().filter(|_| self.is_on);
                 return points.and_then(Vec::pop).is_some();
@@ -255,7 +266,7 @@ impl Feature for Roads {
             self.count = count;
         }
         if self.is_on && tools_on(context).next().is_some() {
-            self.leave();
+            self.end(context);
         }
     }
 

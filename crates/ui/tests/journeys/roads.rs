@@ -164,6 +164,44 @@ fn escape_ends_a_road_and_keeps_the_points_that_were_drawn() {
 }
 
 #[test]
+fn another_tool_and_closing_the_card_end_a_road_and_keep_it() {
+    for leaves in [
+        |rig: &mut Rig| rig.key_with(Modifiers::SHIFT, Key::U),
+        |rig: &mut Rig| rig.key_with(Modifiers::SHIFT, Key::Y),
+        |rig: &mut Rig| rig.key(Key::N),
+    ] {
+        let mut rig = drawing();
+        for (north, east) in [(0.0, -80.0), (40.0, -80.0), (80.0, -60.0)] {
+            click(&mut rig, north, east);
+        }
+        leaves(&mut rig);
+        rig.frames(3);
+        assert_eq!(
+            (of(&rig, "on"), of(&rig, "count")),
+            (false.into(), 1.into())
+        );
+    }
+}
+
+#[test]
+fn a_name_that_is_typed_is_one_step() {
+    let mut rig = drawing();
+    draw(&mut rig, &[(0.0, -80.0), (0.0, 80.0)]);
+    rig.harness.get_by_label("Name of the road").focus();
+    rig.frames(2);
+    for letter in ["M", "i", "l", "l"] {
+        rig.harness.event(egui::Event::Text(letter.to_owned()));
+        rig.frames(2);
+    }
+    rig.key(Key::Enter);
+    rig.frames(2);
+    assert_eq!(of(&rig, "selected")["name"], "Mill");
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    rig.frames(2);
+    assert_eq!(of(&rig, "selected")["name"], "");
+}
+
+#[test]
 fn another_tool_of_the_map_takes_turns_with_it() {
     let mut rig = drawing();
     rig.key_with(Modifiers::SHIFT, Key::U);
