@@ -122,7 +122,7 @@ fn errors(ui: &mut Ui, context: &mut ViewContext<'_>, outcome: &StudyOutcome, er
                 let [low, _, median, _, high] = spread.quantiles;
                 let interval = spread.median.map_or_else(String::new, |[from, to]| {
                     let (from, to) = (of(from), of(to));
-                    format!(" (between {from} and {to} in 95 of 100 such studies)")
+                    format!(" (95 % interval {from} to {to})")
                 });
                 format!(
                     "median {} {unit}{interval}; nine of ten flights from {} to {} {unit}; {} flights",
