@@ -20,6 +20,7 @@ impl Documents {
         for file in files {
             for mut route in file.routes {
                 route.id = self.free_route_id();
+                route.name = self.free_route_name(&route.name);
                 added.routes.push(route.id);
                 self.mission.routes.push(route);
             }

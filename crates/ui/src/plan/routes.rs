@@ -30,17 +30,23 @@ impl Documents {
         ids.max().unwrap_or(1)
     }
 
+    /// A name that no route of the mission has: `wanted`, or with a number behind it. Studies and exports know routes by
+    /// their names.
+    pub fn free_route_name(&self, wanted: &str) -> String {
+        let is_taken = |name: &str| self.mission.routes.iter().any(|it| it.name == name);
+        let wanted = if wanted.is_empty() { "Route" } else { wanted };
+        let numbered = (2..).map(|number| format!("{wanted} {number}"));
+        let mut names = std::iter::once(wanted.to_owned()).chain(numbered);
+        names.find(|name| !is_taken(name)).unwrap_or_default()
+    }
+
     /// Adds a route and returns its id.
     pub fn add_route(&mut self, name: Option<&str>, way_points: Vec<WayPoint>) -> u32 {
         self.mission.remember();
         self.mission.is_edited = true;
         let id = self.free_route_id();
-        let is_taken = |name: &str| self.mission.routes.iter().any(|it| it.name == name);
-        let name = match name {
-            Some(name) if is_taken(name) => format!("{name} {id}"),
-            Some(name) => name.to_owned(),
-            None => format!("Route {id}"),
-        };
+        let name = name.map_or_else(|| format!("Route {id}"), str::to_owned);
+        let name = self.free_route_name(&name);
         self.mission.routes.push(Route {
             id,
             name,
@@ -56,7 +62,7 @@ impl Documents {
         self.mission.remember();
         self.mission.is_edited = true;
         route.id = self.free_route_id();
-        route.name = format!("{}, copy", route.name);
+        route.name = self.free_route_name(&format!("{}, copy", route.name));
         let id = route.id;
         self.mission.routes.push(route);
         Some(id)
@@ -67,7 +73,7 @@ impl Documents {
         self.mission.remember();
         self.mission.is_edited = true;
         route.id = self.free_route_id();
-        route.name = format!("{kind} {}", route.id);
+        route.name = self.free_route_name(&format!("{kind} {}", route.id));
         let id = route.id;
         self.mission.routes.push(route);
         id
