@@ -2,9 +2,7 @@
 
 use egui::Key;
 
-use super::{
-    FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, RehearseCommand, TrainCommand,
-};
+use super::{FindCommand, HeatCommand, PlanCommand, Purpose, RehearseCommand, TrainCommand};
 use crate::command::Command;
 use crate::shell::catalog::{BarMenu, CommandEntry, CommandGroup, control, entry, plain, shift};
 
@@ -226,8 +224,14 @@ fn ground() -> Vec<CommandEntry> {
         of(
             "Draw a no-fly area",
             vec![shift(Key::A)],
-            PlanCommand::Find(FindCommand::Pick(FindPick::Area)),
+            PlanCommand::Mark(Purpose::NoFlyArea),
         )
         .also("geofence fence keep out forbidden restricted airspace zone"),
+        of(
+            "Cut a hole in a no-fly area",
+            vec![],
+            PlanCommand::Mark(Purpose::Hole),
+        )
+        .also("allowed part inside geofence inclusion opening"),
     ]
 }

@@ -24,8 +24,17 @@ pub const ID: FeatureId = "plan";
 pub enum AreaChange {
     /// Another name.
     Name(String),
-    /// Another place of a corner, by its number.
-    Corner(usize, GroundPoint),
+    /// Another place of a corner.
+    Corner {
+        /// Number of the ring: 0 is the outline, 1 the first hole.
+        ring: usize,
+        /// Number of the corner in it.
+        corner: usize,
+        /// Its new place.
+        to: GroundPoint,
+    },
+    /// No hole of that number any more: it must not be flown over either.
+    FillHole(usize),
 }
 
 /// A change of a rally point.
@@ -192,6 +201,8 @@ pub enum PlanCommand {
         /// Whether the drag is over.
         finished: bool,
     },
+    /// Delete a no-fly area, by its number.
+    DeleteArea(usize),
     /// Something about finding a route.
     Find(FindCommand),
     /// Choose another tab of the column.

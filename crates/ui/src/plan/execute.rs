@@ -37,7 +37,7 @@ impl Planner {
             PlanCommand::ToggleDraw => {
                 self.drawing = true;
                 self.finder.pick = FindPick::Nothing;
-                self.marking = None;
+                self.put_marking_away(context);
                 self.way_point = None;
                 context.documents.mission.route = None;
                 context.map.picking = false;
@@ -95,16 +95,20 @@ impl Planner {
                 change,
                 finished,
             } => {
-                self.finder.found = None;
                 let step = EditStep::of(finished);
                 context.documents.edit_no_fly(index, step, change);
                 context.document_changed();
+            }
+            PlanCommand::DeleteArea(index) => {
+                if context.documents.delete_no_fly(index) {
+                    context.document_changed();
+                }
             }
             PlanCommand::Find(command) => {
                 if matches!(command, FindCommand::Begin | FindCommand::Pick(_)) {
                     self.tab = PlanTab::Ground;
                     self.drawing = false;
-                    self.marking = None;
+                    self.put_marking_away(context);
                     context.map.picking = false;
                 }
                 if self.find_command(command, context.documents) {
@@ -117,13 +121,6 @@ impl Planner {
                 self.edit_route(other, context);
             }
         }
-    }
-
-    /// Takes the last corner of what is being drawn back; whether there was one.
-    pub(super) fn take_corner_back(&mut self) -> bool {
-        let outline = self.marking.as_mut().map(|it| &mut it.corners);
-        let corners = outline.unwrap_or(&mut self.finder.corners);
-        corners.pop().is_some()
     }
 
     fn finish_drawing(&mut self, context: &mut FeatureContext<'_>) {

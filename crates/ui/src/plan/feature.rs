@@ -65,10 +65,10 @@ impl Feature for Planner {
                 self.tab = PlanTab::Landmarks;
             }
             Command::AddLandmark(_) => self.tab = PlanTab::Landmarks,
-            Command::Undo => return self.take_corner_back(),
+            Command::Undo if context.is_shown => return self.take_corner_back(context),
             Command::TogglePickTool => {
                 self.drawing = false;
-                self.marking = None;
+                self.put_marking_away(context);
             }
             Command::Feature(command)
                 if matches!(command.action(), Some(ExportCommand::Route(_))) =>
@@ -171,7 +171,9 @@ impl Feature for Planner {
             context.playback.playing = false;
         } else {
             self.drawing = false;
-            self.marking = None;
+            if self.marking.is_some() {
+                self.put_marking_away(context);
+            }
         }
         self.work(context);
         self.seen = Seen {

@@ -13,8 +13,6 @@ pub enum FindPick {
     From,
     /// End of the route.
     To,
-    /// The next corner of a no-fly area.
-    Area,
 }
 
 /// Commands of the search.
@@ -26,8 +24,6 @@ pub enum FindCommand {
     Pick(FindPick),
     /// A click on the map.
     Click(GroundPoint),
-    /// Finish the no-fly area that is being drawn.
-    FinishArea,
     /// Look for other things.
     Set(RouteWishes),
     /// Search.
@@ -38,6 +34,4 @@ pub enum FindCommand {
     Accept,
     /// Forget what was found.
     Dismiss,
-    /// Delete a no-fly area, by its number.
-    DeleteArea(usize),
 }

@@ -79,18 +79,8 @@ impl Planner {
                 } else {
                     pick
                 };
-                finder.corners.clear();
             }
             FindCommand::Click(at) => finder.click(at),
-            FindCommand::FinishArea => {
-                let corners = std::mem::take(&mut finder.corners);
-                finder.pick = FindPick::Nothing;
-                if corners.len() >= 3 {
-                    finder.found = None;
-                    documents.add_no_fly(corners);
-                    return true;
-                }
-            }
             FindCommand::Set(preferences) => self.preferences.find = preferences,
             FindCommand::Start => finder.wants = Some(true),
             FindCommand::Stop => finder.wants = Some(false),
@@ -107,10 +97,6 @@ impl Planner {
                 return true;
             }
             FindCommand::Dismiss => finder.found = None,
-            FindCommand::DeleteArea(index) => {
-                finder.found = None;
-                return documents.delete_no_fly(index);
-            }
         }
         false
     }

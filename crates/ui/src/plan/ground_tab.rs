@@ -1,4 +1,4 @@
-//! The ground: where a fix would be had, no-fly areas, rally points, and finding a route over it.
+//! The ground: where a fix would be had, and finding a route over it, between no-fly areas and rally points.
 
 use egui::{Align, DragValue, Layout, Slider, Ui};
 use pilotage_core::frames::AltitudeFrame;
@@ -6,14 +6,13 @@ use pilotage_core::plan::{Aim, BudgetOf};
 
 use super::PlanCommand;
 use super::button::button;
-use super::command::AreaChange;
 use super::compared::RouteFigures;
 use super::find_command::{FindCommand, FindPick};
 use super::find_tool::hint;
 use super::heat::BLIND;
 use super::heat_command::HeatCommand;
 use super::legs::time_text;
-use super::name_field::name_field;
+use super::no_fly_card::no_fly_card;
 use super::planner::Planner;
 use super::rally_card::rally_card;
 use super::way_points::altitude_words;
@@ -35,7 +34,7 @@ pub fn ground_tab(
     let space = context.tokens.space;
     heat(ui, planner, context);
     ui.add_space(2.0 * space);
-    areas(ui, planner, context);
+    no_fly_card(ui, planner, context);
     ui.add_space(2.0 * space);
     find(ui, planner, documents, context);
     ui.add_space(2.0 * space);
@@ -148,55 +147,6 @@ fn heat_state(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     }
 }
 
-/// The name of an area in a field of its own.
-fn area_name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut ViewContext<'_>) {
-    let zone = &context.mission.no_fly[index];
-    let width = 0.6 * ui.available_width();
-    let typed = name_field(ui, &mut planner.area_draft, (index, &zone.name), width);
-    if let Some(name) = typed {
-        context.commands.push(Command::from(PlanCommand::EditArea {
-            index,
-            change: AreaChange::Name(name),
-            finished: true,
-        }));
-    }
-}
-
-fn areas(ui: &mut Ui, planner: &mut Planner, context: &mut ViewContext<'_>) {
-    let tokens = context.tokens;
-    let drawing = planner.finder.pick == FindPick::Area;
-    caption(ui, tokens, "No-fly areas");
-    let mission = context.mission;
-    for (index, zone) in mission.no_fly.iter().enumerate() {
-        ui.horizontal(|ui| {
-            area_name(ui, planner, index, context);
-            let label = format!("Delete {}", zone.name);
-            if icon_button(ui, tokens, Icon::Trash, &label).clicked() {
-                say(context, FindCommand::DeleteArea(index));
-            }
-            let corners = format!("{} corners", zone.corners.len());
-            ui.label(muted(tokens, corners));
-        });
-    }
-    if !mission.no_fly.is_empty() {
-        let words = "Drag a corner on the map to move it.";
-        ui.label(muted(tokens, words));
-    }
-    ui.horizontal(|ui| {
-        let label = if drawing {
-            "Stop drawing"
-        } else {
-            "Draw an area"
-        };
-        let pick = PlanCommand::Find(FindCommand::Pick(FindPick::Area));
-        button(ui, context, Some(Icon::Plus), label, false, pick);
-        if drawing && planner.finder.corners.len() >= 3 {
-            let finish = PlanCommand::Find(FindCommand::FinishArea);
-            button(ui, context, None, "Close the area", true, finish);
-        }
-    });
-}
-
 fn find(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     let finder = &planner.finder;
@@ -219,7 +169,7 @@ fn find(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut Vie
             ui.label(muted(tokens, text));
         }
     });
-    if let Some(words) = hint(finder.pick, finder.corners.len()) {
+    if let Some(words) = hint(finder.pick) {
         ui.label(egui::RichText::new(words).color(tokens.accent));
     }
     wishes(ui, planner, documents, context);

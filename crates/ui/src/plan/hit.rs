@@ -2,6 +2,17 @@
 
 use pilotage_core::frames::GroundPoint;
 
+/// A corner of a no-fly area.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AreaCorner {
+    /// Number of the area.
+    pub area: usize,
+    /// Number of the ring: 0 is the outline, 1 the first hole.
+    pub ring: usize,
+    /// Number of the corner in it.
+    pub corner: usize,
+}
+
 /// Thing under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hit {
@@ -13,8 +24,8 @@ pub enum Hit {
     Route(u32),
     /// A corner of the selected landmark's outline.
     Corner(usize),
-    /// A corner of a no-fly area: number of the area and of the corner.
-    Area(usize, usize),
+    /// A corner of a no-fly area.
+    Area(AreaCorner),
     /// A rally point.
     Rally(usize),
 }
@@ -26,8 +37,8 @@ pub struct PlanPointer {
     pub(super) dragged: Option<usize>,
     /// The landmark and the corner of its outline that is being dragged.
     pub(super) corner: Option<(u32, usize)>,
-    /// The no-fly area and the corner of it that is being dragged.
-    pub(super) area: Option<(usize, usize)>,
+    /// The corner of a no-fly area that is being dragged.
+    pub(super) area: Option<AreaCorner>,
     /// The rally point that is being dragged.
     pub(super) rally: Option<usize>,
     /// Thing that the pointer is over.

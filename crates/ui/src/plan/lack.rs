@@ -55,6 +55,11 @@ impl Planner {
                 "No landmark is selected",
                 "Click one on the map or in the list.",
             ),
+            PlanCommand::Mark(Purpose::Hole) => (
+                !mission.no_fly.is_empty(),
+                "No no-fly area is there",
+                "Draw one in Plan, under Ground.",
+            ),
             PlanCommand::AssessAll | PlanCommand::Train(TrainCommand::All) => (
                 !mission.landmarks.is_empty(),
                 "No landmarks",

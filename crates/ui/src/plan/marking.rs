@@ -1,12 +1,15 @@
 //! Marking places on the map by clicks: outlines, points, reference points.
 
-use egui::{Align2, Color32, CursorIcon, Key, Painter, Response, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Color32, CursorIcon, Key, Painter, Pos2, Response, Shape, Stroke, Ui, vec2};
 use pilotage_core::frames::GroundPoint;
 
 use super::command::PlanCommand;
-use super::purpose::{AGAIN, Purpose};
+use super::purpose::{AGAIN, CLOSING, FEWEST, Purpose};
 use crate::map::{ScreenFromWorld, paint_halo_text};
 use crate::tokens::Tokens;
+
+/// Place of what to do below the figures at the top of the map, from the middle of its upper edge.
+pub(super) const BELOW_FIGURES: egui::Vec2 = vec2(0.0, 84.0);
 
 /// Places being marked.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,13 +65,21 @@ impl Marking {
             && let Some(at) = response.interact_pointer_pos()
         {
             let last = self.corners.last().map(|corner| view.apply(corner));
-            if last.is_none_or(|last| last.distance(at) > AGAIN) {
+            let closes = self.is_closed_at(view, at);
+            if !closes && last.is_none_or(|last| last.distance(at) > AGAIN) {
                 say(PlanCommand::AddCorner(view.inverse(at)));
             }
-            if self.purpose.is_point() {
+            if closes || self.purpose.is_point() {
                 say(PlanCommand::FinishMarking);
             }
         }
+    }
+
+    /// Whether a click closes the outline: one on its first corner.
+    fn is_closed_at(&self, view: &ScreenFromWorld, at: Pos2) -> bool {
+        let first = self.corners.first().map(|corner| view.apply(corner));
+        let is_near = first.is_some_and(|first| first.distance(at) < CLOSING);
+        is_near && !self.purpose.is_point() && self.corners.len() >= FEWEST
     }
 
     /// Draws the corners so far, and what to do.
@@ -83,17 +94,21 @@ impl Marking {
         if !self.purpose.is_point() {
             line.extend(pointer.map(|p| view.apply(&p)));
         }
+        let color = if self.purpose.is_about_no_fly() {
+            tokens.no_fly
+        } else {
+            tokens.accent
+        };
         if line.len() >= 2 {
             let edge = Stroke::new(4.0, tokens.outline());
             painter.add(Shape::closed_line(line.clone(), edge));
-            painter.add(Shape::closed_line(line, Stroke::new(2.0, tokens.accent)));
+            painter.add(Shape::closed_line(line, Stroke::new(2.0, color)));
         }
         for corner in &self.corners {
             let edge = Stroke::new(1.5, tokens.outline());
-            painter.circle(view.apply(corner), 4.5, tokens.accent, edge);
+            painter.circle(view.apply(corner), 4.5, color, edge);
         }
-        let screen = painter.clip_rect();
-        let at = screen.center_top() + vec2(0.0, 20.0);
+        let at = painter.clip_rect().center_top() + BELOW_FIGURES;
         let words = self.purpose.advice(self.corners.len());
         let (align, font) = (Align2::CENTER_TOP, tokens.normal());
         paint_halo_text(painter, at, align, words, font, Color32::WHITE);

@@ -2,6 +2,7 @@
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::NoFlyZone;
+use pilotage_core::plan::inside;
 
 use super::command::AreaChange;
 use super::routes::EditStep;
@@ -20,6 +21,18 @@ impl Documents {
         });
     }
 
+    /// Cuts a hole into the area that all of `corners` lie in; false if there is none.
+    pub fn cut_hole(&mut self, corners: Vec<GroundPoint>) -> bool {
+        let holds = |area: &NoFlyZone| corners.iter().all(|at| inside(&area.corners, at));
+        let Some(index) = self.mission.no_fly.iter().position(holds) else {
+            return false;
+        };
+        self.mission.remember();
+        self.mission.is_edited = true;
+        self.mission.no_fly[index].holes.push(corners);
+        true
+    }
+
     /// Changes an area that must not be flown over.
     pub fn edit_no_fly(&mut self, index: usize, step: EditStep, change: AreaChange) {
         let Some(zone) = self.mission.no_fly.get(index) else {
@@ -28,11 +41,16 @@ impl Documents {
         let mut zone = zone.clone();
         match change {
             AreaChange::Name(name) => zone.name = name,
-            AreaChange::Corner(corner, to) => {
-                if let Some(place) = zone.corners.get_mut(corner) {
+            AreaChange::Corner { ring, corner, to } => {
+                let corners = zone.ring_mut(ring);
+                if let Some(place) = corners.and_then(|it| it.get_mut(corner)) {
                     *place = to;
                 }
             }
+            AreaChange::FillHole(hole) if hole < zone.holes.len() => {
+                zone.holes.remove(hole);
+            }
+            AreaChange::FillHole(_) => {}
         }
         if zone != self.mission.no_fly[index] {
             self.mission.history.begin_drag(&self.mission.content);

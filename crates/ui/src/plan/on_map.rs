@@ -6,7 +6,9 @@ use super::find_command::FindPick;
 use super::find_tool::paint_hint;
 use super::incursions::paint_incursions;
 use super::marks::{mark_labels, other_route_labels};
+use super::no_fly_paint::{no_fly_labels, paint_no_fly};
 use super::planner::Planner;
+use super::tab::PlanTab;
 use crate::context::ViewContext;
 use crate::map::{LandmarkLabel, Layer, MapCanvas, MapStage, MapTool, ScreenFromWorld};
 
@@ -42,7 +44,9 @@ impl MapTool for Planner {
         let marks = mark_labels(view, canvas.mission, canvas.route, tokens);
         let names = other_route_labels(view, canvas.mission, canvas.route, tokens);
         let advice = self.remedy_label(view, tokens);
-        marks.into_iter().chain(names).chain(advice).collect()
+        let areas = no_fly_labels(view, canvas.mission, tokens);
+        let names = marks.into_iter().chain(areas).chain(names);
+        names.chain(advice).collect()
     }
 
     fn paint(&self, stage: MapStage, canvas: &MapCanvas<'_>) {
@@ -58,23 +62,26 @@ impl MapTool for Planner {
         } = *canvas;
         match stage {
             MapStage::Ground => self.paint_heat(painter, view),
-            MapStage::BelowMarks if layers.shows(Layer::Corridor) => {
-                self.paint_corridor(painter, view, tokens);
+            MapStage::BelowMarks => {
+                let held = self.tab == PlanTab::Ground;
+                paint_no_fly(painter, view, mission, held, tokens);
+                if layers.shows(Layer::Corridor) {
+                    self.paint_corridor(painter, view, tokens);
+                }
             }
             MapStage::AboveMarks if layers.shows(Layer::Route) => {
                 paint_incursions(painter, view, &self.incursions.legs, tokens);
                 self.paint_routes(painter, view, mission, route, &self.pointer, tokens);
             }
-            MapStage::BelowMarks | MapStage::AboveMarks => {}
+            MapStage::AboveMarks => {}
             MapStage::Last => {
                 self.paint_remedy(painter, view, tokens);
                 self.paint_suggestions(painter, view, &mission.landmarks, tokens);
-                self.paint_find(painter, view, mission, pointer, tokens);
+                self.paint_find(painter, view, tokens);
                 if let Some(pointer) = pointer {
                     self.paint_heat_readout(painter, view, pointer, tokens);
                 }
-                let finder = &self.finder;
-                paint_hint(painter, rect, finder.pick, finder.corners.len(), tokens);
+                paint_hint(painter, rect, self.finder.pick, tokens);
             }
         }
     }

@@ -25,6 +25,7 @@ use super::incursion_check::IncursionCheck;
 use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
+use super::marking_commands::PutAway;
 use super::patterns::PassCircumstances;
 use super::printing::Printing;
 use super::rehearsal::{RehearsalPreferences, RouteRehearsal};
@@ -100,6 +101,8 @@ pub struct Planner {
     pub drawing: bool,
     /// Marking of places on the map by clicks.
     pub marking: Option<Marking>,
+    /// Places that were marked when people turned to something else.
+    pub(super) put_away: Option<PutAway>,
     /// The open tab.
     pub tab: PlanTab,
     /// Preferences and assumptions of the user.

@@ -7,7 +7,7 @@ use pilotage_core::mission::{Mission, Route};
 
 use super::PlanCommand;
 use super::command::{AreaChange, RallyChange};
-use super::hit::{Hit, PlanPointer};
+use super::hit::{AreaCorner, Hit, PlanPointer};
 use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::command::Command;
@@ -54,6 +54,16 @@ fn distance_to_line(a: Pos2, b: Pos2, at: Pos2) -> f32 {
     (a + share.clamp(0.0, 1.0) * way).distance(at)
 }
 
+/// Corners of all no-fly areas and of their holes.
+fn area_corners(mission: &Mission) -> impl Iterator<Item = (AreaCorner, GroundPoint)> + '_ {
+    let areas = mission.no_fly.iter().enumerate();
+    let rings = areas.flat_map(|(area, of)| of.rings().enumerate().map(move |it| (area, it)));
+    rings.flat_map(|(area, (ring, corners))| {
+        let corners = corners.iter().enumerate();
+        corners.map(move |(corner, at)| (AreaCorner { area, ring, corner }, *at))
+    })
+}
+
 fn hit(
     mission: &Mission,
     selected: Option<&Route>,
@@ -84,13 +94,9 @@ fn hit(
         return Some(Hit::Rally(index));
     }
     if planner.tab == PlanTab::Ground {
-        let zones = mission.no_fly.iter().enumerate();
-        let places = zones.flat_map(|(zone, of)| {
-            let corners = of.corners.iter().enumerate();
-            corners.map(move |(corner, p)| ((zone, corner), view.apply(p)))
-        });
-        if let Some((zone, corner)) = nearest(places, at) {
-            return Some(Hit::Area(zone, corner));
+        let places = area_corners(mission).map(|(which, at)| (which, view.apply(&at)));
+        if let Some(corner) = nearest(places, at) {
+            return Some(Hit::Area(corner));
         }
     }
     let others = mission
@@ -149,7 +155,7 @@ impl PlanPointer {
                     });
                 }
                 Some(Hit::Corner(index)) => self.corner = landmark.map(|l| (l.id, index)),
-                Some(Hit::Area(zone, corner)) => self.area = Some((zone, corner)),
+                Some(Hit::Area(corner)) => self.area = Some(corner),
                 Some(Hit::Rally(index)) => self.rally = Some(index),
                 _ => {}
             }
@@ -218,9 +224,9 @@ impl PlanPointer {
         }
         let to = to?;
         match (area, rally) {
-            (Some((index, corner)), _) => Some(PlanCommand::EditArea {
-                index,
-                change: AreaChange::Corner(corner, to),
+            (Some(AreaCorner { area, ring, corner }), _) => Some(PlanCommand::EditArea {
+                index: area,
+                change: AreaChange::Corner { ring, corner, to },
                 finished,
             }),
             (None, Some(index)) => Some(PlanCommand::EditRally {
@@ -257,7 +263,7 @@ fn clicked(
             finished: true,
         }),
         Some(Hit::Route(id)) => say(PlanCommand::SelectRoute(id)),
-        Some(Hit::Corner(_) | Hit::Area(..) | Hit::Rally(_)) => {}
+        Some(Hit::Corner(_) | Hit::Area(_) | Hit::Rally(_)) => {}
         None => {
             if planner.way_point.is_some() {
                 say(PlanCommand::SelectWayPoint(None));

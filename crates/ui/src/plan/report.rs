@@ -1,5 +1,6 @@
 //! The Plan workspace as journeys read it.
 
+use pilotage_core::frames::GroundPoint;
 use serde_json::Value;
 
 use crate::state_json::object;
@@ -41,6 +42,9 @@ impl Planner {
                 })
             })
             .collect();
+        let ring = |corners: &Vec<GroundPoint>| -> Vec<[f64; 2]> {
+            corners.iter().map(|p| [p.north, p.east]).collect()
+        };
         let shown = self.forecast.shown();
         let outlook = shown.and_then(|s| PredictionFigures::of(&s.prediction));
         let mean = shown.map(|s| {
@@ -81,7 +85,8 @@ impl Planner {
             "untested": self.untested.json(),
             "areas": mission.no_fly.iter().map(|z| object!({
                 "name": z.name,
-                "corners": z.corners.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
+                "corners": ring(&z.corners),
+                "holes": z.holes.iter().map(ring).collect::<Vec<_>>(),
             })).collect::<Vec<_>>(),
             "rally": mission.rally.iter().map(|r| object!({
                 "name": r.name,

@@ -109,6 +109,7 @@ impl Planner {
         let heat = self.heat_order(context.documents);
         let blind = self.preferences.heat.blind;
         let mut waits = self.heat.work(heat, blind, context);
+        self.finder.keep_to_mission(context);
         let begins = self.finder.wants == Some(true);
         let order = begins.then(|| self.find_order(context.documents));
         self.finder.work(order.flatten(), context);

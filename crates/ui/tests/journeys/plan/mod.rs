@@ -1,5 +1,6 @@
 //! Actions of people while they plan.
 
+mod areas;
 mod assess;
 mod brief;
 mod corridor;
