@@ -122,7 +122,7 @@ pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use prepare::PrepareMapOrder;
 pub use programs::{Abilities, Begin, Program};
 pub use provided::{LetGoOrder, ProvideOrder};
-pub use read_study_plan::ReadStudyPlanOrder;
+pub use read_study_plan::{ReadStudyPlan, ReadStudyPlanOrder};
 pub use reference_map::ReferenceMapOrder;
 pub use rehearse::{RehearseOrder, Rehearsed, fly_planned};
 pub use reliability::ReliabilityOrder;

@@ -9,7 +9,7 @@ use super::order::{Order, Urgency, WorkerRole};
 use super::running::once;
 use super::{JobEvent, RunningJob, WorkerState};
 
-/// Text of a plan to read, TOML: event `Figures` with a [`StudyPlanParts`], or `Failed` with why it cannot be followed and
+/// Text of a plan to read, TOML: event `Figures` with a [`ReadStudyPlan`], or `Failed` with why it cannot be followed and
 /// where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReadStudyPlanOrder {
@@ -17,6 +17,24 @@ pub struct ReadStudyPlanOrder {
     pub text: String,
     /// Mission that is open, which it may name.
     pub open: Option<Box<Mission>>,
+}
+
+/// A plan that was read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReadStudyPlan {
+    /// The plan.
+    pub parts: StudyPlanParts,
+    /// Sentences on what may surprise of its missions.
+    pub notes: Vec<String>,
+}
+
+impl From<StudyPlan> for ReadStudyPlan {
+    fn from(plan: StudyPlan) -> Self {
+        Self {
+            notes: plan.notes(),
+            parts: plan.into(),
+        }
+    }
 }
 
 /// The open mission, if a plan that calls it `name` means it: by its own name or by that of its file.
@@ -48,7 +66,7 @@ impl Order for ReadStudyPlanOrder {
                 StudyError::NoPlan(_) => capitalised(&why.to_string()),
                 StudyError::Plan { .. } => format!("In the plan, {why}"),
             })?;
-            emit(JobEvent::of_figures(&StudyPlanParts::from(plan))?);
+            emit(JobEvent::of_figures(&ReadStudyPlan::from(plan))?);
             Ok(())
         })
     }
@@ -68,6 +86,7 @@ mod tests {
     fn a_plan_means_the_open_mission_by_its_name_or_that_of_its_file() {
         let mut mission = Scenario::named("distinct-400ft-calm").unwrap().mission();
         mission.name = "Mill: A/B".to_owned();
+        mission.camera = None;
         let [one, other] = [0.0, 500.0].map(|north| {
             let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
             WayPoint::new(GroundPoint::new(north, 0.0), altitude)
@@ -85,8 +104,13 @@ mod tests {
         };
         for name in ["Mill: A/B", "Mill--A-B.geojson"] {
             let events = read(name);
-            let parts: StudyPlanParts = events[0].read_figures().unwrap();
-            let plan = StudyPlan::from(parts);
+            let read: ReadStudyPlan = events[0].read_figures().unwrap();
+            assert!(
+                read.notes[0].contains("states no camera"),
+                "{:?}",
+                read.notes
+            );
+            let plan = StudyPlan::from(read.parts);
             let kept = plan.missions.get(name).unwrap().read().unwrap();
             assert_eq!(
                 (kept.routes.len(), kept.landmarks.len()),
@@ -119,8 +143,9 @@ mod tests {
         for text in SHIPPED_PLANS.into_iter().chain([stops]) {
             let plan = StudyPlan::read(text).unwrap();
             let text = text.to_owned();
-            let parts: StudyPlanParts = figures(ReadStudyPlanOrder { text, open: None });
-            assert_eq!(StudyPlan::from(parts), plan);
+            let read: ReadStudyPlan = figures(ReadStudyPlanOrder { text, open: None });
+            assert!(read.notes.is_empty());
+            assert_eq!(StudyPlan::from(read.parts), plan);
         }
     }
 }

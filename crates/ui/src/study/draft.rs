@@ -1,6 +1,7 @@
 //! The plan that is written down, and what it would take to fly it.
 
 use pilotage_core::mission::Mission;
+use pilotage_jobs::ReadStudyPlan;
 use pilotage_study::{DrawBy, SHIPPED_PLANS, StudyDesign, StudyPlan};
 use serde_json::{Value, json};
 
@@ -27,6 +28,8 @@ enum WantedDraws {
 pub struct StudyDraft {
     text: String,
     plan: Option<Result<StudyPlan, String>>,
+    /// Sentences on what may surprise of the plan as it was read last.
+    notes: Vec<String>,
     /// Draws that it gets once it is read; `None` where it is.
     awaited: Option<WantedDraws>,
     /// Number of the shipped plan that it is but for its flights; `None` of one's own.
@@ -38,6 +41,7 @@ impl Default for StudyDraft {
         let mut draft = Self {
             text: String::new(),
             plan: None,
+            notes: Vec::new(),
             awaited: None,
             chosen: None,
         };
@@ -126,9 +130,13 @@ impl StudyDraft {
     }
 
     /// Takes what a worker read in the text.
-    pub fn take(&mut self, read: Result<StudyPlan, String>) {
+    pub fn take(&mut self, read: Result<ReadStudyPlan, String>) {
         let wanted = self.awaited.take();
-        self.plan = Some(read);
+        self.notes.clear();
+        self.plan = Some(read.map(|read| {
+            self.notes = read.notes;
+            StudyPlan::from(read.parts)
+        }));
         let Some(Ok(plan)) = &self.plan else { return };
         match wanted {
             Some(WantedDraws::Usual) if plan.cells() > 1 => self.set_draws(USUAL_DRAWS),
@@ -141,6 +149,11 @@ impl StudyDraft {
     /// The plan as it was read last, if it can be followed.
     pub fn plan(&self) -> Option<&StudyPlan> {
         self.plan.as_ref()?.as_ref().ok()
+    }
+
+    /// Sentences on what may surprise of the plan as it was read last.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The plan that the text is, once that is read and if it can be followed.
@@ -264,7 +277,7 @@ mod tests {
     fn read(mut draft: StudyDraft) -> StudyDraft {
         let text = draft.unread().expect("something to read");
         let plan = StudyPlan::read(text).map_err(|why| why.to_string());
-        draft.take(plan);
+        draft.take(plan.map(Into::into));
         assert_eq!(draft.unread(), None);
         draft
     }
@@ -300,8 +313,11 @@ mod tests {
             let read = |text: &str| StudyPlan::read_with(text, &mut |_| Ok(mission.clone()));
             let mut draft = StudyDraft::default();
             draft.write(text.clone());
-            draft.take(read(&text).map_err(|why| why.to_string()));
+            let plan = read(&text).map_err(|why| why.to_string());
+            draft.take(plan.map(Into::into));
             assert_eq!(draft.refusal(), None);
+            // Neither a landmark nor a camera.
+            assert_eq!(draft.notes().len(), 2);
             let plan = draft.plan().unwrap();
             assert_eq!(plan.runs(), runs);
             // The terminal reads the same out of one file.

@@ -1,6 +1,7 @@
 //! The form in which a study is chosen, and its plan as text.
 
 use egui::{DragValue, Id, Label, RichText, TextEdit, Ui};
+use pilotage_core::text::capitalised;
 use pilotage_study::{SHIPPED_PLANS, StopRule, StudyMeasure, StudyPlan, question_of};
 
 use super::command::StudyCommand;
@@ -42,6 +43,10 @@ pub(super) fn form(ui: &mut Ui, context: &mut ViewContext<'_>, draft: &mut Study
     parts::section(ui, tokens, "The plan as text (TOML)", false, |ui| {
         plan_text(ui, context, draft);
     });
+    for note in draft.notes() {
+        let text = format!("{}.", capitalised(note));
+        ui.add(Label::new(muted(tokens, text)).wrap());
+    }
     if let Some(why) = draft.refusal() {
         let text = RichText::new(why).color(tokens.warning);
         ui.add(Label::new(text).wrap());

@@ -1,8 +1,8 @@
 //! The plan that is written down, being read by a worker: the page links no reader of TOML.
 
+use pilotage_core::camera::CameraModel;
 use pilotage_core::mission::Mission;
-use pilotage_jobs::{Job, JobEvent, JobId, ReadStudyPlanOrder};
-use pilotage_study::StudyPlanParts;
+use pilotage_jobs::{Job, JobEvent, JobId, ReadStudyPlan, ReadStudyPlanOrder};
 
 use super::draft::StudyDraft;
 use crate::feature::FeatureContext;
@@ -13,14 +13,20 @@ pub struct PlanReading {
     asked: Option<(JobId, String)>,
     /// Mission that was open when a text that flies missions was read last.
     with: Option<Box<Mission>>,
+    /// Camera of the flight that was open then: that of a mission without one, as in its predictions.
+    camera: Option<CameraModel>,
 }
 
 impl PlanReading {
     /// Has the text of a draft read, if it is not; what was asked of another text no longer matters.
     pub fn ask(&mut self, draft: &mut StudyDraft, context: &mut FeatureContext<'_>) {
         let open: &Mission = &context.documents.mission;
-        if draft.flies_missions() && self.with.as_deref() != Some(open) {
+        let flown = context.documents.flight.measured.as_ref();
+        let camera = flown.map(|flight| &flight.camera);
+        let is_same = self.with.as_deref() == Some(open) && self.camera.as_ref() == camera;
+        if draft.flies_missions() && !is_same {
             self.with = Some(Box::new(open.clone()));
+            self.camera = camera.cloned();
             draft.read_again();
             self.asked = None;
         }
@@ -29,7 +35,10 @@ impl PlanReading {
             return;
         }
         let text = text.to_owned();
-        let open = self.with.clone().filter(|_| draft.flies_missions());
+        let mut open = self.with.clone().filter(|_| draft.flies_missions());
+        if let Some(mission) = &mut open {
+            mission.camera = mission.camera.take().or(self.camera.clone());
+        }
         let job = Job::ReadStudyPlan(ReadStudyPlanOrder {
             text: text.clone(),
             open,
@@ -47,7 +56,7 @@ impl PlanReading {
             return false;
         }
         let read = match event {
-            JobEvent::Figures(_) => event.read_figures::<StudyPlanParts>().map(Into::into),
+            JobEvent::Figures(_) => event.read_figures::<ReadStudyPlan>(),
             JobEvent::Failed(why) => Err(why.clone()),
             _ => return true,
         };

@@ -46,6 +46,9 @@ fn fly(rig: &mut Rig, flights: u64) {
 fn a_route_that_was_drawn_is_studied_and_the_saved_plan_flies_the_same_on_the_terminal() {
     let mut rig = asked();
     assert_eq!(rig.state()["study"]["flights"], 40);
+    // Its camera is that of the open flight, as in the prediction of the route.
+    let said = rig.harness.query_by_label_contains("states no camera");
+    assert!(said.is_none());
     let text = saved(&mut rig);
     let terminal = StudyPlan::read(&text).expect("a plan with its mission in it");
     assert_eq!(terminal.runs(), 40);
