@@ -117,6 +117,8 @@ pub struct FeatureWishes {
     pub commands: Vec<Command>,
     /// Whether its panel is to be shown, unless one is that takes the whole column.
     pub is_offered: bool,
+    /// Whether its tool has the map now, which the others are to leave.
+    pub takes_map: bool,
     /// Map to be shown.
     pub map: Option<MapSource>,
     /// Flight to be flown in the place of the one that is being flown.
@@ -280,6 +282,12 @@ impl FeatureContext<'_> {
     /// Says that something changed that is stored with the documents.
     pub fn document_changed(&mut self) {
         self.wishes.is_document_changed = true;
+    }
+
+    /// Has the tools of others leave the map.
+    pub fn take_map(&mut self) {
+        self.map.picking = false;
+        self.wishes.takes_map = true;
     }
 
     /// Asks the app, or another feature, to do something once this is over.
@@ -487,6 +495,9 @@ pub trait Feature {
     fn intercept(&mut self, _command: &Command, _context: &mut FeatureContext<'_>) -> bool {
         false
     }
+
+    /// Leaves the map, whose next clicks are for another tool.
+    fn leave_map(&mut self, _context: &mut FeatureContext<'_>) {}
 
     /// Tool that has the map now; of the owner of a workspace, while that is open, or of a feature without a place.
     fn tool(&mut self) -> Option<&mut dyn MapTool> {

@@ -65,7 +65,10 @@ impl App {
             Command::SelectLandmark(id) => {
                 self.selection = id.filter(|id| self.documents.mission.landmark(*id).is_some());
             }
-            Command::TogglePickTool => self.views.map.picking = !self.views.map.picking,
+            Command::TogglePickTool => {
+                self.views.map.picking = !self.views.map.picking;
+                self.leave_map(None, context, host);
+            }
             Command::AddLandmark(bounds) => {
                 let id = self.documents.add_landmark(bounds);
                 self.present_landmark(id);

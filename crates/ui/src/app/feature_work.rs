@@ -72,6 +72,9 @@ impl App {
         if let Some(id) = wishes.presented {
             self.present_landmark(id);
         }
+        if wishes.takes_map {
+            self.leave_map(Some(own), egui, host);
+        }
         for command in wishes.commands {
             self.execute(command, egui, host);
         }
@@ -148,6 +151,20 @@ impl App {
         for index in 0..self.views.features.len() {
             self.with_feature(index, egui, host, work);
         }
+    }
+
+    /// Has the tools of features leave the map, but for that of the feature that takes it.
+    pub(super) fn leave_map(
+        &mut self,
+        to: Option<FeatureId>,
+        egui: &egui::Context,
+        host: &mut dyn Host,
+    ) {
+        self.with_each_feature(egui, host, &mut |feature, context| {
+            if Some(context.own) != to {
+                feature.leave_map(context);
+            }
+        });
     }
 
     /// Lets every feature do what is due.

@@ -54,7 +54,8 @@ impl Feature for Measure {
                 };
                 if is_on {
                     // A drag over a selected landmark would move that.
-                    (*context.selection, context.map.picking) = (None, false);
+                    *context.selection = None;
+                    context.take_map();
                 }
             }
             MeasureCommand::Close => self.line.close(),
@@ -67,14 +68,13 @@ impl Feature for Measure {
         true
     }
 
-    /// Leaves the map to whoever draws a landmark, and takes the last point of its line back.
+    /// Takes the last point of its line back.
     fn intercept(&mut self, command: &Command, _context: &mut FeatureContext<'_>) -> bool {
-        match command {
-            Command::TogglePickTool => self.is_on = false,
-            Command::Undo if self.is_on => return self.line.take_back(),
-            _ => {}
-        }
-        false
+        *command == Command::Undo && self.is_on && self.line.take_back()
+    }
+
+    fn leave_map(&mut self, _context: &mut FeatureContext<'_>) {
+        self.is_on = false;
     }
 
     fn tend(&mut self, context: &mut FeatureContext<'_>) {

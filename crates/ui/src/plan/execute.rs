@@ -40,7 +40,7 @@ impl Planner {
                 self.put_marking_away(context);
                 self.way_point = None;
                 context.documents.mission.route = None;
-                context.map.picking = false;
+                context.take_map();
                 *context.selection = None;
             }
             PlanCommand::FinishDraw => self.finish_drawing(context),
@@ -109,7 +109,7 @@ impl Planner {
                     self.tab = PlanTab::Ground;
                     self.drawing = false;
                     self.put_marking_away(context);
-                    context.map.picking = false;
+                    context.take_map();
                 }
                 if self.find_command(command, context.documents) {
                     context.document_changed();
@@ -123,7 +123,7 @@ impl Planner {
         }
     }
 
-    fn finish_drawing(&mut self, context: &mut FeatureContext<'_>) {
+    pub(super) fn finish_drawing(&mut self, context: &mut FeatureContext<'_>) {
         self.drawing = false;
         let short = context.documents.mission.selected_route();
         let short = short.filter(|r| r.way_points.len() < 2).map(|r| r.id);

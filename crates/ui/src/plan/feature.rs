@@ -7,6 +7,7 @@ use serde_json::Value;
 use super::RehearseCommand;
 use super::catalog::commands;
 use super::command::{ID, PlanCommand};
+use super::find_command::FindPick;
 use super::landmark_commands::delete;
 use super::planner::{Planner, Seen};
 use super::readouts::plan_readouts;
@@ -66,10 +67,6 @@ impl Feature for Planner {
             }
             Command::AddLandmark(_) => self.tab = PlanTab::Landmarks,
             Command::Undo if context.is_shown => return self.take_corner_back(context),
-            Command::TogglePickTool => {
-                self.drawing = false;
-                self.put_marking_away(context);
-            }
             Command::Feature(command)
                 if matches!(command.action(), Some(ExportCommand::Route(_))) =>
             {
@@ -151,6 +148,16 @@ impl Feature for Planner {
 
     fn on_event(&mut self, job: JobId, event: JobEvent, context: &mut FeatureContext<'_>) {
         self.receive(job, &event, context);
+    }
+
+    fn leave_map(&mut self, context: &mut FeatureContext<'_>) {
+        if self.drawing {
+            self.finish_drawing(context);
+        }
+        self.finder.pick = FindPick::Nothing;
+        if self.marking.is_some() {
+            self.put_marking_away(context);
+        }
     }
 
     fn on_flight_changed(&mut self, context: &mut FeatureContext<'_>) {

@@ -80,7 +80,7 @@ impl Planner {
         self.marking = (!same).then(|| Marking::new(purpose));
         self.drawing = false;
         self.finder.pick = FindPick::Nothing;
-        context.map.picking = false;
+        context.take_map();
         if purpose == Purpose::Rally || purpose.is_about_no_fly() {
             self.tab = PlanTab::Ground;
         }

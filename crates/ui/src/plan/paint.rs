@@ -125,7 +125,8 @@ fn paint_selected(
     tokens: &Tokens,
 ) {
     let line = screen_line(route, view);
-    if let (Some(last), Some(pointer)) = (line.last(), tool.pointer) {
+    let pointer = tool.pointer.filter(|_| planner.drawing);
+    if let (Some(last), Some(pointer)) = (line.last(), pointer) {
         let next = [*last, view.apply(&pointer)];
         let stroke = Stroke::new(2.0, tokens.accent);
         painter.extend(Shape::dashed_line(&next, stroke, 6.0, 5.0));

@@ -28,23 +28,14 @@ const INFO: FeatureInfo = FeatureInfo {
 const NO_POINT: &str = "No point of a road is selected";
 const CLICK_POINT: &str = "Click one between the ends of the selected road first.";
 
-/// Buttons of the other tools that have the map now.
-fn tools_on<'a>(context: &'a FeatureContext<'_>) -> impl Iterator<Item = MapButton> + 'a {
-    let buttons = context.others().filter_map(Feature::map_button);
-    buttons.filter(|button| button.is_on)
-}
-
 impl Roads {
     /// Takes the map, without a selected landmark: a drag over one would move it.
     fn begin(&mut self, context: &mut FeatureContext<'_>) {
         if !self.is_on {
             self.is_on = true;
             self.count = context.documents.mission.roads.len();
-            let others: Vec<Command> = tools_on(context).map(|it| it.command).collect();
-            for command in others {
-                context.ask(command);
-            }
-            (*context.selection, context.map.picking) = (None, false);
+            *context.selection = None;
+            context.take_map();
         }
     }
 
@@ -244,29 +235,24 @@ impl Feature for Roads {
         CommandLack::unless(is_there, what, advice)
     }
 
-    /// Leaves the map to whoever draws a landmark, and takes the last point of a road that is being drawn back.
-    fn intercept(&mut self, command: &Command, context: &mut FeatureContext<'_>) -> bool {
-        match command {
-            Command::TogglePickTool => self.end(context),
-            Command::Undo => {
-                let points = self.drawing.as_mut().filter(|_| self.is_on);
-                return points.and_then(Vec::pop).is_some();
-            }
-            _ => {}
-        }
-        false
+    /// Takes the last point of a road that is being drawn back.
+    fn intercept(&mut self, command: &Command, _context: &mut FeatureContext<'_>) -> bool {
+        let points = self.drawing.as_mut().filter(|_| self.is_on);
+        *command == Command::Undo && points.and_then(Vec::pop).is_some()
     }
 
-    /// Selects nothing any more once roads came or went by other hands, for their numbers are those of other roads, and
-    /// leaves the map to a tool that was taken up since.
+    fn leave_map(&mut self, context: &mut FeatureContext<'_>) {
+        if self.is_on {
+            self.end(context);
+        }
+    }
+
+    /// Selects nothing any more once roads came or went by other hands, for their numbers are those of other roads.
     fn tend(&mut self, context: &mut FeatureContext<'_>) {
         let count = context.documents.mission.roads.len();
         if self.is_on && self.count != count {
             self.select(None, None);
             self.count = count;
-        }
-        if self.is_on && tools_on(context).next().is_some() {
-            self.end(context);
         }
     }
 

@@ -146,7 +146,8 @@ impl MapTool for Roads {
         let course = course.unwrap_or_else(|| self.course(&mission.roads));
         let line: Vec<Pos2> = course.iter().map(|point| view.apply(point)).collect();
         for ends in line.windows(2) {
-            paint_lifted_line(painter, [ends[0], ends[1]], 2.5, tokens.accent, tokens);
+            // Its own colour: routes are lines of the accent.
+            paint_lifted_line(painter, [ends[0], ends[1]], 4.0, tokens.road, tokens);
         }
         let edge = Stroke::new(1.0, tokens.outline());
         if self.drawing.is_none() {

@@ -147,3 +147,34 @@ fn a_found_route_is_forgotten_once_an_area_is_drawn_and_with_it_deleted_again() 
     undo(&mut rig);
     assert!(rig.state()["plan"]["find"]["shortest"].is_null());
 }
+
+#[test]
+fn each_tool_of_the_map_takes_it_from_the_others() {
+    let mut rig = planning();
+    rig.key_with(Modifiers::SHIFT, Key::Y);
+    rig.settle();
+    for (north, east) in [(0.0, -80.0), (40.0, -80.0)] {
+        click(&mut rig, north, east);
+    }
+    rig.key_with(Modifiers::SHIFT, Key::A);
+    rig.settle();
+    let roads = rig.state()["roads"].clone();
+    assert_eq!((&roads["on"], &roads["count"]), (&false.into(), &1.into()));
+    click(&mut rig, 0.0, 0.0);
+    assert_eq!(marked(&rig), Some(("NoFlyArea".to_owned(), 1)));
+    rig.key_with(Modifiers::SHIFT, Key::U);
+    rig.settle();
+    assert_eq!(marked(&rig), None);
+    assert!(rig.state()["measure"].is_object());
+    rig.key(Key::W);
+    rig.settle();
+    assert!(rig.state()["measure"].is_null());
+    assert_eq!(rig.state()["plan"]["drawing"], true);
+    rig.key_with(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["find"]["pick"], "From");
+    rig.key(Key::N);
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["find"]["pick"], "Nothing");
+    assert_eq!(rig.state()["map"]["picking"], true);
+}
