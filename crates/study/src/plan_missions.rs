@@ -3,6 +3,7 @@
 use pilotage_core::mission::Mission;
 
 use super::plan::{StudyError, StudyPlan, refusal};
+use super::run_settings::RunSettings;
 use super::study_mission::{PlanMission, StudyMission};
 use super::value::{SettingDistribution, SettingValue};
 
@@ -40,8 +41,31 @@ impl StudyPlan {
                     "{name} states no camera: that of the built-in scenarios is taken"
                 ));
             }
+            notes.extend(self.note_on_aids(name, &mission));
         }
         notes
+    }
+
+    /// Sentence on the aids of a mission that are left out.
+    fn note_on_aids(&self, name: &str, mission: &Mission) -> Option<String> {
+        let aids = mission.navigator.aids.iter();
+        let left: Vec<&str> = aids
+            .filter(|aid| !self.sets("aids") && !RunSettings::reads(aid))
+            .map(|aid| aid.key.as_str())
+            .collect();
+        (!left.is_empty()).then(|| {
+            format!(
+                "{name} switches on aids that look at pictures or heights, which studies do not have; they are left out: {}",
+                left.join(", ")
+            )
+        })
+    }
+
+    /// Whether it says a setting in any way.
+    fn sets(&self, key: &str) -> bool {
+        self.fixed.get(key).is_some()
+            || self.cross.get(key).is_some()
+            || self.draw.get(key).is_some()
     }
 
     /// All values that a setting may have, as text.

@@ -5,7 +5,7 @@ use pilotage_core::plan::TestedInstrument;
 use pilotage_core::simulate::Scenario;
 
 use super::fault_kind::FaultKind;
-use super::run_settings::RunSettings;
+use super::run_settings::{LONGEST, RunSettings};
 use super::value::SettingValue;
 
 /// Setter of a number that was checked.
@@ -32,8 +32,6 @@ pub struct StudySetting {
 }
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
-/// Longest time that can be flown, seconds.
-const LONGEST: f64 = 3600.0;
 const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 const POSITIVE: [f64; 2] = [0.0, f64::INFINITY];
 
@@ -102,9 +100,6 @@ fn named(name: &str, what: &str) -> Result<String, String> {
 
 fn set_mission(run: &mut RunSettings, name: &str) -> Result<(), String> {
     run.mission = Some(named(name, "file of a mission")?);
-    // All of its route by its own navigator, where nobody says otherwise: settings come in the order of their names.
-    run.seconds = LONGEST;
-    run.is_told = false;
     Ok(())
 }
 
@@ -114,18 +109,16 @@ fn set_route(run: &mut RunSettings, name: &str) -> Result<(), String> {
 }
 
 fn set_aids(run: &mut RunSettings, names: &str) -> Result<(), String> {
-    // The other aids look at pictures or at a height that the vehicle model has not.
-    let known = ["gps-position", "gps-velocity", "magnetic-heading"].map(|key| (key, key));
+    let known = RunSettings::READ_AIDS.map(|key| (key, key));
     let names = names.split(',').map(str::trim);
     let names = names.filter(|name| !name.is_empty() && *name != "none");
-    run.aids = names
-        .map(|name| among(name, &known).map(str::to_owned))
-        .collect::<Result<_, _>>()?;
+    let aids = names.map(|name| among(name, &known).map(str::to_owned));
+    run.aids = Some(aids.collect::<Result<_, _>>()?);
     Ok(())
 }
 
 fn set_told(run: &mut RunSettings, name: &str) -> Result<(), String> {
-    run.is_told = among(name, &[("yes", true), ("no", false)])?;
+    run.is_told = Some(among(name, &[("yes", true), ("no", false)])?);
     Ok(())
 }
 
@@ -135,10 +128,8 @@ fn set_doubts(run: &mut RunSettings, name: &str) -> Result<(), String> {
 }
 
 fn set_estimator(run: &mut RunSettings, name: &str) -> Result<(), String> {
-    run.estimator = among(
-        name,
-        &EstimatorChoice::ALL.map(|choice| (choice.key(), choice)),
-    )?;
+    let known = EstimatorChoice::ALL.map(|choice| (choice.key(), choice));
+    run.estimator = Some(among(name, &known)?);
     Ok(())
 }
 
@@ -182,7 +173,8 @@ impl StudySetting {
         text("scenario", "scenario whose route and landmarks are flown", set_scenario);
         text("mission", "mission file beside the plan, flown over level ground in place of a scenario", set_mission);
         text("route", "route of the mission, if not the first", set_route);
-        number("seconds", "s", "longest time flown", [1.0, LONGEST], |r, v| r.seconds = v);
+        number("seconds", "s", "longest time flown; of a mission all of its route, but an hour at most, if not said", [1.0, LONGEST],
+            |r, v| r.seconds = Some(v));
         number("height", "m", "height above ground", [10.0, 10_000.0], |r, v| r.height = Some(v));
         number("wind-speed", "m/s", "speed of the wind", [0.0, 14.0], |r, v| r.wind_speed = Some(v));
         number("wind-from", "°", "direction from which it blows", ANY, |r, v| r.wind_from = Some(v));
@@ -227,19 +219,19 @@ impl StudySetting {
         number("fault-from", "s", "when that begins", POSITIVE, |r, v| r.fault_from = v);
         number("fault-turn", "°", "angle by which a heading is turned", ANY, |r, v| r.fault_turn = v);
         number("fault-delay", "s", "time by which a camera is late", [0.0, 60.0], |r, v| r.fault_delay = v);
-        text("aids", "aids beside pictures, separated by commas, or none", set_aids);
+        text("aids", "aids beside pictures, separated by commas, or none; those of the mission, without what looks at pictures or heights, if not said", set_aids);
         text("vehicle", "process model", set_vehicle);
-        text("estimator", "estimator", set_estimator);
+        text("estimator", "estimator; that of the mission if not said", set_estimator);
         text("told", "whether the filter is told of the sensors' errors: yes or no; a mission has its own settings if not said", set_told);
         text("doubts", "whether the filter thinks of late pictures and turned compasses: yes or no", set_doubts);
         number("start-wind", "m/s", "deviation of the wind that the filter assumes at first", POSITIVE,
             |r, v| r.start_wind = Some(v));
         number("alpha", "", "spread of the sigma points", [1e-4, 1.0], |r, v| r.alpha = Some(v));
         number("gate", "", "confidence of the gate", [0.5, 0.999_999], |r, v| r.gate = Some(v));
-        number("measurement-scale", "", "factor on the covariance of measurements", [1e-3, 1e3],
-            |r, v| r.measurement_scale = v);
-        number("step", "s", "shortest step of the filter between frames; 0 makes one of each measurement", [0.0, 10.0],
-            |r, v| r.step = v);
+        number("measurement-scale", "", "factor on the covariance of measurements; that of the mission if not said", [1e-3, 1e3],
+            |r, v| r.measurement_scale = Some(v));
+        number("step", "s", "shortest step of the filter between frames; 0 makes one of each measurement; that of the mission if not said", [0.0, 10.0],
+            |r, v| r.step = Some(v));
     };
 }
 

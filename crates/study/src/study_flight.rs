@@ -6,7 +6,7 @@ use nalgebra::{Matrix4, Vector4};
 use pilotage_core::flight::{Channel, ChannelName, Flight};
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::navigator::{ChosenAid, NavigatorSettings};
+use pilotage_core::navigator::{AidInfo, ChosenAid, NavigatorSettings};
 use pilotage_core::plan::{ExpectedDetection, with_walk};
 use pilotage_core::simulate::{Overrides, Scenario, Wind};
 use rand::SeedableRng;
@@ -57,9 +57,14 @@ impl StudyFlight {
 
     /// Time that it takes at most in calm air, seconds.
     pub fn lasts(&self) -> f64 {
-        let longest = self.settings.seconds;
+        let longest = self.longest();
         let mission = self.mission.as_ref();
         mission.map_or(longest, |mission| mission.lasts.min(longest))
+    }
+
+    /// Longest time flown, seconds.
+    fn longest(&self) -> f64 {
+        self.settings.longest(self.mission.is_some())
     }
 
     /// Its scenario, with the height and the mean wind that it has; `None` where there is no such scenario.
@@ -112,18 +117,27 @@ impl StudyFlight {
     /// Settings of the navigator: as in the scenario or mission, where the run says no other.
     fn navigation(&self, scenario: &Scenario, mission: Option<&StudyMission>) -> NavigatorSettings {
         let of_run = &self.settings;
-        let told = if of_run.is_told {
+        let tells = of_run.tells(mission.is_some());
+        let told = if tells {
             of_run.sensors
         } else {
             RunSettings::default().sensors
         };
         let usual = scenario.navigator(&told);
         let mut settings = match mission {
-            Some(mission) if !of_run.is_told => mission.navigator().clone(),
-            _ => usual,
+            None => usual,
+            // Who is told of the errors is told of the aircraft that has them.
+            Some(mission) if tells => NavigatorSettings {
+                vehicle: usual.vehicle,
+                start: usual.start,
+                process: usual.process,
+                sensors: usual.sensors,
+                ..mission.navigator().clone()
+            },
+            Some(mission) => mission.navigator().clone(),
         };
         settings.vehicle = of_run.vehicle.unwrap_or(settings.vehicle);
-        settings.estimator.choice = of_run.estimator;
+        settings.estimator.choice = of_run.estimator.unwrap_or(settings.estimator.choice);
         settings.estimator.particles.seed = self.seeds.of(Stream::Estimator);
         settings.start.wind = of_run.start_wind.unwrap_or(settings.start.wind);
         settings.alpha = of_run.alpha.unwrap_or(settings.alpha);
@@ -131,11 +145,16 @@ impl StudyFlight {
         // Landmarks are found with the stated errors, and with no other.
         settings.sensors.pixel = 0.0;
         settings.sensors.ground = 0.0;
-        settings.measurement_scale = of_run.measurement_scale;
-        settings.shortest_step = of_run.step;
-        // Aids of the scenario look at pictures.
-        let aids = of_run.aids.iter();
-        settings.aids = aids.map(|key| ChosenAid::usual(key)).collect();
+        settings.measurement_scale = of_run
+            .measurement_scale
+            .unwrap_or(settings.measurement_scale);
+        settings.shortest_step = of_run.step.unwrap_or(settings.shortest_step);
+        settings.aids = match (&of_run.aids, mission) {
+            (Some(keys), _) => keys.iter().map(|key| ChosenAid::usual(key)).collect(),
+            (None, Some(mission)) => mission.read_aids(),
+            // Those of the scenario look at pictures.
+            (None, None) => Vec::new(),
+        };
         settings
     }
 
@@ -155,9 +174,9 @@ impl StudyFlight {
             ..Overrides::default()
         };
         let mut plan = scenario.plan(&overrides);
-        plan.longest = settings.seconds;
+        plan.longest = self.longest();
         if let Some(mission) = &mission {
-            plan = mission.flown(plan, settings.seconds);
+            plan = mission.flown(plan, self.longest());
         }
         if settings.wind_scatter > 0.0 {
             plan = plan.in_wind_of(self.seeds.of(Stream::Wind), settings.wind_scatter);
@@ -168,11 +187,12 @@ impl StudyFlight {
             let seed = self.seeds.of(Stream::Walk) ^ *instrument as u64;
             flight = with_walk(flight, *instrument, *deviation, seed);
         }
-        self.read_aids(&mut flight);
+        let navigator = self.navigator_in(scenario, mission.as_ref());
+        self.read_aids(&mut flight, &navigator.aids);
         damage(&mut flight, settings);
         let deviations = Vector4::new(settings.place, settings.place, settings.turn, settings.turn);
         Some(PreparedFlight {
-            settings: self.navigator_in(scenario, mission.as_ref()),
+            settings: navigator,
             stated: StatedNavigation {
                 seen: as_seen(&flight, settings).map(Arc::new),
                 expected: ExpectedDetection {
@@ -190,15 +210,23 @@ impl StudyFlight {
         })
     }
 
-    /// Gives the flight the channels of the chosen aids: the truth with the error that the aid takes for granted.
-    fn read_aids(&self, flight: &mut Flight) {
+    /// Gives the flight the channels of the chosen aids: the truth with the error that each takes for granted.
+    fn read_aids(&self, flight: &mut Flight, chosen: &[ChosenAid]) {
         let Some(truth) = flight.truth.clone() else {
             return;
         };
-        for info in self.settings.chosen_aids() {
-            let of = |key: &str| info.numbers.iter().find(|number| number.key == key);
-            let noise = of("noise").map_or(0.0, |number| number.usual);
-            let apart = of("apart").map_or(READING_APART, |number| number.usual);
+        for info in AidInfo::ALL {
+            let Some(aid) = chosen.iter().find(|aid| aid.key == info.key) else {
+                continue;
+            };
+            // What the aid refuses keeps the flight from being navigated.
+            let values = info.values(aid).unwrap_or_default();
+            let of = |key: &str| {
+                let place = info.numbers.iter().position(|number| number.key == key);
+                values.get(place?).copied()
+            };
+            let noise = of("noise").unwrap_or(0.0);
+            let apart = of("apart").unwrap_or(READING_APART);
             let per_reading = (apart / 0.05).round().max(1.0) as usize;
             for name in info.channels {
                 let seed = self.seeds.of(Stream::Aid) ^ *name as u64;

@@ -5,12 +5,14 @@ use std::collections::BTreeMap;
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{Mission, read_mission, write_mission};
-use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::mission::{Mission, Route, read_mission, write_mission};
+use pilotage_core::navigator::{ChosenAid, NavigatorSettings};
 use pilotage_core::plan::{FlownWay, RouteGround, cruise, longest_flight, planned_aircraft};
 use pilotage_core::simulate::{FlightPlan, Scenario, Target};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::run_settings::RunSettings;
 
 /// Mission in a plan: a text, GeoJSON. Whoever has the plan needs no other file, and reads the same numbers to the bit;
 /// whoever only hands it on, as the page does, links no reader of missions.
@@ -202,6 +204,12 @@ impl StudyMission {
     /// Settings of the navigator, as the mission states them.
     pub(crate) fn navigator(&self) -> &NavigatorSettings {
         &self.navigator
+    }
+
+    /// Aids that the mission switches on and a study can read, with their numbers.
+    pub(crate) fn read_aids(&self) -> Vec<ChosenAid> {
+        let aids = self.navigator.aids.iter().cloned();
+        aids.filter(RunSettings::reads).collect()
     }
 
     /// The plan of a flight in the wind and with the sensors of `plan`, along this way, for `seconds` at most.
