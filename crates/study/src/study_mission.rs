@@ -49,7 +49,7 @@ impl PlanMission {
 
     fn of_text(text: String, mission: &Mission) -> Self {
         let named = mission.routes.iter().filter_map(|route| {
-            let flown = StudyMission::along(mission, Some(&route.name), None).ok()?;
+            let flown = StudyMission::along_route(mission, route, None).ok()?;
             Some((route.name.clone(), flown.lasts()))
         });
         Self {
@@ -150,16 +150,20 @@ impl StudyMission {
     /// The route of that name, or else the first one, at `height` metres above ground where one is given.
     ///
     /// # Errors
-    /// Where there is no such route or it leads nowhere, in words.
+    /// Where there is no such route, more than one has that name or it leads nowhere, in words.
     pub fn along(
         mission: &Mission,
         route: Option<&str>,
         height: Option<f64>,
     ) -> Result<Self, String> {
         let route = match route {
-            Some(name) => mission.route_named(name)?,
+            Some(name) => only_route(mission, name)?,
             None => (mission.routes.first()).ok_or("the mission has no route to fly")?,
         };
+        Self::along_route(mission, route, height)
+    }
+
+    fn along_route(mission: &Mission, route: &Route, height: Option<f64>) -> Result<Self, String> {
         let mut route = route.clone();
         if let Some(metres) = height {
             let stated = Altitude::new(metres, AltitudeFrame::AboveGround);
@@ -236,10 +240,22 @@ impl StudyMission {
     }
 }
 
+/// The route of that name, where no other has it.
+fn only_route<'a>(mission: &'a Mission, name: &str) -> Result<&'a Route, String> {
+    let found = mission.route_named(name)?;
+    let of_name = mission.routes.iter().filter(|route| route.name == name);
+    match of_name.count() {
+        1 => Ok(found),
+        count => Err(format!(
+            "{count} of its routes are called \"{name}\"; give each a name of its own"
+        )),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use pilotage_core::frames::GroundRect;
-    use pilotage_core::mission::{Route, WayPoint};
+    use pilotage_core::mission::WayPoint;
 
     use super::*;
     use crate::{Study, StudyError, StudyPlan};

@@ -130,3 +130,21 @@ fn a_mission_is_navigated_by_its_own_settings_but_for_what_the_plan_says() {
     let none = plan_of(&mission, &format!("{named}fixed.aids = \"none\""));
     assert!(!none.expect("the plan reads").notes().iter().any(is_told));
 }
+
+#[test]
+fn a_name_that_two_routes_have_is_refused() {
+    let mut mission = mission(1000.0);
+    mission.routes.push(mission.routes[0].clone());
+    let route = "cross.route = [\"Out\"]\nfixed.mission = \"river.geojson\"";
+    let why = plan_of(&mission, route).expect_err("which of the two is not said");
+    let why = why.to_string();
+    assert!(
+        why.contains("river.geojson: 2 of its routes are called \"Out\""),
+        "{why}"
+    );
+    // The first one needs no name.
+    let first = "fixed.mission = \"river.geojson\"\nfixed.seconds = 5";
+    let plan = plan_of(&mission, first).expect("the first is meant");
+    let run = StudyDesign::new(plan).run(0).expect("a run of it");
+    assert!((run.flight().lasts() - 5.0).abs() < 1e-9);
+}
