@@ -3,7 +3,7 @@
 use pilotage_core::mission::Mission;
 
 use super::plan::{StudyError, StudyPlan, refusal};
-use super::run_settings::RunSettings;
+use super::run_settings::{LONGEST, RunSettings};
 use super::study_mission::{PlanMission, StudyMission};
 use super::value::{SettingDistribution, SettingValue};
 
@@ -42,6 +42,7 @@ impl StudyPlan {
                 ));
             }
             notes.extend(self.note_on_aids(name, &mission));
+            notes.extend(self.notes_on_time(name, text));
         }
         notes
     }
@@ -59,6 +60,30 @@ impl StudyPlan {
                 left.join(", ")
             )
         })
+    }
+
+    /// Sentences on the routes of a mission that take longer than can be flown, where the plan says no time itself.
+    fn notes_on_time(&self, name: &str, mission: &PlanMission) -> Vec<String> {
+        if self.sets("seconds") {
+            return Vec::new();
+        }
+        let named = self.values_of(ROUTE);
+        let routes = named.iter().map(|route| Some(route.as_str()));
+        let first = named.is_empty().then_some(None);
+        let note = |route: Option<&str>| {
+            let lasts = mission.along(route).lasts;
+            let which = route.map_or("first route".to_owned(), |route| {
+                format!("route \"{route}\"")
+            });
+            (lasts.is_finite() && lasts > LONGEST).then(|| {
+                format!(
+                    "the {which} of {name} takes {:.0} min in calm air: its first {:.0} min are flown, and the rest is left out",
+                    lasts / 60.0,
+                    LONGEST / 60.0
+                )
+            })
+        };
+        routes.chain(first).filter_map(note).collect()
     }
 
     /// Whether it says a setting in any way.

@@ -148,3 +148,24 @@ fn a_name_that_two_routes_have_is_refused() {
     let run = StudyDesign::new(plan).run(0).expect("a run of it");
     assert!((run.flight().lasts() - 5.0).abs() < 1e-9);
 }
+
+#[test]
+fn a_route_that_is_cut_at_an_hour_is_told() {
+    let long = mission(100_000.0);
+    let named = "fixed.mission = \"river.geojson\"";
+    let notes = |mission: &Mission, more: &str| {
+        let plan = plan_of(mission, &format!("{named}\n{more}"));
+        let notes = plan.expect("the plan reads").notes().into_iter();
+        let of_time = notes.filter(|note| note.contains("min are flown"));
+        of_time.collect::<Vec<_>>()
+    };
+    let told = notes(&long, "cross.route = [\"Out\"]");
+    assert!(
+        told.len() == 1 && told[0].starts_with("the route \"Out\" of river.geojson takes"),
+        "{told:?}"
+    );
+    assert!(notes(&long, "")[0].starts_with("the first route of river.geojson takes"));
+    // Who says a time knows it.
+    assert!(notes(&long, "fixed.seconds = 600").is_empty());
+    assert!(notes(&mission(1000.0), "").is_empty());
+}
