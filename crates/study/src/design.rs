@@ -24,7 +24,7 @@ pub struct StudyRun {
     pub cell: u64,
     /// Settings.
     pub settings: RunSettings,
-    /// Values of the crossed settings, then of the drawn ones, each in the order of their names.
+    /// Values of the crossed settings, then of the drawn ones as they are flown, each in the order of their names.
     pub values: Vec<SettingValue>,
     /// Seeds by stream.
     pub(crate) seeds: Seeds,
@@ -151,9 +151,9 @@ impl StudyDesign {
             values.push(value.clone());
         }
         for (index, (key, distribution)) in self.plan.draw.iter().enumerate() {
-            let value = distribution.at(self.unit(draw, index));
-            settings.set_drawn(key, &value).map_err(refused(key))?;
-            values.push(value);
+            let drawn = distribution.at(self.unit(draw, index));
+            let flown = settings.set_drawn(key, drawn).map_err(refused(key))?;
+            values.push(flown);
         }
         let missions = &self.plan.missions;
         let named = settings
@@ -237,5 +237,35 @@ mod tests {
             eighths.sort_unstable();
             assert_eq!(eighths, [0, 1, 2, 3, 4, 5, 6, 7]);
         }
+    }
+
+    #[test]
+    fn rows_have_the_settings_that_are_flown() {
+        let plan = StudyPlan::read(
+            r#"
+            name = "tails"
+            question = "?"
+            draws = 40
+            draw.noise-heading = { normal = [0, 2] }
+            draw.wind-speed = { normal = [14, 3] }
+            measure = [{ of = "error-rms" }]
+            "#,
+        );
+        let design = StudyDesign::new(plan.unwrap());
+        let (mut calm, mut strongest) = (0, 0);
+        for number in 0..40 {
+            let run = design.run(number).unwrap();
+            let noise = run.settings.sensors.heading.noise.to_degrees();
+            let wind = run.settings.wind_speed.unwrap();
+            for (value, flown) in run.values.iter().zip([noise, wind]) {
+                let SettingValue::Number(value) = value else {
+                    panic!("{value} is no number");
+                };
+                assert!((value - flown).abs() < 1e-9, "{value} {flown}");
+            }
+            calm += u32::from(noise == 0.0);
+            strongest += u32::from(wind == 14.0);
+        }
+        assert!(calm > 10 && strongest > 10, "{calm} {strongest}");
     }
 }

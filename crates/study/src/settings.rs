@@ -298,15 +298,21 @@ impl RunSettings {
         }
     }
 
-    /// Sets one that was drawn: a tail beyond the bounds of a setting ends at them.
-    pub(crate) fn set_drawn(&mut self, key: &str, value: &SettingValue) -> Result<(), String> {
+    /// Sets one that was drawn, and gives the value that it has then: a tail beyond the bounds of a setting ends at them.
+    pub(crate) fn set_drawn(
+        &mut self,
+        key: &str,
+        drawn: SettingValue,
+    ) -> Result<SettingValue, String> {
         let setting = StudySetting::ALL.iter().find(|setting| setting.key == key);
-        if let (Some(Setter::Number([low, high], ..)), SettingValue::Number(number)) =
-            (setting.map(|s| &s.setter), value)
-        {
-            return self.set(key, &SettingValue::Number(number.clamp(*low, *high)));
-        }
-        self.set(key, value)
+        let value = match (setting.map(|s| &s.setter), drawn) {
+            (Some(Setter::Number([low, high], ..)), SettingValue::Number(number)) => {
+                SettingValue::Number(number.clamp(*low, *high))
+            }
+            (_, drawn) => drawn,
+        };
+        self.set(key, &value)?;
+        Ok(value)
     }
 }
 
@@ -368,7 +374,8 @@ mod tests {
         assert_eq!(run.sensors.heading.noise, 2.0_f64.to_radians());
         let tail = SettingValue::Number(-0.3);
         assert!(run.set("wind-speed", &tail).is_err());
-        run.set_drawn("wind-speed", &tail).unwrap();
+        let flown = run.set_drawn("wind-speed", tail);
+        assert_eq!(flown, Ok(SettingValue::Number(0.0)));
         assert_eq!(run.wind_speed, Some(0.0));
     }
 
