@@ -52,7 +52,8 @@ pub struct MeanSummary {
     pub mean: f64,
     /// Standard deviation between flights.
     pub deviation: f64,
-    /// Interval of the mean with a confidence of 95 %.
+    /// Interval of the mean with a confidence of 95 %; none of numbers that are all alike, which do not tell it, unless it
+    /// is that of a share.
     pub interval: Option<[f64; 2]>,
     /// Way in which that was found.
     pub interval_by: IntervalBy,
@@ -130,17 +131,46 @@ impl MeasureTally {
 
     fn interval(&self) -> (Option<[f64; 2]>, IntervalBy) {
         match &self.samples {
-            Samples::Draws(_) if self.is_share => {
-                let count = self.count as f64;
-                let (low, high) = wilson((self.mean * count).round(), count);
-                (Some([low, high]), IntervalBy::Wilson)
+            Samples::Draws(_) if self.is_share => (self.wilsons(), IntervalBy::Wilson),
+            Samples::Draws(resampled) => {
+                let interval = resampled.interval().filter(|_| self.scatters());
+                (interval, IntervalBy::Bootstrap)
             }
-            Samples::Draws(resampled) => (resampled.interval(), IntervalBy::Bootstrap),
-            Samples::Scrambles(scrambles) => (of_scrambles(scrambles), IntervalBy::Scrambles),
+            Samples::Scrambles(scrambles) => self.of_scrambles(scrambles),
         }
     }
 
-    /// Half the width of the interval; infinite without one.
+    fn of_scrambles(&self, scrambles: &[(f64, f64)]) -> (Option<[f64; 2]>, IntervalBy) {
+        if scrambles.iter().any(|(count, _)| *count == 0.0) {
+            return (None, IntervalBy::Scrambles);
+        }
+        let means: Vec<f64> = scrambles.iter().map(|(count, sum)| sum / count).collect();
+        let are_alike = means.iter().all(|mean| *mean == means[0]);
+        match (are_alike, self.is_share) {
+            // Draws by points scatter no more than independent ones.
+            (true, true) => (self.wilsons(), IntervalBy::Wilson),
+            (true, false) => (None, IntervalBy::Scrambles),
+            (false, true) => {
+                let within = students(&means).map(|end| end.clamp(0.0, 1.0));
+                (Some(within), IntervalBy::Scrambles)
+            }
+            (false, false) => (Some(students(&means)), IntervalBy::Scrambles),
+        }
+    }
+
+    /// Whether its numbers differ: from those that are all alike nothing is known of how far others may lie from them.
+    fn scatters(&self) -> bool {
+        self.squares > 0.0
+    }
+
+    /// Wilson's interval of a share of flights.
+    fn wilsons(&self) -> Option<[f64; 2]> {
+        let count = self.count as f64;
+        let (low, high) = wilson((self.mean * count).round(), count);
+        (self.count > 0).then_some([low, high])
+    }
+
+    /// Half the width of the interval; infinite without one, as of numbers that are all alike.
     pub fn half_width(&self) -> f64 {
         let interval = self.interval().0.filter(|_| self.count > 0);
         interval.map_or(f64::INFINITY, |[low, high]| 0.5 * (high - low))
@@ -193,12 +223,8 @@ impl MeasureTally {
     }
 }
 
-/// Student's interval of the mean of scrambles.
-fn of_scrambles(scrambles: &[(f64, f64)]) -> Option<[f64; 2]> {
-    if scrambles.iter().any(|(count, _)| *count == 0.0) {
-        return None;
-    }
-    let means: Vec<f64> = scrambles.iter().map(|(count, sum)| sum / count).collect();
+/// Student's interval of the mean of the means of scrambles.
+fn students(means: &[f64]) -> [f64; 2] {
     let count = means.len() as f64;
     let mean = means.iter().sum::<f64>() / count;
     let squares = means
@@ -207,7 +233,7 @@ fn of_scrambles(scrambles: &[(f64, f64)]) -> Option<[f64; 2]> {
         .sum::<f64>();
     let error = (squares / (count - 1.0) / count).sqrt();
     let margin = student(count - 1.0) * error;
-    Some([mean - margin, mean + margin])
+    [mean - margin, mean + margin]
 }
 
 /// Value below which a variable of Student's with `freedom` degrees lies with 97.5 %; Fisher and Cornish's expansion

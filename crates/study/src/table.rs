@@ -79,10 +79,11 @@ impl StudySummary {
                     .unwrap_or(0)
             })
             .collect();
-        let by = self.cells.iter().flat_map(|cell| &cell.measures);
-        let by_scrambles = by
-            .filter_map(|measure| measure.mean.as_ref())
-            .any(|mean| mean.interval_by == IntervalBy::Scrambles);
+        let measures = || self.cells.iter().flat_map(|cell| &cell.measures);
+        let is_by = |by: IntervalBy| {
+            let mut means = measures().filter_map(|measure| measure.mean.as_ref());
+            means.any(|mean| mean.interval_by == by)
+        };
         let mut text = format!(
             "{}: {}\n{} draws, {} flights{}. Intervals of 95 %: {}.\n",
             self.name,
@@ -94,10 +95,11 @@ impl StudySummary {
             } else {
                 ""
             },
-            if by_scrambles {
-                "Student's, of the means of scrambles"
-            } else {
-                "Wilson's of shares, the bootstrap's of means"
+            match (is_by(IntervalBy::Scrambles), is_by(IntervalBy::Wilson)) {
+                (true, false) => "Student's, of the means of scrambles",
+                (true, true) =>
+                    "Student's, of the means of scrambles; Wilson's of shares that are the same in all",
+                _ => "Wilson's of shares, the bootstrap's of means",
             },
         );
         for row in &rows {

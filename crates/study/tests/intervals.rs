@@ -1,0 +1,83 @@
+//! Intervals of few flights, and of flights that are all alike: nothing is claimed that they do not tell.
+
+use pilotage_core::training::evaluation::wilson;
+use pilotage_study::{
+    IntervalBy, MeanSummary, StudyDesign, StudyPlan, StudyRow, StudySummary, StudyTally,
+};
+
+fn design(more: &str) -> StudyDesign {
+    let plan = format!(
+        r#"
+        name = "few"
+        question = "?"
+        draws = 64
+        {more}
+        draw.wind-speed = {{ uniform = [0, 8] }}
+        measure = [{{ of = "error-rms" }}, {{ of = "error-max", name = "near", at_most = 1 }}]
+        "#
+    );
+    StudyDesign::new(StudyPlan::read(&plan).expect("the plan reads"))
+}
+
+/// Summary of the first `draws` draws, until it is enough, with these numbers by draw.
+fn summary(design: &StudyDesign, draws: u64, measured: impl Fn(u64) -> [f64; 2]) -> StudySummary {
+    let mut tally = StudyTally::new(design);
+    for run in 0..draws {
+        let measured = measured(run).map(Some).to_vec();
+        tally.take(StudyRow { run, measured }).expect("in order");
+    }
+    tally.summary()
+}
+
+fn mean(summary: &StudySummary, measure: usize) -> MeanSummary {
+    let measure = &summary.cells[0].measures[measure];
+    measure.mean.clone().expect("there are numbers")
+}
+
+#[test]
+fn flights_that_are_all_alike_do_not_end_a_study() {
+    let stop = |measure: &str, width: f64| {
+        format!("stop = {{ measure = \"{measure}\", half_width = {width}, every = 16 }}")
+    };
+    for by in ["", "draw_by = \"sobol\"\n"] {
+        for (measure, width) in [("error-rms", 100.0), ("near", 0.01)] {
+            let design = design(&format!("{by}{}", stop(measure, width)));
+            let all = summary(&design, 64, |_| [3.0, 0.0]);
+            assert_eq!((all.draws, all.is_stopped), (64, false), "{by}{measure}");
+            assert_eq!(mean(&all, 0).interval, None, "{by}");
+            // No flight of 64: up to 5.7 % of all by Wilson's interval, however they were drawn.
+            let near = mean(&all, 1);
+            assert_eq!(near.interval_by, IntervalBy::Wilson, "{by}");
+            let (low, high) = wilson(0.0, 64.0);
+            assert_eq!(near.interval, Some([low, high]), "{by}");
+            assert!((high - 0.0566).abs() < 1e-3);
+        }
+        // By Wilson's interval it is narrow enough once it is so.
+        let design = design(&format!("{by}{}", stop("near", 0.04)));
+        let enough = summary(&design, 64, |_| [3.0, 0.0]);
+        assert!(enough.is_stopped && enough.draws == 48, "{}", enough.draws);
+    }
+}
+
+#[test]
+fn the_interval_of_a_share_by_scrambles_is_one_of_shares() {
+    let design = design("draw_by = \"sobol\"");
+    let all = summary(&design, 64, |draw| {
+        [draw as f64, f64::from(u8::from(draw == 5))]
+    });
+    let near = mean(&all, 1);
+    assert_eq!(near.interval_by, IntervalBy::Scrambles);
+    let [low, high] = near.interval.expect("scrambles differ");
+    assert!(low == 0.0 && (0.03..0.06).contains(&high), "{low} {high}");
+    let text = all.table();
+    assert!(
+        text.contains("Student's, of the means of scrambles.\n"),
+        "{text}"
+    );
+    let none = summary(&design, 64, |draw| [draw as f64, 0.0]);
+    let text = none.table();
+    assert!(
+        text.contains("Wilson's of shares that are the same in all"),
+        "{text}"
+    );
+}
