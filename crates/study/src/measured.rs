@@ -36,7 +36,8 @@ pub struct QuantileSummary {
     pub share: f64,
     /// Value, with a relative error of half a percent.
     pub value: f64,
-    /// Its interval with a confidence of 95 %, by the binomial law of ranks; none where draws are not independent.
+    /// Its interval with a confidence of 95 %, by the binomial law of ranks; none where draws are not independent, or too
+    /// few to bound it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interval: Option<[f64; 2]>,
 }
@@ -204,7 +205,10 @@ impl MeasureTally {
         };
         let of = |share: f64| {
             let margin = NORMAL * (share * (1.0 - share) / self.count as f64).sqrt();
-            let interval = at(share - margin).zip(at(share + margin));
+            let (low, high) = (share - margin, share + margin);
+            // Beyond the ends there is no number that would bound it.
+            let is_bounded = low >= 0.0 && high <= 1.0;
+            let interval = at(low).zip(at(high)).filter(|_| is_bounded);
             Some(QuantileSummary {
                 share,
                 value: at(share)?,

@@ -2,7 +2,10 @@
 
 use super::measured::{IntervalBy, MeanSummary};
 use super::settings::StudySetting;
-use super::summary::StudySummary;
+use super::summary::{MeasureSummary, StudySummary};
+
+/// Quantiles of the table, with their names.
+const SHOWN: [(f64, &str); 2] = [(0.5, "median"), (0.95, "95 % quantile")];
 
 /// Number with a sensible number of digits.
 pub(super) fn digits(value: f64) -> String {
@@ -62,8 +65,8 @@ impl StudySummary {
                     format!("{}{unit}", measure.name),
                     mean.map_or("0".to_owned(), |mean| mean.count.to_string()),
                     mean.map_or("-".to_owned(), with_interval),
-                    at(0.5),
-                    at(0.95),
+                    at(SHOWN[0].0),
+                    at(SHOWN[1].0),
                     measure
                         .minus_first
                         .as_ref()
@@ -110,6 +113,27 @@ impl StudySummary {
             text += cells.collect::<Vec<_>>().join("  ").trim_end();
             text.push('\n');
         }
+        let unbounded = SHOWN.into_iter().filter_map(|shown| self.unbounded(shown));
+        text.extend(unbounded);
         text
+    }
+
+    /// Sentence on the measures that have too few flights for an interval of a quantile.
+    fn unbounded(&self, (share, name): (f64, &str)) -> Option<String> {
+        let is_unbounded = |measure: &&MeasureSummary| {
+            let is_drawn = measure.mean.as_ref();
+            let is_drawn = is_drawn.is_some_and(|it| it.interval_by == IntervalBy::Bootstrap);
+            let mut quantiles = measure.quantiles.iter();
+            is_drawn && quantiles.any(|q| q.share == share && q.interval.is_none())
+        };
+        let measures = self.cells.iter().flat_map(|cell| &cell.measures);
+        let mut names: Vec<&str> = Vec::new();
+        for measure in measures.filter(is_unbounded) {
+            if !names.contains(&measure.name.as_str()) {
+                names.push(&measure.name);
+            }
+        }
+        let names = Some(names.join(", ")).filter(|names| !names.is_empty());
+        names.map(|names| format!("Not enough flights for an interval of the {name} of {names}.\n"))
     }
 }

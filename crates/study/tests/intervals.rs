@@ -81,3 +81,23 @@ fn the_interval_of_a_share_by_scrambles_is_one_of_shares() {
         "{text}"
     );
 }
+
+#[test]
+fn quantiles_that_few_flights_do_not_bound_have_no_interval() {
+    let design = design("");
+    let few = summary(&design, 64, |draw| [draw as f64 + 1.0, 0.0]);
+    let bounded: Vec<f64> = few.cells[0].measures[0]
+        .quantiles
+        .iter()
+        .filter(|quantile| quantile.interval.is_some())
+        .map(|quantile| quantile.share)
+        .collect();
+    // 1.96 deviations of the ranks of 64: 0.5 ± 0.12, 0.25 ± 0.11, 0.05 ± 0.053.
+    assert_eq!(bounded, [0.25, 0.5, 0.75]);
+    let json = serde_json::to_value(&few).expect("it is written");
+    let quantiles = &json["cells"][0]["measures"][0]["quantiles"];
+    assert!(quantiles[0].get("interval").is_none() && quantiles[3].get("interval").is_some());
+    let said = "Not enough flights for an interval of the 95 % quantile of error-rms.\n";
+    assert!(few.table().ends_with(said), "{}", few.table());
+    assert!(!few.table().contains("of the median"));
+}
