@@ -12,8 +12,12 @@ use super::value::{SettingDistribution, SettingValue};
 
 /// Fewest scrambles whose scatter tells an error.
 const FEWEST_SCRAMBLES: u64 = 8;
-/// Most flights of a study.
-const MOST_RUNS: u64 = 1 << 40;
+/// Most scrambles, each of which has sums of its own in every cell.
+const MOST_SCRAMBLES: u64 = 4096;
+/// Most flights of a study: some four months of a processor.
+const MOST_RUNS: u64 = 1_000_000_000;
+/// Most cells times measures, each of which takes some 50 kB.
+const MOST_TALLIES: u64 = 10_000;
 
 /// Way of drawing the settings that are drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -231,6 +235,15 @@ impl StudyPlan {
                 format!("give 1 to {MOST_RUNS} flights in all"),
             ));
         }
+        let tallies = self.cells().saturating_mul(self.measure.len() as u64);
+        if tallies > MOST_TALLIES {
+            let why = format!(
+                "{} cells with {} measures each are more than memory is for: give {MOST_TALLIES} in all at most",
+                self.cells(),
+                self.measure.len()
+            );
+            return Err(refusal("cross", why));
+        }
         if self.draw_by == DrawBy::Sobol {
             self.check_sobol()?;
         }
@@ -245,8 +258,10 @@ impl StudyPlan {
             let why = format!("Sobol's points are here for 1 to {most} drawn settings");
             return Err(refusal("draw", why));
         }
-        if self.scrambles < FEWEST_SCRAMBLES {
-            let why = format!("give at least {FEWEST_SCRAMBLES}, whose scatter tells the error");
+        if !(FEWEST_SCRAMBLES..=MOST_SCRAMBLES).contains(&self.scrambles) {
+            let why = format!(
+                "give {FEWEST_SCRAMBLES} to {MOST_SCRAMBLES}, whose scatter tells the error"
+            );
             return Err(refusal("scrambles", why));
         }
         let points = self.draws / self.scrambles;
@@ -311,6 +326,10 @@ impl StudyPlan {
                 return Err(refusal("measure", why));
             }
             names.push(measure.name());
+            if measure.at_most.is_some_and(|limit| !limit.is_finite()) {
+                let why = format!("give \"{}\" a finite number", measure.name());
+                return Err(refusal("measure.at_most", why));
+            }
             let is_taken = ["run", "draw", "cell"].contains(&measure.name())
                 || RunSettings::has(measure.name());
             if is_taken {
@@ -328,11 +347,14 @@ impl StudyPlan {
             let why = format!("\"{}\" is not measured", stop.measure);
             return Err(refusal("stop.measure", why));
         }
-        if stop.every == 0 || stop.half_width.is_nan() || stop.half_width <= 0.0 {
+        if !(stop.half_width.is_finite() && stop.half_width > 0.0) {
             return Err(refusal(
-                "stop",
-                "give a half width and a number of draws above zero",
+                "stop.half_width",
+                "give a finite number above zero",
             ));
+        }
+        if stop.every == 0 {
+            return Err(refusal("stop.every", "give a number of draws above zero"));
         }
         if self.draw_by == DrawBy::Sobol && !stop.every.is_multiple_of(self.scrambles) {
             return Err(refusal("stop.every", "give a multiple of the scrambles"));
@@ -379,6 +401,17 @@ mod tests {
     }
 
     #[test]
+    fn more_cells_than_memory_is_for_are_refused() {
+        let values: Vec<String> = (0..2501).map(|value| value.to_string()).collect();
+        let text = PLAN.replace("[0, 1, 2]", &format!("[{}]", values.join(", ")));
+        let why = StudyPlan::read(&text).unwrap_err().to_string();
+        let told = "cross: 5002 cells with 2 measures each";
+        assert!(why.starts_with(told) && why.contains("10000"), "{why}");
+        let fewer = text.replace("vehicle = [\"airplane-wind\", ", "vehicle = [");
+        assert_eq!(StudyPlan::read(&fewer).unwrap().cells(), 2501);
+    }
+
+    #[test]
     fn a_plan_that_makes_no_sense_is_refused_with_the_place_and_a_remedy() {
         let broken = [
             ("draws = 32", "draws = 33", "draws"),
@@ -398,6 +431,20 @@ mod tests {
                 "stop.measure",
             ),
             ("every = 16", "every = 15", "stop.every"),
+            ("every = 16", "every = 0", "stop.every"),
+            ("half_width = 0.01", "half_width = inf", "stop.half_width"),
+            ("half_width = 0.01", "half_width = -0.01", "stop.half_width"),
+            ("at_most = 20", "at_most = inf", "measure.at_most"),
+            ("at_most = 20", "at_most = nan", "measure.at_most"),
+            ("seconds = 20", "wind-scatter = inf", "fixed.wind-scatter"),
+            ("[0, 1, 2]", "[0, 1, nan]", "cross.bias-heading"),
+            ("uniform = [0, 8]", "uniform = [0, inf]", "draw.wind-speed"),
+            ("draws = 32", "draws = 200000000", "draws"),
+            (
+                "draws = 32",
+                "draws = 40960000\nscrambles = 8192",
+                "scrambles",
+            ),
             ("name = \"within 20 m\"", "name = \"error-rms\"", "measure"),
             ("name = \"two\"", "name = \"../two\"", "name"),
             ("[0, 1, 2]", "[]", "cross.bias-heading"),

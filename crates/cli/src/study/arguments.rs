@@ -16,7 +16,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// Flights of a shard; work on a map has pieces of its own: what is lost at most when the program is killed.
-    #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u64).range(1..=100_000))]
     pub runs_per_shard: u64,
     /// Number of programs that share the shards; each flies its own, and none sums up.
     #[arg(long, value_name = "N", requires = "share", value_parser = clap::value_parser!(u64).range(1..))]

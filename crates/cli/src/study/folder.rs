@@ -30,9 +30,15 @@ impl StudyFolder {
     /// The folder of that plan, begun if it is not there.
     ///
     /// # Errors
-    /// A folder that was begun with another plan, size of shards or program.
+    /// A folder that was begun with another plan, size of shards or program; more shards than a folder can have.
     pub fn open(root: &Path, plan: &StudyPlan, per_shard: u64) -> Result<Self, String> {
         let runs = plan.runs();
+        if runs.div_ceil(per_shard) > MOST_SHARDS {
+            return Err(format!(
+                "{runs} flights are more than {MOST_SHARDS} shards of {per_shard}; give --runs-per-shard {} or more",
+                runs.div_ceil(MOST_SHARDS)
+            ));
+        }
         let planned = Planned {
             runs_per_shard: per_shard,
             plan: plan.clone(),
@@ -74,12 +80,29 @@ impl StudyFolder {
     /// Writes what came of the study: the table of the flights that count, the summary for programs and for people.
     pub fn conclude(&self, design: &StudyDesign, summary: &StudySummary) -> Result<(), String> {
         let path = self.shards.root.join("rows.parquet");
-        let fresh = self
-            .shards
-            .root
-            .join(format!(".rows.{}.unfinished", std::process::id()));
+        let fresh = unfinished_beside(&path);
         let blame = |why: std::io::Error| format!("{}: {why}", path.display());
-        let file = fs::File::create(&fresh).map_err(blame)?;
+        let written = self.write_rows(design, summary, &fresh, &blame);
+        let written = written.and_then(|()| fs::rename(&fresh, &path).map_err(blame));
+        if written.is_err() {
+            fs::remove_file(&fresh).ok();
+        }
+        written?;
+        let mut text = serde_json::to_string_pretty(summary).map_err(|why| why.to_string())?;
+        text.push('\n');
+        write_whole(&self.shards.root.join("summary.json"), text)?;
+        write_whole(&self.shards.root.join("summary.txt"), summary.table())
+    }
+
+    /// Writes the table of the flights that count to `path`.
+    fn write_rows(
+        &self,
+        design: &StudyDesign,
+        summary: &StudySummary,
+        path: &Path,
+        blame: &dyn Fn(std::io::Error) -> String,
+    ) -> Result<(), String> {
+        let file = fs::File::create(path).map_err(blame)?;
         let mut writer = RowWriter::new(design, std::io::BufWriter::new(file))?;
         let mut shard = 0;
         while shard < self.shards.count && self.runs_of(shard).start < summary.flights {

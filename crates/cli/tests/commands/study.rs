@@ -164,6 +164,12 @@ fn what_cannot_be_done_is_told_with_a_remedy() {
         .study(&["--shares", "3", "--share", "3"])
         .unwrap_err();
     assert!(why.contains("3 shares, from 0"), "{why}");
+    // A file for each of so many shards would be more than a folder, or memory, can have.
+    let many = PLAN.replace("draws = 14", "draws = 400000000");
+    folder.write("plan.toml", many.as_str());
+    let why = folder.study(&["--out", "many"]).unwrap_err();
+    assert!(why.contains("give --runs-per-shard 800 or more"), "{why}");
+    assert!(!folder.0.join("many").exists());
     let settings = folder.run(&["study", "settings"]).unwrap();
     assert!(settings.contains("wind-speed") && settings.contains("error-rms"));
 }

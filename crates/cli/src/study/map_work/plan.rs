@@ -132,11 +132,32 @@ impl MapWorkPlan {
         if plan.work == MapWorkKind::ReferenceTable && plan.map.is_none() {
             return Err("map: say the map that is made into a table".to_owned());
         }
+        plan.check_numbers()?;
         let has_mission = plan.mission.is_some() || plan.scenario.is_some();
         if plan.work != MapWorkKind::ReferenceTable && !has_mission {
             return Err("mission: say the mission on the map, or a scenario".to_owned());
         }
         Ok(Some(plan))
+    }
+
+    /// Refuses numbers that nothing can be made of, and that the plan in a folder could not be written with.
+    fn check_numbers(&self) -> Result<(), String> {
+        let lengths = [("height", self.height), ("side", self.side)];
+        let is_length = |metres: f64| metres.is_finite() && metres > 0.0;
+        let unsound = lengths
+            .iter()
+            .find(|(_, metres)| metres.is_some_and(|metres| !is_length(metres)));
+        if let Some((name, _)) = unsound {
+            return Err(format!("{name}: give metres above zero"));
+        }
+        if !(self.position.is_finite() && self.position >= 0.0) {
+            return Err("position: give metres, not below zero".to_owned());
+        }
+        let counts = [("count", self.count), ("photos", self.photos)];
+        match counts.into_iter().find(|(_, count)| *count == 0) {
+            Some((name, _)) => Err(format!("{name}: give a number above zero")),
+            None => Ok(()),
+        }
     }
 
     /// The same with the files that it names beside `folder`, wherever it is read.
@@ -250,6 +271,26 @@ mod tests {
                 "mission: say the mission",
             ),
             ("work = \"tables\"\nmap = \"county.tif\"", "unknown variant"),
+            (
+                "work = \"suggestions\"\nmission = \"m\"\nheight = inf",
+                "height: give metres above zero",
+            ),
+            (
+                "work = \"suggestions\"\nmission = \"m\"\nposition = nan",
+                "position: give metres, not below zero",
+            ),
+            (
+                "work = \"suggestions\"\nmission = \"m\"\nside = -3",
+                "side: give metres above zero",
+            ),
+            (
+                "work = \"suggestions\"\nmission = \"m\"\ncount = 0",
+                "count: give a number above zero",
+            ),
+            (
+                "work = \"detectors\"\nmission = \"m\"\nphotos = 0",
+                "photos: give a number above zero",
+            ),
             (
                 "work = \"detectors\"\nmission = \"m\"\nphoto = 3",
                 "unknown field `photo`",
