@@ -169,6 +169,37 @@ pub fn run_on<O: Order + Send>(
     lent: &Lent,
     hear: &mut dyn FnMut(usize, JobEvent) -> Result<(), String>,
 ) -> Result<(), String> {
+    let mut in_order = InOrder::default();
+    run_as_done(threads, orders, lent, &mut |number, event| {
+        in_order.take(number, event, hear)
+    })
+}
+
+/// As [`run_on`], but `hear` is told every event when it comes, of whichever order: for who keeps what is done, so that none
+/// of it is lost while one before is not done.
+///
+/// ```
+/// use pilotage_disk::workers::{Lent, run_as_done};
+/// use pilotage_jobs::{DescribeMapOrder, JobEvent, MapSource};
+///
+/// let orders = ["hall", "countryside"].map(|world| DescribeMapOrder(MapSource::world(world)));
+/// let mut done = [false; 2];
+/// run_as_done(2, orders.into(), &Lent::default(), &mut |number, event| {
+///     done[number] |= event == JobEvent::Finished;
+///     Ok(())
+/// })?;
+/// assert_eq!(done, [true; 2]);
+/// # Ok::<(), String>(())
+/// ```
+///
+/// # Errors
+/// Whatever `hear` says; the orders that are left are not done then.
+pub fn run_as_done<O: Order + Send>(
+    threads: usize,
+    orders: Vec<O>,
+    lent: &Lent,
+    hear: &mut dyn FnMut(usize, JobEvent) -> Result<(), String>,
+) -> Result<(), String> {
     let count = orders.len();
     let queue = Mutex::new(orders.into_iter().enumerate());
     let is_over = AtomicBool::new(false);
@@ -195,10 +226,9 @@ pub fn run_on<O: Order + Send>(
             scope.spawn(|| work(send));
         }
         drop(send);
-        let mut in_order = InOrder::default();
         let heard = receive
             .into_iter()
-            .try_for_each(|(number, event)| in_order.take(number, event, hear));
+            .try_for_each(|(number, event)| hear(number, event));
         is_over.store(true, Ordering::Relaxed);
         heard
     })
@@ -380,6 +410,24 @@ mod tests {
         for threads in [2, 3, 8] {
             assert_eq!(heard(threads, &slices), alone, "{threads} threads");
         }
+    }
+
+    #[test]
+    fn what_is_done_is_heard_at_once_by_who_does_not_wait_for_its_turn() {
+        let long = 300;
+        let orders = [Some(long), Some(0), Some(0)].map(Slices).into();
+        let (mut before, mut done) = (0, Vec::new());
+        let heard = run_as_done(2, orders, &Lent::default(), &mut |number, event| {
+            match event {
+                JobEvent::Finished => done.push(number),
+                _ if done.is_empty() => before += 1,
+                _ => {}
+            }
+            Ok(())
+        });
+        assert_eq!(heard, Ok(()));
+        // The short ones were heard while the long one was under way.
+        assert!(done == [1, 2, 0] && before < long, "{done:?} {before}");
     }
 
     #[test]

@@ -120,7 +120,8 @@ fn fly(
         .sum();
     let mut progress = Progress::new(left, arguments.quiet);
     let threads = arguments.threads();
-    let outcome = workers::run_on(threads, orders, &Lent::default(), &mut |order, event| {
+    // Each is kept when it is done, for who is killed to lose no more than is under way.
+    let outcome = workers::run_as_done(threads, orders, &Lent::default(), &mut |order, event| {
         match event {
             JobEvent::Failed(why) => return Err(why),
             JobEvent::Figures(_) => {

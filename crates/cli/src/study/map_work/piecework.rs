@@ -43,7 +43,7 @@ pub trait Piecework {
 /// Bytes of the event that has what a piece came to; `None` of all others.
 pub type BytesOf = dyn Fn(JobEvent) -> Option<Result<Vec<u8>, String>>;
 
-/// Does an order for each wanted piece; `keep` takes what `of` makes of the event that has it.
+/// Does an order for each wanted piece; `keep` takes what `of` makes of the event that has it, once it is done.
 ///
 /// # Errors
 /// Whatever fails in an order, or `keep` says.
@@ -54,7 +54,7 @@ pub fn order_each<O: Order + Send>(
     keep: &mut dyn FnMut(u64, Vec<u8>) -> Result<(), String>,
 ) -> Result<(), String> {
     let orders = wanted.iter().map(|piece| order(*piece)).collect();
-    workers::run_on(threads, orders, lent, &mut |number, event| {
+    workers::run_as_done(threads, orders, lent, &mut |number, event| {
         if let JobEvent::Failed(why) = event {
             return Err(why);
         }
