@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
+use std::hash::{BuildHasher as _, Hasher as _, RandomState};
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -181,8 +182,7 @@ pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
     if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
         return fs::write(path, bytes).map_err(blame);
     }
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let fresh = path.with_file_name(format!(".{name}.{}.unfinished", std::process::id()));
+    let fresh = unfinished_beside(path);
     let write = || {
         let mut file = File::create(&fresh)?;
         file.write_all(bytes.as_ref())?;
@@ -193,6 +193,25 @@ pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
         fs::remove_file(&fresh).ok();
         blame(e)
     })
+}
+
+/// Name for what is not whole yet of the file at `path`, beside it: another at each call, for any number of programs may
+/// write the same file, and those in containers have the same process number.
+///
+/// ```
+/// use std::path::Path;
+///
+/// use pilotage_disk::files::unfinished_beside;
+///
+/// let file = Path::new("out/rows.parquet");
+/// let fresh = unfinished_beside(file);
+/// assert_eq!(fresh.parent(), file.parent());
+/// assert!(fresh != unfinished_beside(file));
+/// ```
+pub fn unfinished_beside(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let chance = RandomState::new().build_hasher().finish();
+    path.with_file_name(format!(".{name}.{chance:016x}.unfinished"))
 }
 
 /// The picture with the georeference that lies beside it, in the world frame of a flight or mission;
@@ -244,5 +263,27 @@ impl MapOnDisk {
             notes: map.notes(),
             map: Arc::new(CachedImagery::new(Arc::new(map), megabytes)),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn writers_of_one_file_with_one_process_number_do_not_disturb_each_other() {
+        let folder = std::env::temp_dir().join(format!("pilotage-writers-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("the folder can be made");
+        let path = folder.join("shard");
+        let written: Vec<Result<(), String>> = std::thread::scope(|scope| {
+            let write = || (0..40).try_for_each(|_| write_whole(&path, vec![7; 100_000]));
+            let writers: Vec<_> = (0..6).map(|_| scope.spawn(write)).collect();
+            let ended = writers.into_iter().map(|it| it.join().expect("it ends"));
+            ended.collect()
+        });
+        assert_eq!(written, vec![Ok(()); 6]);
+        assert_eq!(fs::read(&path).expect("it is there"), vec![7; 100_000]);
+        assert_eq!(fs::read_dir(&folder).expect("it is there").count(), 1);
+        fs::remove_dir_all(&folder).ok();
     }
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import shutil
 import subprocess
 import tempfile
@@ -83,7 +84,8 @@ class Program:
 def keep(out: Path, files: dict[str, bytes]) -> None:
     """Puts files of shards into the folder of a study, each whole or not at all."""
     for name, content in files.items():
-        fresh = Path(out, "shards", f".{name}.{os.getpid()}.unfinished")
+        # Processes in containers have the same number.
+        fresh = Path(out, "shards", f".{name}.{secrets.token_hex(8)}.unfinished")
         with fresh.open("wb") as file:
             file.write(content)
             file.flush()

@@ -9,7 +9,10 @@ use serde::{Deserialize, Serialize};
 
 use super::rows::{self, RowWriter};
 use super::shards::Shards;
-use crate::files::write_whole;
+use crate::files::{unfinished_beside, write_whole};
+
+/// Most shards of a folder, each of which is a file.
+const MOST_SHARDS: u64 = 1_000_000;
 
 /// Plan of a folder, and the size of its shards.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -116,11 +119,6 @@ impl StudyFolder {
             .finish()?
             .into_inner()
             .map_err(|why| blame(why.into_error()))?;
-        file.sync_all().map_err(blame)?;
-        fs::rename(&fresh, &path).map_err(blame)?;
-        let mut text = serde_json::to_string_pretty(summary).map_err(|why| why.to_string())?;
-        text.push('\n');
-        write_whole(&self.shards.root.join("summary.json"), text)?;
-        write_whole(&self.shards.root.join("summary.txt"), summary.table())
+        file.sync_all().map_err(blame)
     }
 }
