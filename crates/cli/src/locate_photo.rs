@@ -59,7 +59,9 @@ pub struct Arguments {
 
 /// Makes the table of the straight edges of a map, sought in pixels of `gsd` metres.
 pub fn make_table(map: &Path, out: &Path, gsd: f64) -> CommandResult {
-    let MapOnDisk { map, frame, notes } = open_map(map, None, MAP_CACHE)?;
+    let MapOnDisk {
+        map, frame, notes, ..
+    } = open_map(map, None, MAP_CACHE)?;
     tell(&notes);
     let edges = edges_in_map(map.as_ref(), gsd, EDGES);
     let table = ReferenceTable::new(edges, vec![EDGE.to_owned()])

@@ -58,7 +58,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
 
 /// Makes the table of a map.
 fn make_table(map: &Path, out: &Path, pixel_rows: Option<&Path>) -> CommandResult {
-    let MapOnDisk { map, frame, notes } = open_map(map, None, MAP_CACHE)?;
+    let MapOnDisk {
+        map, frame, notes, ..
+    } = open_map(map, None, MAP_CACHE)?;
     tell(&notes);
     let picture = Window::covering(&map.bounds(), map.native_gsd());
     let lent = Lent::default().with_map(Lent::map_of_file(), map);

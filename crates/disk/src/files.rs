@@ -12,6 +12,8 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery};
 use pilotage_core::mission::OpenMap;
 
+use crate::read_files::ReadFiles;
+
 /// Memory for map tiles, megabytes.
 pub const MAP_CACHE: usize = 128;
 
@@ -123,6 +125,11 @@ impl DirectoryFiles {
             names: names.into_iter().collect(),
         })
     }
+
+    /// Path of the file of that name.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.root.join(name)
+    }
 }
 
 fn list(directory: &Path, prefix: &str, names: &mut BTreeSet<String>) -> std::io::Result<()> {
@@ -228,6 +235,7 @@ pub fn unfinished_beside(path: &Path) -> PathBuf {
 /// std::fs::write(folder.join("town.pgw"), "0.5\n0\n0\n-0.5\n0.25\n-0.25\n")?;
 /// let map = open_map(&folder.join("town.png"), None, MAP_CACHE)?;
 /// assert_eq!((map.map.bounds().east, map.map.bounds().south), (20.0, -10.0));
+/// assert_eq!(map.read, ["town.pgw", "town.png"].map(|name| folder.join(name)));
 /// std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -236,13 +244,16 @@ pub fn open_map(
     frame: Option<LocalFrame>,
     megabytes: usize,
 ) -> Result<MapOnDisk, Box<dyn std::error::Error>> {
-    let directory = DirectoryFiles::around(path)?;
+    let directory = ReadFiles::of(DirectoryFiles::around(path)?);
     let name = path
         .file_name()
         .map(|n| n.to_string_lossy().into_owned())
         .unwrap_or_default();
     let map = pilotage_core::mission::open_map(&directory, &name, frame)?;
-    Ok(MapOnDisk::cached(map, megabytes))
+    Ok(MapOnDisk {
+        read: directory.paths(),
+        ..MapOnDisk::cached(map, megabytes)
+    })
 }
 
 /// A map that was opened.
@@ -253,6 +264,9 @@ pub struct MapOnDisk {
     pub frame: Option<LocalFrame>,
     /// Sentences on what was assumed of it or left out.
     pub notes: Vec<String>,
+    /// Files of the disk that it was read from: its own, and those beside it that say where it lies; none of a map out of an
+    /// archive or a generated one.
+    pub read: Vec<PathBuf>,
 }
 
 impl MapOnDisk {
@@ -261,6 +275,7 @@ impl MapOnDisk {
         Self {
             frame: map.frame().copied(),
             notes: map.notes(),
+            read: Vec::new(),
             map: Arc::new(CachedImagery::new(Arc::new(map), megabytes)),
         }
     }

@@ -8,5 +8,6 @@ pub mod mission_file;
 pub mod opening;
 pub mod planned_flight;
 pub mod predict;
+mod read_files;
 pub mod replaying;
 pub mod workers;

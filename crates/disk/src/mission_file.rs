@@ -89,6 +89,7 @@ impl OpenMission {
                 map: Lent::default().worker().cached_map(&world)?,
                 frame: Some(frame),
                 notes: Vec::new(),
+                read: Vec::new(),
             };
             return Ok((world, map));
         }

@@ -119,11 +119,17 @@ pub(crate) fn open_among(
 pub(crate) fn folder_at(
     path: &Path,
 ) -> Result<Option<Arc<dyn FileSet>>, Box<dyn std::error::Error>> {
-    let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
-    if path.is_dir() || is_flight_file {
-        return Ok(Some(Arc::new(DirectoryFiles::open(path)?)));
+    if let Some(files) = directory_at(path)? {
+        return Ok(Some(Arc::new(files)));
     }
     Ok(unpacked(path)?)
+}
+
+/// The files of a folder or around a flight.json; `None` of anything else.
+pub(crate) fn directory_at(path: &Path) -> std::io::Result<Option<DirectoryFiles>> {
+    let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
+    let is_folder = path.is_dir() || is_flight_file;
+    is_folder.then(|| DirectoryFiles::open(path)).transpose()
 }
 
 /// The reason why a path is no flight: the one that tables among it `told`, else its kind by its content, else that it

@@ -60,6 +60,9 @@ pub struct PlannedFlight {
     pub ground_down: f64,
     /// Sentences on what was assumed of its files or left out.
     pub notes: Vec<String>,
+    /// Files of the disk that it was read from: the mission, the map and what says where that lies, the flight whose camera is
+    /// flown. The elevation model is not among them.
+    pub read: Vec<PathBuf>,
     /// Way of the planned flight.
     pub way: FlownWay,
     /// The planned flight, of whose landmarks nothing is expected yet.
@@ -99,12 +102,18 @@ impl PlannedFlight {
         let frame = LocalFrame::new(opened.package.mission.origin);
         let (source, map) = opened.map(arguments.map.as_deref(), frame, MAP_CACHE)?;
         let mut notes = map.notes;
+        let mut read = vec![path.clone()];
+        read.extend(map.read);
         let map = map.map;
         let beside = opened.simulation().map(FlightSource::Simulated);
         let beside = beside.unwrap_or(FlightSource::Nothing);
         let mission = opened.package.mission;
         let flown = match &arguments.flight {
-            Some(path) => Some(flight_at(path, None, None)?.open.flight),
+            Some(path) => {
+                let flown = flight_at(path, None, None)?;
+                read.extend(flown.read);
+                Some(flown.open.flight)
+            }
             None => None,
         };
         let ground_down = flown.as_ref().map_or(0.0, |flight| flight.ground_down);
@@ -147,6 +156,7 @@ impl PlannedFlight {
             level,
             ground_down,
             notes,
+            read,
             way: FlownWay::default(),
             plan: None,
         };
@@ -207,6 +217,7 @@ impl PlannedFlight {
             heights: None,
             ground_down: 0.0,
             notes: Vec::new(),
+            read: Vec::new(),
             way: FlownWay::default(),
             plan: None,
         };

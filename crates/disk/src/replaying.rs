@@ -1,6 +1,6 @@
 //! Flights of the disk, opened and laid over their maps, ready to be navigated.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
@@ -15,7 +15,8 @@ use pilotage_jobs::{
 
 use crate::files::{MAP_CACHE, MapOnDisk, open_map};
 use crate::mission_file::OpenMission;
-use crate::opening::{OpenedPath, folder_at, no_flight, open_among};
+use crate::opening::{OpenedPath, directory_at, no_flight, open_among, unpacked};
+use crate::read_files::ReadFiles;
 use crate::workers::{KEY, Lent, do_here};
 
 /// Failure in words that name the file and what to do.
@@ -27,6 +28,8 @@ pub struct FlightOnDisk {
     pub open: OpenFlight,
     /// Sentences on what was assumed of it or left out.
     pub notes: Vec<String>,
+    /// Files of the disk that were read to open it; pictures are read when they are looked at.
+    pub read: Vec<PathBuf>,
     /// Files of its folder, zip or MATLAB file.
     files: Option<Arc<dyn FileSet>>,
 }
@@ -40,14 +43,24 @@ pub fn flight_at(
     columns: Option<&Path>,
     vehicle: Option<u32>,
 ) -> Result<FlightOnDisk, Failure> {
-    let files = folder_at(path)?;
+    let folder = directory_at(path)?.map(|files| Arc::new(ReadFiles::of(files)));
+    let files = match &folder {
+        Some(files) => Some(Arc::clone(files) as Arc<dyn FileSet>),
+        None => unpacked(path)?,
+    };
     let opened = open_among(path, files.as_ref(), columns)?.of_vehicle(vehicle)?;
     if let OpenedPath::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }
     let opened = opened.into_flight()?;
     let (open, notes) = opened.ok_or_else(|| no_flight(path, ""))?;
-    Ok(FlightOnDisk { open, notes, files })
+    let read = folder.map_or_else(|| vec![path.to_owned()], |files| files.paths());
+    Ok(FlightOnDisk {
+        open,
+        notes,
+        read,
+        files,
+    })
 }
 
 impl FlightOnDisk {

@@ -1,7 +1,8 @@
 //! `pilotage study` of work on a map: the same to the bit as the command that does it whole, however it is cut.
 
-use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint};
-use pilotage_core::mission::{MapReference, Mission, Route, WayPoint, write_mission};
+use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{FrameLabels, MapReference, Mission, Route, WayPoint, write_mission};
 use pilotage_core::raster::{Picture, encode_png};
 use pilotage_core::simulate::Scenario;
 use serde_json::Value;
@@ -155,6 +156,79 @@ fn landmarks_proposed_by_shares_are_those_that_are_proposed_at_once() {
         .find(|line| line.starts_with("  1  north"))
         .unwrap();
     assert!(said.contains(first), "{said}");
+}
+
+/// A flight of two frames with a camera, as a folder.
+fn flight(folder: &Folder, focal: f64) {
+    let time = r#""time": { "column": "when", "format": "iso" }"#;
+    let json = format!(
+        r#"{{
+        "pilotage_flight": 1,
+        "name": "flown",
+        "origin": {{ "latitude_deg": 0.0, "longitude_deg": 0.0 }},
+        "camera": {{ "width": 40, "height": 30, "focal_px": {focal} }},
+        "start": {{ "standard_deviation_m": 3 }},
+        "frames": {{ "file": "log.csv", "name": "photo", "directory": "frames", {time} }},
+        "channels": [
+            {{ "name": "gps", "file": "log.csv", {time},
+              "latitude": {{ "column": "lat" }}, "longitude": {{ "column": "lon" }} }}
+        ] }}"#
+    );
+    std::fs::create_dir_all(folder.0.join("flown/frames")).expect("it can be made");
+    folder.write("flown/flight.json", json);
+    let rows = "2020-01-01T00:00:10Z,0.001,0.0,a.png\n2020-01-01T00:00:11Z,0.002,0.0,b.png\n";
+    folder.write("flown/log.csv", format!("when,lat,lon,photo\n{rows}"));
+    for name in ["a.png", "b.png"] {
+        photo(folder, name, 90);
+    }
+}
+
+fn photo(folder: &Folder, name: &str, grey: u8) {
+    let picture = encode_png(&Picture::from_fn(40, 30, |_, _| [grey; 3])).expect("a picture");
+    folder.write(&format!("flown/frames/{name}"), picture);
+}
+
+#[test]
+fn pieces_are_of_the_files_beside_the_map_and_of_the_flight_that_they_were_made_of() {
+    let folder = Folder::new("map-work-files");
+    patchwork(&folder);
+    flight(&folder, 30.0);
+    let mut mission = Mission::new("Fields", Geodetic::from_degrees(0.0, 0.0, 0.0));
+    let bounds = GroundRect::centered(GroundPoint::default(), 30.0, 30.0);
+    mission.landmarks.push(Landmark::new(1, "Field", bounds));
+    mission.labels.push(FrameLabels {
+        frame: "a.png".to_owned(),
+        size: (40, 30),
+        absent: vec![1],
+        ..FrameLabels::default()
+    });
+    folder.write("fields.geojson", write_mission(&mission));
+    let plan = "name = \"fields\"\nwork = \"detectors\"\nmission = \"fields.geojson\"\nmap = \"map.png\"\n";
+    folder.write("work.toml", format!("{plan}flight = \"flown\"\n"));
+    // In the folder of the flight, of which it is no part.
+    let work = || folder.work(&["--out", "flown/out", "--describe"]);
+    work().expect("the work begins");
+    work().expect("it goes on");
+    folder.write("flown/notes.txt", "windy");
+    photo(&folder, "b.png", 20);
+    work().expect("what is not read is another matter");
+
+    let moved = "0.5\n0\n0\n-0.5\n-89.75\n99.75\n";
+    let elsewhere = "when,lat,lon,photo\n2020-01-01T00:00:10Z,0.003,0.0,a.png\n";
+    let changes: [(&str, &dyn Fn()); 4] = [
+        ("place of the map", &|| folder.write("map.pgw", moved)),
+        ("camera", &|| flight(&folder, 45.0)),
+        ("log", &|| folder.write("flown/log.csv", elsewhere)),
+        ("labelled photo", &|| photo(&folder, "a.png", 20)),
+    ];
+    for (what, change) in changes {
+        change();
+        let why = work().expect_err(what);
+        assert!(why.contains("begun with another plan"), "{what}: {why}");
+        patchwork(&folder);
+        flight(&folder, 30.0);
+        work().expect("it is as it was");
+    }
 }
 
 #[test]

@@ -1,5 +1,8 @@
 //! A detector trained for each landmark of a mission, a landmark in a piece.
 
+use std::path::PathBuf;
+
+use pilotage_core::flight::FrameSource as _;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
 use pilotage_core::plan::Proposal;
@@ -7,6 +10,7 @@ use pilotage_core::training::TrainingPlan;
 use pilotage_jobs::{JobEvent, LabelledFrames, TrainOrder};
 use serde::{Deserialize, Serialize};
 
+use super::named_file::NamedFile;
 use super::piecework::{Piecework, PieceworkOutcome, order_each};
 use super::plan::MapWorkPlan;
 use crate::notes::tell;
@@ -66,6 +70,32 @@ impl TrainedDetectors {
 impl Piecework for TrainedDetectors {
     fn pieces(&self) -> u64 {
         self.landmarks.len() as u64
+    }
+
+    fn read(&self) -> &[PathBuf] {
+        &self.ground.read
+    }
+
+    fn pictures(&self) -> Result<Vec<NamedFile>, String> {
+        let Some(labelled) = &self.labelled else {
+            return Ok(Vec::new());
+        };
+        let mut worker = self.lent.worker();
+        let open = worker.flight(&labelled.flight)?;
+        let mut open = open.borrow_mut();
+        let names: Vec<String> = (open.flight.frames.iter())
+            .map(|frame| frame.name.clone())
+            .collect();
+        let is_labelled = |name: &str| labelled.labels.iter().any(|label| label.frame == name);
+        let pictures = names
+            .iter()
+            .enumerate()
+            .filter(|(_, name)| is_labelled(name));
+        let pictures = pictures.map(|(index, name)| {
+            let bytes = open.frames.encoded(index).map_err(|why| why.to_string())?;
+            Ok(NamedFile::of(name, &bytes))
+        });
+        pictures.collect()
     }
 
     fn carry_out(

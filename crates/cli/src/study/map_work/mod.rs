@@ -1,10 +1,13 @@
 //! `pilotage study` of work on a map: tables, proposals and detectors, cut into pieces as studies are into shards.
 
 mod detectors;
+mod named_file;
 mod piecework;
 mod plan;
 mod reference_table;
 mod suggestions;
+
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
@@ -14,14 +17,15 @@ use super::shards::Shards;
 use crate::CommandResult;
 use crate::files::write_whole;
 use detectors::TrainedDetectors;
+use named_file::NamedFile;
 use piecework::Piecework;
-use plan::{MapWorkKind, NamedFile};
+use plan::MapWorkKind;
 use reference_table::TableOfMap;
 use suggestions::ProposedLandmarks;
 
 pub use plan::MapWorkPlan;
 
-/// Plan of a folder, and the content of the files that it names.
+/// Plan of a folder, and the content of all files that the work depends on.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
 struct Planned {
     plan: MapWorkPlan,
@@ -41,6 +45,18 @@ pub fn run(arguments: &Arguments, text: &str) -> Result<bool, Box<dyn std::error
     Ok(true)
 }
 
+/// Content of the files that the work depends on. What lies in its own folder is none of them, even where that is in the
+/// folder of a flight.
+fn files_of(work: &dyn Piecework, root: &Path) -> Result<Vec<NamedFile>, String> {
+    let blame = |why| format!("{}: {why}", root.display());
+    let root = std::path::absolute(root).map_err(blame)?;
+    let read = work.read().iter().filter(|path| !path.starts_with(&root));
+    let read = read.map(|path| NamedFile::at(path));
+    let mut files = read.collect::<Result<Vec<_>, _>>()?;
+    files.extend(work.pictures()?);
+    Ok(files)
+}
+
 fn carry_out(arguments: &Arguments, plan: &MapWorkPlan) -> CommandResult {
     if let Some(path) = &arguments.pack {
         // The files are read where they are: on a disk that all machines see under this name.
@@ -56,8 +72,10 @@ fn carry_out(arguments: &Arguments, plan: &MapWorkPlan) -> CommandResult {
         (MapWorkKind::ReferenceTable, None) => return Err("map: say the map".into()),
     };
     let root = arguments.folder(&plan.name);
-    let (named, files) = plan.by_content()?;
-    let planned = Planned { plan: named, files };
+    let planned = Planned {
+        plan: plan.without_places(),
+        files: files_of(work.as_ref(), &root)?,
+    };
     let shards = Shards::open(&root, work.pieces(), "piece", planned)?;
     if arguments.describe {
         let is_complete = shards.are_all_there();

@@ -1,7 +1,10 @@
 //! Work on a map that is cut into pieces.
 
+use std::path::PathBuf;
+
 use pilotage_jobs::{JobEvent, Order};
 
+use super::named_file::NamedFile;
 use crate::workers::{self, Lent};
 
 /// Outcome of all pieces: a file, and words for people.
@@ -18,6 +21,17 @@ pub struct PieceworkOutcome {
 pub trait Piecework {
     /// Number of the pieces.
     fn pieces(&self) -> u64;
+
+    /// Files that were read to begin.
+    fn read(&self) -> &[PathBuf];
+
+    /// Pictures of a flight that it looks at beside those.
+    ///
+    /// # Errors
+    /// Where one cannot be read, in words.
+    fn pictures(&self) -> Result<Vec<NamedFile>, String> {
+        Ok(Vec::new())
+    }
 
     /// Does these pieces; `keep` takes each.
     ///

@@ -1,7 +1,5 @@
 //! Plans of work on a map: files of TOML that say what is made of which map.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use pilotage_core::plan::Proposal;
@@ -76,13 +74,6 @@ fn usual_photos() -> usize {
 
 fn usual_seed() -> u64 {
     1
-}
-
-/// A file that a plan names, by its content: another map under the same name is another work.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct NamedFile {
-    bytes: u64,
-    crc32: u32,
 }
 
 impl MapWorkPlan {
@@ -189,41 +180,16 @@ impl MapWorkPlan {
         }
     }
 
-    /// The same without places of files, and the content of map and mission: equal for all who do the same work.
-    ///
-    /// # Errors
-    /// Where a file cannot be read.
-    pub fn by_content(&self) -> Result<(Self, Vec<NamedFile>), String> {
-        let files = [&self.map, &self.mission].into_iter().flatten();
-        let files = files.map(|path| content(path)).collect::<Result<_, _>>()?;
+    /// The same without places of files: equal for all who do the same work.
+    pub fn without_places(&self) -> Self {
         let name = |path: &Option<PathBuf>| Some(PathBuf::from(path.as_ref()?.file_name()?));
-        let plan = Self {
+        Self {
             map: name(&self.map),
             mission: name(&self.mission),
             flight: name(&self.flight),
             ..self.clone()
-        };
-        Ok((plan, files))
-    }
-}
-
-fn content(path: &Path) -> Result<NamedFile, String> {
-    let blame = |why: std::io::Error| format!("{}: {why}", path.display());
-    let mut file = File::open(path).map_err(blame)?;
-    let (mut sum, mut bytes) = (crc32fast::Hasher::new(), 0);
-    let mut part = vec![0; 1 << 20];
-    loop {
-        let count = file.read(&mut part).map_err(blame)?;
-        if count == 0 {
-            break;
         }
-        sum.update(&part[..count]);
-        bytes += count as u64;
     }
-    Ok(NamedFile {
-        bytes,
-        crc32: sum.finalize(),
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A map made into a table of generic landmarks, some tiles in a piece.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pilotage_core::frames::LocalFrame;
@@ -22,6 +22,7 @@ pub struct TableOfMap {
     map: Arc<dyn Imagery>,
     frame: Option<LocalFrame>,
     tiles: usize,
+    read: Vec<PathBuf>,
 }
 
 impl TableOfMap {
@@ -32,6 +33,7 @@ impl TableOfMap {
         Ok(Self {
             tiles: ReferenceMapping::tiles(&opened.map.bounds()),
             map: opened.map,
+            read: opened.read,
             frame: opened.frame,
         })
     }
@@ -40,6 +42,10 @@ impl TableOfMap {
 impl Piecework for TableOfMap {
     fn pieces(&self) -> u64 {
         self.tiles.div_ceil(TILES) as u64
+    }
+
+    fn read(&self) -> &[PathBuf] {
+        &self.read
     }
 
     fn carry_out(

@@ -1,5 +1,7 @@
 //! Landmarks proposed for a mission, a share of the places in a piece.
 
+use std::path::PathBuf;
+
 use pilotage_core::mission::write_mission;
 use pilotage_core::plan::LandmarkCandidate;
 use pilotage_jobs::{JobEvent, Share, ShareOrder, SuggestOrder};
@@ -36,6 +38,10 @@ impl ProposedLandmarks {
 impl Piecework for ProposedLandmarks {
     fn pieces(&self) -> u64 {
         SHARES as u64
+    }
+
+    fn read(&self) -> &[PathBuf] {
+        &self.ground.read
     }
 
     fn carry_out(
