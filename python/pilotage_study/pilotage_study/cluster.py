@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import cloudpickle
-from distributed import Client, as_completed
+from distributed import Client, as_completed, get_worker
 from distributed.scheduler import KilledWorker
 
-from .program import Program, keep
+from .program import FlownShards, Program, keep
 
 # Tasks for each thread of the cluster, if not more: a worker that joins late or is slow finds something to do.
 TASKS_EACH = 6
@@ -21,8 +21,8 @@ MOST_SHARDS = 25
 ROUNDS = 2
 
 
-def _fly(program: Program, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> dict[str, bytes]:
-    return program.fly(plan, shards, runs_per_shard)
+def _fly(program: Program, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> tuple[FlownShards, str]:
+    return program.fly(plan, shards, runs_per_shard), get_worker().address
 
 
 def _pieces(missing: tuple[int, ...], threads: int) -> Iterator[tuple[int, ...]]:
@@ -44,7 +44,8 @@ def run_study(
     """Carries out what is missing of a study, merges, and gives its table.
 
     Shards of a worker that is lost are given to another, `tries` times at most. `tell` hears how many shards
-    are there and how many there are.
+    are there and how many there are. Raises StudyFailure where a program fails, or a worker has another program, or
+    another map under the name of this one: the sentence names the worker and what differs.
     """
     # Workers of a cluster in use need not have this package.
     cloudpickle.register_pickle_by_value(sys.modules[__package__])
@@ -77,7 +78,7 @@ def _fly_round(text, out, client, program, runs_per_shard, tries, description, t
     for future in flown:
         shards, tried = left.pop(future)
         try:
-            keep(out, future.result())
+            keep(out, *future.result())
         except KilledWorker:
             if tried >= tries:
                 raise

@@ -11,6 +11,8 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+from .differences import differences
+
 
 class StudyFailure(RuntimeError):
     """What the program said when it failed."""
@@ -25,6 +27,15 @@ class Description:
     shards: int
     missing: tuple[int, ...]
     is_complete: bool
+
+
+@dataclass(frozen=True)
+class FlownShards:
+    """Shards as a program flew them: the text with which it began its folder, which says of what they are, and the bytes
+    of their files by name."""
+
+    begun: str
+    files: dict[str, bytes]
 
 
 @dataclass(frozen=True)
@@ -61,8 +72,8 @@ class Program:
             self._call([str(plan), "--pack", str(file)])
             return file.read_text(encoding="utf-8")
 
-    def fly(self, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> dict[str, bytes]:
-        """Bytes of the files of these shards of the plan with this text, by their names."""
+    def fly(self, plan: str, shards: tuple[int, ...], runs_per_shard: int) -> FlownShards:
+        """These shards of the plan with this text."""
         with tempfile.TemporaryDirectory(prefix="pilotage-study-") as folder:
             file = Path(folder, "plan.toml")
             file.write_text(plan, encoding="utf-8")
@@ -73,7 +84,8 @@ class Program:
             files = sorted(Path(out, "shards").glob("[0-9]*"))
             if len(files) != len(shards):
                 raise StudyFailure(f"{len(files)} of {len(shards)} shards came")
-            return {file.name: file.read_bytes() for file in files}
+            begun = Path(out, "study.json").read_text(encoding="utf-8")
+            return FlownShards(begun, {file.name: file.read_bytes() for file in files})
 
     def merge(self, plan: Path, out: Path, runs_per_shard: int) -> str:
         """The table of the study, which is written beside its shards."""
@@ -81,9 +93,19 @@ class Program:
         return self._call(words)
 
 
-def keep(out: Path, files: dict[str, bytes]) -> None:
-    """Puts files of shards into the folder of a study, each whole or not at all."""
-    for name, content in files.items():
+def keep(out: Path, flown: FlownShards, worker: str) -> None:
+    """Puts shards that `worker` flew into the folder of a study, each file whole or not at all.
+
+    Raises StudyFailure, and keeps none, where they are not of the study of the folder: of another program, plan or map.
+    """
+    begun = json.loads(Path(out, "study.json").read_text(encoding="utf-8"))
+    apart = differences(json.loads(flown.begun), begun)
+    if apart:
+        raise StudyFailure(
+            f"the worker {worker} did not do the work of {out}: {'; '.join(apart)}. Nothing of it was kept; give all"
+            " workers the same program and the same files"
+        )
+    for name, content in flown.files.items():
         # Processes in containers have the same number.
         fresh = Path(out, "shards", f".{name}.{secrets.token_hex(8)}.unfinished")
         with fresh.open("wb") as file:

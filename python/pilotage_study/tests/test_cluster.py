@@ -17,7 +17,7 @@ from pathlib import Path
 import duckdb
 from distributed import Client, LocalCluster
 
-from pilotage_study import Program, run_study
+from pilotage_study import Program, StudyFailure, run_study
 
 PLAN = """
 name = "small"
@@ -142,6 +142,24 @@ class OnACluster(unittest.TestCase):
         self.assertIn("landmarks of 16 tiles", said)
         self.assertEqual(len(list(Path(out, "shards").iterdir())), 4)
         self.assertEqual(*(Path(it, "landmarks.table").read_bytes() for it in (plain, out)))
+
+    def test_a_worker_with_another_program_is_refused_by_name_and_nothing_of_it_is_kept(self):
+        # A program that is of another version where it flies shards for a driver.
+        odd = self.root / "odd"
+        odd.write_text(
+            f'#!/bin/sh\n"{self.program.path}" "$@" || exit $?\n'
+            "case \"$*\" in *--only*) "
+            "sed -i 's/\"program\": \"[^\"]*\"/\"program\": \"0.0.9\"/' \"$4/study.json\" ;; esac\n",
+            encoding="utf-8",
+        )
+        odd.chmod(0o755)
+        out = self.root / "mixed"
+        with Client(self.cluster) as client, self.assertRaises(StudyFailure) as refused:
+            run_study(self.plan, out, client, program=Program(str(odd)), runs_per_shard=RUNS_PER_SHARD)
+        said = str(refused.exception)
+        self.assertIn("program is 0.0.9 there and", said)
+        self.assertTrue(any(worker in said for worker in self.cluster.scheduler_info["workers"]), said)
+        self.assertEqual(list(Path(out, "shards").iterdir()), [])
 
     def test_a_driver_that_is_killed_in_the_middle_goes_on_when_it_is_started_again(self):
         out = self.root / "driver"
