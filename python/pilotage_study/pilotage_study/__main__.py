@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from .arrays import kubernetes, slurm
-from .program import Program, StudyFailure
+from .program import Program, StudyFailure, folder_of
 
 
 def _arguments(words: list[str] | None) -> argparse.Namespace:
@@ -20,7 +20,7 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
     ]:
         one = commands.add_parser(name, help=about)
         one.add_argument("plan", type=Path)
-        one.add_argument("--out", type=Path, help="folder of the study; NAME.study of the plan's file if not given")
+        one.add_argument("--out", type=Path, help="folder of the study; NAME.study by the plan's name if not given")
         one.add_argument("--program", default="pilotage", help="the program pilotage where the shards are flown")
         one.add_argument("--runs-per-shard", type=int, default=200)
         if name == "run":
@@ -67,9 +67,9 @@ def _run(given: argparse.Namespace, out: Path) -> None:
 def main(words: list[str] | None = None) -> int:
     """Does what the words say; gives the code with which the program ends."""
     given = _arguments(words)
-    out = given.out or Path(f"{given.plan.stem}.study")
     common = {"program": given.program, "runs_per_shard": given.runs_per_shard}
     try:
+        out = given.out or folder_of(given.plan)
         if given.command == "run":
             _run(given, out)
         elif given.command == "slurm":

@@ -8,6 +8,7 @@ import secrets
 import shutil
 import subprocess
 import tempfile
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -66,7 +67,9 @@ class Program:
         )
 
     def packed(self, plan: Path) -> str:
-        """Text of the plan with the mission files that it names in it: all that other machines need."""
+        """Text of the plan as other machines need it: of a study with the mission files that it names in it, of work on a
+        map with the full paths of its files.
+        """
         with tempfile.TemporaryDirectory(prefix="pilotage-study-") as folder:
             file = Path(folder, "plan.toml")
             self._call([str(plan), "--pack", str(file)])
@@ -91,6 +94,18 @@ class Program:
         """The table of the study, which is written beside its shards."""
         words = [str(plan), "--out", str(out), "--runs-per-shard", str(runs_per_shard), "--merge"]
         return self._call(words)
+
+
+def folder_of(plan: Path) -> Path:
+    """The folder that the program gives a plan that has no other: by its name, whatever its file is called.
+
+    Raises StudyFailure where the plan cannot be read or has no name.
+    """
+    try:
+        name = tomllib.loads(plan.read_text(encoding="utf-8"))["name"]
+    except (OSError, ValueError, KeyError) as cause:
+        raise StudyFailure(f"{plan}: the name of the plan cannot be read ({cause}); give --out") from cause
+    return Path(f"{name}.study")
 
 
 def keep(out: Path, flown: FlownShards, worker: str) -> None:

@@ -1,12 +1,15 @@
 """What comes back from a worker is kept where it is of the same study, and refused where it is not."""
 
+import contextlib
+import io
 import json
 import tempfile
 import unittest
 from pathlib import Path
 
 from pilotage_study import StudyFailure
-from pilotage_study.program import FlownShards, keep
+from pilotage_study.__main__ import main
+from pilotage_study.program import FlownShards, folder_of, keep
 
 BEGUN = {
     "program": "0.2.0",
@@ -44,6 +47,17 @@ class FromWorkers(unittest.TestCase):
             self.assertEqual(self._kept(), {})
         keep(self.out, FlownShards(json.dumps(BEGUN), {"000000.piece": b"own"}), "tcp://node7:4001")
         self.assertEqual(self._kept(), {"000000.piece": b"own"})
+
+    def test_the_folder_is_called_by_the_name_of_the_plan_as_the_program_calls_it(self):
+        plan = Path(self.out, "second-try.toml")
+        plan.write_text('name = "county"\nwork = "reference-table"\n', encoding="utf-8")
+        self.assertEqual(folder_of(plan), Path("county.study"))
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            self.assertEqual(main(["slurm", str(plan), "--tasks", "2"]), 0)
+        self.assertIn("--out county.study ", said.getvalue())
+        with self.assertRaisesRegex(StudyFailure, "give --out"):
+            folder_of(Path(self.out, "none.toml"))
 
 
 if __name__ == "__main__":
