@@ -38,7 +38,8 @@ pub struct Arguments {
     /// Prints how many shards there are and which are there, as JSON, and flies nothing.
     #[arg(long, conflicts_with_all = ["share", "only", "merge"])]
     pub describe: bool,
-    /// Writes the plan with the mission files that it names in it, TOML, and flies nothing: all that other machines need.
+    /// Writes the plan as other machines need it, TOML, and flies nothing: that of a study with the mission files that it
+    /// names in it; that of work on a map with the full paths of its files, which are read where they are.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["share", "only", "merge", "describe", "record"])]
     pub pack: Option<PathBuf>,
     /// Threads; as many as there are processors if not given.
