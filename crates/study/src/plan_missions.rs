@@ -1,6 +1,7 @@
 //! The missions that a plan names.
 
 use pilotage_core::mission::Mission;
+use pilotage_core::navigator::ChosenAid;
 
 use super::plan::{StudyError, StudyPlan, refusal};
 use super::run_settings::{LONGEST, RunSettings};
@@ -41,25 +42,34 @@ impl StudyPlan {
                     "{name} states no camera: that of the built-in scenarios is taken"
                 ));
             }
-            notes.extend(self.note_on_aids(name, &mission));
+            notes.extend(self.notes_on_aids(name, &mission));
             notes.extend(self.notes_on_time(name, text));
         }
         notes
     }
 
-    /// Sentence on the aids of a mission that are left out.
-    fn note_on_aids(&self, name: &str, mission: &Mission) -> Option<String> {
+    /// Sentences on the aids of a mission, where the plan names none itself: those that it flies by, and those that are left
+    /// out.
+    fn notes_on_aids(&self, name: &str, mission: &Mission) -> Vec<String> {
+        if self.sets("aids") {
+            return Vec::new();
+        }
         let aids = mission.navigator.aids.iter();
-        let left: Vec<&str> = aids
-            .filter(|aid| !self.sets("aids") && !RunSettings::reads(aid))
-            .map(|aid| aid.key.as_str())
-            .collect();
-        (!left.is_empty()).then(|| {
-            format!(
-                "{name} switches on aids that look at pictures or heights, which studies do not have; they are left out: {}",
-                left.join(", ")
-            )
-        })
+        let (flown, left): (Vec<_>, Vec<_>) = aids.partition(|aid| RunSettings::reads(aid));
+        let told = |aids: Vec<&ChosenAid>, words: &str| {
+            let keys: Vec<&str> = aids.iter().map(|aid| aid.key.as_str()).collect();
+            let keys = Some(keys.join(", ")).filter(|keys| !keys.is_empty());
+            keys.map(|keys| format!("{name} {words}: {keys}"))
+        };
+        let flown = told(
+            flown,
+            "is navigated by its own aids too, unless the plan says aids = \"none\"",
+        );
+        let left = told(
+            left,
+            "switches on aids that look at pictures or heights, which studies do not have; they are left out",
+        );
+        flown.into_iter().chain(left).collect()
     }
 
     /// Sentences on the routes of a mission that take longer than can be flown, where the plan says no time itself.

@@ -125,8 +125,14 @@ fn a_mission_is_navigated_by_its_own_settings_but_for_what_the_plan_says() {
     assert_ne!(told.settings.process, stated.process);
 
     let notes = plan_of(&mission, named).expect("the plan reads").notes();
-    let is_told = |note: &String| note.contains("left out: map-edges");
-    assert!(notes.iter().any(is_told), "{notes:?}");
+    let is_told = |note: &String| note.contains("aids");
+    let told: Vec<&String> = notes.iter().filter(|note| is_told(note)).collect();
+    assert!(
+        told.len() == 2
+            && told[0].ends_with("aids = \"none\": gps-position")
+            && told[1].ends_with("left out: map-edges"),
+        "{notes:?}"
+    );
     let none = plan_of(&mission, &format!("{named}fixed.aids = \"none\""));
     assert!(!none.expect("the plan reads").notes().iter().any(is_told));
 }
