@@ -21,7 +21,7 @@ const RESTARTS: u8 = 2;
 /// A line to one worker.
 pub trait WorkerPort {
     /// Sends a request.
-    fn send(&mut self, request: Request);
+    fn send(&mut self, request: &Request);
 
     /// Ends the worker, whatever it is doing.
     fn close(&mut self);
@@ -149,8 +149,10 @@ impl<P: WorkerPort> WorkerPool<P> {
         for role in roles {
             let seat = place(role, Program::Whole);
             let (key, files) = (key.clone(), files.clone());
-            self.open_seat(seat)
-                .send(Request::Start(0, Job::Provide(ProvideOrder { key, files })));
+            self.open_seat(seat).send(&Request::Start(
+                0,
+                Job::Provide(ProvideOrder { key, files }),
+            ));
         }
         self.share_out(id, job);
     }
@@ -169,7 +171,7 @@ impl<P: WorkerPort> WorkerPool<P> {
         if let Some(assigned) = self.jobs.get(&id)
             && let Some(port) = &mut self.seats[assigned.seat].port
         {
-            port.send(Request::Cancel(id));
+            port.send(&Request::Cancel(id));
         }
     }
 
@@ -260,7 +262,7 @@ impl<P: WorkerPort> WorkerPool<P> {
             it.is_leaving = !has_log;
             it.holds.retain(|key| in_use.contains(key));
             let keys = in_use.iter().cloned().collect();
-            port.send(Request::Start(0, Job::LetGo(LetGoOrder { keys })));
+            port.send(&Request::Start(0, Job::LetGo(LetGoOrder { keys })));
         }
     }
 
@@ -289,7 +291,7 @@ impl<P: WorkerPort> WorkerPool<P> {
             match &mut it.unanswered {
                 None => {
                     it.unanswered = Some((now, 0));
-                    port.send(Request::Ping);
+                    port.send(&Request::Ping);
                 }
                 Some((since, ticks)) => {
                     *ticks += 1;
@@ -438,16 +440,20 @@ impl<P: WorkerPort> WorkerPool<P> {
                     key: key.to_owned(),
                     files: files.clone(),
                 });
-                self.open_seat(seat).send(Request::Start(0, provide));
+                self.open_seat(seat).send(&Request::Start(0, provide));
             }
         }
-        self.open_seat(seat).send(Request::Start(id, job.clone()));
-        let assigned = Assigned {
-            seat,
-            job,
-            restarts,
-        };
-        self.jobs.insert(id, assigned);
+        let request = Request::Start(id, job);
+        self.open_seat(seat).send(&request);
+        if let Request::Start(_, job) = request {
+            // To be begun anew if the worker dies under it; a copy of any job is much code.
+            let assigned = Assigned {
+                seat,
+                job,
+                restarts,
+            };
+            self.jobs.insert(id, assigned);
+        }
         if self.held.contains(&id) {
             self.tell_hold(id);
         }

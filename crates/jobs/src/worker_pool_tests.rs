@@ -31,8 +31,10 @@ type Notes = Rc<RefCell<Vec<Note>>>;
 struct NotingPort(usize, Notes);
 
 impl WorkerPort for NotingPort {
-    fn send(&mut self, request: Request) {
-        self.1.borrow_mut().push(Note::Sent(self.0, request));
+    fn send(&mut self, request: &Request) {
+        self.1
+            .borrow_mut()
+            .push(Note::Sent(self.0, request.clone()));
     }
 
     fn close(&mut self) {

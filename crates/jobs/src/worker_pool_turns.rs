@@ -23,7 +23,7 @@ impl<P: WorkerPort> WorkerPool<P> {
         if let Some(assigned) = self.jobs.get(&id)
             && let Some(port) = &mut self.seats[assigned.seat].port
         {
-            port.send(Request::Hold(id, is_held));
+            port.send(&Request::Hold(id, is_held));
         }
     }
 

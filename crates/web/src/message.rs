@@ -8,7 +8,7 @@ use crate::lent;
 
 /// Makes the message for a request. Files travel beside the rest as byte arrays, because encoding
 /// megabytes would hold up the page, and large ones as something to read them from.
-pub fn encode(request: Request) -> Result<JsValue, JsError> {
+pub fn encode(request: &Request) -> Result<JsValue, JsError> {
     if let Request::Start(_, Job::Provide(ProvideOrder { key, files })) = request {
         let (paths, contents) = (Array::new(), Array::new());
         // Numbers of lent files; zero for others.
@@ -16,8 +16,8 @@ pub fn encode(request: Request) -> Result<JsValue, JsError> {
         for (path, content) in files {
             paths.push(&path.into());
             let (number, content) = match content {
-                FileContent::Bytes(bytes) => (0, Uint8Array::from(&*bytes).into()),
-                FileContent::Lent { number, .. } => (number, lent::file(number)),
+                FileContent::Bytes(bytes) => (0, Uint8Array::from(&**bytes).into()),
+                FileContent::Lent { number, .. } => (*number, lent::file(*number)),
                 FileContent::Address(address) => (0, address.into()),
             };
             contents.push(&content);
@@ -25,7 +25,7 @@ pub fn encode(request: Request) -> Result<JsValue, JsError> {
         }
         let message = Object::new();
         for (name, value) in [
-            ("provide", JsValue::from(key)),
+            ("provide", JsValue::from(key.as_str())),
             ("paths", paths.into()),
             ("contents", contents.into()),
             ("numbers", numbers.into()),

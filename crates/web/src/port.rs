@@ -128,7 +128,7 @@ fn start_worker(
 }
 
 impl WorkerPort for BrowserPort {
-    fn send(&mut self, request: Request) {
+    fn send(&mut self, request: &Request) {
         let Some(worker) = &self.worker else { return };
         let sent = encode(request)
             .map_err(JsValue::from)
