@@ -157,7 +157,7 @@ impl StudyMission {
         height: Option<f64>,
     ) -> Result<Self, String> {
         let route = match route {
-            Some(name) => only_route(mission, name)?,
+            Some(name) => mission.route_named(name)?,
             None => (mission.routes.first()).ok_or("the mission has no route to fly")?,
         };
         Self::along_route(mission, route, height)
@@ -237,18 +237,6 @@ impl StudyMission {
             navigator,
             ..Mission::new(String::new(), self.origin)
         }
-    }
-}
-
-/// The route of that name, where no other has it.
-fn only_route<'a>(mission: &'a Mission, name: &str) -> Result<&'a Route, String> {
-    let found = mission.route_named(name)?;
-    let of_name = mission.routes.iter().filter(|route| route.name == name);
-    match of_name.count() {
-        1 => Ok(found),
-        count => Err(format!(
-            "{count} of its routes are called \"{name}\"; give each a name of its own"
-        )),
     }
 }
 

@@ -119,18 +119,27 @@ impl Mission {
     /// The route of that name.
     ///
     /// # Errors
-    /// Where there is none, with the names that there are.
+    /// Where there is none, with the names that there are, and where there are several.
     pub fn route_named(&self, name: &str) -> Result<&Route, String> {
         let routes = &self.routes;
-        let found = routes.iter().find(|route| route.name == name);
-        found.ok_or_else(|| {
-            let names: Vec<String> = routes.iter().map(|r| format!("\"{}\"", r.name)).collect();
-            let names = match &names[..] {
-                [] => "none at all".to_owned(),
-                names => names.join(", "),
-            };
-            format!("the mission has no route \"{name}\"; it has: {names}")
-        })
+        let found: Vec<&Route> = routes.iter().filter(|route| route.name == name).collect();
+        match &found[..] {
+            [only] => Ok(only),
+            [] => {
+                let names = routes.iter().map(|route| format!("\"{}\"", route.name));
+                let names = match names.collect::<Vec<_>>().join(", ") {
+                    none if none.is_empty() => "none at all".to_owned(),
+                    names => names,
+                };
+                Err(format!(
+                    "the mission has no route \"{name}\"; it has: {names}"
+                ))
+            }
+            several => Err(format!(
+                "{} of its routes are called \"{name}\"; give each a name of its own",
+                several.len()
+            )),
+        }
     }
 
     /// States the height of level ground, metres above mean sea level.
