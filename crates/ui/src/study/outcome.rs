@@ -19,7 +19,8 @@ const NORMAL: f64 = 1.959_964;
 pub struct ErrorSpread {
     /// 5 %, 25 %, 50 %, 75 % and 95 %.
     pub quantiles: [f64; 5],
-    /// 95 % interval of the median, by the binomial law of ranks; `None` where the flights are no independent draws.
+    /// 95 % interval of the median, by the binomial law of ranks; `None` where the flights are no independent draws, or too
+    /// few.
     pub median: Option<[f64; 2]>,
 }
 
@@ -34,9 +35,9 @@ impl ErrorSpread {
         }
         Some(Self {
             quantiles,
-            median: at(0.5 - margin)
-                .zip(at(0.5 + margin))
-                .filter(|_| are_independent)
+            // So few that their ends do not bound it: none.
+            median: (at(0.5 - margin).zip(at(0.5 + margin)))
+                .filter(|_| are_independent && margin <= 0.5)
                 .map(Into::into),
         })
     }
@@ -209,6 +210,9 @@ mod tests {
         // Points of one scramble are no independent draws: their scatter is not that of the median.
         let of_points = ErrorSpread::of(vec![1.0, 2.0], false).unwrap();
         assert_eq!(of_points.median, None);
+        // Of three flights the median may well lie beyond the greatest.
+        let of_few = ErrorSpread::of(vec![1.0, 2.0, 3.0], true).unwrap();
+        assert_eq!(of_few.median, None);
     }
 
     #[test]
