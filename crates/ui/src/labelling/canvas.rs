@@ -47,6 +47,7 @@ impl Labeller {
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, camera: &mut CameraView) {
         let tokens = context.tokens;
         let outer = ui.available_rect_before_wrap();
+        self.take_escape(ui, context);
         let (Some(flight), Some(frame)) = (context.flight, context.shown_frame()) else {
             let hint = "Open a flight with pictures or simulate one, and go to its first picture.";
             return parts::empty(ui, tokens, "No picture to label", hint);
@@ -196,6 +197,18 @@ impl Labeller {
         }
     }
 
+    /// Escape declines what is proposed, or else leaves, also while no picture is there.
+    fn take_escape(&mut self, ui: &Ui, context: &mut ViewContext<'_>) {
+        let is_elsewhere = ui.ctx().text_edit_focused() || ui.memory(|m| m.focused().is_some());
+        if is_elsewhere || self.drag.is_some() || !ui.input(|i| i.key_pressed(Key::Escape)) {
+            return;
+        }
+        if self.proposal.is_none() {
+            context.commands.push(LabelCommand::Toggle.into());
+        }
+        self.decline();
+    }
+
     /// Keys that mean something here only.
     fn take_keys(
         &mut self,
@@ -216,12 +229,6 @@ impl Labeller {
         }
         if pressed(Key::Enter) {
             send(LabelCommand::Accept);
-        }
-        if pressed(Key::Escape) && self.drag.is_none() {
-            if self.proposal.is_none() {
-                send(LabelCommand::Toggle);
-            }
-            self.decline();
         }
         let (alt, shift) = ui.input(|i| (i.modifiers.alt, i.modifiers.shift));
         if !alt {
