@@ -634,7 +634,9 @@ fn map(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Com
             let Views { map, features, .. } = views;
             let mut layers = Vec::new();
             let look_alike = examined(features, scene.selection, scene.documents);
-            let look_alike = look_alike.found.and_then(LookAlike::of);
+            // Beside a picture that is put on the ground, nobody asks about the selected landmark.
+            let look_alike = look_alike.found.filter(|_| beside.is_none());
+            let look_alike = look_alike.and_then(LookAlike::of);
             let buttons: Vec<_> = features.iter().filter_map(|it| it.map_button()).collect();
             let mut tools: Vec<&mut dyn MapTool> = Vec::new();
             for (index, feature) in features.iter_mut().enumerate() {
