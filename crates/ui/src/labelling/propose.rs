@@ -8,6 +8,9 @@ use pilotage_core::mission::LabelBox;
 
 use crate::context::ViewContext;
 
+/// Least share of a landmark that is in the picture if it is proposed: of less than half nobody knows it again.
+const LEAST_IN_PICTURE: f64 = 0.5;
+
 /// The box around a landmark's map box as the frame's pose sees it: the true pose where it is known,
 /// else the one that the navigator assumed. `None` if no pose is known or too little is in the picture.
 pub(super) fn proposed(
@@ -37,11 +40,40 @@ pub(super) fn proposed(
         }
     }
     let size = (camera.width as u32, camera.height as u32);
-    LabelBox::new(landmark.id, &landmark.name, [low, high], size)
+    let label = LabelBox::new(landmark.id, &landmark.name, [low, high], size);
+    label.filter(|label| is_mostly_seen(label, [low, high]))
+}
+
+/// Whether most of what lies between these corners is in the picture, as the label is.
+fn is_mostly_seen(label: &LabelBox, [low, high]: [[f64; 2]; 2]) -> bool {
+    area(label.min, label.max) >= LEAST_IN_PICTURE * area(low, high)
+}
+
+/// Area of a box, pixels squared.
+fn area(low: [f64; 2], high: [f64; 2]) -> f64 {
+    (high[0] - low[0]) * (high[1] - low[1])
 }
 
 fn assumed(context: &ViewContext<'_>, frame: usize) -> Option<Pose> {
     let reports = context.run?.steps.iter().filter_map(|s| s.frame.as_ref());
     let report = reports.into_iter().find(|r| r.index == frame);
     report.map(|r| r.assumed_pose)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_landmark_most_of_which_is_outside_no_sliver_is_proposed() {
+        let is_proposed = |east: f64| {
+            let corners = [[east, 100.0], [east + 80.0, 160.0]];
+            let label = LabelBox::new(1, "Barn", corners, (640, 480));
+            label.is_some_and(|label| is_mostly_seen(&label, corners))
+        };
+        assert!(is_proposed(300.0));
+        assert!(is_proposed(640.0 - 41.0));
+        assert!(!is_proposed(640.0 - 39.0));
+        assert!(!is_proposed(-60.0));
+    }
 }
