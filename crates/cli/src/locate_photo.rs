@@ -14,7 +14,8 @@ use pilotage_core::registration::{HeadingPrior, limit_of};
 use pilotage_jobs::decode_photo;
 
 use crate::CommandResult;
-use crate::files::{DiskFile, MAP_CACHE, MapOnDisk, open_map, write_whole};
+use crate::files::{DiskFile, write_whole};
+use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
 use crate::notes::tell;
 use crate::numbers::numbers;
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};

@@ -44,7 +44,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use outcome::CommandResult;
-use pilotage_disk::{files, filter_options, mission_file, opening, replaying, workers};
+use pilotage_disk::{files, filter_options, maps, mission_file, opening, replaying, workers};
 
 /// Navigate aircraft by what can be seen on the ground.
 #[derive(Parser)]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::imagery::Imagery;
 
-use crate::files::MapOnDisk;
+use crate::maps::MapOnDisk;
 
 /// Tells them to whoever sits at the terminal, beside what the command prints.
 pub fn tell(notes: &[String]) {

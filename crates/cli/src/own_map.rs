@@ -6,7 +6,7 @@ use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::simulate::{FlightDay, Scenario, Wind};
 use pilotage_jobs::{FlightSource, OpenFlight, PlannedPath, RehearsedFlight, fly_planned};
 
-use crate::files::{MAP_CACHE, MapOnDisk};
+use crate::maps::{MAP_CACHE, MapOnDisk};
 use crate::notes::tell;
 use crate::numbers::numbers;
 use crate::plan::{PlanSource, PlannedFlight};
@@ -57,7 +57,7 @@ pub fn fly(
 ) -> Result<OpenFlight, Box<dyn std::error::Error>> {
     let (mut planned, lent) = match (&own.mission, &own.map) {
         (Some(_), _) => by_mission(own)?,
-        (None, Some(map)) => by_map(own, crate::files::open_map(map, None, MAP_CACHE)?)?,
+        (None, Some(map)) => by_map(own, crate::maps::open_map(map, None, MAP_CACHE)?)?,
         (None, None) => return Err("say --map or --mission".into()),
     };
     planned.seed = seed;

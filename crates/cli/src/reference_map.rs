@@ -7,7 +7,8 @@ use pilotage_core::reference::edges::EDGE_GSD;
 use pilotage_core::reference::{GenericClass, ReferenceTable};
 use pilotage_jobs::{JobEvent, ReferenceMapOrder};
 
-use crate::files::{MAP_CACHE, MapOnDisk, open_map, write_whole};
+use crate::files::write_whole;
+use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
 use crate::notes::tell;
 use crate::workers::{self, Lent};
 use crate::{CommandResult, locate_photo};

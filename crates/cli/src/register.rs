@@ -13,7 +13,8 @@ use pilotage_jobs::{JobEvent, PhotoReport, PhotosOrder, decode_photo};
 use serde::Serialize;
 
 use crate::CommandResult;
-use crate::files::{DirectoryFiles, MAP_CACHE, open_map, write_whole};
+use crate::files::{DirectoryFiles, write_whole};
+use crate::maps::{MAP_CACHE, open_map};
 use crate::notes::tell;
 use crate::photo_search::{KnownOfPhotos, SearchRanges, photo_file};
 use crate::workers::{self, Lent};

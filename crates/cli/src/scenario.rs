@@ -7,7 +7,7 @@ use pilotage_core::imagery::CachedImagery;
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulationChoice};
 use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
 
-use crate::files::MAP_CACHE;
+use crate::maps::MAP_CACHE;
 use crate::workers::Lent;
 
 /// Day on which the camera sees the ground.

@@ -4,6 +4,7 @@
 pub mod files;
 pub mod filter_options;
 pub mod landmarks;
+pub mod maps;
 pub mod mission_file;
 pub mod opening;
 pub mod planned_flight;

@@ -8,7 +8,7 @@ use pilotage_core::mission::package::{MissionPackage, read_package};
 use pilotage_core::mission::{MapOptions, MapReference};
 use pilotage_jobs::{Beside, MapSource, SimulationOptions, map_among};
 
-use crate::files::MapOnDisk;
+use crate::maps::MapOnDisk;
 use crate::workers::Lent;
 
 /// A mission file that was read.
@@ -72,7 +72,7 @@ impl OpenMission {
         megabytes: usize,
     ) -> Result<(MapSource, MapOnDisk), Box<dyn std::error::Error>> {
         if let Some(path) = stated {
-            let map = crate::files::open_map(path, Some(frame), megabytes)?;
+            let map = crate::maps::open_map(path, Some(frame), megabytes)?;
             return Ok((Lent::map_of_file(), map));
         }
         let files = MemoryFiles(self.package.files.iter().cloned().collect());

@@ -16,7 +16,8 @@ use pilotage_jobs::{
     PredictionOrder,
 };
 
-use crate::files::{DirectoryFiles, MAP_CACHE};
+use crate::files::DirectoryFiles;
+use crate::maps::MAP_CACHE;
 use crate::mission_file::OpenMission;
 use crate::replaying::flight_at;
 use crate::workers::Lent;

@@ -13,7 +13,7 @@ use pilotage_jobs::{
     WorkerState, map_among, mission_beside_flight,
 };
 
-use crate::files::{MAP_CACHE, MapOnDisk, open_map};
+use crate::maps::{MAP_CACHE, MapOnDisk, open_map};
 use crate::mission_file::OpenMission;
 use crate::opening::{OpenedPath, directory_at, no_flight, open_among, unpacked};
 use crate::read_files::ReadFiles;

@@ -10,7 +10,7 @@ use pilotage_core::reference::{GenericLandmark, ReferenceTable};
 use pilotage_jobs::{JobEvent, ReferenceMapOrder, Share, ShareOrder};
 
 use super::piecework::{Piecework, PieceworkOutcome, order_each};
-use crate::files::{MAP_CACHE, open_map};
+use crate::maps::{MAP_CACHE, open_map};
 use crate::notes::tell;
 use crate::workers::Lent;
 
