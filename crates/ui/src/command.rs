@@ -3,7 +3,7 @@
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
-use crate::feature_command::FeatureCommand;
+use crate::feature_command::{FeatureCommand, FeatureId};
 use serde::{Deserialize, Serialize};
 
 /// Something to do, sent by a view and carried out by the app at the end of the frame.
@@ -41,6 +41,8 @@ pub enum Command {
     SelectLandmark(Option<u32>),
     /// Begin to draw a landmark on the map, or stop.
     TogglePickTool,
+    /// Have all tools leave the map but that of a feature.
+    LeaveMap(FeatureId),
     /// Add a landmark with this box.
     AddLandmark(GroundRect),
     /// Give a landmark another box; `finished` is false while the drag goes on.

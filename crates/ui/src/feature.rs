@@ -117,8 +117,6 @@ pub struct FeatureWishes {
     pub commands: Vec<Command>,
     /// Whether its panel is to be shown, unless one is that takes the whole column.
     pub is_offered: bool,
-    /// Whether its tool has the map now, which the others are to leave.
-    pub takes_map: bool,
     /// Map to be shown.
     pub map: Option<MapSource>,
     /// Flight to be flown in the place of the one that is being flown.
@@ -287,7 +285,7 @@ impl FeatureContext<'_> {
     /// Has the tools of others leave the map.
     pub fn take_map(&mut self) {
         self.map.picking = false;
-        self.wishes.takes_map = true;
+        self.ask(Command::LeaveMap(self.own));
     }
 
     /// Asks the app, or another feature, to do something once this is over.

@@ -69,6 +69,7 @@ impl App {
                 self.views.map.picking = !self.views.map.picking;
                 self.leave_map(None, context, host);
             }
+            Command::LeaveMap(to) => self.leave_map(Some(to), context, host),
             Command::AddLandmark(bounds) => {
                 let id = self.documents.add_landmark(bounds);
                 self.present_landmark(id);

@@ -72,9 +72,6 @@ impl App {
         if let Some(id) = wishes.presented {
             self.present_landmark(id);
         }
-        if wishes.takes_map {
-            self.leave_map(Some(own), egui, host);
-        }
         for command in wishes.commands {
             self.execute(command, egui, host);
         }

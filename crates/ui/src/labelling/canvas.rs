@@ -74,7 +74,7 @@ impl Labeller {
             return;
         }
         self.take_pointer(ui, &response, context, frame, placement, size);
-        self.take_keys(ui, context, frame, size);
+        Self::take_keys(ui, context, frame, size);
         self.paint(&painter, context, name, placement);
     }
 
@@ -210,13 +210,7 @@ impl Labeller {
     }
 
     /// Keys that mean something here only.
-    fn take_keys(
-        &mut self,
-        ui: &Ui,
-        context: &mut ViewContext<'_>,
-        frame: usize,
-        size: (u32, u32),
-    ) {
+    fn take_keys(ui: &Ui, context: &mut ViewContext<'_>, frame: usize, size: (u32, u32)) {
         if ui.ctx().text_edit_focused() || ui.memory(|m| m.focused().is_some()) {
             return;
         }

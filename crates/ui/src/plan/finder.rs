@@ -7,7 +7,7 @@ use super::find_command::FindPick;
 use crate::feature::FeatureContext;
 use pilotage_jobs::{FindOrder, FoundPlan, Job, JobEvent, JobId};
 
-/// What is on the map between which, and around which, a route is searched.
+/// Places between which, and areas around which, a route is searched.
 #[derive(Clone, Debug, PartialEq)]
 struct Ends {
     from: Option<GroundPoint>,

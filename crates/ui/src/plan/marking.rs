@@ -20,6 +20,15 @@ pub struct Marking {
     pub corners: Vec<GroundPoint>,
 }
 
+/// Places that were marked when people turned to something else.
+#[derive(Debug)]
+pub struct PutAway {
+    /// The places.
+    pub marking: Marking,
+    /// Edits of the mission until then: after another one, undo is about that.
+    pub edits: u64,
+}
+
 impl Marking {
     /// Nothing marked yet.
     pub fn new(purpose: Purpose) -> Self {

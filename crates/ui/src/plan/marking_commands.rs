@@ -4,20 +4,12 @@ use pilotage_core::frames::GroundPoint;
 
 use super::PlanCommand;
 use super::find_command::FindPick;
-use super::marking::Marking;
+use super::marking::{Marking, PutAway};
 use super::planner::Planner;
 use super::purpose::{FEWEST, Purpose};
 use super::tab::PlanTab;
 use crate::documents::landmarks::{DrawnLandmark, LandmarkChange};
 use crate::feature::FeatureContext;
-
-/// Places that were marked when people turned to something else.
-#[derive(Debug)]
-pub(super) struct PutAway {
-    marking: Marking,
-    /// Edits of the mission until then: after another one, undo is about that.
-    edits: u64,
-}
 
 impl Planner {
     /// Carries out what marks places; gives back what does not.
