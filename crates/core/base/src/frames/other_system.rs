@@ -110,6 +110,9 @@ pub struct OtherSystem {
     pub methods: &'static dyn SystemMethods,
 }
 
+/// Distance by which places of today's datums may differ from those of WGS 84 at most, metres.
+const MOST_OF_TODAY: f64 = 10.0;
+
 impl OtherSystem {
     /// Note on places that come through another datum than WGS 84.
     pub fn note(&self) -> Option<String> {
@@ -126,6 +129,11 @@ impl OtherSystem {
         let is_taken_for_it = shift == [0.0; 7];
         Some(if accuracy.is_nan() {
             format!("{system}: its datum is brought to WGS 84 by the shift that the file states")
+        } else if is_taken_for_it && accuracy > MOST_OF_TODAY {
+            format!(
+                "{system}: only an ellipsoid is stated, no datum; it is taken for WGS 84, as today's datums are within \
+                 2 m, but places of older ones on that ellipsoid lie up to {accuracy} m off: state the EPSG code"
+            )
         } else if is_taken_for_it {
             format!(
                 "{system}: its datum {name} is taken for WGS 84; places may be off by up to {accuracy} m"

@@ -1,7 +1,7 @@
 //! Datums, and how their places come to WGS 84.
 
 use nalgebra::Vector3;
-use pilotage_base::frames::{Datum, Ellipsoid};
+use pilotage_base::frames::{Datum, Ellipsoid, SystemNumbers};
 
 use super::names::plain;
 
@@ -9,6 +9,16 @@ use super::names::plain;
 const SECOND: f64 = std::f64::consts::PI / 648_000.0;
 /// Accuracy of taking a datum of today's continents for WGS 84, metres.
 const NEAR: f64 = 2.0;
+/// Distance of the places of Greece's datum (GGRS87) from those of WGS 84, metres: the furthest of those on GRS 80.
+const OF_GREECE: f64 = 326.0;
+/// Distance of the places of Vietnam's datum (VN-2000), metres: the furthest of those on the ellipsoid of WGS 84.
+const OF_VIETNAM: f64 = 195.0;
+/// Name of the datum of files that state GRS 80 and nothing else.
+const UNSTATED_ON_GRS80: &str = "an unnamed datum on GRS 80";
+/// Name of the datum of files that state GRS 80 and the projection of the Greek Grid, which TM Baltic93 has as well.
+const GREEK_OR_BALTIC: &str = "GGRS87 (Greece) or one of today";
+/// Latitude between Greece and the Baltic, radians.
+const NORTH_OF_GREECE: f64 = 45.0 * std::f64::consts::PI / 180.0;
 /// Ellipsoids whose squared eccentricities differ by less are the same to a tenth of a millimetre.
 const SAME_ELLIPSOID: f64 = 1e-10;
 
@@ -135,8 +145,8 @@ pub(super) const DATUMS: &[KnownDatum] = &[
     near(4757, "SVY21", Ellipsoid::WGS84, &["SVY21"]),
     near(5252, "TUREF", GRS80, &["TURKISHNATIONALREFERENCEFRAME"]),
     near(5886, "TGD2005", GRS80, &["TONGAGEODETICDATUM2005"]),
-    near(0, "an unnamed datum on WGS 84's ellipsoid", Ellipsoid::WGS84, &["UNKNOWNBASEDONWGS84ELLIPSOID", "UNKNOWNBASEDONWGS84ELLIPSOIDUSINGTOWGS84000", "UNKNOWNBASEDONWGS84"]),
-    near(0, "an unnamed datum on GRS 80", GRS80, &["UNKNOWNBASEDONGRS80ELLIPSOID", "UNKNOWNBASEDONGRS1980ELLIPSOID", "UNKNOWNBASEDONGRS80"]),
+    shifted(0, "an unnamed datum on WGS 84's ellipsoid", Ellipsoid::WGS84, [0.0; 7], OF_VIETNAM, &["UNKNOWNBASEDONWGS84ELLIPSOID", "UNKNOWNBASEDONWGS84ELLIPSOIDUSINGTOWGS84000", "UNKNOWNBASEDONWGS84"]),
+    shifted(0, UNSTATED_ON_GRS80, GRS80, [0.0; 7], OF_GREECE, &["UNKNOWNBASEDONGRS80ELLIPSOID", "UNKNOWNBASEDONGRS1980ELLIPSOID", "UNKNOWNBASEDONGRS80", "GGRS87GREECEORONEOFTODAY"]),
     shifted(4277, "OSGB36", AIRY, [446.448, -125.157, 542.06, 0.15, 0.247, 0.842, -20.489], 2.0, &["ORDNANCESURVEYOFGREATBRITAIN1936", "OSGB1936"]),
     shifted(4300, "TM75", AIRY_MODIFIED, [482.5, -130.6, 564.6, -1.042, -0.214, -0.631, 8.15], 1.0, &["GEODETICDATUMOF1965", "TM65", "TM75"]),
     shifted(4289, "Amersfoort", BESSEL, [565.4171, 50.3319, 465.5524, -0.398_957_388_243_134, 0.343_987_817_378_283, -1.877_401_639_980_45, 4.0725], 1.0, &["AMERSFOORT"]),
@@ -248,6 +258,39 @@ pub(super) fn stated(
     })
 }
 
+/// The datum of a projected system that may state none: where a grid alone has these numbers it is that of the grid.
+pub(super) fn of_grid(numbers: &SystemNumbers) -> Datum {
+    let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs().max(1.0);
+    let is_grid = |code: u32| {
+        super::code_table::numbers(code).filter(|grid| {
+            numbers.method == grid.method
+                && is_near(numbers.latitude_0, grid.latitude_0)
+                && is_near(numbers.longitude_0, grid.longitude_0)
+                && is_near(numbers.scale, grid.scale)
+                && is_near(numbers.offset[0], grid.offset[0])
+                && is_near(numbers.offset[1], grid.offset[1])
+        })
+    };
+    if numbers.datum.name != UNSTATED_ON_GRS80 {
+        return numbers.datum;
+    }
+    if is_grid(2100).is_some() {
+        return Datum {
+            name: GREEK_OR_BALTIC,
+            accuracy: NEAR,
+            ..numbers.datum
+        };
+    }
+    // Israel's later grids are the same to a metre or two.
+    is_grid(2039).map_or(numbers.datum, |grid| grid.datum)
+}
+
+/// The datum at a latitude: that of Greece, where its grid or one of the Baltic may be meant.
+fn at(datum: &Datum, latitude: f64) -> Datum {
+    let is_greek = datum.name == GREEK_OR_BALTIC && latitude < NORTH_OF_GREECE;
+    is_greek.then(|| by_code(4121)).flatten().unwrap_or(*datum)
+}
+
 /// Whether a datum's places are those of WGS 84 as they are.
 fn is_same(datum: &Datum) -> bool {
     let difference =
@@ -259,6 +302,7 @@ fn is_same(datum: &Datum) -> bool {
 
 /// Latitude and longitude of WGS 84 of a place at height zero of `datum`, radians.
 pub(super) fn to_wgs84(datum: &Datum, latitude: f64, longitude: f64) -> (f64, f64) {
+    let datum = &at(datum, latitude);
     if is_same(datum) {
         return (latitude, longitude);
     }
@@ -279,6 +323,7 @@ pub(super) fn to_wgs84(datum: &Datum, latitude: f64, longitude: f64) -> (f64, f6
 /// The heights at both ends are not the same, so that the way back is not one formula: the place is moved
 /// by what it misses until it misses nothing.
 pub(super) fn from_wgs84(datum: &Datum, latitude: f64, longitude: f64) -> (f64, f64) {
+    let datum = &at(datum, latitude);
     if is_same(datum) {
         return (latitude, longitude);
     }

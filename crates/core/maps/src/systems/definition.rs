@@ -242,6 +242,7 @@ impl ProjectedDefinition {
         ) {
             numbers.parallels = [numbers.latitude_0; 2];
         }
+        numbers.datum = datums::of_grid(&numbers);
         of_numbers(None, numbers).map_err(|cause| wrong(&cause))
     }
 }

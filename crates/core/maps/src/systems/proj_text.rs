@@ -119,8 +119,8 @@ impl<'a> ProjWords<'a> {
         }
         match self.word("ellps") {
             Some("WGS84") => Some(datums::WGS84),
-            // Of today's continents, all within two metres.
-            Some("GRS80") => datums::named("ETRS89"),
+            // It says no datum: today's lie within two metres, older ones do not.
+            Some("GRS80") => datums::named("Unknown based on GRS80 ellipsoid"),
             _ => None,
         }
     }
@@ -288,6 +288,44 @@ mod tests {
             let off = (found.latitude - right.latitude).hypot(found.longitude - right.longitude);
             assert!(off * 6.4e6 < 0.005, "{text}: {} m", off * 6.4e6);
         }
+    }
+
+    #[test]
+    fn an_ellipsoid_alone_is_no_datum_and_grids_are_known_by_their_numbers() {
+        let greek = "+proj=tmerc +lat_0=0 +lon_0=24 +k=0.9996 +x_0=500000 +y_0=0 +ellps=GRS80 +units=m +no_defs";
+        let israeli = "+proj=tmerc +lat_0=31.7343936111111 +lon_0=35.2045169444444 +k=1.0000067 +x_0=219529.584 +y_0=626907.39 +ellps=GRS80 +units=m";
+        // pyproj: EPSG:2100 near Athens, EPSG:25884 in Latvia, EPSG:2039.
+        for (text, x, y, latitude, longitude) in [
+            (greek, 476_000.0, 4_205_000.0, 37.994_935_57, 23.728_366_90),
+            (greek, 500_000.0, 6_290_000.0, 56.753_974_02, 24.0),
+            (israeli, 180_000.0, 660_000.0, 32.032_513_04, 34.786_742_58),
+        ] {
+            let system = read(text).unwrap();
+            let again = super::super::by_name(&system.well_known_text()).unwrap();
+            for system in [system, again] {
+                let place = system.geodetic(x, y).unwrap();
+                let (north, east) = (
+                    place.latitude - f64::to_radians(latitude),
+                    place.longitude - f64::to_radians(longitude),
+                );
+                assert!(north.hypot(east) * 6.4e6 < 1.0, "{text}: {place:?}");
+                let (e, n) = system.coordinates(&place).unwrap();
+                assert!((e - x).hypot(n - y) < 0.01, "{e} {n}");
+            }
+        }
+        for text in [
+            "+proj=utm +zone=34 +ellps=GRS80 +units=m +no_defs",
+            r#"GEOGCS["unknown",DATUM["Unknown_based_on_GRS80_ellipsoid",SPHEROID["GRS 1980",6378137,298.257222101]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]"#,
+        ] {
+            let system = super::super::by_name(text).unwrap();
+            let note = system.note().unwrap();
+            assert!(
+                note.contains("no datum") && note.contains("326 m"),
+                "{note}"
+            );
+        }
+        let stated = "+proj=utm +zone=34 +ellps=GRS80 +towgs84=0,0,0 +units=m";
+        assert!(read(stated).unwrap().note().unwrap().contains("up to 2 m"));
     }
 
     #[test]
