@@ -17,3 +17,5 @@ pub use series::series;
 pub use tracks::{RecordedTrack, recorded_tracks};
 
 pub use super::role::{Role, RoleSeries};
+#[cfg(test)]
+pub(crate) use source::factor_of_unit;

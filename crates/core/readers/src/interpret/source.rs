@@ -27,3 +27,4 @@ pub fn factor_of_unit(unit: &str) -> Option<f64> {
         _ => return None,
     })
 }
+        "G" => GRAVITY,

@@ -5,6 +5,8 @@ use super::super::super::{
 };
 use super::super::INFO;
 use super::written::Written;
+use crate::interpret::{factor_of_unit, series};
+use crate::role::{Role, RowReading};
 
 fn read(file: &Written, piece: usize) -> Log {
     let log = testing::read(&INFO, &file.bytes, piece);
@@ -207,4 +209,74 @@ fn a_file_is_known_by_its_first_message() {
         b"no log at all, but a text of some length \xfe with \xfd bytes"
     ));
     assert!(!known(&[0; 4096]));
+}
+
+#[test]
+fn every_unit_that_a_definition_states_is_known_where_a_role_is_read() {
+    let mut dialect = super::super::dialect::Dialect::default();
+    let kinds: Vec<_> = (0..400)
+        .filter_map(|number| {
+            dialect
+                .get(number)
+                .map(|kind| (kind.name, kind.fields.clone()))
+        })
+        .collect();
+    for source in super::super::MEANING.roles.iter().copied().flatten() {
+        let RowReading::Field(name, _) = source.reading else {
+            continue;
+        };
+        let (_, fields) = kinds
+            .iter()
+            .find(|(kind, _)| *kind == source.topic)
+            .unwrap();
+        let unit = &fields.iter().find(|field| field.name == name).unwrap().unit;
+        let is_known = unit.is_empty() || factor_of_unit(unit).is_some();
+        assert!(is_known, "{}.{name} in {unit}", source.topic);
+    }
+}
+
+#[test]
+fn accelerations_in_thousandths_of_gravity_are_metres_a_second_squared() {
+    let raw = |force: i16| -> Vec<u8> {
+        let parts: [&[u8]; 4] = [&[0; 8], &[0; 4], &force.to_le_bytes(), &[0; 12]];
+        parts.concat()
+    };
+    let file =
+        Written::new()
+            .version_2(0, 27, &[&raw(-1000)])
+            .version_2(100_000, 27, &[&raw(-1010)]);
+    let found = series(&read(&file, 50), Role::AccelerationDown).unwrap();
+    assert!((found.values[0] + 9.806_65).abs() < 1e-9, "{found:?}");
+}
+
+#[test]
+fn the_autopilots_own_messages_are_its_systems_whoever_spoke_first() {
+    let place = |latitude: i32| -> Vec<u8> {
+        let parts: [&[u8]; 3] = [&[0; 4], &latitude.to_le_bytes(), &[0; 19]];
+        let mut payload = parts.concat();
+        payload.push(1);
+        payload
+    };
+    let beat = |kind: u8, autopilot: u8| [0, 0, 0, 0, kind, autopilot, 81, 4, 3];
+    let mut file = Written::new().version_2(0, 0, &[&beat(1, 3)]);
+    for i in 0..3 {
+        let time = 1000 * i;
+        file = file
+            .from(1, 191)
+            .version_2(time, 33, &[&place(100 + i as i32)]);
+        file = file
+            .from(1, 1)
+            .version_2(time + 500, 33, &[&place(470_000_000 + i as i32)]);
+    }
+    let log = read(&file, 61);
+    assert_eq!(
+        topic(&log, "GLOBAL_POSITION_INT", 1).values("lat").unwrap()[0],
+        47.0
+    );
+    assert_eq!(topic(&log, "GLOBAL_POSITION_INT", 1191).len(), 3);
+    let found = series(&log, Role::AutopilotLatitude).unwrap();
+    assert!(
+        (found.values[0].to_degrees() - 47.0).abs() < 1e-9,
+        "{found:?}"
+    );
 }
