@@ -47,8 +47,10 @@ fn reader<'a>(log: &Log, source: &RoleSource, topic: &'a Topic) -> Option<RowRea
         }
         RowReading::Quaternion(name) => {
             let part = |i: usize| {
-                let numbered = || Scaled::new(topic, &format!("{name}{}", i + 1), 1.0);
-                Scaled::new(topic, &format!("{name}[{i}]"), 1.0).or_else(numbered)
+                let called = |name: String| Scaled::new(topic, &name, 1.0);
+                called(format!("{name}[{i}]"))
+                    .or_else(|| called(format!("{name}{}", i + 1)))
+                    .or_else(|| called(format!("{name}{}", ["w", "x", "y", "z"][i])))
             };
             let parts = [part(0)?, part(1)?, part(2)?, part(3)?];
             let angle = move |row: &[u8]| {
