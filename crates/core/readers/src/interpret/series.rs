@@ -9,6 +9,11 @@ use crate::log::{FieldKind, FieldLayout, Log, LogFormat, Topic, system_of};
 use crate::role::{Role, RoleSeries, RoleSource, RowReading};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
+/// Kind of fix from which on a receiver knows its height.
+pub(super) const FULL_FIX: f64 = 3.0;
+/// `STATUS_UNKNOWN` of ROS.
+const UNKNOWN_FIX: f64 = -2.0;
+
 /// one: no unit tells which way an axis points.
 struct Scaled<'a> {
     field: &'a FieldLayout,
@@ -83,7 +88,11 @@ fn reader<'a>(log: &Log, source: &RoleSource, topic: &'a Topic) -> Option<RowRea
         }
         RowReading::RosFix(name) => {
             let status = Scaled::new(topic, name, 1.0)?;
-            let fix = move |row: &[u8]| Some(if status.value(row)? < 0.0 { 0.0 } else { 3.0 });
+            // -2 of drivers that do not say.
+            let fix = move |row: &[u8]| match status.value(row)? {
+                UNKNOWN_FIX => None,
+                status => Some(if status < 0.0 { 0.0 } else { FULL_FIX }),
+            };
             (Box::new(fix), name.to_owned())
         }
         RowReading::Pressure(name) => {
@@ -147,6 +156,18 @@ const SECOND_RECEIVERS: [(&str, &str); 2] = [("GPS", "GPS2"), ("GPS_RAW_INT", "G
 fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     let chosen = log.chosen_vehicle();
     let named = |name: &str| -> Vec<&'a Topic> {
+/// Words of topics that say where the vehicle shall go, or are of a camera, whose axes are its own.
+const ELSEWHERE: [&str; 8] = [
+    "setpoint",
+    "target",
+    "goal",
+    "desired",
+    "reference",
+    "cmd",
+    "camera",
+    "gimbal",
+];
+
         let is_own = |topic: &&Topic| {
             topic.name.name == name
                 && (chosen.is_none() || topic.name.instance.map(system_of) == chosen)
@@ -173,7 +194,11 @@ fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
         return same;
     }
     let (kind, part) = source.topic.split_once('@').unwrap_or((source.topic, ""));
-    let is_it = |topic: &&Topic| topic.kind() == kind && topic.name.name.contains(part);
+    let is_it = |topic: &&Topic| {
+        let name = topic.name.name.to_lowercase();
+        let is_elsewhere = ELSEWHERE.iter().any(|word| name.contains(word));
+        topic.kind() == kind && topic.name.name.contains(part) && !is_elsewhere
+    };
     log.topics.iter().filter(is_it).collect()
 }
 
