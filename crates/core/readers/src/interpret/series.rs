@@ -172,9 +172,13 @@ const ELSEWHERE: [&str; 8] = [
             topic.name.name == name
                 && (chosen.is_none() || topic.name.instance.map(system_of) == chosen)
         };
-        let own = log.topics.iter().filter(is_own);
-        let is_one = chosen.is_some() || log.format == LogFormat::Tlog;
-        own.take(if is_one { 1 } else { usize::MAX }).collect()
+        let mut own: Vec<&'a Topic> = log.topics.iter().filter(is_own).collect();
+        if chosen.is_some() || log.format == LogFormat::Tlog {
+            // Those of the autopilot before those of other components.
+            own.sort_by_key(|topic| topic.name.instance != chosen);
+            own.truncate(1);
+        }
+        own
     };
     let mut same = named(source.topic);
     let second = SECOND_RECEIVERS

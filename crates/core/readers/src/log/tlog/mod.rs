@@ -2,7 +2,8 @@
 //! bytes with the highest first, microseconds since 1970 (UTC).
 //!
 //! A topic is a kind of message from one system, which is its instance; where several components of a
-//! system send the same kind, those after the first have a thousand times the system plus the component.
+//! system send the same kind, those after the first, and all but the autopilot's, have a thousand times the system plus the
+//! component.
 //! Rows are the messages' payload. What they mean is in a table (`dialect.txt`), made from pymavlink's
 //! definitions by `tests/oracles/mavlink_dialect.py`; the crate `mavlink` would be a type and some
 //! functions for each of its messages. Values come in plain units: centimetres as metres.

@@ -20,6 +20,8 @@ const YEAR_2000: u64 = 946_684_800 * 1_000_000;
 /// would leave none.
 const COMPONENTS: u32 = 1000;
 const SYSTEM_0: u32 = 256;
+/// `MAV_COMP_ID_AUTOPILOT1`.
+const AUTOPILOT: u8 = 1;
 
 /// The state of reading.
 #[derive(Default)]
@@ -190,9 +192,30 @@ fn place(
         name: definition.name.to_owned(),
         instance: Some(system),
     };
-    if log.topic(&name).is_some() {
+    let of_component = |component: u8| {
         let system = if system == 0 { SYSTEM_0 } else { system };
-        name.instance = Some(COMPONENTS * system + u32::from(frame.component));
+        Some(COMPONENTS * system + u32::from(component))
+    };
+    if log.topic(&name).is_some() {
+        // The autopilot's own are those of the system, whoever else of it was heard before.
+        let before = places.iter_mut().find(|((number, of, _), (_, instance))| {
+            (*number, *of, *instance) == (frame.number, frame.system, system)
+        });
+        let before = before.filter(|_| frame.component == AUTOPILOT);
+        let is_moved = before.is_some_and(|((_, _, component), (topic, instance))| {
+            let moved = TopicName {
+                instance: of_component(*component),
+                ..name.clone()
+            };
+            let is_moved = log.rename(*topic, &moved);
+            if is_moved {
+                *instance = moved.instance.unwrap_or(system);
+            }
+            is_moved
+        });
+        if !is_moved {
+            name.instance = of_component(frame.component);
+        }
     }
     let instance = name.instance.unwrap_or(system);
     let topic = log.topic_or_new(&name, || definition.fields.clone());
