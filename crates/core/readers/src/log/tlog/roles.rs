@@ -110,6 +110,8 @@ const TLOG: &[RoleSource] = &[
         1e-7 * DEGREE,
     ),
     field(
+    field(Role::WindNorth, "WIND_COV", "wind_x", 1.0),
+    field(Role::WindEast, "WIND_COV", "wind_y", 1.0),
         Role::AutopilotLongitude,
         "GLOBAL_POSITION_INT",
         "lon",
