@@ -2,8 +2,11 @@
 
 mod beside_flight;
 mod flight;
+#[cfg(test)]
+mod measured_tests;
 mod origin;
 mod places;
+mod rows;
 mod series;
 mod source;
 #[cfg(test)]
@@ -14,8 +17,8 @@ pub use beside_flight::{BesideFlight, log_of_flight};
 pub use flight::{InterpretError, Interpreted, MeasuredSeries, flight_from_log};
 pub use places::{Navigation, estimated_places, places};
 pub use series::series;
+#[cfg(test)]
+pub(crate) use source::factor_of_unit;
 pub use tracks::{RecordedTrack, recorded_tracks};
 
 pub use super::role::{Role, RoleSeries};
-#[cfg(test)]
-pub(crate) use source::factor_of_unit;

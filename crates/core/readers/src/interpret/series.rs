@@ -4,16 +4,17 @@ use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::origin;
 use super::places::FLAT_FIX;
+use super::rows::is_measured;
 use super::source::{factor_of_unit, sources};
 use crate::log::{FieldKind, FieldLayout, Log, LogFormat, Topic, system_of};
 use crate::role::{Role, RoleSeries, RoleSource, RowReading};
 
-/// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
 /// Kind of fix from which on a receiver knows its height.
 pub(super) const FULL_FIX: f64 = 3.0;
 /// `STATUS_UNKNOWN` of ROS.
 const UNKNOWN_FIX: f64 = -2.0;
 
+/// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
 /// one: no unit tells which way an axis points.
 struct Scaled<'a> {
     field: &'a FieldLayout,
@@ -40,9 +41,13 @@ impl<'a> Scaled<'a> {
 }
 
 /// Function from a row to a value, and the name of the fields that it reads.
-type RowReader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
+pub(super) type RowReader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
 
-fn reader<'a>(log: &Log, source: &RoleSource, topic: &'a Topic) -> Option<RowReader<'a>> {
+pub(super) fn reader<'a>(
+    log: &Log,
+    source: &RoleSource,
+    topic: &'a Topic,
+) -> Option<RowReader<'a>> {
     let role = source.role;
     let north = matches!(role, Role::GpsVelocityNorth | Role::WindNorth);
     Some(match source.reading {
@@ -151,11 +156,6 @@ fn standard_height(pressure: f64) -> f64 {
 /// Messages of a second receiver that are of a kind of their own, behind those of the first.
 const SECOND_RECEIVERS: [(&str, &str); 2] = [("GPS", "GPS2"), ("GPS_RAW_INT", "GPS2_RAW")];
 
-/// Topics that `source` names: those of that name, or else all of that kind; where several vehicles fly, that of the
-/// chosen one. Of several sensors the first, but a receiver with a fix before one that never has any.
-fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
-    let chosen = log.chosen_vehicle();
-    let named = |name: &str| -> Vec<&'a Topic> {
 /// Words of topics that say where the vehicle shall go, or are of a camera, whose axes are its own.
 const ELSEWHERE: [&str; 8] = [
     "setpoint",
@@ -168,6 +168,11 @@ const ELSEWHERE: [&str; 8] = [
     "gimbal",
 ];
 
+/// Topics that `source` names: those of that name, or else all of that kind; where several vehicles fly, that of the
+/// chosen one. Of several sensors the first, but a receiver with a fix before one that never has any.
+fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
+    let chosen = log.chosen_vehicle();
+    let named = |name: &str| -> Vec<&'a Topic> {
         let is_own = |topic: &&Topic| {
             topic.name.name == name
                 && (chosen.is_none() || topic.name.instance.map(system_of) == chosen)
@@ -225,7 +230,9 @@ fn read(log: &Log, topic: &Topic, source: &RoleSource) -> Option<RoleSeries> {
         return None;
     }
     let (value_of, name) = reader(log, source, topic)?;
+    let is_measured = is_measured(log, topic, source, &name);
     let samples = topic.times.iter().zip(topic.rows.iter());
+    let samples = samples.filter(|(_, row)| is_measured(row));
     let samples = samples.map(|(time, row)| (*time, value_of(row)));
     let name = format!("{}.{name}", topic.name);
     let series = RoleSeries::new(source.role, name, samples);

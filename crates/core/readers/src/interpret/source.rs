@@ -1,13 +1,18 @@
 //! Fields of a format that hold the roles, and factors of the units that logs state.
 
 use crate::log::LogFormat;
-use crate::role::{DEGREE, RoleSource};
+use crate::role::{DEGREE, RoleSource, RowCondition};
 
 const GRAVITY: f64 = pilotage_base::frames::units::GRAVITY;
 
 /// Places of a format, for each role the best first.
 pub fn sources(format: LogFormat) -> impl Iterator<Item = &'static RoleSource> {
     format.meaning().roles.iter().copied().flatten()
+}
+
+/// Conditions of a format's rows.
+pub fn conditions(format: LogFormat) -> &'static [RowCondition] {
+    format.meaning().conditions
 }
 
 /// Factor to SI and radians of a unit as logs write it; `None` if it is not known.
@@ -24,7 +29,7 @@ pub fn factor_of_unit(unit: &str) -> Option<f64> {
         "knots" | "kt" => pilotage_base::frames::units::MPS_PER_KNOT,
         "ft" => pilotage_base::frames::units::METRES_PER_FOOT,
         "mG" | "mg" => 1e-3 * GRAVITY,
+        "G" => GRAVITY,
         _ => return None,
     })
 }
-        "G" => GRAVITY,

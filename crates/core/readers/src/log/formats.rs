@@ -20,6 +20,7 @@ macro_rules! works {
                     Self::Tables | Self::Photos => Meaning {
                         roles: &[],
                         triggers: &[],
+                        conditions: &[],
                     },
                 }
             }

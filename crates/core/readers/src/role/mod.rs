@@ -5,7 +5,9 @@ mod series;
 
 use serde::{Deserialize, Serialize};
 
-pub(crate) use reading::{DEGREE, Meaning, RoleSource, RowReading, field, of};
+pub(crate) use reading::{
+    DEGREE, Meaning, RoleSource, RowCondition, RowReading, condition, field, of,
+};
 pub use series::RoleSeries;
 
 use pilotage_flight::ChannelName;

@@ -64,6 +64,33 @@ pub(crate) const fn of(role: Role, topic: &'static str, reading: RowReading) -> 
     }
 }
 
+/// A field beside values without which they are none: that says whether the sensor knew them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowCondition {
+    /// Name of the topic, or the [kind](crate::log::Topic::kind) of its rows.
+    pub topic: &'static str,
+    /// Beginning of the names of the values.
+    pub values: &'static str,
+    /// The field; logs without it do not say.
+    pub field: &'static str,
+    /// Least and greatest number of the field beside values that count.
+    pub range: [f64; 2],
+}
+
+pub(crate) const fn condition(
+    topic: &'static str,
+    values: &'static str,
+    field: &'static str,
+    range: [f64; 2],
+) -> RowCondition {
+    RowCondition {
+        topic,
+        values,
+        field,
+        range,
+    }
+}
+
 /// Meaning of a format's topics for a flight.
 #[derive(Clone, Copy)]
 pub struct Meaning {
@@ -72,4 +99,6 @@ pub struct Meaning {
     /// Topics that tell photos, and of each its field that is 0 for a photo that was not taken, if there is one. The surest
     /// stand first: that the shutter opened, before that it was asked to.
     pub triggers: &'static [(&'static str, &'static str)],
+    /// Fields that say of rows whether their values were measured.
+    pub conditions: &'static [RowCondition],
 }

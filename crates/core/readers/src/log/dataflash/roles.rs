@@ -1,11 +1,13 @@
 //! Fields of `ArduPilot`'s messages that hold the roles, and those that tell photos: tables to be read, one line a place.
 
-use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
+use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, condition, field, of};
 
 /// Meaning of the topics for a flight.
 pub(in super::super) const MEANING: Meaning = Meaning {
     roles: &[DATAFLASH],
     triggers: &[("CAM", ""), ("TRIG", "")],
+    // The terrain is known (`TerrainStatusOK`).
+    conditions: &[condition("TERR", "CHeight", "Status", [2.0; 2])],
 };
 
 const DATAFLASH: &[RoleSource] = &[
@@ -14,8 +16,6 @@ const DATAFLASH: &[RoleSource] = &[
     field(Role::Airspeed, "CTUN", "As", 1.0),
     field(Role::Airspeed, "NTUN", "Arspd", 1.0),
     field(Role::Airspeed, "NTUN", "ArSpd", 1.0),
-    field(Role::Heading, "ATT", "Yaw", DEGREE),
-    field(Role::Roll, "ATT", "Roll", DEGREE),
     // PX4's logs of before 2017, whose angles are radians beside a quaternion.
     of(Role::Heading, "ATT", RowReading::Quaternion("q")),
     of(Role::Roll, "ATT", RowReading::Quaternion("q")),
@@ -31,6 +31,8 @@ const DATAFLASH: &[RoleSource] = &[
     field(Role::RollRate, "IMU", "GyroX", 1.0),
     field(Role::PitchRate, "IMU", "GyroY", 1.0),
     field(Role::YawRate, "IMU", "GyroZ", 1.0),
+    field(Role::Heading, "ATT", "Yaw", DEGREE),
+    field(Role::Roll, "ATT", "Roll", DEGREE),
     field(Role::Pitch, "ATT", "Pitch", DEGREE),
     field(Role::Heading, "AHR2", "Yaw", DEGREE),
     field(Role::Roll, "AHR2", "Roll", DEGREE),

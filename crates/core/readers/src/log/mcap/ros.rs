@@ -20,6 +20,7 @@ const ALTITUDE: &str = "mavros_msgs/Altitude";
 pub(in super::super) const MEANING: Meaning = Meaning {
     roles: &[ulog::ROLES, ROS],
     triggers: ulog::MEANING.triggers,
+    conditions: ulog::MEANING.conditions,
 };
 
 /// Places of the messages, for each role the best first.

@@ -1,6 +1,6 @@
 //! Fields of `MAVLink` messages that hold the roles, and those that tell photos: tables to be read, one line a place.
 
-use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
+use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, condition, field, of};
 
 const GRAVITY: f64 = pilotage_base::frames::units::GRAVITY;
 
@@ -12,6 +12,13 @@ pub(in super::super) const MEANING: Meaning = Meaning {
         ("CAMERA_FEEDBACK", ""),
         ("CAMERA_TRIGGER", ""),
     ],
+    // A spacing of 0 says that the terrain is not known there.
+    conditions: &[condition(
+        "TERRAIN_REPORT",
+        "current_height",
+        "spacing",
+        [1.0, f64::INFINITY],
+    )],
 };
 
 const TLOG: &[RoleSource] = &[
@@ -103,6 +110,8 @@ const TLOG: &[RoleSource] = &[
         "WIND",
         RowReading::WindFrom("direction", DEGREE, "speed"),
     ),
+    field(Role::WindNorth, "WIND_COV", "wind_x", 1.0),
+    field(Role::WindEast, "WIND_COV", "wind_y", 1.0),
     field(
         Role::AutopilotLatitude,
         "GLOBAL_POSITION_INT",
@@ -110,8 +119,6 @@ const TLOG: &[RoleSource] = &[
         1e-7 * DEGREE,
     ),
     field(
-    field(Role::WindNorth, "WIND_COV", "wind_x", 1.0),
-    field(Role::WindEast, "WIND_COV", "wind_y", 1.0),
         Role::AutopilotLongitude,
         "GLOBAL_POSITION_INT",
         "lon",

@@ -1,12 +1,35 @@
 //! Fields of PX4's topics that hold the roles, and those that tell photos: tables to be read, one line a place.
 
-use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, field, of};
+use crate::role::{
+    DEGREE, Meaning, Role, RoleSource, RowCondition, RowReading, condition, field, of,
+};
 
 /// Meaning of the topics for a flight.
 pub(in super::super) const MEANING: Meaning = Meaning {
     roles: &[ROLES],
     triggers: &[("camera_capture", "result"), ("camera_trigger", "feedback")],
+    conditions: CONDITIONS,
 };
+
+/// `ROTATION_DOWNWARD_FACING` of range sensors.
+const DOWNWARD: f64 = 25.0;
+
+const CONDITIONS: &[RowCondition] = &[
+    condition(
+        "vehicle_local_position",
+        "dist_bottom",
+        "dist_bottom_valid",
+        [1.0; 2],
+    ),
+    condition(
+        "distance_sensor",
+        "current_distance",
+        "orientation",
+        [DOWNWARD; 2],
+    ),
+    condition("vehicle_gps_position", "vel_", "vel_ned_valid", [1.0; 2]),
+    condition("sensor_gps", "vel_", "vel_ned_valid", [1.0; 2]),
+];
 
 /// Places of the topics, for each role the best first.
 pub(in super::super) const ROLES: &[RoleSource] = &[

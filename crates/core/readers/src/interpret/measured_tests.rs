@@ -1,0 +1,191 @@
+//! Rows that were not measured, topics that tell of something else, and units of old and of stated numbers.
+
+use std::fmt::Write as _;
+
+use super::*;
+use crate::bytes::MemoryBytes;
+use crate::log::{FieldKind, FieldLayout, Log, LogFormat, TopicName, read_log};
+
+/// The log of text of `ArduPilot`.
+fn text_log(text: &str) -> Log {
+    let source = MemoryBytes::new("a.log", text.as_bytes());
+    read_log(&source).unwrap().unwrap()
+}
+
+/// A log with a topic of doubles: of that schema, named so, rows that begin with their time.
+fn with(log: &mut Log, name: &str, schema: &str, fields: &[&str], rows: &[Vec<f64>]) {
+    let layouts = || {
+        let fields = fields.iter().enumerate();
+        let layout = |(i, name): (usize, &&str)| FieldLayout::plain(*name, FieldKind::F64, 8 * i);
+        fields.map(layout).collect()
+    };
+    let place = log.topic_or_new(&TopicName::single(name), layouts);
+    schema.clone_into(&mut log.topics[place].schema);
+    for row in rows {
+        let bytes: Vec<u8> = row[1..].iter().flat_map(|v| v.to_le_bytes()).collect();
+        log.topics[place].push(row[0], &bytes);
+    }
+}
+
+#[test]
+fn what_a_receiver_writes_without_a_fix_is_no_place_height_or_velocity() {
+    let mut text = "FMT, 1, 50, GPS, QBLLfff, TimeUS,Status,Lat,Lng,Alt,Spd,GCrs\n".to_owned();
+    // Two seconds without a fix, one of two dimensions, two whole ones.
+    for (second, fix) in [1, 1, 2, 3, 3].into_iter().enumerate() {
+        let known = if fix > 1 { "47.5, 8.5" } else { "0.0, 0.0" };
+        let height = if fix > 2 { 600.0 } else { 0.0 };
+        let speed = if fix > 1 { 20.0 } else { 0.0 };
+        writeln!(
+            text,
+            "GPS, {second}000000, {fix}, {known}, {height}, {speed}, 90"
+        )
+        .unwrap();
+    }
+    let log = text_log(&text);
+    let times = |role| series(&log, role).unwrap().times;
+    assert_eq!(times(Role::Latitude), [2.0, 3.0, 4.0]);
+    assert_eq!(times(Role::GpsVelocityEast), [2.0, 3.0, 4.0]);
+    assert_eq!(times(Role::GroundSpeed), [2.0, 3.0, 4.0]);
+    let height = series(&log, Role::GpsHeight).unwrap();
+    assert_eq!(
+        (height.times, height.values),
+        (vec![3.0, 4.0], vec![600.0; 2])
+    );
+    assert_eq!(times(Role::GpsFix).len(), 5);
+}
+
+#[test]
+fn heights_above_ground_count_where_the_sensor_knows_them_and_looks_down() {
+    let log = text_log(
+        "FMT, 1, 50, TERR, QBf, TimeUS,Status,CHeight\nTERR, 1000000, 1, 0\nTERR, 2000000, 2, 80\nTERR, 3000000, 2, 81\n",
+    );
+    let height = series(&log, Role::HeightAboveGround).unwrap();
+    assert_eq!(height.values, [80.0, 81.0]);
+    let mut log = Log::new("a.ulg", LogFormat::Ulog);
+    let bottom = ["dist_bottom", "dist_bottom_valid"];
+    let rows = [vec![0.0, 0.1, 0.0], vec![1.0, 0.2, 0.0]];
+    with(&mut log, "vehicle_local_position", "", &bottom, &rows);
+    let range = ["current_distance", "orientation"];
+    let rows = [vec![0.0, 3.0, 0.0], vec![1.0, 4.0, 0.0]];
+    with(&mut log, "distance_sensor", "", &range, &rows);
+    assert_eq!(series(&log, Role::HeightAboveGround), None);
+    let rows = [vec![2.0, 30.0, 25.0], vec![3.0, 31.0, 25.0]];
+    with(&mut log, "distance_sensor", "", &range, &rows);
+    let height = series(&log, Role::HeightAboveGround).unwrap();
+    assert_eq!(height.values, [30.0, 31.0]);
+    let rows = [vec![4.0, 28.0, 1.0], vec![5.0, 29.0, 1.0]];
+    with(&mut log, "vehicle_local_position", "", &bottom, &rows);
+    let height = series(&log, Role::HeightAboveGround).unwrap();
+    assert_eq!(height.values, [28.0, 29.0]);
+}
+
+#[test]
+fn velocities_that_the_receiver_calls_invalid_are_none() {
+    let mut log = Log::new("a.ulg", LogFormat::Ulog);
+    let fields = ["fix_type", "vel_n_m_s", "vel_ned_valid"];
+    let rows = [vec![0.0, 3.0, 0.0, 0.0], vec![1.0, 3.0, 12.0, 1.0]];
+    with(&mut log, "sensor_gps", "", &fields, &rows);
+    let velocity = series(&log, Role::GpsVelocityNorth).unwrap();
+    assert_eq!(velocity.values, [12.0]);
+}
+
+#[test]
+fn the_wind_of_old_filters_is_in_metres_a_second() {
+    // The letter `c` has the hundredths: ArduPilot 3.1 writes (int16_t)(100 * wind.x).
+    let log = text_log(
+        "FMT, 1, 25, EKF2, Icc, TimeMS,VWN,VWE\nEKF2, 1000, 4.00, -3.00\nEKF2, 2000, 4.10, -3.00\n",
+    );
+    let wind = |role| series(&log, role).unwrap().values[0];
+    assert!((wind(Role::WindNorth) - 4.0).abs() < 1e-9);
+    assert!((wind(Role::WindEast) + 3.0).abs() < 1e-9);
+}
+
+#[test]
+fn logs_of_px4_from_before_ulog_are_read_in_radians() {
+    let log = text_log(
+        "FMT, 1, 50, TIME, Q, StartTime\nFMT, 2, 50, ATT, fffffff, qw,qx,qy,qz,Roll,Pitch,Yaw\n\
+         FMT, 3, 50, GPS, QBLLffff, GPSTime,Fix,Lat,Lon,Alt,VelN,VelE,VelD\n\
+         TIME, 1000000\nATT, 0.70710678, 0, 0, 0.70710678, 0, 0, 1.5708\nGPS, 1400000000000000, 3, 47.5, 8.5, 600, 1, 2, 3\n\
+         TIME, 2000000\nATT, 0.70710678, 0.01, 0, 0.70710678, 0, 0, 1.5708\nGPS, 1400000001000000, 3, 47.6, 8.6, 601, 1, 2, 3\n",
+    );
+    let heading = series(&log, Role::Heading).unwrap();
+    assert!((heading.values[0] - std::f64::consts::FRAC_PI_2).abs() < 1e-6);
+    assert!((series(&log, Role::Longitude).unwrap().values[0].to_degrees() - 8.5).abs() < 1e-6);
+    assert_eq!(
+        series(&log, Role::GpsVelocityEast).unwrap().values,
+        [2.0; 2]
+    );
+}
+
+#[test]
+fn setpoints_and_cameras_of_ros_are_not_the_vehicle() {
+    let mut log = Log::new("a.mcap", LogFormat::Mcap);
+    let pose = ["x", "y", "z", "w"].map(|part| format!("pose.orientation.{part}"));
+    let pose: Vec<&str> = pose.iter().map(String::as_str).collect();
+    // East, and north, of ROS.
+    let (east, north) = (
+        [0.0, 0.0, 0.0, 1.0],
+        [0.0, 0.0, 0.5_f64.sqrt(), 0.5_f64.sqrt()],
+    );
+    let kind = "geometry_msgs/msg/PoseStamped";
+    let row = |time: f64, turn: [f64; 4]| [&[time][..], &turn].concat();
+    let wanted = [row(0.0, east), row(1.0, north)];
+    with(
+        &mut log,
+        "/mavros/setpoint_position/local",
+        kind,
+        &pose,
+        &wanted,
+    );
+    assert_eq!(series(&log, Role::Heading), None);
+    let flown = [row(0.0, north), row(1.0, east)];
+    with(&mut log, "/mavros/local_position/pose", kind, &pose, &flown);
+    let heading = series(&log, Role::Heading).unwrap();
+    assert!(heading.values[0].abs() < 1e-9, "{heading:?}");
+    let kind = "sensor_msgs/msg/Imu";
+    let force = ["linear_acceleration.z"];
+    with(
+        &mut log,
+        "/camera/imu",
+        kind,
+        &force,
+        &[vec![0.0, 0.1], vec![1.0, 0.2]],
+    );
+    assert_eq!(series(&log, Role::AccelerationDown), None);
+    with(
+        &mut log,
+        "/imu/data",
+        kind,
+        &force,
+        &[vec![0.0, 9.8], vec![1.0, 9.7]],
+    );
+    assert_eq!(
+        series(&log, Role::AccelerationDown).unwrap().values,
+        [-9.8, -9.7]
+    );
+}
+
+#[test]
+fn a_fix_of_which_the_driver_says_nothing_counts() {
+    let mut log = Log::new("a.mcap", LogFormat::Mcap);
+    let fields = ["status.status", "latitude", "longitude", "altitude"];
+    // STATUS_UNKNOWN, then STATUS_NO_FIX.
+    let rows = [
+        vec![0.0, -2.0, 47.5, 8.5, 600.0],
+        vec![1.0, -1.0, 0.0, 0.0, 0.0],
+    ];
+    with(
+        &mut log,
+        "/fix",
+        "sensor_msgs/msg/NavSatFix",
+        &fields,
+        &rows,
+    );
+    let found: Vec<RoleSeries> = [Role::Latitude, Role::Longitude, Role::GpsHeight]
+        .into_iter()
+        .filter_map(|role| series(&log, role))
+        .collect();
+    let places = places(&found, Navigation::Gps);
+    assert_eq!(places.len(), 1);
+    assert!((places[0].1.latitude.to_degrees() - 47.5).abs() < 1e-9);
+}

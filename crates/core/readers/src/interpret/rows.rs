@@ -1,0 +1,53 @@
+//! Rows whose values were measured: with a fix, and beside fields that say so.
+
+use super::places::FLAT_FIX;
+use super::series::{FULL_FIX, reader};
+use super::source::{conditions, sources};
+use crate::log::{Log, Topic};
+use crate::role::{Role, RoleSource};
+
+/// Kind of fix that a role of a receiver needs; `None` of other roles.
+fn needed_fix(role: Role) -> Option<f64> {
+    match role {
+        Role::Latitude
+        | Role::Longitude
+        | Role::GpsVelocityNorth
+        | Role::GpsVelocityEast
+        | Role::GroundSpeed => Some(FLAT_FIX),
+        Role::GpsHeight | Role::GpsVelocityDown => Some(FULL_FIX),
+        _ => None,
+    }
+}
+
+/// Function that tells of rows of a topic whether the values that `source` names there, in fields called `name`, were measured:
+/// a receiver without a fix writes noughts, and range sensors may look elsewhere than down.
+pub(super) fn is_measured<'a>(
+    log: &'a Log,
+    topic: &'a Topic,
+    source: &RoleSource,
+    name: &str,
+) -> impl Fn(&[u8]) -> bool + use<'a> {
+    let fix = needed_fix(source.role).and_then(|needed| {
+        let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == source.topic;
+        let mut fixes = sources(log.format).filter(is_fix);
+        let (fix_of, _) = fixes.find_map(|fix| reader(log, fix, topic))?;
+        Some((fix_of, needed))
+    });
+    let is_own = |topic_of: &str| topic_of == topic.name.name || topic_of == topic.kind();
+    let conditions = conditions(log.format)
+        .iter()
+        .filter(|condition| is_own(condition.topic) && name.starts_with(condition.values));
+    let fields: Vec<_> = conditions
+        .filter_map(|condition| Some((topic.field(condition.field)?, condition.range)))
+        .collect();
+    move |row| {
+        let is_fixed = |(fix_of, needed): &(Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, f64)| {
+            fix_of(row).is_none_or(|fix| fix >= *needed)
+        };
+        let is_within = |(field, [least, most]): &(&crate::log::FieldLayout, [f64; 2])| {
+            let value = field.value(row);
+            value.is_none_or(|value| (*least..=*most).contains(&value))
+        };
+        fix.as_ref().is_none_or(is_fixed) && fields.iter().all(is_within)
+    }
+}
