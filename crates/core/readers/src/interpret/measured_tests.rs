@@ -189,3 +189,15 @@ fn a_fix_of_which_the_driver_says_nothing_counts() {
     assert_eq!(places.len(), 1);
     assert!((places[0].1.latitude.to_degrees() - 47.5).abs() < 1e-9);
 }
+
+#[test]
+fn text_logs_with_decimal_commas_are_read() {
+    let log = text_log(
+        "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\nGPS, 1000000, 3, 47,5123456, -8,25, 600,5\nGPS, 2000000, 3, 47,5123457, -8,25, 1,2E+03\n",
+    );
+    assert_eq!(log.report.skipped_bytes, 0);
+    let values = |role| series(&log, role).unwrap().values;
+    assert!((values(Role::Latitude)[0].to_degrees() - 47.512_345_6).abs() < 1e-9);
+    assert!((values(Role::Longitude)[0].to_degrees() + 8.25).abs() < 1e-9);
+    assert_eq!(values(Role::GpsHeight), [600.5, 1200.0]);
+}

@@ -74,6 +74,15 @@ fn real(text: &str) -> Option<f64> {
     text.parse().ok().or_else(|| strange(text))
 }
 
+/// The text with a point, where a computer of another language wrote a decimal comma.
+fn with_point(text: &str) -> Option<String> {
+    let (before, after) = text.split_once(',')?;
+    let is_number = |part: &str| part.bytes().all(|b| b.is_ascii_digit());
+    let digits = after.split(['e', 'E']).next().unwrap_or_default();
+    let is_decimal = is_number(before.trim_start_matches('-')) && is_number(digits);
+    is_decimal.then(|| format!("{before}.{after}"))
+}
+
 /// As [`real`], rounded once.
 fn real_32(text: &str) -> Option<f32> {
     let strange = || strange(text).map(|number| number as f32);
@@ -81,6 +90,9 @@ fn real_32(text: &str) -> Option<f32> {
 }
 
 fn strange(text: &str) -> Option<f64> {
+    if let Some(text) = with_point(text) {
+        return text.parse().ok();
+    }
     let text = text.to_ascii_lowercase();
     let (sign, word) = match text.strip_prefix('-') {
         Some(rest) => (-1.0, rest),
