@@ -1,7 +1,7 @@
 //! Tests with a single flight, written in many units and axes: each has to be read as the same values, or
 //! with a question.
 
-mod flown;
+pub mod flown;
 mod written;
 
 use std::sync::Arc;

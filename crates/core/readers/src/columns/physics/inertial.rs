@@ -33,6 +33,9 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         ChannelName::YawRate,
     ];
     let found = triple(board, gyros).and_then(|ids| rates(board, known, ids));
+    if let Some(ids) = triple(board, gyros).filter(|ids| found.is_none() && of_phone(board, *ids)) {
+        leave_out(board, ids);
+    }
     let accelerations = [
         ChannelName::AccelerationForward,
         ChannelName::AccelerationRight,
@@ -201,6 +204,10 @@ fn acceleration(
             .find(|fit| fit.axes.sign[0] != best.axes.sign[0] || fit.axes.order != best.axes.order);
         best.score > 0.4 && rival.is_none_or(|rival| best.score > rival.score + 0.2)
     });
+    if by_motion.is_none() && of_phone(board, ids) {
+        leave_out(board, ids);
+        return;
+    }
     let is_named_ros = super::ros::is_of_ros(&names);
     let beside = gyros.filter(|_| {
         let gyro = board.find(ColumnRole::Channel(ChannelName::RollRate));
@@ -251,6 +258,41 @@ fn acceleration(
     if let Some(is_up) = is_up.filter(|_| gyros.is_none()) {
         gyros_beside(board, ids, is_up);
     }
+}
+
+/// Parts of the names of columns, in small letters, that phones have.
+const OF_PHONES: [&str; 8] = [
+    "gravity x",
+    "motiongravityx",
+    "motionuseracceleration",
+    "proximity",
+    "sound level",
+    "light (lux",
+    "decibel",
+    "locationtimestamp",
+];
+
+/// Whether the table of these columns is a phone's, which lies or hangs in the aircraft anyhow.
+fn of_phone(board: &FlightColumns, ids: [Id; 3]) -> bool {
+    let mut columns = board.maps[ids[0].0].columns.iter();
+    columns.any(|column| {
+        let name = column.name.to_lowercase();
+        OF_PHONES.iter().any(|part| name.contains(part))
+    })
+}
+
+/// Takes their meaning from sensors of a phone whose axes are not those of the aircraft.
+fn leave_out(board: &mut FlightColumns, ids: [Id; 3]) {
+    let names = board.names(&ids);
+    for id in ids {
+        board.drop(id, "a phone measured it, along axes of its own");
+    }
+    board.tell(
+        ids[0].0,
+        format!(
+            "{names}: a phone measured them, and they do not go as the aircraft's motion does along any axes: they are not used"
+        ),
+    );
 }
 
 /// Gyros that nothing else tells of keep the axes of the accelerometers in their table.
