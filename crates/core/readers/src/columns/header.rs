@@ -36,11 +36,16 @@ pub(super) fn parts(name: &str, unit: &str) -> NameParts {
         .to_lowercase()
         .trim_matches(|c: char| "[](){} -".contains(c))
         .to_owned();
-    NameParts {
+    let mut parts = NameParts {
         words: words(&plain),
         unit: without_datum(&bare).to_owned(),
-    }
+    };
+    parts.name_velocity();
+    parts
 }
+
+/// Directions of velocities over ground.
+const DIRECTIONS: [&str; 4] = ["north", "east", "down", "up"];
 
 /// A unit without what it counts from: `wgs84 ft`, `deg true`.
 fn without_datum(unit: &str) -> &str {
@@ -94,6 +99,20 @@ fn words(name: &str) -> Vec<String> {
 }
 
 impl NameParts {
+    /// Calls a velocity so whose name has its unit before its direction: `gps_kph_east`.
+    fn name_velocity(&mut self) {
+        let [.., unit, direction] = self.words.as_mut_slice() else {
+            return;
+        };
+        let known = unit_in(unit, Dimension::Speed).filter(|_| unit.len() > 2);
+        if let Some(known) = known.filter(|_| DIRECTIONS.contains(&direction.as_str())) {
+            "velocity".clone_into(unit);
+            if self.unit.is_empty() {
+                known.clone_into(&mut self.unit);
+            }
+        }
+    }
+
     /// Words of the name besides the letter or number of an axis, and that letter: `GyrX` is `gyr` and `x`,
     /// `gyro_rad[0]` is `gyro` and `0`, `q1` is `q` and `1`.
     pub fn component(&self) -> Option<(Vec<String>, char)> {
@@ -211,6 +230,14 @@ mod tests {
             "imu angular velocity x"
         );
         assert_eq!(words_of("GLOBAL_POSITION_INT.vz"), "vz");
+    }
+
+    #[test]
+    fn a_unit_before_the_direction_of_a_velocity_is_its_unit() {
+        let east = parts("gps_kph_east", "");
+        assert_eq!(east.plain_words().join(" "), "gps velocity east");
+        assert_eq!(east.unit(Dimension::Speed), Some("km/h"));
+        assert_eq!(words_of("gps_pos_east"), "gps pos east");
     }
 
     #[test]

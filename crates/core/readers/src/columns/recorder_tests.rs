@@ -290,3 +290,75 @@ fn transponders_tell_a_course_and_no_heading() {
     });
     assert_ne!(role_of(&text, "heading").0, Channel(ChannelName::Heading));
 }
+
+#[test]
+fn velocities_in_kilometres_an_hour_by_the_middle_of_their_names_are_read() {
+    let text = table(
+        "time,lat,lon,gps_kph_north,gps_kph_east,gps_kph_down,heading",
+        |t| {
+            format!(
+                "{t:.1},{:.7},8.0,{:.3},0,0,{:.1}",
+                47.0 + (15.0 / 3.6) * t / 111_195.0,
+                15.0,
+                5.0 * t
+            )
+        },
+    );
+    let flight = flown(&text).flight;
+    let north = flight.channel(ChannelName::GpsVelocityNorth).unwrap();
+    assert!((north.values[50] - 15.0 / 3.6).abs() < 1e-6);
+    assert!(flight.channel(ChannelName::GpsVelocityEast).is_some());
+}
+
+#[test]
+fn what_a_phone_measured_along_its_own_axes_is_told_and_not_the_aircrafts() {
+    use super::conventions::flown::{Craft, moments};
+    let moments = moments(Craft::Airplane);
+    let write = |is_along_body: bool| {
+        let rows = moments.iter().map(|m| {
+            let a = m.acceleration;
+            // In a pocket, or with its axes along those of the aircraft.
+            let [x, y, z] = if is_along_body {
+                [a.x, a.y, a.z]
+            } else {
+                [0.6 * a.y + 0.8 * a.z, 0.8 * a.y - 0.6 * a.z, a.x]
+            };
+            format!(
+                "{x:.4},{y:.4},{z:.4},0,0,9.8,{:.7},{:.7},{:.2},{:.2},{:.2},{:.0}",
+                m.latitude().to_degrees(),
+                m.longitude().to_degrees(),
+                m.roll.to_degrees(),
+                m.pitch.to_degrees(),
+                m.heading.to_degrees().rem_euclid(360.0),
+                1000.0 * m.time
+            )
+        });
+        let names = ["X", "Y", "Z"].map(|axis| format!("ACCELEROMETER {axis} (m/s²)"));
+        let gravity = ["X", "Y", "Z"].map(|axis| format!("GRAVITY {axis} (m/s²)"));
+        format!(
+            "{},{},LOCATION Latitude,LOCATION Longitude,roll (deg),pitch (deg),heading (deg),Time since start in ms\n{}\n",
+            names.join(","),
+            gravity.join(","),
+            rows.collect::<Vec<_>>().join("\n")
+        )
+    };
+    let folder = flown(&write(false));
+    let force = |folder: &FlightFolder| {
+        folder
+            .flight
+            .channel(ChannelName::AccelerationDown)
+            .cloned()
+    };
+    assert_eq!(force(&folder), None);
+    assert!(
+        folder
+            .notes
+            .iter()
+            .any(|note| note.contains("a phone measured them")),
+        "{:?}",
+        folder.notes
+    );
+    let found = force(&flown(&write(true))).unwrap();
+    let mean = found.values.iter().sum::<f64>() / found.values.len() as f64;
+    assert!((-13.0..-9.0).contains(&mean), "{mean}");
+}
