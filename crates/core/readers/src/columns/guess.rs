@@ -13,7 +13,10 @@ use super::several::{
     places,
 };
 use super::values::{UnitGuess, are_degrees, unit};
-use super::{Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, makers, parts};
+use super::{
+    Alternative, ColumnMap, ColumnRole, ColumnSample, MappedColumn, long, makers, parts,
+    two_heights,
+};
 use crate::cells::time::unit_of_time;
 use crate::cells::{Dimension, date_and_time, readings};
 use crate::folder::{RECEIVER_DATE, are_above_ellipsoid};
@@ -296,6 +299,10 @@ fn guess_columns(
         parts_of_time(samples, &mut columns);
     }
     parts::date(samples, &mut columns);
+    let told = told
+        .into_iter()
+        .chain(two_heights::judge(samples, &mut columns));
+    let told: Vec<String> = told.collect();
     settle(&mut columns);
     let told = told
         .into_iter()

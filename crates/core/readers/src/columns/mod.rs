@@ -43,6 +43,7 @@ mod studies;
 #[cfg(test)]
 mod tests;
 mod together;
+mod two_heights;
 mod values;
 #[cfg(test)]
 mod waiting_tests;
