@@ -83,6 +83,24 @@ pub(super) fn of_text(text: &str) -> Option<Foreign> {
             ),
         ),
         (
+            are_starts,
+            kind(
+                "places where a simulation of ArduPilot may start (locations.txt)",
+                TABLE_OF_PLACES,
+            ),
+        ),
+        (
+            are_tomtom_text,
+            kind("places of TomTom as text (.asc)", TABLE_OF_PLACES),
+        ),
+        (
+            are_survey_points,
+            kind(
+                "points of a survey without names of columns (number, easting, northing, height, code)",
+                GRID_OF_PLACES,
+            ),
+        ),
+        (
             are_well_known,
             kind("places as well-known text", CONVERT_TABLE),
         ),
@@ -97,6 +115,8 @@ pub(super) fn of_text(text: &str) -> Option<Foreign> {
     found.map(|(_, is)| *is)
 }
 
+const TABLE_OF_PLACES: &str = "write its places into a CSV with the columns name, latitude, longitude and altitude and open that in Plan";
+const GRID_OF_PLACES: &str = "write the line `name,easting,northing,height,zone` above it, with the zone of UTM in each row, or bring its places to latitude and longitude (QGIS)";
 const CONVERT_TABLE: &str = "write a line `WKT` above it, call it .csv, and open it in Plan";
 
 fn has(head: &[u8], at: usize, bytes: &[u8]) -> bool {
@@ -267,6 +287,45 @@ fn are_parameters(lines: &[&str]) -> bool {
     lines.len() >= least && count == lines.len() && 2 * with_seam >= count
 }
 
+/// A name and a place a line, with its height and a heading behind: `NAME=latitude,longitude,height,heading`.
+fn are_starts(lines: &[&str]) -> bool {
+    lines.iter().all(|line| {
+        let place = line.split_once('=').map(|(_, place)| place);
+        let place = place.and_then(|place| numbers(place, |c| c == ','));
+        place.is_some_and(|n| n.len() == 4 && n[0].abs() <= 90.0 && n[1].abs() <= 180.0)
+    })
+}
+
+/// Longitude, latitude and a name in quotation marks a line, remarks behind semicolons.
+fn are_tomtom_text(lines: &[&str]) -> bool {
+    let mut places = lines
+        .iter()
+        .filter(|line| !line.starts_with(';'))
+        .peekable();
+    places.peek().is_some()
+        && places.all(|line| {
+            let place = line.split_once('"').map(|(place, _)| place);
+            let place = place.and_then(|place| numbers(place, |c| c == ',' || c == ' '));
+            let is_place =
+                place.is_some_and(|n| n.len() == 2 && n[0].abs() <= 180.0 && n[1].abs() <= 90.0);
+            is_place && line.ends_with('"')
+        })
+}
+
+/// A number or name, easting, northing, height and a code that is no number a line.
+fn are_survey_points(lines: &[&str]) -> bool {
+    let is_point = |line: &&str| {
+        let cells: Vec<&str> = line.split([',', '\t']).map(str::trim).collect();
+        let [_, east, north, height, code] = cells[..] else {
+            return false;
+        };
+        let number = |cell: &str| cell.parse::<f64>().ok();
+        let is_of_grid = |cell| number(cell).is_some_and(|value| value.abs() > 1000.0);
+        is_of_grid(east) && is_of_grid(north) && number(height).is_some() && number(code).is_none()
+    };
+    lines.len() > 1 && lines.iter().all(is_point)
+}
+
 fn are_rally_points(lines: &[&str]) -> bool {
     lines.iter().all(|line| {
         let rest = line.strip_prefix("rally");
@@ -363,6 +422,18 @@ mod tests {
                 "before 2013",
             ),
             ("POINT (8 47)\nPOINT (8 48)\n", "well-known text"),
+            (
+                "#NAME=latitude,longitude,absolute-altitude,heading\nOSRF0=37.4003371,-122.0800351,0,353\nCMAC=-35.363261,149.165230,584,353\n",
+                "simulation of ArduPilot",
+            ),
+            (
+                "; Readable locations in x.ov2\n;\n8.54100 , 47.37100 , \"Zurich\"\n8.60 , 47.40 , \"B, C\"\n",
+                "TomTom as text",
+            ),
+            (
+                "1,465429.756,5246517.201,408.10,GCP\n2,465500.1,5246600.2,409.3,EP\n",
+                "points of a survey",
+            ),
         ] {
             assert!(
                 what(text.as_bytes()).contains(words),
@@ -385,6 +456,9 @@ mod tests {
             b"MZ,1,2\nMA,2,3\n",
             b"BM 12 is a road\n",
             b"points of view (many)\n",
+            b"a=1\nb=2,3\n",
+            b"1,2,3,4,x\n2,3,4,5,y\n",
+            b"; only a remark\n",
             b"47.0 8.0\n47.1 8.0\n",
             b"speed 3\nheight 4\n",
             b"speed_max 3\nheight_max 4\n",
