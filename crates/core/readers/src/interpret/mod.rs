@@ -11,6 +11,7 @@ mod series;
 mod source;
 #[cfg(test)]
 mod tests;
+mod topics;
 mod tracks;
 
 pub use beside_flight::{BesideFlight, log_of_flight};
