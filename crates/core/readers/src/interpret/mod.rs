@@ -1,6 +1,7 @@
 //! Roles of the series of a log: which is heading, which airspeed, and the flight that they tell of.
 
 mod beside_flight;
+mod board_axes;
 mod flight;
 #[cfg(test)]
 mod measured_tests;

@@ -2,6 +2,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
+use super::board_axes::board_axes;
 use super::origin;
 use super::places::FLAT_FIX;
 use super::rows::is_measured;
@@ -53,8 +54,15 @@ pub(super) fn reader<'a>(
     let north = matches!(role, Role::GpsVelocityNorth | Role::WindNorth);
     Some(match source.reading {
         RowReading::Field(name, usual) => {
+            let (usual, told) = match board_axes(topic) {
+                Some(told) if usual < 0.0 => (-usual, told),
+                _ => (usual, ""),
+            };
             let field = Scaled::new(topic, name, usual)?;
-            (Box::new(move |row| field.value(row)), name.to_owned())
+            (
+                Box::new(move |row| field.value(row)),
+                format!("{name}{told}"),
+            )
         }
         RowReading::Quaternion(name) => {
             let part = |i: usize| {
@@ -79,9 +87,18 @@ pub(super) fn reader<'a>(
         RowReading::RosQuaternion(name) => {
             let part = |part: &str| Scaled::new(topic, &format!("{name}.{part}"), 1.0);
             let parts = [part("w")?, part("x")?, part("y")?, part("z")?];
+            let told = board_axes(topic);
             let angle = move |row: &[u8]| {
                 let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));
                 let attitude = UnitQuaternion::try_new(Quaternion::new(w?, x?, y?, z?), 1e-6)?;
+                if told.is_some() {
+                    let (roll, pitch, yaw) = attitude.euler_angles();
+                    return Some(match role {
+                        Role::Roll => roll,
+                        Role::Pitch => pitch,
+                        _ => yaw,
+                    });
+                }
                 // About the same forward axis, but a left axis and one up in place of right and down.
                 let (roll, pitch, yaw) = attitude.euler_angles();
                 Some(match role {
@@ -90,7 +107,8 @@ pub(super) fn reader<'a>(
                     _ => std::f64::consts::FRAC_PI_2 - yaw,
                 })
             };
-            (Box::new(angle), name.to_owned())
+            let told = told.unwrap_or_default();
+            (Box::new(angle), format!("{name}{told}"))
         }
         RowReading::RosFix(name) => {
             let status = Scaled::new(topic, name, 1.0)?;
