@@ -2,7 +2,7 @@
 
 use super::places::FLAT_FIX;
 use super::source::sources;
-use crate::log::{Log, LogFormat, Topic, system_of};
+use crate::log::{Log, LogFormat, Topic, first_word, system_of};
 use crate::role::{Role, RoleSource, RowReading};
 
 /// Messages of a second receiver that are of a kind of their own, behind those of the first.
@@ -63,6 +63,9 @@ pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     log.topics.iter().filter(is_it).collect()
 }
 
+        if others.contains(&first_word(&topic.name.name)) {
+            return false;
+        }
 /// Whether a topic is that of a receiver, with the fields of the topic `like`, that never knows where it is.
 fn never_has_fix(log: &Log, topic: &Topic, like: &str) -> bool {
     let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == like;

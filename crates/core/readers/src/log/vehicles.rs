@@ -14,7 +14,57 @@ pub(crate) fn system_of(instance: u32) -> u32 {
     }
 }
 
+/// Kinds of messages of receivers, and of what tells the attitude.
+const OF_RECEIVERS: [&str; 3] = [
+    "sensor_msgs/NavSatFix",
+    "foxglove/LocationFix",
+    "sensor_gps",
+];
+const OF_ATTITUDES: [&str; 3] = ["sensor_msgs/Imu", "vehicle_attitude", "nav_msgs/Odometry"];
+
+/// The first word of a topic that has several, between slashes: `uav1` of `/uav1/gps/fix`; empty of others.
+pub(crate) fn first_word(name: &str) -> &str {
+    let words = name.trim_start_matches('/').split_once('/');
+    words.map_or("", |(first, _)| first)
+}
+
 impl Log {
+    /// First words of topics where several have a receiver and an attitude each, as recordings of several vehicles do, in the order
+    /// of their receivers; the first is the flight. Empty where there are not several.
+    pub(crate) fn vehicles_by_name(&self) -> Vec<&str> {
+        let with = |kinds: [&str; 3]| {
+            let mut words: Vec<&str> = Vec::new();
+            for topic in self.topics.iter().filter(|topic| !topic.schema.is_empty()) {
+                let word = first_word(&topic.name.name);
+                if !word.is_empty()
+                    && !words.contains(&word)
+                    && kinds.contains(&topic.kind().as_str())
+                {
+                    words.push(word);
+                }
+            }
+            words
+        };
+        let attitudes = with(OF_ATTITUDES);
+        let mut found = with(OF_RECEIVERS);
+        found.retain(|word| attitudes.contains(word));
+        if found.len() < 2 { Vec::new() } else { found }
+    }
+
+    /// Says that topics are those of several vehicles, if so.
+    pub(super) fn tell_vehicles_by_name(&mut self) {
+        let found = self.vehicles_by_name();
+        if let [first, others @ ..] = found.as_slice()
+            && !others.is_empty()
+        {
+            let remark = format!(
+                "several vehicles, or sets of instruments: /{first}, /{}. The flight is that of /{first}",
+                others.join(", /")
+            );
+            self.report.remark(remark);
+        }
+    }
+
     /// Notes a vehicle that is heard for the first time; the first of all is the flight.
     pub(super) fn hear(&mut self, system: u32) {
         if !self.vehicles.contains(&system) {
