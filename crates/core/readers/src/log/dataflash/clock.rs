@@ -6,6 +6,10 @@ use super::format::MessageFormat;
 
 /// Kind of fix from which on a receiver knows the time.
 const FULL_FIX: f64 = 3.0;
+/// Week of GPS before which there were no such logs: that of 3 January 2010.
+const FIRST_WEEK: f64 = 1565.0;
+/// Weeks after which receivers count from 0 again.
+const ROLLOVER: f64 = 1024.0;
 /// Most full fixes that are asked for the date.
 const DATES: usize = 1000;
 /// Most rows between two fixes whose times are found later.
@@ -164,7 +168,15 @@ impl Clock {
         let topic = &log.topics[place];
         let status = topic.field("Status").and_then(|f| topic.value(f, row));
         let is_full = status.is_none_or(|status| status >= FULL_FIX);
-        let utc = utc_of_gps(week, milliseconds) - topic.times[row];
+        let week = if is_full && week < FIRST_WEEK {
+            log.report.remark(format!(
+                "the receiver counts its weeks from {ROLLOVER} weeks before, as old ones do: the date is that many later"
+            ));
+            week + ROLLOVER
+        } else {
+            week
+        };
+        let utc = utc_of_gps(week, milliseconds) - log.topics[place].times[row];
         if is_full && self.dates.len() < DATES {
             self.dates.push(utc);
         }
