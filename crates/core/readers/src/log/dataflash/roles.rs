@@ -6,8 +6,11 @@ use crate::role::{DEGREE, Meaning, Role, RoleSource, RowReading, condition, fiel
 pub(in super::super) const MEANING: Meaning = Meaning {
     roles: &[DATAFLASH],
     triggers: &[("CAM", ""), ("TRIG", "")],
-    // The terrain is known (`TerrainStatusOK`).
-    conditions: &[condition("TERR", "CHeight", "Status", [2.0; 2])],
+    // The terrain is known (`TerrainStatusOK`), the sensor of airspeed healthy.
+    conditions: &[
+        condition("TERR", "CHeight", "Status", [2.0; 2]),
+        condition("ARSP", "Airspeed", "H", [1.0, f64::INFINITY]),
+    ],
 };
 
 const DATAFLASH: &[RoleSource] = &[
