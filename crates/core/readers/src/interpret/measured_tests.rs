@@ -201,3 +201,150 @@ fn text_logs_with_decimal_commas_are_read() {
     assert!((values(Role::Longitude)[0].to_degrees() + 8.25).abs() < 1e-9);
     assert_eq!(values(Role::GpsHeight), [600.5, 1200.0]);
 }
+
+#[test]
+fn a_place_at_nought_north_and_nought_east_is_none_whatever_the_format() {
+    let mut log = Log::new("a.mcap", LogFormat::Mcap);
+    let fields = ["latitude", "longitude", "altitude"];
+    let rows = [
+        vec![0.0, 0.0, 0.0, 0.0],
+        vec![1.0, 47.5, 8.5, 600.0],
+        vec![2.0, 0.0, 8.5, 601.0],
+    ];
+    with(&mut log, "/loc", "foxglove.LocationFix", &fields, &rows);
+    // The equator is a place.
+    assert_eq!(series(&log, Role::Latitude).unwrap().times, [1.0, 2.0]);
+    assert_eq!(
+        series(&log, Role::GpsHeight).unwrap().values,
+        [600.0, 601.0]
+    );
+}
+
+#[test]
+fn of_two_receivers_that_is_taken_which_knows_its_place_more_often() {
+    let mut text = "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\nFMT, 2, 50, GPS2, QBLLf, TimeUS,Status,Lat,Lng,Alt\n".to_owned();
+    for second in 0..10 {
+        // The first loses it in the middle of the flight.
+        let fix = if second < 5 { 3 } else { 1 };
+        writeln!(text, "GPS, {second}000000, {fix}, 47.{second}, 8.5, 600").unwrap();
+        writeln!(text, "GPS2, {second}000000, 3, 47.{second}, 8.5, 610").unwrap();
+    }
+    let log = text_log(&text);
+    let latitude = series(&log, Role::Latitude).unwrap();
+    assert_eq!(
+        (latitude.source.as_str(), latitude.times.len()),
+        ("GPS2.Lat", 10)
+    );
+    assert_eq!(series(&log, Role::GpsHeight).unwrap().values, [610.0; 10]);
+}
+
+#[test]
+fn the_vehicles_of_a_recording_of_ros_are_not_mixed() {
+    let mut log = Log::new("a.mcap", LogFormat::Mcap);
+    let (fix, imu) = ("sensor_msgs/msg/NavSatFix", "sensor_msgs/msg/Imu");
+    let rate = ["angular_velocity.x"];
+    with(
+        &mut log,
+        "/uav1/imu",
+        imu,
+        &rate,
+        &[vec![0.0, 1.0], vec![1.0, 1.1]],
+    );
+    with(
+        &mut log,
+        "/uav2/imu",
+        imu,
+        &rate,
+        &[vec![0.0, 2.0], vec![1.0, 2.2]],
+    );
+    let place = ["latitude", "longitude"];
+    with(
+        &mut log,
+        "/uav2/fix",
+        fix,
+        &place,
+        &[vec![0.0, 48.0, 8.0], vec![1.0, 48.1, 8.0]],
+    );
+    with(
+        &mut log,
+        "/uav1/fix",
+        fix,
+        &place,
+        &[vec![0.0, 47.0, 8.0], vec![1.0, 47.1, 8.0]],
+    );
+    assert_eq!(
+        series(&log, Role::RollRate).unwrap().source,
+        "/uav2/imu.angular_velocity.x"
+    );
+    assert_eq!(
+        series(&log, Role::Latitude).unwrap().source,
+        "/uav2/fix.latitude"
+    );
+    assert_eq!(log.vehicles_by_name(), ["uav2", "uav1"]);
+}
+
+#[test]
+fn an_imu_whose_third_axis_is_down_is_not_of_the_axes_of_ros() {
+    let mut log = Log::new("a.mcap", LogFormat::Mcap);
+    let fields = [
+        "orientation.x",
+        "orientation.y",
+        "orientation.z",
+        "orientation.w",
+        "angular_velocity.z",
+        "linear_acceleration.y",
+        "linear_acceleration.z",
+    ];
+    // A heading of 90° counted from north, which of ROS would be 0°.
+    let half = 0.5_f64.sqrt();
+    let row = |time: f64| {
+        vec![
+            time,
+            0.0,
+            0.0,
+            half,
+            half,
+            0.2 + time,
+            0.5 + time,
+            -9.8 + 0.1 * time,
+        ]
+    };
+    with(
+        &mut log,
+        "/imu",
+        "sensor_msgs/msg/Imu",
+        &fields,
+        &[row(0.0), row(1.0)],
+    );
+    let first = |role| series(&log, role).unwrap().values[0];
+    assert!((first(Role::Heading) - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    assert_eq!(first(Role::YawRate), 0.2);
+    assert_eq!(first(Role::AccelerationRight), 0.5);
+    assert_eq!(first(Role::AccelerationDown), -9.8);
+    let source = series(&log, Role::YawRate).unwrap().source;
+    assert!(source.contains("as gravity says"), "{source}");
+}
+
+#[test]
+fn airspeeds_of_a_sensor_that_is_not_healthy_are_none() {
+    let log = text_log(
+        "FMT, 1, 50, ARSP, QfB, TimeUS,Airspeed,H\nARSP, 1000000, 0.4, 0\nARSP, 2000000, 18.0, 1\nARSP, 3000000, 18.5, 1\n",
+    );
+    assert_eq!(series(&log, Role::Airspeed).unwrap().values, [18.0, 18.5]);
+}
+
+#[test]
+fn weeks_that_an_old_receiver_counts_again_from_nought_are_of_this_time() {
+    // Week 2300 began on 4 February 2024; the receiver says 1024 fewer.
+    let log = text_log(
+        "FMT, 1, 50, GPS, QBIHLL, TimeUS,Status,GMS,GWk,Lat,Lng\nGPS, 1000000, 3, 1000, 1276, 47.0, 8.0\nGPS, 2000000, 3, 2000, 1276, 47.1, 8.0\n",
+    );
+    let date = log.utc_at_zero.unwrap();
+    assert_eq!(date, 1_707_004_800.0 - 18.0);
+    assert!(
+        log.report
+            .remarks
+            .iter()
+            .any(|remark| remark.contains("1024 weeks"))
+    );
+}

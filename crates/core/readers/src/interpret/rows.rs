@@ -19,6 +19,28 @@ fn needed_fix(role: Role) -> Option<f64> {
     }
 }
 
+/// Functions from a row of a topic to its latitude and longitude, for values of a receiver or of the autopilot's own place.
+fn place_of<'a>(
+    log: &Log,
+    topic: &'a Topic,
+    source: &RoleSource,
+) -> Option<[Box<dyn Fn(&[u8]) -> Option<f64> + 'a>; 2]> {
+    let roles = match source.role {
+        Role::AutopilotLatitude | Role::AutopilotLongitude | Role::AutopilotHeight => {
+            [Role::AutopilotLatitude, Role::AutopilotLongitude]
+        }
+        role => needed_fix(role).map(|_| [Role::Latitude, Role::Longitude])?,
+    };
+    let part = |role| {
+        let is_it = |s: &&RoleSource| s.role == role && s.topic == source.topic;
+        let mut found = sources(log.format).filter(is_it);
+        found
+            .find_map(|source| reader(log, source, topic))
+            .map(|(value, _)| value)
+    };
+    Some([part(roles[0])?, part(roles[1])?])
+}
+
 /// Function that tells of rows of a topic whether the values that `source` names there, in fields called `name`, were measured:
 /// a receiver without a fix writes noughts, and range sensors may look elsewhere than down.
 pub(super) fn is_measured<'a>(
@@ -33,6 +55,7 @@ pub(super) fn is_measured<'a>(
         let (fix_of, _) = fixes.find_map(|fix| reader(log, fix, topic))?;
         Some((fix_of, needed))
     });
+    let place = place_of(log, topic, source);
     let is_own = |topic_of: &str| topic_of == topic.name.name || topic_of == topic.kind();
     let conditions = conditions(log.format)
         .iter()
@@ -48,6 +71,12 @@ pub(super) fn is_measured<'a>(
             let value = field.value(row);
             value.is_none_or(|value| (*least..=*most).contains(&value))
         };
-        fix.as_ref().is_none_or(is_fixed) && fields.iter().all(is_within)
+        // At 0° north, 0° east nobody has a receiver; who does not know, writes it.
+        let is_nowhere = |place: &[Box<dyn Fn(&[u8]) -> Option<f64> + 'a>; 2]| {
+            place.iter().all(|part| part(row) == Some(0.0))
+        };
+        !place.as_ref().is_some_and(is_nowhere)
+            && fix.as_ref().is_none_or(is_fixed)
+            && fields.iter().all(is_within)
     }
 }

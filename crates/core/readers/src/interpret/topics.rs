@@ -8,6 +8,9 @@ use crate::role::{Role, RoleSource, RowReading};
 /// Messages of a second receiver that are of a kind of their own, behind those of the first.
 const SECOND_RECEIVERS: [(&str, &str); 2] = [("GPS", "GPS2"), ("GPS_RAW_INT", "GPS2_RAW")];
 
+/// Share of the fixes of the best receiver that another has that is taken before it for its place.
+const OFTEN: f64 = 0.8;
+
 /// Words of topics that say where the vehicle shall go, or are of a camera, whose axes are its own.
 const ELSEWHERE: [&str; 8] = [
     "setpoint",
@@ -21,7 +24,7 @@ const ELSEWHERE: [&str; 8] = [
 ];
 
 /// Topics that `source` names: those of that name, or else all of that kind; where several vehicles fly, that of the
-/// chosen one. Of several sensors the first, but a receiver with a fix before one that never has any.
+/// chosen one. Of several sensors the first, but a receiver that mostly has a fix before one that has it much more seldom.
 pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     let chosen = log.chosen_vehicle();
     let named = |name: &str| -> Vec<&'a Topic> {
@@ -41,21 +44,28 @@ pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     let second = SECOND_RECEIVERS
         .iter()
         .find(|(first, _)| *first == source.topic);
-    let is_lost = |topic: &&Topic| never_has_fix(log, topic, source.topic);
-    if let Some((_, second)) = second.filter(|_| same.iter().all(is_lost)) {
+    if let Some((_, second)) = second {
         same.extend(named(second));
     }
     if same.len() > 1 {
+        let fixes = |topic: &Topic| fixes(log, topic, source.topic).unwrap_or(0);
+        let most = same.iter().map(|topic| fixes(topic)).max().unwrap_or(0);
         same.sort_by_cached_key(|topic| {
             let is_second = topic.name.name != source.topic;
-            (is_lost(topic), is_second, topic.name.instance)
+            let is_seldom = (fixes(topic) as f64) < OFTEN * most as f64;
+            (is_seldom, is_second, topic.name.instance)
         });
     }
     if !same.is_empty() || chosen.is_some() {
         return same;
     }
     let (kind, part) = source.topic.split_once('@').unwrap_or((source.topic, ""));
+    let others = log.vehicles_by_name();
+    let others = others.get(1..).unwrap_or_default();
     let is_it = |topic: &&Topic| {
+        if others.contains(&first_word(&topic.name.name)) {
+            return false;
+        }
         let name = topic.name.name.to_lowercase();
         let is_elsewhere = ELSEWHERE.iter().any(|word| name.contains(word));
         topic.kind() == kind && topic.name.name.contains(part) && !is_elsewhere
@@ -63,18 +73,16 @@ pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     log.topics.iter().filter(is_it).collect()
 }
 
-        if others.contains(&first_word(&topic.name.name)) {
-            return false;
-        }
-/// Whether a topic is that of a receiver, with the fields of the topic `like`, that never knows where it is.
-fn never_has_fix(log: &Log, topic: &Topic, like: &str) -> bool {
+/// Number of rows of a receiver's topic, with the fields of the topic `like`, in which it knows where it is; `None` of topics that
+/// tell no fix.
+fn fixes(log: &Log, topic: &Topic, like: &str) -> Option<usize> {
     let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == like;
     let mut fixes = sources(log.format).filter(is_fix);
-    fixes.any(|source| match source.reading {
+    fixes.find_map(|source| match source.reading {
         RowReading::Field(name, _) => {
-            let values = topic.values(name);
-            values.is_some_and(|values| values.iter().all(|fix| *fix < FLAT_FIX))
+            let values = topic.values(name)?;
+            Some(values.iter().filter(|fix| **fix >= FLAT_FIX).count())
         }
-        _ => false,
+        _ => None,
     })
 }
