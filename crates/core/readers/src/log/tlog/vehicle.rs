@@ -9,8 +9,8 @@ use super::row::{PayloadRow, Sender};
 const ARDUPILOT: u8 = 3;
 const PX4: u8 = 12;
 const NO_AUTOPILOT: u8 = 8;
-/// `MAV_TYPE`: a ground station.
-const GROUND_STATION: u8 = 6;
+/// `MAV_TYPE`: an antenna that follows the vehicle, and a ground station.
+const ON_GROUND: [u8; 2] = [5, 6];
 /// Systems from here on are ground stations by custom, whatever they say of themselves.
 const STATIONS: u8 = 250;
 
@@ -31,7 +31,7 @@ impl Heartbeats {
     pub fn beat(&mut self, sender: Sender, time: f64, row: &PayloadRow, log: &mut Log) -> bool {
         let byte = |name| row.integer(name) as u8;
         let (autopilot, kind) = (byte("autopilot"), byte("type"));
-        let is_station = kind == GROUND_STATION || sender.system >= STATIONS;
+        let is_station = ON_GROUND.contains(&kind) || sender.system >= STATIONS;
         if autopilot == NO_AUTOPILOT || is_station {
             return false;
         }

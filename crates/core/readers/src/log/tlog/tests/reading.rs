@@ -280,3 +280,13 @@ fn the_autopilots_own_messages_are_its_systems_whoever_spoke_first() {
         "{found:?}"
     );
 }
+
+#[test]
+fn an_antenna_that_follows_the_vehicle_is_not_the_flight() {
+    let beat = |kind: u8| [0, 0, 0, 0, kind, 3, 81, 4, 3];
+    let file = Written::new().from(2, 1).version_2(0, 0, &[&beat(5)]);
+    let file = file.from(1, 1).version_2(1000, 0, &[&beat(1)]);
+    let log = read(&file, 40);
+    assert_eq!(log.vehicles, [1]);
+    assert_eq!(log.vehicle, "ArduPilot, aeroplane");
+}
