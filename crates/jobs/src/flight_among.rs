@@ -9,6 +9,7 @@ use pilotage_core::flight::igc::{flight_of_record, is_igc, read_igc};
 use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
 use pilotage_core::flight::photo::read_photos;
 use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
+use pilotage_core::flight::track_files::{flight_of_track, is_track, read_track};
 use pilotage_core::flight::{FlightFolder, FolderError, read_flight};
 use pilotage_core::imagery::ByteSource;
 
@@ -17,7 +18,7 @@ use super::table_names::tables_among;
 
 /// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
 /// satellite receiver or a glider's recorder said.
-const FLOWN: [&str; 6] = ["jpg", "jpeg", "png", "srt", "nmea", "igc"];
+const FLOWN: [&str; 8] = ["jpg", "jpeg", "png", "srt", "nmea", "igc", "plt", "tcx"];
 
 /// The flight among files: that of tables whose columns somebody said the `maps` of, a flight folder, or what says itself
 /// where it was: subtitles, sentences, photos, and films last. `None` beside tables that make a flight as their columns are
@@ -55,6 +56,9 @@ pub fn flight_among(
     }
     if flown.is_none() {
         flown = flight_of_record(files).map_err(told)?;
+    }
+    if flown.is_none() {
+        flown = flight_of_track(files).map_err(told)?;
     }
     if let Some(flown) = flown.or_else(|| read_photos(files)) {
         return Ok(Some(with_films_told(flown, files.as_ref())));
@@ -109,6 +113,7 @@ pub fn flight_of_file(name: &str, source: &dyn ByteSource) -> Result<Option<Flig
         match head(source) {
             Some(head) if is_nmea(&head) => read_nmea,
             Some(head) if is_igc(&head) => read_igc,
+            Some(head) if is_track(&head) => read_track,
             _ => return Ok(None),
         }
     };

@@ -333,7 +333,7 @@ fn unknown(pool: &dyn FileSet) -> String {
         n => format!(" and {} more", n - 1),
     };
     format!(
-        "{first}{more}: of no kind that opens here. These do: flight logs ({}), sentences of a receiver (.nmea), flight records of gliders (.igc), \
+        "{first}{more}: of no kind that opens here. These do: flight logs ({}), sentences of a receiver (.nmea), flight records of gliders (.igc), tracks (.plt, .tcx), \
          MATLAB's variables (.mat), tables of a flight as CSV, a flight folder with its {FLIGHT_FILE}, a zip of any of \
          these, a film beside its log or its subtitles (.srt), a map picture with its world file, a GeoTIFF, PMTiles, \
          an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, roads of \

@@ -22,6 +22,7 @@ mod span_table;
 pub mod srt;
 mod text_tables;
 mod times;
+pub mod track_files;
 pub mod trajectory;
 pub mod video;
 

@@ -94,7 +94,7 @@ mod tests {
             ),
             (
                 b"OziExplorer Track Point File Version 2.1\r\n".to_vec(),
-                "places or tracks",
+                "a track of OziExplorer",
             ),
             (
                 b"2015-03-03T11:54:05.776,FE,1C,7D, 1, 1,1E,mavlink_attitude_t,time_boot_ms,490309,roll,0.1,,Len,36\n".to_vec(),
