@@ -1,27 +1,80 @@
-//! Messages of ROS whose axes are forward, right, down and north, east, down, as some drivers have them, in place of those of
-//! REP 103: told by gravity.
+//! Messages of IMUs of ROS that are not as REP 103 and REP 145 want them: with axes forward, right, down and north, east, down, or
+//! accelerations in multiples of gravity. Gravity tells.
 
-use crate::log::Topic;
+use nalgebra::Vector3;
+
+use crate::log::{FieldLayout, Topic};
+use crate::role::Role;
 
 /// Most rows that are asked.
 const ROWS: usize = 2000;
-/// What an accelerometer reads along the third axis on the average, beyond which that points down, m/s².
-const DOWN: f64 = -5.0;
+/// Share of gravity along the third axis on the average, beyond which that points down.
+const DOWN: f64 = -0.5;
+/// Amounts of the force, on the average, that are one gravity in multiples of it.
+const ONE: std::ops::Range<f64> = 0.7..1.5;
 
-/// Words for people where the rows of an IMU have the third axis downward; `None` of others.
-pub(super) fn board_axes(topic: &Topic) -> Option<&'static str> {
-    if topic.kind() != "sensor_msgs/Imu" {
-        return None;
+/// Share of the forces that is gravity, where they hold it.
+const MOSTLY: f64 = 0.8;
+
+/// How the messages of an IMU differ from those of ROS.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct BoardReading {
+    /// The third axis points down, and the world's as well.
+    pub is_down: bool,
+    /// Accelerations are multiples of gravity.
+    pub is_in_gravity: bool,
+}
+
+impl BoardReading {
+    /// That of a topic; none of its kind differ where it is none of an IMU.
+    pub fn of(topic: &Topic) -> Self {
+        if topic.kind() != "sensor_msgs/Imu" {
+            return Self::default();
+        }
+        let axes = ["x", "y", "z"].map(|axis| topic.field(&format!("linear_acceleration.{axis}")));
+        let (mut sum, mut amount, mut count) = (Vector3::zeros(), 0.0, 0.0);
+        for row in topic.rows.iter().take(ROWS) {
+            let value = |field: Option<&FieldLayout>| field?.value(row).filter(|v| v.is_finite());
+            let force = Vector3::from(axes.map(|axis| value(axis).unwrap_or(0.0)));
+            sum += force;
+            amount += force.norm();
+            count += 1.0;
+        }
+        // Without gravity the forces of a flight cancel out.
+        let is_one = ONE.contains(&(amount / count)) && sum.norm() > MOSTLY * amount;
+        Self {
+            is_down: sum.z < DOWN * amount,
+            is_in_gravity: is_one,
+        }
     }
-    let field = topic.field("linear_acceleration.z")?;
-    let values = topic
-        .rows
-        .iter()
-        .take(ROWS)
-        .filter_map(|row| field.value(row));
-    let (sum, count) = values
-        .filter(|value| value.is_finite())
-        .fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
-    let is_down = count > 0.0 && sum / count < DOWN;
-    is_down.then_some(" (with axes north, east, down, as gravity says)")
+
+    /// Words for people on the values of a role that were read so.
+    pub fn told(self, role: Role) -> &'static str {
+        let is_force = matches!(
+            role,
+            Role::AccelerationForward | Role::AccelerationRight | Role::AccelerationDown
+        );
+        match (self.is_down, self.is_in_gravity && is_force) {
+            (true, true) => {
+                " (in multiples of gravity, with axes north, east, down, as gravity says)"
+            }
+            (true, false) => " (with axes north, east, down, as gravity says)",
+            (false, true) => " (in multiples of gravity)",
+            (false, false) => "",
+        }
+    }
+
+    /// Factor of the values of a role, of which ROS would have `usual`.
+    pub fn factor(self, role: Role, usual: f64) -> f64 {
+        let sign = if self.is_down { usual.abs() } else { usual };
+        let is_force = matches!(
+            role,
+            Role::AccelerationForward | Role::AccelerationRight | Role::AccelerationDown
+        );
+        if self.is_in_gravity && is_force {
+            sign * pilotage_base::frames::units::GRAVITY
+        } else {
+            sign
+        }
+    }
 }

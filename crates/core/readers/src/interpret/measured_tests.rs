@@ -348,3 +348,52 @@ fn weeks_that_an_old_receiver_counts_again_from_nought_are_of_this_time() {
             .any(|remark| remark.contains("1024 weeks"))
     );
 }
+
+#[test]
+fn forces_in_multiples_of_gravity_and_pressures_in_hectopascals_are_known_by_their_amounts() {
+    let mut log = Log::new("a.mcap", LogFormat::Mcap);
+    let fields = [
+        "linear_acceleration.x",
+        "linear_acceleration.y",
+        "linear_acceleration.z",
+        "angular_velocity.x",
+    ];
+    // As the IMU of a Livox is written.
+    let rows = [
+        vec![0.0, 0.1, 0.2, 0.99, 0.5],
+        vec![1.0, 0.1, 0.2, 0.98, 0.6],
+    ];
+    with(
+        &mut log,
+        "/livox/imu",
+        "sensor_msgs/msg/Imu",
+        &fields,
+        &rows,
+    );
+    let first = |role| series(&log, role).unwrap().values[0];
+    assert!((first(Role::AccelerationDown) + 0.99 * 9.806_65).abs() < 1e-9);
+    assert!((first(Role::AccelerationRight) + 0.2 * 9.806_65).abs() < 1e-9);
+    assert_eq!(first(Role::RollRate), 0.5);
+    // Forces without gravity are what they are.
+    let mut bare = Log::new("b.mcap", LogFormat::Mcap);
+    let rows = [
+        vec![0.0, 0.9, 0.2, 0.1, 0.5],
+        vec![1.0, -0.8, -0.3, 0.1, 0.6],
+    ];
+    with(&mut bare, "/imu", "sensor_msgs/msg/Imu", &fields, &rows);
+    assert_eq!(
+        series(&bare, Role::AccelerationForward).unwrap().values,
+        [0.9, -0.8]
+    );
+    let pressure = [vec![0.0, 954.61], vec![1.0, 953.0]];
+    with(
+        &mut log,
+        "/baro",
+        "sensor_msgs/msg/FluidPressure",
+        &["fluid_pressure"],
+        &pressure,
+    );
+    // 954.61 hPa are 500 m in the standard atmosphere.
+    let height = series(&log, Role::BarometricHeight).unwrap();
+    assert!((height.values[0] - 500.0).abs() < 0.5, "{height:?}");
+}

@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::board_axes::board_axes;
+use super::board_axes::BoardReading;
 use super::origin;
 use super::places::FLAT_FIX;
 use super::rows::is_measured;
@@ -15,6 +15,9 @@ use crate::role::{Role, RoleSeries, RoleSource, RowReading};
 pub(super) const FULL_FIX: f64 = 3.0;
 /// `STATUS_UNKNOWN` of ROS.
 const UNKNOWN_FIX: f64 = -2.0;
+
+/// Pressures of the ground in hectopascals, which some drivers write in the place of pascals: as these it would be 30 km up.
+const HECTOPASCALS: std::ops::Range<f64> = 300.0..1200.0;
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
 /// one: no unit tells which way an axis points.
@@ -54,11 +57,10 @@ pub(super) fn reader<'a>(
     let north = matches!(role, Role::GpsVelocityNorth | Role::WindNorth);
     Some(match source.reading {
         RowReading::Field(name, usual) => {
-            let (usual, told) = match board_axes(topic) {
-                Some(told) if usual < 0.0 => (-usual, told),
-                _ => (usual, ""),
-            };
-            let field = Scaled::new(topic, name, usual)?;
+            let board = BoardReading::of(topic);
+            let mut field = Scaled::new(topic, name, usual)?;
+            field.factor = board.factor(role, field.factor);
+            let told = board.told(role);
             (
                 Box::new(move |row| field.value(row)),
                 format!("{name}{told}"),
@@ -87,11 +89,11 @@ pub(super) fn reader<'a>(
         RowReading::RosQuaternion(name) => {
             let part = |part: &str| Scaled::new(topic, &format!("{name}.{part}"), 1.0);
             let parts = [part("w")?, part("x")?, part("y")?, part("z")?];
-            let told = board_axes(topic);
+            let board = BoardReading::of(topic);
             let angle = move |row: &[u8]| {
                 let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));
                 let attitude = UnitQuaternion::try_new(Quaternion::new(w?, x?, y?, z?), 1e-6)?;
-                if told.is_some() {
+                if board.is_down {
                     let (roll, pitch, yaw) = attitude.euler_angles();
                     return Some(match role {
                         Role::Roll => roll,
@@ -107,7 +109,7 @@ pub(super) fn reader<'a>(
                     _ => std::f64::consts::FRAC_PI_2 - yaw,
                 })
             };
-            let told = told.unwrap_or_default();
+            let told = board.told(role);
             (Box::new(angle), format!("{name}{told}"))
         }
         RowReading::RosFix(name) => {
@@ -120,9 +122,15 @@ pub(super) fn reader<'a>(
             (Box::new(fix), name.to_owned())
         }
         RowReading::Pressure(name) => {
-            let pressure = Scaled::new(topic, name, 1.0)?;
+            let mut pressure = Scaled::new(topic, name, 1.0)?;
+            let first = topic.rows.iter().find_map(|row| pressure.value(row));
+            let is_in_hundreds = first.is_some_and(|first| HECTOPASCALS.contains(&first));
+            if is_in_hundreds {
+                pressure.factor *= 100.0;
+            }
+            let told = if is_in_hundreds { " (in hPa)" } else { "" };
             let height = move |row: &[u8]| Some(standard_height(pressure.value(row)?));
-            (Box::new(height), name.to_owned())
+            (Box::new(height), format!("{name}{told}"))
         }
         RowReading::Course(speed, speed_factor, course, course_factor) => {
             let name = format!("{speed}, {course}");
