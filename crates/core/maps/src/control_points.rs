@@ -4,6 +4,7 @@
 use pilotage_base::frames::ReferenceSystem;
 
 use crate::geojson_system::geojson_in_degrees;
+use crate::grid_columns::grid_in_degrees;
 use crate::systems::by_name;
 
 /// Lines among which the names of Metashape's columns stand.
@@ -35,7 +36,7 @@ pub fn places_in_degrees(text: &str) -> Option<(String, Vec<String>)> {
             let system = by_name(first).ok()?;
             (of_open_drone_map(text, &system)?, system)
         }
-        _ => return None,
+        _ => grid_in_degrees(text)?,
     };
     let (text, system) = found;
     let mut notes = vec![format!("its places are read in {}", system.name())];

@@ -7,6 +7,7 @@ mod dem_file;
 mod geojson_system;
 pub mod georeferencer;
 mod geotiff;
+mod grid_columns;
 mod map_error;
 mod map_file;
 mod map_options;
