@@ -136,7 +136,7 @@ fn of_activity(text: &str) -> (Vec<Point>, usize) {
     while let Ok(event) = reader.read_event() {
         match event {
             Event::Start(element) => {
-                open = element.local_name().as_ref().to_owned();
+                element.local_name().as_ref().clone_into(&mut open);
                 if open == POINT {
                     point = Some((None, [None; 3]));
                 }
@@ -159,7 +159,7 @@ fn of_activity(text: &str) -> (Vec<Point>, usize) {
                 if element.local_name().as_ref() == POINT {
                     match point.take() {
                         Some((Some(time), values @ [Some(_), Some(_), _])) => {
-                            points.push((time, values))
+                            points.push((time, values));
                         }
                         _ => left_out += 1,
                     }

@@ -1,7 +1,7 @@
 //! Rows whose values were measured: with a fix, and beside fields that say so.
 
 use super::places::FLAT_FIX;
-use super::series::{FULL_FIX, reader};
+use super::series::{FULL_FIX, RowValue, reader};
 use super::source::{conditions, sources};
 use crate::log::{Log, Topic};
 use crate::role::{Role, RoleSource};
@@ -20,11 +20,7 @@ fn needed_fix(role: Role) -> Option<f64> {
 }
 
 /// Functions from a row of a topic to its latitude and longitude, for values of a receiver or of the autopilot's own place.
-fn place_of<'a>(
-    log: &Log,
-    topic: &'a Topic,
-    source: &RoleSource,
-) -> Option<[Box<dyn Fn(&[u8]) -> Option<f64> + 'a>; 2]> {
+fn place_of<'a>(log: &Log, topic: &'a Topic, source: &RoleSource) -> Option<[RowValue<'a>; 2]> {
     let roles = match source.role {
         Role::AutopilotLatitude | Role::AutopilotLongitude | Role::AutopilotHeight => {
             [Role::AutopilotLatitude, Role::AutopilotLongitude]
@@ -64,17 +60,15 @@ pub(super) fn is_measured<'a>(
         .filter_map(|condition| Some((topic.field(condition.field)?, condition.range)))
         .collect();
     move |row| {
-        let is_fixed = |(fix_of, needed): &(Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, f64)| {
-            fix_of(row).is_none_or(|fix| fix >= *needed)
-        };
+        let is_fixed =
+            |(fix_of, needed): &(RowValue<'a>, f64)| fix_of(row).is_none_or(|fix| fix >= *needed);
         let is_within = |(field, [least, most]): &(&crate::log::FieldLayout, [f64; 2])| {
             let value = field.value(row);
             value.is_none_or(|value| (*least..=*most).contains(&value))
         };
         // At 0° north, 0° east nobody has a receiver; who does not know, writes it.
-        let is_nowhere = |place: &[Box<dyn Fn(&[u8]) -> Option<f64> + 'a>; 2]| {
-            place.iter().all(|part| part(row) == Some(0.0))
-        };
+        let is_nowhere =
+            |place: &[RowValue<'a>; 2]| place.iter().all(|part| part(row) == Some(0.0));
         !place.as_ref().is_some_and(is_nowhere)
             && fix.as_ref().is_none_or(is_fixed)
             && fields.iter().all(is_within)

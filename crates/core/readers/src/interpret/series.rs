@@ -45,8 +45,10 @@ impl<'a> Scaled<'a> {
     }
 }
 
+/// Function from a row to a value.
+pub(super) type RowValue<'a> = Box<dyn Fn(&[u8]) -> Option<f64> + 'a>;
 /// Function from a row to a value, and the name of the fields that it reads.
-pub(super) type RowReader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
+pub(super) type RowReader<'a> = (RowValue<'a>, String);
 
 pub(super) fn reader<'a>(
     log: &Log,
@@ -74,43 +76,14 @@ pub(super) fn reader<'a>(
                     .or_else(|| called(format!("{name}{}", ["w", "x", "y", "z"][i])))
             };
             let parts = [part(0)?, part(1)?, part(2)?, part(3)?];
-            let angle = move |row: &[u8]| {
-                let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));
-                let attitude = UnitQuaternion::try_new(Quaternion::new(w?, x?, y?, z?), 1e-6)?;
-                let (roll, pitch, yaw) = attitude.euler_angles();
-                Some(match role {
-                    Role::Roll => roll,
-                    Role::Pitch => pitch,
-                    _ => yaw,
-                })
-            };
-            (Box::new(angle), name.to_owned())
+            (angle(role, parts, false), name.to_owned())
         }
         RowReading::RosQuaternion(name) => {
             let part = |part: &str| Scaled::new(topic, &format!("{name}.{part}"), 1.0);
             let parts = [part("w")?, part("x")?, part("y")?, part("z")?];
             let board = BoardReading::of(topic);
-            let angle = move |row: &[u8]| {
-                let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));
-                let attitude = UnitQuaternion::try_new(Quaternion::new(w?, x?, y?, z?), 1e-6)?;
-                if board.is_down {
-                    let (roll, pitch, yaw) = attitude.euler_angles();
-                    return Some(match role {
-                        Role::Roll => roll,
-                        Role::Pitch => pitch,
-                        _ => yaw,
-                    });
-                }
-                // About the same forward axis, but a left axis and one up in place of right and down.
-                let (roll, pitch, yaw) = attitude.euler_angles();
-                Some(match role {
-                    Role::Roll => roll,
-                    Role::Pitch => -pitch,
-                    _ => std::f64::consts::FRAC_PI_2 - yaw,
-                })
-            };
             let told = board.told(role);
-            (Box::new(angle), format!("{name}{told}"))
+            (angle(role, parts, !board.is_down), format!("{name}{told}"))
         }
         RowReading::RosFix(name) => {
             let status = Scaled::new(topic, name, 1.0)?;
@@ -167,6 +140,23 @@ pub(super) fn reader<'a>(
             };
             (Box::new(part), name)
         }
+    })
+}
+
+/// The angle of a role out of the parts of a quaternion, the real one first. That of ROS (`is_ros`) is about the same forward
+/// axis, but a left axis and one up in place of right and down, and counts from east.
+fn angle(role: Role, parts: [Scaled<'_>; 4], is_ros: bool) -> RowValue<'_> {
+    Box::new(move |row| {
+        let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));
+        let attitude = UnitQuaternion::try_new(Quaternion::new(w?, x?, y?, z?), 1e-6)?;
+        let (roll, pitch, yaw) = attitude.euler_angles();
+        Some(match (role, is_ros) {
+            (Role::Roll, _) => roll,
+            (Role::Pitch, false) => pitch,
+            (Role::Pitch, true) => -pitch,
+            (_, false) => yaw,
+            (_, true) => std::f64::consts::FRAC_PI_2 - yaw,
+        })
     })
 }
 
