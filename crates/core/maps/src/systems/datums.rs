@@ -1,22 +1,22 @@
 //! Datums, and how their places come to WGS 84.
 
 use nalgebra::Vector3;
-use pilotage_base::frames::{Datum, Ellipsoid, SystemNumbers};
+use pilotage_base::frames::{Datum, Ellipsoid};
 
 use super::names::plain;
 
 /// Radians in a second of arc.
 const SECOND: f64 = std::f64::consts::PI / 648_000.0;
 /// Accuracy of taking a datum of today's continents for WGS 84, metres.
-const NEAR: f64 = 2.0;
+pub(super) const NEAR: f64 = 2.0;
 /// Distance of the places of Greece's datum (GGRS87) from those of WGS 84, metres: the furthest of those on GRS 80.
 const OF_GREECE: f64 = 326.0;
 /// Distance of the places of Vietnam's datum (VN-2000), metres: the furthest of those on the ellipsoid of WGS 84.
 const OF_VIETNAM: f64 = 195.0;
 /// Name of the datum of files that state GRS 80 and nothing else.
-const UNSTATED_ON_GRS80: &str = "an unnamed datum on GRS 80";
+pub(super) const UNSTATED_ON_GRS80: &str = "an unnamed datum on GRS 80";
 /// Name of the datum of files that state GRS 80 and the projection of the Greek Grid, which TM Baltic93 has as well.
-const GREEK_OR_BALTIC: &str = "GGRS87 (Greece) or one of today";
+pub(super) const GREEK_OR_BALTIC: &str = "GGRS87 (Greece) or one of today";
 /// Latitude between Greece and the Baltic, radians.
 const NORTH_OF_GREECE: f64 = 45.0 * std::f64::consts::PI / 180.0;
 /// Ellipsoids whose squared eccentricities differ by less are the same to a tenth of a millimetre.
@@ -256,33 +256,6 @@ pub(super) fn stated(
             accuracy: f64::NAN,
         })
     })
-}
-
-/// The datum of a projected system that may state none: where a grid alone has these numbers it is that of the grid.
-pub(super) fn of_grid(numbers: &SystemNumbers) -> Datum {
-    let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs().max(1.0);
-    let is_grid = |code: u32| {
-        super::code_table::numbers(code).filter(|grid| {
-            numbers.method == grid.method
-                && is_near(numbers.latitude_0, grid.latitude_0)
-                && is_near(numbers.longitude_0, grid.longitude_0)
-                && is_near(numbers.scale, grid.scale)
-                && is_near(numbers.offset[0], grid.offset[0])
-                && is_near(numbers.offset[1], grid.offset[1])
-        })
-    };
-    if numbers.datum.name != UNSTATED_ON_GRS80 {
-        return numbers.datum;
-    }
-    if is_grid(2100).is_some() {
-        return Datum {
-            name: GREEK_OR_BALTIC,
-            accuracy: NEAR,
-            ..numbers.datum
-        };
-    }
-    // Israel's later grids are the same to a metre or two.
-    is_grid(2039).map_or(numbers.datum, |grid| grid.datum)
 }
 
 /// The datum at a latitude: that of Greece, where its grid or one of the Baltic may be meant.

@@ -7,6 +7,7 @@ use pilotage_base::frames::{Datum, ProjectionMethod, ReferenceSystem};
 
 use super::made::of_numbers;
 use super::names::{plain, shortened};
+use super::unstated::of_grid;
 use super::{SystemError, code_table, datums, methods};
 
 /// Role of a number in a projection.
@@ -242,7 +243,7 @@ impl ProjectedDefinition {
         ) {
             numbers.parallels = [numbers.latitude_0; 2];
         }
-        numbers.datum = datums::of_grid(&numbers);
+        numbers.datum = of_grid(&numbers);
         of_numbers(None, numbers).map_err(|cause| wrong(&cause))
     }
 }

@@ -19,6 +19,7 @@ mod system_error;
 #[cfg(test)]
 mod tests;
 mod units;
+mod unstated;
 mod well_known_text;
 mod well_known_text_out;
 

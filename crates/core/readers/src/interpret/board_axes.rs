@@ -16,7 +16,7 @@ const ONE: std::ops::Range<f64> = 0.7..1.5;
 /// Share of the forces that is gravity, where they hold it.
 const MOSTLY: f64 = 0.8;
 
-/// How the messages of an IMU differ from those of ROS.
+/// Difference of the messages of an IMU from those of ROS.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BoardReading {
     /// The third axis points down, and the world's as well.

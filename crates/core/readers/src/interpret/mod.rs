@@ -7,6 +7,7 @@ mod flight;
 mod measured_tests;
 mod origin;
 mod places;
+mod reader;
 mod rows;
 mod series;
 mod source;

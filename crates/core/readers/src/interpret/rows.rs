@@ -1,7 +1,7 @@
 //! Rows whose values were measured: with a fix, and beside fields that say so.
 
 use super::places::FLAT_FIX;
-use super::series::{FULL_FIX, RowValue, reader};
+use super::reader::{FULL_FIX, RowValue, reader};
 use super::source::{conditions, sources};
 use crate::log::{Log, Topic};
 use crate::role::{Role, RoleSource};
