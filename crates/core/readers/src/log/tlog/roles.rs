@@ -125,4 +125,21 @@ const TLOG: &[RoleSource] = &[
         1e-7 * DEGREE,
     ),
     field(Role::AutopilotHeight, "GLOBAL_POSITION_INT", "alt", 1e-3),
+    // By satellite nothing else comes.
+    field(
+        Role::AutopilotLatitude,
+        "HIGH_LATENCY2",
+        "latitude",
+        1e-7 * DEGREE,
+    ),
+    field(
+        Role::AutopilotLongitude,
+        "HIGH_LATENCY2",
+        "longitude",
+        1e-7 * DEGREE,
+    ),
+    field(Role::AutopilotHeight, "HIGH_LATENCY2", "altitude", 1.0),
+    field(Role::Heading, "HIGH_LATENCY2", "heading", 2.0 * DEGREE),
+    field(Role::Airspeed, "HIGH_LATENCY2", "airspeed", 0.2),
+    field(Role::GroundSpeed, "HIGH_LATENCY2", "groundspeed", 0.2),
 ];

@@ -290,3 +290,38 @@ fn an_antenna_that_follows_the_vehicle_is_not_the_flight() {
     assert_eq!(log.vehicles, [1]);
     assert_eq!(log.vehicle, "ArduPilot, aeroplane");
 }
+
+#[test]
+fn messages_by_satellite_tell_place_heading_and_speeds() {
+    // Wire order: time, latitude, longitude, custom mode, altitude and its target, target distance, way-point, failures, then
+    // bytes: type, autopilot, heading (two degrees each), target heading, throttle, airspeed (fifths) …
+    let message = |north: i32| -> Vec<u8> {
+        let mut payload = [
+            0_i32.to_le_bytes(),
+            (470_000_000 + north).to_le_bytes(),
+            85_000_000_i32.to_le_bytes(),
+        ]
+        .concat();
+        payload.extend([0, 0]);
+        payload.extend(600_i16.to_le_bytes());
+        payload.extend([0; 8]);
+        payload.extend([1, 3, 45, 0, 50, 90, 0, 60]);
+        payload.extend([1; 10]);
+        payload
+    };
+    let file = Written::new().version_2(0, 235, &[&message(0)]).version_2(
+        1_000_000,
+        235,
+        &[&message(1000)],
+    );
+    let log = read(&file, 64);
+    let first = |role| series(&log, role).unwrap().values[0];
+    assert!((first(Role::Latitude).to_degrees() - 47.0).abs() < 1e-9);
+    assert!((first(Role::Longitude).to_degrees() - 8.5).abs() < 1e-9);
+    assert_eq!(first(Role::GpsHeight), 600.0);
+    assert!((first(Role::Heading).to_degrees() - 90.0).abs() < 1e-9);
+    assert_eq!(
+        (first(Role::Airspeed), first(Role::GroundSpeed)),
+        (18.0, 12.0)
+    );
+}
