@@ -9,6 +9,7 @@ use super::attitude::attitude;
 use super::body_velocity::{has_body_velocity, turn};
 use super::groups::quaternion_roles;
 use super::rows::pair;
+use super::strays::{FARTHEST, leave_out_strays};
 use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, parts, pictures, time};
 use crate::cells::{Moment, date_and_time};
@@ -23,8 +24,6 @@ use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 
 /// Standard deviation per axis of the first position, metres.
 const GPS_DEVIATION: f64 = 5.0;
-/// Places further than this from the first are none, metres: a receiver without a fix says 0° north, 0° east.
-const FARTHEST: f64 = 1e6;
 /// First places of which all but the last may be damaged.
 const MOST_DAMAGED: usize = 20;
 /// Times beyond this are counted from elsewhere than the flight, seconds: they are counted from the first.
@@ -525,37 +524,6 @@ fn first_of_most(places: &[(usize, (f64, f64))]) -> Option<(usize, (f64, f64))> 
         .next()
         .map(|(_, place)| *place)
         .or(places.first().copied())
-}
-
-/// Leaves out what a receiver without a fix told.
-fn leave_out_strays(folder: &mut FlightFolder, notes: &mut Vec<String>) {
-    if folder.flight.frame_on_globe.is_none() {
-        return;
-    }
-    let channels = &folder.flight.channels;
-    let find = |name| channels.iter().position(|channel| channel.name == name);
-    let pair = find(ChannelName::GpsNorth).zip(find(ChannelName::GpsEast));
-    let Some((north, east)) = pair else { return };
-    let values = |index: usize| channels[index].values.iter();
-    let is_near: Vec<bool> = values(north)
-        .zip(values(east))
-        .map(|(north, east)| north.hypot(*east) <= FARTHEST)
-        .collect();
-    let strays = is_near.iter().filter(|is_near| !**is_near).count();
-    if strays == 0 {
-        return;
-    }
-    for index in [north, east] {
-        let channel = &mut folder.flight.channels[index];
-        for kept in [&mut channel.times, &mut channel.values] {
-            let mut near = is_near.iter().copied();
-            kept.retain(|_| near.next().unwrap_or(true));
-        }
-    }
-    notes.push(format!(
-        "{strays} places were left out, as they lie over {:.0} km from the first",
-        1e-3 * FARTHEST
-    ));
 }
 
 /// Makes the height above ground, where no table has it, of the height above the start of the flight: by air pressure

@@ -37,6 +37,7 @@ mod rows;
 mod sampling;
 mod settle;
 mod several;
+mod strays;
 #[cfg(test)]
 #[path = "../../../../../tests/src/studies.rs"]
 mod studies;
