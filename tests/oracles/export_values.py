@@ -146,13 +146,18 @@ def tlog(path):
         for kind in mavlink.mavlink_map.values()
     }
     log = mavutil.mavlink_connection(path)
-    topics, components, first = {}, {}, None
+    messages, components, topics = [], {}, {}
     while (message := log.recv_match()) is not None:
+        messages.append(message)
+        of, component = (message.get_type(), message.get_srcSystem()), message.get_srcComponent()
+        # Of the components of a system the one that is heard first, but the autopilot wherever it is heard.
+        components[of] = component if component == 1 else components.get(of, component)
+    first = round(messages[0]._timestamp * 1e6) if messages else 0
+    for message in messages:
         kind = message.get_type()
         time = round(message._timestamp * 1e6)
-        first = time if first is None else first
         system, component = message.get_srcSystem(), message.get_srcComponent()
-        own = components.setdefault((kind, system), component) == component
+        own = components[(kind, system)] == component
         topic = topics.setdefault(f"{kind}[{system if own else 1000 * system + component}]", Theirs())
         topic.times.append((time - first) / 1e6)
         for name in message.get_fieldnames():
