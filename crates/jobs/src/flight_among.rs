@@ -19,9 +19,11 @@ use super::table_names::tables_among;
 /// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
 /// satellite receiver or a glider's recorder said.
 const FLOWN: [&str; 8] = ["jpg", "jpeg", "png", "srt", "nmea", "igc", "plt", "tcx"];
+/// Endings of tracks, which say no more than where somebody was.
+const TRACKS: [&str; 2] = ["plt", "tcx"];
 
 /// The flight among files: that of tables whose columns somebody said the `maps` of, a flight folder, or what says itself
-/// where it was: subtitles, sentences, photos, and films last. `None` beside tables that make a flight as their columns are
+/// where it was: subtitles, sentences, photos, tracks, and films last. `None` beside tables that make a flight as their columns are
 /// guessed where nothing but a film says so too, and beside a log, which is read piece by piece and whose camera frames
 /// photos are.
 ///
@@ -57,17 +59,23 @@ pub fn flight_among(
     if flown.is_none() {
         flown = flight_of_record(files).map_err(told)?;
     }
-    if flown.is_none() {
-        flown = flight_of_track(files).map_err(told)?;
-    }
-    if let Some(flown) = flown.or_else(|| read_photos(files)) {
+    if let Some(mut flown) = flown.or_else(|| read_photos(files)) {
+        let tracks = names_ending_in(files.as_ref(), &TRACKS).into_iter();
+        let left_out = |name| format!("{name} is left out: other files beside it are the flight");
+        flown.notes.extend(tracks.map(left_out));
         return Ok(Some(with_films_told(flown, files.as_ref())));
-    }
-    if has_none(&FILMS) {
-        return Ok(None);
     }
     let tables = tables_among(files.as_ref());
     if tables.iter().any(|table| table.is_proposed) {
+        return Ok(None);
+    }
+    match flight_of_track(files).map_err(told) {
+        Ok(Some(flown)) => return Ok(Some(with_films_told(flown, files.as_ref()))),
+        Err(why) if tables.is_empty() && has_none(&FILMS) => return Err(why),
+        // Other files may be the flight.
+        Ok(None) | Err(_) => {}
+    }
+    if has_none(&FILMS) {
         return Ok(None);
     }
     match flight_of_film(files).map_err(told) {
@@ -143,6 +151,41 @@ mod tests {
             assert_eq!(truth.states.len(), 2, "{name}");
         }
         assert!(among("walk.txt", "dear diary, today").is_none());
+    }
+
+    fn among(files: &[(&str, String)]) -> Result<Option<FlightFolder>, String> {
+        let files: Vec<_> = (files.iter())
+            .map(|(name, text)| ((*name).to_owned(), text.clone().into_bytes().into()))
+            .collect();
+        let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
+        let pool: Arc<dyn FileSet> = Arc::new(pool);
+        flight_among(&pool, None)
+    }
+
+    #[test]
+    fn a_watchs_track_is_the_flight_where_nothing_else_is() {
+        let point = |second: u32, latitude: f64| {
+            format!(
+                "<Trackpoint><Time>2024-05-01T10:00:{second:02}Z</Time><Position><LatitudeDegrees>{latitude}</LatitudeDegrees>\
+                 <LongitudeDegrees>8.5</LongitudeDegrees></Position></Trackpoint>"
+            )
+        };
+        let (one, other) = (point(0, 47.0), point(10, 47.001));
+        let track = format!("<TrainingCenterDatabase>{one}{other}</TrainingCenterDatabase>");
+        let track = ("walk.tcx", track);
+        let note = ("readme.txt", "the day of the flight".to_owned());
+        let alone = among(&[track.clone(), note]).unwrap().unwrap();
+        assert_eq!(alone.flight.truth.unwrap().states.len(), 2);
+        let rows: String = (0..40)
+            .map(|i| format!("{i},{},8.5,500,0,12\n", 47.0 + 1.1e-4 * f64::from(i)))
+            .collect();
+        let table = format!("time [s],latitude,longitude,altitude,heading,airspeed\n{rows}");
+        let table = ("flight.csv", table);
+        let ozi = "OziExplorer Track Point File Version 2.1\nTokyo\n".to_owned();
+        for beside in [track, ("old.plt", ozi)] {
+            // The table, as its columns are guessed.
+            assert!(among(&[table.clone(), beside]).unwrap().is_none());
+        }
     }
 
     /// A film whose one track has places at these numbers of the same payload.
