@@ -36,8 +36,12 @@ impl Planner {
                 }
             }
             PlanCommand::CancelMarking => {
+                let has_corners = self
+                    .marking
+                    .as_ref()
+                    .is_some_and(|it| !it.corners.is_empty());
                 self.put_marking_away(context);
-                if self.put_away.is_some() {
+                if has_corners {
                     context.note("The outline is not drawn", "Undo brings its corners back.");
                 }
             }
@@ -51,18 +55,22 @@ impl Planner {
     pub(super) fn put_marking_away(&mut self, context: &FeatureContext<'_>) {
         let marking = self.marking.take().filter(|it| !it.corners.is_empty());
         let edits = context.documents.mission.history.edits();
-        self.put_away = marking.map(|marking| PutAway { marking, edits });
+        let put_away = marking.map(|marking| PutAway { marking, edits });
+        // What was put away before stays, where nothing was marked since.
+        self.put_away = put_away.or(self.put_away.take());
     }
 
     /// Takes the last corner of what is being marked back, or up what was put away just now; whether there was one.
     pub(super) fn take_corner_back(&mut self, context: &FeatureContext<'_>) -> bool {
-        if let Some(marking) = &mut self.marking {
-            return marking.corners.pop().is_some();
+        let corners = self.marking.as_mut().map(|it| &mut it.corners);
+        if corners.and_then(Vec::pop).is_some() {
+            return true;
         }
         let edits = context.documents.mission.history.edits();
         let put_away = self.put_away.take().filter(|it| it.edits == edits);
-        self.marking = put_away.map(|it| it.marking);
-        self.marking.is_some()
+        let is_there = put_away.is_some();
+        self.marking = put_away.map(|it| it.marking).or(self.marking.take());
+        is_there
     }
 
     fn begin_marking(&mut self, purpose: Purpose, context: &mut FeatureContext<'_>) {

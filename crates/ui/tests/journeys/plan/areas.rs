@@ -178,3 +178,27 @@ fn each_tool_of_the_map_takes_it_from_the_others() {
     assert_eq!(rig.state()["plan"]["find"]["pick"], "Nothing");
     assert_eq!(rig.state()["map"]["picking"], true);
 }
+
+#[test]
+fn what_was_put_away_comes_back_after_another_tool_was_begun_and_left() {
+    let mut rig = planning();
+    draw_area(&mut rig);
+    rig.key_with(Modifiers::SHIFT, Key::A);
+    rig.settle();
+    for (north, east) in [(-40.0, 140.0), (40.0, 140.0), (40.0, 200.0)] {
+        click(&mut rig, north, east);
+    }
+    // Another purpose, and nothing marked for it.
+    rig.harness.get_by_label("Mark a rally point").click();
+    rig.settle();
+    assert_eq!(marked(&rig), Some(("Rally".to_owned(), 0)));
+    undo(&mut rig);
+    assert_eq!(marked(&rig), Some(("NoFlyArea".to_owned(), 3)));
+    rig.key(Key::Escape);
+    rig.settle();
+    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    undo(&mut rig);
+    assert_eq!(marked(&rig), Some(("NoFlyArea".to_owned(), 3)));
+    assert_eq!(rig.state()["plan"]["no_fly"][0], 4, "the area is untouched");
+}
