@@ -397,3 +397,14 @@ fn forces_in_multiples_of_gravity_and_pressures_in_hectopascals_are_known_by_the
     let height = series(&log, Role::BarometricHeight).unwrap();
     assert!((height.values[0] - 500.0).abs() < 0.5, "{height:?}");
 }
+
+#[test]
+fn heights_of_receivers_that_know_no_fix_above_two_count_with_that() {
+    let mut text = "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\n".to_owned();
+    // GPS_OK of old ArduPilot is 2.
+    for (second, fix) in [1, 2, 2].into_iter().enumerate() {
+        writeln!(text, "GPS, {second}000000, {fix}, 47.5, 8.5, 60{second}").unwrap();
+    }
+    let height = series(&text_log(&text), Role::GpsHeight).unwrap();
+    assert_eq!(height.values, [601.0, 602.0]);
+}

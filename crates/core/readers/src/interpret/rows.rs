@@ -49,6 +49,16 @@ pub(super) fn is_measured<'a>(
         let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == source.topic;
         let mut fixes = sources(log.format).filter(is_fix);
         let (fix_of, _) = fixes.find_map(|fix| reader(log, fix, topic))?;
+        // Old ones have no number above that of a fix.
+        let says_full = || {
+            let mut rows = topic.rows.iter();
+            rows.any(|row| fix_of(row).is_some_and(|fix| fix >= FULL_FIX))
+        };
+        let needed = if needed > FLAT_FIX && !says_full() {
+            FLAT_FIX
+        } else {
+            needed
+        };
         Some((fix_of, needed))
     });
     let place = place_of(log, topic, source);
