@@ -408,3 +408,21 @@ fn heights_of_receivers_that_know_no_fix_above_two_count_with_that() {
     let height = series(&text_log(&text), Role::GpsHeight).unwrap();
     assert_eq!(height.values, [601.0, 602.0]);
 }
+
+#[test]
+fn range_sensors_of_the_first_years_of_ulog_look_down_where_none_says_so_otherwise() {
+    let mut log = Log::new("a.ulg", LogFormat::Ulog);
+    let range = ["current_distance", "orientation"];
+    let rows = [
+        vec![0.0, 3.0, 8.0],
+        vec![1.0, 4.0, 8.0],
+        vec![2.0, 9.0, 0.0],
+    ];
+    with(&mut log, "distance_sensor", "", &range, &rows);
+    let height = series(&log, Role::HeightAboveGround).unwrap();
+    assert_eq!(height.values, [3.0, 4.0]);
+    let rows = [vec![3.0, 30.0, 25.0], vec![4.0, 31.0, 25.0]];
+    with(&mut log, "distance_sensor", "", &range, &rows);
+    let height = series(&log, Role::HeightAboveGround).unwrap();
+    assert_eq!(height.values, [30.0, 31.0]);
+}

@@ -4,7 +4,7 @@ use super::places::FLAT_FIX;
 use super::reader::{FULL_FIX, RowValue, reader};
 use super::source::{conditions, sources};
 use crate::log::{Log, Topic};
-use crate::role::{Role, RoleSource};
+use crate::role::{Role, RoleSource, RowCondition};
 
 /// Kind of fix that a role of a receiver needs; `None` of other roles.
 fn needed_fix(role: Role) -> Option<f64> {
@@ -37,6 +37,25 @@ fn place_of<'a>(log: &Log, topic: &'a Topic, source: &RoleSource) -> Option<[Row
     Some([part(roles[0])?, part(roles[1])?])
 }
 
+/// Numbers of the field of a condition that count in this log.
+fn range(log: &Log, condition: &RowCondition) -> [f64; 2] {
+    let [least, most] = condition.range;
+    let is_own =
+        |topic: &&Topic| topic.name.name == condition.topic || topic.kind() == condition.topic;
+    let has_any = || {
+        let mut values = log
+            .topics
+            .iter()
+            .filter(is_own)
+            .filter_map(|topic| topic.values(condition.field));
+        values.any(|values| values.iter().any(|value| (least..=most).contains(value)))
+    };
+    match condition.stand_in {
+        Some(stand_in) if !has_any() => [stand_in; 2],
+        _ => [least, most],
+    }
+}
+
 /// Function that tells of rows of a topic whether the values that `source` names there, in fields called `name`, were measured:
 /// a receiver without a fix writes noughts, and range sensors may look elsewhere than down.
 pub(super) fn is_measured<'a>(
@@ -67,7 +86,7 @@ pub(super) fn is_measured<'a>(
         .iter()
         .filter(|condition| is_own(condition.topic) && name.starts_with(condition.values));
     let fields: Vec<_> = conditions
-        .filter_map(|condition| Some((topic.field(condition.field)?, condition.range)))
+        .filter_map(|condition| Some((topic.field(condition.field)?, range(log, condition))))
         .collect();
     move |row| {
         let is_fixed =

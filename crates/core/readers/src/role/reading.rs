@@ -75,6 +75,18 @@ pub struct RowCondition {
     pub field: &'static str,
     /// Least and greatest number of the field beside values that count.
     pub range: [f64; 2],
+    /// Number that counts in logs where no row has one of the range.
+    pub stand_in: Option<f64>,
+}
+
+impl RowCondition {
+    /// The condition with a number that counts where no row of the log has one of the range.
+    pub(crate) const fn or(self, stand_in: f64) -> Self {
+        Self {
+            stand_in: Some(stand_in),
+            ..self
+        }
+    }
 }
 
 pub(crate) const fn condition(
@@ -88,6 +100,7 @@ pub(crate) const fn condition(
         values,
         field,
         range,
+        stand_in: None,
     }
 }
 

@@ -11,8 +11,9 @@ pub(in super::super) const MEANING: Meaning = Meaning {
     conditions: CONDITIONS,
 };
 
-/// `ROTATION_DOWNWARD_FACING` of range sensors.
+/// `ROTATION_DOWNWARD_FACING` of range sensors, and what PX4 said in its place in the first years of ULog.
 const DOWNWARD: f64 = 25.0;
+const EARLY_DOWNWARD: f64 = 8.0;
 
 const CONDITIONS: &[RowCondition] = &[
     condition(
@@ -26,7 +27,8 @@ const CONDITIONS: &[RowCondition] = &[
         "current_distance",
         "orientation",
         [DOWNWARD; 2],
-    ),
+    )
+    .or(EARLY_DOWNWARD),
     condition("vehicle_gps_position", "vel_", "vel_ned_valid", [1.0; 2]),
     condition("sensor_gps", "vel_", "vel_ned_valid", [1.0; 2]),
 ];
