@@ -426,3 +426,14 @@ fn range_sensors_of_the_first_years_of_ulog_look_down_where_none_says_so_otherwi
     let height = series(&log, Role::HeightAboveGround).unwrap();
     assert_eq!(height.values, [30.0, 31.0]);
 }
+
+#[test]
+fn a_speed_over_ground_counts_whether_or_not_its_direction_is_valid() {
+    let mut log = Log::new("a.ulg", LogFormat::Ulog);
+    let fields = ["fix_type", "vel_m_s", "vel_d_m_s", "vel_ned_valid"];
+    let rows = [vec![0.0, 3.0, 5.0, 1.0, 0.0], vec![1.0, 3.0, 6.0, 2.0, 0.0]];
+    with(&mut log, "vehicle_gps_position", "", &fields, &rows);
+    let speed = series(&log, Role::GroundSpeed).unwrap();
+    assert_eq!(speed.values, [5.0, 6.0]);
+    assert_eq!(series(&log, Role::GpsVelocityDown), None);
+}

@@ -29,9 +29,18 @@ const CONDITIONS: &[RowCondition] = &[
         [DOWNWARD; 2],
     )
     .or(EARLY_DOWNWARD),
-    condition("vehicle_gps_position", "vel_", "vel_ned_valid", [1.0; 2]),
-    condition("sensor_gps", "vel_", "vel_ned_valid", [1.0; 2]),
+    velocity("vehicle_gps_position", "vel_n_m_s"),
+    velocity("vehicle_gps_position", "vel_e_m_s"),
+    velocity("vehicle_gps_position", "vel_d_m_s"),
+    velocity("sensor_gps", "vel_n_m_s"),
+    velocity("sensor_gps", "vel_e_m_s"),
+    velocity("sensor_gps", "vel_d_m_s"),
 ];
+
+/// A part of a receiver's velocity, which counts where it says so. Its speed over ground (`vel_m_s`) needs no direction.
+const fn velocity(topic: &'static str, part: &'static str) -> RowCondition {
+    condition(topic, part, "vel_ned_valid", [1.0; 2])
+}
 
 /// Places of the topics, for each role the best first.
 pub(in super::super) const ROLES: &[RoleSource] = &[
