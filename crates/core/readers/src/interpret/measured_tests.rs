@@ -437,3 +437,21 @@ fn a_speed_over_ground_counts_whether_or_not_its_direction_is_valid() {
     assert_eq!(speed.values, [5.0, 6.0]);
     assert_eq!(series(&log, Role::GpsVelocityDown), None);
 }
+
+#[test]
+fn the_first_logs_of_px4_are_read_in_radians_without_a_quaternion() {
+    let log = text_log(
+        "FMT, 1, 50, TIME, Q, StartTime\nFMT, 2, 50, ATT, ffffff, Roll,Pitch,Yaw,RollRate,PitchRate,YawRate\n\
+         TIME, 1000000\nATT, 0.1, -0.2, 1.5, 0, 0, 0\nTIME, 2000000\nATT, 0.2, -0.1, 1.6, 0, 0, 0\n",
+    );
+    for (role, expected) in [
+        (Role::Roll, [0.1, 0.2]),
+        (Role::Pitch, [-0.2, -0.1]),
+        (Role::Heading, [1.5, 1.6]),
+    ] {
+        let found = series(&log, role).unwrap().values;
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-6, "{role:?}: {found}");
+        }
+    }
+}

@@ -55,7 +55,10 @@ pub(super) fn reader<'a>(
     let role = source.role;
     let north = matches!(role, Role::GpsVelocityNorth | Role::WindNorth);
     Some(match source.reading {
-        RowReading::Field(name, usual) => {
+        RowReading::Field(name, usual) | RowReading::FieldBeside(name, usual, _) => {
+            if let RowReading::FieldBeside(_, _, beside) = source.reading {
+                topic.field(beside)?;
+            }
             let board = BoardReading::of(topic);
             let mut field = Scaled::new(topic, name, usual)?;
             field.factor = board.factor(role, field.factor);

@@ -11,6 +11,8 @@ pub(crate) const DEGREE: f64 = std::f64::consts::PI / 180.0;
 pub enum RowReading {
     /// A field; the factor to SI counts where the log states no unit itself.
     Field(&'static str, f64),
+    /// A field as above, of topics that have the second one as well.
+    FieldBeside(&'static str, f64, &'static str),
     /// An angle of the attitude that takes body to world, as a quaternion in the fields `name[0]` to
     /// `name[3]` or `name1` to `name4`, the real part first.
     Quaternion(&'static str),

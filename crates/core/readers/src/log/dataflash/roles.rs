@@ -23,6 +23,10 @@ const DATAFLASH: &[RoleSource] = &[
     of(Role::Heading, "ATT", RowReading::Quaternion("q")),
     of(Role::Roll, "ATT", RowReading::Quaternion("q")),
     of(Role::Pitch, "ATT", RowReading::Quaternion("q")),
+    // And of the first years, without one.
+    of(Role::Heading, "ATT", radians("Yaw")),
+    of(Role::Roll, "ATT", radians("Roll")),
+    of(Role::Pitch, "ATT", radians("Pitch")),
     field(Role::Airspeed, "AIRS", "TrueSpeed", 1.0),
     field(Role::BarometricHeight, "SENS", "BaroAlt", 1.0),
     field(Role::Longitude, "GPS", "Lon", DEGREE),
@@ -89,3 +93,8 @@ const DATAFLASH: &[RoleSource] = &[
     of(Role::AutopilotLongitude, "EKF1", RowReading::FromOrigin),
     of(Role::AutopilotHeight, "EKF1", RowReading::FromOrigin),
 ];
+
+/// An angle in radians, as PX4 wrote it beside the rates, which `ArduPilot` writes elsewhere.
+const fn radians(name: &'static str) -> RowReading {
+    RowReading::FieldBeside(name, 1.0, "RollRate")
+}
