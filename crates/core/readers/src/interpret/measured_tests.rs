@@ -455,3 +455,16 @@ fn the_first_logs_of_px4_are_read_in_radians_without_a_quaternion() {
         }
     }
 }
+
+#[test]
+fn a_receiver_is_not_preferred_for_its_rate() {
+    let mut text = "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\nFMT, 2, 50, GPS2, QBLLf, TimeUS,Status,Lat,Lng,Alt\n".to_owned();
+    for i in 0..80 {
+        if i % 2 == 0 {
+            writeln!(text, "GPS, {}, 3, 47.{i:02}, 8.5, 600", 125_000 * i).unwrap();
+        }
+        writeln!(text, "GPS2, {}, 3, 47.{i:02}, 8.5, 610", 125_000 * i).unwrap();
+    }
+    let latitude = series(&text_log(&text), Role::Latitude).unwrap();
+    assert_eq!(latitude.source, "GPS.Lat");
+}

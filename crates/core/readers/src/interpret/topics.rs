@@ -8,8 +8,11 @@ use crate::role::{Role, RoleSource, RowReading};
 /// Messages of a second receiver that are of a kind of their own, behind those of the first.
 const SECOND_RECEIVERS: [(&str, &str); 2] = [("GPS", "GPS2"), ("GPS_RAW_INT", "GPS2_RAW")];
 
-/// Share of the fixes of the best receiver that another has that is taken before it for its place.
+/// Share of the time with a fix of the best receiver that another has that is taken before it for its place.
 const OFTEN: f64 = 0.8;
+
+/// Longest time for which a fix counts until the next row, seconds.
+const LONGEST: f64 = 10.0;
 
 /// Words of topics that say where the vehicle shall go, or are of a camera, whose axes are its own.
 const ELSEWHERE: [&str; 8] = [
@@ -48,11 +51,11 @@ pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
         same.extend(named(second));
     }
     if same.len() > 1 {
-        let fixes = |topic: &Topic| fixes(log, topic, source.topic).unwrap_or(0);
-        let most = same.iter().map(|topic| fixes(topic)).max().unwrap_or(0);
+        let fixes = |topic: &Topic| fixed_time(log, topic, source.topic);
+        let most = same.iter().map(|topic| fixes(topic)).fold(0.0, f64::max);
         same.sort_by_cached_key(|topic| {
             let is_second = topic.name.name != source.topic;
-            let is_seldom = (fixes(topic) as f64) < OFTEN * most as f64;
+            let is_seldom = fixes(topic) < OFTEN * most;
             (is_seldom, is_second, topic.name.instance)
         });
     }
@@ -73,16 +76,26 @@ pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     log.topics.iter().filter(is_it).collect()
 }
 
-/// Number of rows of a receiver's topic, with the fields of the topic `like`, in which it knows where it is; `None` of topics that
-/// tell no fix.
-fn fixes(log: &Log, topic: &Topic, like: &str) -> Option<usize> {
+/// Seconds for which a receiver's topic, with the fields of the topic `like`, says that it knows where it is, whatever its rate;
+/// 0 of topics that tell no fix.
+fn fixed_time(log: &Log, topic: &Topic, like: &str) -> f64 {
     let is_fix = |s: &&RoleSource| s.role == Role::GpsFix && s.topic == like;
     let mut fixes = sources(log.format).filter(is_fix);
-    fixes.find_map(|source| match source.reading {
-        RowReading::Field(name, _) => {
-            let values = topic.values(name)?;
-            Some(values.iter().filter(|fix| **fix >= FLAT_FIX).count())
-        }
+    let fixes = fixes.find_map(|source| match source.reading {
+        RowReading::Field(name, _) => topic.field(name).filter(|f| f.kind.is_number()),
         _ => None,
-    })
+    });
+    let Some(field) = fixes else {
+        return 0.0;
+    };
+    let mut sum = 0.0;
+    for (index, row) in topic.rows.iter().enumerate() {
+        if field.value(row).is_some_and(|fix| fix >= FLAT_FIX) {
+            // The last row stands for a second.
+            let next = topic.times.get(index + 1);
+            let step = next.map_or(1.0, |next| next - topic.times[index]);
+            sum += step.clamp(0.0, LONGEST);
+        }
+    }
+    sum
 }
