@@ -2,7 +2,7 @@
 
 use super::places::FLAT_FIX;
 use super::source::sources;
-use crate::log::{Log, LogFormat, Topic, first_word, system_of};
+use crate::log::{Log, LogFormat, Topic, first_word, is_component, system_of};
 use crate::role::{Role, RoleSource, RowReading};
 
 /// Messages of a second receiver that are of a kind of their own, behind those of the first.
@@ -38,7 +38,8 @@ pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
         let mut own: Vec<&'a Topic> = log.topics.iter().filter(is_own).collect();
         if chosen.is_some() || log.format == LogFormat::Tlog {
             // Those of the autopilot before those of other components.
-            own.sort_by_key(|topic| topic.name.instance != chosen);
+            let of_component = |topic: &Topic| topic.name.instance.is_some_and(is_component);
+            own.sort_by_key(|topic| (topic.name.instance != chosen, of_component(topic)));
             own.truncate(1);
         }
         own

@@ -45,5 +45,5 @@ pub use rows::Rows;
 pub use scale::ValueScale;
 pub use set_parameters::SetParameter;
 pub use topic::{Topic, TopicName};
-pub(crate) use vehicles::{first_word, system_of};
+pub(crate) use vehicles::{first_word, is_component, system_of};
 pub use whole::read_log;

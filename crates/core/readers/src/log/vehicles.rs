@@ -5,9 +5,14 @@ use super::Log;
 /// Instances of topics above this are a component of a system: a thousand times the system plus the component.
 const COMPONENTS: u32 = 1000;
 
+/// Whether a topic of that instance is that of a component beside the system's own.
+pub(crate) fn is_component(instance: u32) -> bool {
+    instance >= COMPONENTS
+}
+
 /// The system that sends a topic of that instance.
 pub(crate) fn system_of(instance: u32) -> u32 {
-    if instance >= COMPONENTS {
+    if is_component(instance) {
         instance / COMPONENTS
     } else {
         instance

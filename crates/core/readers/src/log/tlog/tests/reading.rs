@@ -250,6 +250,25 @@ fn accelerations_in_thousandths_of_gravity_are_metres_a_second_squared() {
 }
 
 #[test]
+fn a_companion_that_is_heard_first_is_not_the_autopilot_where_no_vehicle_is_heard() {
+    let place = |latitude: i32| -> Vec<u8> {
+        let parts: [&[u8]; 4] = [&[0; 4], &latitude.to_le_bytes(), &[0; 19], &[1]];
+        parts.concat()
+    };
+    let mut file = Written::new();
+    for i in 0..3 {
+        let time = 1000 * i;
+        file = file.from(1, 191).version_2(time, 33, &[&place(100)]);
+        let own = place(470_000_000 + i as i32);
+        file = file.from(1, 1).version_2(time + 500, 33, &[&own]);
+    }
+    let log = read(&file, 61);
+    assert_eq!(log.chosen_vehicle(), None);
+    let found = series(&log, Role::AutopilotLatitude).unwrap();
+    assert!((found.values[0].to_degrees() - 47.0).abs() < 1e-6);
+}
+
+#[test]
 fn the_autopilots_own_messages_are_its_systems_whoever_spoke_first() {
     let place = |latitude: i32| -> Vec<u8> {
         let parts: [&[u8]; 3] = [&[0; 4], &latitude.to_le_bytes(), &[0; 19]];
