@@ -100,6 +100,22 @@ const TLOG: &[RoleSource] = &[
     field(Role::AccelerationForward, "RAW_IMU", "xacc", 1e-3 * GRAVITY),
     field(Role::AccelerationRight, "RAW_IMU", "yacc", 1e-3 * GRAVITY),
     field(Role::AccelerationDown, "RAW_IMU", "zacc", 1e-3 * GRAVITY),
+    field(Role::RollRate, "SCALED_IMU", "xgyro", 1e-3),
+    field(Role::PitchRate, "SCALED_IMU", "ygyro", 1e-3),
+    field(Role::YawRate, "SCALED_IMU", "zgyro", 1e-3),
+    field(
+        Role::AccelerationForward,
+        "SCALED_IMU",
+        "xacc",
+        1e-3 * GRAVITY,
+    ),
+    field(
+        Role::AccelerationRight,
+        "SCALED_IMU",
+        "yacc",
+        1e-3 * GRAVITY,
+    ),
+    field(Role::AccelerationDown, "SCALED_IMU", "zacc", 1e-3 * GRAVITY),
     of(
         Role::WindNorth,
         "WIND",

@@ -250,6 +250,22 @@ fn accelerations_in_thousandths_of_gravity_are_metres_a_second_squared() {
 }
 
 #[test]
+fn scaled_sensors_are_read_where_there_are_no_raw_ones() {
+    let scaled = |force: i16| -> Vec<u8> {
+        let rate = 200_i16.to_le_bytes();
+        let parts: [&[u8]; 5] = [&[0; 4], &[0; 4], &force.to_le_bytes(), &rate, &[0; 10]];
+        parts.concat()
+    };
+    let file = Written::new()
+        .version_2(0, 26, &[&scaled(-1000)])
+        .version_2(100_000, 26, &[&scaled(-1010)]);
+    let log = read(&file, 50);
+    let first = |role| series(&log, role).unwrap().values[0];
+    assert!((first(Role::AccelerationDown) + 9.806_65).abs() < 1e-9);
+    assert!((first(Role::RollRate) - 0.2).abs() < 1e-9);
+}
+
+#[test]
 fn a_companion_that_is_heard_first_is_not_the_autopilot_where_no_vehicle_is_heard() {
     let place = |latitude: i32| -> Vec<u8> {
         let parts: [&[u8]; 4] = [&[0; 4], &latitude.to_le_bytes(), &[0; 19], &[1]];
