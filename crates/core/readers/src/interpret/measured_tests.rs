@@ -1,4 +1,4 @@
-//! Rows that were not measured, topics that tell of something else, and units of old and of stated numbers.
+//! Rows that were not measured, receivers that are preferred, and units of old and of stated numbers.
 
 use std::fmt::Write as _;
 
@@ -13,7 +13,7 @@ fn text_log(text: &str) -> Log {
 }
 
 /// A log with a topic of doubles: of that schema, named so, rows that begin with their time.
-fn with(log: &mut Log, name: &str, schema: &str, fields: &[&str], rows: &[Vec<f64>]) {
+pub(super) fn with(log: &mut Log, name: &str, schema: &str, fields: &[&str], rows: &[Vec<f64>]) {
     let layouts = || {
         let fields = fields.iter().enumerate();
         let layout = |(i, name): (usize, &&str)| FieldLayout::plain(*name, FieldKind::F64, 8 * i);
@@ -118,79 +118,6 @@ fn logs_of_px4_from_before_ulog_are_read_in_radians() {
 }
 
 #[test]
-fn setpoints_and_cameras_of_ros_are_not_the_vehicle() {
-    let mut log = Log::new("a.mcap", LogFormat::Mcap);
-    let pose = ["x", "y", "z", "w"].map(|part| format!("pose.orientation.{part}"));
-    let pose: Vec<&str> = pose.iter().map(String::as_str).collect();
-    // East, and north, of ROS.
-    let (east, north) = (
-        [0.0, 0.0, 0.0, 1.0],
-        [0.0, 0.0, 0.5_f64.sqrt(), 0.5_f64.sqrt()],
-    );
-    let kind = "geometry_msgs/msg/PoseStamped";
-    let row = |time: f64, turn: [f64; 4]| [&[time][..], &turn].concat();
-    let wanted = [row(0.0, east), row(1.0, north)];
-    with(
-        &mut log,
-        "/mavros/setpoint_position/local",
-        kind,
-        &pose,
-        &wanted,
-    );
-    assert_eq!(series(&log, Role::Heading), None);
-    let flown = [row(0.0, north), row(1.0, east)];
-    with(&mut log, "/mavros/local_position/pose", kind, &pose, &flown);
-    let heading = series(&log, Role::Heading).unwrap();
-    assert!(heading.values[0].abs() < 1e-9, "{heading:?}");
-    let kind = "sensor_msgs/msg/Imu";
-    let force = ["linear_acceleration.z"];
-    with(
-        &mut log,
-        "/camera/imu",
-        kind,
-        &force,
-        &[vec![0.0, 0.1], vec![1.0, 0.2]],
-    );
-    assert_eq!(series(&log, Role::AccelerationDown), None);
-    with(
-        &mut log,
-        "/imu/data",
-        kind,
-        &force,
-        &[vec![0.0, 9.8], vec![1.0, 9.7]],
-    );
-    assert_eq!(
-        series(&log, Role::AccelerationDown).unwrap().values,
-        [-9.8, -9.7]
-    );
-}
-
-#[test]
-fn a_fix_of_which_the_driver_says_nothing_counts() {
-    let mut log = Log::new("a.mcap", LogFormat::Mcap);
-    let fields = ["status.status", "latitude", "longitude", "altitude"];
-    // STATUS_UNKNOWN, then STATUS_NO_FIX.
-    let rows = [
-        vec![0.0, -2.0, 47.5, 8.5, 600.0],
-        vec![1.0, -1.0, 0.0, 0.0, 0.0],
-    ];
-    with(
-        &mut log,
-        "/fix",
-        "sensor_msgs/msg/NavSatFix",
-        &fields,
-        &rows,
-    );
-    let found: Vec<RoleSeries> = [Role::Latitude, Role::Longitude, Role::GpsHeight]
-        .into_iter()
-        .filter_map(|role| series(&log, role))
-        .collect();
-    let places = places(&found, Navigation::Gps);
-    assert_eq!(places.len(), 1);
-    assert!((places[0].1.latitude.to_degrees() - 47.5).abs() < 1e-9);
-}
-
-#[test]
 fn text_logs_with_decimal_commas_are_read() {
     let log = text_log(
         "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\nGPS, 1000000, 3, 47,5123456, -8,25, 600,5\nGPS, 2000000, 3, 47,5123457, -8,25, 1,2E+03\n",
@@ -239,93 +166,6 @@ fn of_two_receivers_that_is_taken_which_knows_its_place_more_often() {
 }
 
 #[test]
-fn the_vehicles_of_a_recording_of_ros_are_not_mixed() {
-    let mut log = Log::new("a.mcap", LogFormat::Mcap);
-    let (fix, imu) = ("sensor_msgs/msg/NavSatFix", "sensor_msgs/msg/Imu");
-    let rate = ["angular_velocity.x"];
-    with(
-        &mut log,
-        "/uav1/imu",
-        imu,
-        &rate,
-        &[vec![0.0, 1.0], vec![1.0, 1.1]],
-    );
-    with(
-        &mut log,
-        "/uav2/imu",
-        imu,
-        &rate,
-        &[vec![0.0, 2.0], vec![1.0, 2.2]],
-    );
-    let place = ["latitude", "longitude"];
-    with(
-        &mut log,
-        "/uav2/fix",
-        fix,
-        &place,
-        &[vec![0.0, 48.0, 8.0], vec![1.0, 48.1, 8.0]],
-    );
-    with(
-        &mut log,
-        "/uav1/fix",
-        fix,
-        &place,
-        &[vec![0.0, 47.0, 8.0], vec![1.0, 47.1, 8.0]],
-    );
-    assert_eq!(
-        series(&log, Role::RollRate).unwrap().source,
-        "/uav2/imu.angular_velocity.x"
-    );
-    assert_eq!(
-        series(&log, Role::Latitude).unwrap().source,
-        "/uav2/fix.latitude"
-    );
-    assert_eq!(log.vehicles_by_name(), ["uav2", "uav1"]);
-}
-
-#[test]
-fn an_imu_whose_third_axis_is_down_is_not_of_the_axes_of_ros() {
-    let mut log = Log::new("a.mcap", LogFormat::Mcap);
-    let fields = [
-        "orientation.x",
-        "orientation.y",
-        "orientation.z",
-        "orientation.w",
-        "angular_velocity.z",
-        "linear_acceleration.y",
-        "linear_acceleration.z",
-    ];
-    // A heading of 90° counted from north, which of ROS would be 0°.
-    let half = 0.5_f64.sqrt();
-    let row = |time: f64| {
-        vec![
-            time,
-            0.0,
-            0.0,
-            half,
-            half,
-            0.2 + time,
-            0.5 + time,
-            -9.8 + 0.1 * time,
-        ]
-    };
-    with(
-        &mut log,
-        "/imu",
-        "sensor_msgs/msg/Imu",
-        &fields,
-        &[row(0.0), row(1.0)],
-    );
-    let first = |role| series(&log, role).unwrap().values[0];
-    assert!((first(Role::Heading) - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
-    assert_eq!(first(Role::YawRate), 0.2);
-    assert_eq!(first(Role::AccelerationRight), 0.5);
-    assert_eq!(first(Role::AccelerationDown), -9.8);
-    let source = series(&log, Role::YawRate).unwrap().source;
-    assert!(source.contains("as gravity says"), "{source}");
-}
-
-#[test]
 fn airspeeds_of_a_sensor_that_is_not_healthy_are_none() {
     let log = text_log(
         "FMT, 1, 50, ARSP, QfB, TimeUS,Airspeed,H\nARSP, 1000000, 0.4, 0\nARSP, 2000000, 18.0, 1\nARSP, 3000000, 18.5, 1\n",
@@ -350,55 +190,6 @@ fn weeks_that_an_old_receiver_counts_again_from_nought_are_of_this_time() {
 }
 
 #[test]
-fn forces_in_multiples_of_gravity_and_pressures_in_hectopascals_are_known_by_their_amounts() {
-    let mut log = Log::new("a.mcap", LogFormat::Mcap);
-    let fields = [
-        "linear_acceleration.x",
-        "linear_acceleration.y",
-        "linear_acceleration.z",
-        "angular_velocity.x",
-    ];
-    // As the IMU of a Livox is written.
-    let rows = [
-        vec![0.0, 0.1, 0.2, 0.99, 0.5],
-        vec![1.0, 0.1, 0.2, 0.98, 0.6],
-    ];
-    with(
-        &mut log,
-        "/livox/imu",
-        "sensor_msgs/msg/Imu",
-        &fields,
-        &rows,
-    );
-    let first = |role| series(&log, role).unwrap().values[0];
-    assert!((first(Role::AccelerationDown) + 0.99 * 9.806_65).abs() < 1e-9);
-    assert!((first(Role::AccelerationRight) + 0.2 * 9.806_65).abs() < 1e-9);
-    assert_eq!(first(Role::RollRate), 0.5);
-    // Forces without gravity are what they are.
-    let mut bare = Log::new("b.mcap", LogFormat::Mcap);
-    let rows = [
-        vec![0.0, 0.9, 0.2, 0.1, 0.5],
-        vec![1.0, -0.8, -0.3, 0.1, 0.6],
-    ];
-    with(&mut bare, "/imu", "sensor_msgs/msg/Imu", &fields, &rows);
-    assert_eq!(
-        series(&bare, Role::AccelerationForward).unwrap().values,
-        [0.9, -0.8]
-    );
-    let pressure = [vec![0.0, 954.61], vec![1.0, 953.0]];
-    with(
-        &mut log,
-        "/baro",
-        "sensor_msgs/msg/FluidPressure",
-        &["fluid_pressure"],
-        &pressure,
-    );
-    // 954.61 hPa are 500 m in the standard atmosphere.
-    let height = series(&log, Role::BarometricHeight).unwrap();
-    assert!((height.values[0] - 500.0).abs() < 0.5, "{height:?}");
-}
-
-#[test]
 fn heights_of_receivers_that_know_no_fix_above_two_count_with_that() {
     let mut text = "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\n".to_owned();
     // GPS_OK of old ArduPilot is 2.
@@ -407,6 +198,19 @@ fn heights_of_receivers_that_know_no_fix_above_two_count_with_that() {
     }
     let height = series(&text_log(&text), Role::GpsHeight).unwrap();
     assert_eq!(height.values, [601.0, 602.0]);
+}
+
+#[test]
+fn a_receiver_is_not_preferred_for_its_rate() {
+    let mut text = "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\nFMT, 2, 50, GPS2, QBLLf, TimeUS,Status,Lat,Lng,Alt\n".to_owned();
+    for i in 0..80 {
+        if i % 2 == 0 {
+            writeln!(text, "GPS, {}, 3, 47.{i:02}, 8.5, 600", 125_000 * i).unwrap();
+        }
+        writeln!(text, "GPS2, {}, 3, 47.{i:02}, 8.5, 610", 125_000 * i).unwrap();
+    }
+    let latitude = series(&text_log(&text), Role::Latitude).unwrap();
+    assert_eq!(latitude.source, "GPS.Lat");
 }
 
 #[test]
@@ -454,17 +258,4 @@ fn the_first_logs_of_px4_are_read_in_radians_without_a_quaternion() {
             assert!((found - expected).abs() < 1e-6, "{role:?}: {found}");
         }
     }
-}
-
-#[test]
-fn a_receiver_is_not_preferred_for_its_rate() {
-    let mut text = "FMT, 1, 50, GPS, QBLLf, TimeUS,Status,Lat,Lng,Alt\nFMT, 2, 50, GPS2, QBLLf, TimeUS,Status,Lat,Lng,Alt\n".to_owned();
-    for i in 0..80 {
-        if i % 2 == 0 {
-            writeln!(text, "GPS, {}, 3, 47.{i:02}, 8.5, 600", 125_000 * i).unwrap();
-        }
-        writeln!(text, "GPS2, {}, 3, 47.{i:02}, 8.5, 610", 125_000 * i).unwrap();
-    }
-    let latitude = series(&text_log(&text), Role::Latitude).unwrap();
-    assert_eq!(latitude.source, "GPS.Lat");
 }

@@ -8,6 +8,8 @@ mod measured_tests;
 mod origin;
 mod places;
 mod reader;
+#[cfg(test)]
+mod ros_tests;
 mod rows;
 mod series;
 mod source;

@@ -4,7 +4,7 @@ use super::places::FLAT_FIX;
 use super::reader::reader;
 use super::rows::is_measured;
 use super::source::sources;
-use super::topics::topics;
+use super::topics::{Nearness, topics};
 use crate::log::{Log, Topic};
 use crate::role::{Role, RoleSeries, RoleSource};
 
@@ -61,18 +61,22 @@ pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
     own.or(found)
 }
 
-/// The series of a role from the best place that says anything, else from the best that is there.
+/// The series of a role from the best place that says anything, else from the best that is there; from a camera only where nothing
+/// else is there.
 fn measured(log: &Log, role: Role) -> Option<RoleSeries> {
     let mut dead = None;
-    for source in sources(log.format).filter(|s| s.role == role) {
-        for found in topics(log, source)
-            .into_iter()
-            .filter_map(|topic| read(log, topic, source))
-        {
-            if is_alive(&found) {
-                return Some(found);
+    for near in Nearness::ALL {
+        if near == Nearness::Camera && dead.is_some() {
+            break;
+        }
+        for source in sources(log.format).filter(|s| s.role == role) {
+            let topics = topics(log, source, near).into_iter();
+            for found in topics.filter_map(|topic| read(log, topic, source)) {
+                if is_alive(&found) {
+                    return Some(found);
+                }
+                dead.get_or_insert(found);
             }
-            dead.get_or_insert(found);
         }
     }
     dead

@@ -2,7 +2,9 @@
 
 use super::places::FLAT_FIX;
 use super::source::sources;
-use crate::log::{Log, LogFormat, Topic, first_word, is_component, system_of};
+use crate::log::{
+    Log, LogFormat, Topic, TopicSubject, first_word, is_component, subject, system_of,
+};
 use crate::role::{Role, RoleSource, RowReading};
 
 /// Messages of a second receiver that are of a kind of their own, behind those of the first.
@@ -14,21 +16,61 @@ const OFTEN: f64 = 0.8;
 /// Longest time for which a fix counts until the next row, seconds.
 const LONGEST: f64 = 10.0;
 
-/// Words of topics that say where the vehicle shall go, or are of a camera, whose axes are its own.
-const ELSEWHERE: [&str; 8] = [
-    "setpoint",
-    "target",
-    "goal",
-    "desired",
-    "reference",
-    "cmd",
-    "camera",
-    "gimbal",
-];
+/// Nearness of topics to the vehicle: others count for a role where the nearer ones tell nothing of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Nearness {
+    /// Those of the vehicle.
+    Own,
+    /// Other sets of its instruments.
+    OtherInstruments,
+    /// A camera's.
+    Camera,
+}
+
+impl Nearness {
+    /// From the nearest on.
+    pub const ALL: [Self; 3] = [Self::Own, Self::OtherInstruments, Self::Camera];
+}
 
 /// Topics that `source` names: those of that name, or else all of that kind; where several vehicles fly, that of the
 /// chosen one. Of several sensors the first, but a receiver that mostly has a fix before one that has it much more seldom.
-pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
+/// Those of that nearness alone.
+pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource, near: Nearness) -> Vec<&'a Topic> {
+    let same = if near == Nearness::Own {
+        named_topics(log, source)
+    } else {
+        Vec::new()
+    };
+    if !same.is_empty() || log.chosen_vehicle().is_some() {
+        return same;
+    }
+    let (kind, part) = source.topic.split_once('@').unwrap_or((source.topic, ""));
+    let is_kind = |topic: &&Topic| {
+        let is_typed = !topic.schema.is_empty() && topic.name.name.contains(part);
+        is_typed && topic.kind() == kind
+    };
+    let mut found: Vec<&'a Topic> = log.topics.iter().filter(is_kind).collect();
+    if found.is_empty() {
+        return found;
+    }
+    let sets = log.sets_by_name().unwrap_or_default();
+    found.retain(|topic| {
+        let set = first_word(&topic.name.name);
+        match subject(&topic.name.name) {
+            _ if sets.vehicles.contains(&set) => false,
+            TopicSubject::Vehicle if sets.instruments.contains(&set) => {
+                near == Nearness::OtherInstruments
+            }
+            TopicSubject::Vehicle => near == Nearness::Own,
+            TopicSubject::Camera => near == Nearness::Camera,
+            TopicSubject::Other => false,
+        }
+    });
+    found
+}
+
+/// Topics of the very name that `source` says.
+fn named_topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
     let chosen = log.chosen_vehicle();
     let named = |name: &str| -> Vec<&'a Topic> {
         let is_own = |topic: &&Topic| {
@@ -60,21 +102,7 @@ pub(super) fn topics<'a>(log: &'a Log, source: &RoleSource) -> Vec<&'a Topic> {
             (is_seldom, is_second, topic.name.instance)
         });
     }
-    if !same.is_empty() || chosen.is_some() {
-        return same;
-    }
-    let (kind, part) = source.topic.split_once('@').unwrap_or((source.topic, ""));
-    let others = log.vehicles_by_name();
-    let others = others.get(1..).unwrap_or_default();
-    let is_it = |topic: &&Topic| {
-        if others.contains(&first_word(&topic.name.name)) {
-            return false;
-        }
-        let name = topic.name.name.to_lowercase();
-        let is_elsewhere = ELSEWHERE.iter().any(|word| name.contains(word));
-        topic.kind() == kind && topic.name.name.contains(part) && !is_elsewhere
-    };
-    log.topics.iter().filter(is_it).collect()
+    same
 }
 
 /// Seconds for which a receiver's topic, with the fields of the topic `like`, says that it knows where it is, whatever its rate;

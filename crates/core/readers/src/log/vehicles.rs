@@ -1,6 +1,7 @@
 //! Several vehicles in one log: which is the flight.
 
 use super::Log;
+use super::topic_words::{TopicSubject, first_word, is_of_autopilot, names_vehicle, subject};
 
 /// Instances of topics above this are a component of a system: a thousand times the system plus the component.
 const COMPONENTS: u32 = 1000;
@@ -25,18 +26,30 @@ const OF_RECEIVERS: [&str; 3] = [
     "foxglove/LocationFix",
     "sensor_gps",
 ];
-const OF_ATTITUDES: [&str; 3] = ["sensor_msgs/Imu", "vehicle_attitude", "nav_msgs/Odometry"];
+const OF_ATTITUDES: [&str; 3] = [IMU, "vehicle_attitude", "nav_msgs/Odometry"];
+const IMU: &str = "sensor_msgs/Imu";
 
-/// The first word of a topic that has several, between slashes: `uav1` of `/uav1/gps/fix`; empty of others.
-pub(crate) fn first_word(name: &str) -> &str {
-    let words = name.trim_start_matches('/').split_once('/');
-    words.map_or("", |(first, _)| first)
+/// Several sets of a receiver and an attitude in one recording, by the first words of their topics.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct SetsByName<'a> {
+    /// The first, which is the flight.
+    pub first: &'a str,
+    /// Other vehicles.
+    pub vehicles: Vec<&'a str>,
+    /// Other instruments of the same vehicle.
+    pub instruments: Vec<&'a str>,
+}
+
+/// Whether two words differ in a number alone: `uav1` and `uav2`.
+fn differ_in_number(one: &str, other: &str) -> bool {
+    let without = |word: &str| word.replace(|letter: char| letter.is_ascii_digit(), "");
+    without(one) == without(other)
 }
 
 impl Log {
-    /// First words of topics where several have a receiver and an attitude each, as recordings of several vehicles do, in the order
-    /// of their receivers; the first is the flight. Empty where there are not several.
-    pub(crate) fn vehicles_by_name(&self) -> Vec<&str> {
+    /// Sets by the first words of topics where several have a receiver and an attitude each, as recordings of several vehicles
+    /// do, or of one with several instruments, in the order of their receivers. `None` where there are not several.
+    pub(crate) fn sets_by_name(&self) -> Option<SetsByName<'_>> {
         let with = |kinds: [&str; 3]| {
             let mut words: Vec<&str> = Vec::new();
             for topic in self.topics.iter().filter(|topic| !topic.schema.is_empty()) {
@@ -44,6 +57,7 @@ impl Log {
                 if !word.is_empty()
                     && !words.contains(&word)
                     && kinds.contains(&topic.kind().as_str())
+                    && subject(&topic.name.name) == TopicSubject::Vehicle
                 {
                     words.push(word);
                 }
@@ -51,20 +65,64 @@ impl Log {
             words
         };
         let attitudes = with(OF_ATTITUDES);
-        let mut found = with(OF_RECEIVERS);
-        found.retain(|word| attitudes.contains(word));
-        if found.len() < 2 { Vec::new() } else { found }
+        let found = with(OF_RECEIVERS).into_iter();
+        let mut found = found.filter(|word| attitudes.contains(word));
+        let first = found.next()?;
+        let has_autopilot = |word: &str| {
+            let mut topics = self.topics.iter().map(|topic| topic.name.name.as_str());
+            topics.any(|name| first_word(name) == word && is_of_autopilot(name))
+        };
+        let is_vehicle = |word: &&str| {
+            differ_in_number(first, word)
+                || (names_vehicle(first) && names_vehicle(word))
+                || (has_autopilot(first) && has_autopilot(word))
+        };
+        let (vehicles, instruments): (Vec<&str>, Vec<&str>) = found.partition(is_vehicle);
+        (!vehicles.is_empty() || !instruments.is_empty()).then_some(SetsByName {
+            first,
+            vehicles,
+            instruments,
+        })
     }
 
-    /// Says that topics are those of several vehicles, if so.
-    pub(super) fn tell_vehicles_by_name(&mut self) {
-        let found = self.vehicles_by_name();
-        if let [first, others @ ..] = found.as_slice()
-            && !others.is_empty()
-        {
+    /// Says that topics are those of several vehicles or sets of instruments, if so.
+    pub(super) fn tell_sets_by_name(&mut self) {
+        let Some(sets) = self.sets_by_name() else {
+            return;
+        };
+        let (first, mut remarks) = (sets.first, Vec::new());
+        if !sets.vehicles.is_empty() {
+            remarks.push(format!(
+                "several vehicles: /{first}, /{}. The flight is that of /{first}",
+                sets.vehicles.join(", /")
+            ));
+        }
+        if !sets.instruments.is_empty() {
+            remarks.push(format!(
+                "several sets of instruments: /{first}, /{}. Those of /{first} count, and of others what it has not",
+                sets.instruments.join(", /")
+            ));
+        }
+        for remark in remarks {
+            self.report.remark(remark);
+        }
+    }
+
+    /// Says that a camera has the only IMU, if so.
+    pub(super) fn tell_camera_imu(&mut self) {
+        let imus = self.topics.iter().filter(|topic| topic.kind() == IMU);
+        let (mut cameras, mut others) = (Vec::new(), 0);
+        for topic in imus.filter(|topic| !topic.is_empty()) {
+            match subject(&topic.name.name) {
+                TopicSubject::Camera => cameras.push(topic.name.to_string()),
+                TopicSubject::Vehicle => others += 1,
+                TopicSubject::Other => {}
+            }
+        }
+        if others == 0 && !cameras.is_empty() {
             let remark = format!(
-                "several vehicles, or sets of instruments: /{first}, /{}. The flight is that of /{first}",
-                others.join(", /")
+                "the only IMU is a camera's ({}): it is taken for the aircraft's, whose axes it need not have",
+                cameras.join(", ")
             );
             self.report.remark(remark);
         }
@@ -139,8 +197,23 @@ fn systems(systems: &[u32]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::LogFormat;
+    use super::super::{LogFormat, TopicName};
     use super::*;
+
+    #[test]
+    fn a_camera_whose_imu_is_the_only_one_is_told() {
+        let mut log = Log::new("a.mcap", LogFormat::Mcap);
+        for (name, is_told) in [("/camera/imu", true), ("/mavros/imu/data", false)] {
+            let place = log.topic_or_new(&TopicName::single(name), Vec::new);
+            "sensor_msgs/msg/Imu".clone_into(&mut log.topics[place].schema);
+            log.topics[place].push(0.0, &[]);
+            log.report.remarks.clear();
+            log.tell_camera_imu();
+            let remarks = &log.report.remarks;
+            let has = remarks.iter().any(|remark| remark.contains("/camera/imu"));
+            assert_eq!(has, is_told, "{name}: {remarks:?}");
+        }
+    }
 
     #[test]
     fn the_first_vehicle_is_the_flight_unless_another_is_chosen() {

@@ -75,7 +75,8 @@ impl LogSteps for Mcap {
         self.contents.end(log);
         log.topics.iter_mut().for_each(put_in_order);
         count_by_stamps(log);
-        log.tell_vehicles_by_name();
+        log.tell_sets_by_name();
+        log.tell_camera_imu();
         log.modes.sort_by(|a, b| a.time.total_cmp(&b.time));
         log.messages.sort_by(|a, b| a.time.total_cmp(&b.time));
         log.leave_out_wrong_times(|_| true);
