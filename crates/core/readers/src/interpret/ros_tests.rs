@@ -276,3 +276,29 @@ fn cameras_are_no_vehicles_but_vehicles_may_be_called_so() {
     let sets = log.sets_by_name().unwrap();
     assert_eq!((sets.first, sets.vehicles), ("camera_drone", vec!["b"]));
 }
+
+#[test]
+fn an_imu_upside_down_under_a_world_that_is_up_keeps_the_axes_of_ros() {
+    let parts = ["x", "y", "z", "w"].map(|part| format!("orientation.{part}"));
+    let mut fields: Vec<&str> = parts.iter().map(String::as_str).collect();
+    fields.extend(["angular_velocity.z", "linear_acceleration.z"]);
+    for (yaw, heading) in [(0.0, 90.0_f64), (30.0, 60.0)] {
+        let mut log = Log::new("a.mcap", LogFormat::Mcap);
+        let yaw = f64::to_radians(yaw);
+        let turn = nalgebra::UnitQuaternion::from_euler_angles(std::f64::consts::PI, 0.0, yaw);
+        let q = turn.coords;
+        let row = |time: f64| vec![time, q.x, q.y, q.z, q.w, 0.2 + time, -9.8 + 0.1 * time];
+        with(
+            &mut log,
+            "/imu",
+            "sensor_msgs/msg/Imu",
+            &fields,
+            &[row(0.0), row(1.0)],
+        );
+        let first = |role| series(&log, role).unwrap().values[0];
+        let found = first(Role::Heading).to_degrees();
+        assert!((found - heading).abs() < 1e-9, "{found}");
+        assert_eq!(first(Role::YawRate), -0.2);
+        assert_eq!(first(Role::AccelerationDown), 9.8);
+    }
+}
