@@ -86,7 +86,9 @@ pub fn read_track(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Fold
             .push("times of OziExplorer say no zone: they are taken for universal time".to_owned());
         of_ozi(text)
     } else {
-        of_activity(text)
+        let (points, left_out, damage) = of_activity(text);
+        findings.extend(damage);
+        (points, left_out)
     };
     if points.len() < 2 {
         return Ok(None);
@@ -126,16 +128,23 @@ fn of_ozi(text: &str) -> (Vec<Point>, usize) {
     (points, left_out)
 }
 
-/// Points of the activities, and how many of them have no time or no place.
-fn of_activity(text: &str) -> (Vec<Point>, usize) {
+/// Points of the activities, how many of them have no time or no place, and words on damage behind which nothing is read.
+fn of_activity(text: &str) -> (Vec<Point>, usize, Option<String>) {
     let mut reader = Reader::from_str(text);
     let (mut points, mut left_out) = (Vec::new(), 0);
+    let mut depth = 0_usize;
     let mut open = String::new();
     let mut point: Option<(Option<String>, [Option<f64>; 3])> = None;
-    // What is behind damage is not read.
-    while let Ok(event) = reader.read_event() {
+    let damage = loop {
+        let Ok(event) = reader.read_event() else {
+            let byte = reader.error_position();
+            break Some(format!(
+                "the text is damaged at byte {byte}: what is behind it is left out"
+            ));
+        };
         match event {
             Event::Start(element) => {
+                depth += 1;
                 element.local_name().as_ref().clone_into(&mut open);
                 if open == POINT {
                     point = Some((None, [None; 3]));
@@ -155,6 +164,7 @@ fn of_activity(text: &str) -> (Vec<Point>, usize) {
                 }
             }
             Event::End(element) => {
+                depth = depth.saturating_sub(1);
                 open.clear();
                 if element.local_name().as_ref() == POINT {
                     match point.take() {
@@ -165,11 +175,14 @@ fn of_activity(text: &str) -> (Vec<Point>, usize) {
                     }
                 }
             }
-            Event::Eof => break,
+            Event::Eof => {
+                let cut = || format!("the text is cut off at byte {}", text.len());
+                break (depth > 0).then(cut);
+            }
             _ => {}
         }
-    }
-    (points, left_out)
+    };
+    (points, left_out, damage)
 }
 
 #[cfg(test)]
@@ -247,6 +260,23 @@ mod tests {
         assert_eq!(heights.values.last(), Some(&99.0));
         let utc = folder.utc_at_zero().unwrap() + folder.flight.span().0;
         assert!((utc - 1_714_557_600.0).abs() < 1e-3, "{utc}");
+        let is_damage = |note: &String| note.contains("at byte");
+        assert!(!folder.notes.iter().any(is_damage));
+        // Of damaged and of cut text the points before are read, and the rest is told.
+        let tenth = text.find("10:00:10").unwrap();
+        let broken = format!("{}</Wrong>{}", &text[..tenth], &text[tenth..]);
+        for (text, word) in [(broken.as_str(), "damaged"), (&text[..tenth], "cut off")] {
+            let folder = read_track("a.tcx", text.as_bytes()).unwrap().unwrap();
+            let truth = folder.flight.truth.as_ref().unwrap();
+            assert_eq!(truth.states.len(), 9);
+            let note = folder.notes.iter().find(|note| is_damage(note)).unwrap();
+            assert!(note.contains(word), "{note}");
+            let byte: usize = note
+                .split_once("byte ")
+                .and_then(|(_, rest)| rest.split(':').next()?.parse().ok())
+                .unwrap();
+            assert!(byte.abs_diff(tenth) < 10, "{note}");
+        }
     }
 
     #[test]
