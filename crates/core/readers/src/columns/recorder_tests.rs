@@ -358,6 +358,17 @@ fn what_a_phone_measured_along_its_own_axes_is_told_and_not_the_aircrafts() {
         "{:?}",
         folder.notes
     );
+    // A word that aircraft have as well makes no phone.
+    let words = ["proximity left", "proximity right", "gravity norm"];
+    let mut other = write(false);
+    for (axis, word) in ["X", "Y", "Z"].into_iter().zip(words) {
+        other = other.replace(&format!("GRAVITY {axis} (m/s²)"), word);
+    }
+    let notes = flown(&other).notes;
+    assert!(!notes.iter().any(|note| note.contains("a phone")));
+    let alone = other.replace("gravity norm", "PROXIMITY (cm)");
+    let notes = flown(&alone).notes;
+    assert!(notes.iter().any(|note| note.contains("a phone")));
     let found = force(&flown(&write(true))).unwrap();
     let mean = found.values.iter().sum::<f64>() / found.values.len() as f64;
     assert!((-13.0..-9.0).contains(&mean), "{mean}");

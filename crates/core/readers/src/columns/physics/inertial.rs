@@ -260,12 +260,16 @@ fn acceleration(
     }
 }
 
-/// Parts of the names of columns, in small letters, that phones have.
-const OF_PHONES: [&str; 8] = [
+/// Parts of the names of columns, in small letters, that phones have, and a whole name without its unit. One part alone others
+/// have as well.
+const PROXIMITY: &str = "proximity";
+const OF_PHONES: [&str; 10] = [
     "gravity x",
+    "gravity y",
     "motiongravityx",
+    "motiongravityy",
     "motionuseracceleration",
-    "proximity",
+    PROXIMITY,
     "sound level",
     "light (lux",
     "decibel",
@@ -274,11 +278,14 @@ const OF_PHONES: [&str; 8] = [
 
 /// Whether the table of these columns is a phone's, which lies or hangs in the aircraft anyhow.
 fn of_phone(board: &FlightColumns, ids: [Id; 3]) -> bool {
-    let mut columns = board.maps[ids[0].0].columns.iter();
-    columns.any(|column| {
-        let name = column.name.to_lowercase();
-        OF_PHONES.iter().any(|part| name.contains(part))
-    })
+    let columns = board.maps[ids[0].0].columns.iter();
+    let names: Vec<String> = columns.map(|column| column.name.to_lowercase()).collect();
+    let is_near = |name: &String| {
+        let mut parts = name.split(['(', '[']);
+        parts.next().is_some_and(|word| word.trim() == PROXIMITY)
+    };
+    let has = |part: &&&str| names.iter().any(|name| name.contains(**part));
+    names.iter().any(is_near) || OF_PHONES.iter().filter(has).count() > 1
 }
 
 /// Takes their meaning from sensors of a phone whose axes are not those of the aircraft.
