@@ -44,6 +44,12 @@ pub(crate) fn grid_in_degrees(text: &str) -> Option<(String, ReferenceSystem)> {
     let seam = [';', '\t', ','].into_iter().find(|c| names.contains(*c))?;
     let cells = |line: &str| -> Vec<String> { line.trim_end().split(seam).map(bare).collect() };
     let mut names = cells(names);
+    let has = |grid: &NationalGrid, kinds: &[&str]| names.iter().any(|n| is_of(n, grid, kinds));
+    let mut grids = GRIDS.iter();
+    // Most tables are none, and large ones are not taken apart in vain.
+    if !grids.any(|grid| has(grid, &EASTS) && has(grid, &NORTHS)) {
+        return None;
+    }
     let rows: Vec<Vec<String>> = rows.lines().map(cells).collect();
     // Seams within quotation marks would move cells into other columns.
     if rows.iter().any(|row| row.len() > names.len()) {
