@@ -12,7 +12,7 @@ const VEHICLES: [&str; 8] = [
 /// Programs of autopilots: the words before theirs are names of vehicles.
 const AUTOPILOTS: [&str; 2] = ["mavros", "fmu"];
 
-/// What a topic tells of.
+/// Thing that a topic tells of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TopicSubject {
     /// The vehicle.
