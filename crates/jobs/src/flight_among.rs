@@ -176,9 +176,8 @@ mod tests {
         let note = ("readme.txt", "the day of the flight".to_owned());
         let alone = among(&[track.clone(), note]).unwrap().unwrap();
         assert_eq!(alone.flight.truth.unwrap().states.len(), 2);
-        let rows: String = (0..40)
-            .map(|i| format!("{i},{},8.5,500,0,12\n", 47.0 + 1.1e-4 * f64::from(i)))
-            .collect();
+        let row = |i: i32| format!("{i},{},8.5,500,0,12", 47.0 + 1.1e-4 * f64::from(i));
+        let rows = (0..40).map(row).collect::<Vec<_>>().join("\n");
         let table = format!("time [s],latitude,longitude,altitude,heading,airspeed\n{rows}");
         let table = ("flight.csv", table);
         let ozi = "OziExplorer Track Point File Version 2.1\nTokyo\n".to_owned();
