@@ -26,12 +26,12 @@ impl Obstacles<'_> {
 
     /// Whether the straight way from `a` to `b` keeps clear of every area.
     pub fn leave_free(&self, a: &GroundPoint, b: &GroundPoint) -> bool {
+        let least = (self.clearance - ROUNDING).max(0.0);
+        let is_clear = |(c, d): (GroundPoint, GroundPoint)| {
+            apart(a, b, &c, &d) >= least && !cross(a, b, &c, &d)
+        };
         self.areas.iter().all(|area| {
-            !is_forbidden(area, a)
-                && !is_forbidden(area, b)
-                && sides(area)
-                    .all(|(c, d)| apart(a, b, &c, &d) >= (self.clearance - ROUNDING).max(0.0))
-                && sides(area).all(|(c, d)| !cross(a, b, &c, &d))
+            !is_forbidden(area, a) && !is_forbidden(area, b) && sides(area).all(is_clear)
         })
     }
 
@@ -87,11 +87,10 @@ fn beside(
 
 /// Sides of an area and of its holes.
 pub(super) fn sides(area: &NoFlyZone) -> impl Iterator<Item = (GroundPoint, GroundPoint)> + '_ {
-    let of = |ring: &'_ Vec<GroundPoint>| -> Vec<_> {
+    area.rings().flat_map(|ring| {
         let next = ring.iter().cycle().skip(1);
-        ring.iter().copied().zip(next.copied()).collect()
-    };
-    area.rings().flat_map(of)
+        ring.iter().copied().zip(next.copied())
+    })
 }
 
 /// Whether a place is in an area and in none of its holes.
