@@ -65,6 +65,9 @@ pub fn flight_among(
         flown.notes.extend(tracks.map(left_out));
         return Ok(Some(with_films_told(flown, files.as_ref())));
     }
+    if has_none(&TRACKS) && has_none(&FILMS) {
+        return Ok(None);
+    }
     let tables = tables_among(files.as_ref());
     if tables.iter().any(|table| table.is_proposed) {
         return Ok(None);
