@@ -6,6 +6,7 @@
 
 mod compress;
 mod files;
+mod functions;
 mod offline;
 mod profile;
 mod side_by_side;

@@ -1,0 +1,159 @@
+//! The functions of a module of WebAssembly: where their code stands and what they are called.
+
+use std::{collections::BTreeMap, ops::Range};
+
+use wasmparser::{KnownCustom, Name, NameSectionReader, Parser, Payload, TypeRef};
+
+/// Bytes of a module before its first section.
+const HEADER: usize = 8;
+
+/// The functions of a module that has its names.
+#[derive(Debug, Default)]
+pub struct Functions<'a> {
+    /// Bytes of the section of code, with the number and the length that stand before it.
+    pub section: Range<usize>,
+    /// End of the last section that was read.
+    end: usize,
+    /// Functions that come from outside and are counted first.
+    imported: u32,
+    /// Bytes of the code of each own function, without the length that stands before it.
+    pub bodies: Vec<Range<usize>>,
+    /// Mangled names by number.
+    names: BTreeMap<u32, &'a str>,
+}
+
+impl<'a> Functions<'a> {
+    /// Those of `module`, or in words what is wrong with it.
+    pub fn of(module: &'a [u8]) -> Result<Self, String> {
+        let mut functions = Self {
+            end: HEADER,
+            ..Self::default()
+        };
+        for payload in Parser::new(0).parse_all(module) {
+            functions
+                .take(payload.map_err(|error| error.to_string())?)
+                .map_err(|error| error.to_string())?;
+        }
+        Ok(functions)
+    }
+
+    fn take(&mut self, payload: Payload<'a>) -> wasmparser::Result<()> {
+        let begin = self.end;
+        if let Some((_, section)) = payload.as_section() {
+            self.end = section.end;
+        }
+        match payload {
+            Payload::ImportSection(imports) => {
+                for import in imports.into_imports() {
+                    self.imported += u32::from(matches!(import?.ty, TypeRef::Func(_)));
+                }
+            }
+            Payload::CodeSectionStart { range, .. } => self.section = begin..range.end,
+            Payload::CodeSectionEntry(body) => self.bodies.push(body.range()),
+            Payload::CustomSection(section) => {
+                if let KnownCustom::Name(parts) = section.as_known() {
+                    self.names.extend(function_names(parts)?);
+                }
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Demangled name, empty where there is none, and bytes of code of each own function.
+    pub fn own(&self) -> impl Iterator<Item = (String, Range<usize>)> {
+        (self.imported..).zip(&self.bodies).map(|(index, body)| {
+            let mangled = self.names.get(&index).copied().unwrap_or_default();
+            (demangled(mangled), body.clone())
+        })
+    }
+}
+
+/// Names of functions by their number.
+fn function_names(parts: NameSectionReader<'_>) -> wasmparser::Result<Vec<(u32, &str)>> {
+    let mut names = Vec::new();
+    for part in parts {
+        if let Name::Function(map) = part? {
+            for naming in map {
+                let naming = naming?;
+                names.push((naming.index, naming.name));
+            }
+        }
+    }
+    Ok(names)
+}
+
+/// Path of a function from its mangled name, without what stands before it: `egui::Ui as core::ops::Drop>::drop` of
+/// `<egui::Ui as core::ops::Drop>::drop`.
+fn demangled(mangled: &str) -> String {
+    let name = format!("{:#}", rustc_demangle::demangle(mangled));
+    let begin = name.trim_start_matches(['<', '&', '*', '[', '(']);
+    let begin = ["mut ", "dyn ", "const "]
+        .iter()
+        .fold(begin, |text, word| text.trim_start_matches(word));
+    begin.to_owned()
+}
+
+/// Modules for the tests.
+#[cfg(test)]
+pub mod made {
+    /// A module with an imported function and two own ones of five and of three bytes, named.
+    pub fn module() -> Vec<u8> {
+        // A length in two bytes of seven bits each.
+        let length = |count: usize| {
+            let count = u16::try_from(count).expect("a short part");
+            [(count & 0x7f) as u8 | 0x80, (count >> 7) as u8]
+        };
+        let section =
+            |id: u8, content: &[u8]| [&[id][..], &length(content.len()), content].concat();
+        let names = |names: &[(u8, &str)]| {
+            let count = u8::try_from(names.len()).expect("few names");
+            let mut map = vec![count];
+            for (index, name) in names {
+                map.extend([*index, u8::try_from(name.len()).expect("a short name")]);
+                map.extend(name.as_bytes());
+            }
+            [&[4][..], b"name", &[1], &length(map.len()), &map].concat()
+        };
+        let named = names(&[
+            (0, "the_page"),
+            (1, "_ZN4egui7context3run17h0123456789abcdefE"),
+            (
+                2,
+                "_ZN50_$LT$egui..Ui$u20$as$u20$core..ops..drop..Drop$GT$4drop17h0123456789abcdefE",
+            ),
+        ]);
+        [
+            b"\0asm\x01\0\0\0".to_vec(),
+            section(1, &[1, 0x60, 0, 0]),
+            section(2, b"\x01\x01a\x01b\0\0"),
+            section(3, &[2, 0, 0]),
+            section(10, &[2, 5, 0, 1, 1, 1, 0x0b, 3, 0, 1, 0x0b]),
+            section(0, &named),
+        ]
+        .concat()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn own_functions_are_named_behind_what_is_imported() {
+        let module = made::module();
+        let functions = Functions::of(&module).unwrap();
+        let own: Vec<_> = functions.own().collect();
+        let lengths: Vec<_> = own.iter().map(|(_, body)| body.len()).collect();
+        assert_eq!(lengths, [5, 3]);
+        assert_eq!(own[0].0, "egui::context::run");
+        assert_eq!(own[1].0, "egui::Ui as core::ops::drop::Drop>::drop");
+        assert_eq!(module[functions.section.start], 10);
+        assert_eq!(module[functions.section.end], 0, "the names come next");
+    }
+
+    #[test]
+    fn what_is_no_module_is_refused() {
+        assert!(Functions::of(b"a letter").is_err());
+    }
+}
