@@ -43,6 +43,11 @@ fn planner() -> rustfft::FftPlannerWasmSimd<f32> {
 
 /// Plans the transforms of `length` complex samples.
 ///
+/// # Panics
+///
+/// If `length` has other prime factors than 2, 3 and 5. Those would be slow, and the page is built without the code
+/// for them (`xtask/never_called.toml`).
+///
 /// ```
 /// use pilotage_fourier::{Complex32, plan};
 ///
@@ -53,6 +58,10 @@ fn planner() -> rustfft::FftPlannerWasmSimd<f32> {
 /// ```
 #[inline(never)]
 pub fn plan(length: usize) -> Transforms {
+    assert!(
+        is_planned(length),
+        "{length} has other prime factors than 2, 3 and 5"
+    );
     let mut planner = planner();
     Transforms {
         forward: planner.plan_fft_forward(length),
@@ -60,11 +69,34 @@ pub fn plan(length: usize) -> Transforms {
     }
 }
 
+/// Whether `length` has no other prime factors than 2, 3 and 5.
+fn is_planned(length: usize) -> bool {
+    let mut rest = length;
+    for factor in [2, 3, 5] {
+        while rest > 0 && rest.is_multiple_of(factor) {
+            rest /= factor;
+        }
+    }
+    rest == 1
+}
+
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
+
+    #[test]
+    fn lengths_of_small_factors_alone_are_planned() {
+        let planned: Vec<usize> = (0..=16).filter(|length| is_planned(*length)).collect();
+        assert_eq!(planned, [1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 15, 16]);
+    }
+
+    #[test]
+    #[should_panic(expected = "prime factors")]
+    fn a_length_that_would_be_slow_is_refused() {
+        plan(14);
+    }
 
     #[test]
     fn transforms_are_the_sums_that_they_stand_for() {
