@@ -7,6 +7,7 @@
 mod compress;
 mod files;
 mod functions;
+mod never_called;
 mod offline;
 mod profile;
 mod side_by_side;
@@ -27,12 +28,12 @@ use crate::{failure::Failure, progress::step};
 /// Builds the page into `dist`, replacing a page that is there.
 pub fn build(profile: Profile, dist: &Path) -> Result<(), Failure> {
     wasm::ensure_target()?;
-    let modules = step(&format!("compiling the page ({})", profile.name()), || {
+    step(&format!("compiling the page ({})", profile.name()), || {
         wasm::compile(profile)
     })?;
     step("putting the page together", || {
         files::clear(dist)?;
-        side_by_side(&modules, |module| wasm::bind(module, dist))?;
+        side_by_side(&PROGRAMS, |package| wasm::bind(profile, package, dist))?;
         files::copy_shell(dist)?;
         offline::stamp(dist)
     })?;

@@ -1,10 +1,16 @@
 //! The programs: compiled for WebAssembly, then given their glue for the browser.
 
-use std::path::{Path, PathBuf};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use super::profile::{PROGRAMS, Profile, module_name};
+use super::{
+    never_called,
+    profile::{PROGRAMS, Profile, module_name},
+};
 use crate::{compiler, failure::Failure, places, process, progress::step};
 
 /// The target of the page.
@@ -29,8 +35,8 @@ pub fn ensure_target() -> Result<(), Failure> {
     })
 }
 
-/// Compiles the crates of the page and of its workers and returns the modules.
-pub fn compile(profile: Profile) -> Result<[PathBuf; PROGRAMS.len()], Failure> {
+/// Compiles the crates of the page and of its workers.
+pub fn compile(profile: Profile) -> Result<(), Failure> {
     let mut left: Vec<&str> = PROGRAMS.to_vec();
     while let Some(first) = left.first() {
         let name = profile.of_program(first);
@@ -45,7 +51,7 @@ pub fn compile(profile: Profile) -> Result<[PathBuf; PROGRAMS.len()], Failure> {
         process::run(&mut cargo, "cargo came with rustup")?;
         left = others;
     }
-    Ok(PROGRAMS.map(|name| module(profile, name)))
+    Ok(())
 }
 
 /// The program of a package as the compiler leaves it, with its names.
@@ -65,10 +71,19 @@ pub fn without_flags(cargo: &mut std::process::Command) {
         .env_remove("CARGO_ENCODED_RUSTFLAGS");
 }
 
-/// Writes the glue and the finished module, `pkg/NAME.js` and `pkg/NAME_bg.wasm`, into `dist`.
-pub fn bind(module: &Path, dist: &Path) -> Result<(), Failure> {
+/// Writes the glue and the finished module of a package, `pkg/NAME.js` and `pkg/NAME_bg.wasm`, into `dist`: what the
+/// compiler made, without what is never called.
+pub fn bind(profile: Profile, package: &str, dist: &Path) -> Result<(), Failure> {
+    let module = module(profile, package);
+    let made = fs::read(&module).map_err(Failure::file(&module))?;
+    let list = places::root().join("xtask/never_called.toml");
+    let text = fs::read_to_string(&list).map_err(Failure::file(&list))?;
+    let is_shipped = profile == Profile::Shipped;
+    let called = never_called::without(&made, &text, package, is_shipped)
+        .map_err(|reason| Failure::Content { path: list, reason })?;
     let mut bindgen = Bindgen::new();
-    let made = bindgen.input_path(module).web(true).and_then(|bindgen| {
+    bindgen.input_bytes(&module_name(package), called);
+    let made = bindgen.web(true).and_then(|bindgen| {
         bindgen
             .typescript(false)
             .remove_name_section(true)
@@ -76,7 +91,7 @@ pub fn bind(module: &Path, dist: &Path) -> Result<(), Failure> {
             .generate(dist.join("pkg"))
     });
     made.map_err(|error| Failure::Bindings {
-        module: module.to_owned(),
+        module,
         reason: format!("{error:#}"),
     })
 }
