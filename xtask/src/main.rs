@@ -25,7 +25,8 @@ cargo xtask dist [--dist FOLDER]
 cargo xtask first-seconds
     stores anew what the page shows first, once the program computes something else
 cargo xtask test [--quick] [--studies] [--changed] [--base REV] [--only WORD]
-    runs every check; --quick leaves out the documentation, the oracles and the browser,
+    runs every check; --quick leaves out the documentation with its examples, the oracles, the
+    package for Python, the browser, the longest tests, and those that passed as they are;
     --only all but the checks that have WORD in their name, such as journeys;
     --changed checks what the changes since the last commit (or since REV) can reach;
     --studies asks over all seeds what the everyday run asks over a few";
