@@ -36,6 +36,55 @@ mod tests {
     use super::*;
     use crate::tokens::Tokens;
 
+    /// Number of two bytes at `offset`, the greater one first.
+    fn number(bytes: &[u8], offset: usize) -> usize {
+        usize::from(bytes[offset]) << 8 | usize::from(bytes[offset + 1])
+    }
+
+    /// Tables of a font by their four letters.
+    fn tables(font: &[u8]) -> Vec<(&str, &[u8])> {
+        let wide = |offset: usize| number(font, offset) << 16 | number(font, offset + 2);
+        let entries = (0..number(font, 4)).map(|index| 12 + 16 * index);
+        entries
+            .map(|entry| {
+                let name = str::from_utf8(&font[entry..entry + 4]).expect("letters");
+                let begin = wide(entry + 8);
+                (name, &font[begin..begin + wide(entry + 12)])
+            })
+            .collect()
+    }
+
+    /// Kinds of the lookups of a `GSUB` or `GPOS` table.
+    fn kinds_of_lookups(table: &[u8]) -> Vec<usize> {
+        let list = number(table, 8);
+        let lookups =
+            (0..number(table, list)).map(|index| list + number(table, list + 2 + 2 * index));
+        lookups.map(|lookup| number(table, lookup)).collect()
+    }
+
+    /// The code for other fonts is taken out of the page (`xtask/never_called.toml`).
+    #[test]
+    fn letters_are_plain_outlines_of_true_type_with_kerning_of_pairs() {
+        let plain = [
+            "GDEF", "GPOS", "GSUB", "OS/2", "cmap", "gasp", "glyf", "head", "hhea", "hmtx", "loca",
+            "maxp", "name", "post",
+        ];
+        for (name, font) in fonts().font_data {
+            for (table, bytes) in tables((*font.font).as_ref()) {
+                assert!(plain.contains(&table), "{name} has {table}");
+                match table {
+                    "GSUB" => assert_eq!(kinds_of_lookups(bytes), [0; 0], "{name}"),
+                    "GPOS" => {
+                        let kinds = kinds_of_lookups(bytes);
+                        assert!(kinds.iter().all(|kind| *kind == 2), "{name}: {kinds:?}");
+                    }
+                    "maxp" => assert_eq!(number(bytes, 26), 0, "{name}: bytes of hints"),
+                    _ => {}
+                }
+            }
+        }
+    }
+
     #[test]
     fn figures_and_signs_are_as_wide_as_one_another_in_both_weights() {
         let context = egui::Context::default();
