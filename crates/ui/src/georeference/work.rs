@@ -15,6 +15,7 @@ use crate::documents::kept::provide;
 use crate::feature::{FeatureContext, OpenedSet};
 use crate::host::OpenedFile;
 use crate::map::{TILES_AT_A_TIME, TileKey};
+use crate::shell::counted;
 use pilotage_core::flight::files::has_ending;
 
 /// Endings that formats of routes and landmarks share with too much else to be taken for named places.
@@ -100,7 +101,11 @@ impl GeoreferencerFeature {
         let Some(picture) = &mut self.picture else {
             return;
         };
-        let title = format!("Read {} points from {}", read.points.len(), read.file);
+        let title = format!(
+            "Read {} from {}",
+            counted(read.points.len(), "point"),
+            read.file
+        );
         let mut text = read.notes;
         if !picture.points.is_empty() {
             text.push("Undo brings the points before back.".to_owned());

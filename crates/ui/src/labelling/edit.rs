@@ -10,7 +10,7 @@ use crate::documents::Documents;
 use crate::export_command::{ExportCommand, ExportedFile};
 use crate::feature::FeatureContext;
 use crate::host::stem;
-use crate::shell::sentences;
+use crate::shell::{counted, sentences};
 
 /// Name of a picture, and its size in pixels.
 type LabelledFrame = (String, (u32, u32));
@@ -141,8 +141,9 @@ pub(super) fn add_labels(file: &str, found: FoundLabels, context: &mut FeatureCo
     }
     let boxes: usize = frames.iter().map(|f| f.boxes.len()).sum();
     let title = format!(
-        "Added {boxes} labels in {} pictures from {file}",
-        frames.len()
+        "Added {} in {} from {file}",
+        counted(boxes, "label"),
+        counted(frames.len(), "picture")
     );
     documents.mission.remember();
     documents.mission.add_labels(frames);

@@ -7,7 +7,7 @@ use super::{LabelCommand, Labeller, color};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::icons::Icon;
-use crate::shell::{caption, icon_button, muted, paint_focus_ring, text_button, title};
+use crate::shell::{caption, counted, icon_button, muted, paint_focus_ring, text_button, title};
 
 impl Labeller {
     /// Draws what can be said of the picture, and the list of landmarks.
@@ -107,7 +107,10 @@ impl Labeller {
             let size = vec2(ui.available_width(), 26.0);
             let (rect, response) = ui.allocate_exact_size(size, Sense::click());
             let name = landmark.name.as_str();
-            let text = format!("{name}: {boxes} boxes, {without} without. {said}");
+            let text = format!(
+                "{name}: {}, {without} without. {said}",
+                counted(boxes, "box")
+            );
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_chosen, &text));
             let painter = ui.painter_at(rect);
             if is_chosen || response.hovered() {

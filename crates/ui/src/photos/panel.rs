@@ -75,7 +75,7 @@ fn begin(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
         }
     });
     if count == 0 && scene.has_map {
-        let words = "Or drop them on the page: JPEG or PNG of a camera that looks down. Nothing leaves this machine.";
+        let words = "Or drop them on the page: JPEG, TIFF or PNG of a camera that looks down. Nothing leaves this machine.";
         ui.add(Label::new(muted(tokens, words)).wrap());
     }
 }
@@ -84,6 +84,7 @@ fn summary(photos: &PhotosState) -> String {
     let (laid, known) = photos.counts();
     let all = photos.reports.len();
     let words = match (known, photos.searched) {
+        (_, None) if all == 1 => "1 photo".to_owned(),
         (_, None) => format!("{all} photos"),
         (known, _) if known == all => format!("{laid} of {all} laid"),
         _ => format!(

@@ -4,16 +4,8 @@ use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::documents::Brought;
 use crate::feature::FeatureContext;
-use crate::shell::sentences;
+use crate::shell::{counted, sentences};
 use pilotage_jobs::ImportedFile;
-
-fn counted(count: usize, one: &str) -> Option<String> {
-    match count {
-        0 => None,
-        1 => Some(format!("1 {one}")),
-        n => Some(format!("{n} {one}s")),
-    }
-}
 
 impl Planner {
     /// Adds what files of other programs brought to the mission, as one step, and says what was
@@ -32,13 +24,15 @@ impl Planner {
         let rally: usize = files.iter().map(|f| f.rally.len()).sum();
         let roads: usize = files.iter().map(|f| f.roads.len()).sum();
         let adds_plan = routes + landmarks + no_fly + rally > 0;
-        let what: Vec<String> = counted(routes, "route")
-            .into_iter()
-            .chain(counted(landmarks, "landmark"))
-            .chain(counted(no_fly, "no-fly area"))
-            .chain(counted(rally, "rally point"))
-            .chain(counted(roads, "road"))
-            .collect();
+        let what = [
+            (routes, "route"),
+            (landmarks, "landmark"),
+            (no_fly, "no-fly area"),
+            (rally, "rally point"),
+            (roads, "road"),
+        ];
+        let what = what.into_iter().filter(|(count, _)| *count > 0);
+        let what: Vec<String> = what.map(|(count, one)| counted(count, one)).collect();
         let names: Vec<String> = files
             .iter()
             .map(|f| format!("{} ({})", f.name, f.format))

@@ -10,6 +10,7 @@ use super::planner::Planner;
 use super::verdict::LandmarkVerdict;
 use super::words::PredictionFigures;
 use crate::documents::Documents;
+use crate::shell::counted;
 use crate::units::Units;
 
 impl Planner {
@@ -137,9 +138,9 @@ impl Planner {
             return "No route yet.".to_owned();
         };
         let mut parts = vec![format!(
-            "{}: {} way-points.",
+            "{}: {}.",
             route.name,
-            route.way_points.len()
+            counted(route.way_points.len(), "way-point")
         )];
         let shown = self.forecast.shown();
         if let Some(outlook) = shown.and_then(|s| PredictionFigures::of(&s.prediction)) {

@@ -84,7 +84,10 @@ impl Planner {
                 Some(_) => "this route",
                 None => "the map",
             };
-            let label = format!("Suggest {count} landmarks for {place}");
+            let label = match count {
+                1 => format!("Suggest a landmark for {place}"),
+                _ => format!("Suggest {count} landmarks for {place}"),
+            };
             let start = PlanCommand::Suggest(SuggestCommand::Start);
             button(ui, context, None, &label, false, start);
             let mut wanted = count;

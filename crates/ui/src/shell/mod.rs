@@ -26,7 +26,7 @@ pub use help::help_sheet;
 pub use hud::{BELOW_HUD, Headline, Light, Readout, hud};
 pub use notices::notices_sheet;
 pub use palette::Palette;
-pub use sentences::{sentences, whole_sentences};
+pub use sentences::{counted, sentences, whole_sentences};
 pub use theme::apply_theme;
 pub use toasts::{Toast, Toasts};
 pub use top_bar::{NextStep, TopBar, top_bar};

@@ -7,6 +7,15 @@ use pilotage_core::text::capitalised;
 /// Most notes that are shown of a file; the others are counted.
 const MOST_NOTES: usize = 6;
 
+/// A number of things in words: `1 box`, `2 boxes`; `one` is one of them.
+pub fn counted(count: usize, one: &str) -> String {
+    match count {
+        1 => format!("1 {one}"),
+        _ if one.ends_with('x') => format!("{count} {one}es"),
+        _ => format!("{count} {one}s"),
+    }
+}
+
 /// Notes as sentences.
 pub fn sentences(notes: &[String]) -> String {
     let mut text = String::new();
@@ -40,6 +49,22 @@ pub fn whole_sentences(notes: &[String]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn one_thing_is_no_plural() {
+        let said = [
+            (0, "box"),
+            (1, "box"),
+            (2, "box"),
+            (1, "way-point"),
+            (3, "way-point"),
+        ];
+        let said = said.map(|(count, one)| counted(count, one));
+        assert_eq!(
+            said,
+            ["0 boxes", "1 box", "2 boxes", "1 way-point", "3 way-points"]
+        );
+    }
 
     #[test]
     fn notes_become_sentences_and_many_are_counted() {

@@ -91,7 +91,10 @@ impl WebMapFeature {
         self.is_downloading = false;
         let got = download.all - download.failed;
         if download.failed == 0 {
-            let text = format!("{got} tiles are here and need no network.");
+            let text = match got {
+                1 => "The tile is here and needs no network.".to_owned(),
+                _ => format!("{got} tiles are here and need no network."),
+            };
             context.note("The area is downloaded", text);
         } else {
             let text = format!(

@@ -29,7 +29,8 @@ impl Lesson for FirstLandmark {
         let distance = candidate.innovation.map_or(0.0, |v| v.norm());
         let text = format!(
             "The navigator expected “{name}” at the white ring and searched only around it; it found it {} pixels away. \
-             That difference, the innovation, is all it ever learns from the camera.",
+             That difference, the innovation, with how far the landmark is turned and how large it is, is what it learns \
+             from this landmark.",
             figures(distance)
         );
         Some(TourMoment::new(run, index, text).landmark(Some(candidate.landmark)))
