@@ -122,6 +122,26 @@ pub(crate) fn mask_beside(files: &dyn FileSet, picture: &str) -> Option<String> 
     SideFiles::of(files, picture).name_with_ending(picture, ".msk")
 }
 
+/// Whether well-known text describes axes of nowhere in particular, as programs write it where nothing is known.
+fn is_local(text: &str) -> bool {
+    let text = text.trim_start();
+    let begins = |word: &str| {
+        text.get(..word.len())
+            .is_some_and(|t| t.eq_ignore_ascii_case(word))
+    };
+    ["LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"]
+        .into_iter()
+        .any(begins)
+}
+
+/// The system that the text of a side file names.
+fn system_named(file: String, text: &str) -> Result<Option<ReferenceSystem>, MapFileError> {
+    match systems::by_name(text) {
+        Ok(system) => Ok(Some(system)),
+        Err(cause) => Err(MapFileError::System { file, cause }),
+    }
+}
+
 /// Files beside a picture.
 struct SideFiles<'a> {
     files: &'a dyn FileSet,
@@ -143,13 +163,12 @@ impl<'a> SideFiles<'a> {
     fn system(&self) -> Result<Option<ReferenceSystem>, MapFileError> {
         let named = [".prj", ".qpj"].iter().find_map(|ending| self.find(ending));
         let Some((file, bytes)) = named else {
-            let said = self.auxiliary().and_then(|(_, said)| said.system);
-            return Ok(said.and_then(|text| systems::by_name(&text).ok()));
+            let said = self.auxiliary();
+            let said = said.and_then(|(file, said)| Some((file, said.system?)));
+            let said = said.filter(|(_, text)| !is_local(text));
+            return said.map_or(Ok(None), |(file, text)| system_named(file, &text));
         };
-        match systems::by_name(&String::from_utf8_lossy(&bytes)) {
-            Ok(system) => Ok(Some(system)),
-            Err(cause) => Err(MapFileError::System { file, cause }),
-        }
+        system_named(file, &String::from_utf8_lossy(&bytes))
     }
 
     /// Auxiliary file of GDAL, with its name: as GDAL calls it first.

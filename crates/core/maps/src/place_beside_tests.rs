@@ -119,6 +119,24 @@ fn what_services_say_of_a_photo_is_no_place_and_an_unreadable_system_of_gdal_non
 }
 
 #[test]
+fn a_system_of_gdal_that_is_not_known_is_refused_by_name_as_that_of_a_prj_is() {
+    let unknown = r#"PROJCS["Timbalai_1948_RSO_Borneo_m","#;
+    let aux = format!("<PAMDataset><SRS>{unknown}</SRS></PAMDataset>");
+    // Small numbers would be metres of the world that is open.
+    let own = "0.5\n0\n0\n-0.5\n1000.25\n-2000.25\n";
+    for world in [UTM, own] {
+        let files = [("map.pgw", world), ("map.png.aux.xml", &aux)];
+        let error = open(&files, "map.png", &MapOptions::default()).err();
+        let error = error.unwrap();
+        assert!(
+            error.starts_with("map.png.aux.xml") && error.contains("Timbalai"),
+            "{error}"
+        );
+        assert!(open(&files, "map.png", &in_zone_17()).is_ok());
+    }
+}
+
+#[test]
 fn world_files_and_systems_are_found_by_all_names_that_programs_give_them() {
     let commas = UTM.replace('.', ",");
     let proj = "+proj=utm +zone=17 +datum=WGS84 +units=m +no_defs";
