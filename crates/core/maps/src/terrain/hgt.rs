@@ -1,13 +1,11 @@
 //! .hgt: a degree by a degree of heights, as the shuttle's radar mission left them.
 
+use super::highest::may_be_height;
 use pilotage_base::frames::ReferenceSystem;
 use pilotage_base::{
     bytes::ByteSource,
     georeference::{Georeference, WorldFile},
 };
-
-/// Mark for missing heights.
-const MISSING: i16 = i16::MIN;
 
 /// The heights of one file: rows from the north, the outermost posts on whole degrees.
 pub(super) struct Hgt {
@@ -77,7 +75,8 @@ impl Hgt {
     /// Height at a post, metres; panics outside.
     pub fn post(&self, column: usize, row: usize) -> Option<f64> {
         let height = self.heights[row * self.side + column];
-        (height != MISSING).then(|| f64::from(height))
+        // Marks for missing heights are -32768, and others that programs put there.
+        Some(f64::from(height)).filter(|height| may_be_height(*height))
     }
 }
 

@@ -3,6 +3,7 @@
 mod dem;
 mod grid;
 mod hgt;
+mod highest;
 #[cfg(test)]
 mod made_tiffs;
 mod terrain_error;

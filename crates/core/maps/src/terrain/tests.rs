@@ -11,10 +11,11 @@ fn hgt() -> Vec<u8> {
     (0..1201_i16)
         .flat_map(|row| {
             (0..1201_i16).flat_map(move |column| {
-                let height = if (row, column) == (600, 600) {
-                    i16::MIN
-                } else {
-                    column + 2 * row
+                let height = match (row, column) {
+                    (600, 600) => i16::MIN,
+                    (700, 700) => -32_767,
+                    (800, 800) => i16::MAX,
+                    _ => column + 2 * row,
                 };
                 height.to_be_bytes()
             })
@@ -51,6 +52,9 @@ fn heights_beside_a_hole_and_beyond_the_edge_are_unknown() {
     let dem = open("N46W092.hgt", hgt()).unwrap();
     assert_eq!(dem.height_at(&ground(600.0, 600.0)), None);
     assert_eq!(dem.height_at(&ground(600.4, 599.5)), None);
+    // Marks that other programs put there.
+    assert_eq!(dem.height_at(&ground(700.0, 700.0)), None);
+    assert_eq!(dem.height_at(&ground(800.0, 800.0)), None);
     assert!(dem.height_at(&ground(602.0, 600.0)).is_some());
     assert_eq!(dem.height_at(&ground(-3.0, 600.0)), None);
     assert_eq!(dem.height_at(&ground(600.0, 1300.0)), None);

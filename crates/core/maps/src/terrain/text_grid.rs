@@ -1,5 +1,6 @@
 //! Grids of heights as text: Esri's ASCII grid (`.asc`), and places of a grid with their heights (`.xyz`).
 
+use super::highest::may_be_height;
 use pilotage_base::frames::ReferenceSystem;
 use pilotage_base::georeference::{Georeference, WorldFile};
 
@@ -91,8 +92,8 @@ impl TextGrid {
 
     /// Height at a post, metres; panics outside.
     pub fn post(&self, column: usize, row: usize) -> Option<f64> {
-        let height = self.heights[row * self.columns + column];
-        height.is_finite().then(|| f64::from(height))
+        let height = f64::from(self.heights[row * self.columns + column]);
+        Some(height).filter(|height| may_be_height(*height))
     }
 }
 
@@ -104,12 +105,26 @@ fn number(text: &str) -> Option<f64> {
     number.filter(|number: &f64| number.is_finite())
 }
 
+/// Whether a word stands for a height that is missing: `nan`, `-nan`, `NaN`, `inf`, or `-1.#IND` as older programs on Windows
+/// print it.
+fn is_no_number(word: &str) -> bool {
+    let is_old = ["1.#IND", "1.#QNAN", "1.#INF"]
+        .into_iter()
+        .any(|begin| word.trim_start_matches('-').starts_with(begin));
+    is_old || word.parse().is_ok_and(|number: f64| !number.is_finite())
+}
+
 /// `ncols`, `nrows`, the south-west corner or the middle of its post, `cellsize`, and the heights from the north on.
 fn ascii(text: &str) -> Result<TextPosts, String> {
     let mut words = text.split_ascii_whitespace().peekable();
     let mut head: Vec<(String, f64)> = Vec::new();
-    while let Some(word) = words.next_if(|w| w.starts_with(|c: char| c.is_ascii_alphabetic())) {
-        let value = words.next().and_then(number);
+    let is_name = |w: &&str| w.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_no_number(w);
+    while let Some(word) = words.next_if(is_name) {
+        let value = words.next().unwrap_or("");
+        // What is missing may be marked by what is no number, which equals no height.
+        let no_number =
+            (word.to_lowercase().starts_with("nodata") && is_no_number(value)).then_some(f64::NAN);
+        let value = number(value).or(no_number);
         let value = value.ok_or_else(|| format!("there is no number behind {word}"))?;
         head.push((word.to_lowercase(), value));
     }
@@ -152,7 +167,7 @@ fn ascii(text: &str) -> Result<TextPosts, String> {
         let height = match number(word) {
             Some(height) if height != missing => height as f32,
             Some(_) => f32::NAN,
-            None if word.eq_ignore_ascii_case("nan") => f32::NAN,
+            None if is_no_number(word) => f32::NAN,
             None => return Err(format!("`{word}` is no height")),
         };
         heights.push(height);
@@ -266,6 +281,41 @@ mod tests {
             let between = height("a.asc", &text, None, [47.015, 8.010]).unwrap();
             assert!((between - 405.0).abs() < 1e-3);
             assert_eq!(height("a.asc", &text, None, [47.005, 8.025]), None);
+        }
+    }
+
+    #[test]
+    fn heights_that_are_no_numbers_are_missing_wherever_they_stand() {
+        // Its first post is 30 m from the corner: 440750, 3750210 in zone 11 north.
+        let head = "ncols 2\nnrows 2\nxllcorner 440720\nyllcorner 3750120\ncellsize 60\n";
+        let system = ReferenceSystem::from_epsg(32_611);
+        let of = |mark: &str, cells: &str| {
+            let text = format!("{head}NODATA_value {mark}\n{cells}\n");
+            TextGrid::read("a.asc", text.as_bytes(), system).map(|grid| {
+                let at = |i: usize| grid.post(i % 2, i / 2);
+                [at(0), at(1), at(2), at(3)]
+            })
+        };
+        for mark in ["nan", "NaN", "-9999"] {
+            let last = [Some(0.0), Some(0.0), Some(0.0), None];
+            assert_eq!(of(mark, "0.0 0\n0 nan"), Ok(last), "{mark}");
+            let first = [None, Some(1.0), Some(2.0), Some(3.0)];
+            assert_eq!(of(mark, "nan 1\n2 3"), Ok(first), "{mark}");
+            assert_eq!(of(mark, "-nan 1\n2 3"), Ok(first), "{mark}");
+            assert_eq!(of(mark, "-1.#IND00 1\n2 3"), Ok(first), "{mark}");
+        }
+        assert!(of("none", "0 0\n0 0").is_err());
+    }
+
+    #[test]
+    fn heights_beyond_twelve_kilometres_are_missing() {
+        for mark in ["-32768", "-99999", "3.4e38", "1e40"] {
+            let text = DEGREES.replace("400", mark);
+            let height = height("a.asc", &text, None, [47.015, 8.005]);
+            assert_eq!(height, None, "{mark}");
+            let text = format!("8.0 47.0 {mark}\n8.1 47.0 2\n8.0 47.1 3\n8.1 47.1 4\n");
+            let grid = TextGrid::read("a.xyz", text.as_bytes(), None).unwrap();
+            assert_eq!((grid.post(0, 1), grid.post(1, 1)), (None, Some(2.0)));
         }
     }
 

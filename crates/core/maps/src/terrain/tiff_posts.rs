@@ -3,6 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use super::TerrainError;
+use super::highest::may_be_height;
 use super::units::metres_per_unit;
 use crate::GeoTiffFile;
 use crate::geotiff::BandMetadata;
@@ -11,8 +12,6 @@ use pilotage_raster::imagery::kept::RecentValues;
 
 /// Bytes of unpacked tiles that are kept.
 const MEMORY: usize = 32 << 20;
-/// Heights beyond are marks for missing data that the file does not declare, metres.
-const HIGHEST: f64 = 12_000.0;
 /// Fewest bits that an unpacked sample takes, of reals: those of 16 bits become 32.
 const REAL_BITS: usize = 32;
 
@@ -108,7 +107,7 @@ impl TiffPosts {
         }
         let sample = chunk.samples.real(index);
         let height = self.scale * sample + self.offset;
-        (self.no_data != Some(sample) && height.abs() <= HIGHEST).then_some(height)
+        (self.no_data != Some(sample) && may_be_height(height)).then_some(height)
     }
 
     /// Whether the mask of the file, if there is one, says that a post is valid; `None` if it cannot
