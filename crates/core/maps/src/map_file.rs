@@ -51,7 +51,8 @@ impl OpenMap {
         }
     }
 
-    /// Notes on the map, in sentences that name the file: another datum than WGS 84, a mask that is not read.
+    /// Notes on the map, in sentences that name the file: another datum than WGS 84, a mask that is not read,
+    /// pixels of a negative height.
     pub fn notes(&self) -> Vec<String> {
         if let Self::Mosaic(map) = self {
             return map.notes().to_vec();
@@ -59,11 +60,11 @@ impl OpenMap {
         let georeference = self.placement().and_then(Placement::georeference);
         let system = georeference.and_then(Georeference::system);
         let note = system.and_then(|system| system.note_on(self.name()));
-        let mask = match self {
-            Self::GeoTiff(map) => map.note_on_mask(),
-            _ => None,
+        let more = match self {
+            Self::GeoTiff(map) => map.notes(),
+            _ => Vec::new(),
         };
-        note.into_iter().chain(mask).collect()
+        note.into_iter().chain(more).collect()
     }
 
     fn imagery(&self) -> &dyn Imagery {

@@ -21,8 +21,10 @@ const VERTICAL_UNITS: u64 = 4099;
 const VERTICAL_TYPE: u64 = 4096;
 /// Name of the system of heights.
 const VERTICAL_CITATION: u64 = 4097;
-/// WGS 84 with heights above its ellipsoid, as a code of a geographic system.
-const GEOGRAPHIC_3D: u64 = 4979;
+/// Keys that describe a projection: its name, its code, and that of its method.
+const OF_PROJECTION: [u64; 3] = [3073, 3074, 3075];
+/// Keys that describe a system of heights.
+const OF_HEIGHTS: std::ops::RangeInclusive<u64> = VERTICAL_TYPE..=VERTICAL_UNITS;
 
 /// Contents of the geographic keys of a `GeoTIFF`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,6 +39,9 @@ pub struct GeoKeys {
     pub vertical_name: Option<String>,
     /// EPSG code of the unit of heights, where it is named.
     pub vertical_unit: Option<u32>,
+    /// Whether numbers of heights in the tags of the place are scale and offset of the samples: where a file of `GeoTIFF` 1.1
+    /// has a system of heights of its own.
+    pub has_scaled_heights: bool,
 }
 
 impl GeoKeys {
@@ -55,10 +60,15 @@ impl GeoKeys {
             (entry[1] == 0).then_some(entry[3])
         };
         keys.is_point = number(RASTER_TYPE) == Some(2);
-        let has_heights = number(GEOGRAPHIC_TYPE) == Some(GEOGRAPHIC_3D);
+        // The minor revision of 1.0 is 0. GDAL 3.10 does the same.
+        let is_later = numbers.get(2).is_some_and(|minor| *minor >= 1);
+        keys.has_scaled_heights =
+            is_later && OF_HEIGHTS.into_iter().any(|key| entry(key).is_some());
+        let geographic = number(GEOGRAPHIC_TYPE);
+        let flat = geographic.and_then(|code| systems::flat_code(code as u32));
         keys.vertical_system = number(VERTICAL_TYPE)
             .filter(|code| *code != USER_DEFINED)
-            .or(has_heights.then_some(GEOGRAPHIC_3D))
+            .or(geographic.filter(|_| flat.is_some()))
             .map(|code| code as u32);
         if keys.vertical_system.is_none() && number(VERTICAL_TYPE).is_some() {
             keys.vertical_name = entry(VERTICAL_CITATION).and_then(|e| text(directory, e));
@@ -73,9 +83,12 @@ impl GeoKeys {
         };
         let code = match number(MODEL_TYPE) {
             None if entries.is_empty() => return Ok(keys),
-            Some(2) if has_heights => Some(4326),
-            Some(2) => number(GEOGRAPHIC_TYPE),
-            _ => number(PROJECTED_TYPE).or(number(GEOGRAPHIC_TYPE)),
+            Some(2) => flat.map(u64::from).or(geographic),
+            // The geographic system is that of the projection.
+            _ if OF_PROJECTION.into_iter().any(|key| entry(key).is_some()) => {
+                number(PROJECTED_TYPE)
+            }
+            _ => number(PROJECTED_TYPE).or(geographic),
         };
         let citation = CITATIONS.into_iter().find_map(values.text);
         keys.system = named;

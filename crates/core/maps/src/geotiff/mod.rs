@@ -6,6 +6,8 @@ mod colour;
 mod keys;
 mod place;
 #[cfg(test)]
+mod place_tests;
+#[cfg(test)]
 mod tests;
 mod tiles;
 
@@ -15,6 +17,8 @@ pub(crate) use band_metadata::BandMetadata;
 use coarse::Coarse;
 use colour::Colours;
 pub use keys::GeoKeys;
+use place::has_negative_height;
+pub(crate) use place::heights_scale;
 pub use place::world_file;
 use tiles::ColouredTiles;
 
@@ -90,6 +94,8 @@ pub struct GeoTiffFile {
     pub georeference: Georeference,
     /// Contents of the keys.
     pub keys: GeoKeys,
+    /// Notes on what the file says of its place and is taken otherwise, in sentences that name it.
+    pub notes: Vec<String>,
 }
 
 /// A `GeoTIFF` as a map.
@@ -99,6 +105,8 @@ pub struct GeoTiff {
     coarse: Option<Mutex<Coarse>>,
     /// Name of the file beside it that hides parts of it, and is not heeded.
     mask: Option<String>,
+    /// Notes on the file itself.
+    notes: Vec<String>,
 }
 
 impl GeoTiffFile {
@@ -157,7 +165,15 @@ impl GeoTiffFile {
             },
             (None, None) => return Err(GeoTiffError::NoPlace { file: file() }),
         };
+        let is_upside_down = own.is_some() && has_negative_height(&tiff.directory);
+        let note = || {
+            format!(
+                "{}: the height of its pixels is negative; it is taken to have north up, as other programs do.",
+                file()
+            )
+        };
         Ok(Self {
+            notes: is_upside_down.then(note).into_iter().collect(),
             tiff,
             georeference,
             keys,
@@ -173,6 +189,7 @@ impl GeoTiffFile {
             tiff: TiffFile::open(source)?,
             georeference,
             keys: GeoKeys::default(),
+            notes: Vec::new(),
         })
     }
 
@@ -216,6 +233,7 @@ impl GeoTiff {
             placement,
             coarse,
             mask: None,
+            notes: file.notes,
         })
     }
 
@@ -225,14 +243,15 @@ impl GeoTiff {
         Self { mask, ..self }
     }
 
-    /// That parts are shown which a mask beside it hides, if so.
-    pub fn note_on_mask(&self) -> Option<String> {
-        self.mask.as_ref().map(|mask| {
+    /// Notes on what the file says of its place, and that parts are shown which a mask beside it hides, in sentences.
+    pub fn notes(&self) -> Vec<String> {
+        let mask = self.mask.as_ref().map(|mask| {
             format!(
                 "{mask}: this mask hides parts of the map and is not read, so that they are shown; `gdalwarp -dstalpha` \
                  writes the map with it"
             )
-        })
+        });
+        self.notes.iter().cloned().chain(mask).collect()
     }
 
     /// Placement of the pixels.

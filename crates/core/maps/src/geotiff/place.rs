@@ -13,8 +13,8 @@ pub fn world_file(directory: &Directory, is_point: bool) -> Result<Option<WorldF
     let (tag, [a, b, d, e, x, y]) = if let [a, b, _, x, d, e, _, y, ..] = matrix[..] {
         (Tag::ModelTransformation, [a, b, d, e, x, y])
     } else if let ([width, height, ..], [column, row, _, x, y, _, ..]) = (&scale[..], &ties[..]) {
-        // Pixels down go south; a negative height is written by programs that mean north.
-        let (a, e) = (*width, -*height);
+        // Pixels down go south, whatever sign the height has: so do GDAL and all programs that stand on it.
+        let (a, e) = (*width, -height.abs());
         let corner = [a, 0.0, 0.0, e, x - column * a, y - row * e];
         (Tag::ModelPixelScale, corner)
     } else if ties.len() >= 6 {
@@ -43,4 +43,24 @@ pub fn world_file(directory: &Directory, is_point: bool) -> Result<Option<WorldF
             .blame(&tag.name())
             .damaged("its numbers do not span an area"))
     }
+}
+
+/// Whether the height of pixels is negative, which no document defines, where nothing goes before it.
+pub fn has_negative_height(directory: &Directory) -> bool {
+    let [matrix, scale] = [Tag::ModelTransformation, Tag::ModelPixelScale]
+        .map(|tag| directory.reals(tag).unwrap_or_default());
+    matrix.is_empty() && scale.get(1).is_some_and(|height| *height < 0.0)
+}
+
+/// Scale and offset of samples that are heights, by the third numbers of pixel and tie: height = scale · sample + offset.
+/// `None` where they say nothing; a scale of 0 stands where it is not known.
+pub fn heights_scale(directory: &Directory) -> Option<(f64, f64)> {
+    let scale = directory.reals(Tag::ModelPixelScale).ok()?;
+    let ties = directory.reals(Tag::ModelTiepoint).ok()?;
+    let (&[_, _, scale, ..], &[_, _, sample, _, _, height, ..]) = (&scale[..], &ties[..]) else {
+        return None;
+    };
+    let offset = height - sample * scale;
+    let is_said = scale != 0.0 && scale.is_finite() && offset.is_finite();
+    (is_said && (scale, offset) != (1.0, 0.0)).then_some((scale, offset))
 }

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use pilotage_base::frames::{Datum, Ellipsoid};
 
 use super::names::plain;
+use super::three_dimensional::flat_code;
 
 /// Radians in a second of arc.
 const SECOND: f64 = std::f64::consts::PI / 648_000.0;
@@ -187,10 +188,10 @@ const WGS84_NAMES: [&str; 5] = [
 /// The datum of a system of longitude and latitude, by EPSG code.
 pub(super) fn by_code(code: u32) -> Option<Datum> {
     // With three coordinates the datum is the same.
+    let code = flat_code(code).unwrap_or(code);
     match code {
-        4326 | 4979 => return Some(WGS84),
+        4326 => return Some(WGS84),
         4807 => return by_code(4275),
-        4937 => return by_code(4258),
         4299 => return by_code(4300),
         _ => {}
     }

@@ -18,6 +18,7 @@ mod proj_text;
 mod system_error;
 #[cfg(test)]
 mod tests;
+mod three_dimensional;
 mod units;
 mod unstated;
 mod well_known_text;
@@ -31,6 +32,7 @@ use names::shortened;
 pub use codes::by_code;
 pub(crate) use geo_keys::{KeyValues, described};
 pub use system_error::SystemError;
+pub(crate) use three_dimensional::flat_code;
 pub(crate) use units::length;
 
 /// All codes of the table, beside those of WGS 84 that [`ReferenceSystem::from_epsg`] knows.

@@ -24,6 +24,12 @@ pub(super) struct Made {
     pub keys: Vec<(u16, u16)>,
     /// Tag, type and values as bytes.
     pub more: Vec<(u16, u16, Vec<u8>)>,
+    /// Minor revision of the keys: 0 of `GeoTIFF` 1.0, 1 of 1.1.
+    pub minor: u16,
+    /// Third numbers of the pixel's size, of the tie in the picture and on the ground.
+    pub third: [f64; 3],
+    /// Code of the geographic system.
+    pub geographic: u16,
 }
 
 impl Made {
@@ -39,6 +45,9 @@ impl Made {
             bytes: sample.repeat(16),
             keys: Vec::new(),
             more: Vec::new(),
+            minor: 0,
+            third: [0.0; 3],
+            geographic: 4326,
         }
     }
 
@@ -68,15 +77,15 @@ impl Made {
         let mut out = b"II\x2a\0\0\0\0\0".to_vec();
         out.extend(&self.bytes);
         let count = 3 + self.keys.len() as u16;
-        let mut keys = vec![
-            1, 1, 0, count, 1024, 0, 1, 2, 1025, 0, 1, 1, 2048, 0, 1, 4326,
-        ];
+        let mut keys = vec![1, 1, self.minor, count, 1024, 0, 1, 2, 1025, 0, 1, 1];
+        keys.extend([2048, 0, 1, self.geographic]);
         keys.extend(
             self.keys
                 .iter()
                 .flat_map(|(key, value)| [*key, 0, 1, *value]),
         );
-        let tie = [0.0, 0.0, 0.0, CORNER.0, CORNER.1, 0.0];
+        let [size, sample, height] = self.third;
+        let tie = [0.0, 0.0, sample, CORNER.0, CORNER.1, height];
         let mut tags: Vec<(u16, (u16, Vec<u8>))> = vec![
             (256, shorts(&[self.width])),
             (257, shorts(&[self.height])),
@@ -88,7 +97,7 @@ impl Made {
             (278, shorts(&[self.height])),
             (279, long(self.bytes.len())),
             (339, shorts(&vec![self.format; usize::from(self.samples)])),
-            (33_550, doubles(&[STEP, STEP, 0.0])),
+            (33_550, doubles(&[STEP, STEP, size])),
             (33_922, doubles(&tie)),
             (34_735, shorts(&keys)),
         ];

@@ -10,6 +10,8 @@ mod terrain_error;
 #[cfg(test)]
 mod tests;
 mod text_grid;
+#[cfg(test)]
+mod tiff_place_tests;
 mod tiff_posts;
 #[cfg(test)]
 mod tiff_tests;
@@ -22,6 +24,7 @@ pub use terrain_error::TerrainError;
 use serde::{Deserialize, Serialize};
 
 use crate::GeoKeys;
+use crate::systems::flat_code;
 use pilotage_base::frames::GroundPoint;
 
 /// Height at place (x, y) in posts, bilinear between the four around it, of which none lies beyond the
@@ -87,7 +90,8 @@ const LEVELS: [(u32, &str); 22] = [
 ];
 
 /// Codes of heights above the ellipsoid of WGS 84 or GRS 80, which differ by a tenth of a millimetre.
-const ABOVE_ELLIPSOID: [u32; 6] = [4979, 4326, 5030, 5019, 4937, 7912];
+/// Systems of longitude, latitude and height are such as well.
+const ABOVE_ELLIPSOID: [u32; 3] = [4326, 5030, 5019];
 
 impl HeightDatum {
     /// The datum that the keys of a `GeoTIFF` name, by an EPSG code or in words.
@@ -99,7 +103,7 @@ impl HeightDatum {
                 None => Self::NotStated,
             };
         };
-        if ABOVE_ELLIPSOID.contains(&code) {
+        if ABOVE_ELLIPSOID.contains(&code) || flat_code(code).is_some() {
             return Self::Ellipsoid;
         }
         let known = LEVELS.iter().find(|(known, _)| *known == code);

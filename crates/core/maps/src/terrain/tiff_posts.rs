@@ -6,7 +6,7 @@ use super::TerrainError;
 use super::highest::may_be_height;
 use super::units::metres_per_unit;
 use crate::GeoTiffFile;
-use crate::geotiff::BandMetadata;
+use crate::geotiff::{BandMetadata, heights_scale};
 use crate::tiff::{Chunk, Photometric, SampleKind, TiffError, TiffFile};
 use pilotage_raster::imagery::kept::RecentValues;
 
@@ -30,6 +30,8 @@ pub(super) struct TiffPosts {
     kept: RecentValues<PostTile, Option<Chunk>>,
     masks: RecentValues<PostTile, Option<Chunk>>,
     problem: Mutex<Option<TiffError>>,
+    /// Notes on the place of the file.
+    notes: Vec<String>,
 }
 
 impl TiffPosts {
@@ -49,9 +51,12 @@ impl TiffPosts {
             file: name(),
             cause,
         })?;
+        let own = (band.scale, band.offset);
+        let of_place = heights_scale(&tiff.directory).filter(|_| file.keys.has_scaled_heights);
+        let (scale, offset) = of_place.unwrap_or(own);
         Ok(Self {
-            scale: band.scale * metres,
-            offset: band.offset * metres,
+            scale: scale * metres,
+            offset: offset * metres,
             // Written with more digits than the samples have.
             no_data: layout.no_data.map(|value| match layout.kind {
                 SampleKind::F16 | SampleKind::F32 => f64::from(value as f32),
@@ -60,6 +65,7 @@ impl TiffPosts {
             kept: RecentValues::new(MEMORY),
             masks: RecentValues::new(MEMORY / 8),
             problem: Mutex::new(None),
+            notes: file.notes.clone(),
             file: file.tiff.clone(),
         })
     }
@@ -72,13 +78,11 @@ impl TiffPosts {
     /// Notes on choices where the file leaves a choice, in sentences.
     pub fn notes(&self) -> Vec<String> {
         let layout = &self.file.levels()[0];
-        match layout.samples - usize::from(layout.alpha.is_some()) {
-            0 | 1 => Vec::new(),
-            bands => vec![format!(
-                "{}: the first of {bands} bands is taken for heights.",
-                self.name()
-            )],
-        }
+        let bands = layout.samples - usize::from(layout.alpha.is_some());
+        let name = self.name();
+        let first = || format!("{name}: the first of {bands} bands is taken for heights.");
+        let first = (bands > 1).then(first);
+        self.notes.iter().cloned().chain(first).collect()
     }
 
     /// The first part of the file that could not be read, if any; its heights are unknown.
