@@ -7,7 +7,8 @@ use serde_json::value::RawValue;
 use serde_json::{Value, json};
 
 use super::ExchangeError;
-use super::found::{FoundLabels, stated_box};
+use super::found::{FoundLabels, left_out, stated_box};
+use super::outline::extent;
 use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::{FrameLabels, MissionError};
 
@@ -72,12 +73,12 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
             ..FrameLabels::default()
         });
     }
-    let mut crowds = 0;
+    let (mut crowds, mut faults) = (0, BTreeMap::new());
     for piece in annotations {
         let mut annotation = text.members(piece.get())?;
         let image: u64 = required(text, piece, &mut annotation, "image_id")?;
         let category: u64 = required(text, piece, &mut annotation, "category_id")?;
-        let [x, y, width, height]: [f64; 4] = required(text, piece, &mut annotation, "bbox")?;
+        let corners = corners(text, piece, &mut annotation)?;
         let lost = |what: &str, id| text.error(piece.get(), format!("there is no {what} {id}"));
         let frame = places.get(&image).ok_or_else(|| lost("image", image))?;
         let (own, name) = known
@@ -88,8 +89,14 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
             continue;
         }
         let labels = &mut found.frames[*frame];
-        let mut label = stated_box(*own, name, [[x, y], [x + width, y + height]], labels.size)
-            .map_err(|cause| text.error(piece.get(), cause))?;
+        let label = corners.and_then(|corners| stated_box(*own, name, corners, labels.size));
+        let mut label = match label {
+            Ok(label) => label,
+            Err(reason) => {
+                *faults.entry(reason).or_default() += 1;
+                continue;
+            }
+        };
         let mut flag = |name: &str| -> Result<bool, MissionError> {
             let flag: Option<Value> = text.take(&mut annotation, name)?;
             Ok(flag == Some(json!(1)) || flag == Some(json!(true)))
@@ -106,10 +113,36 @@ fn parse(text: &Text<'_>) -> Result<FoundLabels, MissionError> {
         label.properties = kept(annotation);
         labels.boxes.push(label);
     }
+    found.notes.extend(left_out("", faults));
     if crowds > 0 {
         found.notes.push(format!("{crowds} crowds are left out"));
     }
     Ok(found)
+}
+
+/// The box that an annotation states, else that around its outline; the inner error says, behind a count, that it has neither.
+fn corners<'a>(
+    text: &Text<'a>,
+    of: &'a RawValue,
+    annotation: &mut ObjectMembers<'a>,
+) -> Result<Result<[[f64; 2]; 2], &'static str>, MissionError> {
+    let stated: Option<Value> = text.take(annotation, "bbox")?;
+    let is_stated = |value: &Value| {
+        value
+            .as_array()
+            .map_or(!value.is_null(), |list| !list.is_empty())
+    };
+    match stated
+        .filter(is_stated)
+        .map(serde_json::from_value::<[f64; 4]>)
+    {
+        Some(Ok([x, y, width, height])) => Ok(Ok([[x, y], [x + width, y + height]])),
+        Some(Err(_)) => Err(text.error(of.get(), "`bbox` is no list of four numbers")),
+        None => {
+            let outline = annotation.get("segmentation").and_then(|s| extent(s.get()));
+            Ok(outline.ok_or("label without a box or an outline is left out"))
+        }
+    }
 }
 
 fn required<'a, T: for<'d> Deserialize<'d>>(

@@ -90,22 +90,28 @@ impl FoundLabels {
     }
 }
 
-/// A box that a file states, in our pixels; the error says what is wrong with it.
+/// A box that a file states, in our pixels; the error says, in words that stand behind a count, why it is none.
 pub(super) fn stated_box(
     landmark: u32,
     name: &str,
     corners: [[f64; 2]; 2],
     size: (u32, u32),
-) -> Result<LabelBox, String> {
+) -> Result<LabelBox, &'static str> {
     let [a, b] = corners;
     if b[0] <= a[0] || b[1] <= a[1] {
-        return Err(format!("the box of “{name}” has no area"));
+        return Err("box without an area is left out");
     }
-    let outside = || {
-        let (width, height) = size;
-        format!("the box of “{name}” is not in the picture of {width} × {height} pixels")
-    };
-    let mut label = LabelBox::new(landmark, name, corners, size).ok_or_else(outside)?;
+    let outside = "box outside of its picture is left out";
+    let mut label = LabelBox::new(landmark, name, corners, size).ok_or(outside)?;
     label.truncated = false;
     Ok(label)
+}
+
+/// Boxes that are left out, by the reason, as notes behind `prefix`.
+pub(super) fn left_out(
+    prefix: &str,
+    counts: BTreeMap<&'static str, usize>,
+) -> impl Iterator<Item = String> {
+    let note = move |(reason, count)| format!("{prefix}{count} × {reason}");
+    counts.into_iter().map(note)
 }

@@ -6,6 +6,7 @@
 
 mod coco;
 mod found;
+mod outline;
 #[cfg(test)]
 mod tests;
 mod voc;

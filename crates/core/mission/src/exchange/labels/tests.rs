@@ -110,6 +110,48 @@ fn what_other_programs_write_beside_boxes_is_written_again() {
 }
 
 #[test]
+fn labels_without_an_area_are_left_out_and_told_and_an_outline_stands_in_for_a_box() {
+    let voc = "<annotation><filename>x.png</filename><size><width>64</width><height>48</height></size>\
+        <object><name>pool</name><bndbox><xmin>11</xmin><ymin>1</ymin><xmax>10</xmax><ymax>9</ymax></bndbox></object>\
+        <object><name>pool</name><bndbox><xmin>91</xmin><ymin>1</ymin><xmax>99</xmax><ymax>9</ymax></bndbox></object>\
+        <object><name>pool</name><bndbox><xmin>11</xmin><ymin>1</ymin><xmax>20</xmax><ymax>9</ymax></bndbox></object>\
+        </annotation>";
+    let found = read_labels("x.xml", voc.as_bytes()).unwrap();
+    assert_eq!(found.frames[0].boxes.len(), 1);
+    let told = [
+        "x.xml: 1 × box outside of its picture is left out",
+        "x.xml: 1 × box without an area is left out",
+    ];
+    assert_eq!(found.notes, told);
+    let coco = r#"{ "images": [{ "id": 5, "file_name": "x.png", "width": 64, "height": 48 }],
+        "categories": [{ "id": 9, "name": "Pool" }],
+        "annotations": [
+          { "image_id": 5, "category_id": 9, "bbox": [10, 10, 0, 9.5] },
+          { "image_id": 5, "category_id": 9, "bbox": [10, 10, 4, 0] },
+          { "image_id": 5, "category_id": 9, "segmentation": { "counts": "abc", "size": [48, 64] } },
+          { "image_id": 5, "category_id": 9, "segmentation": [[10, 20, 30, 12.5, 25, 40], [8, 30, 9, 31, 9, 30]] },
+          { "image_id": 5, "category_id": 9, "bbox": [], "segmentation": [[1, 2, 3, 2, 3, 4]] },
+          { "image_id": 5, "category_id": 9, "bbox": [10, 0, 10, 9.5] }] }"#;
+    let found = read_labels("c.json", coco.as_bytes()).unwrap();
+    let boxes: Vec<_> = found.frames[0]
+        .boxes
+        .iter()
+        .map(|b| (b.min, b.max))
+        .collect();
+    let right = [
+        ([8.0, 12.5], [30.0, 40.0]),
+        ([1.0, 2.0], [3.0, 4.0]),
+        ([10.0, 0.0], [20.0, 9.5]),
+    ];
+    assert_eq!(boxes, right);
+    let told = [
+        "2 × box without an area is left out",
+        "1 × label without a box or an outline is left out",
+    ];
+    assert_eq!(found.notes, told);
+}
+
+#[test]
 fn broken_files_are_named_with_the_place_and_never_panic() {
     let cause =
         |name: &str, text: &str| read_labels(name, text.as_bytes()).unwrap_err().to_string();

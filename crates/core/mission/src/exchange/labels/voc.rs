@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::ExchangeError;
-use super::found::{FoundLabels, stated_box};
+use super::found::{FoundLabels, left_out, stated_box};
 use crate::exchange::xml::{NamedText, XmlElement};
 use crate::mission::FrameLabels;
 use pilotage_base::text::without_markup;
@@ -50,6 +50,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError>
         properties: kept(&source, &root, &OF_PICTURE),
         ..FrameLabels::default()
     };
+    let mut faults = BTreeMap::new();
     for object in root.all("object") {
         let name = object
             .child_text("name")
@@ -61,8 +62,13 @@ pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError>
         let low = [edge("xmin")? - 1.0, edge("ymin")? - 1.0];
         let high = [edge("xmax")?, edge("ymax")?];
         let id = object.child(OWN).map_or(0, id_of);
-        let mut label = stated_box(id, name, [low, high], size)
-            .map_err(|cause| source.error(edges.begin, cause))?;
+        let mut label = match stated_box(id, name, [low, high], size) {
+            Ok(label) => label,
+            Err(reason) => {
+                *faults.entry(reason).or_default() += 1;
+                continue;
+            }
+        };
         label.difficult = object.child_text("difficult") == Some("1");
         label.truncated = object.child_text("truncated") == Some("1");
         label.properties = kept(&source, object, &OF_OBJECT);
@@ -73,6 +79,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError>
         }
         labels.boxes.push(label);
     }
+    found.notes.extend(left_out(&format!("{file}: "), faults));
     for absent in root.child(OWN).iter().flat_map(|own| own.all("absent")) {
         let id = id_of(absent);
         found.names.insert(id, absent.text.clone());
