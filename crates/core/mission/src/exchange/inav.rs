@@ -74,9 +74,12 @@ fn of_terminal(line: &str) -> Option<InavItem> {
     else {
         return None;
     };
+    let action = *ACTIONS.get((action as usize).checked_sub(1)?)?;
+    // The terminal counts from zero, its files and programs from one.
+    let first = if action == "JUMP" { first + 1.0 } else { first };
     Some(InavItem {
-        number: number.to_string(),
-        action: (*ACTIONS.get((action as usize).checked_sub(1)?)?).to_owned(),
+        number: (number + 1.0).to_string(),
+        action: action.to_owned(),
         latitude: latitude * 1e-7,
         longitude: longitude * 1e-7,
         altitude: altitude * 0.01,
@@ -288,7 +291,7 @@ fn add(mission: Vec<InavItem>, found: &mut GeodeticContent) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read_any};
+    use super::super::{Format, read_any, write_route};
     use crate::mission::WayPointAction;
     use pilotage_base::frames::AltitudeFrame;
 
@@ -355,6 +358,30 @@ mod tests {
                 .distance(&right.routes[0].way_points[2].position);
             assert!(off < 1e-6, "{name}: {off}");
         }
+    }
+
+    #[test]
+    fn a_jump_leads_to_the_same_command_in_all_forms() {
+        let xml = r#"<mission>
+            <missionitem no="1" action="WAYPOINT" lat="-33.8501" lon="18.4201" alt="50" parameter1="0" parameter2="0" parameter3="0" flag="0"/>
+            <missionitem no="2" action="WAYPOINT" lat="-33.8511" lon="18.4211" alt="50" parameter1="0" parameter2="0" parameter3="0" flag="0"/>
+            <missionitem no="3" action="JUMP" lat="0" lon="0" alt="0" parameter1="1" parameter2="3" parameter3="0" flag="165"/></mission>"#;
+        let lines = "wp 3 valid\nwp 0 1 -338501000 184201000 5000 0 0 0 0\n\
+                     wp 1 1 -338511000 184211000 5000 0 0 0 0\nwp 2 6 0 0 0 0 3 0 165\n";
+        let json = r#"{"mission":[{"no":1,"action":"WAYPOINT","lat":-33.8501,"lon":18.4201,"alt":50},
+            {"no":2,"action":"WAYPOINT","lat":-33.8511,"lon":18.4211,"alt":50},
+            {"no":3,"action":"JUMP","lat":0,"lon":0,"p1":1,"p2":3,"flag":165}]}"#;
+        let written = |name: &str, text: &str| {
+            let read = read_any(name, text.as_bytes(), None).unwrap();
+            let written = write_route(Format::Waypoints, &read.routes[0], &read.frame).unwrap();
+            String::from_utf8(written.bytes).unwrap()
+        };
+        let right = written("a.mission", xml);
+        // Line 1 is the first way-point, behind home.
+        let jump: Vec<&str> = right.lines().last().unwrap().split('\t').collect();
+        assert_eq!(jump[3..6], ["177", "1", "3"], "{right}");
+        assert_eq!(written("a.txt", lines), right);
+        assert_eq!(written("a.json", json), right);
     }
 
     #[test]
