@@ -353,12 +353,19 @@ fn position(value: &Value) -> Result<(LonLat, Option<f64>), String> {
     }
 }
 
+/// Text of a member that may be a name: numbers are names as well.
+fn name_of(value: &Value) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Number(number) => Some(number.to_string()),
+        _ => None,
+    }
+}
+
 fn name(feature: &Value) -> Option<String> {
     let properties = feature.get("properties")?;
-    ["name", "Name", "title"]
-        .iter()
-        .find_map(|key| properties.get(key)?.as_str())
-        .map(str::to_owned)
+    let mut names = ["name", "Name", "title"].iter();
+    names.find_map(|key| name_of(properties.get(key)?))
 }
 
 /// Everything that a feature says of itself, as JSON text.
@@ -367,10 +374,10 @@ fn properties(feature: &Value) -> BTreeMap<String, String> {
     let own = members(feature.get("properties")).unwrap_or_default();
     let own = own
         .into_iter()
-        .filter(|(name, _)| name != "name")
+        .filter(|(name, value)| name != "name" || !value.is_null() && name_of(value).is_none())
         .map(|(name, value)| match name.as_str() {
             // The names that we write ourselves.
-            "id" | "reference" | "height_m" | "enabled" | "way_points" => {
+            "name" | "id" | "reference" | "height_m" | "enabled" | "way_points" => {
                 (format!("{name}_in_file"), value)
             }
             _ => (name, value),

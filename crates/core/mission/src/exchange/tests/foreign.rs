@@ -210,6 +210,21 @@ fn lines_and_points_of_somebody_elses_geojson_are_routes_and_landmarks() {
 }
 
 #[test]
+fn a_name_that_is_a_number_is_a_name_and_what_is_none_is_kept() {
+    let text = r#"{ "type": "FeatureCollection", "features": [
+        { "type": "Feature", "properties": { "name": 12 }, "geometry": { "type": "Point", "coordinates": [8.5, 47.4] } },
+        { "type": "Feature", "properties": { "name": ["a", "b"], "title": 7.5 },
+          "geometry": { "type": "Point", "coordinates": [8.5, 47.41] } },
+        { "type": "Feature", "properties": { "name": null }, "geometry": { "type": "Point", "coordinates": [8.5, 47.42] } } ] }"#;
+    let back = read_any("x.geojson", text.as_bytes(), None).unwrap();
+    let names: Vec<_> = back.landmarks.iter().map(|l| l.name.as_str()).collect();
+    assert_eq!(names[..2], ["12", "7.5"]);
+    assert!(!back.landmarks[0].properties.contains_key("name_in_file"));
+    assert_eq!(back.landmarks[1].properties["name_in_file"], r#"["a","b"]"#);
+    assert!(!back.landmarks[2].properties.contains_key("name_in_file"));
+}
+
+#[test]
 fn a_geometry_without_coordinates_is_left_out_and_told() {
     let text = r#"{ "type": "FeatureCollection", "features": [
         { "type": "Feature", "properties": {}, "geometry": { "type": "LineString", "coordinates": [] } },
