@@ -1,6 +1,7 @@
 //! Litchi's table of way-points: 46 columns, of which those that we do not know are written as they were
 //! read, or say nothing.
 
+use super::air_altitudes::altitudes_in_the_air;
 use super::csv_write::quoted;
 use super::format_info::{FormatInfo, HeldBeside};
 use super::format_work::{FormatWork, Read};
@@ -62,11 +63,8 @@ pub(super) fn write(
     route: &Route,
     frame: &LocalFrame,
 ) -> Result<(String, Vec<String>), ExchangeError> {
-    if route
-        .way_points
-        .iter()
-        .any(|w| w.altitude.frame == AltitudeFrame::Amsl)
-    {
+    let altitudes = altitudes_in_the_air(route);
+    if altitudes.iter().any(|a| a.frame == AltitudeFrame::Amsl) {
         return Err(ExchangeError::CannotHold {
             format: INFO.name,
             what: "altitudes above mean sea level".to_owned(),
@@ -81,7 +79,7 @@ pub(super) fn write(
         .collect();
     let mut text = names.join(",") + "\n";
     let mut without_room = 0;
-    for way_point in &route.way_points {
+    for (way_point, altitude) in route.way_points.iter().zip(&altitudes) {
         let (longitude, latitude) = globe::lon_lat(frame, &way_point.position);
         let cell = |(name, usual): &(&str, Option<&str>)| match (*name, usual) {
             (name, Some(usual)) => {
@@ -89,9 +87,9 @@ pub(super) fn write(
             }
             ("latitude", _) => degrees(latitude),
             ("longitude", _) => degrees(longitude),
-            ("altitude(m)", _) => way_point.altitude.metres.to_string(),
+            ("altitude(m)", _) => altitude.metres.to_string(),
             ("altitudemode", _) => {
-                u8::from(way_point.altitude.frame == AltitudeFrame::AboveGround).to_string()
+                u8::from(altitude.frame == AltitudeFrame::AboveGround).to_string()
             }
             // 0 is the cruise speed.
             _ => way_point.speed.unwrap_or(0.0).to_string(),
@@ -108,13 +106,19 @@ pub(super) fn write(
         text += &(row.join(",") + "\n");
     }
     let mut notes = Vec::new();
-    let is_more =
-        |w: &&WayPoint| w.action != WayPointAction::FlyBy && w.action.wait_seconds().is_none();
+    let is_more = |w: &&WayPoint| {
+        let plain = [WayPointAction::FlyBy, WayPointAction::Land];
+        !plain.contains(&w.action) && w.action.wait_seconds().is_none()
+    };
     let more = route.way_points.iter().filter(is_more).count();
     if more > 0 {
         notes.push(format!(
-            "{more} × take-off, circle or landing is written as a way-point: Litchi has none of them"
+            "{more} × take-off or circle is written as a way-point: Litchi has none of them"
         ));
+    }
+    let both = route.way_points.iter().zip(&altitudes);
+    for (_, altitude) in both.filter(|(w, _)| w.action == WayPointAction::Land) {
+        notes.push(format!("the landing is left out: it stays at {altitude}"));
     }
     if without_room > 0 {
         notes.push(format!(

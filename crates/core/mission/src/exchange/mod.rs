@@ -4,6 +4,7 @@
 //! and we do not know is kept in the properties of routes, way-points and landmarks and written
 //! again into the same format; whatever was assumed, kept aside or left out stands in the notes.
 
+mod air_altitudes;
 mod angle;
 mod complex;
 mod csv_bare;

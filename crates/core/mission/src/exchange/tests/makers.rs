@@ -169,6 +169,71 @@ fn a_mission_of_dji_comes_back_with_all_that_it_said() {
 }
 
 #[test]
+fn heights_above_ground_are_flown_above_the_ellipsoid_as_long_as_nothing_is_changed() {
+    let modes = |bytes: &[u8]| {
+        let zip = ZipFiles::open(bytes).unwrap();
+        let text = |name| String::from_utf8(zip.read(name).unwrap()).unwrap();
+        let of = |text: &str, name: &str| {
+            let (_, rest) = text.split_once(&format!("<wpml:{name}>")).unwrap();
+            rest.split_once('<').unwrap().0.to_owned()
+        };
+        let waylines = text("wpmz/waylines.wpml");
+        let drawn = of(&text("wpmz/template.kml"), "heightMode");
+        let executed = of(&waylines, "executeHeight");
+        [drawn, of(&waylines, "executeHeightMode"), executed]
+    };
+    let drawn = Some(("aboveGroundLevel", [80.0, 90.0]));
+    let mut back = read(&documented("WGS84", [547.25, 553.25], drawn));
+    let same = write_route(Format::Wpml, &back.routes[0], &back.frame).unwrap();
+    assert_eq!(modes(&same.bytes), ["aboveGroundLevel", "WGS84", "547.25"]);
+    assert_eq!(same.notes, Vec::<String>::new());
+    back.routes[0].way_points[1].altitude.metres = 95.0;
+    let changed = write_route(Format::Wpml, &back.routes[0], &back.frame).unwrap();
+    let follows = ["aboveGroundLevel", "realTimeFollowSurface", "80"];
+    assert_eq!(modes(&changed.bytes), follows);
+    assert_noted(&changed.notes, |n| {
+        n.contains("only the Mavic 3 Enterprise")
+    });
+    let again = read(&changed.bytes);
+    let heights = [80.0, 95.0].map(|m| Altitude::new(m, AltitudeFrame::AboveGround));
+    assert_eq!(altitudes(&again.routes[0]), heights);
+}
+
+#[test]
+fn waylines_of_a_template_alone_fly_its_common_headings_and_turns() {
+    let template = "<kml xmlns:wpml=\"http://www.dji.com/wpmz/1.0.2\"><Document><wpml:missionConfig>\
+        <wpml:finishAction>noAction</wpml:finishAction></wpml:missionConfig><Folder>\
+        <wpml:templateType>waypoint</wpml:templateType><wpml:templateId>0</wpml:templateId>\
+        <wpml:waylineCoordinateSysParam><wpml:heightMode>relativeToStartPoint</wpml:heightMode>\
+        </wpml:waylineCoordinateSysParam><wpml:autoFlightSpeed>5</wpml:autoFlightSpeed>\
+        <wpml:globalWaypointHeadingParam><wpml:waypointHeadingMode>fixed</wpml:waypointHeadingMode>\
+        </wpml:globalWaypointHeadingParam><wpml:globalWaypointTurnMode>coordinateTurn</wpml:globalWaypointTurnMode>\
+        <Placemark><Point><coordinates>8.5,47.4</coordinates></Point><wpml:index>0</wpml:index>\
+        <wpml:height>60</wpml:height><wpml:useGlobalHeadingParam>1</wpml:useGlobalHeadingParam>\
+        <wpml:useGlobalTurnParam>1</wpml:useGlobalTurnParam></Placemark>\
+        <Placemark><Point><coordinates>8.51,47.41</coordinates></Point><wpml:index>1</wpml:index>\
+        <wpml:height>60</wpml:height><wpml:useGlobalHeadingParam>1</wpml:useGlobalHeadingParam>\
+        <wpml:waypointHeadingParam><wpml:waypointHeadingMode>followWayline</wpml:waypointHeadingMode>\
+        </wpml:waypointHeadingParam><wpml:useGlobalTurnParam>0</wpml:useGlobalTurnParam><wpml:waypointTurnParam>\
+        <wpml:waypointTurnMode>toPointAndPassWithContinuityCurvature</wpml:waypointTurnMode>\
+        </wpml:waypointTurnParam></Placemark></Folder></Document></kml>";
+    let back = read_any("template.kml", template.as_bytes(), None).unwrap();
+    let written = write_route(Format::Wpml, &back.routes[0], &back.frame).unwrap();
+    let zip = ZipFiles::open(&written.bytes).unwrap();
+    let waylines = String::from_utf8(zip.read("wpmz/waylines.wpml").unwrap()).unwrap();
+    let words = |name: &str| -> Vec<&str> {
+        let pieces = waylines.split(name).skip(1);
+        pieces
+            .map(|piece| piece.split('<').next().unwrap())
+            .collect()
+    };
+    assert_eq!(words("<wpml:waypointHeadingMode>"), ["fixed", "fixed"]);
+    let turns = ["coordinateTurn", "toPointAndPassWithContinuityCurvature"];
+    assert_eq!(words("<wpml:waypointTurnMode>"), turns);
+    assert_eq!(words("<wpml:waypointTurnDampingDist>"), ["0.2"]);
+}
+
+#[test]
 fn groups_of_actions_follow_their_way_points_when_others_are_put_before() {
     let mut route = read(&documented("relativeToStartPoint", [60.0, 65.5], None))
         .routes
@@ -240,6 +305,43 @@ fn a_landing_of_a_mission_of_dji_is_no_way_point_on_the_ground() {
     let back = read(&written.bytes);
     assert_eq!(metres(&back), [50.0, 80.0, 80.0]);
     assert_noted(&back.notes, |n| n.contains("autoLand"));
+}
+
+#[test]
+fn a_landing_is_no_slant_into_the_ground_for_litchi_nor_before_the_end_for_dji() {
+    let at = |north, metres, frame, action| WayPoint {
+        action,
+        ..WayPoint::new(GroundPoint::new(north, 0.0), Altitude::new(metres, frame))
+    };
+    let route = Route {
+        way_points: vec![
+            at(0.0, 80.0, AltitudeFrame::AboveGround, WayPointAction::FlyBy),
+            at(9.0, 60.0, AltitudeFrame::AboveGround, WayPointAction::FlyBy),
+            at(20.0, 0.0, AltitudeFrame::AboveTakeOff, WayPointAction::Land),
+            at(
+                30.0,
+                70.0,
+                AltitudeFrame::AboveGround,
+                WayPointAction::FlyBy,
+            ),
+        ],
+        ..Route::default()
+    };
+    let written = write_route(Format::Litchi, &route, &frame()).unwrap();
+    let text = String::from_utf8(written.bytes).unwrap();
+    let rows = text.lines().skip(1).map(|row| row.split(','));
+    let rows: Vec<Vec<&str>> = rows.map(Iterator::collect).collect();
+    let columns: Vec<[&str; 2]> = rows.iter().map(|row| [row[2], row[38]]).collect();
+    assert_eq!(
+        columns,
+        [["80", "1"], ["60", "1"], ["60", "1"], ["70", "1"]]
+    );
+    assert_noted(&written.notes, |n| {
+        n == "the landing is left out: it stays at 60 m above ground"
+    });
+    let written = write_route(Format::Wpml, &route, &frame()).unwrap();
+    assert_eq!(metres(&read(&written.bytes)), [80.0, 60.0, 60.0, 70.0]);
+    assert_noted(&written.notes, |n| n.contains("landing before the end"));
 }
 
 #[test]

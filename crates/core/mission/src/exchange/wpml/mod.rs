@@ -9,6 +9,7 @@ mod heights;
 mod hover;
 mod name;
 mod read;
+mod shared;
 mod write;
 
 use std::fmt::Write;
@@ -41,6 +42,9 @@ const INDEX: &str = "dji.index";
 /// Property of a way-point: height of mean sea level above the ellipsoid, metres; `null` where its
 /// altitude is above the ellipsoid itself.
 const UNDULATION: &str = "dji.undulation";
+/// Property of a way-point above ground: height above the ellipsoid at which its file flies it, metres, with the latitude,
+/// longitude and height above ground that this belongs to.
+const EXECUTED: &str = "dji.executed";
 
 /// Word for a return home at the end.
 const GO_HOME: &str = "goHome";

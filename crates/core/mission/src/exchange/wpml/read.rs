@@ -10,8 +10,8 @@ use super::super::xml::{NamedText, XmlElement};
 use super::super::{ExchangeError, kml_read};
 use super::folder::{Point, WaylineFolder, folders};
 use super::{
-    GO_HOME, IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION, ending,
-    is_shadow, is_text, text_of,
+    EXECUTED, GO_HOME, IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION,
+    ending, is_shadow, is_text, text_of,
 };
 use crate::mission::found::ReadRoute;
 use crate::mission::{HOME, USUAL_ALTITUDE, WayPoint, WayPointAction};
@@ -237,7 +237,7 @@ impl WpmlNotes {
         for (i, point) in folder.points.iter().enumerate() {
             let template =
                 drawn.and_then(|drawn| Some((drawn.mode.as_deref()?, drawn.points.get(i)?)));
-            let (altitude, undulation) = self.altitude(folder.mode.as_deref(), point, template);
+            let (altitude, height) = self.altitude(folder.mode.as_deref(), point, template);
             let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
             // A file states the speed of the leg that leads away.
             way_point.speed = speed;
@@ -259,8 +259,8 @@ impl WpmlNotes {
             if has_speed {
                 keep(GROUND_SPEED, Value::Bool(true));
             }
-            if let Some(undulation) = undulation {
-                keep(UNDULATION, undulation);
+            if let Some((key, value)) = height {
+                keep(key, value);
             }
             let own = if is_flown { IN_WAYLINES } else { IN_TEMPLATE };
             keep(own, Value::from(point.rest.as_str()));
@@ -275,14 +275,15 @@ impl WpmlNotes {
         route
     }
 
-    /// The altitude of a way-point; the second is the undulation, null where the altitude is above the
-    /// ellipsoid and nothing is known of the geoid.
+    /// The altitude of a way-point; the second is a property, what the file says of its height beside that: the undulation,
+    /// null where the altitude is above the ellipsoid and nothing is known of the geoid.
     fn altitude(
         &mut self,
         mode: Option<&str>,
         point: &Point,
         template: Option<(&str, &Point)>,
-    ) -> (Altitude, Option<Value>) {
+    ) -> (Altitude, Option<(&'static str, Value)>) {
+        let undulation = |value: Value| Some((UNDULATION, value));
         let Some(height) = point.height else {
             self.heightless += 1;
             return (USUAL_ALTITUDE, None);
@@ -297,31 +298,31 @@ impl WpmlNotes {
                 (Altitude::new(height, AltitudeFrame::AboveGround), None)
             }
             Some("EGM96") => {
-                let undulation = point.ellipsoid.map(|ellipsoid| ellipsoid - height);
-                let undulation = undulation.filter(|metres| metres.abs() < FARTHEST_GEOID);
-                (
-                    Altitude::new(height, AltitudeFrame::Amsl),
-                    undulation.map(Value::from),
-                )
+                let apart = point.ellipsoid.map(|ellipsoid| ellipsoid - height);
+                let apart = apart.filter(|metres| metres.abs() < FARTHEST_GEOID);
+                let altitude = Altitude::new(height, AltitudeFrame::Amsl);
+                (altitude, apart.and_then(|metres| undulation(metres.into())))
             }
             Some("WGS84") => match drawn {
                 Some(("EGM96", above_sea)) if (height - above_sea).abs() < FARTHEST_GEOID => {
                     let altitude = Altitude::new(above_sea, AltitudeFrame::Amsl);
-                    (altitude, Some(Value::from(height - above_sea)))
+                    (altitude, undulation(Value::from(height - above_sea)))
                 }
-                Some(("aboveGroundLevel", above_ground)) => (
-                    Altitude::new(above_ground, AltitudeFrame::AboveGround),
-                    None,
-                ),
+                Some(("aboveGroundLevel", above_ground)) => {
+                    let (longitude, latitude) = point.place;
+                    let executed = Value::from(vec![height, latitude, longitude, above_ground]);
+                    let altitude = Altitude::new(above_ground, AltitudeFrame::AboveGround);
+                    (altitude, Some((EXECUTED, executed)))
+                }
                 _ => {
                     if let Some(site) = self.site {
                         self.by_site += 1;
                         let altitude = Altitude::new(height - site, AltitudeFrame::Amsl);
-                        return (altitude, Some(Value::from(site)));
+                        return (altitude, undulation(Value::from(site)));
                     }
                     self.ellipsoid += 1;
                     let altitude = Altitude::new(height, AltitudeFrame::Amsl);
-                    (altitude, Some(Value::Null))
+                    (altitude, undulation(Value::Null))
                 }
             },
             other => {

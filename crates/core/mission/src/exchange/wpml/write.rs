@@ -6,12 +6,12 @@ use std::fmt::Write;
 use super::super::ExchangeError;
 use super::super::item::{MissionItem, RETURN_TO_LAUNCH, command_name, counted};
 use super::super::route_items::{RouteStep, steps_of};
-use super::super::xml::NamedText;
 use super::heights::heights;
 use super::hover::with_hover;
+use super::shared::{HEADING, SharedParameters, TURN};
 use super::{
     GO_HOME, IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, NAME_SPACE, OWN_NAME_SPACE, TEMPLATE,
-    WAYLINES, text_of,
+    WAYLINES,
 };
 use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
 use pilotage_base::files::{FileSink, ZipSink};
@@ -22,25 +22,13 @@ use pilotage_base::text::without_markup;
 const USUAL_SPEED: f64 = 10.0;
 /// Fastest that most of DJI's aircraft fly a mission, m/s.
 const FASTEST: f64 = 15.0;
-/// Members of a way-point that both files have.
-const OF_BOTH: [&str; 5] = [
-    "waypointHeadingParam",
-    "waypointTurnParam",
-    "useStraightLine",
-    "waypointGimbalHeadingParam",
-    "actionGroup",
-];
-const HEADING: &str = "<wpml:waypointHeadingMode>followWayline</wpml:waypointHeadingMode>\
-     <wpml:waypointHeadingPathMode>followBadArc</wpml:waypointHeadingPathMode>";
-const TURN: &str = "toPointAndStopWithDiscontinuityCurvature";
-
 /// The route as a zip, and notes on what the file cannot hold.
 pub(in super::super) fn write(
     route: &Route,
     frame: &LocalFrame,
 ) -> Result<(Vec<u8>, Vec<String>), ExchangeError> {
-    let heights = heights(route)?;
-    let mut notes = Vec::new();
+    let heights = heights(route, frame)?;
+    let mut notes: Vec<String> = heights.note.map(str::to_owned).into_iter().collect();
     let (speeds, common) = speeds(route, &mut notes);
     let finish = finish(route, frame, &mut notes);
     let mission = text(&route.properties, MISSION).unwrap_or_else(|| {
@@ -52,13 +40,16 @@ pub(in super::super) fn write(
     });
     let mission = with_finish(mission, route);
     let numbers = numbers(route);
+    let in_folder = text(&route.properties, IN_TEMPLATE);
+    let shared = SharedParameters::of(in_folder.as_deref().unwrap_or(""));
     let (mut flown, mut drawn) = (String::new(), String::new());
     for (i, way_point) in route.way_points.iter().enumerate() {
         let seconds = way_point.action.wait_seconds();
         let own = |key| text(&way_point.properties, key).map(|t| renumbered(&t, i, &numbers));
         let template = own(IN_TEMPLATE);
-        let rest = own(IN_WAYLINES).unwrap_or_else(|| of_both(template.as_deref().unwrap_or("")));
-        let rest = with_hover(&complete(rest), i, seconds);
+        let rest =
+            own(IN_WAYLINES).unwrap_or_else(|| shared.of_both(template.as_deref().unwrap_or("")));
+        let rest = with_hover(&shared.complete(rest), i, seconds);
         let place = place(i, &way_point.position, frame);
         let speed = element("waypointSpeed", speeds[i]);
         let height = element("executeHeight", heights.flown[i]);
@@ -87,7 +78,7 @@ pub(in super::super) fn write(
          <wpml:waylineId>0</wpml:waylineId>{common}{rest}\n{flown}</Folder>\n",
         heights.flown_mode
     );
-    let rest = text(&route.properties, IN_TEMPLATE).unwrap_or_else(|| {
+    let rest = in_folder.unwrap_or_else(|| {
         format!(
             "<wpml:gimbalPitchMode>manual</wpml:gimbalPitchMode>\
              <wpml:globalWaypointHeadingParam>{HEADING}</wpml:globalWaypointHeadingParam>\
@@ -149,39 +140,6 @@ fn place(index: usize, position: &GroundPoint, frame: &LocalFrame) -> String {
     )
 }
 
-/// Elements of a way-point, with those that waylines need and its file did not have.
-fn complete(mut rest: String) -> String {
-    if !rest.contains("<wpml:waypointHeadingParam>") {
-        let heading = format!("<wpml:waypointHeadingParam>{HEADING}</wpml:waypointHeadingParam>");
-        rest.insert_str(0, &heading);
-    }
-    if !rest.contains("<wpml:waypointTurnParam>") {
-        let _ = write!(
-            rest,
-            "<wpml:waypointTurnParam><wpml:waypointTurnMode>{TURN}</wpml:waypointTurnMode>\
-             <wpml:waypointTurnDampingDist>0</wpml:waypointTurnDampingDist></wpml:waypointTurnParam>"
-        );
-    }
-    rest
-}
-
-/// Those of a template's members that the waylines have as well.
-fn of_both(template: &str) -> String {
-    let text = format!("<all>{template}</all>");
-    let source = NamedText {
-        file: TEMPLATE,
-        text: &text,
-    };
-    // What was read was written by us; what somebody changed by hand has nothing in common.
-    source.root().map_or_else(
-        |_| String::new(),
-        |root| {
-            let both = |child: &&super::XmlElement| OF_BOTH.contains(&child.name.as_str());
-            text_of(root.children.iter().filter(both))
-        },
-    )
-}
-
 /// Speeds of the legs that lead away from the way-points, and the commonest of all, m/s.
 fn speeds(route: &Route, notes: &mut Vec<String>) -> (Vec<f64>, f64) {
     let legs = route.way_points.iter().skip(1);
@@ -218,8 +176,10 @@ fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'stati
             }
         }
     }
-    for way_point in &route.way_points {
+    let last = route.way_points.len().saturating_sub(1);
+    for (i, way_point) in route.way_points.iter().enumerate() {
         let name = match way_point.action {
+            WayPointAction::Land if i < last => "landing before the end",
             WayPointAction::Loiter { .. } => "circles at a way-point",
             WayPointAction::Wait { seconds: None, .. } => "waiting without an end",
             _ => continue,
