@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::item::MissionItem;
@@ -68,55 +67,58 @@ pub(super) fn of_items(items: &[&MissionItem]) -> Fences {
     fences.finish()
 }
 
-/// Fences of a plan, the member `geoFence`; what is no such thing has none.
+/// Fences of a plan, the member `geoFence`, each by itself: what is odd in one says nothing of the others.
 pub(super) fn of_plan(text: &str) -> Fences {
-    #[derive(Deserialize)]
-    struct GeoFence {
-        #[serde(default)]
-        circles: Vec<Circle>,
-        #[serde(default)]
-        polygons: Vec<FencePolygon>,
-        /// Plans of before 2018 have one fence, which keeps the aircraft in.
-        #[serde(default)]
-        polygon: Vec<(f64, f64)>,
-    }
-    #[derive(Deserialize)]
-    struct Circle {
-        circle: FenceCircle,
-        inclusion: bool,
-    }
-    #[derive(Deserialize)]
-    struct FenceCircle {
-        center: (f64, f64),
-        radius: f64,
-    }
-    #[derive(Deserialize)]
-    struct FencePolygon {
-        polygon: Vec<(f64, f64)>,
-        inclusion: bool,
-    }
     let mut fences = Gathered::default();
-    let Ok(stated) = serde_json::from_str::<GeoFence>(text) else {
-        return Fences::default();
-    };
-    fences.inside += usize::from(!stated.polygon.is_empty());
-    for FencePolygon { polygon, inclusion } in stated.polygons {
-        let corners: Vec<LonLat> = polygon.into_iter().map(|(lat, lon)| (lon, lat)).collect();
-        if corners.iter().all(|(lon, lat)| on_globe(*lon, *lat)) {
-            fences.polygon(corners, inclusion);
-        } else {
-            fences.broken += 1;
+    let stated: Value = serde_json::from_str(text).unwrap_or_default();
+    let list = |name: &str| stated.get(name).and_then(Value::as_array);
+    let inclusion = |fence: &Value| fence.get("inclusion").and_then(Value::as_bool);
+    // Plans of before 2018 have one fence, which keeps the aircraft in.
+    fences.inside += usize::from(list("polygon").is_some_and(|corners| !corners.is_empty()));
+    for fence in list("polygons").into_iter().flatten() {
+        let corners = fence.get("polygon").and_then(Value::as_array);
+        let corners = corners.and_then(|corners| corners.iter().map(corner).collect());
+        match (corners, inclusion(fence)) {
+            (Some(corners), Some(is_inside)) => fences.polygon(corners, is_inside),
+            _ => fences.broken += 1,
         }
     }
-    for Circle { circle, inclusion } in stated.circles {
-        let (latitude, longitude) = circle.center;
-        fences.circle((longitude, latitude), circle.radius, inclusion);
+    for fence in list("circles").into_iter().flatten() {
+        let circle = fence.get("circle").unwrap_or(&Value::Null);
+        let radius = circle.get("radius").and_then(Value::as_f64);
+        let middle = circle.get("center").and_then(corner);
+        match (middle, radius, inclusion(fence)) {
+            (Some(middle), Some(radius), Some(is_inside)) => {
+                fences.circle(middle, radius, is_inside);
+            }
+            _ => fences.broken += 1,
+        }
     }
+    let is_odd = |name: &str| {
+        stated
+            .get(name)
+            .is_some_and(|v| !v.is_array() && !v.is_null())
+    };
+    let odd = ["polygons", "circles"]
+        .into_iter()
+        .filter(|name| is_odd(name));
+    fences.broken += odd.count() + usize::from(!stated.is_object() && !stated.is_null());
     fences.finish()
 }
 
-/// Corners of those of `areas` that are none of the fences `known`.
-fn beside(known: &[FoundNoFly], areas: &[NoFlyZone], frame: &LocalFrame) -> Vec<Vec<LonLat>> {
+/// The place of a corner: latitude and longitude, whatever stands behind them.
+fn corner(value: &Value) -> Option<LonLat> {
+    let number = |i: usize| value.get(i).and_then(Value::as_f64);
+    let (latitude, longitude) = (number(0)?, number(1)?);
+    on_globe(longitude, latitude).then_some((longitude, latitude))
+}
+
+/// Those of `areas` that are none of the fences `known`, with their corners.
+fn beside<'a>(
+    known: &[FoundNoFly],
+    areas: &'a [NoFlyZone],
+    frame: &LocalFrame,
+) -> Vec<(&'a NoFlyZone, Vec<LonLat>)> {
     let corners = |area: &NoFlyZone| -> Vec<LonLat> {
         let places = area.corners.iter().map(|c| frame.geodetic_from_ground(c));
         let degrees = |p: Geodetic| (p.longitude.to_degrees(), p.latitude.to_degrees());
@@ -131,8 +133,8 @@ fn beside(known: &[FoundNoFly], areas: &[NoFlyZone], frame: &LocalFrame) -> Vec<
         };
         known.iter().any(is_it)
     };
-    let corners = areas.iter().map(corners);
-    corners.filter(|area| !is_known(area)).collect()
+    let corners = areas.iter().map(|area| (area, corners(area)));
+    corners.filter(|(_, area)| !is_known(area)).collect()
 }
 
 /// That areas are left out which are none of the fences `known` of a file, if there are any.
@@ -150,27 +152,35 @@ pub(super) fn left_out(
 }
 
 /// The member `geoFence` of a plan that keeps aircraft out of `areas`, after what a plan said before (`kept`): areas that
-/// came from it are not written again.
-pub(super) fn with_areas(kept: &str, areas: &[NoFlyZone], frame: &LocalFrame) -> String {
+/// came from it are not written again. The second is a note on what fences cannot hold.
+pub(super) fn with_areas(
+    kept: &str,
+    areas: &[NoFlyZone],
+    frame: &LocalFrame,
+) -> (String, Option<String>) {
     let new = beside(&of_plan(kept).no_fly, areas, frame);
-    let Ok(mut fences) = serde_json::from_str::<Value>(kept) else {
-        return kept.to_owned();
-    };
+    let mut fences: Value = serde_json::from_str(kept).unwrap_or_default();
     if new.is_empty() {
-        return kept.to_owned();
+        return (kept.to_owned(), None);
     }
+    let holes: usize = new.iter().map(|(area, _)| area.holes.len()).sum();
+    let note = (holes > 0)
+        .then(|| format!("{holes} × hole of a no-fly area is left out: fences have none"));
     let nine = |degrees: f64| (degrees * 1e9).round() / 1e9;
-    let polygon = |area: Vec<LonLat>| {
+    let polygon = |(_, area): (_, Vec<LonLat>)| {
         let ring = area.into_iter().map(|(lon, lat)| [nine(lat), nine(lon)]);
         json!({ "inclusion": false, "polygon": ring.collect::<Vec<_>>(), "version": 1 })
     };
-    if let Some(members) = fences.as_object_mut() {
-        let polygons = members.entry("polygons").or_insert_with(|| json!([]));
-        if let Some(polygons) = polygons.as_array_mut() {
-            polygons.extend(new.into_iter().map(polygon));
-        }
+    let new = new.into_iter().map(polygon);
+    // What is no list of fences has no room for one.
+    if !fences.is_object() {
+        fences = json!({ "circles": [], "version": 2 });
     }
-    fences.to_string()
+    match fences.get_mut("polygons").and_then(Value::as_array_mut) {
+        Some(polygons) => polygons.extend(new),
+        None => fences["polygons"] = new.collect(),
+    }
+    (fences.to_string(), note)
 }
 
 #[derive(Default)]

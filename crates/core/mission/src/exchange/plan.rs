@@ -265,7 +265,9 @@ pub(super) fn write(
         plan.entry(name).or_insert_with(|| value.to_owned());
     }
     if let Some(fences) = plan.get_mut("geoFence") {
-        *fences = fence::with_areas(fences, places.no_fly, frame);
+        let (text, note) = fence::with_areas(fences, places.no_fly, frame);
+        *fences = text;
+        notes.extend(note);
     }
     if let (Some(points), Some(kept)) = (places.rally, plan.get_mut("rallyPoints")) {
         let height = route.stated_home().map(|[.., height]| height);

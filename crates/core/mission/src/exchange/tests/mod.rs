@@ -2,6 +2,7 @@
 
 mod actions;
 mod archives;
+mod fences;
 mod flown;
 mod foreign;
 mod globe;
