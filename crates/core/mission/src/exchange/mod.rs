@@ -50,8 +50,10 @@ mod little_navmap;
 mod old_mission;
 mod places;
 mod plan;
+mod plan_firmware;
 #[cfg(test)]
 mod plan_schema;
+mod plan_terrain;
 mod rally;
 mod read;
 mod route_actions;

@@ -13,8 +13,9 @@ use super::fence;
 use super::found::GeodeticContent;
 use super::item::MissionItem;
 use super::item_route::{Home, MissionStep, route_of};
+use super::plan_firmware::{self, PlanFirmware};
 use super::route_items::{RouteStep, home_of, members, steps_of_plan};
-use super::{ExchangeError, Places, rally};
+use super::{ExchangeError, Places, plan_terrain, rally};
 use crate::mission::text::{ObjectMembers, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, Route, degrees};
@@ -166,17 +167,22 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<MissionSte
         text.take(&mut members, "AltitudeMode"),
     )?;
     let metres: Option<f64> = at(&path("Altitude"), text.take(&mut members, "Altitude"))?;
-    members.remove("AMSLAltAboveTerrain");
+    members.remove(plan_terrain::COMPUTED);
     let frame = mode.and_then(|mode| match mode as i64 {
         1 => Some(AltitudeFrame::AboveTakeOff),
         2 => Some(AltitudeFrame::Amsl),
         3 | 4 => Some(AltitudeFrame::AboveGround),
         _ => None,
     });
+    let altitude = frame.zip(metres).map(|(frame, m)| Altitude::new(m, frame));
+    let mut members = kept(members);
+    if let Some(computed) = plan_terrain::kept(&item, mode, altitude.as_ref()) {
+        members.insert(plan_terrain::COMPUTED.to_owned(), computed);
+    }
     Ok(MissionStep::Command {
         item,
-        altitude: frame.zip(metres).map(|(frame, m)| Altitude::new(m, frame)),
-        members: kept(members),
+        altitude,
+        members,
         text: piece.get().to_owned(),
     })
 }
@@ -226,12 +232,10 @@ pub(super) fn write(
             .collect::<BTreeMap<&str, String>>()
     };
     let mut mission = own(MISSION);
-    if !mission.contains_key("firmwareType") {
-        notes.push(
-            "the plan says PX4 and fixed wing; choose another vehicle in QGroundControl if need be"
-                .to_owned(),
-        );
-    }
+    let steps = steps_of_plan(route, frame);
+    let firmware = PlanFirmware::of(mission.get(plan_firmware::MEMBER), &steps, route, frame);
+    notes.extend(firmware.notes);
+    mission.insert(plan_firmware::MEMBER, firmware.number);
     let home = home_of(route, frame);
     if let Some(home) = home {
         if !route.properties.contains_key("home") {
@@ -241,7 +245,6 @@ pub(super) fn write(
     }
     let defaults = [
         ("cruiseSpeed", "15"),
-        ("firmwareType", "12"),
         ("hoverSpeed", "5"),
         ("plannedHomePosition", "[0, 0, 0]"),
         ("vehicleType", "1"),
@@ -249,8 +252,11 @@ pub(super) fn write(
     for (name, value) in defaults {
         mission.entry(name).or_insert_with(|| value.to_owned());
     }
-    mission.insert("globalPlanAltitudeMode", plan_mode(route).to_string());
-    mission.insert("items", items(route, frame));
+    mission.insert(
+        "globalPlanAltitudeMode",
+        plan_mode(route, frame, firmware.is_px4).to_string(),
+    );
+    mission.insert("items", items(route, steps, frame, firmware.is_px4));
     mission.insert("version", "2".to_owned());
     let mut plan = own(PLAN);
     let defaults = [
@@ -298,21 +304,12 @@ fn position([latitude, longitude, altitude]: Home) -> String {
     )
 }
 
-/// `QGroundControl`'s number for what altitudes count from.
-fn mode(frame: AltitudeFrame) -> u8 {
-    match frame {
-        AltitudeFrame::AboveTakeOff => 1,
-        AltitudeFrame::Amsl => 2,
-        AltitudeFrame::AboveGround => 4,
-    }
-}
-
 /// The mode of all way-points, or 0 where they differ.
-fn plan_mode(route: &Route) -> u8 {
+fn plan_mode(route: &Route, frame: &LocalFrame, is_px4: bool) -> u8 {
     let modes: BTreeSet<u8> = route
         .way_points
         .iter()
-        .map(|w| mode(w.altitude.frame))
+        .map(|w| plan_terrain::height(w, frame, is_px4).mode)
         .collect();
     match modes.len() {
         0 => 1,
@@ -321,8 +318,7 @@ fn plan_mode(route: &Route) -> u8 {
     }
 }
 
-fn items(route: &Route, frame: &LocalFrame) -> String {
-    let steps = steps_of_plan(route, frame);
+fn items(route: &Route, steps: Vec<RouteStep<'_>>, frame: &LocalFrame, is_px4: bool) -> String {
     // Where commands jump to others by number, those with a number keep it.
     let own_ids: Vec<Option<usize>> = steps.iter().map(RouteStep::jump_id).collect();
     let is_numbered_anew = !route
@@ -335,7 +331,7 @@ fn items(route: &Route, frame: &LocalFrame) -> String {
         own_ids.iter().flatten().max().map_or(1, |id| id + 1)
     };
     let mut lines = Vec::new();
-    for (step, own) in steps.iter().zip(own_ids) {
+    for (step, own) in steps.into_iter().zip(own_ids) {
         let id = own.filter(|_| !is_numbered_anew).unwrap_or_else(|| {
             next += 1;
             next - 1
@@ -343,17 +339,21 @@ fn items(route: &Route, frame: &LocalFrame) -> String {
         lines.push(match step {
             RouteStep::Kept(piece) => with_jump_id(piece.get(), id),
             RouteStep::Speed(item, _) | RouteStep::Return(item) => item.json(id),
-            RouteStep::WayPoint(item, way_point) => {
+            RouteStep::WayPoint(mut item, way_point) => {
+                let height = plan_terrain::height(way_point, frame, is_px4);
+                height.state(&mut item);
                 let mut text = item.json(id);
                 text.truncate(text.len() - " }".len());
                 // Writing into a string cannot fail.
                 let _ = write!(
                     text,
-                    ", \"AMSLAltAboveTerrain\": null, \"Altitude\": {}, \"AltitudeMode\": {}",
+                    ", \"AMSLAltAboveTerrain\": {}, \"Altitude\": {}, \"AltitudeMode\": {}",
+                    Value::from(height.above_sea),
                     Value::from(way_point.altitude.metres),
-                    mode(way_point.altitude.frame)
+                    height.mode
                 );
-                for (name, value) in members(way_point).filter(|(name, _)| *name != "doJumpId") {
+                let own = ["doJumpId", plan_terrain::COMPUTED];
+                for (name, value) in members(way_point).filter(|(name, _)| !own.contains(name)) {
                     let _ = write!(text, ", {}: {value}", Value::from(name));
                 }
                 text + " }"

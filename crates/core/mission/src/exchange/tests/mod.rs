@@ -3,6 +3,7 @@
 mod actions;
 mod archives;
 mod fences;
+mod firmware;
 mod flown;
 mod foreign;
 mod globe;
