@@ -7,12 +7,14 @@ use serde_json::Value;
 use super::decoded_text::decoded;
 use super::embedded::{self, EmbeddedItem};
 use super::found::{GeodeticContent, POINT_BOX};
+use super::kml_data::data_of;
 use super::kml_links::{LinkedDocuments, linked, main_document, resolved};
+use super::kml_places::{place, tuples};
 use super::kmz::{KmzFiles, document_of};
 use super::shadow::is_shadow;
 use super::xml::{NamedText, XmlElement};
-use super::{ExchangeError, kml_write};
-use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute, on_globe};
+use super::{ExchangeError, kml_elements};
+use crate::mission::found::{FoundLandmark, LandmarkExtent, LonLat, ReadRoute};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
@@ -265,24 +267,38 @@ impl KmlReader<'_> {
         }
     }
 
-    fn placemark(&mut self, placemark: &XmlElement) -> Result<(), ExchangeError> {
+    /// The texts of a placemark.
+    fn said(&self, placemark: &XmlElement) -> Said {
         let mut said = Said {
             name: placemark.child_text("name").map(str::to_owned),
             ..Said::default()
         };
+        // Those of one name stand together.
+        let mut elements: BTreeMap<&str, String> = BTreeMap::new();
         for child in &placemark.children {
             match child.name.as_str() {
                 "name" => {}
-                "ExtendedData" => extended(child, &mut said),
+                "ExtendedData" => {
+                    let data = data_of(self.source.text, child);
+                    said.own = data.own.or(said.own);
+                    said.properties.extend(data.properties);
+                }
                 name if GEOMETRIES.contains(&name) => {}
                 name => {
                     let raw = self.source.text.get(child.begin..child.end).unwrap_or("");
-                    let raw = Value::from(raw).to_string();
-                    let key = format!("{}{name}", kml_write::ELEMENT);
-                    said.properties.insert(key, raw);
+                    elements.entry(name).or_default().push_str(raw);
                 }
             }
         }
+        for (name, raw) in elements {
+            let key = format!("{}{name}", kml_elements::ELEMENT);
+            said.properties.insert(key, Value::from(raw).to_string());
+        }
+        said
+    }
+
+    fn placemark(&mut self, placemark: &XmlElement) -> Result<(), ExchangeError> {
+        let said = self.said(placemark);
         let geometries: Vec<&XmlElement> = placemark
             .children
             .iter()
@@ -492,28 +508,6 @@ impl KmlReader<'_> {
     }
 }
 
-/// The places of a list of coordinates as they stand: between them is space, and some programs write
-/// space beside the commas in them as well.
-fn tuples(text: &str) -> Vec<String> {
-    let mut tuples: Vec<String> = Vec::new();
-    for part in text.split_whitespace() {
-        // Some programs begin every place with a comma, and behind a comma for a height that lacks the next one begins.
-        let inner = part.trim_start_matches(',');
-        let is_next = |last: &String| {
-            let commas = last.trim_end_matches(',').matches(',').count();
-            let has_begun = last.matches(',').count() >= 2 || part.starts_with(',') && commas == 1;
-            has_begun && inner.contains(',')
-        };
-        match tuples.last_mut() {
-            Some(last) if is_next(last) => tuples.push(inner.to_owned()),
-            Some(last) if last.ends_with(',') || part.starts_with(',') => last.push_str(part),
-            _ if inner.is_empty() => {}
-            _ => tuples.push(inner.to_owned()),
-        }
-    }
-    tuples
-}
-
 /// Identities of the styles in an element, and what its placemarks and style maps refer to.
 fn gather_styles<'a>(
     element: &'a XmlElement,
@@ -527,40 +521,5 @@ fn gather_styles<'a>(
             _ => {}
         }
         gather_styles(child, own, wanted);
-    }
-}
-
-/// A place of longitude, latitude and perhaps a height, metres; `None` where there are more numbers, as of decimal commas or
-/// where the blank between two places lacks, or where the height is none.
-fn place<'a>(parts: impl Iterator<Item = &'a str>) -> Option<(LonLat, Option<f64>)> {
-    let mut parts = parts.map(str::trim);
-    let mut number = || parts.next()?.parse::<f64>().ok();
-    let (longitude, latitude) = (number()?, number()?);
-    let height = match parts.next() {
-        None | Some("") => None,
-        Some(height) => Some(height.parse::<f64>().ok()?).filter(|metres| metres.is_finite()),
-    };
-    let is_over = parts.all(str::is_empty);
-    (is_over && on_globe(longitude, latitude)).then_some(((longitude, latitude), height))
-}
-
-/// The name-value pairs of a placemark, of both kinds.
-fn extended(element: &XmlElement, said: &mut Said) {
-    let pairs = element
-        .all("Data")
-        .map(|data| (data.attribute("name"), data.child_text("value")));
-    let simple = element
-        .all("SchemaData")
-        .flat_map(|schema| schema.all("SimpleData"))
-        .map(|data| (data.attribute("name"), Some(data.text.as_str())));
-    for (name, value) in pairs.chain(simple) {
-        match (name, value) {
-            (Some(kml_write::OWN), Some(own)) => said.own = Some(own.to_owned()),
-            (Some(name), value) => {
-                let value = Value::from(value.unwrap_or("")).to_string();
-                said.properties.insert(name.to_owned(), value);
-            }
-            (None, _) => {}
-        }
     }
 }

@@ -6,33 +6,13 @@ use std::fmt::Write;
 use serde_json::Value;
 
 use super::embedded::{self, Embedded};
+use super::item::counted;
+use super::kml_elements::{ELEMENT, KML, OWN, elements_of, name_spaces};
 use super::{ExchangeError, Places, route_actions};
 use crate::mission::{degrees, globe, rings};
 use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_base::text::without_markup;
-
-/// Name of the datum that holds what only we know.
-pub(super) const OWN: &str = "pilotage";
-/// Prefix of properties that are elements of a placemark, as they stand.
-pub(super) const ELEMENT: &str = "kml:";
-
-/// Elements of a placemark in the order that the schema asks for; the data and the geometry follow.
-const ORDER: [&str; 13] = [
-    "visibility",
-    "open",
-    "address",
-    "phoneNumber",
-    "Snippet",
-    "description",
-    "Camera",
-    "LookAt",
-    "TimeStamp",
-    "TimeSpan",
-    "styleUrl",
-    "Style",
-    "StyleMap",
-];
 
 /// Routes as lines, landmarks and no-fly areas as polygons, rally points as points.
 pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>) {
@@ -42,11 +22,7 @@ pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>
         no_fly,
         rally,
     } = *places;
-    let mut text = String::from(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <kml xmlns=\"http://www.opengis.net/kml/2.2\" \
-         xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n",
-    );
+    let mut placemarks = Placemarks::default();
     let mut hidden = 0;
     for route in routes {
         let frames: BTreeSet<&str> = route
@@ -78,12 +54,12 @@ pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>
             coordinates.join(" ")
         );
         let embedded = embedded::of_route(route, frame);
-        placemark(&mut text, &route.name, &embedded, &geometry);
+        placemarks.add(&route.name, &embedded, &geometry);
     }
     for landmark in landmarks {
         let geometry = polygon(&rings(landmark), frame);
         let embedded = embedded::of_landmark(landmark, frame);
-        placemark(&mut text, &landmark.name, &embedded, &geometry);
+        placemarks.add(&landmark.name, &embedded, &geometry);
     }
     for zone in no_fly {
         let closed = |ring: &Vec<GroundPoint>| ring.iter().chain(ring.first()).copied().collect();
@@ -92,21 +68,32 @@ pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>
             .map(closed)
             .collect();
         let embedded = embedded::of_no_fly(zone, frame);
-        placemark(&mut text, &zone.name, &embedded, &polygon(&rings, frame));
+        placemarks.add(&zone.name, &embedded, &polygon(&rings, frame));
     }
     for point in rally.unwrap_or_default() {
         let place = position(frame, &point.position);
         let geometry = format!("<Point><coordinates>{place}</coordinates></Point>");
         let embedded = embedded::of_rally(point, frame);
-        placemark(&mut text, &point.name, &embedded, &geometry);
+        placemarks.add(&point.name, &embedded, &geometry);
     }
-    text.push_str("</Document>\n</kml>\n");
+    let text = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"{KML}\" xmlns:gx=\"http://www.google.com/kml/ext/2.2\"{}>\n\
+         <Document>\n{}</Document>\n</kml>\n",
+        name_spaces(&placemarks.prefixes),
+        placemarks.text
+    );
     let mut notes: Vec<String> = route_actions::unseen(routes).into_iter().collect();
     if hidden > 0 {
         notes.push(
             "KML has no altitudes above take-off: other programs see the route on the ground"
                 .to_owned(),
         );
+    }
+    if !placemarks.left_out.is_empty() {
+        notes.push(format!(
+            "elements of placemarks that have no place beside what is written are left out: {}",
+            counted(&placemarks.left_out)
+        ));
     }
     (text, notes)
 }
@@ -135,40 +122,52 @@ fn position(frame: &LocalFrame, p: &GroundPoint) -> String {
     format!("{},{}", degrees(longitude), degrees(latitude))
 }
 
-fn placemark(text: &mut String, name: &str, embedded: &Embedded, geometry: &str) {
-    let _ = write!(
-        text,
-        "<Placemark>\n  <name>{}</name>\n",
-        without_markup(name)
-    );
-    let mut elements: Vec<(usize, &String)> = embedded
-        .texts
-        .iter()
-        .filter_map(|(name, raw)| {
-            let name = name.strip_prefix(ELEMENT)?;
-            Some((ORDER.iter().position(|own| *own == name)?, raw))
-        })
-        .collect();
-    elements.sort_unstable();
-    for (_, raw) in elements {
-        let _ = writeln!(text, "  {raw}");
-    }
-    text.push_str("  <ExtendedData>\n");
-    let datum = |text: &mut String, name: &str, value: &str| {
-        let _ = writeln!(
+/// Placemarks as they are written, one after another.
+#[derive(Default)]
+struct Placemarks {
+    text: String,
+    /// Prefixes of other programs' elements.
+    prefixes: BTreeSet<&'static str>,
+    /// Names of elements that have no place here.
+    left_out: Vec<String>,
+}
+
+impl Placemarks {
+    fn add(&mut self, name: &str, embedded: &Embedded, geometry: &str) {
+        let text = &mut self.text;
+        // Writing into a string cannot fail.
+        let _ = write!(
             text,
-            "    <Data name=\"{}\"><value>{}</value></Data>",
-            without_markup(name),
-            without_markup(value)
+            "<Placemark>\n  <name>{}</name>\n",
+            without_markup(name)
         );
-    };
-    datum(text, OWN, &embedded.own);
-    for (name, value) in &embedded.texts {
-        if !name.starts_with(ELEMENT) {
-            datum(text, name, value);
+        let elements = elements_of(&embedded.texts);
+        self.prefixes.extend(elements.prefixes);
+        self.left_out.extend(elements.left_out);
+        for raw in elements.before {
+            let _ = writeln!(text, "  {raw}");
         }
+        text.push_str("  <ExtendedData>\n");
+        let datum = |text: &mut String, name: &str, value: &str| {
+            let _ = writeln!(
+                text,
+                "    <Data name=\"{}\"><value>{}</value></Data>",
+                without_markup(name),
+                without_markup(value)
+            );
+        };
+        datum(text, OWN, &embedded.own);
+        for (name, value) in &embedded.texts {
+            if !name.starts_with(ELEMENT) {
+                datum(text, name, value);
+            }
+        }
+        text.push_str("  </ExtendedData>\n");
+        for raw in elements.after {
+            let _ = writeln!(text, "  {raw}");
+        }
+        let _ = write!(text, "  {geometry}\n</Placemark>\n");
     }
-    let _ = write!(text, "  </ExtendedData>\n  {geometry}\n</Placemark>\n");
 }
 
 /// The KML in a zip.

@@ -9,6 +9,7 @@ mod foreign;
 mod globe;
 mod held;
 mod home;
+mod kml_elements;
 mod makers;
 mod plan;
 mod rally;
