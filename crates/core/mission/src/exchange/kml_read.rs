@@ -9,6 +9,7 @@ use super::embedded::{self, EmbeddedItem};
 use super::found::{GeodeticContent, POINT_BOX};
 use super::kml_data::data_of;
 use super::kml_links::{LinkedDocuments, linked, main_document, resolved};
+use super::kml_pilot::PilotMission;
 use super::kml_places::{place, tuples};
 use super::kmz::{KmzFiles, document_of};
 use super::shadow::is_shadow;
@@ -179,8 +180,10 @@ fn read_document(
 ) -> Result<KmlDocument, ExchangeError> {
     let source = NamedText { file, text };
     let root = source.root()?;
+    let pilot = PilotMission::find(&source, &root);
     let mut reader = KmlReader {
         source,
+        pilot,
         found: GeodeticContent::default(),
         counts: BTreeMap::new(),
         archive,
@@ -197,6 +200,8 @@ fn read_document(
 
 struct KmlReader<'a> {
     source: NamedText<'a>,
+    /// The mission of DJI Pilot in the document, if it has one.
+    pilot: Option<PilotMission>,
     found: GeodeticContent,
     counts: BTreeMap<String, usize>,
     archive: Option<&'a KmlArchive<'a>>,
@@ -298,6 +303,18 @@ impl KmlReader<'_> {
     }
 
     fn placemark(&mut self, placemark: &XmlElement) -> Result<(), ExchangeError> {
+        if let Some(mission) = &self.pilot {
+            if mission.has_point(placemark) {
+                return Ok(());
+            }
+            if mission.is_line(placemark) {
+                let said = self.said(placemark);
+                let (route, notes) = mission.route(said.name, said.properties);
+                self.found.routes.push(route);
+                self.found.notes.extend(notes);
+                return Ok(());
+            }
+        }
         let said = self.said(placemark);
         let geometries: Vec<&XmlElement> = placemark
             .children

@@ -42,6 +42,7 @@ mod kml;
 mod kml_data;
 mod kml_elements;
 mod kml_links;
+mod kml_pilot;
 mod kml_places;
 mod kml_read;
 mod kml_write;

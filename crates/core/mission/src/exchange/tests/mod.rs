@@ -10,6 +10,7 @@ mod globe;
 mod held;
 mod home;
 mod kml_elements;
+mod kml_pilot;
 mod makers;
 mod plan;
 mod rally;
