@@ -13,7 +13,7 @@ use super::fence;
 use super::found::GeodeticContent;
 use super::item::MissionItem;
 use super::item_route::{Home, MissionStep, route_of};
-use super::plan_firmware::{self, PlanFirmware};
+use super::plan_firmware::{self, MISSION, PlanFirmware};
 use super::route_items::{RouteStep, home_of, members, steps_of_plan};
 use super::{ExchangeError, Places, plan_terrain, rally};
 use crate::mission::text::{ObjectMembers, Text};
@@ -21,9 +21,8 @@ use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, Route, degrees};
 use pilotage_base::frames::{Altitude, AltitudeFrame, LocalFrame};
 
-/// Prefixes of a route's properties that are members of the plan and of its mission.
+/// Prefix of a route's properties that are members of the plan.
 const PLAN: &str = "plan:";
-const MISSION: &str = "plan.mission:";
 
 /// Reads a plan as one route.
 pub(super) fn read(file: &str, content: &str) -> Result<GeodeticContent, ExchangeError> {

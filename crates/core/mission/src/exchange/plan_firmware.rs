@@ -8,6 +8,8 @@ use super::route_items::RouteStep;
 use crate::mission::Route;
 use pilotage_base::frames::{AltitudeFrame, LocalFrame};
 
+/// Prefix of a route's properties that are members of a plan's mission.
+pub(super) const MISSION: &str = "plan.mission:";
 /// Member of a plan's mission with the autopilot, and its numbers (`MAV_AUTOPILOT`).
 pub(super) const MEMBER: &str = "firmwareType";
 const PX4: &str = "12";
@@ -73,19 +75,38 @@ impl PlanFirmware {
     }
 }
 
+/// Note for other formats, which name no autopilot: that a route out of a plan for PX4 has in these commands what PX4 refuses.
+pub(super) fn refused_note<'a>(
+    route: &Route,
+    items: impl Iterator<Item = &'a MissionItem>,
+) -> Option<String> {
+    let kept = route.properties.get(&format!("{MISSION}{MEMBER}"))?;
+    let refused: Vec<String> = items.flat_map(refused_of).flatten().collect();
+    (kept.trim() == PX4 && !refused.is_empty()).then(|| {
+        format!(
+            "PX4, for which the plan was that the route comes from, refuses this: {}",
+            counted(&refused)
+        )
+    })
+}
+
+/// Names of what PX4 refuses in a command.
+fn refused_of(item: &MissionItem) -> [Option<String>; 2] {
+    let is_above_ground = frame_of_number(item.frame) == Some(AltitudeFrame::AboveGround);
+    let height = is_above_ground.then(|| "height above ground".to_owned());
+    let turns = (item.command == LOITER_TURNS).then(|| command_name(LOITER_TURNS));
+    [height, turns]
+}
+
 /// Names of what PX4 refuses among the steps of a plan; heights of way-points are none where they are stated above the sea.
 fn refused(steps: &[RouteStep<'_>], is_above_sea: bool) -> Vec<String> {
-    let of = |item: &MissionItem, is_kept: bool| {
-        let is_above_ground = frame_of_number(item.frame) == Some(AltitudeFrame::AboveGround);
-        let height = (is_above_ground && (is_kept || !is_above_sea))
-            .then(|| "height above ground".to_owned());
-        let turns = (item.command == LOITER_TURNS).then(|| command_name(LOITER_TURNS));
-        [height, turns]
-    };
     let names = steps.iter().map(|step| match step {
-        RouteStep::WayPoint(item, _) => of(item, false),
+        RouteStep::WayPoint(item, _) => {
+            let [height, turns] = refused_of(item);
+            [height.filter(|_| !is_above_sea), turns]
+        }
         RouteStep::Kept(piece) => {
-            MissionItem::of_json(piece.get()).map_or([None, None], |item| of(&item, true))
+            MissionItem::of_json(piece.get()).map_or([None, None], |item| refused_of(&item))
         }
         RouteStep::Speed(..) | RouteStep::Return(_) => [None, None],
     });

@@ -16,7 +16,7 @@ use super::item_route::{Home, MissionStep, route_of};
 use super::rally::{self, RALLY_POINT};
 use super::route_items::{RouteStep, home_of, steps_of};
 use super::written::WrittenFile;
-use super::{ExchangeError, Places};
+use super::{ExchangeError, Places, plan_firmware};
 use crate::mission::found::FoundRally;
 use crate::mission::{Route, degrees};
 use pilotage_base::frames::{Geodetic, LocalFrame};
@@ -359,6 +359,7 @@ pub(super) fn write(
     }
     let lost = aim_jumps(&mut items);
     let written: Vec<&MissionItem> = items.iter().map(|(item, _)| item).collect();
+    notes.extend(plan_firmware::refused_note(route, written.iter().copied()));
     let fences = fence::of_items(&written).no_fly;
     notes.extend(fence::left_out(&fences, places.no_fly, frame));
     let known = written.iter().filter(|item| item.command == RALLY_POINT);

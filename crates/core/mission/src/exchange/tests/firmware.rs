@@ -104,6 +104,22 @@ fn a_route_that_px4_cannot_fly_is_a_plan_for_ardupilot() {
 }
 
 #[test]
+fn way_point_files_of_a_plan_for_px4_tell_what_it_refuses() {
+    let notes = |firmware: u8| {
+        let route = read(&over_terrain(firmware, 18));
+        let written = write_route(Format::Waypoints, &route, &frame()).unwrap();
+        let mut notes = written.notes.into_iter();
+        notes.find(|note| note.contains("refuses"))
+    };
+    let told = notes(12).unwrap();
+    assert!(
+        told.ends_with("refuses this: height above ground, LOITER_TURNS"),
+        "{told}"
+    );
+    assert_eq!(notes(3), None);
+}
+
+#[test]
 fn circles_in_a_plan_for_px4_are_told() {
     let (_, item, notes) = written(&read(&over_terrain(12, 18)));
     assert_eq!(item["command"], 18);
