@@ -50,6 +50,18 @@ pub fn plain_name(name: &str) -> String {
     name.chars().map(fit).collect()
 }
 
+/// The words that go with a count: `one` with one of a kind, `several` with any other number.
+///
+/// ```
+/// use pilotage_base::text::by_count;
+///
+/// let told = |count| format!("{count} {}", by_count(count, "row was", "rows were"));
+/// assert_eq!((told(1).as_str(), told(0).as_str()), ("1 row was", "0 rows were"));
+/// ```
+pub fn by_count<'a>(count: usize, one: &'a str, several: &'a str) -> &'a str {
+    if count == 1 { one } else { several }
+}
+
 /// Verdict of the end of a table's text on its last row.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LastRow {

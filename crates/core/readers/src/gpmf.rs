@@ -11,6 +11,7 @@ use crate::srt::with_frames_of_film;
 use crate::text_tables::{flight_of_table, table};
 use pilotage_base::bytes::ByteSource;
 use pilotage_base::files::{FileSet, names_ending_in};
+use pilotage_base::text::by_count;
 
 /// Endings of films.
 pub const FILMS: [&str; 3] = ["mp4", "mov", "360"];
@@ -133,15 +134,23 @@ fn of_film(name: &str, film: &dyn ByteSource) -> Result<Option<(FlightFolder, f6
     let Some((begins, _)) = places.rows.first().filter(|_| places.rows.len() > 1) else {
         return match (places.unfixed, places.rows.len()) {
             (0, _) => Ok(None),
-            (count, 0) => Err(broken(format!("{count} places, none with a fix"))),
+            (count, 0) => Err(broken(format!(
+                "{count} {}, none with a fix",
+                by_count(count, "place", "places")
+            ))),
             (count, _) => Err(broken(format!("{} places, one with a fix", count + 1))),
         };
     };
     let mut notes = vec!["times are those of the film".to_owned()];
     if places.unfixed > 0 {
         notes.push(format!(
-            "{} places without a fix were left out",
-            places.unfixed
+            "{} {} left out",
+            places.unfixed,
+            by_count(
+                places.unfixed,
+                "place without a fix was",
+                "places without a fix were"
+            )
         ));
     }
     if is_cut {

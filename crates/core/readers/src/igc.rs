@@ -6,7 +6,7 @@ use crate::cells::days_since_1970;
 use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
-use pilotage_base::text::utc_text;
+use pilotage_base::text::{by_count, utc_text};
 
 const DAY: f64 = 86_400.0;
 /// Two digits of a year from this one on are of the century before.
@@ -85,7 +85,12 @@ pub fn read_igc(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folder
     let mut findings = Vec::new();
     if damaged > 0 {
         findings.push(format!(
-            "{damaged} lines that begin as fixes were left out: they are damaged"
+            "{damaged} {} damaged",
+            by_count(
+                damaged,
+                "line that begins as a fix was left out: it is",
+                "lines that begin as fixes were left out: they are"
+            )
         ));
     }
     if !is_geoid {
@@ -229,7 +234,10 @@ mod tests {
         let text = record("HFDTE310124", "A").replace("B2359523351", "B235952335x");
         let folder = read_igc("a.igc", text.as_bytes()).unwrap().unwrap();
         assert!(
-            folder.notes.iter().any(|note| note.starts_with("1 lines")),
+            folder
+                .notes
+                .iter()
+                .any(|note| note.starts_with("1 line that")),
             "{:?}",
             folder.notes
         );

@@ -10,7 +10,7 @@ use crate::nmea_velocity::{SaidMotion, velocity_leads};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
-use pilotage_base::text::utc_text;
+use pilotage_base::text::{by_count, utc_text};
 
 const DAY: f64 = 86_400.0;
 /// Receivers write two digits of a year; from this one on they are of the century before.
@@ -113,14 +113,24 @@ pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folde
     let mut findings = Vec::new();
     if sentences.damaged > 0 {
         findings.push(format!(
-            "{} sentences were left out: their check sums are wrong or missing",
-            sentences.damaged
+            "{} {} wrong or missing",
+            sentences.damaged,
+            by_count(
+                sentences.damaged,
+                "sentence was left out: its check sum is",
+                "sentences were left out: their check sums are"
+            )
         ));
     }
     if sentences.unfixed > 0 {
         findings.push(format!(
-            "{} sentences were told without a fix, and have no place",
-            sentences.unfixed
+            "{} {} no place",
+            sentences.unfixed,
+            by_count(
+                sentences.unfixed,
+                "sentence was told without a fix, and has",
+                "sentences were told without a fix, and have"
+            )
         ));
     }
     findings.extend(sentences.others);

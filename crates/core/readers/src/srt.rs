@@ -9,6 +9,7 @@ use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::METRES_PER_FOOT;
+use pilotage_base::text::by_count;
 use pilotage_flight::ChannelName;
 
 /// Columns of the table, each with the names that firmware has given to its value in subtitles.
@@ -139,8 +140,13 @@ fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
     }
     if rows.len() < cues {
         notes.push(format!(
-            "{} of {cues} subtitles have no place and were left out",
-            cues - rows.len()
+            "{} of {cues} subtitles {} left out",
+            cues - rows.len(),
+            by_count(
+                cues - rows.len(),
+                "has no place and was",
+                "have no place and were"
+            )
         ));
     }
     let begins = rows.first()?.0;

@@ -9,7 +9,7 @@ use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::METRES_PER_FOOT;
-use pilotage_base::text::utc_text;
+use pilotage_base::text::{by_count, utc_text};
 
 /// Columns behind the time.
 const COLUMNS: [&str; 3] = ["latitude [deg]", "longitude [deg]", "gps altitude [m]"];
@@ -95,7 +95,12 @@ pub fn read_track(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Fold
     }
     if left_out > 0 {
         findings.push(format!(
-            "{left_out} points were left out: they have no time or no place"
+            "{left_out} {} no time or no place",
+            by_count(
+                left_out,
+                "point was left out: it has",
+                "points were left out: they have"
+            )
         ));
     }
     flight_of_table(name, table("time", COLUMNS, &points), findings)
@@ -218,7 +223,12 @@ mod tests {
         // 11 October 2009, 14:04:30.
         let utc = folder.utc_at_zero().unwrap() + folder.flight.span().0;
         assert!((utc - 1_255_269_870.0).abs() < 0.1, "{utc}");
-        assert!(folder.notes.iter().any(|note| note.contains("1 points")));
+        assert!(
+            folder
+                .notes
+                .iter()
+                .any(|note| note.contains("1 point was left out: it has no"))
+        );
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{BodyAxis, ColumnMap, ColumnRole};
+use pilotage_base::text::by_count;
 use pilotage_flight::{Channel, ChannelName, Flight};
 
 /// Whether the velocity of a map is one in the body's axes.
@@ -60,7 +61,8 @@ pub(super) fn turn(flight: &mut Flight) -> Option<String> {
     }
     (left_out > 0).then(|| {
         format!(
-            "{left_out} of {count} velocities in the body's axes were left out, as the attitude is not known then"
+            "{left_out} of {count} velocities in the body's axes {} left out, as the attitude is not known then",
+            by_count(left_out, "was", "were")
         )
     })
 }

@@ -19,7 +19,7 @@ use crate::folder::{
 };
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::EARTH_RADIUS;
-use pilotage_base::text::LastRow;
+use pilotage_base::text::{LastRow, by_count};
 use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 
 /// Standard deviation per axis of the first position, metres.
@@ -66,10 +66,7 @@ pub fn flight_of_tables(
         notes.extend(told.map(|note| format!("{}: {note}", map.file)));
         let dropped = table.keep_rows_in_time(&time);
         if dropped > 0 {
-            notes.push(format!(
-                "{}: {dropped} rows were left out, as their time is missing, goes back or lies far from those around",
-                map.file
-            ));
+            notes.push(untimed(&map.file, dropped));
         }
         match table.spread_rows(&time) {
             Ok(true) => notes.push(format!(
@@ -155,6 +152,18 @@ pub fn flight_of_tables(
     folder.notes.splice(0..0, notes);
     folder.flight.truth = track(&folder);
     Ok(folder)
+}
+
+/// Sentence about rows of a table that were left out for their times.
+fn untimed(file: &str, dropped: usize) -> String {
+    format!(
+        "{file}: {dropped} {} time is missing, goes back or lies far from those around",
+        by_count(
+            dropped,
+            "row was left out, as its",
+            "rows were left out, as their"
+        )
+    )
 }
 
 /// Sentence about the last line of a table, where the file may be cut off in it.

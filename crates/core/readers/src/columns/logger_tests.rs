@@ -35,7 +35,7 @@ fn a_wrong_time_costs_its_row_wherever_it_stands_and_is_told() {
                 (last - first - expected).abs() < 1e-6,
                 "{wrong} at {at}: {first} to {last}"
             );
-            let is_told = |note: &String| note.contains("1 rows were left out");
+            let is_told = |note: &String| note.contains("1 row was left out");
             assert!(folder.notes.iter().any(is_told), "{:?}", folder.notes);
         }
     }
@@ -498,7 +498,7 @@ fn a_time_that_leaps_ahead_takes_only_its_own_row() {
         folder
             .notes
             .iter()
-            .any(|note| note.contains("1 rows were left out"))
+            .any(|note| note.contains("1 row was left out"))
     );
 }
 

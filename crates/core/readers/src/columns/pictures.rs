@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use pilotage_base::files::{FileSet, find, folder_of};
+use pilotage_base::text::by_count;
 use pilotage_flight::CameraFile;
 use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 use pilotage_raster::raster::decode_picture;
@@ -55,10 +56,11 @@ pub(super) fn named(
                 ..CameraModel::pinhole(picture.width(), picture.height(), ACROSS.to_radians())
             });
             let note = format!(
-                "{} names {} pictures; the camera is assumed to look straight down, to within 10° if nothing tells its \
+                "{} names {} {}; the camera is assumed to look straight down, to within 10° if nothing tells its \
                  angles, and to see {ACROSS:.0}° across",
                 column.name,
-                names.len()
+                names.len(),
+                by_count(names.len(), "picture", "pictures")
             );
             Some(((frames, camera), note))
         })

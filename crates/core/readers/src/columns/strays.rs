@@ -1,6 +1,7 @@
 //! Rows of a receiver without a fix, which says 0° north, 0° east, no height and no speed.
 
 use crate::folder::FlightFolder;
+use pilotage_base::text::by_count;
 use pilotage_flight::ChannelName;
 
 /// Places further than this from the first are none, metres: a receiver without a fix says 0° north, 0° east.
@@ -54,8 +55,13 @@ pub(super) fn leave_out_strays(folder: &mut FlightFolder, notes: &mut Vec<String
         }
     }
     notes.push(format!(
-        "{} places were left out, with what the receiver told beside them, as they lie over {:.0} km from the first",
+        "{} {} over {:.0} km from the first",
         strays.len(),
+        by_count(
+            strays.len(),
+            "place was left out, with what the receiver told beside it, as it lies",
+            "places were left out, with what the receiver told beside them, as they lie"
+        ),
         1e-3 * FARTHEST
     ));
 }

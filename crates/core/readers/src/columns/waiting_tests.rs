@@ -171,7 +171,7 @@ fn places_over_the_equator_and_greenwich_keep_the_hemispheres_of_their_rows() {
         let files = files(&[("a.csv", &table)]);
         let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
         let folder = flight_of_tables(&files, &maps).unwrap();
-        let is_told = |note: &String| note.contains("1 rows have no place");
+        let is_told = |note: &String| note.contains("1 row has no place");
         assert!(folder.notes.iter().any(is_told), "{:?}", folder.notes);
         let frame = folder.flight.frame_on_globe.unwrap();
         let states = folder.flight.truth.unwrap().states;

@@ -7,6 +7,7 @@ use super::position::Positions;
 use super::table::CsvTable;
 use crate::cells::Dimension;
 use pilotage_base::frames::wrap_pi;
+use pilotage_base::text::by_count;
 use pilotage_flight::{Channel, ChannelName};
 
 /// Values of a column, `None` where a cell is empty.
@@ -143,9 +144,14 @@ fn add_channel(
         .unzip();
     if values.len() < total {
         folder.notes.push(format!(
-            "{}: {} of {total} samples are empty and were skipped",
+            "{}: {} of {total} samples {} skipped",
             name.key(),
-            total - values.len()
+            total - values.len(),
+            by_count(
+                total - values.len(),
+                "is empty and was",
+                "are empty and were"
+            )
         ));
     }
     channels.push(Channel {

@@ -13,6 +13,7 @@ use crate::cells::Dimension;
 use pilotage_base::files::{FileSet, find, folder_of};
 use pilotage_base::frames::wrap_pi;
 use pilotage_base::georeference::Georeference;
+use pilotage_base::text::by_count;
 use pilotage_flight::{CameraFile, OriginFile};
 use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 use pilotage_raster::raster::decode_picture;
@@ -60,8 +61,13 @@ pub(super) fn guess(files: &Arc<dyn FileSet>) -> Option<(FlightFile, String, Vec
     let stored_turn_deg = stored_turns(&table);
     if !stored_turn_deg.is_empty() {
         notes.push(format!(
-            "{} pictures are turned by 180° against their heading",
-            stored_turn_deg.len()
+            "{} {} heading",
+            stored_turn_deg.len(),
+            by_count(
+                stored_turn_deg.len(),
+                "picture is turned by 180° against its",
+                "pictures are turned by 180° against their"
+            )
         ));
     }
     let map_pixels = ["sift_ortho_px", "sift_ortho_py"];

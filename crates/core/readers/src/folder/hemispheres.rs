@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::table_text::{ANGLES, TableText, bare_cells, places, some_lines, spliced, words};
 use crate::cells::Separator;
+use pilotage_base::text::by_count;
 
 /// Letters that leave an angle as it is, and those that turn it.
 const PAIRS: [[u8; 2]; 2] = [*b"NS", *b"EW"];
@@ -161,7 +162,8 @@ pub(super) fn with_signs(text: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Vec<String>) {
         ));
         if lost > 0 {
             notes.push(format!(
-                "{lost} rows have no place, as \"{name}\" has no letter of a hemisphere there, or \"{of}\" a sign of its own"
+                "{lost} {} no place, as \"{name}\" has no letter of a hemisphere there, or \"{of}\" a sign of its own",
+                by_count(lost, "row has", "rows have")
             ));
         }
     }
@@ -366,7 +368,7 @@ mod tests {
         let odd = whole.replace("0.0020,E", "0.0020,X");
         assert!(signed(&odd).contains(row) && signed(&odd).contains("\n70,51.5,N,,E\n"));
         assert!(
-            told(&odd)[1].starts_with("1 rows have no place"),
+            told(&odd)[1].starts_with("1 row has no place"),
             "{:?}",
             told(&odd)
         );

@@ -177,7 +177,7 @@ fn somebody_elses_table_is_read_where_it_lies() {
     assert!((flight.start.position.north - 111.15).abs() < 0.02);
     assert_eq!(
         folder.notes,
-        ["airspeed: 1 of 2 samples are empty and were skipped"]
+        ["airspeed: 1 of 2 samples is empty and was skipped"]
     );
 }
 

@@ -3,6 +3,7 @@
 use super::super::interpret::{RoleSeries, estimated_places};
 use super::super::log::Log;
 use super::{Finding, Severity};
+use pilotage_base::text::by_count;
 
 /// Findings of the reading of the file.
 pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
@@ -23,11 +24,12 @@ pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
             },
             title: "Part of the file is unreadable".to_owned(),
             text: format!(
-                "{} bytes in {} were skipped, {share:.2} % of the file.{place}",
+                "{} {} skipped, {share:.2} % of the file.{place}",
                 report.skipped_bytes,
-                match report.skipped_places {
-                    1 => "1 place".to_owned(),
-                    places => format!("{places} places"),
+                match (report.skipped_bytes, report.skipped_places) {
+                    (1, _) => "byte was".to_owned(),
+                    (_, 1) => "bytes in 1 place were".to_owned(),
+                    (_, places) => format!("bytes in {places} places were"),
                 }
             ),
             span: None,
@@ -62,9 +64,10 @@ pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
             severity: Severity::Warning,
             title: format!("Times of {sources} go back or stand still"),
             text: format!(
-                "{} of {} samples were left out for it.",
+                "{} of {} samples {} left out for it.",
                 of.out_of_order,
-                of.times.len() + of.out_of_order
+                of.times.len() + of.out_of_order,
+                by_count(of.out_of_order, "was", "were")
             ),
             span: None,
         }),
@@ -74,8 +77,13 @@ pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
             severity: Severity::Note,
             title: format!("{sources} holds values that cannot be"),
             text: format!(
-                "{} samples are no number or beyond anything that flies, and were left out.",
-                of.implausible
+                "{} {} left out.",
+                of.implausible,
+                by_count(
+                    of.implausible,
+                    "sample is no number or beyond anything that flies, and was",
+                    "samples are no number or beyond anything that flies, and were"
+                )
             ),
             span: None,
         }),

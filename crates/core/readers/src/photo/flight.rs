@@ -16,6 +16,7 @@ use crate::folder::{FlightFolder, FlightOrigin, FolderFrames};
 use crate::times::most_told_era;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
+use pilotage_base::text::by_count;
 use pilotage_flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
 use pilotage_raster::camera::{CameraModel, UNSTATED_MOUNT_DEVIATION};
 
@@ -138,8 +139,13 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     of_one_size(&mut photos, size, "photos", notes);
     if unplaced > 0 {
         notes.push(format!(
-            "{unplaced} of the photos left out do not say where they were taken; a table of names, places, heights and \
-             headings beside them (CSV) would make them a flight"
+            "{unplaced} of the photos left out {} taken; a table of names, places, heights and \
+             headings beside them (CSV) would make them a flight",
+            by_count(
+                unplaced,
+                "does not say where it was",
+                "do not say where they were"
+            )
         ));
     }
     of_one_camera(&mut photos, notes);
@@ -157,10 +163,12 @@ pub(super) fn of_one_size(
     photos.retain(|photo| (photo.width, photo.height) == size);
     if photos.len() < total {
         notes.push(format!(
-            "{} of {total} {what} are of another size than {} x {} and were left out",
+            "{} of {total} {what} {} of another size than {} x {} and {} left out",
             total - photos.len(),
+            by_count(total - photos.len(), "is", "are"),
             size.0,
-            size.1
+            size.1,
+            by_count(total - photos.len(), "was", "were")
         ));
     }
 }
@@ -244,9 +252,15 @@ fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     let (photos, strays): (Vec<Photo>, Vec<Photo>) = photos.into_iter().partition(is_of_era);
     if let Some(stray) = strays.first() {
         notes.push(format!(
-            "{} photos were left out, as they say to be taken on other days than the rest: {} and so on",
+            "{} {}",
             strays.len(),
-            stray.name
+            match strays.len() {
+                1 => format!("photo was left out, as it says to be taken on another day than the rest: {}", stray.name),
+                _ => format!(
+                    "photos were left out, as they say to be taken on other days than the rest: {} and so on",
+                    stray.name
+                ),
+            }
         ));
     }
     let first = photos
@@ -279,8 +293,13 @@ fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     let mut timed: Vec<TimedPhoto> = timed.collect();
     if timed.len() < total {
         notes.push(format!(
-            "{} of {total} photos do not say when they were taken and were left out",
-            total - timed.len()
+            "{} of {total} photos {} left out",
+            total - timed.len(),
+            by_count(
+                total - timed.len(),
+                "does not say when it was taken and was",
+                "do not say when they were taken and were"
+            )
         ));
     }
     timed.sort_by(|a, b| a.time.total_cmp(&b.time));
@@ -306,8 +325,12 @@ fn spread_seconds(photos: &mut [TimedPhoto], notes: &mut Vec<String>) {
     }
     if spread > 0 {
         notes.push(format!(
-            "the camera's clock counts whole seconds: {spread} photos were taken in the same second as another \
-             and are spread over it"
+            "the camera's clock counts whole seconds: {spread} {} spread over it",
+            by_count(
+                spread,
+                "photo was taken in the same second as another and is",
+                "photos were taken in the same second as another and are"
+            )
         ));
     }
 }
@@ -449,8 +472,13 @@ fn tell(photos: &[TimedPhoto], notes: &mut Vec<String>) {
     let nowhere: Vec<&str> = nowhere.map(|p| p.photo.name.as_str()).collect();
     if !nowhere.is_empty() {
         notes.push(format!(
-            "{} of {total} photos do not say where they were taken: {}",
+            "{} of {total} photos {} taken: {}",
             nowhere.len(),
+            by_count(
+                nowhere.len(),
+                "does not say where it was",
+                "do not say where they were"
+            ),
             some(&nowhere)
         ));
     }
@@ -473,21 +501,29 @@ fn tell(photos: &[TimedPhoto], notes: &mut Vec<String>) {
     });
     if oblique > 0 {
         notes.push(format!(
-            "{oblique} of {total} photos look far from straight down"
+            "{oblique} of {total} photos {} far from straight down",
+            by_count(oblique, "looks", "look")
         ));
     }
     let turned = count(&|p| p.orientation != 1);
     if turned > 0 {
         notes.push(format!(
-            "{turned} of {total} photos are marked as to be turned for people: they are taken as they are stored"
+            "{turned} of {total} photos {} stored",
+            by_count(
+                turned,
+                "is marked as to be turned for people: it is taken as it is",
+                "are marked as to be turned for people: they are taken as they are"
+            )
         ));
     }
     let saved = photos.iter().filter(|p| p.photo.saved_again_by.is_some());
     let saved: Vec<&TimedPhoto> = saved.collect();
     if let Some(program) = saved.first().and_then(|p| p.photo.saved_again_by.as_ref()) {
         notes.push(format!(
-            "{} of {total} photos were saved again by {program}, which may have turned them against their heading",
-            saved.len()
+            "{} of {total} photos {} saved again by {program}, which may have turned {} heading",
+            saved.len(),
+            by_count(saved.len(), "was", "were"),
+            by_count(saved.len(), "it against its", "them against their")
         ));
     }
 }

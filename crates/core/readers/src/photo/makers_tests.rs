@@ -70,7 +70,12 @@ fn a_photo_of_another_year_takes_only_itself() {
         .map(|frame| frame.time)
         .collect();
     assert_eq!(times, [0.0, 4.0]);
-    assert!(folder.notes.iter().any(|note| note.contains("other days")));
+    assert!(
+        folder
+            .notes
+            .iter()
+            .any(|note| note.contains("another day than the rest"))
+    );
 }
 
 #[test]

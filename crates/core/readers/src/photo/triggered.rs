@@ -9,6 +9,7 @@ use super::triggers::triggers;
 use crate::folder::FolderFrames;
 use crate::log::Log;
 use pilotage_base::files::FileSet;
+use pilotage_base::text::by_count;
 use pilotage_flight::{Flight, Frame, FrameSource};
 
 /// Seconds by which a camera's clock, which counts whole ones, may be off from the log's at a photo.
@@ -57,8 +58,11 @@ pub fn add_photos(
         });
     };
     notes.push(format!(
-        "{} photos beside the log were put in time by its {count} events of {source}, {how}",
-        order.len()
+        "{} {} beside the log {} put in time by its {count} {} of {source}, {how}",
+        order.len(),
+        by_count(order.len(), "photo", "photos"),
+        by_count(order.len(), "was", "were"),
+        by_count(count, "event", "events")
     ));
     flight.camera = camera(first, &mut notes);
     let frames = order.iter().map(|(photo, event)| Frame {

@@ -7,6 +7,7 @@ use super::topics::{MessageKind, Owners};
 use super::units::{Labels, UnitTables};
 use super::words::LogTexts;
 use pilotage_base::sorting::sort;
+use pilotage_base::text::by_count;
 
 /// Why a message is skipped whose kind was never announced.
 pub const UNANNOUNCED: &str = "a kind of message that was not announced";
@@ -293,7 +294,11 @@ impl DataflashContents {
             if let Some([before, after]) = first {
                 let name = &topic.name;
                 log.report.remark(format!(
-                    "{name}: times go back {back} times, first from {before} s to {after} s"
+                    "{name}: times go back {}from {before} s to {after} s",
+                    match back {
+                        1 => "once, ".to_owned(),
+                        more => format!("{more} times, first "),
+                    }
                 ));
             }
         }
@@ -309,7 +314,12 @@ impl DataflashContents {
                 .collect();
             let most = most.join(", ");
             log.report.remark(format!(
-                "{sum} rows have the time of the row before them: {most}"
+                "{sum} {}: {most}",
+                by_count(
+                    sum,
+                    "row has the time of the row before it",
+                    "rows have the time of the row before them"
+                )
             ));
         }
     }

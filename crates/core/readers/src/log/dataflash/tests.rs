@@ -388,8 +388,8 @@ fn times_that_go_back_or_stand_still_stay_and_are_told() {
     assert_eq!(
         log.report.remarks,
         [
-            "ATT: times go back 1 times, first from 3 s to 1 s",
-            "1 rows have the time of the row before them: ATT 1"
+            "ATT: times go back once, from 3 s to 1 s",
+            "1 row has the time of the row before it: ATT 1"
         ]
     );
 }

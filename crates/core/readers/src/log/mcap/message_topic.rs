@@ -94,8 +94,9 @@ impl MessageTopic {
             log.report.remark(format!("{name}: left out: {what}"));
         }
         if let Some((count, cause)) = self.failed.take() {
+            let messages = if count == 1 { "message" } else { "messages" };
             log.report.remark(format!(
-                "{name}: {count} messages could not be read: {cause}"
+                "{name}: {count} {messages} could not be read: {cause}"
             ));
         }
     }
