@@ -6,6 +6,7 @@ pub mod columns;
 pub mod expression;
 mod folder;
 pub mod foreign;
+mod gimbal;
 pub mod gpmf;
 pub mod igc;
 pub mod interpret;

@@ -6,9 +6,11 @@ use std::sync::Arc;
 
 use crate::beside_log::{BesideLogError, pictures_counted_from};
 use crate::folder::{FlightFolder, FolderError, decoded};
+use crate::gimbal::looking_down;
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::METRES_PER_FOOT;
+use pilotage_base::frames::{Attitude, wrap_pi};
 use pilotage_base::text::by_count;
 use pilotage_flight::ChannelName;
 
@@ -234,8 +236,24 @@ fn values(words: &str) -> [Option<f64>; 7] {
         values[ROLL] = angles.next().flatten();
         values[HEADING] = angles.next().flatten();
     }
-    values[PITCH] = values[PITCH].map(|pitch| pitch + 90.0);
+    if let Some(pitch) = values[PITCH] {
+        let radians = |index: usize| values[index].unwrap_or(0.0).to_radians();
+        let camera = looking_down(Attitude {
+            roll: radians(ROLL),
+            pitch: pitch.to_radians(),
+            yaw: radians(HEADING),
+        });
+        values[PITCH] = Some(in_degrees(camera.pitch));
+        for (index, angle) in [(ROLL, camera.roll), (HEADING, camera.yaw)] {
+            values[index] = values[index].map(|_| in_degrees(wrap_pi(angle)));
+        }
+    }
     values
+}
+
+/// Degrees without what radians between leave of them.
+fn in_degrees(angle: f64) -> f64 {
+    (1e6 * angle.to_degrees()).round() / 1e6
 }
 
 /// Whether the latitude is the first of `GPS(…)`: a number beyond 90 is the longitude, and firmware that writes a height last,
@@ -380,8 +398,9 @@ mod tests {
                 .unwrap()
         };
         assert!((last(ChannelName::HeightAboveGround) - 14.9).abs() < 1e-9);
-        assert!((last(ChannelName::Pitch) - 10.0_f64.to_radians()).abs() < 1e-9);
-        assert!((last(ChannelName::Heading) - 49.0_f64.to_radians()).abs() < 1e-9);
+        // Of Rz(49°) Ry(10°) Rz(0.5°): pitch asin(sin 10° cos 0.5°), heading 49° + atan(tan 0.5° / cos 10°).
+        assert!((last(ChannelName::Pitch).to_degrees() - 9.999_616).abs() < 1e-5);
+        assert!((last(ChannelName::Heading).to_degrees() - 49.507_713).abs() < 1e-5);
         let origin = flight.frame_on_globe.unwrap().origin;
         assert!((origin.longitude.to_degrees() + 8.5).abs() < 1e-9);
         assert!(folder.notes.iter().any(|note| note.contains("gimbal")));
@@ -419,10 +438,19 @@ mod tests {
             )
         };
         let found = values(&words(0));
-        let expected = [-47.0, -8.0, 12.5, f64::NAN, 45.0, 10.0, 0.5];
+        // Of Rz(45°) Ry(10°) Rz(0.5°), as above; roll atan(tan 10° sin 0.5°).
+        let expected = [
+            -47.0,
+            -8.0,
+            12.5,
+            f64::NAN,
+            45.507_713,
+            9.999_616,
+            0.088_163,
+        ];
         for (found, expected) in found.iter().zip(expected) {
             assert!(
-                found.is_none() && expected.is_nan() || *found == Some(expected),
+                found.map_or(expected.is_nan(), |f| (f - expected).abs() < 1e-5),
                 "{found:?}"
             );
         }

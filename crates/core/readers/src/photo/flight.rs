@@ -8,7 +8,7 @@ use nalgebra::Point3;
 
 use super::camera::focal_in_pixels;
 use super::log::log;
-use super::pose::{looking_down, photo_pose};
+use super::pose::{by_gimbal, photo_pose};
 use super::read::{Photo, PhotoPlace, read_photo};
 use super::tabled::are_of_a_table;
 use super::timed::TimedPhoto;
@@ -416,7 +416,7 @@ fn channels(photos: &[TimedPhoto], states: &[TruthState], notes: &mut Vec<String
     let is_blank = !of_gimbal && photos.iter().any(|p| p.photo.is_gimbal_blank);
     let attitude = |photo: &Photo| {
         if of_gimbal {
-            photo.gimbal.map(looking_down)
+            by_gimbal(photo)
         } else {
             photo.aircraft.map(|aircraft| {
                 let told = photo_pose(photo);

@@ -24,6 +24,17 @@ fn the_gimbal_of_every_maker_is_read_by_its_namespace() {
             assert!((found - wanted).abs() < 1e-9, "{xmp}: {degrees:?}");
         }
         assert_eq!(photo.height_above_take_off, Some(81.5), "{xmp}");
+        let pose = photo_pose(&photo);
+        let degrees = [Some(pose.roll), pose.heading].map(|a| a.map_or(f64::NAN, f64::to_degrees));
+        // Straight down a roll about the view turns the picture; one about its top leans it.
+        let expected = if xmp == sense_fly {
+            [0.5, 30.0]
+        } else {
+            [0.0, 30.5]
+        };
+        for (found, wanted) in degrees.iter().zip(expected) {
+            assert!((found - wanted).abs() < 1e-9, "{xmp}: {degrees:?}");
+        }
     }
 }
 

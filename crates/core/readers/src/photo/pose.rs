@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::read::Photo;
+use crate::gimbal::looking_down;
 use pilotage_base::frames::{Attitude, wrap_pi};
 
 /// Attitude and height of a camera that looks down; zero roll and pitch look straight down with the picture's top
@@ -21,12 +22,17 @@ pub struct PhotoPose {
     pub told_by: &'static str,
 }
 
-/// The attitude of a gimbal, whose pitch of -π/2 looks straight down, as one of a camera that looks down at zero.
-pub(super) fn looking_down(gimbal: Attitude) -> Attitude {
-    Attitude {
-        pitch: wrap_pi(gimbal.pitch + FRAC_PI_2),
-        ..gimbal
-    }
+/// The attitude of the camera by its gimbal, zero looking straight down; `None` where the photo does not tell it.
+pub(super) fn by_gimbal(photo: &Photo) -> Option<Attitude> {
+    let gimbal = photo.gimbal?;
+    Some(if photo.is_roll_about_top {
+        Attitude {
+            pitch: wrap_pi(gimbal.pitch + FRAC_PI_2),
+            ..gimbal
+        }
+    } else {
+        looking_down(gimbal)
+    })
 }
 
 /// Pose that a photo tells: by the gimbal, else by the aircraft's heading with the camera straight down, else
@@ -39,16 +45,13 @@ pub fn photo_pose(photo: &Photo) -> PhotoPose {
         height: photo.height_above_take_off,
         told_by,
     };
-    match (photo.gimbal, photo.aircraft) {
-        (Some(gimbal), _) => {
-            let camera = looking_down(gimbal);
-            pose(
-                Some(wrap_pi(camera.yaw)),
-                wrap_pi(camera.roll),
-                camera.pitch,
-                "by the gimbal",
-            )
-        }
+    match (by_gimbal(photo), photo.aircraft) {
+        (Some(camera), _) => pose(
+            Some(wrap_pi(camera.yaw)),
+            wrap_pi(camera.roll),
+            camera.pitch,
+            "by the gimbal",
+        ),
         (None, Some(aircraft)) if photo.is_gimbal_blank => pose(
             Some(wrap_pi(aircraft.yaw)),
             0.0,
@@ -101,5 +104,27 @@ mod tests {
         };
         let told = photo_pose(&fixed);
         assert_eq!((told.heading, told.roll, told.pitch), (Some(2.0), 0.1, 0.2));
+    }
+
+    #[test]
+    fn a_gimbal_that_turned_over_looks_down_with_the_opposite_heading() {
+        let degrees = [180.0_f64, -90.0, -170.0].map(f64::to_radians);
+        let flipped = Photo {
+            gimbal: Some(attitude(degrees[0], degrees[1], degrees[2])),
+            ..Photo::default()
+        };
+        let told = photo_pose(&flipped);
+        let heading = told.heading.expect("the gimbal tells it");
+        assert!((heading.to_degrees() - 10.0).abs() < 1e-9, "{heading}");
+        assert!(told.roll.abs() < 1e-9 && told.pitch.abs() < 1e-9);
+        // Where the roll is about the picture's top, it stays one.
+        let of_top = Photo {
+            gimbal: Some(attitude(0.1, 0.2 - FRAC_PI_2, 1.0)),
+            is_roll_about_top: true,
+            ..Photo::default()
+        };
+        let told = photo_pose(&of_top);
+        assert!(told.heading == Some(1.0) && (told.roll - 0.1).abs() < 1e-12);
+        assert!((told.pitch - 0.2).abs() < 1e-12);
     }
 }

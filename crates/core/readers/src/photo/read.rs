@@ -51,8 +51,10 @@ pub struct Photo {
     pub place: Option<PhotoPlace>,
     /// Height above take-off, metres.
     pub height_above_take_off: Option<f64>,
-    /// Attitude of the camera: pitch 0 looks level, -π/2 straight down.
+    /// Attitude of the camera: pitch 0 looks level, -π/2 straight down; the roll is about the view.
     pub gimbal: Option<Attitude>,
+    /// Whether the roll of the gimbal is about the picture's top instead, as in `Pix4D`'s properties.
+    pub is_roll_about_top: bool,
     /// Whether the angles of the gimbal are there and all zero, which some firmware writes whatever they are: then
     /// they do not count.
     pub is_gimbal_blank: bool,
@@ -180,7 +182,7 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
     };
     let dji = |name: &str| xmp.number(&[&format!("drone-dji:{name}")]);
     let millimetres = |value: f64| value / 1e3;
-    let gimbal = gimbal(xmp);
+    let (gimbal, is_roll_about_top) = gimbal(xmp);
     let aircraft = aircraft(xmp);
     let is_zero = |a: &Attitude| [a.roll, a.pitch, a.yaw].iter().all(|angle| *angle == 0.0);
     let is_gimbal_blank =
@@ -196,6 +198,7 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
         place: place(&exif.gps, xmp),
         height_above_take_off: xmp.number(&HEIGHTS),
         gimbal: gimbal.filter(|_| !is_gimbal_blank),
+        is_roll_about_top,
         is_gimbal_blank,
         aircraft,
         direction: direction(&exif.gps),
@@ -499,8 +502,9 @@ fn attitude(xmp: &Xmp, [roll, pitch, yaw]: [&str; 3]) -> Option<Attitude> {
     })
 }
 
-/// The attitude of the camera, as its maker writes it, pitch 0 level; else as `Pix4D`'s properties have it.
-fn gimbal(xmp: &Xmp) -> Option<Attitude> {
+/// The attitude of the camera, as its maker writes it, pitch 0 level; else as `Pix4D`'s properties have it, and whether it
+/// is theirs.
+fn gimbal(xmp: &Xmp) -> (Option<Attitude>, bool) {
     let makers = [
         [
             "drone-dji:GimbalRollDegree",
@@ -518,8 +522,10 @@ fn gimbal(xmp: &Xmp) -> Option<Attitude> {
             "drone-skydio:CameraOrientationNED:Yaw",
         ],
     ];
-    let of_maker = makers.into_iter().find_map(|names| attitude(xmp, names));
-    of_maker.or_else(|| camera_attitude(xmp))
+    match makers.into_iter().find_map(|names| attitude(xmp, names)) {
+        Some(of_maker) => (Some(of_maker), false),
+        None => (camera_attitude(xmp), true),
+    }
 }
 
 /// The attitude of the aircraft, as its maker writes it.
