@@ -12,7 +12,7 @@ const CAMERA: [&str; 5] = ["gimbal", "camera", "cam", "mount", "payload"];
 const ANGLES: [ChannelName; 3] = [ChannelName::Heading, ChannelName::Roll, ChannelName::Pitch];
 
 /// Whether a column is about the camera rather than the aircraft.
-fn is_of_camera(column: &MappedColumn) -> bool {
+pub(super) fn is_of_camera(column: &MappedColumn) -> bool {
     let words = parts(&column.name, "").words;
     words.iter().any(|word| CAMERA.contains(&word.as_str()))
 }

@@ -11,7 +11,7 @@ use super::groups::quaternion_roles;
 use super::rows::pair;
 use super::strays::{FARTHEST, leave_out_strays};
 use super::together::common_name;
-use super::{ColumnMap, ColumnRole, MappedColumn, parts, pictures, time};
+use super::{ColumnMap, ColumnRole, MappedColumn, gimbal, parts, pictures, time};
 use crate::cells::{Moment, date_and_time};
 use crate::folder::{
     ChannelFile, CsvTable, FlightFile, FlightFolder, FolderError, StartFile, TimeColumn,
@@ -143,6 +143,7 @@ pub fn flight_of_tables(
     if maps.iter().any(has_body_velocity) {
         notes.extend(turn(&mut folder.flight));
     }
+    gimbal::turn(&mut folder.flight, maps);
     leave_out_strays(&mut folder, &mut notes);
     notes.extend(height_above_start(&mut folder));
     notes.extend(apart(&folder, maps, &layout));

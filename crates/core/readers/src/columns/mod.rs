@@ -11,6 +11,7 @@ mod build;
 #[cfg(test)]
 mod conventions;
 mod flights;
+mod gimbal;
 mod groups;
 mod guess;
 mod header;

@@ -152,4 +152,57 @@ mod tests {
             assert_eq!(known, is_known, "{pitch}");
         }
     }
+
+    #[test]
+    fn a_gimbal_counts_from_the_horizon_and_rolls_about_its_view() {
+        let picture = encode_png(&Picture::filled(8, 6, [7; 3])).unwrap();
+        // Few rows tell no units, many do; tenths of degrees, as aircraft write them, and radians.
+        for (rows, unit, degree) in [
+            (6, "deg", 1.0),
+            (40, "deg", 1.0),
+            (40, "rad", 0.017_453_292_5),
+        ] {
+            // Roll, pitch, yaw of the gimbal; heading and pitch of the camera that looks down, as for photos.
+            for (gimbal, heading, pitch) in [
+                ([0.0, -90.0, 10.0], 10.0, 0.0),
+                ([180.0, -90.0, -170.0], 10.0, 0.0),
+                ([0.0, -60.0, 30.0], 30.0, 30.0),
+            ] {
+                let [roll, tilt, yaw] = gimbal.map(|angle| angle * degree);
+                let mut table = format!(
+                    "file,time_s,lat,lon,rel_alt_m,gimbal_yaw_{unit},gimbal_pitch_{unit},gimbal_roll_{unit}\n"
+                );
+                let mut files = MemoryFiles::default();
+                for i in 0..rows {
+                    let latitude = 47.0 + 1e-4 * f64::from(i);
+                    let time = 5 * i;
+                    writeln!(
+                        table,
+                        "p{i}.png,{time},{latitude:.6},8.0,100,{yaw},{tilt},{roll}"
+                    )
+                    .unwrap();
+                    files.0.insert(format!("p{i}.png"), picture.clone());
+                }
+                let bytes = table.into_bytes();
+                files.0.insert("t.csv".to_owned(), bytes.clone());
+                let files: Arc<dyn FileSet> = Arc::new(files);
+                let maps = [guess_table("t.csv", &bytes).unwrap()];
+                let folder = flight_of_tables(&files, &maps).unwrap();
+                let last = |name| folder.flight.channel(name).unwrap().values.last().copied();
+                let near = |name, expected: f64| {
+                    let found = last(name).unwrap().to_degrees();
+                    assert!(
+                        (found - expected).abs() < 1e-4,
+                        "{rows} {unit} {gimbal:?} {name:?}: {found}"
+                    );
+                };
+                near(ChannelName::Heading, heading);
+                near(ChannelName::Pitch, pitch);
+                near(ChannelName::Roll, 0.0);
+                let is_told = |note: &String| note.contains("counted from the horizon");
+                assert!(folder.notes.iter().any(is_told), "{:?}", folder.notes);
+                assert!(folder.flight.camera.mount_deviation == 0.0);
+            }
+        }
+    }
 }

@@ -11,6 +11,7 @@ mod axes;
 mod board;
 mod body_velocity;
 mod evidence;
+mod gimbal;
 mod grid;
 mod heights;
 mod inertial;
@@ -36,6 +37,7 @@ pub(super) use ros::is_of_ros;
 pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[TableEvidence]) {
     let mut board = FlightColumns::new(maps, evidence);
     let Some(grid) = board.grid() else {
+        gimbal::from_below(&mut board);
         nameless::tell(&mut board);
         questions::ask(&mut board);
         return;
@@ -55,6 +57,7 @@ pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[TableEvidence]) {
     inertial::judge(&mut board, &mut known);
     nameless::airspeed(&mut board, &known);
     air::judge(&mut board, &known);
+    gimbal::from_below(&mut board);
     // What contradicted the track may have left others alone.
     for map in board.maps.iter_mut() {
         settle(&mut map.columns);
