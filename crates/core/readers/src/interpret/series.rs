@@ -5,7 +5,7 @@ use super::reader::reader;
 use super::rows::is_measured;
 use super::source::sources;
 use super::topics::{Nearness, topics};
-use crate::log::{Log, Topic};
+use crate::log::{Log, Topic, TopicName};
 use crate::role::{Role, RoleSeries, RoleSource};
 
 /// The series that `source` names in a topic, or `None` if it has no such fields or no row of them.
@@ -14,6 +14,10 @@ fn read(log: &Log, topic: &Topic, source: &RoleSource) -> Option<RoleSeries> {
         return None;
     }
     let (value_of, name) = reader(log, source, topic)?;
+    let is_this = |(of, field): &(TopicName, String)| *of == topic.name && *field == name;
+    if log.not_measured.iter().any(is_this) {
+        return None;
+    }
     let is_measured = is_measured(log, topic, source, &name);
     let samples = topic.times.iter().zip(topic.rows.iter());
     let samples = samples.filter(|(_, row)| is_measured(row));

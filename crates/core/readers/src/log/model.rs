@@ -83,6 +83,8 @@ pub struct Log {
     pub topics: Vec<Topic>,
     /// Series of which people, or a file beside them, said what they mean; of others the format tells it.
     pub given: Vec<RoleSeries>,
+    /// Topics and fields of them that were not measured, whatever they are called: they count for no role.
+    pub not_measured: Vec<(TopicName, String)>,
     /// Every parameter in the order of the file; later values of one name stand after earlier ones.
     pub parameters: Vec<Parameter>,
     /// Default values of parameters, where the log has them.
@@ -111,6 +113,7 @@ impl Log {
             chosen: None,
             topics: Vec::new(),
             given: Vec::new(),
+            not_measured: Vec::new(),
             parameters: Vec::new(),
             defaults: Vec::new(),
             facts: Vec::new(),

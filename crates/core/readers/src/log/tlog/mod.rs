@@ -8,6 +8,7 @@
 //! definitions by `tests/oracles/mavlink_dialect.py`; the crate `mavlink` would be a type and some
 //! functions for each of its messages. Values come in plain units: centimetres as metres.
 
+mod airspeed;
 mod checksum;
 mod clock;
 mod dialect;

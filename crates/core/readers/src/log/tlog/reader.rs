@@ -52,6 +52,7 @@ impl LogSteps for Tlog {
         self.meaning.end(log);
         super::clock::count_by_messages(log);
         log.leave_out_wrong_times(|_| true);
+        super::airspeed::mark_ground_speed(log);
     }
 }
 

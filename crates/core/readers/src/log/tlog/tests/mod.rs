@@ -1,5 +1,6 @@
 //! The reader of stamped `MAVLink` on files written here.
 
+mod airspeed;
 mod damage;
 mod reading;
 mod receiver;

@@ -1,0 +1,68 @@
+//! Airspeeds that are the receiver's ground speed, and others.
+
+use super::super::super::{Log, Topic, testing};
+use super::super::INFO;
+use super::written::Written;
+use crate::interpret::{Role, series};
+
+/// A minute of a vehicle whose ground speed changes between 6 and 14 m/s, its receiver five times a second, the airspeed
+/// of its display four times; `airspeed` tells that of a ground speed.
+fn log(autopilot: u8, has_sensor: bool, airspeed: impl Fn(f64) -> f64) -> Log {
+    let mut file = Written::new();
+    let speed = |tick: u32| (1000.0 + 400.0 * (f64::from(tick - tick % 4) * 0.01).sin()).round();
+    for tick in 0..1200_u32 {
+        let time = u64::from(tick) * 50_000;
+        if tick % 20 == 0 {
+            file = file.heartbeat(time, 2, autopilot, 5);
+        }
+        let speed = speed(tick);
+        if tick % 4 == 0 {
+            let place = [475_000_000_i32, 85_000_000, 500_000].map(i32::to_le_bytes);
+            let rest = [100, 100, speed as u16, 9000].map(u16::to_le_bytes);
+            let stamp = (time + 1).to_le_bytes();
+            let parts = [
+                &stamp[..],
+                place.as_flattened(),
+                rest.as_flattened(),
+                &[3, 12],
+            ];
+            file = file.version_1(time, 24, &parts);
+        }
+        if tick % 5 == 2 {
+            let told = (airspeed(speed / 100.0) as f32).to_le_bytes();
+            let parts: [&[u8]; 5] = [&told, &told, &[0; 4], &[0; 4], &[0; 4]];
+            file = file.version_1(time, 74, &parts);
+            if has_sensor {
+                // Airspeed, raw pressure, temperature, number and flags of the sensor.
+                let parts: [&[u8]; 3] = [&told, &[0; 4], &[0, 0, 1, 1]];
+                file = file.version_2(time, 295, &parts);
+            }
+        }
+    }
+    testing::read(&INFO, &file.bytes, 1000)
+}
+
+#[test]
+fn ground_speed_in_the_place_of_an_airspeed_is_none_and_told() {
+    let found = log(3, false, |ground| ground);
+    assert_eq!(series(&found, Role::Airspeed), None);
+    assert!(series(&found, Role::GroundSpeed).is_some());
+    let told = &found.report.remarks;
+    assert!(
+        told.iter().any(|it| it.contains("ground speed")),
+        "{told:?}"
+    );
+    // The numbers stay to be looked at.
+    let hud = found.first("VFR_HUD").map(Topic::len);
+    assert_eq!(hud, Some(240));
+}
+
+#[test]
+fn an_airspeed_of_a_sensor_or_of_another_autopilot_is_kept() {
+    for (autopilot, has_sensor, wind) in [(3, false, 1.5), (3, true, 0.0), (12, false, 0.0)] {
+        let found = log(autopilot, has_sensor, |ground| ground + wind);
+        let airspeed = series(&found, Role::Airspeed).map(|it| it.times.len());
+        assert_eq!(airspeed, Some(240), "{autopilot} {has_sensor} {wind}");
+        assert_eq!(found.report.remarks, [] as [String; 0]);
+    }
+}
