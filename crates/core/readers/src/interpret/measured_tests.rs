@@ -80,6 +80,41 @@ fn heights_above_ground_count_where_the_sensor_knows_them_and_looks_down() {
 }
 
 #[test]
+fn a_height_before_the_autopilot_has_an_origin_is_none() {
+    let mut log = Log::new("a.tlog", LogFormat::Tlog);
+    let (mut hud, mut gps) = (Vec::new(), Vec::new());
+    for second in 0..400 {
+        let (time, is_up) = (f64::from(second), (120..300).contains(&second));
+        let height = if is_up { 620.0 } else { 584.0 };
+        hud.push(vec![time, if second < 30 { 0.0 } else { height }]);
+        gps.push(vec![time, 3.0, 475_000_000.0, 85_000_000.0, 0.0, 0.0]);
+    }
+    with(&mut log, "VFR_HUD", "", &["alt"], &hud);
+    let fields = ["fix_type", "lat", "lon", "vel", "cog"];
+    with(&mut log, "GPS_RAW_INT", "", &fields, &gps);
+    let found = flight_from_log(&log).found;
+    let height = found.iter().find(|s| s.role == Role::BarometricHeight);
+    let height = height.unwrap();
+    assert_eq!((height.times[0], height.values[0]), (30.0, 584.0));
+    // It stands until 120 s, and from 300 s on.
+    let flown = crate::overview::airborne(&found);
+    assert_eq!(flown.len(), 1, "{flown:?}");
+    assert!(
+        (flown[0].0 - 120.0).abs() < 2.0 && (flown[0].1 - 300.0).abs() < 2.0,
+        "{flown:?}"
+    );
+    // Heights that begin at nought and climb are measured.
+    let mut log = Log::new("a.tlog", LogFormat::Tlog);
+    let climb = |i: i32| vec![f64::from(i), 3.0 * f64::from((i - 9).max(0))];
+    let rows: Vec<_> = (0..40).map(climb).collect();
+    with(&mut log, "VFR_HUD", "", &["alt"], &rows);
+    assert_eq!(
+        series(&log, Role::BarometricHeight).unwrap().times.len(),
+        40
+    );
+}
+
+#[test]
 fn velocities_that_the_receiver_calls_invalid_are_none() {
     let mut log = Log::new("a.ulg", LogFormat::Ulog);
     let fields = ["fix_type", "vel_n_m_s", "vel_ned_valid"];

@@ -8,6 +8,10 @@ use super::topics::{Nearness, topics};
 use crate::log::{Log, Topic, TopicName};
 use crate::role::{Role, RoleSeries, RoleSource};
 
+/// Height, metres, that no aircraft climbs within a time, seconds: it is a leap.
+const HEIGHT_LEAP: f64 = 20.0;
+const LEAP_TIME: f64 = 2.0;
+
 /// The series that `source` names in a topic, or `None` if it has no such fields or no row of them.
 fn read(log: &Log, topic: &Topic, source: &RoleSource) -> Option<RoleSeries> {
     if topic.is_empty() {
@@ -23,8 +27,25 @@ fn read(log: &Log, topic: &Topic, source: &RoleSource) -> Option<RoleSeries> {
     let samples = samples.filter(|(_, row)| is_measured(row));
     let samples = samples.map(|(time, row)| (*time, value_of(row)));
     let name = format!("{}.{name}", topic.name);
-    let series = RoleSeries::new(source.role, name, samples);
+    let mut series = RoleSeries::new(source.role, name, samples);
+    if source.role == Role::BarometricHeight {
+        leave_out_noughts(&mut series);
+    }
     (!series.times.is_empty()).then_some(series)
+}
+
+/// Leaves out noughts that a height begins with, where the next one is far from them a moment later: an autopilot writes them
+/// until its estimate has an origin.
+fn leave_out_noughts(series: &mut RoleSeries) {
+    let count = series.values.iter().take_while(|v| **v == 0.0).count();
+    let (Some(last), Some(next)) = (count.checked_sub(1), series.values.get(count)) else {
+        return;
+    };
+    let step = series.times[count] - series.times[last];
+    if next.abs() > HEIGHT_LEAP && step < LEAP_TIME {
+        series.times.drain(..count);
+        series.values.drain(..count);
+    }
 }
 
 /// Whether a series says anything: a sensor that is not there often logs one number for ever.
