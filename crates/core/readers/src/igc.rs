@@ -99,6 +99,7 @@ pub fn read_igc(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folder
                 .to_owned(),
         );
     }
+    findings.extend(leave_out_noughts(&mut fixes));
     let mut turned = 0.0;
     let mut last = fixes[0].0;
     let rows: Vec<_> = fixes
@@ -119,6 +120,22 @@ pub fn read_igc(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folder
         .collect();
     let time = if day.is_some() { "time" } else { "time [s]" };
     flight_of_table(name, table(time, COLUMNS, &rows), findings)
+}
+
+/// Takes out heights that are nought in all fixes: recorders write them so where they have no sensor of pressure, or no height
+/// of the receiver. Says so.
+fn leave_out_noughts(fixes: &mut [Fix]) -> Vec<String> {
+    let mut told = Vec::new();
+    for (column, of) in [(2, "pressure altitudes"), (3, "altitudes of the receiver")] {
+        let mut known = fixes.iter().filter_map(|(_, values)| values[column]);
+        if known.clone().next().is_some() && known.all(|height| height == 0.0) {
+            for (_, values) in fixes.iter_mut() {
+                values[column] = None;
+            }
+            told.push(format!("all {of} are 0: the recorder did not measure them"));
+        }
+    }
+    told
 }
 
 /// Days since 1970 of a line `HFDTE010524` or `HFDTEDATE:010524,01`.
@@ -227,6 +244,31 @@ mod tests {
             .unwrap()
             .unwrap();
         assert!(folder.flight.channel(ChannelName::GpsHeight).is_none());
+    }
+
+    #[test]
+    fn heights_that_are_nought_in_all_fixes_were_not_measured() {
+        let text = |fixes: [&str; 2]| format!("AXXX001\nHFDTE010524\n{}\n", fixes.join("\n"));
+        let read = |fixes| read_igc("a.igc", text(fixes).as_bytes()).unwrap().unwrap();
+        let folder = read([
+            "B1000004722272N00832526EA0000000450",
+            "B1000044722278N00832526EA0000001450",
+        ]);
+        let height = |name| folder.flight.channel(name).map(|c| c.values.clone());
+        assert_eq!(height(ChannelName::BarometricHeight), None);
+        let above_ground = height(ChannelName::HeightAboveGround);
+        assert_eq!(above_ground, Some(vec![0.0, 1000.0]));
+        let is_told = |note: &String| note.starts_with("all pressure altitudes are 0");
+        assert!(folder.notes.iter().any(is_told), "{:?}", folder.notes);
+        // A receiver without heights.
+        let folder = read([
+            "B1000004722272N00832526EA0040000000",
+            "B1000044722278N00832526EA0041000000",
+        ]);
+        let height = |name| folder.flight.channel(name).map(|c| c.values.clone());
+        assert_eq!(height(ChannelName::GpsHeight), None);
+        let above_ground = height(ChannelName::HeightAboveGround);
+        assert_eq!(above_ground, Some(vec![0.0, 10.0]));
     }
 
     #[test]

@@ -544,7 +544,10 @@ fn height_above_start(folder: &mut FlightFolder) -> Option<String> {
         return None;
     }
     let measured = [ChannelName::BarometricHeight, ChannelName::GpsHeight];
-    let known = measured.into_iter().find_map(|name| flight.channel(name));
+    let mut known = measured.into_iter().filter_map(|name| flight.channel(name));
+    // What shows one number for ever measures nothing, if the other moves.
+    let moves = |channel: &&Channel| channel.values.iter().any(|v| *v != channel.values[0]);
+    let known = known.clone().find(moves).or_else(|| known.next());
     let known = known.filter(|channel| !channel.times.is_empty())?;
     let start = known.interpolated(flight.start.time)?;
     let channel = Channel {
