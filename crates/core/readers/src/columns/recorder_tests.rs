@@ -373,3 +373,38 @@ fn what_a_phone_measured_along_its_own_axes_is_told_and_not_the_aircrafts() {
     let mean = found.values.iter().sum::<f64>() / found.values.len() as f64;
     assert!((-13.0..-9.0).contains(&mean), "{mean}");
 }
+
+#[test]
+fn heights_of_blackbox_logs_are_decimetres_unless_others_tell_otherwise() {
+    // Climbs and sinks at up to 5 m/s while it flies 10 m/s northwards.
+    let text = |names: &str, per_metre: f64, more: &str| {
+        table(names, |t| {
+            let t = 10.0 * t;
+            let height = 50.0 + 40.0 * (t / 8.0).sin();
+            let place = 47.0 + 10.0 * t / 111_200.0;
+            let baro = if names.contains("baroAlt") {
+                format!("{:.0}, ", 100.0 * (height - 50.0))
+            } else {
+                String::new()
+            };
+            format!(
+                "{:.0}, {baro}12, {place:.7}, 8.0000000, {:.0}, 10.00, 0.0{more}",
+                1e6 * t,
+                per_metre * (height + 400.0)
+            )
+        })
+    };
+    let receiver =
+        "GPS_numSat, GPS_coord[0], GPS_coord[1], GPS_altitude, GPS_speed (m/s), GPS_ground_course";
+    let unit = |text: &str| role_of(text, "GPS_altitude").1;
+    let with_baro = format!("time (us), baroAlt (cm), {receiver}");
+    let alone = format!("time (us), {receiver}");
+    let of_inav = format!("time (us), {receiver}, GPS_hdop");
+    assert_eq!(unit(&text(&with_baro, 10.0, "")), "dm");
+    assert_eq!(unit(&text(&with_baro, 1.0, "")), "m");
+    assert_eq!(unit(&text(&alone, 10.0, "")), "dm");
+    assert_eq!(unit(&text(&of_inav, 1.0, ", 1.2")), "m");
+    let map = guess_table("a.csv", text(&alone, 10.0, "").as_bytes()).unwrap();
+    let is_asked = |question: &String| question.contains("(GPS_altitude) in dm");
+    assert!(map.questions.iter().any(is_asked), "{:?}", map.questions);
+}

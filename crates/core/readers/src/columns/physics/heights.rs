@@ -4,6 +4,7 @@ use pilotage_flight::ChannelName;
 
 use super::Known;
 use super::axes::{centred, compare};
+use super::blackbox;
 use super::board::{FlightColumns, Id, UnitBasis, nearest};
 use super::grid::quantile;
 use super::velocity::sign_by_height;
@@ -31,7 +32,11 @@ pub(super) fn judge(board: &mut FlightColumns, known: &mut Known) {
         vertical(board, known, down, *height);
     }
     for id in &ids {
-        plausible(board, known, *id);
+        if blackbox::is_height(board, *id) {
+            blackbox::in_decimetres(board, *id);
+        } else {
+            plausible(board, known, *id);
+        }
     }
     let down = down.map(|id| (id, known.grid.mean(&board.values(id))));
     // One that shows a single number all the time is of no sensor, and judges nothing.

@@ -8,6 +8,7 @@ mod air;
 mod angles;
 mod attitude;
 mod axes;
+mod blackbox;
 mod board;
 mod body_velocity;
 mod evidence;
