@@ -7,6 +7,7 @@ use std::sync::Arc;
 use nalgebra::Point3;
 
 use super::camera::focal_in_pixels;
+use super::lenses::of_one_lens;
 use super::log::log;
 use super::pose::{by_gimbal, photo_pose};
 use super::read::{Photo, PhotoPlace, read_photo};
@@ -92,7 +93,7 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
     })
 }
 
-/// Photos of one size, in the order of their times.
+/// Photos of one size, camera and lens, in the order of their times.
 fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
     let mut names = files.names();
     names.retain(|name| is_photo(name) || is_png(name));
@@ -149,6 +150,7 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<TimedPhoto> {
         ));
     }
     of_one_camera(&mut photos, notes);
+    of_one_lens(&mut photos, "the photos", notes);
     timed(photos, notes)
 }
 

@@ -61,6 +61,33 @@ fn of_two_cameras_that_with_most_photos_is_the_flight_and_the_other_is_told() {
 }
 
 #[test]
+fn of_two_lenses_that_take_one_size_one_is_the_flight() {
+    let zoomed = |mut bytes: Vec<u8>| {
+        // FocalLengthIn35mmFilm (0xa405) as one number of two bytes.
+        let wide = [0x05, 0xa4, 3, 0, 1, 0, 0, 0, 24, 0];
+        let at = bytes.windows(10).position(|w| w == wide).unwrap();
+        bytes[at + 8] = 162;
+        bytes
+    };
+    let made: Vec<(String, Vec<u8>)> = (0..10_u32)
+        .map(|i| {
+            let bytes = photo(&format!("{}", 30 + i), "0", 30 - i, &gimbal(90.0, -90.0));
+            let of_wide = (format!("DJI_{i:04}_W.JPG"), bytes.clone());
+            if i < 6 {
+                of_wide
+            } else {
+                (format!("DJI_{i:04}_Z.JPG"), zoomed(bytes))
+            }
+        })
+        .collect();
+    let made: Vec<(&str, Vec<u8>)> = made.iter().map(|(n, b)| (n.as_str(), b.clone())).collect();
+    let folder = read_photos(&files(&made)).unwrap();
+    assert_eq!(folder.flight.frames.len(), 6);
+    let is_told = |note: &String| note.contains("4 of 162 mm");
+    assert!(folder.notes.iter().any(is_told), "{:?}", folder.notes);
+}
+
+#[test]
 fn a_photo_of_another_year_takes_only_itself() {
     let with_year = |seconds: &str, north: u32, year: &[u8; 4]| {
         let mut bytes = photo(seconds, "0", north, &gimbal(90.0, -90.0));

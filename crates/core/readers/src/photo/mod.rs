@@ -10,6 +10,7 @@ mod exif;
 mod flight;
 mod head;
 mod laying;
+mod lenses;
 mod log;
 #[cfg(test)]
 mod makers_tests;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::flight::{camera, is_photo, of_one_size};
+use super::lenses::of_one_lens;
 use super::read::{Photo, read_photo};
 use super::triggers::triggers;
 use crate::folder::FolderFrames;
@@ -79,7 +80,7 @@ pub fn add_photos(
     })
 }
 
-/// The photos among files that have the size of most, in the order in which they were taken as far as that is told: by their
+/// The photos among files that have the size and the lens of most, in the order in which they were taken as far as that is told: by their
 /// times if all have one, else by the numbers in their names.
 fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Photo> {
     let mut names = files.names();
@@ -98,6 +99,7 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Photo> {
         return photos;
     };
     of_one_size(&mut photos, size, "photos beside the log", notes);
+    of_one_lens(&mut photos, "the photos beside the log", notes);
     photos.sort_by(|a, b| (folder(a), number(a), &a.name).cmp(&(folder(b), number(b), &b.name)));
     if let Some(seconds) = clock(&photos) {
         let mut order: Vec<(f64, Photo)> = seconds.into_iter().zip(photos).collect();
