@@ -15,6 +15,8 @@ use pilotage_base::text::{by_count, utc_text};
 const COLUMNS: [&str; 3] = ["latitude [deg]", "longitude [deg]", "gps altitude [m]"];
 /// First words of a track of `OziExplorer`, and its lines before the points.
 const OZI: &str = "OziExplorer Track Point";
+/// First words of the same of `Geolife`, a collection of tracks of walkers and travellers.
+const GEOLIFE: &str = "Geolife trajectory";
 const OZI_HEAD: usize = 6;
 /// Days from 30 December 1899, from which these tracks count, to 1970.
 const DAYS_TO_1970: f64 = 25_569.0;
@@ -31,7 +33,18 @@ type Point = (String, [Option<f64>; 3]);
 pub fn is_track(head: &[u8]) -> bool {
     let head = decoded(head);
     let text = String::from_utf8_lossy(&head);
-    text.trim_start_matches('\u{feff}').starts_with(OZI) || text.contains(ACTIVITIES)
+    has_ozi_rows(text.trim_start_matches('\u{feff}')) || text.contains(ACTIVITIES)
+}
+
+/// Whether a text is a track of `OziExplorer`, or one of those that have its rows.
+fn has_ozi_rows(text: &str) -> bool {
+    text.starts_with(OZI) || text.starts_with(GEOLIFE)
+}
+
+/// Whether a datum is WGS 84 by its name, with blanks, hyphens and capitals or without.
+fn is_wgs_84(datum: &str) -> bool {
+    let letters = datum.chars().filter(char::is_ascii_alphanumeric);
+    letters.collect::<String>().eq_ignore_ascii_case("WGS84")
 }
 
 /// The flight that the first such file among `files` tells of; `None` if there is none. Others are left out with a note.
@@ -72,9 +85,9 @@ pub fn read_track(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Fold
     let text = String::from_utf8_lossy(&bytes);
     let text = text.trim_start_matches('\u{feff}');
     let mut findings = Vec::new();
-    let (points, left_out) = if text.starts_with(OZI) {
+    let (points, left_out) = if has_ozi_rows(text) {
         let datum = text.lines().nth(1).unwrap_or_default().trim();
-        if !datum.eq_ignore_ascii_case("WGS 84") {
+        if !is_wgs_84(datum) {
             return Err(FolderError::File {
                 file: name.to_owned(),
                 cause: format!(
@@ -82,8 +95,11 @@ pub fn read_track(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Fold
                 ),
             });
         }
-        findings
-            .push("times of OziExplorer say no zone: they are taken for universal time".to_owned());
+        // Those of Geolife are in Greenwich time, as its guide says.
+        if text.starts_with(OZI) {
+            let told = "times of OziExplorer say no zone: they are taken for universal time";
+            findings.push(told.to_owned());
+        }
         of_ozi(text)
     } else {
         let (points, left_out, damage) = of_activity(text);
@@ -229,6 +245,29 @@ mod tests {
                 .iter()
                 .any(|note| note.contains("1 point was left out: it has no"))
         );
+    }
+
+    #[test]
+    fn a_track_of_geolife_is_one_of_ozi_explorer_by_its_rows() {
+        let text = "Geolife trajectory\r\nWGS 84\r\nAltitude is in Feet\r\nReserved 3\r\n0,2,255,My Track,0,0,2,8421376\r\n0\r\n\
+                    39.984702,116.318417,0,492,39744.1201851852,2008-10-23,02:53:04\r\n\
+                    39.984683,116.31845,0,492,39744.1202546296,2008-10-23,02:53:10\r\n";
+        assert!(is_track(text.as_bytes()));
+        let folder = read_track("a.plt", text.as_bytes()).unwrap().unwrap();
+        // date -u -d '2008-10-23 02:53:04' +%s
+        let utc = folder.utc_at_zero().unwrap() + folder.flight.span().0;
+        assert!((utc - 1_224_730_384.0).abs() < 0.1, "{utc}");
+        let heights = folder.flight.channel(ChannelName::GpsHeight).unwrap();
+        // 492 ft of 0.3048 m.
+        assert!((heights.values[0] - 149.9616).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_datum_may_be_written_without_its_blank() {
+        for datum in ["WGS84", "wgs-84", "WGS 84"] {
+            let read = read_track("a.plt", plt(datum).as_bytes());
+            assert!(read.unwrap().is_some(), "{datum}");
+        }
     }
 
     #[test]
