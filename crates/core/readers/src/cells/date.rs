@@ -7,7 +7,7 @@ use super::moment::Moment;
 const LEAST: usize = 7;
 
 /// Reads a date and time, or a time of day alone (of 1970-01-01): `2016-06-23T16:31:59.5+02:00`, `2016:06:23 16:31:59`,
-/// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `01.05.24 10:00:00`, `10:00:00.250`,
+/// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `5/1/24 10:00:00 AM`, `01.05.24 10:00:00`, `10:00:00.250`,
 /// `10:00:00,250`, `10:00:00:250`, minutes and seconds alone (`59:12.5`), `0 days 00:01:12.5`, `1h02m12.5s`, and those of
 /// [`in_iso`]. Times without a zone are taken as they are.
 ///
@@ -189,15 +189,17 @@ fn day(text: &str, has_half: bool) -> Option<i64> {
         let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
         let is_month_first = b > 12 || a <= 12 && (separator == '/' || has_half);
         let (month, day) = if is_month_first { (a, b) } else { (b, a) };
-        (year_of(third, separator)?, month, day)
+        (year_of(third, separator, has_half)?, month, day)
     };
     let is_day = (1..=12).contains(&month) && (1..=31).contains(&day);
     is_day.then(|| days_since_1970(year, month, day))
 }
 
-/// A year of four digits, or behind a point of the last two of this century: elsewhere two digits may be the day.
-fn year_of(text: &str, separator: char) -> Option<i64> {
-    let last_two = || digits(text, 2, 2).filter(|_| separator == '.');
+/// A year of four digits, or of the last two of this century behind a point, and behind a slash where a half of the day is
+/// told, as in America: elsewhere two digits may be the day.
+fn year_of(text: &str, separator: char, has_half: bool) -> Option<i64> {
+    let is_last = separator == '.' || separator == '/' && has_half;
+    let last_two = || digits(text, 2, 2).filter(|_| is_last);
     digits(text, 4, 4).or_else(|| Some(2000 + last_two()?))
 }
 
@@ -211,11 +213,11 @@ pub(crate) fn readings(text: &str) -> Option<[String; 2]> {
         return None;
     };
     let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
-    let year = year_of(year, separator)?;
+    let is_half = time.to_lowercase().ends_with('m') || time.to_lowercase().ends_with("m.");
+    let year = year_of(year, separator, is_half)?;
     let is_either = a != b && (1..=12).contains(&a) && (1..=12).contains(&b);
     date_and_time(text).filter(|_| is_either)?;
     let written = |month: i64, day: i64| format!("{year}-{month:02}-{day:02}");
-    let is_half = time.to_lowercase().ends_with('m');
     let both = [written(a, b), written(b, a)];
     let is_month_first = separator == '/' || is_half;
     let [month_first, day_first] = both;
@@ -283,6 +285,8 @@ mod tests {
             "23 Jun 2016 16:31:59",
             "Thu Jun 23 16:31:59 2016",
             "June 23, 2016 4:31:59 PM",
+            "6/23/16 4:31:59 PM",
+            "23/06/16 4:31:59 p.m.",
         ] {
             assert_eq!(date_and_time(text), expected, "{text}");
         }
@@ -316,6 +320,8 @@ mod tests {
         for text in [
             "24-05-13 10:00:00",
             "24/05/13 10:00:00",
+            "5/13/24 10:00:00",
+            "5-13-24 10:00:00 AM",
             "12345.5s",
             "2024-367 10:00:00",
             "2023-366 10:00:00",
@@ -337,6 +343,8 @@ mod tests {
     fn a_day_that_could_be_a_month_has_two_readings() {
         let both = |text| readings(text).map(|both| both.join(" or "));
         let found = both("5/1/2024 10:00:00 AM");
+        assert_eq!(found.as_deref(), Some("2024-05-01 or 2024-01-05"));
+        let found = both("5/1/24 10:00:00 AM");
         assert_eq!(found.as_deref(), Some("2024-05-01 or 2024-01-05"));
         let found = both("05.01.2024 10:00:00");
         assert_eq!(found.as_deref(), Some("2024-01-05 or 2024-05-01"));
