@@ -13,6 +13,8 @@ use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 use pilotage_base::text::{by_count, utc_text};
 
 const DAY: f64 = 86_400.0;
+/// Dates before this year may be of a receiver that takes one week for another, 1024 weeks earlier.
+const WEEKS_BEGIN_AGAIN: i64 = 2010;
 /// Receivers write two digits of a year; from this one on they are of the century before.
 const CENTURY: i64 = 80;
 /// Columns behind the time.
@@ -134,6 +136,13 @@ pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folde
         ));
     }
     findings.extend(sentences.others);
+    let day = sentences.epochs.iter().find_map(|epoch| epoch.day);
+    if day.is_some_and(|day| day < days_since_1970(WEEKS_BEGIN_AGAIN, 1, 1)) {
+        findings.push(format!(
+            "its dates are before {WEEKS_BEGIN_AGAIN}: an old receiver may count weeks that have begun again, and be off by \
+             19.6 years or twice that"
+        ));
+    }
     flight_of_table(name, table_of(&sentences.epochs), findings)
 }
 

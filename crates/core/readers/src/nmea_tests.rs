@@ -319,3 +319,26 @@ fn tables_and_texts_are_no_sentences() {
         assert!(!is_nmea(text.as_bytes()), "{text}");
     }
 }
+
+#[test]
+fn dates_of_a_receiver_whose_weeks_may_have_begun_again_are_told() {
+    let text = |year: &str| {
+        let row = |second: u32| {
+            let place = format!("4807.{second:03},N,01131.000,E");
+            sentence(&format!(
+                "GPRMC,1235{second:02},A,{place},022.4,084.4,1705{year},,"
+            ))
+        };
+        (0..20).map(row).collect::<String>()
+    };
+    let is_told = |year: &str| {
+        let folder = read_nmea("a.nmea", text(year).as_bytes()).unwrap().unwrap();
+        folder
+            .notes
+            .iter()
+            .any(|note| note.contains("weeks that have begun again"))
+    };
+    // 1024 weeks before January 2024 is June 2004.
+    assert!(is_told("04"));
+    assert!(!is_told("24"));
+}
