@@ -154,6 +154,44 @@ mod tests {
     }
 
     #[test]
+    fn a_gimbal_that_looks_aslant_is_asked_about() {
+        for (pitch, is_asked) in [(-30.0, true), (4.0, false), (-88.0, false)] {
+            // It nods as a nose does that climbs and sinks, and the other way round.
+            for sign in [1.0, -1.0] {
+                let row = |i: i32| {
+                    let t = f64::from(i);
+                    format!(
+                        "{t},{:.6},8.0,{:.2},10,{:.2},0\n",
+                        47.0 + 1.8e-4 * t,
+                        100.0 + 20.0 * (t / 9.0).sin(),
+                        pitch + sign * 6.0 * (t / 9.0).cos()
+                    )
+                };
+                let rows: String = (0..120).map(row).collect();
+                let names =
+                    "time_s,lat,lon,rel_alt_m,gimbal_yaw_deg,gimbal_pitch_deg,gimbal_roll_deg";
+                let map = guess_table("t.csv", format!("{names}\n{rows}").as_bytes()).unwrap();
+                let asked = map
+                    .questions
+                    .iter()
+                    .any(|it| it.contains("from the horizon"));
+                assert_eq!(asked, is_asked, "{pitch}: {:?}", map.questions);
+                let column = map
+                    .columns
+                    .iter()
+                    .find(|c| c.name == "gimbal_pitch_deg")
+                    .unwrap();
+                let offset = if pitch < -45.0 { 90.0 } else { 0.0 };
+                assert_eq!(
+                    (column.scale, column.offset),
+                    (1.0, offset),
+                    "{pitch} {sign}"
+                );
+            }
+        }
+    }
+
+    #[test]
     fn a_gimbal_counts_from_the_horizon_and_rolls_about_its_view() {
         let picture = encode_png(&Picture::filled(8, 6, [7; 3])).unwrap();
         // Few rows tell no units, many do; tenths of degrees, as aircraft write them, and radians.

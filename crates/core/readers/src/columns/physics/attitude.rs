@@ -12,6 +12,7 @@ use super::ros::AHEAD;
 use super::{inertial, lean, quaternion};
 use crate::cells::Dimension;
 use crate::columns::ColumnRole;
+use crate::columns::bodies::is_of_camera;
 use crate::columns::groups::quaternion_roles;
 
 /// Speed from which on wings carry, m/s.
@@ -384,11 +385,13 @@ fn pitch(board: &mut FlightColumns, known: &mut Known, id: Id) {
         .map(|(down, speed)| (-down).atan2(*speed))
         .collect();
     let values = known.grid.mean(&board.raw(id));
+    // A gimbal holds its camera, whatever the aircraft does.
+    let is_fixed = !is_of_camera(board.column(id));
     let by_climb = compare(&centred(&climb), &centred(&values))
-        .filter(|c| c.0.abs() > 0.45 && has_wings(known))
+        .filter(|c| is_fixed && c.0.abs() > 0.45 && has_wings(known))
         .map(|c| c.0.signum());
     let by_axes = known.is_ros.map(|is_ros| if is_ros { -1.0 } else { 1.0 });
-    let by_gravity = inertial::sign_of_pitch(board, known, &values);
+    let by_gravity = inertial::sign_of_pitch(board, known, &values).filter(|_| is_fixed);
     let sign = by_climb.or(by_gravity).or(by_axes).unwrap_or(1.0);
     if sign < 0.0 {
         let role = board.column(id).role;
