@@ -26,7 +26,14 @@ pub(super) fn mark_ground_speed(log: &mut Log) {
             "{topic}.airspeed is the receiver's ground speed, which ArduPilot sends where no airspeed sensor works: it is no \
              airspeed"
         ));
-        log.not_measured.push((topic, "airspeed".to_owned()));
+        // The message by satellite has its airspeed from the same function.
+        let by_satellite = TopicName {
+            name: "HIGH_LATENCY2".to_owned(),
+            ..topic.clone()
+        };
+        for topic in [topic, by_satellite] {
+            log.not_measured.push((topic, "airspeed".to_owned()));
+        }
     }
 }
 
