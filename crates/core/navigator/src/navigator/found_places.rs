@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, Vector2};
 use super::Estimate;
 use super::tilt::LastingTilt;
 use pilotage_base::frames::GroundPoint;
-use pilotage_vision::registration::Registration;
+use pilotage_vision::registration::{PosePrior, Registration};
 
 /// Within what a frame was looked for: standard deviation per axis.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +39,8 @@ pub struct FoundPlaces {
     /// Down coordinate of the ground, metres.
     pub ground_down: f64,
     pub searched: SearchedRegion,
+    /// Prior with which it was laid.
+    pub prior: PosePrior,
     /// Biases of roll and pitch with which it was laid, radians.
     pub tilt_biases: [f64; 2],
     /// Place of these in the state of a filter.

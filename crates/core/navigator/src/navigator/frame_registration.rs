@@ -122,6 +122,7 @@ impl FrameRegistration {
                 time,
                 ground_down: flight.ground_down,
                 searched,
+                prior,
                 tilt_biases,
                 tilt: self.tilt,
                 places,
@@ -240,10 +241,13 @@ impl SeenPlace {
             by_tilt,
         } = place.camera;
         let position = pose.position_in_world;
-        // A map's error that is a state of the filter is no noise of its measurements.
-        let of_map = map_error(settings).map_or(0.0, |error| error.deviation.powi(2));
+        // Of the map's error that the place was told with, a part that is a state of the filter is no noise of its
+        // measurements; that of another aid's map was never in it.
+        let told = found.prior.map_deviation.powi(2);
+        let of_state = map_error(settings).map_or(0.0, |error| error.deviation.powi(2));
+        let of_map = Matrix2::identity() * (told - (told - of_state).max(0.0));
         let of_tilt = found.tilt.variance_of_noise() * by_tilt * by_tilt.transpose();
-        let own = covariance.fixed_view::<2, 2>(0, 0) - Matrix2::identity() * of_map + of_tilt;
+        let own = covariance.fixed_view::<2, 2>(0, 0) - of_map + of_tilt;
         let assumed = Vector2::from(found.tilt_biases);
         let on_map = move |seen: &Kinematics| {
             let biases = seen.tilt_bias.map_or(assumed, Vector2::from);
@@ -323,3 +327,7 @@ impl RegisteredFrame {
         seen.correct(engine.as_mut(), recovered).map(Some)
     }
 }
+
+#[cfg(test)]
+#[path = "frame_registration_tests.rs"]
+mod tests;

@@ -1,0 +1,106 @@
+//! Tests of `frame_registration`.
+
+use nalgebra::{DMatrix, Matrix6, Point3, SMatrix};
+
+use super::super::engine::engine;
+use super::super::found_places::SearchedRegion;
+use super::*;
+use pilotage_base::frames::{Attitude, Pose};
+use pilotage_mission::settings::ChosenAid;
+use pilotage_vision::registration::{MapPose, MapShape, PoseFit, UNKNOWNS};
+
+/// A place of a frame whose fit has the variance 0.25 m² per axis, over a map as good as `frames` say.
+fn place(frames: &FollowSettings, north: f64, east: f64) -> Registration {
+    let pose = Pose {
+        position_in_world: Point3::new(north, east, -100.0),
+        attitude: Attitude::level(0.0),
+    };
+    let of_map = frames.map_deviation.powi(2);
+    let mut covariance = Matrix6::identity() * 0.25;
+    covariance[(0, 0)] += of_map;
+    covariance[(1, 1)] += of_map;
+    Registration {
+        fit: PoseFit {
+            at: MapPose {
+                pose,
+                shape: MapShape::default(),
+            },
+            covariance: SMatrix::<f64, UNKNOWNS, UNKNOWNS>::identity() * 0.25,
+            deviation: 1.0,
+        },
+        matches: Vec::new(),
+        tried: 10,
+        laid_by: RegistrationMethod::Patches,
+        log_false_alarms: -8.0,
+        probability: 0.99,
+        camera: CameraPlace {
+            pose,
+            covariance,
+            by_tilt: Matrix2::zeros(),
+        },
+        centre: GroundPoint::new(north, east),
+        centre_covariance: Matrix2::identity() * (0.25 + of_map),
+        stored_turn: 0.0,
+        score: 0.5,
+    }
+}
+
+/// Places found of a frame that lies at `place` by a filter with these settings.
+fn found(settings: &NavigatorSettings, place: &Registration) -> FoundPlaces {
+    let frames = settings.whole_frames.expect("frames are laid");
+    let position = GroundPoint::default();
+    FoundPlaces {
+        time: 0.0,
+        ground_down: 0.0,
+        searched: SearchedRegion {
+            position,
+            deviation: 3.0,
+        },
+        prior: Follower::new(frames).prior(0.0, position, 3.0, &InstrumentReadings::default()),
+        tilt_biases: [0.0; 2],
+        tilt: LastingTilt::of(settings),
+        places: vec![place.clone()],
+    }
+}
+
+#[test]
+fn of_a_place_is_taken_no_more_of_the_maps_error_than_was_told_with_it() {
+    // Standard deviation of the map of frames, whether roads (2 m by themselves) are an aid as well, whether the height
+    // is a state, which leaves none for the map: variance of the noise per axis.
+    for (of_frames, by_roads, at_height, variance) in [
+        (0.0, false, false, 0.25),
+        (0.0, true, false, 0.25),
+        (1.0, true, false, 0.25),
+        (3.0, true, false, 0.25),
+        (3.0, false, false, 0.25),
+        (3.0, false, true, 9.25),
+        (0.0, true, true, 0.25),
+    ] {
+        let settings = NavigatorSettings {
+            whole_frames: Some(FollowSettings {
+                map_deviation: of_frames,
+                ..FollowSettings::default()
+            }),
+            aids: by_roads
+                .then(|| ChosenAid::usual("roads"))
+                .into_iter()
+                .collect(),
+            estimates_height: at_height,
+            ..NavigatorSettings::default()
+        };
+        let filter = engine(&settings, GroundPoint::default(), 3.0).unwrap();
+        let place = place(&settings.whole_frames.unwrap(), 1.0, -1.0);
+        let seen = SeenPlace::by(
+            &settings,
+            filter.as_ref(),
+            &found(&settings, &place),
+            &place,
+        );
+        let noise = seen.unwrap().observation.noise;
+        let wanted = DMatrix::identity(2, 2) * (variance * settings.measurement_scale);
+        assert!(
+            (&noise - wanted).amax() < 1e-12,
+            "{of_frames} {by_roads} {at_height}: {noise}"
+        );
+    }
+}
