@@ -109,6 +109,8 @@ impl FrameRegistration {
         let prior = self
             .follower
             .prior(time, searched.position, searched.deviation, &upright);
+        // No farther than the settings allow.
+        searched.deviation = prior.position_deviation;
         let FrameSighting { verdict, places } = sight(&look, &prior);
         let (report, footprint) = match &verdict {
             Ok(found) => told(&look, found),

@@ -6,7 +6,10 @@ use super::super::engine::engine;
 use super::super::found_places::SearchedRegion;
 use super::*;
 use pilotage_base::frames::{Attitude, Pose};
+use pilotage_flight::{Channel, Frame, StartFix};
 use pilotage_mission::settings::ChosenAid;
+use pilotage_raster::imagery::Blank;
+use pilotage_raster::raster::Gray;
 use pilotage_vision::registration::{MapPose, MapShape, PoseFit, UNKNOWNS};
 
 /// A place of a frame whose fit has the variance 0.25 m² per axis, over a map as good as `frames` say.
@@ -103,4 +106,66 @@ fn of_a_place_is_taken_no_more_of_the_maps_error_than_was_told_with_it() {
             "{of_frames} {by_roads} {at_height}: {noise}"
         );
     }
+}
+
+/// A flight of one picture, 100 m above ground.
+fn flight() -> Flight {
+    let channel = |name, value| Channel {
+        name,
+        times: vec![0.0, 1.0],
+        values: vec![value; 2],
+    };
+    Flight {
+        name: "one picture".to_owned(),
+        frame_on_globe: None,
+        camera: CameraModel::pinhole(64, 48, 1.0),
+        ground_down: 0.0,
+        channels: vec![
+            channel(ChannelName::Heading, 1.0),
+            channel(ChannelName::HeightAboveGround, 100.0),
+        ],
+        frames: vec![Frame {
+            time: 0.5,
+            name: String::new(),
+            stored_turn: 0.0,
+        }],
+        start: StartFix {
+            time: 0.0,
+            position: GroundPoint::default(),
+            standard_deviation: 3.0,
+        },
+        truth: None,
+    }
+}
+
+/// Search for a grey picture over a blank map, by a filter with these settings that believes this.
+fn looked_for(settings: &NavigatorSettings, believed: &Estimate) -> FoundPlaces {
+    let frames = settings.whole_frames.expect("frames are laid");
+    let registration = FrameRegistration::new(Arc::new(Blank), frames, LastingTilt::of(settings));
+    let measured = InstrumentReadings {
+        heading: Some(1.0),
+        height: Some(100.0),
+        ..InstrumentReadings::default()
+    };
+    let grey = Pyramid::new(Gray::filled(64, 48, 0.5), 1);
+    registration
+        .lay(&flight(), &measured, 0, &grey, believed)
+        .found
+}
+
+#[test]
+fn places_are_weighed_against_what_was_searched_and_no_farther() {
+    let mut frames = FollowSettings::default();
+    let mut deviation = |farthest| {
+        frames.farthest = farthest;
+        let settings = NavigatorSettings {
+            whole_frames: Some(frames),
+            ..NavigatorSettings::default()
+        };
+        let filter = engine(&settings, GroundPoint::default(), 200.0).unwrap();
+        looked_for(&settings, &filter.state()).searched.deviation
+    };
+    assert!((deviation(None) - 200.0).abs() < 1e-9);
+    // 80 m are 2.5 standard deviations.
+    assert!((deviation(Some(80.0)) - 32.0).abs() < 1e-9);
 }
