@@ -3,11 +3,12 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::Estimate;
+use super::place_on_map::PlaceOnMap;
 use super::tilt::LastingTilt;
 use pilotage_base::frames::GroundPoint;
 use pilotage_vision::registration::{PosePrior, Registration};
 
-/// Within what a frame was looked for: standard deviation per axis.
+/// Within what a frame was looked for, on the map: standard deviation per axis.
 #[derive(Clone, Copy, Debug)]
 pub struct SearchedRegion {
     pub position: GroundPoint,
@@ -16,17 +17,12 @@ pub struct SearchedRegion {
 }
 
 impl SearchedRegion {
-    /// Density with which a place of that covariance was expected, 1/m².
-    pub fn density(&self, at: &Registration) -> f64 {
-        let own = Matrix2::from_diagonal_element(self.deviation.powi(2));
-        density(&self.position.to_vector(), &own, at)
-    }
-
-    /// A circle that holds what is believed.
-    pub fn around(believed: &Estimate) -> Self {
+    /// A circle on the map that holds what is believed.
+    pub fn around(believed: &Estimate, on_map: &PlaceOnMap) -> Self {
+        let along = on_map.covariance(believed).symmetric_eigenvalues();
         Self {
-            position: believed.position(),
-            deviation: believed.greatest_variance().sqrt(),
+            position: GroundPoint::from(on_map.mean(believed)),
+            deviation: along.max().max(0.0).sqrt(),
         }
     }
 }
@@ -45,13 +41,41 @@ pub struct FoundPlaces {
     pub tilt_biases: [f64; 2],
     /// Place of these in the state of a filter.
     pub tilt: LastingTilt,
+    /// Place of the map's error in it.
+    pub on_map: PlaceOnMap,
     pub places: Vec<Registration>,
 }
 
-/// Density with which a place is expected around `mean` with `covariance`, 1/m².
-pub fn density(mean: &Vector2<f64>, covariance: &Matrix2<f64>, at: &Registration) -> f64 {
+impl FoundPlaces {
+    /// Covariance with which a frame told its place on the map, the map's own error apart, m².
+    pub fn told(&self, at: &Registration) -> Matrix2<f64> {
+        let of_map = Matrix2::identity() * self.prior.map_deviation.powi(2);
+        at.camera.covariance.fixed_view::<2, 2>(0, 0) - of_map
+    }
+
+    /// Density with which a place was expected where it was looked for, 1/m².
+    pub fn density_searched(&self, at: &Registration) -> f64 {
+        let region = Matrix2::from_diagonal_element(self.searched.deviation.powi(2));
+        density(
+            &self.searched.position.to_vector(),
+            &(region + self.told(at)),
+            at,
+        )
+    }
+
+    /// Density with which a filter expects a place that believes so, 1/m².
+    pub fn density_believed(&self, believed: &Estimate, at: &Registration) -> f64 {
+        let by_tilt = &at.camera.by_tilt;
+        let (mean, covariance) =
+            self.tilt
+                .place((believed, &self.on_map), by_tilt, self.tilt_biases);
+        density(&mean, &(covariance + self.told(at)), at)
+    }
+}
+
+/// Density of a place around `mean` with `covariance`, 1/m².
+fn density(mean: &Vector2<f64>, covariance: &Matrix2<f64>, at: &Registration) -> f64 {
     let place = at.camera.pose.position_in_world.xy().coords;
-    let covariance = covariance + at.camera.covariance.fixed_view::<2, 2>(0, 0);
     let off = place - mean;
     let Some(information) = covariance.try_inverse() else {
         return 0.0;

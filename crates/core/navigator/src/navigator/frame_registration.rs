@@ -9,10 +9,11 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix2, Vector2, dvector};
 
-use super::engine::{CorrectedStep, Engine, MeasurementModel, map_error};
+use super::engine::{CorrectedStep, Engine, MeasurementModel};
 use super::found_places::{FoundPlaces, SearchedRegion};
 use super::inputs::Inputs;
 use super::observation::{GaussianInnovation, Observation};
+use super::place_on_map::PlaceOnMap;
 use super::tilt::LastingTilt;
 use super::{Estimate, JointReport, RegisteredPlace, RegistrationRefusal, RegistrationReport};
 use pilotage_base::frames::GroundPoint;
@@ -36,6 +37,7 @@ pub struct FrameRegistration {
     map: Arc<dyn Imagery>,
     follower: Follower,
     tilt: LastingTilt,
+    on_map: PlaceOnMap,
 }
 
 /// A frame, laid or not.
@@ -58,13 +60,23 @@ pub struct Believed {
 }
 
 impl FrameRegistration {
-    /// Over a map, assuming that of the flight, for a filter that knows so much of its tilt.
-    pub fn new(map: Arc<dyn Imagery>, assumed: FollowSettings, tilt: LastingTilt) -> Self {
+    /// Over a map, assuming that of the flight, for a filter with these settings.
+    pub fn new(
+        map: Arc<dyn Imagery>,
+        assumed: FollowSettings,
+        settings: &NavigatorSettings,
+    ) -> Self {
         Self {
             map,
             follower: Follower::new(assumed),
-            tilt,
+            tilt: LastingTilt::of(settings),
+            on_map: PlaceOnMap::of(settings, assumed.map_deviation),
         }
+    }
+
+    /// Region of the map in which a frame is looked for where this is believed, whatever the settings allow.
+    pub fn around(&self, believed: &Estimate) -> SearchedRegion {
+        SearchedRegion::around(believed, &self.on_map)
     }
 
     /// A picture taken by `camera` over the map.
@@ -101,7 +113,7 @@ impl FrameRegistration {
             pitch: Some(pitch - tilt_biases[1]),
             ..*measured
         };
-        let mut searched = SearchedRegion::around(predicted);
+        let mut searched = self.around(predicted);
         let (height, _) = self.follower.height(time, measured);
         // A tilt that is wrong moves what is seen by the height times it.
         let by_tilt = height * self.tilt.variance(predicted).sqrt();
@@ -127,6 +139,7 @@ impl FrameRegistration {
                 prior,
                 tilt_biases,
                 tilt: self.tilt,
+                on_map: self.on_map,
                 places,
             },
         }
@@ -237,19 +250,12 @@ impl SeenPlace {
         found: &FoundPlaces,
         place: &Registration,
     ) -> Result<Self, FilterError> {
-        let CameraPlace {
-            pose,
-            covariance,
-            by_tilt,
-        } = place.camera;
+        let CameraPlace { pose, by_tilt, .. } = place.camera;
         let position = pose.position_in_world;
-        // Of the map's error that the place was told with, a part that is a state of the filter is no noise of its
-        // measurements; that of another aid's map was never in it.
-        let told = found.prior.map_deviation.powi(2);
-        let of_state = map_error(settings).map_or(0.0, |error| error.deviation.powi(2));
-        let of_map = Matrix2::identity() * (told - (told - of_state).max(0.0));
+        // A map's error that is a state of the filter is no noise of its measurements.
+        let of_map = Matrix2::identity() * found.on_map.beyond_state();
         let of_tilt = found.tilt.variance_of_noise() * by_tilt * by_tilt.transpose();
-        let own = covariance.fixed_view::<2, 2>(0, 0) - of_map + of_tilt;
+        let own = found.told(place) + of_map + of_tilt;
         let assumed = Vector2::from(found.tilt_biases);
         let on_map = move |seen: &Kinematics| {
             let biases = seen.tilt_bias.map_or(assumed, Vector2::from);

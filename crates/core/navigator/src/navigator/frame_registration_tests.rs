@@ -2,10 +2,11 @@
 
 use nalgebra::{DMatrix, Matrix6, Point3, SMatrix};
 
-use super::super::engine::engine;
+use super::super::engine::{engine, place_in_state};
 use super::super::found_places::SearchedRegion;
 use super::*;
 use pilotage_base::frames::{Attitude, Pose};
+use pilotage_estimation::vehicle::StateComponent;
 use pilotage_flight::{Channel, Frame, StartFix};
 use pilotage_mission::settings::ChosenAid;
 use pilotage_raster::imagery::Blank;
@@ -62,6 +63,7 @@ fn found(settings: &NavigatorSettings, place: &Registration) -> FoundPlaces {
         prior: Follower::new(frames).prior(0.0, position, 3.0, &InstrumentReadings::default()),
         tilt_biases: [0.0; 2],
         tilt: LastingTilt::of(settings),
+        on_map: PlaceOnMap::of(settings, frames.map_deviation),
         places: vec![place.clone()],
     }
 }
@@ -141,7 +143,7 @@ fn flight() -> Flight {
 /// Search for a grey picture over a blank map, by a filter with these settings that believes this.
 fn looked_for(settings: &NavigatorSettings, believed: &Estimate) -> FoundPlaces {
     let frames = settings.whole_frames.expect("frames are laid");
-    let registration = FrameRegistration::new(Arc::new(Blank), frames, LastingTilt::of(settings));
+    let registration = FrameRegistration::new(Arc::new(Blank), frames, settings);
     let measured = InstrumentReadings {
         heading: Some(1.0),
         height: Some(100.0),
@@ -168,4 +170,62 @@ fn places_are_weighed_against_what_was_searched_and_no_farther() {
     assert!((deviation(None) - 200.0).abs() < 1e-9);
     // 80 m are 2.5 standard deviations.
     assert!((deviation(Some(80.0)) - 32.0).abs() < 1e-9);
+}
+
+/// Belief of a filter over a map that is off by 6 m to the north, as it knows: its position is known to 0.7 m, and the sum
+/// of the two to half a metre.
+fn knows_the_map(settings: &NavigatorSettings) -> Estimate {
+    let mut believed = engine(settings, GroundPoint::new(100.0, 50.0), 0.7)
+        .expect("a filter begins")
+        .state();
+    let north = place_in_state(settings, StateComponent::MapErrorNorth).expect("it is a state");
+    believed.mean[north] = 6.0;
+    for axis in 0..2 {
+        // 0.49 + 0.49 - 2 · 0.365 = 0.25.
+        believed.covariance[(north + axis, north + axis)] = 0.49;
+        believed.covariance[(axis, north + axis)] = -0.365;
+        believed.covariance[(north + axis, axis)] = -0.365;
+    }
+    believed
+}
+
+#[test]
+fn a_frame_is_looked_for_and_expected_where_the_map_shows_the_aircraft() {
+    let frames = FollowSettings {
+        map_deviation: 3.0,
+        ..FollowSettings::default()
+    };
+    let settings = NavigatorSettings {
+        whole_frames: Some(frames),
+        ..NavigatorSettings::default()
+    };
+    let believed = knows_the_map(&settings);
+    let looked = looked_for(&settings, &believed);
+    let at = GroundPoint::new(106.0, 50.0);
+    assert!(looked.searched.position.distance(&at) < 1e-9);
+    assert!((looked.searched.deviation - 0.5).abs() < 1e-9);
+    // Both the filter and the search expect the fit's 0.25 m² about it and 0.25 m² of their own.
+    let place = place(&frames, 106.0, 50.5);
+    let density = (-0.5 * 0.25 / 0.5_f64).exp() / (std::f64::consts::TAU * 0.5);
+    assert!((looked.density_believed(&believed, &place) / density - 1.0).abs() < 1e-9);
+    assert!((looked.density_searched(&place) / density - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn an_error_of_the_map_that_is_no_state_widens_the_search() {
+    let settings = NavigatorSettings {
+        whole_frames: Some(FollowSettings {
+            map_deviation: 3.0,
+            ..FollowSettings::default()
+        }),
+        estimates_height: true,
+        ..NavigatorSettings::default()
+    };
+    let filter = engine(&settings, GroundPoint::default(), 4.0).unwrap();
+    let looked = looked_for(&settings, &filter.state());
+    assert!((looked.searched.deviation - 5.0).abs() < 1e-9);
+    let place = place(&settings.whole_frames.unwrap(), 0.0, 0.0);
+    let density = 1.0 / (std::f64::consts::TAU * 25.25);
+    assert!((looked.density_believed(&filter.state(), &place) / density - 1.0).abs() < 1e-9);
+    assert!((looked.density_searched(&place) / density - 1.0).abs() < 1e-9);
 }

@@ -12,7 +12,6 @@ use std::sync::Arc;
 use super::engine::Engine;
 use super::frame_registration::{FrameRegistration, RegisteredFrame, measured};
 use super::inputs::Inputs;
-use super::tilt::LastingTilt;
 use super::{CandidateReport, Doubt, Estimate, Instrument, Outcome, SensorFault};
 use pilotage_base::frames::wrap_pi;
 use pilotage_base::statistics::chi_square_quantile;
@@ -110,7 +109,7 @@ impl HeadingDoubt {
                 shape_deviation: LEAST_STRETCH,
                 ..FollowSettings::default()
             },
-            LastingTilt::of(settings),
+            settings,
         ));
     }
 

@@ -22,6 +22,7 @@ mod onlooker;
 mod picture_errors;
 mod picture_lag;
 mod pipeline;
+mod place_on_map;
 mod placed;
 mod possible_places;
 mod recovery;

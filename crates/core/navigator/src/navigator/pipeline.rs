@@ -24,7 +24,6 @@ use super::possible_places::PossiblePlaces;
 use super::recovery::{Opinion, Recovery, reconsider};
 use super::see::{Associator, Measurement, observation};
 use super::ticks::{Tick, ticks};
-use super::tilt::LastingTilt;
 use super::{
     CandidateReport, Control, FrameReport, JointReport, Outcome, Run, SigmaSets, StepReport,
     StepTiming,
@@ -152,14 +151,11 @@ impl Navigator {
             Some(ground),
         )?;
         if let Some(assumed) = settings.whole_frames {
-            navigator.whole_frames = Some(FrameRegistration::new(
-                map,
-                assumed,
-                LastingTilt::of(settings),
-            ));
+            let frames = FrameRegistration::new(map, assumed, &navigator.settings);
+            navigator.whole_frames = Some(frames);
         } else if let Some(heading) = &mut navigator.heading {
             let height = Control::of(&navigator.flight, navigator.time).height;
-            heading.over(map, settings, height);
+            heading.over(map, &navigator.settings, height);
         }
         Ok(navigator)
     }

@@ -14,7 +14,7 @@
 use super::Estimate;
 use super::aids::take;
 use super::engine::{Engine, PredictedStep, engine};
-use super::found_places::{FoundPlaces, SearchedRegion, density};
+use super::found_places::{FoundPlaces, SearchedRegion};
 use super::frame_registration::{Believed, SeenPlace};
 use super::observation::Observation;
 use super::observed_at::ObservedAt;
@@ -49,9 +49,7 @@ struct PlaceBelief {
 fn likelier(engine: &dyn Engine, found: &FoundPlaces) -> Vec<f64> {
     let state = engine.state();
     let of_place = |place: &Registration| {
-        let by_tilt = &place.camera.by_tilt;
-        let (mean, covariance) = found.tilt.place(&state, by_tilt, found.tilt_biases);
-        density(&mean, &covariance, place) / found.searched.density(place)
+        found.density_believed(&state, place) / found.density_searched(place)
     };
     found.places.iter().map(of_place).collect()
 }
@@ -136,11 +134,8 @@ impl PossiblePlaces {
         believed: &Estimate,
         follower: &Follower,
     ) -> Result<(), FilterError> {
-        let SearchedRegion {
-            position,
-            deviation,
-        } = SearchedRegion::around(believed);
-        let anew = engine(settings, position, deviation)?;
+        let deviation = believed.greatest_variance().sqrt();
+        let anew = engine(settings, believed.position(), deviation)?;
         self.main = 1.0 - UNFORESEEN;
         self.unforeseen = Some(PlaceBelief::new(anew, follower.clone(), UNFORESEEN));
         self.others.clear();
@@ -152,10 +147,14 @@ impl PossiblePlaces {
         self.main < SURE && !self.others.is_empty()
     }
 
-    /// The widest belief, if it is worth a search beside that within `searched`.
-    pub fn wider(&self, searched: &SearchedRegion) -> Option<Estimate> {
+    /// The widest belief, if it is worth a search beside that around what is `believed`; `around` is what is searched.
+    pub fn wider(
+        &self,
+        believed: &Estimate,
+        around: impl Fn(&Estimate) -> SearchedRegion,
+    ) -> Option<Estimate> {
         let widest = self.unforeseen.as_ref()?.engine.state();
-        (SearchedRegion::around(&widest).deviation > WIDER * searched.deviation).then_some(widest)
+        (around(&widest).deviation > WIDER * around(believed).deviation).then_some(widest)
     }
 
     /// Weighs everything by what was found of a frame; the belief that has nearly all the probability now, if one has,

@@ -3,8 +3,9 @@
 use nalgebra::{DVector, Matrix2, Matrix4, MatrixXx2, MatrixXx4, Vector2};
 
 use super::Estimate;
-use super::engine::place_of_tilt;
-use pilotage_estimation::vehicle::Kinematics;
+use super::engine::place_in_state;
+use super::place_on_map::PlaceOnMap;
+use pilotage_estimation::vehicle::{Kinematics, StateComponent};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::geometry::COMPONENTS;
 
@@ -53,7 +54,7 @@ pub struct LastingTilt {
 impl LastingTilt {
     /// Of a filter with these settings.
     pub fn of(settings: &NavigatorSettings) -> Self {
-        let index = place_of_tilt(settings);
+        let index = place_in_state(settings, StateComponent::RollBias);
         let is_noise = index.is_none();
         let beyond = settings
             .whole_frames
@@ -82,22 +83,21 @@ impl LastingTilt {
         self.deviation.powi(2)
     }
 
-    /// Mean and covariance of the place, north and east, that a frame is expected to tell which moves with the tilt as
-    /// `by_tilt` says (metres per radian) and was laid as if the biases were `assumed`.
+    /// Mean and covariance of the place on the map, north and east, that a frame is expected to tell which moves with the
+    /// tilt as `by_tilt` says (metres per radian) and was laid as if the biases were `assumed`.
     pub fn place(
         &self,
-        believed: &Estimate,
+        (believed, on_map): (&Estimate, &PlaceOnMap),
         by_tilt: &Matrix2<f64>,
         assumed: [f64; 2],
     ) -> (Vector2<f64>, Matrix2<f64>) {
-        let mean = believed.position().to_vector();
-        let own = believed.position_covariance();
+        let (mean, own) = (on_map.mean(believed), on_map.covariance(believed));
         let Some(i) = self.index else {
             let noise = self.variance_of_noise() * by_tilt * by_tilt.transpose();
             return (mean, own + noise);
         };
         let off = Vector2::from(self.biases(believed)) - Vector2::from(assumed);
-        let across = by_tilt * believed.covariance.fixed_view::<2, 2>(i, 0);
+        let across = by_tilt * on_map.covariance_with(believed, i);
         let of_tilt = by_tilt * believed.covariance.fixed_view::<2, 2>(i, i) * by_tilt.transpose();
         (
             mean + by_tilt * off,
@@ -170,14 +170,24 @@ mod tests {
         };
         assert_eq!(lasting.biases(&believed), [0.4, 0.5]);
         let by_tilt = Matrix2::new(20.0, -110.0, 115.0, 25.0);
-        let (mean, covariance) = lasting.place(&believed, &by_tilt, [0.3, 0.3]);
+        let (mean, covariance) = lasting.place(
+            (&believed, &PlaceOnMap::of(&settings, 3.0)),
+            &by_tilt,
+            [0.3, 0.3],
+        );
         let mut jacobian = DMatrix::zeros(2, 8);
         jacobian.view_mut((0, 0), (2, 2)).fill_with_identity();
         jacobian.view_mut((0, 4), (2, 2)).copy_from(&by_tilt);
+        jacobian.view_mut((0, 6), (2, 2)).fill_with_identity();
         let all = &jacobian * &believed.covariance * jacobian.transpose();
         assert!((covariance - all.fixed_view::<2, 2>(0, 0)).amax() < 1e-9);
         assert!(
-            (mean - Vector2::new(20.0 * 0.1 - 110.0 * 0.2, 0.1 + 115.0 * 0.1 + 25.0 * 0.2)).amax()
+            (mean
+                - Vector2::new(
+                    0.6 + 20.0 * 0.1 - 110.0 * 0.2,
+                    0.8 + 115.0 * 0.1 + 25.0 * 0.2
+                ))
+            .amax()
                 < 1e-9
         );
         // The largest model leaves none beside the error of the map.

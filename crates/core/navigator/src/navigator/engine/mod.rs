@@ -16,7 +16,7 @@ use pilotage_estimation::vehicle::{AnyVehicle, VehicleModel, VehicleVisitor};
 use pilotage_mission::settings::NavigatorSettings;
 
 pub use door::{CorrectedStep, Engine, MeasurementModel, PredictedStep};
-pub use vehicle::{frame_noise, map_error, place_of_tilt, vehicle, visit_model};
+pub use vehicle::{frame_noise, map_error, place_in_state, vehicle, visit_model};
 
 /// The settings of the sigma points, which every estimator shows.
 pub fn unscented(settings: &NavigatorSettings) -> UnscentedSettings {

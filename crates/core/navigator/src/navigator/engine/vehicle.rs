@@ -34,23 +34,23 @@ fn tilt_bias(settings: &NavigatorSettings) -> Option<TiltBias> {
     (deviation > 0.0 && counts && !settings.estimates_height).then_some(TiltBias { deviation })
 }
 
-/// Place of the bias of roll in the state of the filter, that of pitch follows; `None` where they are no states.
-pub fn place_of_tilt(settings: &NavigatorSettings) -> Option<usize> {
-    struct PlaceOfTilt;
-    impl VehicleVisitor for PlaceOfTilt {
+/// Index of a component in the state of the filter; `None` where it is no state.
+pub fn place_in_state(settings: &NavigatorSettings, component: StateComponent) -> Option<usize> {
+    struct PlaceInState(StateComponent);
+    impl VehicleVisitor for PlaceInState {
         type Output = Option<usize>;
 
         fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
-            model.index_of(StateComponent::RollBias)
+            model.index_of(self.0)
         }
     }
-    visit_model(settings, PlaceOfTilt)
+    visit_model(settings, PlaceInState(component))
 }
 
 /// Noise of what the camera's pose is computed from that is new to the filter in each frame: without what is a state of it.
 pub fn frame_noise(settings: &NavigatorSettings) -> SensorNoise {
     let knows_heading = settings.vehicle == VehicleChoice::AirplaneFull;
-    let knows_tilt = place_of_tilt(settings).is_some();
+    let knows_tilt = place_in_state(settings, StateComponent::RollBias).is_some();
     settings.sensors.without_biases(knows_tilt, knows_heading)
 }
 

@@ -1,6 +1,5 @@
 //! Whole frames laid on the map, and what is thought possible where that leaves it open.
 
-use super::super::found_places::SearchedRegion;
 use super::super::frame_registration::{FrameRegistration, RegisteredFrame, measured};
 use super::super::possible_places::Sure;
 use super::super::{Estimate, JointReport, StepReport};
@@ -67,7 +66,7 @@ impl Navigator {
         }
         let wider = self
             .possible
-            .wider(&SearchedRegion::around(&report.predicted));
+            .wider(&report.predicted, |believed| whole_frames.around(believed));
         let mut laid = match (first, wider) {
             (Some(first), None) => first,
             (_, around) => {
