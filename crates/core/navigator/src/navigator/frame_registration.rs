@@ -9,16 +9,16 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix2, Vector2, dvector};
 
-use super::engine::{CorrectedStep, Engine, MeasurementModel};
+use super::engine::{CorrectedStep, Engine, MeasurementModel, place_in_state};
 use super::found_places::{FoundPlaces, SearchedRegion};
 use super::inputs::Inputs;
 use super::observation::{GaussianInnovation, Observation};
 use super::place_on_map::PlaceOnMap;
 use super::tilt::LastingTilt;
 use super::{Estimate, JointReport, RegisteredPlace, RegistrationRefusal, RegistrationReport};
-use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::{GroundPoint, wrap_pi};
 use pilotage_estimation::filter::{FilterError, Gate, Verdict, fading_factor};
-use pilotage_estimation::vehicle::Kinematics;
+use pilotage_estimation::vehicle::{Kinematics, StateComponent};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::camera::CameraModel;
@@ -38,6 +38,8 @@ pub struct FrameRegistration {
     follower: Follower,
     tilt: LastingTilt,
     on_map: PlaceOnMap,
+    /// Place of the heading's bias in the state of the filter, if it is one.
+    heading_bias: Option<usize>,
 }
 
 /// A frame, laid or not.
@@ -71,6 +73,7 @@ impl FrameRegistration {
             follower: Follower::new(assumed),
             tilt: LastingTilt::of(settings),
             on_map: PlaceOnMap::of(settings, assumed.map_deviation),
+            heading_bias: place_in_state(settings, StateComponent::HeadingBias),
         }
     }
 
@@ -108,7 +111,9 @@ impl FrameRegistration {
         let look = self.look(&camera, flight.ground_down, luminance);
         let tilt_biases = self.tilt.biases(predicted);
         let [roll, pitch] = [measured.roll, measured.pitch].map(Option::unwrap_or_default);
-        let upright = InstrumentReadings {
+        let heading_bias = self.heading_bias.map_or(0.0, |i| predicted.mean[i]);
+        let corrected = InstrumentReadings {
+            heading: measured.heading.map(|h| wrap_pi(h - heading_bias)),
             roll: Some(roll - tilt_biases[0]),
             pitch: Some(pitch - tilt_biases[1]),
             ..*measured
@@ -120,7 +125,7 @@ impl FrameRegistration {
         searched.deviation = searched.deviation.hypot(by_tilt);
         let prior = self
             .follower
-            .prior(time, searched.position, searched.deviation, &upright);
+            .prior(time, searched.position, searched.deviation, &corrected);
         // No farther than the settings allow.
         searched.deviation = prior.position_deviation;
         let FrameSighting { verdict, places } = sight(&look, &prior);

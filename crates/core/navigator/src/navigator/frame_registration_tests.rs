@@ -2,16 +2,15 @@
 
 use nalgebra::{DMatrix, Matrix6, Point3, SMatrix};
 
-use super::super::engine::{engine, place_in_state};
+use super::super::engine::engine;
 use super::super::found_places::SearchedRegion;
 use super::*;
 use pilotage_base::frames::{Attitude, Pose};
-use pilotage_estimation::vehicle::StateComponent;
 use pilotage_flight::{Channel, Frame, StartFix};
-use pilotage_mission::settings::ChosenAid;
+use pilotage_mission::settings::{ChosenAid, VehicleChoice};
 use pilotage_raster::imagery::Blank;
 use pilotage_raster::raster::Gray;
-use pilotage_vision::registration::{MapPose, MapShape, PoseFit, UNKNOWNS};
+use pilotage_vision::registration::{HeadingPrior, MapPose, MapShape, PoseFit, UNKNOWNS};
 
 /// A place of a frame whose fit has the variance 0.25 m² per axis, over a map as good as `frames` say.
 fn place(frames: &FollowSettings, north: f64, east: f64) -> Registration {
@@ -228,4 +227,24 @@ fn an_error_of_the_map_that_is_no_state_widens_the_search() {
     let density = 1.0 / (std::f64::consts::TAU * 25.25);
     assert!((looked.density_believed(&filter.state(), &place) / density - 1.0).abs() < 1e-9);
     assert!((looked.density_searched(&place) / density - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_frame_is_turned_as_the_heading_is_without_the_bias_that_the_filter_knows() {
+    let settings = NavigatorSettings {
+        vehicle: VehicleChoice::AirplaneFull,
+        whole_frames: Some(FollowSettings::default()),
+        ..NavigatorSettings::default()
+    };
+    let mut believed = engine(&settings, GroundPoint::default(), 3.0)
+        .unwrap()
+        .state();
+    let bias = place_in_state(&settings, StateComponent::HeadingBias).expect("it is a state");
+    believed.mean[bias] = 0.14;
+    let looked = looked_for(&settings, &believed);
+    let HeadingPrior::Around { heading, .. } = looked.prior.heading else {
+        panic!("{:?}", looked.prior);
+    };
+    // The compass reads 1 rad.
+    assert!((heading - 0.86).abs() < 1e-12, "{heading}");
 }
