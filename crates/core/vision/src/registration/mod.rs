@@ -21,6 +21,7 @@ mod follower;
 mod grid;
 mod ground;
 mod guess;
+mod lattice;
 mod limits;
 mod look;
 mod overlay;

@@ -6,6 +6,9 @@ use super::MapShape;
 use super::limits::REACH;
 use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
 
+/// Least standard deviation of what is known, metres, radians, or of a logarithm: what is known better is held.
+const HELD: f64 = 1e-3;
+
 /// Knowledge of the turn of a stored picture against the mount, beyond one that the camera has already.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StoredTurn {
@@ -112,6 +115,11 @@ impl PosePrior {
         spread(REACH * self.log_height_deviation, step)
             .map(|off| self.height * off.exp())
             .collect()
+    }
+
+    /// Standard deviation of the place per axis, metres.
+    pub(super) fn place_deviation(&self) -> f64 {
+        self.position_deviation.max(HELD)
     }
 
     /// Standard deviation of the tilt that the camera seems to have against the ground, radians.

@@ -4,6 +4,7 @@ use super::evidence::Evidence;
 use super::grid::{Poses, SweepGrid, above, area};
 use super::ground::{GroundPicture, Texture};
 use super::guess::{PoseGuess, are_within};
+use super::lattice::{LatticePrior, reach_on};
 use super::look::{FrameLook, MapPose};
 use super::prior::PosePrior;
 use pilotage_base::frames::GroundPoint;
@@ -48,7 +49,7 @@ pub(super) struct WeighedPoses {
 impl WeighedPoses {
     /// Before anything was looked at of `poses`.
     pub fn new(prior: &PosePrior, poses: &Poses, grid: SweepGrid) -> Self {
-        let place = std::f64::consts::TAU * prior.position_deviation.powi(2);
+        let place = std::f64::consts::TAU * prior.place_deviation().powi(2);
         let each = poses.heights.iter().flat_map(|height| {
             poses
                 .headings
@@ -123,7 +124,7 @@ impl WeighedPoses {
             return;
         };
         let gsd = grid.gsd(&extent);
-        let reach = poses.reach + gsd;
+        let reach = reach_on(poses.reach, gsd);
         // Chance is told from places beyond those that count, too.
         let looked_at = reach.max(CHANCE_REACH * gsd) + gsd;
         let Some(area) = area(looks, prior, poses.center, looked_at, *height) else {
@@ -181,7 +182,7 @@ impl WeighedPoses {
         let score = &seen.surface.score;
         let of_pose = prior.log_density(seen.height, seen.at.pose.attitude.yaw);
         let cell = seen.cell * seen.gsd * seen.gsd;
-        let deviation = prior.position_deviation.max(0.1 * seen.gsd);
+        let places = LatticePrior::new(prior, seen.gsd);
         let mut summits = Summits::default();
         for row in 0..score.height() {
             for column in 0..score.width() {
@@ -191,8 +192,7 @@ impl WeighedPoses {
                 if north.abs() > seen.reach || east.abs() > seen.reach || share < LEAST_SHARE {
                     continue;
                 }
-                let off = below.distance(&prior.position) / deviation;
-                let log_prior = of_pose - 0.5 * off * off;
+                let log_prior = of_pose + places.log_density(&below);
                 let value = f64::from(score.get(column, row));
                 let log_weight = seen.evidence.log_likelihood(value, f64::from(share)) + log_prior;
                 self.prior_seen += log_prior.exp() * cell;
@@ -328,3 +328,7 @@ impl Summits {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "weighed_tests.rs"]
+mod tests;

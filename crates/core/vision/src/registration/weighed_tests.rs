@@ -1,0 +1,128 @@
+//! Tests of `weighed`.
+
+use nalgebra::Point3;
+
+use super::super::prior::HeadingPrior;
+use super::super::shape::MapShape;
+use super::*;
+use pilotage_base::frames::{Attitude, Pose};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::Blank;
+use pilotage_raster::raster::Pyramid;
+
+/// Samples to each side of the middle of a surface.
+const MIDDLE: usize = 20;
+const SIDE: usize = 2 * MIDDLE + 1;
+
+/// A prior of a place as uncertain as this, metres, with a told height and heading.
+fn prior(position_deviation: f64) -> PosePrior {
+    PosePrior {
+        position: GroundPoint::new(0.0, 0.0),
+        position_deviation,
+        height: 100.0,
+        log_height_deviation: 0.05,
+        heading: HeadingPrior::Around {
+            heading: 0.0,
+            deviation: 0.05,
+            stored: super::super::prior::StoredTurn::None,
+        },
+        roll: 0.0,
+        pitch: 0.0,
+        tilt_deviation: 0.02,
+        slope_deviation: 0.02,
+        shape: MapShape::default(),
+        shape_deviation: 0.02,
+        map_deviation: 0.0,
+    }
+}
+
+/// Poses of one height and heading around the prior's place.
+fn poses(prior: &PosePrior) -> Poses {
+    Poses {
+        center: prior.position,
+        reach: super::super::limits::REACH * prior.position_deviation,
+        heights: vec![prior.height],
+        headings: vec![0.0],
+        cell: 0.01,
+        turns: vec![0],
+    }
+}
+
+/// Weighs a surface whose places are a metre apart, its middle this far north and east of the prior's place.
+fn weigh(
+    weighed: &mut WeighedPoses,
+    prior: &PosePrior,
+    surface: &ChannelSurface,
+    [north, east]: [f64; 2],
+) {
+    let poses = poses(prior);
+    let seen = FrameAtHeading {
+        at: MapPose {
+            pose: Pose {
+                position_in_world: Point3::new(north, east, -100.0),
+                attitude: Attitude::level(0.0),
+            },
+            shape: MapShape::default(),
+        },
+        height: 100.0,
+        turn: 0,
+        surface,
+        corner: (MIDDLE, MIDDLE),
+        gsd: 1.0,
+        reach: reach_on(poses.reach, 1.0),
+        cell: poses.cell,
+        evidence: Evidence { chance: 0.05 },
+    };
+    weighed.weigh(&seen, prior, poses.center);
+}
+
+/// A surface on which the frame correlates nowhere.
+fn blank() -> ChannelSurface {
+    ChannelSurface {
+        score: Gray::filled(SIDE, SIDE, 0.0),
+        share: None,
+    }
+}
+
+fn begun(prior: &PosePrior) -> WeighedPoses {
+    WeighedPoses::new(prior, &poses(prior), SweepGrid::full())
+}
+
+/// The probability of the likeliest guess.
+fn likeliest(mut weighed: WeighedPoses) -> f64 {
+    let camera = CameraModel::pinhole(64, 48, 1.0);
+    let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
+    let look = FrameLook {
+        camera: &camera,
+        ground_down: 0.0,
+        luminance: &luminance,
+        map: &Blank,
+    };
+    weighed.guesses(&[look], 1)[0].probability
+}
+
+#[test]
+fn what_is_looked_at_of_a_prior_is_all_of_it_wherever_the_lattice_lies() {
+    for deviation in [0.0, 0.05, 0.1, 0.16, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0] {
+        for shift in [[0.0, 0.0], [0.5, 0.0], [0.5, 0.5], [0.25, -0.4]] {
+            let prior = prior(deviation);
+            let mut weighed = begun(&prior);
+            weigh(&mut weighed, &prior, &blank(), shift);
+            let share = weighed.prior_seen / weighed.prior_all;
+            assert!((share - 1.0).abs() < 0.04, "{deviation} {shift:?}: {share}");
+        }
+    }
+}
+
+#[test]
+fn a_sharp_prior_is_no_evidence_for_a_frame_that_shows_nothing() {
+    for deviation in [0.1, 0.16, 0.5] {
+        for shift in [[0.0, 0.0], [0.5, 0.5]] {
+            let prior = prior(deviation);
+            let mut weighed = begun(&prior);
+            weigh(&mut weighed, &prior, &blank(), shift);
+            let probability = likeliest(weighed);
+            assert!(probability <= 0.9, "{deviation} {shift:?}: {probability}");
+        }
+    }
+}
