@@ -42,6 +42,8 @@ pub(super) struct WeighedPoses {
     prior_seen: f64,
     /// Sum of the prior over all poses, seen or not.
     prior_all: f64,
+    /// Part of the prior that the first look did not reach, if this is a second, which sees none of it but once more.
+    off_the_map: Option<f64>,
     /// Distance, against the height, and turn within which poses are one.
     beside: (f64, f64),
 }
@@ -63,6 +65,7 @@ impl WeighedPoses {
             weight: 0.0,
             prior_seen: 0.0,
             prior_all: each.sum::<f64>() * place * poses.cell * poses.turns.len() as f64,
+            off_the_map: None,
             beside: grid.beside(),
         }
     }
@@ -81,6 +84,7 @@ impl WeighedPoses {
             heavy: Vec::new(),
             heaviest: f64::NEG_INFINITY,
             weight: left.map(|(_, _, weight)| weight).sum::<f64>() + self.prior_seen,
+            off_the_map: Some(self.off_the_map()),
             beside: grid.beside(),
             ..*self
         }
@@ -100,8 +104,13 @@ impl WeighedPoses {
 
     /// All that the probabilities share.
     fn all(&self) -> f64 {
-        let off_the_map = (self.prior_all - self.prior_seen).max(0.0);
-        self.weight + off_the_map + self.nothing()
+        self.weight + self.off_the_map() + self.nothing()
+    }
+
+    /// Part of the prior where there is no map, or that was not looked at.
+    fn off_the_map(&self) -> f64 {
+        let left = (self.prior_all - self.prior_seen).max(0.0);
+        self.off_the_map.unwrap_or(left)
     }
 
     /// Weight of the frame showing nothing that the map has.

@@ -126,3 +126,27 @@ fn a_sharp_prior_is_no_evidence_for_a_frame_that_shows_nothing() {
         }
     }
 }
+
+#[test]
+fn a_second_look_does_not_see_what_lies_off_the_map() {
+    let prior = prior(3.0);
+    let mut weighed = begun(&prior);
+    // The map ends at the middle: nothing of the frame lies over it to the west of that.
+    let on_map = Gray::from_fn(SIDE, SIDE, |column, _| {
+        f32::from(u8::from(column >= MIDDLE))
+    });
+    let edge = ChannelSurface {
+        share: Some(on_map),
+        ..blank()
+    };
+    weigh(&mut weighed, &prior, &edge, [0.0, 0.0]);
+    let off = weighed.off_the_map();
+    // Half of the bell less half of its middle column: 0.5 - 0.5 / (√2π · 3) = 0.434, and what is not looked at beyond.
+    let share = off / weighed.prior_all;
+    assert!((0.42..0.46).contains(&share), "{share}");
+    let mut again = weighed.without(&[], &[], SweepGrid::finest());
+    for _ in 0..2 {
+        weigh(&mut again, &prior, &edge, [0.25, 0.0]);
+        assert_eq!(again.off_the_map(), off);
+    }
+}
