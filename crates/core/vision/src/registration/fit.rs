@@ -16,6 +16,8 @@ const STEPS: [f64; UNKNOWNS] = [1e-3, 1e-3, 1e-3, 1e-5, 1e-5, 1e-5, 1e-5, 1e-5];
 /// Errors of matches are taken to be alike over this part of the picture's shorter side: relief and the
 /// seams of an orthophoto move neighbours together.
 const ALIKE: f64 = 0.3;
+/// Standard deviation of a height's logarithm, or of a heading in radians, that are held: no match moves them.
+const FIRMLY: f64 = 1e-6;
 /// The least standard deviation of a match, pixels.
 const LEAST_DEVIATION: f64 = 0.1;
 
@@ -87,17 +89,30 @@ pub(super) fn residual(look: &FrameLook<'_>, at: &MapPose, m: &PatchMatch) -> Op
     Some(look.pixel(at, &m.ground)? - m.pixel)
 }
 
-/// Prior of roll, pitch, along and across: index, deviation from its mean, information.
-fn held(prior: &PosePrior, at: &MapPose) -> [(usize, f64, f64); 4] {
+/// Prior of roll, pitch, along and across, and of height and heading where these are held: index, deviation from its
+/// mean, information.
+fn held(look: &FrameLook<'_>, prior: &PosePrior, at: &MapPose) -> Vec<(usize, f64, f64)> {
     let attitude = at.pose.attitude;
     let tilt = prior.apparent_tilt_deviation().powi(-2);
     let shape = prior.shape_deviation.powi(-2);
-    [
+    let held = FIRMLY.powi(-2);
+    let height = look.ground_down - at.pose.position_in_world.z;
+    // Down is less by as much as the height is more.
+    let of_height = prior
+        .holds_height()
+        .then(|| (2, prior.height - height, held / (height * height)));
+    let of_heading = prior
+        .heading
+        .held()
+        .map(|heading| (5, wrap_pi(attitude.yaw - heading), held));
+    let always = [
         (3, attitude.roll - prior.roll, tilt),
         (4, attitude.pitch - prior.pitch, tilt),
         (6, at.shape.along - prior.shape.along, shape),
         (7, at.shape.across - prior.shape.across, shape),
-    ]
+    ];
+    let held = of_height.into_iter().chain(of_heading);
+    always.into_iter().chain(held).collect()
 }
 
 /// Round of the fit: the normal equations of the matches at a pose, without the prior.
@@ -181,7 +196,7 @@ pub(super) fn fit(
         let variance = round.variance();
         let mut information = round.information / variance;
         let mut slope: Vector = round.slopes.iter().map(|(_, s)| s / variance).sum();
-        for (axis, off, weight) in held(prior, &at) {
+        for (axis, off, weight) in held(look, prior, &at) {
             information[(axis, axis)] += weight;
             slope[axis] += weight * off;
         }
@@ -196,7 +211,7 @@ pub(super) fn fit(
     let mut information = round.information / variance;
     let shorter = look.camera.width.min(look.camera.height) as f64;
     let mut scatter = round.scatter(ALIKE * shorter) / variance.powi(2);
-    for (axis, _, weight) in held(prior, &at) {
+    for (axis, _, weight) in held(look, prior, &at) {
         information[(axis, axis)] += weight;
         scatter[(axis, axis)] += weight;
     }
@@ -206,4 +221,77 @@ pub(super) fn fit(
         covariance: inverse * scatter * inverse,
         deviation: variance.sqrt(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point3;
+
+    use super::super::prior::{HeadingPrior, StoredTurn};
+    use super::super::shape::MapShape;
+    use super::*;
+    use pilotage_base::frames::{Attitude, Pose};
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::imagery::Blank;
+    use pilotage_raster::raster::{Gray, Pyramid};
+
+    #[test]
+    fn a_height_and_a_heading_without_doubt_are_held_whatever_the_matches_say() {
+        let camera = CameraModel::pinhole(400, 300, 1.0);
+        let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
+        let look = FrameLook {
+            camera: &camera,
+            ground_down: 0.0,
+            luminance: &luminance,
+            map: &Blank,
+        };
+        // The matches were seen from 100 m with heading 0.4.
+        let truth = MapPose {
+            pose: Pose {
+                position_in_world: Point3::new(5.0, -7.0, -100.0),
+                attitude: Attitude::level(0.4),
+            },
+            shape: MapShape::default(),
+        };
+        let pixels = (0..5).flat_map(|i| (0..4).map(move |j| (40 + 80 * i, 30 + 80 * j)));
+        let matches: Vec<PatchMatch> = pixels
+            .map(|(x, y)| {
+                let pixel = Point2::new(f64::from(x), f64::from(y));
+                let ground = look.ground(&truth, &pixel).unwrap();
+                PatchMatch {
+                    pixel,
+                    ground,
+                    expected: ground,
+                    score: 1.0,
+                }
+            })
+            .collect();
+        let told = |log_height_deviation, deviation| {
+            let prior = PosePrior {
+                position: GroundPoint::new(0.0, 0.0),
+                position_deviation: 10.0,
+                height: 103.0,
+                log_height_deviation,
+                heading: HeadingPrior::Around {
+                    heading: 0.41,
+                    deviation,
+                    stored: StoredTurn::None,
+                },
+                roll: 0.0,
+                pitch: 0.0,
+                tilt_deviation: 0.05,
+                slope_deviation: 0.05,
+                shape: MapShape::default(),
+                shape_deviation: 0.02,
+                map_deviation: 0.0,
+            };
+            let pose = fit(&look, &truth, &matches, &prior, 30.0).unwrap().at.pose;
+            (-pose.position_in_world.z, pose.attitude.yaw)
+        };
+        let (height, heading) = told(0.05, 0.05);
+        assert!((height - 100.0).abs() < 0.01 && (heading - 0.4).abs() < 1e-4);
+        let (height, heading) = told(0.0, 0.0);
+        assert!((height - 103.0).abs() < 0.01, "{height}");
+        assert!((heading - 0.41).abs() < 1e-4, "{heading}");
+    }
 }

@@ -3,7 +3,7 @@
 use super::guess::{BESIDE, PoseGuess};
 use super::limits::REACH;
 use super::look::{FrameLook, MapPose};
-use super::prior::PosePrior;
+use super::prior::{PosePrior, spread};
 use nalgebra::Point3;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
 
@@ -102,9 +102,9 @@ impl SweepGrid {
 }
 
 impl Poses {
-    /// Poses of a finer grid up to `steps` of a coarse one to each side of a guess.
+    /// Poses of a finer grid up to `steps` of a coarse one to each side of a guess, no farther than the prior is wide.
     pub fn around(
-        look: &FrameLook<'_>,
+        (look, prior): (&FrameLook<'_>, &PosePrior),
         guess: &PoseGuess,
         grid: SweepGrid,
         steps: f64,
@@ -113,16 +113,19 @@ impl Poses {
         let position = guess.at.pose.position_in_world;
         let height = look.ground_down - position.z;
         let side = steps * grid.step();
-        let count = (side / finer.step()).ceil().max(1.0) as i32;
-        let between = || (-count..=count).map(move |i| f64::from(i) * side / f64::from(count));
+        let between = |most: f64| spread(side.min(most), finer.step());
         let heading = guess.at.pose.attitude.yaw;
         let extent = look.footprint(&guess.at);
-        let heights: Vec<f64> = between().map(|off| height * off.exp()).collect();
-        let headings: Vec<f64> = between().map(|off| wrap_pi(heading + off)).collect();
+        let heights: Vec<f64> = between(REACH * prior.log_height_deviation)
+            .map(|off| height * off.exp())
+            .collect();
+        let headings: Vec<f64> = between(prior.heading.farthest())
+            .map(|off| wrap_pi(heading + off))
+            .collect();
         Self {
             center: GroundPoint::new(position.x, position.y),
             reach: 5.0 * steps * extent.map_or(0.0, |extent| grid.gsd(&extent)),
-            cell: cell(&headings, &heights, finer),
+            cell: cell(&headings, &heights),
             heights,
             headings,
             turns: vec![guess.turn],
@@ -130,15 +133,17 @@ impl Poses {
     }
 }
 
-/// Radians times logarithm of the height that one of these poses stands for: as far as they lie from one another.
-pub(super) fn cell(headings: &[f64], heights: &[f64], grid: SweepGrid) -> f64 {
+/// Radians times logarithm of the height that one of these poses stands for: as far as they lie from one another, and on
+/// every grid the same where there is one alone, which is held.
+pub(super) fn cell(headings: &[f64], heights: &[f64]) -> f64 {
+    let alone = SweepGrid::full().step();
     let turned = match headings {
         [a, b, ..] => wrap_pi(b - a).abs(),
-        _ => grid.step(),
+        _ => alone,
     };
     let higher = match heights {
         [a, b, ..] => (b / a).ln().abs(),
-        _ => grid.step(),
+        _ => alone,
     };
     turned * higher
 }
@@ -180,4 +185,95 @@ pub(super) fn area(
     let map = looks.first()?.map.bounds().grown(half);
     let cut = wanted.intersection(&map)?;
     (half > 0.0 && cut.north > cut.south && cut.east > cut.west).then_some(cut)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::evidence::Evidence;
+    use super::super::prior::{HeadingPrior, StoredTurn};
+    use super::super::shape::MapShape;
+    use super::*;
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::imagery::Blank;
+    use pilotage_raster::raster::{Gray, Pyramid};
+
+    /// A prior with standard deviations of the height's logarithm and of the heading, radians.
+    fn prior(log_height_deviation: f64, deviation: f64) -> PosePrior {
+        PosePrior {
+            position: GroundPoint::new(0.0, 0.0),
+            position_deviation: 10.0,
+            height: 103.0,
+            log_height_deviation,
+            heading: HeadingPrior::Around {
+                heading: 0.4,
+                deviation,
+                stored: StoredTurn::None,
+            },
+            roll: 0.0,
+            pitch: 0.0,
+            tilt_deviation: 0.05,
+            slope_deviation: 0.05,
+            shape: MapShape::default(),
+            shape_deviation: 0.02,
+            map_deviation: 0.0,
+        }
+    }
+
+    /// The sum of the prior's density over heights and headings, times the cell of each.
+    fn sum(prior: &PosePrior, poses: &Poses) -> f64 {
+        let each = poses.heights.iter().flat_map(|height| {
+            let density = |heading: &f64| prior.log_density(*height, *heading).exp();
+            poses.headings.iter().map(density)
+        });
+        each.sum::<f64>() * poses.cell
+    }
+
+    #[test]
+    fn a_finer_grid_sums_a_prior_to_as_much_as_the_coarse_one_however_sharp_it_is() {
+        let camera = CameraModel::pinhole(64, 48, 1.0);
+        let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
+        let look = FrameLook {
+            camera: &camera,
+            ground_down: 0.0,
+            luminance: &luminance,
+            map: &Blank,
+        };
+        let grid = SweepGrid::full();
+        for (of_height, of_heading) in [(0.0, 0.0), (0.0, 0.05), (0.004, 0.002), (0.03, 0.04)] {
+            let prior = prior(of_height, of_heading);
+            let (heights, headings) = (
+                prior.heights(grid.step()),
+                prior.heading.candidates(grid.step()),
+            );
+            let coarse = Poses {
+                center: prior.position,
+                reach: 0.0,
+                cell: cell(&headings, &heights),
+                heights,
+                headings,
+                turns: vec![0],
+            };
+            let guess = PoseGuess {
+                at: above(&look, &prior, 103.0, 0.4, prior.position),
+                turn: 0,
+                score: 0.5,
+                log_weight: 0.0,
+                probability: 0.5,
+                log_doubt: -0.3,
+                evidence: Evidence { chance: 0.1 },
+            };
+            let fine = Poses::around((&look, &prior), &guess, grid, 1.0, SweepGrid::finest());
+            let ratio = sum(&prior, &fine) / sum(&prior, &coarse);
+            assert!(
+                (ratio - 1.0).abs() < 0.2,
+                "{of_height} {of_heading}: {ratio}"
+            );
+            if of_height == 0.0 {
+                assert!(
+                    fine.heights.iter().all(|h| (h - 103.0).abs() < 1e-9),
+                    "{fine:?}"
+                );
+            }
+        }
+    }
 }

@@ -56,6 +56,24 @@ impl HeadingPrior {
         }
     }
 
+    /// Farthest from a heading on a grid that others are possible, radians.
+    pub(super) fn farthest(&self) -> f64 {
+        match *self {
+            Self::Unknown => PI,
+            Self::Around { deviation, .. } => REACH * deviation,
+        }
+    }
+
+    /// The heading, radians, if it is held.
+    pub(super) fn held(&self) -> Option<f64> {
+        match *self {
+            Self::Around {
+                heading, deviation, ..
+            } if deviation < HELD => Some(heading),
+            _ => None,
+        }
+    }
+
     /// Turns of the stored picture to try, radians clockwise, the one to be tried first before the others.
     pub(super) fn turns(&self) -> Vec<f64> {
         const QUARTERS: [f64; 4] = [0.0, FRAC_PI_2, PI, -FRAC_PI_2];
@@ -73,8 +91,8 @@ impl HeadingPrior {
     }
 }
 
-/// Values from -`half` to `half`, evenly and at most `step` apart, zero among them.
-fn spread(half: f64, step: f64) -> impl Iterator<Item = f64> {
+/// Values from -`half` to `half`, evenly and at most `step` apart, zero among them; zero alone where `half` is zero.
+pub(super) fn spread(half: f64, step: f64) -> impl Iterator<Item = f64> {
     let count = (half / step).ceil() as i32;
     let spacing = half / f64::from(count.max(1));
     (-count..=count).map(move |i| f64::from(i) * spacing)
@@ -117,6 +135,11 @@ impl PosePrior {
             .collect()
     }
 
+    /// Whether the height is held.
+    pub(super) fn holds_height(&self) -> bool {
+        self.log_height_deviation < HELD
+    }
+
     /// Standard deviation of the place per axis, metres.
     pub(super) fn place_deviation(&self) -> f64 {
         self.position_deviation.max(HELD)
@@ -124,7 +147,7 @@ impl PosePrior {
 
     /// Standard deviation of the tilt that the camera seems to have against the ground, radians.
     pub(super) fn apparent_tilt_deviation(&self) -> f64 {
-        self.tilt_deviation.hypot(self.slope_deviation)
+        self.tilt_deviation.hypot(self.slope_deviation).max(HELD)
     }
 
     /// Share of an apparent tilt that is the camera's: the rest is the ground's slope.
@@ -134,13 +157,7 @@ impl PosePrior {
 
     /// Natural logarithm of the density of a height and a heading, against that at the mean of each.
     pub(super) fn log_density(&self, height: f64, heading: f64) -> f64 {
-        let deviations = |off: f64, deviation: f64| {
-            if deviation > 0.0 {
-                off / deviation
-            } else {
-                0.0
-            }
-        };
+        let deviations = |off: f64, deviation: f64| off / deviation.max(HELD);
         let height = deviations((height / self.height).ln(), self.log_height_deviation);
         let heading = match self.heading {
             HeadingPrior::Unknown => 0.0,

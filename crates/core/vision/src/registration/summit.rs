@@ -86,6 +86,15 @@ impl Axis {
         }
     }
 
+    /// Whether the prior holds it.
+    fn is_held(self, prior: &PosePrior) -> bool {
+        match self {
+            Self::Heading => prior.heading.held().is_some(),
+            Self::LogHeight => prior.holds_height(),
+            Self::Roll | Self::Pitch => false,
+        }
+    }
+
     fn moved(self, look: &FrameLook<'_>, at: &MapPose, by: f64) -> MapPose {
         let mut at = *at;
         let attitude = &mut at.pose.attitude;
@@ -223,7 +232,10 @@ impl<'a> SummitLevel<'a> {
     fn round(&self, share: f64, best: Summit) -> Summit {
         let mut together = best.at;
         let mut tried = vec![best];
-        for axis in Axis::ALL {
+        let free = Axis::ALL
+            .into_iter()
+            .filter(|axis| !axis.is_held(self.prior));
+        for axis in free {
             let step = share * axis.step();
             let at = |by: f64| self.summit(&axis.moved(self.look, &best.at, by));
             let (less, more) = (at(-step), at(step));

@@ -32,7 +32,7 @@ pub fn sweep(looks: &[FrameLook<'_>], prior: &PosePrior, most: usize) -> Vec<Pos
     let mut poses = Poses {
         center: prior.position,
         reach: REACH * prior.position_deviation,
-        cell: cell(&headings, &heights, grid),
+        cell: cell(&headings, &heights),
         heights,
         headings,
         turns: (0..looks.len()).collect(),
@@ -117,7 +117,7 @@ fn again(
 ) -> WeighedPoses {
     let mut fine = swept.without(looks, guesses, finer);
     for guess in guesses {
-        let around = Poses::around(&looks[guess.turn], guess, grid, steps, finer);
+        let around = Poses::around((&looks[guess.turn], prior), guess, grid, steps, finer);
         fine.look(looks, prior, &around, finer);
     }
     fine
