@@ -21,6 +21,8 @@ mod follower;
 mod grid;
 mod ground;
 mod guess;
+#[cfg(test)]
+mod laid_for_tests;
 mod lattice;
 mod limits;
 mod look;

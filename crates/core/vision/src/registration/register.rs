@@ -299,9 +299,41 @@ fn judge(
         }
         (RegistrationMethod::Patches, _) => Ok(best),
         _ if best.probability >= BELIEVED => Ok(best),
-        (_, Some(other)) if other.probability > 0.5 * best.probability => Err(ambiguous(&other)),
+        // Two places explain the picture where one of them does more likely than not.
+        (_, Some(other))
+            if other.probability > 0.5 * best.probability
+                && best.probability + other.probability > 0.5 =>
+        {
+            Err(ambiguous(&other))
+        }
         _ => Err(NotRegistered::Doubtful {
             probability: likeliest,
         }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::laid_for_tests::laid_at;
+    use super::*;
+
+    #[test]
+    fn two_places_explain_a_picture_only_where_it_likely_shows_one_of_them() {
+        let judged = |a: f64, b: f64| {
+            let laid = vec![laid_at(0.0, 0.0, a), laid_at(300.0, 0.0, b)];
+            judge(laid, a, 0.0).unwrap_err()
+        };
+        assert_eq!(
+            judged(0.03, 0.02),
+            NotRegistered::Doubtful { probability: 0.03 }
+        );
+        assert_eq!(
+            judged(0.4, 0.3),
+            NotRegistered::Ambiguous {
+                distance: 300.0,
+                probability: 0.4,
+                other: 0.3
+            }
+        );
     }
 }
