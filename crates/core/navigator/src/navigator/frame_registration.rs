@@ -154,9 +154,12 @@ impl FrameRegistration {
     pub fn learn(&mut self, laid: &RegisteredFrame) {
         if let Some(found) = &laid.registered {
             let FoundPlaces {
-                time, ground_down, ..
+                time,
+                ground_down,
+                prior,
+                ..
             } = laid.found;
-            self.follower.learn(time, ground_down, found);
+            self.follower.learn(time, ground_down, &prior, found);
         }
     }
 

@@ -197,7 +197,7 @@ impl PossiblePlaces {
                 continue;
             };
             let (mut engine, mut follower) = (parent.engine.another(), parent.follower.clone());
-            follower.learn(found.time, found.ground_down, place);
+            follower.learn(found.time, found.ground_down, &found.prior, place);
             let seen = SeenPlace::by(settings, engine.as_ref(), found, place)?;
             let believed = seen.correct(engine.as_mut(), None)?;
             if weight >= SURE {

@@ -95,6 +95,8 @@ impl Default for FollowSettings {
 
 /// The least deviation of the shape of the map in view of one frame: relief stretches it as well.
 const LEAST_SHAPE_DEVIATION: f64 = 0.01;
+/// Information against that of the prior below which there is none.
+const LEAST_INFORMATION: f64 = 1e-6;
 
 /// Readings of the instruments when a frame is taken; radians and metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -117,12 +119,22 @@ struct ScalarBelief {
 }
 
 impl ScalarBelief {
-    fn corrected(self, value: f64, variance: f64) -> Self {
-        let gain = self.variance / (self.variance + variance);
+    fn corrected(self, by: Self) -> Self {
+        let gain = self.variance / (self.variance + by.variance);
         Self {
-            mean: self.mean + gain * (value - self.mean),
+            mean: self.mean + gain * (by.mean - self.mean),
             variance: (1.0 - gain) * self.variance,
         }
+    }
+
+    /// Measurement that makes it of `prior`; `None` if there was none.
+    fn beyond(self, prior: Self) -> Option<Self> {
+        let (own, before) = (self.variance.recip(), prior.variance.recip());
+        let information = own - before;
+        (information > LEAST_INFORMATION * before).then(|| Self {
+            mean: (own * self.mean - before * prior.mean) / information,
+            variance: information.recip(),
+        })
     }
 }
 
@@ -211,8 +223,9 @@ impl Follower {
         }
     }
 
-    /// Remembers what a frame showed that was laid on the map.
-    pub fn learn(&mut self, time: f64, ground_down: f64, found: &Registration) {
+    /// Remembers what a frame showed that was laid on the map with this prior: of the map's shape what the frame says beyond
+    /// it, which is nothing where it was laid as a whole.
+    pub fn learn(&mut self, time: f64, ground_down: f64, prior: &PosePrior, found: &Registration) {
         let fit = &found.fit;
         let height = ground_down - fit.at.pose.position_in_world.z;
         let variance = fit.covariance[(2, 2)] / (height * height);
@@ -223,15 +236,22 @@ impl Follower {
             },
             time,
         ));
-        let least = LEAST_SHAPE_DEVIATION.powi(2);
-        let shape = fit.at.shape;
-        // The fit held the prior already; what it says beyond that is nearly all its own.
-        self.along = self
-            .along
-            .corrected(shape.along, fit.covariance[(6, 6)] + least);
-        self.across = self
-            .across
-            .corrected(shape.across, fit.covariance[(7, 7)] + least);
+        let of_prior = prior.shape_deviation.powi(2);
+        let [own, before] = [fit.at.shape, prior.shape].map(|shape| [shape.along, shape.across]);
+        for (axis, belief) in [&mut self.along, &mut self.across].into_iter().enumerate() {
+            let found = ScalarBelief {
+                mean: own[axis],
+                variance: fit.covariance[(6 + axis, 6 + axis)],
+            };
+            let told = found.beyond(ScalarBelief {
+                mean: before[axis],
+                variance: of_prior,
+            });
+            if let Some(mut told) = told {
+                told.variance += LEAST_SHAPE_DEVIATION.powi(2);
+                *belief = belief.corrected(told);
+            }
+        }
         self.stored_turn = found.stored_turn;
     }
 
@@ -251,6 +271,7 @@ impl Follower {
 
 #[cfg(test)]
 mod tests {
+    use super::super::laid_for_tests::laid_at;
     use super::*;
 
     #[test]
@@ -287,5 +308,39 @@ mod tests {
         assert!((highest - 125.0).abs() < 1e-9, "{highest}");
         assert!((settings.heading_limit() - 0.4).abs() < 1e-12);
         assert!((settings.height_limit() - 0.25).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_frame_teaches_of_the_maps_shape_what_it_says_beyond_the_prior() {
+        let mut follower = Follower::new(FollowSettings::default());
+        let at = GroundPoint::new(0.0, 0.0);
+        let prior =
+            |follower: &Follower| follower.prior(0.0, at, 10.0, &InstrumentReadings::default());
+        // Laid as a whole, a frame has the prior's variance of the shape.
+        for _ in 0..10 {
+            let prior = prior(&follower);
+            let mut laid = laid_at(0.0, 0.0, 0.99);
+            for axis in [6, 7] {
+                laid.fit.covariance[(axis, axis)] = prior.shape_deviation.powi(2);
+            }
+            follower.learn(0.0, 0.0, &prior, &laid);
+        }
+        for deviation in follower.shape_deviations() {
+            assert!((deviation - 0.1).abs() < 1e-9, "{deviation}");
+        }
+        // A measurement of 0.05 with the variance 0.0016 makes of 0 and 0.01 a mean of 0.05 · 0.01 / 0.0116 and a
+        // variance of 0.01 · 0.0016 / 0.0116; relief adds 0.0001 to the measurement's.
+        let mut laid = laid_at(0.0, 0.0, 0.99);
+        laid.fit.at.shape.along = 0.05 * 0.01 / 0.0116;
+        laid.fit.covariance[(6, 6)] = 0.01 * 0.0016 / 0.0116;
+        laid.fit.covariance[(7, 7)] = 0.01;
+        follower.learn(0.0, 0.0, &prior(&follower), &laid);
+        let shape = follower.shape();
+        assert!((shape.along - 0.05 * 0.01 / 0.0117).abs() < 1e-9 && shape.across == 0.0);
+        let variance = follower.shape_deviations()[0].powi(2);
+        assert!(
+            (variance - 0.01 * 0.0017 / 0.0117).abs() < 1e-9,
+            "{variance}"
+        );
     }
 }
