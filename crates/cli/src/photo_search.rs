@@ -44,6 +44,21 @@ pub struct SearchRanges {
 impl KnownOfPhotos {
     /// The search for such photos, in metres and radians.
     pub fn search(&self, ranges: &SearchRanges) -> Result<PhotoSearch, String> {
+        for (option, limit) in [
+            ("--within", ranges.metres),
+            ("--height-within", ranges.height_percent),
+            ("--heading-within", ranges.heading_degrees),
+            ("--map-accuracy", self.map_accuracy),
+        ] {
+            if !(limit.is_finite() && limit >= 0.0) {
+                return Err(format!("{option}: {limit} is not zero or more"));
+            }
+        }
+        for (option, value) in [("--height", self.height), ("--focal", self.focal)] {
+            if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
+                return Err(format!("{option}: {value} is not more than zero"));
+            }
+        }
         let at = self.at.as_deref().map(|at| lat_lon(at, "--at"));
         Ok(PhotoSearch {
             at: at.transpose()?,
@@ -63,4 +78,44 @@ impl KnownOfPhotos {
 pub fn photo_file(path: &Path) -> Result<DiskFile, String> {
     let file = DiskFile::open(path, &path.to_string_lossy());
     file.map_err(|e| format!("{}: {e}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_that_are_none_are_refused_in_words() {
+        let known = KnownOfPhotos {
+            at: None,
+            height: None,
+            heading: None,
+            ahead: None,
+            focal: None,
+            map_accuracy: 3.0,
+        };
+        let search = |metres, height_percent, heading_degrees| {
+            known.search(&SearchRanges {
+                metres,
+                height_percent,
+                heading_degrees,
+            })
+        };
+        assert_eq!(search(0.0, 0.0, 0.0).unwrap().height_within, 0.0);
+        let why = search(40.0, -150.0, 40.0).unwrap_err();
+        assert!(why.contains("--height-within: -150"), "{why}");
+        let why = search(40.0, 20.0, f64::NAN).unwrap_err();
+        assert!(why.contains("--heading-within"), "{why}");
+        assert!(search(f64::INFINITY, 20.0, 40.0).is_err());
+        let deep = KnownOfPhotos {
+            height: Some(-5.0),
+            ..known
+        };
+        let ranges = SearchRanges {
+            metres: 40.0,
+            height_percent: 20.0,
+            heading_degrees: 40.0,
+        };
+        assert!(deep.search(&ranges).unwrap_err().contains("--height: -5"));
+    }
 }

@@ -37,6 +37,10 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
             .parse::<f64>()
             .map_err(|_| format!("--filter {key}: \"{value}\" is not a number"))
     };
+    let limit = || {
+        let limit = Some(number()?).filter(|limit| limit.is_finite() && *limit >= 0.0);
+        limit.ok_or_else(|| format!("--filter {key}: \"{value}\" is not zero or more"))
+    };
     let switch = || {
         value
             .parse::<bool>()
@@ -94,12 +98,14 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
             settings.whole_frames = switch()?.then(|| settings.whole_frames.unwrap_or_default());
         }
         "frame-height" => {
-            frames(settings).height = number()?;
+            let above = Some(limit()?).filter(|height| *height > 0.0);
+            frames(settings).height = above
+                .ok_or_else(|| format!("--filter {key}: \"{value}\" is not above the ground"))?;
         }
-        "frame-within" => frames(settings).farthest = Some(number()?),
-        "frame-heading-within" => frames(settings).limit_heading(number()?.to_radians()),
-        "frame-height-within" => frames(settings).limit_height(0.01 * number()?),
-        "map-accuracy" => frames(settings).map_deviation = number()?,
+        "frame-within" => frames(settings).farthest = Some(limit()?),
+        "frame-heading-within" => frames(settings).limit_heading(limit()?.to_radians()),
+        "frame-height-within" => frames(settings).limit_height(0.01 * limit()?),
+        "map-accuracy" => frames(settings).map_deviation = limit()?,
         "estimate-height" => settings.estimates_height = switch()?,
         "start-wind" => settings.start.wind = number()?,
         _ => {
@@ -158,6 +164,18 @@ mod tests {
         );
         assert!((frames.heading_limit() - 15_f64.to_radians()).abs() < 1e-12);
         assert!((frames.height_limit() - 0.12).abs() < 1e-12);
+        for wrong in [
+            "frame-height-within=-150",
+            "frame-heading-within=nan",
+            "frame-within=inf",
+            "map-accuracy=-3",
+            "frame-height=0",
+        ] {
+            let (key, value) = wrong.split_once('=').unwrap();
+            let why = apply(&mut settings, wrong).unwrap_err();
+            assert!(why.contains(key) && why.contains(value), "{why}");
+        }
+        assert_eq!(settings.whole_frames, Some(frames));
         apply(&mut settings, "tilt-bias=0.9,yaw-bias=0.4,height-bias=2").unwrap();
         let sensors = settings.sensors;
         assert_eq!(

@@ -60,10 +60,9 @@ fn look_at_all(
 ) {
     let mut at_once: &[f64] = &poses.heights;
     while let Some(&first) = at_once.first() {
-        let together = at_once
-            .iter()
-            .take_while(|h| (**h / first).ln() < HEIGHTS_AT_ONCE)
-            .count();
+        let are_near = |h: &&f64| (**h / first).ln() < HEIGHTS_AT_ONCE;
+        // The first goes with itself, even where it is no number.
+        let together = at_once.iter().take_while(are_near).count().max(1);
         let (these, rest) = at_once.split_at(together);
         let these = Poses {
             heights: these.to_vec(),
