@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::photo::{PhotoAnswer, PhotoLook};
+use pilotage_core::flight::photo::{PhotoAnswer, PhotoLook, PhotoSearch};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{Blank, Imagery};
 use pilotage_core::registration::{Draped, drape};
@@ -123,7 +123,12 @@ pub fn draped(files: &dyn FileSet, order: &DrapeOrder) -> Result<Draped, String>
     let source = files.source(name);
     let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
     let nowhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
-    let photo = PhotoLook::read(source.as_ref(), decode_photo, &order.search, None, &nowhere)?;
+    // It was laid: where it was looked for does not matter any more.
+    let search = PhotoSearch {
+        at: None,
+        ..order.search
+    };
+    let photo = PhotoLook::read(source.as_ref(), decode_photo, &search, None, &nowhere)?;
     let laid = &order.laid;
     let look = photo.over(&Blank);
     let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);

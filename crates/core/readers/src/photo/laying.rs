@@ -74,7 +74,7 @@ impl PhotoLook {
     /// globe; a photo of which no place is known is searched all over `ground`.
     ///
     /// # Errors
-    /// The picture cannot be read or decoded, in words that name it.
+    /// The picture cannot be read or decoded, or a place is stated that the map cannot have: in words that name it.
     pub fn read(
         source: &dyn ByteSource,
         decode: DecodePhoto,
@@ -95,6 +95,7 @@ impl PhotoLook {
         let mut assumed = Vec::new();
         let camera = search.camera(&photo, &mut assumed);
         let prior = search.prior(&photo, world, ground, &mut assumed);
+        let prior = prior.map_err(|cause| told(&cause))?;
         Ok(Self {
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
             picture,

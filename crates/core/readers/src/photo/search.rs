@@ -71,17 +71,20 @@ impl PhotoSearch {
 
     /// Prior of the pose of a photo before it is looked at, over a map that lies in `world` on the globe; what was
     /// assumed goes to `assumed`, in words. A photo of which no place is known is searched all over `ground`.
+    ///
+    /// # Errors
+    /// A place that somebody states, over a map of which nobody knows where on the globe it lies: in words.
     pub fn prior(
         &self,
         photo: &Photo,
         world: Option<&LocalFrame>,
         ground: &GroundRect,
         assumed: &mut Vec<String>,
-    ) -> PosePrior {
+    ) -> Result<PosePrior, String> {
         let told = photo_pose(photo);
-        let (position, within) = self.place(photo, world, ground, assumed);
+        let (position, within) = self.place(photo, world, ground, assumed)?;
         let (height, height_within) = self.height(&told, assumed);
-        PosePrior {
+        Ok(PosePrior {
             position,
             position_deviation: deviation_within(within.max(1.0)),
             height,
@@ -94,7 +97,7 @@ impl PhotoSearch {
             shape: MapShape::default(),
             shape_deviation: STRETCH,
             map_deviation: self.map_deviation,
-        }
+        })
     }
 
     fn place(
@@ -103,7 +106,11 @@ impl PhotoSearch {
         world: Option<&LocalFrame>,
         ground: &GroundRect,
         assumed: &mut Vec<String>,
-    ) -> (GroundPoint, f64) {
+    ) -> Result<(GroundPoint, f64), String> {
+        if self.at.is_some() && world.is_none() {
+            let why = "the place is known by latitude and longitude, and the map does not tell where on the globe it lies";
+            return Err(why.to_owned());
+        }
         let of_photo = photo.place.map(|place| Geodetic {
             latitude: place.latitude,
             longitude: place.longitude,
@@ -114,7 +121,7 @@ impl PhotoSearch {
             assumed.push(format!(
                 "place anywhere on {width:.0} by {height:.0} m of the map"
             ));
-            return (ground.center(), 0.5 * width.max(height));
+            return Ok((ground.center(), 0.5 * width.max(height)));
         };
         let by = if self.at.is_some() {
             "as you said"
@@ -122,7 +129,7 @@ impl PhotoSearch {
             "as the photo says"
         };
         assumed.push(format!("place {by}, within {:.0} m", self.within));
-        (world.ground_from_geodetic(&place), self.within)
+        Ok((world.ground_from_geodetic(&place), self.within))
     }
 
     fn height(&self, told: &PhotoPose, assumed: &mut Vec<String>) -> (f64, f64) {
@@ -215,7 +222,9 @@ mod tests {
     fn a_photo_is_looked_for_where_it_says_and_what_was_assumed_is_said() {
         let mut assumed = Vec::new();
         let search = PhotoSearch::default();
-        let prior = search.prior(&photo(), Some(&world()), &GROUND, &mut assumed);
+        let prior = search
+            .prior(&photo(), Some(&world()), &GROUND, &mut assumed)
+            .unwrap();
         assert!((prior.position.north - 111.2).abs() < 0.2, "{prior:?}");
         assert!((limit_of(prior.position_deviation) - 40.0).abs() < 1e-9);
         assert_eq!(prior.height, 120.0);
@@ -237,9 +246,14 @@ mod tests {
             ahead: Some(0.2),
             ..PhotoSearch::default()
         };
-        let prior = search.prior(&photo(), Some(&world()), &GROUND, &mut assumed);
+        let prior = search
+            .prior(&photo(), Some(&world()), &GROUND, &mut assumed)
+            .unwrap();
         assert!(prior.position.north.abs() < 1e-6);
         assert_eq!((prior.height, prior.pitch), (90.0, 0.2));
+        // A map that is nowhere on the globe cannot have the place.
+        let why = search.prior(&photo(), None, &GROUND, &mut Vec::new());
+        assert!(why.unwrap_err().contains("globe"));
         let HeadingPrior::Around { heading, .. } = prior.heading else {
             panic!("{prior:?}");
         };
@@ -256,7 +270,9 @@ mod tests {
             ..Photo::default()
         };
         let search = PhotoSearch::default();
-        let prior = search.prior(&bare, Some(&world()), &GROUND, &mut assumed);
+        let prior = search
+            .prior(&bare, Some(&world()), &GROUND, &mut assumed)
+            .unwrap();
         assert_eq!(prior.heading, HeadingPrior::Unknown);
         assert!((limit_of(prior.position_deviation) - 500.0).abs() < 1e-9);
         assert!((share_of(prior.log_height_deviation) - 1.5).abs() < 1e-9);
