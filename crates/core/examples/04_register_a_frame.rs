@@ -33,6 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let prior = PosePrior {
         position: GroundPoint::new(130.0, -80.0),
         position_deviation: deviation_within(100.0),
+        anywhere_on: None,
         height: 118.0,
         log_height_deviation: log_deviation_within(0.1),
         heading: HeadingPrior::Unknown,

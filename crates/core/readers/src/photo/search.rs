@@ -14,6 +14,8 @@ use pilotage_vision::registration::{
 
 /// Height that is assumed where nothing tells it: metres, and the share by which it may be exceeded.
 const USUAL_HEIGHT: (f64, f64) = (100.0, 1.5);
+/// Farthest ahead that the camera may be of what it shows, radians from straight down.
+const FARTHEST_AHEAD: f64 = 1.0;
 /// Standard deviation of roll and pitch, and of the slope of the ground, radians.
 const TILT: f64 = 0.052;
 /// Standard deviation of how the map is stretched.
@@ -82,16 +84,31 @@ impl PhotoSearch {
         assumed: &mut Vec<String>,
     ) -> Result<PosePrior, String> {
         let told = photo_pose(photo);
-        let (position, within) = self.place(photo, world, ground, assumed)?;
+        let place = self.place(photo, world, assumed)?;
         let (height, height_within) = self.height(&told, assumed);
+        let pitch = self.ahead.unwrap_or(told.pitch);
+        let (position, within, anywhere_on) = match place {
+            Some(place) => (place, self.within, None),
+            None => {
+                let (width, length) = (ground.width(), ground.height());
+                assumed.push(format!(
+                    "place anywhere on {width:.0} by {length:.0} m of the map"
+                ));
+                // Who looks ahead is not over what is seen.
+                let ground = ground.grown(height * pitch.abs().min(FARTHEST_AHEAD).tan());
+                let reach = 0.5 * ground.width().max(ground.height());
+                (ground.center(), reach, Some(ground))
+            }
+        };
         Ok(PosePrior {
             position,
             position_deviation: deviation_within(within.max(1.0)),
+            anywhere_on,
             height,
             log_height_deviation: log_deviation_within(height_within),
             heading: self.heading(&told, assumed),
             roll: told.roll,
-            pitch: self.ahead.unwrap_or(told.pitch),
+            pitch,
             tilt_deviation: TILT,
             slope_deviation: TILT,
             shape: MapShape::default(),
@@ -100,13 +117,13 @@ impl PhotoSearch {
         })
     }
 
+    /// The place that is known, if one is.
     fn place(
         &self,
         photo: &Photo,
         world: Option<&LocalFrame>,
-        ground: &GroundRect,
         assumed: &mut Vec<String>,
-    ) -> Result<(GroundPoint, f64), String> {
+    ) -> Result<Option<GroundPoint>, String> {
         if self.at.is_some() && world.is_none() {
             let why = "the place is known by latitude and longitude, and the map does not tell where on the globe it lies";
             return Err(why.to_owned());
@@ -117,11 +134,7 @@ impl PhotoSearch {
             height: 0.0,
         });
         let Some((place, world)) = self.at.or(of_photo).zip(world) else {
-            let (width, height) = (ground.width(), ground.height());
-            assumed.push(format!(
-                "place anywhere on {width:.0} by {height:.0} m of the map"
-            ));
-            return Ok((ground.center(), 0.5 * width.max(height)));
+            return Ok(None);
         };
         let by = if self.at.is_some() {
             "as you said"
@@ -129,7 +142,7 @@ impl PhotoSearch {
             "as the photo says"
         };
         assumed.push(format!("place {by}, within {:.0} m", self.within));
-        Ok((world.ground_from_geodetic(&place), self.within))
+        Ok(Some(world.ground_from_geodetic(&place)))
     }
 
     fn height(&self, told: &PhotoPose, assumed: &mut Vec<String>) -> (f64, f64) {
@@ -274,6 +287,7 @@ mod tests {
             .prior(&bare, Some(&world()), &GROUND, &mut assumed)
             .unwrap();
         assert_eq!(prior.heading, HeadingPrior::Unknown);
+        assert_eq!(prior.anywhere_on, Some(GROUND));
         assert!((limit_of(prior.position_deviation) - 500.0).abs() < 1e-9);
         assert!((share_of(prior.log_height_deviation) - 1.5).abs() < 1e-9);
         let said = assumed.join("; ");

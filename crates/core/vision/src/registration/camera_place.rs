@@ -88,6 +88,7 @@ mod tests {
         PosePrior {
             position: GroundPoint::new(0.0, 0.0),
             position_deviation: 10.0,
+            anywhere_on: None,
             height: 120.0,
             log_height_deviation: 0.05,
             heading: HeadingPrior::Unknown,

@@ -210,6 +210,7 @@ impl Follower {
         PosePrior {
             position,
             position_deviation: position_deviation.min(most),
+            anywhere_on: None,
             height,
             log_height_deviation,
             heading,

@@ -202,6 +202,7 @@ mod tests {
         PosePrior {
             position: GroundPoint::new(0.0, 0.0),
             position_deviation: 10.0,
+            anywhere_on: None,
             height: 103.0,
             log_height_deviation,
             heading: HeadingPrior::Around {

@@ -8,7 +8,7 @@
 
 use super::limits::REACH;
 use super::prior::PosePrior;
-use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 /// Least standard deviation, cells.
 const LEAST: f64 = 0.5;
@@ -21,6 +21,8 @@ pub(super) struct LatticePrior {
     deviation: f64,
     /// Natural logarithm of the height of the bell against the prior's.
     log_height: f64,
+    /// All places alike, if there is no bell.
+    anywhere_on: Option<GroundRect>,
 }
 
 impl LatticePrior {
@@ -32,11 +34,26 @@ impl LatticePrior {
             around: prior.position,
             deviation,
             log_height: 2.0 * (own / deviation).ln(),
+            anywhere_on: prior.anywhere_on,
         }
+    }
+
+    /// The sum of a prior over all places, against its density at its mean, m².
+    pub fn sum(prior: &PosePrior) -> f64 {
+        let of_bell = std::f64::consts::TAU * prior.place_deviation().powi(2);
+        let area = |ground: GroundRect| ground.width() * ground.height();
+        prior.anywhere_on.map_or(of_bell, area)
     }
 
     /// Natural logarithm of the density of a place, against the prior's at its mean.
     pub fn log_density(&self, place: &GroundPoint) -> f64 {
+        if let Some(ground) = &self.anywhere_on {
+            return if ground.contains(place) {
+                0.0
+            } else {
+                f64::NEG_INFINITY
+            };
+        }
         let off = place.distance(&self.around) / self.deviation;
         self.log_height - 0.5 * off * off
     }

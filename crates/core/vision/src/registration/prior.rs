@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::MapShape;
 use super::limits::REACH;
-use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
+use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, wrap_pi};
 
 /// Least standard deviation of what is known, metres, radians, or of a logarithm: what is known better is held.
 const HELD: f64 = 1e-3;
@@ -105,6 +105,9 @@ pub struct PosePrior {
     pub position: GroundPoint,
     /// Standard deviation of the place per axis, metres.
     pub position_deviation: f64,
+    /// Ground over which the camera is as likely at one place as at another, if that is known instead: position and
+    /// deviation then say no more than how far is searched.
+    pub anywhere_on: Option<GroundRect>,
     /// Height above the ground plane, metres.
     pub height: f64,
     /// Standard deviation of the height's natural logarithm.

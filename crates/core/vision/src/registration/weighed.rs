@@ -51,7 +51,7 @@ pub(super) struct WeighedPoses {
 impl WeighedPoses {
     /// Before anything was looked at of `poses`.
     pub fn new(prior: &PosePrior, poses: &Poses, grid: SweepGrid) -> Self {
-        let place = std::f64::consts::TAU * prior.place_deviation().powi(2);
+        let place = LatticePrior::sum(prior);
         let each = poses.heights.iter().flat_map(|height| {
             poses
                 .headings
@@ -202,6 +202,9 @@ impl WeighedPoses {
                     continue;
                 }
                 let log_prior = of_pose + places.log_density(&below);
+                if log_prior == f64::NEG_INFINITY {
+                    continue;
+                }
                 let value = f64::from(score.get(column, row));
                 let log_weight = seen.evidence.log_likelihood(value, f64::from(share)) + log_prior;
                 self.prior_seen += log_prior.exp() * cell;

@@ -5,7 +5,7 @@ use nalgebra::Point3;
 use super::super::prior::HeadingPrior;
 use super::super::shape::MapShape;
 use super::*;
-use pilotage_base::frames::{Attitude, Pose};
+use pilotage_base::frames::{Attitude, GroundRect, Pose};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Blank;
 use pilotage_raster::raster::Pyramid;
@@ -19,6 +19,7 @@ fn prior(position_deviation: f64) -> PosePrior {
     PosePrior {
         position: GroundPoint::new(0.0, 0.0),
         position_deviation,
+        anywhere_on: None,
         height: 100.0,
         log_height_deviation: 0.05,
         heading: HeadingPrior::Around {
@@ -149,4 +150,26 @@ fn a_second_look_does_not_see_what_lies_off_the_map() {
         weigh(&mut again, &prior, &edge, [0.25, 0.0]);
         assert_eq!(again.off_the_map(), off);
     }
+}
+
+#[test]
+fn a_frame_that_may_be_anywhere_is_as_likely_at_the_corner_as_in_the_middle() {
+    let ground = GroundRect::centered(GroundPoint::new(0.0, 0.0), 30.0, 30.0);
+    let prior = PosePrior {
+        anywhere_on: Some(ground),
+        ..prior(6.0)
+    };
+    let found_at = |column: usize, row: usize| {
+        let mut score = Gray::filled(SIDE, SIDE, 0.0);
+        score.set(column, row, 0.3);
+        let surface = ChannelSurface { score, share: None };
+        let mut weighed = begun(&prior);
+        weigh(&mut weighed, &prior, &surface, [0.5, 0.5]);
+        // 900 places of a square metre.
+        assert!((weighed.prior_seen / weighed.prior_all - 1.0).abs() < 1e-9);
+        likeliest(weighed)
+    };
+    let (middle, corner) = (found_at(MIDDLE, MIDDLE), found_at(MIDDLE - 15, MIDDLE - 14));
+    assert!(middle > 0.1, "{middle}");
+    assert!((corner / middle - 1.0).abs() < 0.1, "{middle} {corner}");
 }

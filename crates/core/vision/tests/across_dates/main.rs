@@ -129,6 +129,7 @@ fn prior(photo: &Photo, doubt: Doubt, way: f64) -> PosePrior {
             photo.below.east + doubt.position * way.sin(),
         ),
         position_deviation: doubt.position,
+        anywhere_on: None,
         height: photo.height,
         log_height_deviation: doubt.log_height,
         heading: doubt

@@ -108,6 +108,7 @@ fn prior(photo: &Photo) -> PosePrior {
     PosePrior {
         position: photo.below,
         position_deviation: 10.0,
+        anywhere_on: None,
         height: photo.height,
         log_height_deviation: 0.05,
         heading: HeadingPrior::Around {
