@@ -59,22 +59,27 @@ impl GlobeRoad {
 }
 
 impl RoadsRead {
-    /// Middle of the box around all roads, the origin of a world for them; `None` without a road.
+    /// Middle of the box around all roads, the origin of a world for them; `None` without a road. Of two places, the box
+    /// leads the shorter way around the globe.
     pub fn middle(&self) -> Option<Geodetic> {
         let places = self.roads.iter().flat_map(|road| &road.course);
-        let around = places.fold(None, |around: Option<[f64; 4]>, (lon, lat)| {
-            let [west, south, east, north] = around.unwrap_or([*lon, *lat, *lon, *lat]);
+        let around = places.fold(None, |around: Option<[f64; 5]>, (lon, lat)| {
+            let [first, west, south, east, north] =
+                around.unwrap_or([*lon, *lon, *lat, *lon, *lat]);
+            // On both sides of the date line, longitudes differ by 360° from what they are beside the first.
+            let lon = first + from_meridian(lon - first);
             Some([
-                west.min(*lon),
+                first,
+                west.min(lon),
                 south.min(*lat),
-                east.max(*lon),
+                east.max(lon),
                 north.max(*lat),
             ])
         });
-        let [west, south, east, north] = around?;
+        let [_, west, south, east, north] = around?;
         Some(Geodetic::from_degrees(
             0.5 * (south + north),
-            0.5 * (west + east),
+            from_meridian(0.5 * (west + east)),
             0.0,
         ))
     }
@@ -95,5 +100,52 @@ impl RoadsRead {
             ..RoadLine::default()
         };
         self.roads.iter().map(line).collect()
+    }
+}
+
+/// The same longitude from -180 to 180, degrees.
+fn from_meridian(longitude: f64) -> f64 {
+    longitude - 360.0 * (longitude / 360.0).round()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course_length;
+
+    /// A tenth of a degree of longitude at 16.8° south is 10 659.81 m on WGS 84: 0.1° of its prime vertical radius,
+    /// 6 379 921.9 m, times the cosine of the latitude.
+    #[test]
+    fn roads_on_both_sides_of_the_date_line_have_their_middle_on_it() {
+        let across = GlobeRoad {
+            course: vec![(179.95, -16.8), (-179.95, -16.8)],
+            ..GlobeRoad::default()
+        };
+        let read = RoadsRead {
+            roads: vec![across],
+            ..RoadsRead::default()
+        };
+        let middle = read.middle().unwrap();
+        assert!((middle.longitude.to_degrees().abs() - 180.0).abs() < 1e-9);
+        let lines = read.in_world(&LocalFrame::new(middle));
+        let length = course_length(&lines[0].course);
+        assert!((length - 10_659.81).abs() < 0.1, "{length}");
+    }
+
+    #[test]
+    fn the_middle_is_that_of_the_box_wherever_the_first_road_lies() {
+        let road = |longitude: f64| GlobeRoad {
+            course: vec![(longitude, 47.0), (longitude, 47.2)],
+            ..GlobeRoad::default()
+        };
+        for longitudes in [[8.0, 8.4, 8.1], [8.4, 8.1, 8.0], [368.1, 8.4, 8.0]] {
+            let read = RoadsRead {
+                roads: longitudes.map(road).to_vec(),
+                ..RoadsRead::default()
+            };
+            let middle = read.middle().unwrap();
+            assert!((middle.longitude.to_degrees() - 8.2).abs() < 1e-9);
+            assert!((middle.latitude.to_degrees() - 47.1).abs() < 1e-9);
+        }
     }
 }
