@@ -75,9 +75,11 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
                 let is_on_globe = lon.abs() <= 540.0 && lat.abs() <= 90.0;
                 is_on_globe.then_some((lon, lat))
             };
-            let course: Vec<(f64, f64)> = points.iter().filter_map(place).collect();
-            read.missing_points += points.len() - course.len();
-            if course.len() > 1 {
+            // A line is cut where a point cannot be read: no straight piece is made up across it.
+            let places: Vec<Option<(f64, f64)>> = points.iter().map(place).collect();
+            read.missing_points += places.iter().filter(|place| place.is_none()).count();
+            for run in places.split(Option::is_none).filter(|run| run.len() > 1) {
+                let course = run.iter().copied().flatten().collect();
                 let name = text("name").unwrap_or_default();
                 let lanes = text("lanes");
                 let road = GlobeRoad::new(class, &name, width.as_deref(), lanes.as_deref(), course);
@@ -86,4 +88,19 @@ pub fn read(bytes: &[u8]) -> Result<RoadsRead, RoadFileError> {
         }
     }
     Ok(read)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_cut_where_a_point_cannot_be_read() {
+        let file = r#"{"features": [{"geometry": {"type": "LineString",
+            "coordinates": [[8.0, 47.0], [8.01, null], [8.0, 47.1], [8.0, 47.11]]}}]}"#;
+        let read = read(file.as_bytes()).unwrap();
+        let courses: Vec<_> = read.roads.iter().map(|road| road.course.clone()).collect();
+        assert_eq!(courses, [[(8.0, 47.1), (8.0, 47.11)]]);
+        assert_eq!(read.missing_points, 1);
+    }
 }
