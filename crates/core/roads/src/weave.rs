@@ -134,12 +134,13 @@ impl Pieces {
         // Ends are led on after the pieces are cut, so that these stay the pieces that they were.
         let mut led_on = Vec::new();
         for (line, indices) in lines.iter().enumerate() {
-            if let [first, .., last] = indices[..] {
-                for (is_last, end) in [(false, first), (true, last)] {
-                    let is_shared = lines
-                        .iter()
-                        .enumerate()
-                        .any(|(other, indices)| other != line && indices.contains(&end));
+            // A ring has no end.
+            if let [first, between @ .., last] = &indices[..]
+                && first != last
+            {
+                for (is_last, end) in [(false, *first), (true, *last)] {
+                    let mut others = lines.iter().enumerate().filter(|it| it.0 != line);
+                    let is_shared = between.contains(&end) || others.any(|it| it.1.contains(&end));
                     if !is_shared && cuts.iter().all(|(_, _, point)| *point != end) {
                         led_on.extend(self.lead_on((line, is_last, end), set, &mut cuts, joining));
                     }
@@ -236,4 +237,66 @@ fn meeting(a: &Segment, b: &Segment) -> Option<(f64, f64)> {
     let (share, other) = (between.perp(&v) / turned, between.perp(&u) / turned);
     let inside = 0.0..=1.0;
     (inside.contains(&share) && inside.contains(&other)).then_some((share, other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::RoadMap;
+
+    const JOINING: RoadJoining = RoadJoining {
+        snap: 0.1,
+        crossings: false,
+        reach: 7.0,
+    };
+
+    fn line(course: &[(f64, f64)]) -> RoadLine {
+        let points = course.iter().map(|(n, e)| GroundPoint::new(*n, *e));
+        RoadLine {
+            course: points.collect(),
+            ..RoadLine::default()
+        }
+    }
+
+    #[test]
+    fn a_ring_has_no_end_that_is_led_on_to_another_road() {
+        let ring = [
+            (0.0, 0.0),
+            (20.0, 0.0),
+            (20.0, 20.0),
+            (0.0, 20.0),
+            (0.0, 0.0),
+        ];
+        // Passes 5 m west of the ring's first point.
+        let road = [(-50.0, -5.0), (50.0, -5.0)];
+        let map = RoadMap::new(vec![line(&ring), line(&road)], JOINING);
+        assert_eq!(map.graph().edge_count(), 2);
+        assert_eq!(map.length(), 80.0 + 100.0);
+        assert_eq!(map.crossings(), []);
+    }
+
+    #[test]
+    fn an_end_on_its_own_line_is_joined_already_and_the_other_one_is_led_on() {
+        // A loop with a stalk: it begins 5 m east of the road, and ends on its second point, 6.5 m east of it.
+        let looped = [
+            (0.0, 0.0),
+            (0.0, 1.5),
+            (20.0, 1.5),
+            (20.0, 21.5),
+            (0.0, 1.5),
+        ];
+        let road = [(-50.0, -5.0), (50.0, -5.0)];
+        let map = RoadMap::new(vec![line(&looped), line(&road)], JOINING);
+        let crossings = map.crossings();
+        let places: Vec<GroundPoint> = crossings.iter().map(|it| it.place).collect();
+        let expected = [(0.0, -5.0), (0.0, 1.5)].map(|(n, e)| GroundPoint::new(n, e));
+        assert!(places.iter().all(|it| expected.contains(it)), "{places:?}");
+        assert_eq!(
+            [0, 1].map(|index| crossings[index].directions.len()),
+            [3; 2]
+        );
+        // The stalk with what it is led on by, the triangle, and the road.
+        let of_loop = 20.0 + 20.0 + 800_f64.sqrt();
+        assert!((map.length() - (6.5 + of_loop + 100.0)).abs() < 1e-9);
+    }
 }
