@@ -9,6 +9,7 @@ mod fix_tests;
 mod line;
 pub mod lost;
 mod map;
+mod repeats;
 mod segments;
 mod straight;
 mod weave;
@@ -18,6 +19,7 @@ pub use course::{CoursePlace, course_length, nearest_share, place_along, place_n
 pub use fix::{RoadComponent, RoadFix, RoadFixSettings, RoadSighting, fix_on_roads};
 pub use line::{RoadClass, RoadLine};
 pub use map::{RoadCrossing, RoadEdge, RoadMap};
+pub use repeats::without_known;
 pub use segments::NearRoad;
 pub use straight::StraightRoad;
 pub use weave::RoadJoining;

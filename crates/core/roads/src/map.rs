@@ -1,6 +1,7 @@
 //! The road map: a graph whose edges are curved.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::TAU;
 
 use petgraph::Direction;
 use petgraph::graph::{EdgeIndex, NodeIndex, UnGraph};
@@ -9,6 +10,7 @@ use pilotage_base::frames::{GroundPoint, GroundRect, wrap_pi};
 
 use crate::course::{course_length, heading, place_along};
 use crate::line::{RoadClass, RoadLine};
+use crate::repeats::{either_way, first_of_each};
 use crate::segments::{NearRoad, Segment, SegmentGrid};
 use crate::weave::{RoadJoining, weave};
 
@@ -18,6 +20,9 @@ const TANGENT_REACH: f64 = 12.0;
 
 /// Turn between two straight pieces from which on they make a corner, radians.
 const CORNER: f64 = 0.6;
+
+/// Difference of the headings of two roads that leave a crossing up to which they are one, radians.
+const SAME: f64 = 1e-6;
 
 /// A road between two nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +55,8 @@ pub struct RoadMap {
 }
 
 impl RoadMap {
-    /// The map of these lines, cut where they meet.
+    /// The map of these lines, cut where they meet. What is there twice, in whole lines or in parts, is there once, of the
+    /// greatest class.
     ///
     /// ```
     /// use pilotage_base::frames::GroundPoint;
@@ -75,7 +81,8 @@ impl RoadMap {
     pub fn new(mut lines: Vec<RoadLine>, joining: RoadJoining) -> Self {
         let woven = weave(&lines, joining);
         let mut uses = vec![0; woven.points.len()];
-        for indices in &woven.lines {
+        let is_first = first_of_each(&woven.lines);
+        for (indices, _) in woven.lines.iter().zip(&is_first).filter(|it| *it.1) {
             for (place, index) in indices.iter().enumerate() {
                 let is_end = place == 0 || place + 1 == indices.len();
                 uses[*index] += if is_end { 2 } else { 1 };
@@ -83,10 +90,20 @@ impl RoadMap {
         }
         let mut graph = UnGraph::default();
         let mut nodes: Vec<Option<NodeIndex>> = vec![None; woven.points.len()];
+        let mut edges = BTreeMap::new();
         for (line, indices) in woven.lines.iter().enumerate() {
             let mut start = 0;
             for end in 1..indices.len() {
                 if uses[indices[end]] < 2 {
+                    continue;
+                }
+                let way = either_way(&indices[start..=end]);
+                if let Some(known) = edges.get(&way) {
+                    let known: &mut RoadEdge = &mut graph[*known];
+                    if lines[line].class > lines[known.line].class {
+                        known.line = line;
+                    }
+                    start = end;
                     continue;
                 }
                 let course: Vec<GroundPoint> = indices[start..=end]
@@ -102,7 +119,7 @@ impl RoadMap {
                     course,
                     length,
                 };
-                graph.add_edge(ends[0], ends[1], edge);
+                edges.insert(way, graph.add_edge(ends[0], ends[1], edge));
                 start = end;
             }
         }
@@ -208,6 +225,13 @@ impl RoadMap {
                 }
             }
             directions.sort_by(f64::total_cmp);
+            directions.dedup_by(|own, before| *own - *before < SAME);
+            // South is at both ends.
+            if let [first, .., last] = directions[..]
+                && first + TAU - last < SAME
+            {
+                directions.pop();
+            }
             (directions.len() >= 3).then(|| RoadCrossing {
                 node: node.index(),
                 place: self.graph[node],
