@@ -11,7 +11,8 @@ use pilotage_vision::ground_class::{CLASS_GSD, CoverNetwork, classify_ground};
 
 /// Side of a tile, metres.
 const TILE: f64 = 384.0;
-/// Ground around a tile that is looked at with it, metres: the largest thing is whole there.
+/// Ground around a tile that is looked at with it, metres. Most things in the tile are whole there; one that reaches farther,
+/// as a long water may, is left out.
 const AROUND: f64 = 66.0;
 
 /// Looks at a tile of a map for landmarks; those beyond its border are left out afterwards.
