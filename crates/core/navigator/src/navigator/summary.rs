@@ -134,7 +134,7 @@ pub struct Summary {
     pub error_over_bound: Option<f64>,
     /// Normalized estimation error squared of the position.
     pub nees: Option<ConsistencyFigures>,
-    /// Normalized innovation squared of the corrections.
+    /// Normalized innovation squared of the corrections by landmarks and whole frames.
     pub nis: Option<ConsistencyFigures>,
     /// The same of every aid beside pictures that had a reading, by its name; refused readings count.
     #[serde(default)]

@@ -22,8 +22,8 @@ pub struct ComparisonRow {
     /// Normalized estimation error squared of the position: two degrees of freedom. The bounds of its
     /// mean take every flight for one independent sample, as the errors of its steps are alike.
     pub nees: Option<ConsistencySummary>,
-    /// Normalized innovation squared of the corrections, with the bounds of as many independent samples;
-    /// none for smoothed estimates.
+    /// Normalized innovation squared of the corrections by landmarks and whole frames, not of those by aids, with the bounds
+    /// of as many independent samples; none for smoothed estimates.
     pub nis: Option<ConsistencySummary>,
     /// Camera frames that corrected the estimate.
     pub frames_with_update: usize,
