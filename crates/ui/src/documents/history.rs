@@ -33,11 +33,14 @@ impl History {
         }
     }
 
-    /// Ends a drag: one step, unless nothing changed. `mission` is as the drag left it.
-    pub fn finish_drag(&mut self, mission: &Mission) {
-        if let Some(before) = self.dragging.take().filter(|before| before != mission) {
+    /// Ends a drag: one step, unless nothing changed; whether it is one. `mission` is as the drag left it.
+    pub fn finish_drag(&mut self, mission: &Mission) -> bool {
+        let before = self.dragging.take().filter(|before| before != mission);
+        let is_step = before.is_some();
+        if let Some(before) = before {
             self.push(before);
         }
+        is_step
     }
 
     fn push(&mut self, mission: Mission) {

@@ -21,10 +21,11 @@ impl Documents {
         self.mission.roads.len() - 1
     }
 
-    /// Changes a road; `finished` says that a drag is over.
-    pub fn edit_road(&mut self, index: usize, change: RoadChange, finished: bool) {
+    /// Changes a road; `finished` says that a drag is over. Whether that made another road of it: the whole drag, once it
+    /// is over.
+    pub fn edit_road(&mut self, index: usize, change: RoadChange, finished: bool) -> bool {
         let Some(old) = self.mission.roads.get(index) else {
-            return;
+            return false;
         };
         let mut road = old.clone();
         match change {
@@ -50,23 +51,27 @@ impl Documents {
             }
             RoadChange::Insert(..) | RoadChange::Remove(_) => {}
         }
-        if road != *old {
+        let is_other = road != *old;
+        if is_other {
             self.mission.history.begin_drag(&self.mission.content);
             self.mission.roads[index] = road;
             self.mission.is_edited = true;
         }
         if finished {
-            self.mission.history.finish_drag(&self.mission.content);
+            return self.mission.history.finish_drag(&self.mission.content);
         }
+        is_other
     }
 
-    /// Deletes a road.
-    pub fn delete_road(&mut self, index: usize) {
-        if index < self.mission.roads.len() {
+    /// Deletes a road; whether there is one.
+    pub fn delete_road(&mut self, index: usize) -> bool {
+        let is_there = index < self.mission.roads.len();
+        if is_there {
             self.mission.remember();
             self.mission.is_edited = true;
             self.mission.roads.remove(index);
         }
+        is_there
     }
 
     /// Splits a road at a point between its ends, which both parts have then; whether there is one.
@@ -149,11 +154,26 @@ mod tests {
         let mut documents = with_road(&[0.0, 10.0]);
         for east in [12.0, 14.0, 16.0] {
             let to = GroundPoint::new(0.0, east);
-            documents.edit_road(0, RoadChange::Move(1, to), east == 16.0);
+            assert!(documents.edit_road(0, RoadChange::Move(1, to), east == 16.0));
         }
         assert_eq!(documents.mission.roads[0].course, line(&[0.0, 16.0]));
         documents.undo();
         assert_eq!(documents.mission.roads[0].course, line(&[0.0, 10.0]));
+    }
+
+    #[test]
+    fn an_edit_says_whether_it_made_another_road() {
+        let mut documents = with_road(&[0.0, 10.0]);
+        let to = |east: f64| RoadChange::Move(1, GroundPoint::new(0.0, east));
+        assert!(!documents.edit_road(0, to(10.0), true));
+        assert!(!documents.edit_road(0, RoadChange::Move(7, GroundPoint::default()), true));
+        assert!(!documents.edit_road(3, to(12.0), true));
+        // Dragged away; then the mouse is let go at the same place, and after another drag where it was grasped.
+        assert!(documents.edit_road(0, to(12.0), false));
+        assert!(documents.edit_road(0, to(12.0), true));
+        assert!(documents.edit_road(0, to(14.0), false));
+        assert!(!documents.edit_road(0, to(12.0), true));
+        assert!(documents.delete_road(0) && !documents.delete_road(0));
     }
 
     #[test]

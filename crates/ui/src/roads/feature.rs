@@ -1,7 +1,7 @@
 //! Roads as a feature: commands carried out, and the state of the work on them.
 
 use egui::{Rect, Ui};
-use pilotage_core::roads::RoadClass;
+use pilotage_core::roads::{RoadClass, RoadLine};
 use serde_json::{Map, Value};
 
 use super::Roads;
@@ -33,7 +33,6 @@ impl Roads {
     fn begin(&mut self, context: &mut FeatureContext<'_>) {
         if !self.is_on {
             self.is_on = true;
-            self.count = context.documents.mission.roads.len();
             *context.selection = None;
             context.take_map();
         }
@@ -56,12 +55,31 @@ impl Roads {
 
     fn select(&mut self, road: Option<usize>, point: Option<usize>) {
         (self.selected, self.point) = (road, point);
-        self.is_joining = false;
+        (self.is_joining, self.has_lost_point) = (false, false);
+    }
+
+    /// Number of roads, and of points of the selected one.
+    fn counts(&self, roads: &[RoadLine]) -> (usize, usize) {
+        let road = self.selected.and_then(|index| roads.get(index));
+        (roads.len(), road.map_or(0, |road| road.course.len()))
+    }
+
+    /// Selects nothing any more once roads came or went by other hands, such as undo, for their numbers are those of other
+    /// roads; and no point once points of the selected road did.
+    fn catch_up(&mut self, roads: &[RoadLine]) {
+        let counts = self.counts(roads);
+        if self.counts.0 != counts.0 {
+            self.select(None, None);
+            self.dragged = None;
+        } else if self.counts.1 != counts.1 {
+            self.has_lost_point |= self.point.take().is_some();
+            self.dragged = None;
+        }
+        self.counts = self.counts(roads);
     }
 
     /// Says that roads are others than before, which may change the run.
-    fn changed(&mut self, context: &mut FeatureContext<'_>) {
-        self.count = context.documents.mission.roads.len();
+    fn changed(context: &mut FeatureContext<'_>) {
         context.document_changed();
         if context.documents.uses_roads() {
             context.run_is_stale();
@@ -78,7 +96,7 @@ impl Roads {
         if course.len() > 1 {
             let road = context.documents.add_road(self.class, course);
             self.select(Some(road), None);
-            self.changed(context);
+            Self::changed(context);
         }
     }
 
@@ -100,7 +118,16 @@ impl Roads {
             self.end(context);
             return;
         }
+        if self.is_on {
+            self.catch_up(&context.documents.mission.roads);
+        }
         self.begin(context);
+        self.obey(command, context);
+        self.counts = self.counts(&context.documents.mission.roads);
+    }
+
+    /// Does what a command says, while it has the map.
+    fn obey(&mut self, command: RoadCommand, context: &mut FeatureContext<'_>) {
         let roads = &context.documents.mission.roads;
         match command {
             RoadCommand::Toggle if roads.is_empty() => self.draw(context),
@@ -139,60 +166,71 @@ impl Roads {
     fn edit(&mut self, road: usize, command: RoadCommand, context: &mut FeatureContext<'_>) {
         let here = context.map.camera.center;
         let documents = &mut *context.documents;
-        let mut is_over = true;
-        match command {
+        let is_changed = match command {
             RoadCommand::Change { change, finished } => {
                 if let RoadChange::Class(class) = change {
                     self.class = class;
                 }
                 // No name matters for the run.
-                is_over = finished && !matches!(change, RoadChange::Name(_));
-                documents.edit_road(road, change, finished);
-            }
-            RoadCommand::MoveHere => {
-                if let Some(point) = self.point {
-                    documents.edit_road(road, RoadChange::Move(point, here), true);
+                let is_over = finished && !matches!(change, RoadChange::Name(_));
+                let is_changed = documents.edit_road(road, change, finished);
+                if is_changed && !is_over {
+                    context.document_changed();
                 }
+                is_changed && is_over
             }
-            RoadCommand::DeletePoint => {
-                let length = documents.mission.roads.get(road);
-                let length = length.map_or(0, |road| road.course.len());
-                if let Some(point) = self.point.take().filter(|_| length > 2) {
-                    documents.edit_road(road, RoadChange::Remove(point), true);
-                } else {
-                    documents.delete_road(road);
-                    self.select(None, None);
-                }
-            }
+            RoadCommand::MoveHere => self.point.is_some_and(|point| {
+                documents.edit_road(road, RoadChange::Move(point, here), true)
+            }),
+            RoadCommand::DeletePoint => self.delete_point(road, context),
             RoadCommand::Delete => {
-                documents.delete_road(road);
                 self.select(None, None);
+                documents.delete_road(road)
             }
             RoadCommand::Split => {
                 let point = self.point.take();
-                is_over = point.is_some_and(|point| documents.split_road(road, point));
-                if !is_over {
+                let is_split = point.is_some_and(|point| documents.split_road(road, point));
+                if !is_split {
                     context.note(NO_POINT, CLICK_POINT);
                 }
+                is_split
             }
             RoadCommand::Join => {
-                if let Some(other) = meeting(&documents.mission.roads, road) {
-                    let joined = documents.join_roads(road, other);
-                    self.select(joined, None);
-                } else {
-                    (self.is_joining, is_over) = (true, false);
-                }
+                let other = meeting(&documents.mission.roads, road);
+                self.is_joining = other.is_none();
+                other.is_some_and(|other| self.join(road, other, documents))
             }
-            RoadCommand::JoinWith(other) => {
-                let joined = documents.join_roads(road, other);
-                self.select(joined.or(Some(road)), None);
-            }
-            _ => is_over = false,
+            RoadCommand::JoinWith(other) => self.join(road, other, documents),
+            _ => false,
+        };
+        if is_changed {
+            Self::changed(context);
         }
-        context.document_changed();
-        if is_over {
-            self.changed(context);
+    }
+
+    /// Joins two roads; whether they are one now.
+    fn join(&mut self, road: usize, other: usize, documents: &mut Documents) -> bool {
+        let joined = documents.join_roads(road, other);
+        self.select(joined.or(Some(road)), None);
+        joined.is_some()
+    }
+
+    /// Deletes the selected point of a road, or the road where it would be none without; whether one was deleted. Where
+    /// the point went by other hands, it was that and not the road which was meant.
+    fn delete_point(&mut self, road: usize, context: &mut FeatureContext<'_>) -> bool {
+        let point = self.point.take();
+        if std::mem::take(&mut self.has_lost_point) && point.is_none() {
+            context.note(NO_POINT, CLICK_POINT);
+            return false;
         }
+        let documents = &mut *context.documents;
+        let length = documents.mission.roads.get(road);
+        let length = length.map_or(0, |road| road.course.len());
+        if let Some(point) = point.filter(|_| length > 2) {
+            return documents.edit_road(road, RoadChange::Remove(point), true);
+        }
+        self.select(None, None);
+        documents.delete_road(road)
     }
 }
 
@@ -247,12 +285,9 @@ impl Feature for Roads {
         }
     }
 
-    /// Selects nothing any more once roads came or went by other hands, for their numbers are those of other roads.
     fn tend(&mut self, context: &mut FeatureContext<'_>) {
-        let count = context.documents.mission.roads.len();
-        if self.is_on && self.count != count {
-            self.select(None, None);
-            self.count = count;
+        if self.is_on {
+            self.catch_up(&context.documents.mission.roads);
         }
     }
 

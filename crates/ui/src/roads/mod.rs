@@ -28,6 +28,8 @@ pub struct Roads {
     dragged: Option<usize>,
     /// Class of the road that was drawn or chosen last, and of the next one.
     class: RoadClass,
-    /// Number of roads as it was left.
-    count: usize,
+    /// Number of roads, and of points of the selected one, as they were left.
+    counts: (usize, usize),
+    /// Whether its selected point went by other hands.
+    has_lost_point: bool,
 }

@@ -232,3 +232,25 @@ fn undo_while_a_road_is_drawn_takes_its_last_point_back_and_no_other_edit() {
     rig.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(of(&rig, "count"), 0, "then the road before");
 }
+
+#[test]
+fn a_point_that_undo_took_back_is_no_longer_selected() {
+    let mut rig = drawing();
+    draw(&mut rig, &[(0.0, -100.0), (0.0, 20.0), (0.0, 80.0)]);
+    let drawn = course(&rig);
+    let [from, to] = [screen(&rig, 0.0, -40.0), screen(&rig, 40.0, -40.0)];
+    rig.drag(from, to);
+    assert_eq!((of(&rig, "point"), course(&rig).len()), (1.into(), 4));
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    rig.frames(2);
+    assert_eq!(of(&rig, "point"), serde_json::Value::Null);
+    // Neither the point that has its number now, nor the road.
+    rig.key(Key::Delete);
+    rig.frames(2);
+    assert_eq!(of(&rig, "count"), 1);
+    assert_eq!(course(&rig), drawn);
+    click(&mut rig, 0.0, 20.0);
+    rig.key(Key::Delete);
+    rig.frames(2);
+    assert_eq!(course(&rig), [drawn[0], drawn[2]]);
+}
