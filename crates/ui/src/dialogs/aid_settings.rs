@@ -12,8 +12,8 @@ use crate::units::Units;
 /// Range of a number that is offered, as factors on its usual value.
 const RANGE: (f64, f64) = (0.02, 50.0);
 
-/// Draws a switch for every aid, with its numbers while it is on; those of which `flight` has no readings cannot be
-/// switched on.
+/// Draws a switch for every aid, with its numbers while it is on; those of which `flight` has no readings, or no pictures
+/// where they look at these, cannot be switched on.
 pub(super) fn aids(
     ui: &mut Ui,
     tokens: &Tokens,
@@ -32,11 +32,8 @@ pub(super) fn aids(
     let chosen = &mut settings.aids;
     for info in AidInfo::ALL {
         let place = chosen.iter().position(|aid| aid.key == info.key);
-        let has_readings = flight.is_some_and(|flight| {
-            let channels = info.channels.iter();
-            let mut channels = channels.map(|name| flight.channel(*name));
-            channels.all(|channel| channel.is_some_and(|c| !c.times.is_empty()))
-        });
+        let lack = flight.map_or(Some("readings of it"), |flight| lack(info, flight));
+        let has_readings = lack.is_none();
         let mut is_on = place.is_some();
         ui.add_enabled_ui(has_readings || is_on, |ui| {
             if ui.checkbox(&mut is_on, info.label).changed() {
@@ -46,15 +43,26 @@ pub(super) fn aids(
                 }
             }
         });
-        let text = if has_readings {
-            info.description.to_owned()
-        } else {
-            format!("{} This flight has no readings of it.", info.description)
+        let text = match lack {
+            None => info.description.to_owned(),
+            Some(lack) => format!("{} This flight has no {lack}.", info.description),
         };
         meaning(ui, tokens, &text);
         if let Some(aid) = chosen.iter_mut().find(|aid| aid.key == info.key) {
             numbers(ui, info, aid, units);
         }
+    }
+}
+
+/// Part of a flight without which an aid tells nothing, if it lacks one.
+fn lack(info: &AidInfo, flight: &Flight) -> Option<&'static str> {
+    let mut channels = info.channels.iter().map(|name| flight.channel(*name));
+    if info.sees() && flight.frames.is_empty() {
+        Some("pictures")
+    } else if channels.all(|channel| channel.is_some_and(|c| !c.times.is_empty())) {
+        None
+    } else {
+        Some("readings of it")
     }
 }
 
@@ -71,5 +79,42 @@ fn numbers(ui: &mut Ui, info: &AidInfo, aid: &mut ChosenAid, units: Units) {
         if scaled(ui, number.label, unit, &mut value, factor, range) {
             *aid = std::mem::take(aid).with(number.key, value);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::camera::CameraModel;
+    use pilotage_core::flight::{Frame, StartFix};
+    use pilotage_core::frames::GroundPoint;
+
+    #[test]
+    fn what_looks_at_pictures_needs_some() {
+        let mut flight = Flight {
+            name: "tables".to_owned(),
+            frame_on_globe: None,
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            ground_down: 0.0,
+            channels: Vec::new(),
+            frames: Vec::new(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::default(),
+                standard_deviation: 3.0,
+            },
+            truth: None,
+        };
+        let lacks = |flight: &Flight| {
+            ["roads", "gps-position"]
+                .map(|key| AidInfo::named(key).ok().and_then(|it| lack(it, flight)))
+        };
+        assert_eq!(lacks(&flight), [Some("pictures"), Some("readings of it")]);
+        flight.frames.push(Frame {
+            time: 0.0,
+            name: "1".to_owned(),
+            stored_turn: 0.0,
+        });
+        assert_eq!(lacks(&flight), [None, Some("readings of it")]);
     }
 }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::aids::{Aid, AidError, chosen};
+use super::aids::{Aid, AidError, AidInfo, chosen};
 use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
 use super::frame_registration::FrameRegistration;
@@ -31,7 +31,7 @@ use super::{
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::{FilterError, GateReason, Verdict};
 use pilotage_flight::{ChannelName, Flight, FrameSource};
-use pilotage_mission::settings::{Cruise, NavigatorSettings};
+use pilotage_mission::settings::{ChosenAid, Cruise, NavigatorSettings};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 use pilotage_vision::landmark::{ChosenDetector, Detector, Landmark, Refusal};
@@ -178,6 +178,8 @@ impl Navigator {
         ground: Option<&KnownGround>,
     ) -> Result<Self, NavigatorError> {
         let is_found_by_frames = settings.whole_frames.is_some();
+        let sees = |aid: &ChosenAid| AidInfo::named(&aid.key).is_ok_and(AidInfo::sees);
+        let looks = !landmarks.is_empty() || settings.aids.iter().any(sees);
         for (name, remedy, is_needed) in [
             (
                 ChannelName::Heading,
@@ -187,7 +189,7 @@ impl Navigator {
             (
                 ChannelName::HeightAboveGround,
                 "give it one, or lay whole pictures on a map",
-                !is_found_by_frames && !landmarks.is_empty(),
+                !is_found_by_frames && looks,
             ),
         ] {
             let has_none = flight.channel(name).is_none_or(|c| c.times.is_empty());

@@ -17,6 +17,7 @@ use pilotage_flight::{Channel, ChannelName, Flight, NoPictures, StartFix};
 use pilotage_mission::settings::{ChosenAid, EstimatorChoice, NavigatorSettings, VehicleChoice};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Blank;
+use pilotage_roads::RoadLine;
 
 /// Wind of the flights, m/s north and east, of which no filter is told.
 const WIND: Vector2<f64> = Vector2::new(-3.0, 5.0);
@@ -367,6 +368,33 @@ fn a_vehicle_that_knows_neither_velocity_nor_heading_bias_is_not_asked_for_them(
     settings.vehicle = VehicleChoice::RandomWalk;
     let run = fly(flight(1, (2.0, 0.3)), &settings).unwrap();
     assert!(run.steps.iter().all(|step| step.updates.is_empty()));
+}
+
+#[test]
+fn an_aid_that_looks_at_pictures_asks_for_a_height() {
+    let road = RoadLine {
+        course: vec![GroundPoint::default(), GroundPoint::new(900.0, 0.0)],
+        ..RoadLine::default()
+    };
+    let mut ground = KnownGround::new(Arc::new(Blank));
+    ground.roads = vec![road];
+    let begun = |flight: Flight| {
+        let settings = settings(vec![ChosenAid::usual("roads")]);
+        Navigator::new(Arc::new(flight), &ground, &settings).map(|_| ())
+    };
+    let mut flight = flight(1, (2.0, 0.3));
+    let refused = begun(flight.clone()).err().map(|error| error.to_string());
+    let refused = refused.unwrap_or_default();
+    assert!(
+        refused.contains("no readings of channel height"),
+        "{refused}"
+    );
+    flight.channels.push(Channel {
+        name: ChannelName::HeightAboveGround,
+        times: vec![0.0, 120.0],
+        values: vec![120.0, 121.0],
+    });
+    assert_eq!(begun(flight), Ok(()));
 }
 
 #[test]
