@@ -1,8 +1,8 @@
 //! Observations: what was measured, and what a filter makes of it.
 
 use nalgebra::{
-    Cholesky, DMatrix, DVector, Dyn, Matrix2, Matrix2x4, MatrixXx4, SMatrix, SVector, Vector2,
-    dvector,
+    Cholesky, DMatrix, DVector, Dyn, Matrix2, Matrix2x4, Matrix4, MatrixXx4, SMatrix, SVector,
+    Vector2, dvector,
 };
 
 use super::JointReport;
@@ -37,14 +37,17 @@ pub struct PicturePart {
 }
 
 impl Observation<'static> {
-    /// The place of the aircraft on the map (north, east, metres) as a picture tells it: `noise` is its covariance, `own`
-    /// that without the errors of the picture's pose, and `by_pose` its change with those.
+    /// The place of the aircraft on the map (north, east, metres) as a picture tells it: `own` is its covariance without
+    /// the errors of the picture's pose, `pose` that of these errors, and `by_pose` its change with them. The picture's yaw
+    /// is the reading less the `believed` bias of the heading, radians.
     pub fn of_place(
         place: Vector2<f64>,
-        noise: &Matrix2<f64>,
-        by_pose: &Matrix2x4<f64>,
         own: &Matrix2<f64>,
+        (by_pose, pose): (&Matrix2x4<f64>, &Matrix4<f64>),
+        believed: f64,
     ) -> Self {
+        let noise = own + by_pose * pose * by_pose.transpose();
+        let by_heading = dvector![by_pose[(0, 2)], by_pose[(1, 2)]];
         let by_pose = MatrixXx4::from_fn(2, |i, j| by_pose[(i, j)]);
         let by_tilt = ByTilt::of(&by_pose);
         Self {
@@ -54,6 +57,9 @@ impl Observation<'static> {
             model: MeasurementModel::of_pose(move |seen| {
                 let mut expected = dvector![seen.on_map.north, seen.on_map.east];
                 by_tilt.add(&mut expected, seen);
+                // A bias that is larger is a heading that is smaller.
+                let bias = seen.heading_bias.unwrap_or(believed);
+                expected.axpy(believed - bias, &by_heading, 1.0);
                 Some(expected)
             }),
             degrees: 2,

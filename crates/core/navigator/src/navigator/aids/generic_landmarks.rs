@@ -119,6 +119,8 @@ impl GenericLandmarks {
         let place = view.below().to_vector() + fix.offset;
         let by_pose = &fix.by_pose;
         let own = fix.covariance - by_pose * pose * by_pose.transpose();
-        Some(Observation::of_place(place, &fix.covariance, by_pose, &own))
+        // The bias of the heading is left to the filter.
+        let pose = (by_pose, &self.pose);
+        Some(Observation::of_place(place, &own, pose, look.belief.mean.z))
     }
 }

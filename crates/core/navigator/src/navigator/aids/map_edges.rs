@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix2, Matrix4, SymmetricEigen, Vector2, Vector4};
+use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
 use super::super::observation::Observation;
 use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use super::reading::Spacing;
+use pilotage_base::frames::GroundPoint;
 use pilotage_reference::ReferenceTable;
 use pilotage_reference::edges::{
     EDGE, EDGE_GSD, EDGES, EdgePlace, EdgePrior, PhotoBelief, PhotoEdges, edges_of_tile,
@@ -118,24 +119,35 @@ impl MapEdges {
         let (shift, own) = (found.probability >= BELIEVED)
             .then(|| without_belief(&prior, &found))
             .flatten()?;
-        let own = own + Matrix2::identity() * look.beyond_state(self.of_map);
-        let by_pose = ground_by_pose(
-            prior.middle,
-            look.model.camera,
-            &look.pose,
-            look.model.ground_down,
-        )?;
-        let deviations = Vector4::new(
-            look.noise.roll,
-            look.noise.pitch,
-            look.noise.yaw.hypot(yaw),
-            look.noise.height,
-        );
-        let pose = Matrix4::from_diagonal(&deviations.component_mul(&deviations));
-        let noise = own + by_pose * pose * by_pose.transpose();
-        let place = look.below().to_vector() + shift;
-        Some(Observation::of_place(place, &noise, &by_pose, &own))
+        observation(look, prior.middle, shift, own, self.of_map)
     }
+}
+
+/// The place of the aircraft by the `shift` of the picture's middle from where it is believed, metres north and east, which
+/// has the covariance `own` by the edges alone, on a map that is good to `of_map`, metres per axis. The bias of the heading
+/// is left to the filter.
+fn observation(
+    look: &AidLook<'_>,
+    middle: GroundPoint,
+    shift: Vector2<f64>,
+    own: Matrix2<f64>,
+    of_map: f64,
+) -> Option<Observation<'static>> {
+    let own = own + Matrix2::identity() * look.beyond_state(of_map);
+    let by_pose = ground_by_pose(
+        middle,
+        look.model.camera,
+        &look.pose,
+        look.model.ground_down,
+    )?;
+    let pose = look.noise.pose_covariance();
+    let place = look.below().to_vector() + shift;
+    Some(Observation::of_place(
+        place,
+        &own,
+        (&by_pose, &pose),
+        look.belief.mean.z,
+    ))
 }
 
 /// Shift of the middle from the believed place, metres, and its covariance by the edges alone: the place that was found is
@@ -155,8 +167,41 @@ fn without_belief(prior: &EdgePrior, found: &EdgePlace) -> Option<(Vector2<f64>,
 
 #[cfg(test)]
 mod tests {
+    use super::super::look_for_tests::TestLooks;
+    use super::super::take;
     use super::*;
-    use pilotage_base::frames::GroundPoint;
+    use pilotage_estimation::filter::Gate;
+    use pilotage_mission::settings::VehicleChoice;
+
+    /// Variance of the place, metres² to the east, after so many looks that put the aircraft at the origin, by a picture
+    /// whose middle lies `ahead` metres north of it.
+    fn variance_after(looks: &TestLooks, (count, ahead): (usize, f64), of_map: f64) -> f64 {
+        let mut engine = looks.engine(15.0);
+        for _ in 0..count {
+            let look = looks.look(engine.as_ref());
+            let below = look.below();
+            let middle = GroundPoint::new(below.north + ahead, below.east);
+            // What a heading that is believed too small by a bias does to a place that far ahead.
+            let turned = Vector2::new(0.0, ahead * look.belief.mean.z);
+            let shift = turned - below.to_vector();
+            let own = Matrix2::identity() * 0.01;
+            let observed = observation(&look, middle, shift, own, of_map).unwrap();
+            let gate = Gate { confidence: 0.999 };
+            let taken = take(engine.as_mut(), &observed, gate).unwrap().unwrap();
+            assert!(taken.verdict.accepted);
+        }
+        engine.state().position_covariance()[(1, 1)]
+    }
+
+    #[test]
+    fn a_hundred_looks_leave_what_the_bias_of_the_heading_leaves_open() {
+        let mut looks = TestLooks::default();
+        looks.settings.vehicle = VehicleChoice::AirplaneFull;
+        looks.settings.process.heading_bias = 0.02;
+        // Of 300 m ahead, a bias of 0.02 makes 6 m: 1 / (1 / 15² + 1 / 6²) = 31.03.
+        let after = variance_after(&looks, (100, 300.0), 0.0);
+        assert!((30.5..32.0).contains(&after), "{after}");
+    }
 
     #[test]
     fn the_belief_is_taken_out_of_what_it_and_the_edges_say_together() {

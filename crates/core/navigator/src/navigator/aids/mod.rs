@@ -6,6 +6,8 @@ mod choice;
 mod direct;
 mod error;
 mod generic_sighting;
+#[cfg(test)]
+mod look_for_tests;
 mod reading;
 mod road_sighting;
 mod take;
