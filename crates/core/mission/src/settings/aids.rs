@@ -58,8 +58,15 @@ pub const GENERIC_LANDMARKS: FilterAidNumber = FilterAidNumber {
     usual: 1.0,
 };
 
+/// Error per axis of the map whose straight edges are looked for, metres: where it lies on the ground, the same for all looks.
+pub const MAP_EDGES: FilterAidNumber = FilterAidNumber {
+    aid: "map-edges",
+    number: "map",
+    usual: 1.0,
+};
+
 /// The errors of maps that aids look at.
-pub const MAP_ERRORS: [FilterAidNumber; 2] = [ROAD_MAP, GENERIC_LANDMARKS];
+pub const MAP_ERRORS: [FilterAidNumber; 3] = [ROAD_MAP, GENERIC_LANDMARKS, MAP_EDGES];
 
 impl FilterAidNumber {
     /// Its value if its aid is among `chosen`.

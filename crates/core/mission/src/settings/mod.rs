@@ -7,7 +7,7 @@ mod unstated_mount;
 mod without_mission;
 
 pub use adjustment::CameraAdjustment;
-pub use aids::{ChosenAid, FilterAidNumber, GENERIC_LANDMARKS, MAP_ERRORS, ROAD_MAP};
+pub use aids::{ChosenAid, FilterAidNumber, GENERIC_LANDMARKS, MAP_EDGES, MAP_ERRORS, ROAD_MAP};
 pub use pilotage_estimation::estimator::{EstimatorChoice, EstimatorSettings};
 
 pub use navigator::{

@@ -9,6 +9,7 @@ use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use super::reading::Spacing;
 use pilotage_base::frames::GroundPoint;
+use pilotage_mission::settings::MAP_EDGES;
 use pilotage_reference::ReferenceTable;
 use pilotage_reference::edges::{
     EDGE, EDGE_GSD, EDGES, EdgePlace, EdgePrior, PhotoBelief, PhotoEdges, edges_of_tile,
@@ -29,7 +30,7 @@ const TELLING: f64 = 0.7;
 
 /// Description for people.
 pub const INFO: AidInfo = AidInfo {
-    key: "map-edges",
+    key: MAP_EDGES.aid,
     label: "Edges of the map",
     description: "Straight ends of roofs, roads and fields in the picture, put in the place of the map where they fit \
                   together. They are the same on any day and for any camera, and no two are told apart: every place \
@@ -39,10 +40,10 @@ pub const INFO: AidInfo = AidInfo {
     tells_place: true,
     numbers: &[
         AidNumber {
-            key: "map",
+            key: MAP_EDGES.number,
             label: "Error of the map per axis",
             unit: "m",
-            usual: 1.0,
+            usual: MAP_EDGES.usual,
         },
         AidNumber {
             key: "apart",
@@ -171,7 +172,7 @@ mod tests {
     use super::super::take;
     use super::*;
     use pilotage_estimation::filter::Gate;
-    use pilotage_mission::settings::VehicleChoice;
+    use pilotage_mission::settings::{ChosenAid, VehicleChoice};
 
     /// Variance of the place, metres² to the east, after so many looks that put the aircraft at the origin, by a picture
     /// whose middle lies `ahead` metres north of it.
@@ -191,6 +192,16 @@ mod tests {
             assert!(taken.verdict.accepted);
         }
         engine.state().position_covariance()[(1, 1)]
+    }
+
+    #[test]
+    fn a_hundred_looks_are_no_surer_than_the_map() {
+        let mut looks = TestLooks::default();
+        let aid = ChosenAid::usual(INFO.key).with(MAP_EDGES.number, 3.0);
+        looks.settings.aids = vec![aid];
+        // 1 / (1 / 15² + 1 / 3²) = 8.65.
+        let after = variance_after(&looks, (100, 0.0), 3.0);
+        assert!((8.0..9.5).contains(&after), "{after}");
     }
 
     #[test]
