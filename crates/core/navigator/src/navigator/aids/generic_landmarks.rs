@@ -1,6 +1,6 @@
 //! Buildings, trees, waters and paved places that nobody picked, paired with those of the map.
 
-use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
+use nalgebra::{Matrix2, Matrix4, Vector2, Vector3, Vector4};
 use std::sync::Arc;
 
 use super::super::observation::Observation;
@@ -9,7 +9,7 @@ use super::aid::{Aid, AidInfo, AidLook, AidMoment, AidNumber, BeginAid};
 use super::error::AidError;
 use super::generic_sighting;
 use pilotage_mission::settings::GENERIC_LANDMARKS;
-use pilotage_reference::association::CommonError;
+use pilotage_reference::association::{CommonError, JointFix};
 use pilotage_reference::seeing::{PictureView, SeenTiles};
 use pilotage_vision::ground_class::CoverNetwork;
 
@@ -31,19 +31,19 @@ pub const INFO: AidInfo = AidInfo {
     numbers: &[
         AidNumber {
             key: "tilt",
-            label: "Error of the camera's roll and pitch",
+            label: "Least error of the camera's roll and pitch",
             unit: "rad",
             usual: 0.0183,
         },
         AidNumber {
             key: "yaw",
-            label: "Error of the camera's yaw",
+            label: "Least error of the camera's yaw",
             unit: "rad",
             usual: 0.0201,
         },
         AidNumber {
             key: "height",
-            label: "Error of the height",
+            label: "Least error of the height",
             unit: "m",
             usual: 0.6,
         },
@@ -63,12 +63,11 @@ pub const BEGIN: BeginAid = |numbers, ground| {
         what: "map".to_owned(),
         remedy: "open one, or switch the aid off".to_owned(),
     })?;
-    let deviations = Vector4::new(numbers[0], numbers[0], numbers[1], numbers[2]);
     let network = CoverNetwork::usual();
     Ok(Box::new(GenericLandmarks {
         known: SeenTiles::of(Arc::clone(&ground.map), network.clone()),
         network,
-        pose: Matrix4::from_diagonal(&deviations.component_mul(&deviations)),
+        stated: StatedErrors::of(Vector3::new(numbers[0], numbers[1], numbers[2])),
         sighting: None,
     }))
 };
@@ -77,8 +76,7 @@ pub const BEGIN: BeginAid = |numbers, ground| {
 struct GenericLandmarks {
     known: SeenTiles,
     network: CoverNetwork,
-    /// Covariance of the camera's roll, pitch, yaw and height, but for the believed bias of the heading.
-    pose: Matrix4<f64>,
+    stated: StatedErrors,
     /// Report of what it saw last, until that is told.
     sighting: Option<SightingReport>,
 }
@@ -109,18 +107,131 @@ impl GenericLandmarks {
         let farthest = view.corners().iter().map(Vector2::norm).fold(0.0, f64::max);
         let doubt = REACH * look.deviation();
         let around = view.around(&mut self.known, farthest + doubt.min(FARTHEST));
-        let mut pose = self.pose;
-        pose[(2, 2)] += look.belief.covariance[(2, 2)];
+        let pose = self.stated.pose(look);
         let common = CommonError { position, pose };
         let association = view.associated(&observed, &around, common);
         let sets = (observed.as_slice(), around.as_slice());
         self.sighting = Some(generic_sighting::report(sets, &association, look, farthest));
         let fix = association.fix?;
-        let place = view.below().to_vector() + fix.offset;
+        Some(
+            self.stated
+                .observation(look, view.below().to_vector(), &fix),
+        )
+    }
+}
+
+/// Errors that are stated for the aid.
+struct StatedErrors {
+    /// Least covariance of the camera's roll, pitch, yaw and height.
+    pose: Matrix4<f64>,
+}
+
+impl StatedErrors {
+    /// Least standard deviations of roll and pitch, of yaw (radians) and of height (metres).
+    fn of(pose: Vector3<f64>) -> Self {
+        let deviations = Vector4::new(pose.x, pose.x, pose.y, pose.z);
+        Self {
+            pose: Matrix4::from_diagonal(&deviations.component_mul(&deviations)),
+        }
+    }
+
+    /// Covariance of the errors of the look's roll, pitch, yaw and height with which landmarks are paired: what the filter
+    /// is told of the camera if that is more, and the bias of the heading.
+    fn pose(&self, look: &AidLook<'_>) -> Matrix4<f64> {
+        let mut pose = self.pose.sup(&look.noise.pose_covariance());
+        pose[(2, 2)] += look.belief.covariance[(2, 2)];
+        pose
+    }
+
+    /// The fix of a look from the ground `below` the believed camera, metres north and east, as an observation. The errors
+    /// that it has in common with others of the picture are those of which the filter is told; the bias of the heading is
+    /// left to the filter, and what is stated beyond these is its own.
+    fn observation(
+        &self,
+        look: &AidLook<'_>,
+        below: Vector2<f64>,
+        fix: &JointFix,
+    ) -> Observation<'static> {
+        let told = look.noise.pose_covariance();
+        let mut known = told;
+        known[(2, 2)] += look.belief.covariance[(2, 2)];
         let by_pose = &fix.by_pose;
-        let own = fix.covariance - by_pose * pose * by_pose.transpose();
-        // The bias of the heading is left to the filter.
-        let pose = (by_pose, &self.pose);
-        Some(Observation::of_place(place, &own, pose, look.belief.mean.z))
+        let own = fix.covariance - by_pose * known * by_pose.transpose();
+        let place = below + fix.offset;
+        Observation::of_place(place, &own, (by_pose, &told), look.belief.mean.z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::picture_errors::PictureErrors;
+    use super::super::look_for_tests::{HEIGHT, TestLooks};
+    use super::*;
+    use nalgebra::{Matrix2x4, Matrix6};
+
+    /// Errors of roll and pitch of 1°, of yaw of 2°, of height of 0.6 m.
+    fn stated() -> StatedErrors {
+        let [one, two] = [1.0_f64, 2.0].map(f64::to_radians);
+        StatedErrors::of(Vector3::new(one, two, 0.6))
+    }
+
+    /// A fix of two metres of its own by pairs that tell nothing of the pose, which moves it by the height.
+    fn fix(pose: &Matrix4<f64>) -> JointFix {
+        let by_pose = Matrix2x4::new(0.0, HEIGHT, 0.0, 0.0, -HEIGHT, 0.0, 0.0, 0.0);
+        JointFix {
+            offset: Vector2::zeros(),
+            covariance: Matrix2::identity() * 4.0 + by_pose * pose * by_pose.transpose(),
+            by_pose,
+            chi_square: 0.0,
+            degrees: 2,
+            pose: Vector4::zeros(),
+            joint: Matrix6::identity(),
+        }
+    }
+
+    #[test]
+    fn a_mount_that_nobody_states_makes_a_fix_as_vague_as_the_filter_is_told() {
+        let looks = TestLooks::default();
+        let stated = stated();
+        let engine = looks.engine(15.0);
+        let noise = |roll: f64| {
+            let mut look = looks.look(engine.as_ref());
+            look.noise.roll = roll;
+            let fix = fix(&stated.pose(&look));
+            stated.observation(&look, Vector2::zeros(), &fix).noise
+        };
+        // Less than what is stated for the aid changes nothing.
+        let least = noise(1e-3);
+        let of_roll = (HEIGHT * 1_f64.to_radians()).powi(2);
+        // Two metres of its own.
+        assert!((least[(1, 1)] - (4.0 + of_roll)).abs() < 1e-9, "{least}");
+        let vague = noise(0.17);
+        let grown = (HEIGHT * 0.17).powi(2) - of_roll;
+        assert!(
+            (vague[(1, 1)] - least[(1, 1)] - grown).abs() < 1e-6,
+            "{vague}"
+        );
+        assert_eq!(vague[(0, 0)], least[(0, 0)]);
+    }
+
+    #[test]
+    fn after_what_tells_nothing_of_the_pose_a_fix_is_taken_in_as_it_is() {
+        let looks = TestLooks::default();
+        let stated = stated();
+        let engine = looks.engine(15.0);
+        for roll in [1e-3, 0.17] {
+            let mut look = looks.look(engine.as_ref());
+            look.noise.roll = roll;
+            let pose = look.noise.pose_covariance();
+            let mut errors = PictureErrors::new(pose);
+            let by_none = (&Matrix2x4::zeros(), &pose);
+            let before =
+                Observation::of_place(Vector2::zeros(), &Matrix2::identity(), by_none, 0.0);
+            errors.note(before);
+            let fix = fix(&stated.pose(&look));
+            let observed = stated.observation(&look, Vector2::zeros(), &fix);
+            let given = errors.given(&observed).unwrap();
+            assert!((given.noise - &observed.noise).norm() < 1e-9);
+        }
     }
 }
