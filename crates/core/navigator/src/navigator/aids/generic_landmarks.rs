@@ -67,7 +67,7 @@ pub const BEGIN: BeginAid = |numbers, ground| {
     Ok(Box::new(GenericLandmarks {
         known: SeenTiles::of(Arc::clone(&ground.map), network.clone()),
         network,
-        stated: StatedErrors::of(Vector3::new(numbers[0], numbers[1], numbers[2])),
+        stated: StatedErrors::of(Vector3::new(numbers[0], numbers[1], numbers[2]), numbers[3]),
         sighting: None,
     }))
 };
@@ -124,14 +124,18 @@ impl GenericLandmarks {
 struct StatedErrors {
     /// Least covariance of the camera's roll, pitch, yaw and height.
     pose: Matrix4<f64>,
+    /// Error per axis that all landmarks share, metres.
+    of_map: f64,
 }
 
 impl StatedErrors {
-    /// Least standard deviations of roll and pitch, of yaw (radians) and of height (metres).
-    fn of(pose: Vector3<f64>) -> Self {
+    /// Least standard deviations of roll and pitch, of yaw (radians) and of height (metres), and the error per axis that
+    /// all landmarks share, metres.
+    fn of(pose: Vector3<f64>, of_map: f64) -> Self {
         let deviations = Vector4::new(pose.x, pose.x, pose.y, pose.z);
         Self {
             pose: Matrix4::from_diagonal(&deviations.component_mul(&deviations)),
+            of_map,
         }
     }
 
@@ -156,7 +160,8 @@ impl StatedErrors {
         let mut known = told;
         known[(2, 2)] += look.belief.covariance[(2, 2)];
         let by_pose = &fix.by_pose;
-        let own = fix.covariance - by_pose * known * by_pose.transpose();
+        let shared = Matrix2::identity() * look.beyond_state(self.of_map);
+        let own = fix.covariance - by_pose * known * by_pose.transpose() + shared;
         let place = below + fix.offset;
         Observation::of_place(place, &own, (by_pose, &told), look.belief.mean.z)
     }
@@ -167,12 +172,12 @@ mod tests {
     use super::super::super::picture_errors::PictureErrors;
     use super::super::look_for_tests::{HEIGHT, TestLooks};
     use super::*;
-    use nalgebra::{Matrix2x4, Matrix6};
+    use nalgebra::{DMatrix, Matrix2x4, Matrix6};
 
-    /// Errors of roll and pitch of 1°, of yaw of 2°, of height of 0.6 m.
+    /// Errors of roll and pitch of 1°, of yaw of 2°, of height of 0.6 m; 1 m of the map.
     fn stated() -> StatedErrors {
         let [one, two] = [1.0_f64, 2.0].map(f64::to_radians);
-        StatedErrors::of(Vector3::new(one, two, 0.6))
+        StatedErrors::of(Vector3::new(one, two, 0.6), 1.0)
     }
 
     /// A fix of two metres of its own by pairs that tell nothing of the pose, which moves it by the height.
@@ -203,8 +208,11 @@ mod tests {
         // Less than what is stated for the aid changes nothing.
         let least = noise(1e-3);
         let of_roll = (HEIGHT * 1_f64.to_radians()).powi(2);
-        // Two metres of its own.
-        assert!((least[(1, 1)] - (4.0 + of_roll)).abs() < 1e-9, "{least}");
+        // Two metres of its own, one of the map, which is no state here.
+        assert!(
+            (least[(1, 1)] - (4.0 + 1.0 + of_roll)).abs() < 1e-9,
+            "{least}"
+        );
         let vague = noise(0.17);
         let grown = (HEIGHT * 0.17).powi(2) - of_roll;
         assert!(
@@ -233,5 +241,20 @@ mod tests {
             let given = errors.given(&observed).unwrap();
             assert!((given.noise - &observed.noise).norm() < 1e-9);
         }
+    }
+
+    #[test]
+    fn the_error_that_landmarks_share_is_noise_where_it_is_no_state() {
+        let looks = TestLooks::default();
+        let stated = stated();
+        let engine = looks.engine(15.0);
+        let noise = |of_state: f64| {
+            let mut look = looks.look(engine.as_ref());
+            look.map_deviation = of_state;
+            let fix = fix(&stated.pose(&look));
+            stated.observation(&look, Vector2::zeros(), &fix).noise
+        };
+        let difference = noise(0.0) - noise(stated.of_map);
+        assert!((difference - DMatrix::identity(2, 2)).norm() < 1e-9);
     }
 }
