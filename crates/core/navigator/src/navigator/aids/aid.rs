@@ -10,6 +10,7 @@ use super::super::SightingReport;
 use super::super::expected::AppearanceModel;
 use super::super::known_ground::KnownGround;
 use super::super::observation::{GaussianState, Observation};
+use super::assumed_air::AssumedAir;
 use super::error::AidError;
 
 /// Makes an aid, with a value for each of its numbers, from what is known of the ground, if anything is.
@@ -62,6 +63,8 @@ pub struct AidMoment<'a> {
     pub from: f64,
     /// End of this step, seconds.
     pub until: f64,
+    /// Velocity through the air at its end, where no reading tells it.
+    pub air: AssumedAir,
     /// The picture that came at its end, if one did that can be looked at.
     pub look: Option<AidLook<'a>>,
 }

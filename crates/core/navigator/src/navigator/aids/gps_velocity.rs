@@ -1,6 +1,6 @@
 //! Velocity over ground by satellite navigation.
 
-use nalgebra::dvector;
+use nalgebra::{DMatrix, DVector, dvector};
 
 use super::super::engine::MeasurementModel;
 use super::aid::{AidInfo, AidNumber, BeginAid};
@@ -29,12 +29,16 @@ pub const INFO: AidInfo = AidInfo {
 };
 
 /// Makes the aid.
-// The error includes what the airspeed's reading errs at that moment.
+// The error includes what the airspeed's reading errs at that moment; where there is none, that of what is assumed is added.
 pub const BEGIN: BeginAid = |numbers, _| {
-    Ok(DirectAid::boxed(&INFO, numbers, |_| {
+    let model = |_: &DVector<f64>| {
         MeasurementModel::of_motion(|seen| {
             let velocity = seen.velocity?;
             Some(dvector![velocity.x, velocity.y])
         })
+    };
+    Ok(DirectAid::through_air(&INFO, numbers, model, |air| {
+        let velocity = air.velocity;
+        Some(DMatrix::from_column_slice(2, 2, velocity.as_slice()))
     }))
 };

@@ -1,6 +1,6 @@
 //! Heading by the earth's magnetic field.
 
-use nalgebra::dvector;
+use nalgebra::{DMatrix, DVector, dvector};
 
 use super::super::engine::MeasurementModel;
 use super::aid::{AidInfo, AidNumber, BeginAid};
@@ -37,12 +37,16 @@ pub const INFO: AidInfo = AidInfo {
 /// Makes the aid.
 // The error includes what the heading's own reading errs from one moment to the next.
 pub const BEGIN: BeginAid = |numbers, _| {
-    Ok(DirectAid::boxed(&INFO, numbers, |measured| {
+    let model = |measured: &DVector<f64>| {
         let read = measured[0];
         MeasurementModel::of_pose(move |seen| {
             seen.heading_bias?;
             // Expectations near the reading differ from it by less than half a turn.
             Some(dvector![read + wrap_pi(seen.attitude.yaw - read)])
         })
+    };
+    // A heading that is held from earlier has no bias that could be told.
+    Ok(DirectAid::through_air(&INFO, numbers, model, |air| {
+        (!air.holds_heading).then(|| DMatrix::zeros(1, 1))
     }))
 };

@@ -2,6 +2,7 @@
 //! the list below.
 
 mod aid;
+mod assumed_air;
 mod choice;
 mod direct;
 mod error;
@@ -17,6 +18,7 @@ mod tests;
 use aid::BeginAid;
 pub(super) use aid::{Aid, AidLook, AidMoment};
 pub use aid::{AidInfo, AidNumber};
+pub(super) use assumed_air::AssumedAir;
 pub(super) use choice::chosen;
 pub use error::AidError;
 pub(super) use take::{Taken, take};

@@ -175,6 +175,7 @@ fn a_reading_corrects_as_a_linear_kalman_update_by_hand_does() {
                 flight: &flight,
                 from: 1.5,
                 until: 2.0,
+                air: AssumedAir::default(),
                 look: None,
             };
             let mut aid = chosen(&honest(2.0, 0.3)[aid..=aid], &flight, None)
@@ -305,6 +306,52 @@ fn barometer_and_range_tell_height_and_bias_as_honestly_as_they_say() {
             "{summary:?}"
         );
     }
+}
+
+/// Updates by an aid while the heading is silent for half a minute, times in seconds with the squares per degree.
+fn updates_in_silence(vehicle: VehicleChoice, aid: ChosenAid) -> Vec<(f64, f64)> {
+    let mut flight = flight(3, (2.0, 0.3));
+    let heading = flight
+        .channels
+        .iter_mut()
+        .find(|channel| channel.name == ChannelName::Heading)
+        .unwrap();
+    let of_gap = |time: f64| (60.0..90.0).contains(&time);
+    let told = heading.times.iter().copied().zip(heading.values.clone());
+    let told: Vec<(f64, f64)> = told.filter(|it| !of_gap(it.0)).collect();
+    (heading.times, heading.values) = told.into_iter().unzip();
+    let mut settings = settings(vec![aid]);
+    (settings.vehicle, settings.gate_confidence) = (vehicle, 1.0);
+    let run = fly(flight, &settings).unwrap();
+    let updates = run.steps.iter().flat_map(|step| {
+        let of_step = step.updates.iter();
+        of_step.map(|it| (step.time, it.nis / it.degrees_of_freedom as f64))
+    });
+    updates.collect()
+}
+
+#[test]
+fn a_velocity_over_ground_is_no_contradiction_while_the_heading_is_held() {
+    let [_, velocity] = honest(2.0, 0.3);
+    let updates = updates_in_silence(VehicleChoice::AirplaneWind, velocity);
+    let held: Vec<f64> = updates
+        .iter()
+        .filter(|it| (62.0..89.5).contains(&it.0))
+        .map(|it| it.1)
+        .collect();
+    // The aircraft turns by 0.8 rad, and 13 m/s of its velocity with it: 43 standard deviations of a reading.
+    assert_eq!(held.len(), 28);
+    let most = held.iter().copied().fold(0.0, f64::max);
+    assert!(most < 9.0, "{held:?}");
+}
+
+#[test]
+fn a_compass_tells_nothing_of_a_heading_that_is_held() {
+    let compass = ChosenAid::usual("magnetic-heading").with("apart", 1.0);
+    let updates = updates_in_silence(VehicleChoice::AirplaneFull, compass);
+    let is_held = |it: &&(f64, f64)| (62.0..89.5).contains(&it.0);
+    assert_eq!(updates.iter().filter(is_held).count(), 0);
+    assert!(updates.iter().filter(|it| it.0 > 92.0).count() > 20);
 }
 
 #[test]

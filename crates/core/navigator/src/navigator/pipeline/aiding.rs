@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix3, Vector3, dvector};
 
-use super::super::aids::{Aid, AidLook, AidMoment, Taken, take};
+use super::super::aids::{Aid, AidLook, AidMoment, AssumedAir, Taken, take};
 use super::super::engine::{MeasurementModel, frame_noise, map_error};
 use super::super::expected::AppearanceModel;
 use super::super::observation::{GaussianState, Observation};
@@ -50,10 +50,13 @@ impl Navigator {
             }
             _ => None,
         };
+        let input = self.inputs.between(&flight, self.time, self.time);
+        let (vehicle, cruise) = (self.settings.vehicle, self.settings.process.cruise);
         let moment = AidMoment {
             flight: &flight,
             from,
             until: self.time,
+            air: AssumedAir::of(&input, vehicle, cruise),
             look,
         };
         let observed = |aid: &mut Box<dyn Aid>| {
@@ -72,7 +75,6 @@ impl Navigator {
         if let Some(landmarks) = landmarks {
             shared.note(landmarks);
         }
-        let input = self.inputs.between(&flight, self.time, self.time);
         let onlooker = camera.as_ref().map(|camera| Onlooker {
             flight: &flight,
             inputs: &self.inputs,
