@@ -10,7 +10,7 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_core::mission::package::{read_package, write_package};
 use pilotage_core::mission::{Mission, write_mission};
 use pilotage_core::roads::files::write_roads;
-use pilotage_core::roads::{AplsGraph, AplsSettings, RoadClass, apls};
+use pilotage_core::roads::{AplsGraph, AplsSettings, RoadClass, RoadLine, apls, without_known};
 
 use crate::CommandResult;
 use crate::files::write_whole;
@@ -172,7 +172,10 @@ fn import(name: &str, path: &PathBuf, least: RoadClass, replace: bool) -> Comman
     };
     let kept = mission.roads.len();
     let taken = lines.into_iter().filter(|line| line.class >= least);
-    mission.roads.extend(taken);
+    let taken: Vec<RoadLine> = taken.collect();
+    let read = taken.len();
+    let new = without_known(&mission.roads, taken);
+    mission.roads.extend(new);
     let (count, added) = (mission.roads.len(), mission.roads.len() - kept);
     // What was a zip stays one, with the map that is in it.
     let after = if before.starts_with(b"PK") {
@@ -185,8 +188,12 @@ fn import(name: &str, path: &PathBuf, least: RoadClass, replace: bool) -> Comman
         0 => String::new(),
         number => format!(" in place of {number}"),
     };
+    let known = match read - added {
+        0 => String::new(),
+        number => format!(", {number} left out that it has"),
+    };
     println!(
-        "{}: {added} roads added{beside}, {count} in all",
+        "{}: {added} roads added{beside}{known}, {count} in all",
         path.display()
     );
     Ok(())

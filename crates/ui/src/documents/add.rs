@@ -1,5 +1,7 @@
 //! Routes, landmarks, no-fly areas, rally points and roads of files, added to the mission.
 
+use pilotage_core::roads::without_known;
+
 use super::{Brought, Documents};
 
 /// Identities that added things have in the mission.
@@ -9,6 +11,8 @@ pub struct Added {
     pub routes: Vec<u32>,
     /// Landmarks, in order.
     pub landmarks: Vec<u32>,
+    /// Roads that were left out, because one with the same centre line was there.
+    pub known_roads: usize,
 }
 
 impl Documents {
@@ -30,7 +34,10 @@ impl Documents {
                 self.mission.landmarks.push(landmark);
             }
             self.mission.no_fly.extend(file.no_fly);
-            self.mission.roads.extend(file.roads);
+            let roads = file.roads.len();
+            let new = without_known(&self.mission.roads, file.roads);
+            added.known_roads += roads - new.len();
+            self.mission.roads.extend(new);
             for mut point in file.rally {
                 point.name = self.mission.free_rally_name(&point.name);
                 self.mission.rally.push(point);
@@ -74,5 +81,22 @@ mod tests {
         assert_eq!(names.collect::<Vec<_>>(), ["Rally 1", "Rally 2"]);
         assert_eq!(documents.undo(), Some(true));
         assert_eq!(documents.mission.content, before);
+    }
+    #[test]
+    fn a_road_that_is_there_is_not_added_again() {
+        let mut documents = Documents::new(&Session::demo());
+        let file = |east: [f64; 2]| Brought {
+            roads: vec![RoadLine {
+                course: east.map(|east| GroundPoint::new(0.0, east)).to_vec(),
+                ..RoadLine::default()
+            }],
+            ..Brought::default()
+        };
+        let before = documents.mission.roads.len();
+        let added = documents.add_all(vec![file([0.0, 50.0])]);
+        assert_eq!(added.known_roads, 0);
+        let added = documents.add_all(vec![file([50.0, 0.0]), file([0.0, 60.0])]);
+        assert_eq!(added.known_roads, 1);
+        assert_eq!(documents.mission.roads.len(), before + 2);
     }
 }

@@ -24,21 +24,12 @@ impl Planner {
         let rally: usize = files.iter().map(|f| f.rally.len()).sum();
         let roads: usize = files.iter().map(|f| f.roads.len()).sum();
         let adds_plan = routes + landmarks + no_fly + rally > 0;
-        let what = [
-            (routes, "route"),
-            (landmarks, "landmark"),
-            (no_fly, "no-fly area"),
-            (rally, "rally point"),
-            (roads, "road"),
-        ];
-        let what = what.into_iter().filter(|(count, _)| *count > 0);
-        let what: Vec<String> = what.map(|(count, one)| counted(count, one)).collect();
         let names: Vec<String> = files
             .iter()
             .map(|f| format!("{} ({})", f.name, f.format))
             .collect();
         let several = files.len() > 1;
-        let notes: Vec<String> = files
+        let mut notes: Vec<String> = files
             .iter()
             .flat_map(|f| {
                 let name = f.name.clone();
@@ -54,6 +45,20 @@ impl Planner {
             .collect();
         let documents = &mut *context.documents;
         let added = documents.add_all(files.into_iter().map(Brought::from).collect());
+        let roads = roads - added.known_roads;
+        if added.known_roads > 0 {
+            let known = counted(added.known_roads, "road");
+            notes.push(format!("{known} left out that the mission has"));
+        }
+        let what = [
+            (routes, "route"),
+            (landmarks, "landmark"),
+            (no_fly, "no-fly area"),
+            (rally, "rally point"),
+            (roads, "road"),
+        ];
+        let what = what.into_iter().filter(|(count, _)| *count > 0);
+        let what: Vec<String> = what.map(|(count, one)| counted(count, one)).collect();
         // Roads are seen in any workspace.
         if adds_plan {
             self.drawing = false;
@@ -71,7 +76,12 @@ impl Planner {
         if !added.landmarks.is_empty() || roads > 0 && context.documents.uses_roads() {
             context.run_is_stale();
         }
-        let title = format!("Added {} from {}", what.join(" and "), names.join(", "));
+        let what = if what.is_empty() {
+            "nothing".to_owned()
+        } else {
+            what.join(" and ")
+        };
+        let title = format!("Added {what} from {}", names.join(", "));
         context.note(&title, sentences(&notes));
     }
 }

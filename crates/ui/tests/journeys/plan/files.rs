@@ -78,22 +78,45 @@ fn an_opened_plan_is_added_to_the_mission_with_a_word_on_what_is_not_understood(
     assert_eq!(landmarks(&rig), before, "one step back takes all of it");
 }
 
+/// Two roads, 60 m from each other.
+fn town() -> ImportedFile {
+    let road = |north: f64| RoadLine {
+        width: 6.0,
+        course: [-200.0, 200.0]
+            .map(|east| GroundPoint::new(north, east))
+            .to_vec(),
+        ..RoadLine::default()
+    };
+    ImportedFile {
+        name: "town.osm".into(),
+        format: "OpenStreetMap".into(),
+        roads: vec![road(0.0), road(60.0)],
+        notes: vec!["By class: 2 residential".into()],
+        ..ImportedFile::default()
+    }
+}
+
+#[test]
+fn roads_that_are_opened_again_are_left_out_and_that_is_said() {
+    let mut rig = planning();
+    for title in ["Added 2 roads from town.osm", "Added nothing from town.osm"] {
+        opened(&mut rig, town());
+        let state = rig.state();
+        assert_eq!(state["roads"]["count"], 2);
+        let toast = state["toasts"].as_array().and_then(|t| t.last()).cloned();
+        let toast = toast.expect("a word on it");
+        let text = format!("{} {}", toast["title"], toast["text"]);
+        assert!(text.contains(title), "{text}");
+        let is_again = title.contains("nothing");
+        let is_said = text.contains("2 roads left out that the mission has");
+        assert_eq!(is_said, is_again, "{text}");
+    }
+}
+
 #[test]
 fn opened_roads_are_added_with_a_word_on_their_classes_and_leave_people_where_they_are() {
     let mut rig = rig();
-    let course = vec![GroundPoint::new(0.0, -200.0), GroundPoint::new(0.0, 200.0)];
-    let road = RoadLine {
-        width: 6.0,
-        course,
-        ..RoadLine::default()
-    };
-    let file = ImportedFile {
-        name: "town.osm".into(),
-        format: "OpenStreetMap".into(),
-        roads: vec![road; 2],
-        notes: vec!["By class: 2 residential".into()],
-        ..ImportedFile::default()
-    };
+    let file = town();
     rig.harness.get_by_label("Legend").click();
     rig.frames(3);
     assert!(rig.harness.query_by_label("Roads").is_none());
