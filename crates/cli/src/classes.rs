@@ -137,10 +137,13 @@ fn train(arguments: &Train) -> CommandResult {
             examples.add(&tile);
         }
     } else {
+        if arguments.tiles == 0 {
+            return Err("--tiles 0: there is nothing to learn from; say one or more".into());
+        }
         let first = LEARNED * arguments.seed;
         for number in 0..arguments.countries * DAYS {
             let country = GeneratedTiles::of(first + number / DAYS, first + number);
-            for tile in country.take(arguments.tiles / DAYS as usize) {
+            for tile in country.take(tiles_of_day(arguments.tiles, number % DAYS)) {
                 examples.add(&tile);
             }
             eprintln!("country {} of {}", number / DAYS + 1, arguments.countries);
@@ -210,6 +213,11 @@ fn pairs(arguments: &Pairs) -> CommandResult {
     Ok(())
 }
 
+/// Tiles of one day of a country, of `tiles` of all its days: the first days have what cannot be shared evenly.
+fn tiles_of_day(tiles: usize, day: u64) -> usize {
+    (tiles + (DAYS - 1 - day) as usize) / DAYS as usize
+}
+
 /// The network of a file of weights, or that of the program.
 fn network(weights: Option<&Path>) -> Result<CoverNetwork, Box<dyn std::error::Error>> {
     let Some(path) = weights else {
@@ -250,4 +258,18 @@ fn labelled_tiles(folder: &Path) -> Result<Vec<LabelledTile>, Box<dyn std::error
         );
     }
     Ok(tiles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_tile_that_was_asked_for_is_of_some_day() {
+        for tiles in 1..=25 {
+            let days = (0..DAYS).map(|day| tiles_of_day(tiles, day));
+            assert_eq!(days.sum::<usize>(), tiles);
+        }
+        assert_eq!([0, 1].map(|day| tiles_of_day(5, day)), [3, 2]);
+    }
 }
