@@ -20,7 +20,7 @@ const CODE: u8 = 10;
 /// Functions that a program never calls.
 #[derive(Debug)]
 struct Group {
-    /// What their names begin with, and behind a `*` what they have later.
+    /// Beginnings of their names, and behind a `*` what the names have later.
     begins: Vec<String>,
 }
 
