@@ -87,18 +87,17 @@ impl PhotoSearch {
         let place = self.place(photo, world, assumed)?;
         let (height, height_within) = self.height(&told, assumed);
         let pitch = self.ahead.unwrap_or(told.pitch);
-        let (position, within, anywhere_on) = match place {
-            Some(place) => (place, self.within, None),
-            None => {
-                let (width, length) = (ground.width(), ground.height());
-                assumed.push(format!(
-                    "place anywhere on {width:.0} by {length:.0} m of the map"
-                ));
-                // Who looks ahead is not over what is seen.
-                let ground = ground.grown(height * pitch.abs().min(FARTHEST_AHEAD).tan());
-                let reach = 0.5 * ground.width().max(ground.height());
-                (ground.center(), reach, Some(ground))
-            }
+        let (position, within, anywhere_on) = if let Some(place) = place {
+            (place, self.within, None)
+        } else {
+            let (width, length) = (ground.width(), ground.height());
+            assumed.push(format!(
+                "place anywhere on {width:.0} by {length:.0} m of the map"
+            ));
+            // Who looks ahead is not over what is seen.
+            let ground = ground.grown(height * pitch.abs().min(FARTHEST_AHEAD).tan());
+            let reach = 0.5 * ground.width().max(ground.height());
+            (ground.center(), reach, Some(ground))
         };
         Ok(PosePrior {
             position,
