@@ -49,14 +49,16 @@ pub fn without(
 ) -> Result<Vec<u8>, String> {
     let groups = groups(list, package)?;
     let functions = Functions::of(module)?;
+    // Telling their names takes longer than looking for them.
+    let own: Vec<_> = functions.own().collect();
     let mut taken = Vec::new();
     let mut missing = Vec::new();
     for group in &groups {
         let mut unfound: BTreeSet<&str> = group.begins.iter().map(String::as_str).collect();
-        for (name, body) in functions.own() {
-            if let Some(begin) = group.begin_of(&name) {
+        for (name, body) in &own {
+            if let Some(begin) = group.begin_of(name) {
                 unfound.remove(begin);
-                taken.push(body);
+                taken.push(body.clone());
             }
         }
         if is_shipped || unfound.len() == group.begins.len() {
