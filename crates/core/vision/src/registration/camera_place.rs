@@ -74,44 +74,31 @@ impl PoseFit {
 #[cfg(test)]
 mod tests {
     use nalgebra::{Point3, Vector2};
-    use pilotage_base::frames::{Attitude, GroundPoint};
+    use pilotage_base::frames::Attitude;
     use pilotage_raster::camera::CameraModel;
-    use pilotage_raster::imagery::Blank;
-    use pilotage_raster::raster::{Gray, Pyramid};
 
     use super::super::prior::HeadingPrior;
+    use super::super::prior_for_tests::{GreyFrame, usual_prior};
     use super::super::shape::MapShape;
     use super::*;
 
     /// Prior of a camera 120 m up with this roll and pitch.
     fn prior(roll: f64, pitch: f64) -> PosePrior {
         PosePrior {
-            position: GroundPoint::new(0.0, 0.0),
-            position_deviation: 10.0,
-            anywhere_on: None,
             height: 120.0,
-            log_height_deviation: 0.05,
             heading: HeadingPrior::Unknown,
             roll,
             pitch,
             tilt_deviation: 0.08,
-            slope_deviation: 0.05,
-            shape: MapShape::default(),
             shape_deviation: 0.01,
-            map_deviation: 0.0,
+            ..usual_prior()
         }
     }
 
     #[test]
     fn a_camera_moves_with_the_tilt_that_was_assumed_as_far_as_the_picture_did_not_tell_it() {
-        let camera = CameraModel::pinhole(400, 300, 1.0);
-        let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
-        let look = FrameLook {
-            camera: &camera,
-            ground_down: 0.0,
-            luminance: &luminance,
-            map: &Blank,
-        };
+        let frame = GreyFrame::new(CameraModel::pinhole(400, 300, 1.0));
+        let look = frame.look();
         let at = MapPose {
             pose: Pose {
                 position_in_world: Point3::new(5.0, -7.0, -120.0),

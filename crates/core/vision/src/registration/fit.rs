@@ -227,24 +227,16 @@ pub(super) fn fit(
 mod tests {
     use nalgebra::Point3;
 
-    use super::super::prior::{HeadingPrior, StoredTurn};
+    use super::super::prior_for_tests::{GreyFrame, around, usual_prior};
     use super::super::shape::MapShape;
     use super::*;
     use pilotage_base::frames::{Attitude, Pose};
     use pilotage_raster::camera::CameraModel;
-    use pilotage_raster::imagery::Blank;
-    use pilotage_raster::raster::{Gray, Pyramid};
 
     #[test]
     fn a_height_and_a_heading_without_doubt_are_held_whatever_the_matches_say() {
-        let camera = CameraModel::pinhole(400, 300, 1.0);
-        let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
-        let look = FrameLook {
-            camera: &camera,
-            ground_down: 0.0,
-            luminance: &luminance,
-            map: &Blank,
-        };
+        let frame = GreyFrame::new(CameraModel::pinhole(400, 300, 1.0));
+        let look = frame.look();
         // The matches were seen from 100 m with heading 0.4.
         let truth = MapPose {
             pose: Pose {
@@ -268,23 +260,10 @@ mod tests {
             .collect();
         let told = |log_height_deviation, deviation| {
             let prior = PosePrior {
-                position: GroundPoint::new(0.0, 0.0),
-                position_deviation: 10.0,
-                anywhere_on: None,
                 height: 103.0,
                 log_height_deviation,
-                heading: HeadingPrior::Around {
-                    heading: 0.41,
-                    deviation,
-                    stored: StoredTurn::None,
-                },
-                roll: 0.0,
-                pitch: 0.0,
-                tilt_deviation: 0.05,
-                slope_deviation: 0.05,
-                shape: MapShape::default(),
-                shape_deviation: 0.02,
-                map_deviation: 0.0,
+                heading: around(0.41, deviation),
+                ..usual_prior()
             };
             let pose = fit(&look, &truth, &matches, &prior, 30.0).unwrap().at.pose;
             (-pose.position_in_world.z, pose.attitude.yaw)

@@ -190,33 +190,17 @@ pub(super) fn area(
 #[cfg(test)]
 mod tests {
     use super::super::evidence::Evidence;
-    use super::super::prior::{HeadingPrior, StoredTurn};
-    use super::super::shape::MapShape;
+    use super::super::prior_for_tests::{GreyFrame, around, usual_prior};
     use super::*;
     use pilotage_raster::camera::CameraModel;
-    use pilotage_raster::imagery::Blank;
-    use pilotage_raster::raster::{Gray, Pyramid};
 
     /// A prior with standard deviations of the height's logarithm and of the heading, radians.
     fn prior(log_height_deviation: f64, deviation: f64) -> PosePrior {
         PosePrior {
-            position: GroundPoint::new(0.0, 0.0),
-            position_deviation: 10.0,
-            anywhere_on: None,
             height: 103.0,
             log_height_deviation,
-            heading: HeadingPrior::Around {
-                heading: 0.4,
-                deviation,
-                stored: StoredTurn::None,
-            },
-            roll: 0.0,
-            pitch: 0.0,
-            tilt_deviation: 0.05,
-            slope_deviation: 0.05,
-            shape: MapShape::default(),
-            shape_deviation: 0.02,
-            map_deviation: 0.0,
+            heading: around(0.4, deviation),
+            ..usual_prior()
         }
     }
 
@@ -231,14 +215,8 @@ mod tests {
 
     #[test]
     fn a_finer_grid_sums_a_prior_to_as_much_as_the_coarse_one_however_sharp_it_is() {
-        let camera = CameraModel::pinhole(64, 48, 1.0);
-        let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
-        let look = FrameLook {
-            camera: &camera,
-            ground_down: 0.0,
-            luminance: &luminance,
-            map: &Blank,
-        };
+        let frame = GreyFrame::new(CameraModel::pinhole(64, 48, 1.0));
+        let look = frame.look();
         let grid = SweepGrid::full();
         for (of_height, of_heading) in [(0.0, 0.0), (0.0, 0.05), (0.004, 0.002), (0.03, 0.04)] {
             let prior = prior(of_height, of_heading);

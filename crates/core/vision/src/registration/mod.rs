@@ -29,6 +29,8 @@ mod look;
 mod overlay;
 mod patches;
 mod prior;
+#[cfg(test)]
+mod prior_for_tests;
 mod register;
 mod shape;
 mod summit;

@@ -2,13 +2,11 @@
 
 use nalgebra::Point3;
 
-use super::super::prior::HeadingPrior;
+use super::super::prior_for_tests::{GreyFrame, usual_prior};
 use super::super::shape::MapShape;
 use super::*;
 use pilotage_base::frames::{Attitude, GroundRect, Pose};
 use pilotage_raster::camera::CameraModel;
-use pilotage_raster::imagery::Blank;
-use pilotage_raster::raster::Pyramid;
 
 /// Samples to each side of the middle of a surface.
 const MIDDLE: usize = 20;
@@ -17,23 +15,10 @@ const SIDE: usize = 2 * MIDDLE + 1;
 /// A prior of a place as uncertain as this, metres, with a told height and heading.
 fn prior(position_deviation: f64) -> PosePrior {
     PosePrior {
-        position: GroundPoint::new(0.0, 0.0),
         position_deviation,
-        anywhere_on: None,
-        height: 100.0,
-        log_height_deviation: 0.05,
-        heading: HeadingPrior::Around {
-            heading: 0.0,
-            deviation: 0.05,
-            stored: super::super::prior::StoredTurn::None,
-        },
-        roll: 0.0,
-        pitch: 0.0,
         tilt_deviation: 0.02,
         slope_deviation: 0.02,
-        shape: MapShape::default(),
-        shape_deviation: 0.02,
-        map_deviation: 0.0,
+        ..usual_prior()
     }
 }
 
@@ -91,15 +76,8 @@ fn begun(prior: &PosePrior) -> WeighedPoses {
 
 /// The probability of the likeliest guess.
 fn likeliest(mut weighed: WeighedPoses) -> f64 {
-    let camera = CameraModel::pinhole(64, 48, 1.0);
-    let luminance = Pyramid::new(Gray::filled(4, 4, 0.5), 1);
-    let look = FrameLook {
-        camera: &camera,
-        ground_down: 0.0,
-        luminance: &luminance,
-        map: &Blank,
-    };
-    weighed.guesses(&[look], 1)[0].probability
+    let frame = GreyFrame::new(CameraModel::pinhole(64, 48, 1.0));
+    weighed.guesses(&[frame.look()], 1)[0].probability
 }
 
 #[test]
