@@ -1,4 +1,4 @@
-//! Looks for tests: what an engine believes of a level camera that faces north, without anything in its picture.
+//! Looks for tests: what an engine believes of a camera, as a rule level and facing north, without anything in its picture.
 
 use nalgebra::{DMatrix, Matrix3, Vector3, dvector};
 
@@ -11,14 +11,17 @@ use pilotage_mission::settings::{NavigatorSettings, SensorNoise};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::Picture;
 
-/// Height of the camera above the ground, metres.
+/// Usual height of the camera above the ground, metres.
 pub const HEIGHT: f64 = 300.0;
 
-/// Camera, picture and settings of looks.
+/// Camera, how it is held, picture and settings of looks.
 pub struct TestLooks {
     pub settings: NavigatorSettings,
-    camera: CameraModel,
-    picture: Picture,
+    pub camera: CameraModel,
+    pub attitude: Attitude,
+    /// Above the ground, metres.
+    pub height: f64,
+    pub picture: Picture,
 }
 
 impl Default for TestLooks {
@@ -26,6 +29,8 @@ impl Default for TestLooks {
         Self {
             settings: NavigatorSettings::default(),
             camera: CameraModel::pinhole(64, 48, 2.0),
+            attitude: Attitude::level(0.0),
+            height: HEIGHT,
             picture: Picture::from_fn(64, 48, |_, _| [90; 3]),
         }
     }
@@ -48,8 +53,8 @@ impl TestLooks {
             .expect("a belief");
         let model = AppearanceModel {
             camera: &self.camera,
-            attitude: Attitude::level(0.0),
-            camera_down: -HEIGHT,
+            attitude: self.attitude,
+            camera_down: -self.height,
             ground_down: 0.0,
         };
         let mean = Vector3::from_column_slice(belief.mean.as_slice());

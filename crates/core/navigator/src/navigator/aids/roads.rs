@@ -250,18 +250,16 @@ mod tests {
     use std::sync::Arc;
 
     use super::super::super::engine::engine;
-    use super::super::super::expected::AppearanceModel;
-    use super::super::super::observation::GaussianState;
     use super::super::super::{KnownGround, NavigatorError};
+    use super::super::look_for_tests::TestLooks;
     use super::super::take;
     use super::*;
-    use nalgebra::{Matrix3, Vector2};
+    use nalgebra::Vector2;
     use pilotage_base::frames::{Attitude, GroundPoint};
     use pilotage_estimation::filter::Gate;
     use pilotage_mission::settings::{ChosenAid, NavigatorSettings, SensorNoise};
     use pilotage_raster::camera::CameraModel;
     use pilotage_raster::imagery::Blank;
-    use pilotage_raster::raster::Picture;
     use pilotage_roads::RoadLine;
 
     /// A road to the north-east through the origin.
@@ -296,58 +294,32 @@ mod tests {
     /// Corrections by `looks` looks at the road from 100 m, from a belief 20 m north of the truth, which is the origin:
     /// variances of the place along and across the road before and after, and the error across after.
     fn corrected(of_map: f64, looks: usize) -> ([f64; 2], [f64; 2], f64) {
-        let settings = settings(of_map);
+        let looks_at_road = TestLooks {
+            settings: settings(of_map),
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            attitude: Attitude::level(0.8),
+            height: 100.0,
+            ..TestLooks::default()
+        };
         let believed = GroundPoint::new(20.0, 0.0);
-        let mut engine = engine(&settings, believed, 15.0).unwrap();
+        let mut engine = engine(&looks_at_road.settings, believed, 15.0).unwrap();
         let (along, across) = (Vector2::new(0.5, 0.5), Vector2::new(-0.5, 0.5));
         let variances = |covariance: nalgebra::Matrix2<f64>| {
             [along, across].map(|axis| 2.0 * axis.dot(&(covariance * axis)))
         };
         let before = variances(engine.state().position_covariance());
-        let camera = CameraModel::pinhole(64, 48, 1.0);
-        let picture = Picture::from_fn(64, 48, |_, _| [90; 3]);
         let aid = aid(of_map);
         for _ in 0..looks {
-            let of_place = |seen: &pilotage_estimation::vehicle::Kinematics| {
-                let bias = seen.heading_bias.unwrap_or(0.0);
-                Some(nalgebra::dvector![
-                    seen.on_map.north,
-                    seen.on_map.east,
-                    bias
-                ])
+            let mut look = looks_at_road.look(engine.as_ref());
+            look.noise = SensorNoise {
+                roll: 0.002,
+                pitch: 0.002,
+                yaw: 0.002,
+                height: 0.5,
+                ..look.noise
             };
-            let place = MeasurementModel::of_pose(of_place);
-            let belief = engine
-                .expect(&place, &(1e-12 * DMatrix::identity(3, 3)))
-                .unwrap();
-            let model = AppearanceModel {
-                camera: &camera,
-                attitude: Attitude::level(0.8),
-                camera_down: -100.0,
-                ground_down: 0.0,
-            };
-            let mean = Vector3::from_column_slice(belief.mean.as_slice());
-            let look = AidLook {
-                picture: &picture,
-                pose: model.pose(GroundPoint::new(mean.x, mean.y), mean.z),
-                model,
-                belief: GaussianState {
-                    mean,
-                    covariance: Matrix3::from_column_slice(belief.covariance.as_slice()),
-                },
-                noise: SensorNoise {
-                    roll: 0.002,
-                    pitch: 0.002,
-                    yaw: 0.002,
-                    height: 0.5,
-                    pixel: 0.0,
-                    ground: 0.0,
-                    tilt_bias: 0.0,
-                    yaw_bias: 0.0,
-                    height_bias: 0.0,
-                },
-                map_deviation: of_map,
-            };
+            assert_eq!(look.map_deviation, of_map);
+            let mean = look.belief.mean;
             // Points of the road below the true place, as they lie below the believed one.
             let seen = (-15..=15).map(|i| RoadSighting {
                 place: GroundPoint::new(mean.x + 4.0 * f64::from(i), mean.y + 4.0 * f64::from(i)),
