@@ -98,10 +98,29 @@ mod tests {
 
     use super::super::{flight_of_tables, guess_table};
     use super::*;
+    use crate::folder::FlightFolder;
+
+    /// The flight of `rows` rows of a table with the header `names`: each a picture, five seconds after the row before and
+    /// 1e-4 degrees north of it at longitude 8, with the other cells that `rest` says of it.
+    fn flight_of(names: &str, rows: i32, rest: impl Fn(i32) -> String) -> FlightFolder {
+        let picture = encode_png(&Picture::filled(8, 6, [7; 3])).expect("a small picture");
+        let mut table = format!("{names}\n");
+        let mut files = MemoryFiles::default();
+        for i in 0..rows {
+            let latitude = 47.0 + 1e-4 * f64::from(i);
+            let (time, rest) = (5 * i, rest(i));
+            writeln!(table, "p{i}.png,{time},{latitude:.6},8.0,{rest}").expect("it is a text");
+            files.0.insert(format!("p{i}.png"), picture.clone());
+        }
+        let bytes = table.into_bytes();
+        files.0.insert("t.csv".to_owned(), bytes.clone());
+        let files: Arc<dyn FileSet> = Arc::new(files);
+        let maps = [guess_table("t.csv", &bytes).expect("a table")];
+        flight_of_tables(&files, &maps).expect("a flight")
+    }
 
     #[test]
     fn a_camera_turns_with_the_aircraft_unless_its_table_names_angles_of_the_flight() {
-        let picture = encode_png(&Picture::filled(8, 6, [7; 3])).unwrap();
         for (heading, roll, pitch, (has_tilt, is_known)) in [
             ("heading_deg", "roll_deg", "pitch_deg", (true, false)),
             (
@@ -123,24 +142,11 @@ mod tests {
                 (true, true),
             ),
         ] {
-            let mut table = format!("file,time_s,lat,lon,height_agl_m,{heading},{roll},{pitch}\n");
-            let mut files = MemoryFiles::default();
-            for i in 0..8 {
-                let latitude = 47.0 + 1e-4 * f64::from(i);
+            let names = format!("file,time_s,lat,lon,height_agl_m,{heading},{roll},{pitch}");
+            let folder = flight_of(&names, 8, |i| {
                 let (roll, pitch) = (3.5 + f64::from(i % 3), -4.5 + f64::from(i % 2));
-                let time = 5 * i;
-                writeln!(
-                    table,
-                    "p{i}.png,{time},{latitude:.6},8.0,120,1.{i},{roll},{pitch}"
-                )
-                .unwrap();
-                files.0.insert(format!("p{i}.png"), picture.clone());
-            }
-            let bytes = table.into_bytes();
-            files.0.insert("t.csv".to_owned(), bytes.clone());
-            let files: Arc<dyn FileSet> = Arc::new(files);
-            let maps = [guess_table("t.csv", &bytes).unwrap()];
-            let folder = flight_of_tables(&files, &maps).unwrap();
+                format!("120,1.{i},{roll},{pitch}")
+            });
             let flight = &folder.flight;
             for name in [ChannelName::Roll, ChannelName::Pitch] {
                 assert_eq!(flight.channel(name).is_some(), has_tilt, "{roll}: {name:?}");
@@ -193,7 +199,6 @@ mod tests {
 
     #[test]
     fn a_gimbal_counts_from_the_horizon_and_rolls_about_its_view() {
-        let picture = encode_png(&Picture::filled(8, 6, [7; 3])).unwrap();
         // Few rows tell no units, many do; tenths of degrees, as aircraft write them, and radians.
         for (rows, unit, degree) in [
             (6, "deg", 1.0),
@@ -207,25 +212,10 @@ mod tests {
                 ([0.0, -60.0, 30.0], 30.0, 30.0),
             ] {
                 let [roll, tilt, yaw] = gimbal.map(|angle| angle * degree);
-                let mut table = format!(
-                    "file,time_s,lat,lon,rel_alt_m,gimbal_yaw_{unit},gimbal_pitch_{unit},gimbal_roll_{unit}\n"
+                let names = format!(
+                    "file,time_s,lat,lon,rel_alt_m,gimbal_yaw_{unit},gimbal_pitch_{unit},gimbal_roll_{unit}"
                 );
-                let mut files = MemoryFiles::default();
-                for i in 0..rows {
-                    let latitude = 47.0 + 1e-4 * f64::from(i);
-                    let time = 5 * i;
-                    writeln!(
-                        table,
-                        "p{i}.png,{time},{latitude:.6},8.0,100,{yaw},{tilt},{roll}"
-                    )
-                    .unwrap();
-                    files.0.insert(format!("p{i}.png"), picture.clone());
-                }
-                let bytes = table.into_bytes();
-                files.0.insert("t.csv".to_owned(), bytes.clone());
-                let files: Arc<dyn FileSet> = Arc::new(files);
-                let maps = [guess_table("t.csv", &bytes).unwrap()];
-                let folder = flight_of_tables(&files, &maps).unwrap();
+                let folder = flight_of(&names, rows, |_| format!("100,{yaw},{tilt},{roll}"));
                 let last = |name| folder.flight.channel(name).unwrap().values.last().copied();
                 let near = |name, expected: f64| {
                     let found = last(name).unwrap().to_degrees();
