@@ -136,10 +136,10 @@ fn is_local(text: &str) -> bool {
 
 /// The system that the text of a side file names.
 fn system_named(file: String, text: &str) -> Result<Option<ReferenceSystem>, MapFileError> {
-    match systems::by_name(text) {
-        Ok(system) => Ok(Some(system)),
-        Err(cause) => Err(MapFileError::System { file, cause }),
-    }
+    let system = systems::by_name(text);
+    system
+        .map(Some)
+        .map_err(|cause| MapFileError::System { file, cause })
 }
 
 /// Files beside a picture.

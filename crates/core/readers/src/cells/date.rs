@@ -213,7 +213,8 @@ pub(crate) fn readings(text: &str) -> Option<[String; 2]> {
         return None;
     };
     let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
-    let is_half = time.to_lowercase().ends_with('m') || time.to_lowercase().ends_with("m.");
+    let end = time.to_lowercase();
+    let is_half = end.ends_with('m') || end.ends_with("m.");
     let year = year_of(year, separator, is_half)?;
     let is_either = a != b && (1..=12).contains(&a) && (1..=12).contains(&b);
     date_and_time(text).filter(|_| is_either)?;
