@@ -103,7 +103,7 @@ impl GeoreferencerFeature {
         };
         let title = format!(
             "Read {} from {}",
-            counted(read.points.len(), "point"),
+            counted(read.points.len(), "point", "points"),
             read.file
         );
         let mut text = read.notes;

@@ -142,8 +142,8 @@ pub(super) fn add_labels(file: &str, found: FoundLabels, context: &mut FeatureCo
     let boxes: usize = frames.iter().map(|f| f.boxes.len()).sum();
     let title = format!(
         "Added {} in {} from {file}",
-        counted(boxes, "label"),
-        counted(frames.len(), "picture")
+        counted(boxes, "label", "labels"),
+        counted(frames.len(), "picture", "pictures")
     );
     documents.mission.remember();
     documents.mission.add_labels(frames);

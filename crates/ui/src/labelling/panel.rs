@@ -109,7 +109,7 @@ impl Labeller {
             let name = landmark.name.as_str();
             let text = format!(
                 "{name}: {}, {without} without. {said}",
-                counted(boxes, "box")
+                counted(boxes, "box", "boxes")
             );
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_chosen, &text));
             let painter = ui.painter_at(rect);

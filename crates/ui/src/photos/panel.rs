@@ -8,7 +8,7 @@ use super::state::PhotosState;
 use super::{chosen, list, search};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{at_work, heading, muted, text_button, title};
+use crate::shell::{at_work, counted, heading, muted, text_button, title};
 
 /// Draws the sheet.
 pub(super) fn photos_sheet(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
@@ -84,8 +84,7 @@ fn summary(photos: &PhotosState) -> String {
     let (laid, known) = photos.counts();
     let all = photos.reports.len();
     let words = match (known, photos.searched) {
-        (_, None) if all == 1 => "1 photo".to_owned(),
-        (_, None) => format!("{all} photos"),
+        (_, None) => counted(all, "photo", "photos"),
         (known, _) if known == all => format!("{laid} of {all} laid"),
         _ => format!(
             "{laid} laid, {} refused, {} to come",

@@ -47,18 +47,19 @@ impl Planner {
         let added = documents.add_all(files.into_iter().map(Brought::from).collect());
         let roads = roads - added.known_roads;
         if added.known_roads > 0 {
-            let known = counted(added.known_roads, "road");
+            let known = counted(added.known_roads, "road", "roads");
             notes.push(format!("{known} left out that the mission has"));
         }
         let what = [
-            (routes, "route"),
-            (landmarks, "landmark"),
-            (no_fly, "no-fly area"),
-            (rally, "rally point"),
-            (roads, "road"),
+            (routes, "route", "routes"),
+            (landmarks, "landmark", "landmarks"),
+            (no_fly, "no-fly area", "no-fly areas"),
+            (rally, "rally point", "rally points"),
+            (roads, "road", "roads"),
         ];
-        let what = what.into_iter().filter(|(count, _)| *count > 0);
-        let what: Vec<String> = what.map(|(count, one)| counted(count, one)).collect();
+        let what = what.into_iter().filter(|(count, ..)| *count > 0);
+        let what = what.map(|(count, one, several)| counted(count, one, several));
+        let what: Vec<String> = what.collect();
         // Roads are seen in any workspace.
         if adds_plan {
             self.drawing = false;

@@ -140,7 +140,7 @@ impl Planner {
         let mut parts = vec![format!(
             "{}: {}.",
             route.name,
-            counted(route.way_points.len(), "way-point")
+            counted(route.way_points.len(), "way-point", "way-points")
         )];
         let shown = self.forecast.shown();
         if let Some(outlook) = shown.and_then(|s| PredictionFigures::of(&s.prediction)) {

@@ -2,18 +2,14 @@
 
 use std::fmt::Write as _;
 
-use pilotage_core::text::capitalised;
+use pilotage_core::text::{by_count, capitalised};
 
 /// Most notes that are shown of a file; the others are counted.
 const MOST_NOTES: usize = 6;
 
-/// A number of things in words: `1 box`, `2 boxes`; `one` is one of them.
-pub fn counted(count: usize, one: &str) -> String {
-    match count {
-        1 => format!("1 {one}"),
-        _ if one.ends_with('x') => format!("{count} {one}es"),
-        _ => format!("{count} {one}s"),
-    }
+/// A number of things in words: `1 box`, `2 boxes`.
+pub fn counted(count: usize, one: &str, several: &str) -> String {
+    format!("{count} {}", by_count(count, one, several))
 }
 
 /// Notes as sentences.
@@ -53,13 +49,13 @@ mod tests {
     #[test]
     fn one_thing_is_no_plural() {
         let said = [
-            (0, "box"),
-            (1, "box"),
-            (2, "box"),
-            (1, "way-point"),
-            (3, "way-point"),
+            (0, "box", "boxes"),
+            (1, "box", "boxes"),
+            (2, "box", "boxes"),
+            (1, "way-point", "way-points"),
+            (3, "way-point", "way-points"),
         ];
-        let said = said.map(|(count, one)| counted(count, one));
+        let said = said.map(|(count, one, several)| counted(count, one, several));
         assert_eq!(
             said,
             ["0 boxes", "1 box", "2 boxes", "1 way-point", "3 way-points"]
