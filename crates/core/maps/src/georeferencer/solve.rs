@@ -1,14 +1,18 @@
 //! Least squares for the transforms.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Point2, SMatrix, SVector, Vector2};
+use nalgebra::{Matrix3, Point2, SMatrix, SVector, Vector2};
 
 use super::kind::TransformKind;
 
 /// A pixel and its place.
 type ControlPair = (Point2<f64>, Point2<f64>);
 
-/// Singular values below this part of the largest count as zero.
-const RANK: f64 = 1e-9;
+/// Most unknowns of a transform, its factor among them.
+const UNKNOWNS: usize = 9;
+/// A linear equation of the unknowns.
+type Equation = SVector<f64, UNKNOWNS>;
+/// Eigenvalues of a normal matrix below this part of the largest count as zero; they are squares.
+const RANK: f64 = 1e-13;
 /// Rounds of the projective fit; it settles in a few.
 const ROUNDS: usize = 50;
 
@@ -65,32 +69,56 @@ fn normalizer<'a>(points: impl Iterator<Item = &'a Point2<f64>> + Clone) -> Opti
 fn similarity(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
     let rows = pairs.iter().flat_map(|(pixel, place)| {
         [
-            ([pixel.x, pixel.y, 1.0, 0.0], place.x),
-            ([-pixel.y, pixel.x, 0.0, 1.0], place.y),
+            (equation(0, [pixel.x, pixel.y, 1.0, 0.0]), place.x),
+            (equation(0, [-pixel.y, pixel.x, 0.0, 1.0]), place.y),
         ]
     });
-    let [p, q, c, f] = least_squares(rows)?;
-    Some(Matrix3::new(p, q, c, q, -p, f, 0.0, 0.0, 1.0))
+    let s = least_squares(&rows.collect::<Vec<_>>(), 4)?;
+    Some(Matrix3::new(
+        s[0], s[1], s[2], s[1], -s[0], s[3], 0.0, 0.0, 1.0,
+    ))
 }
 
+/// x = a·column + b·row + c, y = d·column + e·row + f.
 fn affine(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
-    let row = |pixel: &Point2<f64>| [pixel.x, pixel.y, 1.0];
-    let [a, b, c] = least_squares(pairs.iter().map(|(pixel, place)| (row(pixel), place.x)))?;
-    let [d, e, f] = least_squares(pairs.iter().map(|(pixel, place)| (row(pixel), place.y)))?;
-    Some(Matrix3::new(a, b, c, d, e, f, 0.0, 0.0, 1.0))
+    let rows = pairs.iter().flat_map(|(pixel, place)| {
+        let row = [pixel.x, pixel.y, 1.0];
+        [(equation(0, row), place.x), (equation(3, row), place.y)]
+    });
+    let s = least_squares(&rows.collect::<Vec<_>>(), 6)?;
+    Some(Matrix3::new(
+        s[0], s[1], s[2], s[3], s[4], s[5], 0.0, 0.0, 1.0,
+    ))
 }
 
-/// Solves overdetermined linear equations; `None` if they leave something open.
-fn least_squares<const N: usize>(rows: impl Iterator<Item = ([f64; N], f64)>) -> Option<[f64; N]> {
-    let rows: Vec<_> = rows.collect();
-    let matrix = DMatrix::from_fn(rows.len(), N, |r, c| rows[r].0[c]);
-    let right = DVector::from_fn(rows.len(), |r, _| rows[r].1);
-    let svd = matrix.svd(true, true);
-    if svd.rank(RANK * svd.singular_values.max()) < N {
+/// `parts` of the unknowns from number `first` on.
+fn equation<const N: usize>(first: usize, parts: [f64; N]) -> Equation {
+    let mut equation = Equation::zeros();
+    for (i, part) in parts.into_iter().enumerate() {
+        equation[first + i] = part;
+    }
+    equation
+}
+
+/// Solves overdetermined linear equations of the first `unknowns`; `None` if they leave something open.
+fn least_squares(rows: &[(Equation, f64)], unknowns: usize) -> Option<Equation> {
+    let mut normal = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
+    let mut gradient = Equation::zeros();
+    for (row, value) in rows {
+        normal += row * row.transpose();
+        gradient += row * *value;
+    }
+    // What is not asked for is as well known as the others are in the mean, and zero.
+    let mean = normal.trace() / unknowns as f64;
+    for unasked in unknowns..UNKNOWNS {
+        normal[(unasked, unasked)] = mean;
+    }
+    let eigen = normal.symmetric_eigen();
+    if eigen.eigenvalues.min() <= RANK * eigen.eigenvalues.max() {
         return None;
     }
-    let solution = svd.solve(&right, 0.0).ok()?;
-    Some(std::array::from_fn(|i| solution[i]))
+    let along = eigen.eigenvectors.tr_mul(&gradient);
+    Some(eigen.eigenvectors * along.component_div(&eigen.eigenvalues))
 }
 
 /// Direct linear transform first, then Levenberg's and Marquardt's rounds on the distances.
@@ -127,24 +155,19 @@ fn projective(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
 /// The transform from the linear equations x·(g·column + h·row + 1) = a·column + b·row + c and those
 /// for y, as the eigenvector that they map nearest to zero.
 fn direct(pairs: &[ControlPair]) -> Option<Matrix3<f64>> {
-    let mut normal: SMatrix<f64, 9, 9> = SMatrix::zeros();
+    let mut normal = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
     for (pixel, place) in pairs {
-        let (u, v) = (pixel.x, pixel.y);
+        let parts = [pixel.x, pixel.y, 1.0];
         for (row, value) in [(0, place.x), (3, place.y)] {
-            let mut equation: SVector<f64, 9> = SVector::zeros();
-            for (i, part) in [u, v, 1.0].into_iter().enumerate() {
-                equation[row + i] = part;
-                equation[6 + i] = -value * part;
-            }
-            normal += equation * equation.transpose();
+            let row = equation(row, parts) + equation(6, parts.map(|part| -value * part));
+            normal += row * row.transpose();
         }
     }
     let eigen = normal.symmetric_eigen();
     let mut order: Vec<usize> = (0..9).collect();
     order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
-    // Two directions mapped to zero leave the transform open. The values are squares.
-    let largest = eigen.eigenvalues[order[8]];
-    if eigen.eigenvalues[order[1]] <= 1e-13 * largest {
+    // Two directions mapped to zero leave the transform open.
+    if eigen.eigenvalues[order[1]] <= RANK * eigen.eigenvalues[order[8]] {
         return None;
     }
     let h = eigen.eigenvectors.column(order[0]);
