@@ -62,6 +62,15 @@ mod tests {
         lookups.map(|lookup| number(table, lookup)).collect()
     }
 
+    /// Scripts that a `GSUB` or `GPOS` table is made for.
+    fn scripts(table: &[u8]) -> Vec<&str> {
+        let list = number(table, 4);
+        let entries = (0..number(table, list)).map(|index| list + 2 + 6 * index);
+        entries
+            .map(|entry| str::from_utf8(&table[entry..entry + 4]).expect("letters"))
+            .collect()
+    }
+
     /// The code for other fonts is taken out of the page (`xtask/never_called.toml`).
     #[test]
     fn letters_are_plain_outlines_of_true_type_with_kerning_of_pairs() {
@@ -73,7 +82,10 @@ mod tests {
             for (table, bytes) in tables((*font.font).as_ref()) {
                 assert!(plain.contains(&table), "{name} has {table}");
                 match table {
-                    "GSUB" => assert_eq!(kinds_of_lookups(bytes), [0; 0], "{name}"),
+                    "GSUB" => {
+                        assert_eq!(kinds_of_lookups(bytes), [0; 0], "{name}");
+                        assert_eq!(scripts(bytes), ["DFLT", "cyrl", "grek", "latn"], "{name}");
+                    }
                     "GPOS" => {
                         let kinds = kinds_of_lookups(bytes);
                         assert!(kinds.iter().all(|kind| *kind == 2), "{name}: {kinds:?}");
