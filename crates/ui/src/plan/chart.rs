@@ -1,7 +1,10 @@
 //! The prediction against distance: σ, corridor, limit; below, where which landmark is found.
 
+use std::sync::Arc;
+
 use egui::{
-    Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, Galley, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
 };
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{PredictionSample, RoutePrediction};
@@ -63,18 +66,21 @@ impl Chart {
         let (near, near_unit) = scene.units.length();
         let painter = ui.painter_at(outer);
         let width = outer.width() - LEFT - 8.0;
-        let per_metre = f64::from(width) / (last.distance * far).max(1e-6) * far;
-        let name_of = |blip: &Blip| {
+        let x =
+            |metres: f64| outer.left() + LEFT + (metres / last.distance.max(1e-6)) as f32 * width;
+        let beside = |blip: &Blip| {
             let landmark = scene.landmarks.get(blip.landmark);
-            landmark.map_or("", |l| l.name.as_str())
+            let name = landmark.map_or("", |l| l.name.as_str());
+            BlipWords::of(&painter, blip.best, name, tokens)
         };
-        let text_width = |blip: &Blip| {
-            let galley =
-                painter.layout_no_wrap(name_of(blip).to_owned(), tokens.small(), tokens.text);
-            galley.size().x
+        let bar = |blip: &Blip| {
+            let [left, right] = blip.samples.map(|sample| x(samples[sample].distance));
+            (left, right.max(left + 3.0))
         };
         let (blips, lanes) = blips(samples, |blip| {
-            samples[blip.samples[1]].distance + f64::from(text_width(blip) + 132.0) / per_metre
+            let (bar, words) = (bar(blip), beside(blip));
+            let start = words.start(bar, outer.right());
+            (start.min(bar.0), bar.1.max(start + words.width()) + 8.0)
         });
         let lanes = lanes.min(MOST_LANES);
         let below = BOTTOM + LANE * lanes as f32 + if lanes > 0 { 4.0 } else { 0.0 };
@@ -128,8 +134,8 @@ impl Chart {
         header(&painter, outer, scene, near, near_unit);
         for blip in blips.iter().filter(|b| b.lane < lanes) {
             let y = rect.bottom() + 6.0 + LANE * (blip.lane as f32 + 0.5);
-            let x = |d: f64| axes.screen_x(d * far);
-            paint_blip(&painter, samples, blip, name_of(blip), y, &x, tokens);
+            paint_blip(&painter, samples, blip, bar(blip), y, &x, tokens);
+            beside(blip).paint(&painter, bar(blip), y, tokens);
         }
         let words = format!(
             "Predicted uncertainty along {}: {}",
@@ -287,19 +293,17 @@ fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, uni
     }
 }
 
-/// A bar as high as the probability in each frame, with the landmark's name and the greatest of them, said as what it is:
-/// a share of the simulated flights. In tests of the landmark another share may be found: those look at it from other places.
+/// A bar as high as the probability in each frame.
 fn paint_blip(
     painter: &Painter,
     samples: &[PredictionSample],
     blip: &Blip,
-    name: &str,
+    (left, right): (f32, f32),
     y: f32,
     x: &impl Fn(f64) -> f32,
     tokens: &Tokens,
 ) {
     let [first, last] = blip.samples;
-    let (left, right) = (x(samples[first].distance), x(samples[last].distance));
     let base = y + 0.4 * LANE;
     let mut mesh = egui::epaint::Mesh::default();
     let color = tokens.observed;
@@ -320,21 +324,51 @@ fn paint_blip(
         mesh.add_triangle(begin, begin + 2, begin + 3);
     }
     painter.add(Shape::mesh(mesh));
-    let line = [pos2(left, base), pos2(right.max(left + 3.0), base)];
-    painter.line_segment(line, Stroke::new(1.0, color));
-    let font = tokens.small();
-    let name = painter.layout_no_wrap(name.to_owned(), font.clone(), tokens.text);
-    let text = format!("up to {:.0} % of flights", 100.0 * blip.best);
-    let best = painter.layout_no_wrap(text, font, tokens.muted);
-    let width = name.size().x + 5.0 + best.size().x;
-    let behind = right.max(left + 3.0) + 5.0;
-    // Before the bar where there is no room behind it.
-    let fits = behind + width <= painter.clip_rect().right();
-    let start = if fits { behind } else { left - 5.0 - width };
-    let top = y - 0.5 * name.size().y;
-    let then = pos2(start + name.size().x + 5.0, top);
-    painter.galley(pos2(start, top), name, tokens.text);
-    painter.galley(then, best, tokens.muted);
+    painter.hline(left..=right, base, Stroke::new(1.0, color));
+}
+
+/// Words beside the bar of a landmark that is in view: its name and the greatest probability, said as what it is, a share
+/// of the simulated flights. In tests of the landmark another share may be found: those look at it from other places.
+struct BlipWords {
+    name: Arc<Galley>,
+    best: Arc<Galley>,
+}
+
+impl BlipWords {
+    /// Points between the bar, the name and what is said of it.
+    const GAP: f32 = 5.0;
+
+    /// Of a landmark called `name` that is found in `best` of flights at the most.
+    fn of(painter: &Painter, best: f64, name: &str, tokens: &Tokens) -> Self {
+        let lay = |text: String, color| painter.layout_no_wrap(text, tokens.small(), color);
+        let best = format!("up to {:.0} % of flights", 100.0 * best);
+        Self {
+            name: lay(name.to_owned(), tokens.text),
+            best: lay(best, tokens.muted),
+        }
+    }
+
+    fn width(&self) -> f32 {
+        self.name.size().x + Self::GAP + self.best.size().x
+    }
+
+    /// Left end of the words: behind the bar, or before it where there is no room up to `end`.
+    fn start(&self, (left, right): (f32, f32), end: f32) -> f32 {
+        let behind = right + Self::GAP;
+        if behind + self.width() <= end {
+            behind
+        } else {
+            left - Self::GAP - self.width()
+        }
+    }
+
+    fn paint(self, painter: &Painter, bar: (f32, f32), y: f32, tokens: &Tokens) {
+        let start = self.start(bar, painter.clip_rect().right());
+        let top = y - 0.5 * self.name.size().y;
+        let then = pos2(start + self.name.size().x + Self::GAP, top);
+        painter.galley(pos2(start, top), self.name, tokens.text);
+        painter.galley(then, self.best, tokens.muted);
+    }
 }
 
 fn paint_cursor(

@@ -21,9 +21,12 @@ pub struct Blip {
     pub lane: usize,
 }
 
-/// Every time that a landmark is in view, in lanes where none lies over another. `ends` says where
-/// the text beside a blip ends, in the unit of the distances.
-pub fn blips(samples: &[PredictionSample], ends: impl Fn(&Blip) -> f64) -> (Vec<Blip>, usize) {
+/// Every time that a landmark is in view, in lanes where none lies over another. `extent` says from where to where a
+/// blip reaches with the words beside it.
+pub fn blips(
+    samples: &[PredictionSample],
+    extent: impl Fn(&Blip) -> (f32, f32),
+) -> (Vec<Blip>, usize) {
     let count = samples.first().map_or(0, |s| s.detection.len());
     let mut all = Vec::new();
     for landmark in 0..count {
@@ -52,15 +55,15 @@ pub fn blips(samples: &[PredictionSample], ends: impl Fn(&Blip) -> f64) -> (Vec<
         all.extend(open);
     }
     sort(&mut all, &|a, b| a.samples[0].cmp(&b.samples[0]));
-    let mut free_from: Vec<f64> = Vec::new();
+    let mut free_from: Vec<f32> = Vec::new();
     for blip in &mut all {
-        let begin = samples[blip.samples[0]].distance;
+        let (begin, end) = extent(blip);
         let lane = free_from.iter().position(|free| *free <= begin);
         blip.lane = lane.unwrap_or(free_from.len());
         if blip.lane == free_from.len() {
-            free_from.push(0.0);
+            free_from.push(end);
         }
-        free_from[blip.lane] = ends(blip);
+        free_from[blip.lane] = end;
     }
     (all, free_from.len())
 }
@@ -97,7 +100,8 @@ mod tests {
         views[3] = [0.7, 0.0];
         views[20] = [0.0, 0.4];
         let samples = samples(&views);
-        let (blips, lanes) = blips(&samples, |b| samples[b.samples[1]].distance + 15.0);
+        let at = |index: usize| samples[index].distance as f32;
+        let (blips, lanes) = blips(&samples, |b| (at(b.samples[0]), at(b.samples[1]) + 15.0));
         assert_eq!(lanes, 2);
         let told: Vec<_> = blips
             .iter()
@@ -105,5 +109,20 @@ mod tests {
             .collect();
         assert_eq!(told, [(0, [2, 3], 0), (1, [2, 2], 1), (1, [20, 20], 0)]);
         assert_eq!(blips[0].best, 0.7);
+    }
+    #[test]
+    fn words_before_a_bar_lie_over_nothing_that_ends_there() {
+        let mut views = vec![[0.0, 0.0]; 30];
+        views[22] = [0.5, 0.0];
+        views[29] = [0.0, 0.9];
+        let samples = samples(&views);
+        let at = |index: usize| samples[index].distance as f32;
+        // The second has its words before it, where those of the first stand.
+        let (blips, lanes) = blips(&samples, |b| match b.landmark {
+            0 => (at(b.samples[0]), at(b.samples[1]) + 50.0),
+            _ => (at(b.samples[0]) - 50.0, at(b.samples[1])),
+        });
+        assert_eq!(lanes, 2);
+        assert_ne!(blips[0].lane, blips[1].lane);
     }
 }
