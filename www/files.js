@@ -1,4 +1,4 @@
-// Reads what was dropped or chosen: files, and folders with everything in them.
+// Reads what was dropped or chosen: files, and folders with everything in them. What cannot be read is told by its name.
 import { framesOf, isFilm, tellsPlaces } from "./video.js";
 
 /** Maps, heights and logs larger than this many bytes stay where they are; workers read pieces of them. */
@@ -10,7 +10,26 @@ const MAPS = /\.(tiff?|pmtiles|hgt)$/i;
 /** Endings of logs, as the program names them on the page once it is there. */
 const logs = () => document.getElementById("logs").textContent.split(", ");
 const isReadByPieces = (path) => MAPS.test(path) || logs().some((ending) => path.toLowerCase().endsWith(ending));
-async function gather(list) {
+
+/** Titles and texts of what was not read, one for each cause, however many files it kept away. */
+export function inWords(unread) {
+  const causes = new Map(); // the first path of each, and how many there are
+  for (const { path, what, why } of unread) {
+    const cause = JSON.stringify([what, why]);
+    const { first, more } = causes.get(cause) ?? { first: path, more: -1 };
+    causes.set(cause, { first, more: more + 1 });
+  }
+  return [...causes].map(([cause, { first, more }]) => {
+    const [what, why] = JSON.parse(cause);
+    const others = more === 0 ? "" : ` and ${more} more file${more === 1 ? "" : "s"}`;
+    return [`${what} of ${first}${others}`, why];
+  });
+}
+
+const ofSystem = (error) => `The browser could not read it: ${String(error?.message || error).replace(/\.$/, "")}. It may have been moved, or lie in a cloud: copy it to this machine and open it again.`;
+
+/** Paths and contents of a list of files, one for one, and what of it could not be read besides `unread`. */
+async function gather(list, unread = []) {
   const paths = [], contents = [];
   const pictures = list.filter(([path]) => PICTURE.test(path));
   const areMany = pictures.reduce((sum, [, file]) => sum + file.size, 0) > MANY;
@@ -18,30 +37,36 @@ async function gather(list) {
     try {
       if (isFilm(path)) {
         if (await tellsPlaces(file)) { paths.push(path); contents.push(file); }
-        for (const [frame, content] of await framesOf(path, file)) { paths.push(frame); contents.push(content); }
+        const { frames, lack } = await framesOf(path, file);
+        for (const [frame, content] of frames) { paths.push(frame); contents.push(content); }
+        if (lack) unread.push({ path, ...lack });
         continue;
       }
       const stays = (file.size > LARGE && isReadByPieces(path)) || (areMany && PICTURE.test(path));
       contents.push(stays ? file : new Uint8Array(await file.arrayBuffer()));
       paths.push(path);
     } catch (error) {
-      console.warn(`could not read ${path}:`, error);
+      unread.push({ path, what: "Nothing was read", why: ofSystem(error) });
     }
   }
-  return { paths, contents };
+  return { paths, contents, troubles: inWords(unread) };
 }
 
 const entriesOf = (reader) => new Promise((resolve, reject) => reader.readEntries(resolve, reject));
 const fileOf = (entry) => new Promise((resolve, reject) => entry.file(resolve, reject));
 
-async function walk(entry, found) {
+async function walk(entry, found, unread) {
   const path = entry.fullPath.replace(/^\//, "");
   if (path.split("/").some((part) => part.startsWith(".") || part === "__MACOSX")) return;
-  if (entry.isFile) { found.push([path, await fileOf(entry)]); return; }
-  const reader = entry.createReader();
-  // A folder is told in portions; an empty one is the last.
-  for (let some = await entriesOf(reader); some.length; some = await entriesOf(reader)) {
-    for (const inner of some) await walk(inner, found);
+  try {
+    if (entry.isFile) { found.push([path, await fileOf(entry)]); return; }
+    const reader = entry.createReader();
+    // A folder is told in portions; an empty one is the last.
+    for (let some = await entriesOf(reader); some.length; some = await entriesOf(reader)) {
+      for (const inner of some) await walk(inner, found, unread);
+    }
+  } catch (error) {
+    unread.push({ path, what: "Nothing was read", why: ofSystem(error) });
   }
 }
 
@@ -50,12 +75,16 @@ export async function readDropped(transfer) {
   const items = [...transfer.items].filter((item) => item.kind === "file");
   const entries = items.map((item) => item.webkitGetAsEntry?.());
   const plain = items.map((item) => item.getAsFile());
-  const found = [];
+  const found = [], unread = [];
   for (const [i, entry] of entries.entries()) {
-    if (entry) await walk(entry, found);
+    const before = found.length + unread.length;
+    if (entry) await walk(entry, found, unread);
     else if (plain[i]) found.push([plain[i].name, plain[i]]);
+    if (entry?.isDirectory && found.length + unread.length === before) {
+      unread.push({ path: entry.name, what: "Nothing was read", why: "There is no file in it but hidden ones." });
+    }
   }
-  return gather(found);
+  return gather(found, unread);
 }
 
 export function readChosen(files) {

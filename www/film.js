@@ -17,14 +17,20 @@ export function startFilm(canvas) {
   return ending;
 }
 
-/** Ends the film that is being made and hands it to `save` as a blob, once its last part is there. */
-export function stopFilm(save) {
-  if (!recorder) return;
+/** Ends the film that is being made and resolves to it as a blob, once its last part is there. */
+export function stopFilm() {
   const ended = recorder;
   recorder = null;
-  ended.addEventListener("stop", () => {
-    for (const track of ended.stream.getTracks()) track.stop();
-    save(new Blob(ended.parts, { type: ended.mimeType }));
+  return new Promise((done, fail) => {
+    if (!ended) throw new Error("no film was being made");
+    const finish = () => {
+      for (const track of ended.stream.getTracks()) track.stop();
+      const film = new Blob(ended.parts, { type: ended.mimeType });
+      if (film.size > 0) done(film);
+      else fail(new Error("its encoder gave no picture"));
+    };
+    if (ended.state === "inactive") return finish(); // by a fault of its own
+    ended.addEventListener("stop", finish);
+    ended.stop();
   });
-  ended.stop();
 }

@@ -148,11 +148,11 @@ async function start() {
   addEventListener("popstate", ({ state }) => { if (state !== null) app.go_to(state); });
   storage.loaded.clear();
   const canvas = document.getElementById("app");
-  const shell = shellServices(storage, (paths, contents) => app.open_files(paths, contents));
+  const shell = shellServices(storage, app);
   await app.start(canvas, shell);
   window.app = app;
   window.page = { storage, boot: { load_ms: loaded - begun, start_ms: performance.now() - loaded, ready_ms: performance.now() } };
-  watchDrops((paths, contents) => app.open_files(paths, contents));
+  watchDrops(app);
   tab.save = () => saveNow(app, storage);
   addEventListener("visibilitychange", () => { if (document.hidden) app.store_now(); });
   tellOf(tab);

@@ -29,7 +29,10 @@ function save(name, blob) {
 function painted(width, height, paint) {
   const canvas = Object.assign(document.createElement("canvas"), { width, height });
   paint(canvas.getContext("2d"));
-  return new Promise((done) => canvas.toBlob(done, "image/png"));
+  return new Promise((done, fail) => {
+    const take = (blob) => (blob ? done(blob) : fail(new Error(`a picture of ${width} by ${height} pixels is too large for it`)));
+    canvas.toBlob(take, "image/png");
+  });
 }
 
 /** An SVG drawing as a PNG picture of so many pixels. */
@@ -51,7 +54,22 @@ async function fetchOwn(file) {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-export function shellServices(storage, openFiles) {
+/** Does `work` whose end the app does not await, and tells if it fails that a file of that name was not saved. */
+async function saving(app, name, work) {
+  try {
+    await work();
+  } catch (error) {
+    app.tell_trouble(`${name} was not saved`, `The browser could not make it: ${error?.message || error}`);
+  }
+}
+
+/** Gives the app what was read of files, and tells what was not. */
+function open(app, { paths, contents, troubles }) {
+  if (paths.length) app.open_files(paths, contents);
+  for (const [title, text] of troubles) app.tell_trouble(title, text);
+}
+
+export function shellServices(storage, app) {
   const input = document.getElementById("files");
   const summary = document.getElementById("summary");
   const canvas = document.getElementById("app");
@@ -59,7 +77,7 @@ export function shellServices(storage, openFiles) {
     const files = await readChosen(input.files);
     input.value = "";
     canvas.focus();
-    if (files.paths.length) openFiles(files.paths, files.contents);
+    open(app, files);
   });
   input.addEventListener("cancel", () => canvas.focus());
   return {
@@ -67,13 +85,19 @@ export function shellServices(storage, openFiles) {
     saveFile(name, bytes) {
       save(name, new Blob([bytes], { type: "application/octet-stream" }));
     },
-    async savePicture(name, svg, width, height) { save(name, await drawn(svg, width, height)); },
-    async savePixels(name, pixels, width, height) {
-      const picture = new ImageData(pixels, width, height);
-      save(name, await painted(width, height, (to) => to.putImageData(picture, 0, 0)));
+    savePicture(name, svg, width, height) {
+      saving(app, name, async () => save(name, await drawn(svg, width, height)));
+    },
+    savePixels(name, pixels, width, height) {
+      saving(app, name, async () => {
+        const picture = new ImageData(pixels, width, height);
+        save(name, await painted(width, height, (to) => to.putImageData(picture, 0, 0)));
+      });
     },
     startFilm: () => startFilm(canvas),
-    stopFilm(name) { stopFilm((film) => save(name, film)); },
+    stopFilm(name) {
+      saving(app, name, async () => save(name, await stopFilm()));
+    },
     store(key, bytes) { storage.put(key, bytes); },
     fetchOwn,
     fetchTiles,
@@ -104,8 +128,8 @@ export function shellServices(storage, openFiles) {
   };
 }
 
-/** Files and folders dropped anywhere on the page go to `openFiles`. */
-export function watchDrops(openFiles) {
+/** Files and folders dropped anywhere on the page go to the app. */
+export function watchDrops(app) {
   const hint = document.getElementById("drop");
   const withFiles = (event) => event.dataTransfer?.types.includes("Files");
   let hiding;
@@ -124,7 +148,6 @@ export function watchDrops(openFiles) {
     if (!withFiles(event)) return;
     take(event);
     hint.hidden = true;
-    const files = await readDropped(event.dataTransfer);
-    if (files.paths.length) openFiles(files.paths, files.contents);
+    open(app, await readDropped(event.dataTransfer));
   }, true);
 }

@@ -24,15 +24,28 @@ export async function tellsPlaces(film) {
   return false;
 }
 
-/** Waits for an event of the film, or throws what went wrong with it. */
+const NO_DECODER = "This browser cannot decode it: it is damaged, or of a kind for which there is no decoder here, as is often so with H.265. Convert it to H.264, or open it in another browser.";
+
+/** Waits for an event of the film, or throws what went wrong with it, in words. */
 function next(film, event) {
   return new Promise((resolve, reject) => {
     const end = (act) => (value) => { clearTimeout(timer); film.onerror = null; act(value); };
-    const refuse = end(() => reject(new Error(film.error?.message || "this browser has no decoder for it")));
+    const refuse = end(() => reject(new Error(film.error ? "It is damaged or breaks off there." : `Nothing came of it for ${PATIENCE / 1000} s.`)));
     const timer = setTimeout(refuse, PATIENCE);
     film.addEventListener(event, end(resolve), { once: true });
     film.onerror = refuse;
   });
+}
+
+/** Opens a film for its frames, or throws why that cannot be, in words. */
+async function open(film, address) {
+  Object.assign(film, { muted: true, preload: "auto", src: address });
+  await next(film, "loadeddata").catch(() => { throw new Error(NO_DECODER); });
+  if (film.videoWidth === 0) throw new Error(NO_DECODER); // only its sound can be played
+  if (!Number.isFinite(film.duration)) { // a recording whose head does not say how long it is
+    film.currentTime = 1e9;
+    await next(film, "seeked");
+  }
 }
 
 /** A line above the page that tells how far it is, with a button that ends it. */
@@ -45,39 +58,38 @@ function progress(name) {
   return told;
 }
 
-/** [path, picture] of the frames of a film, and [path, bytes] of `frames.csv` beside them; what was taken before a
- * stop stays. The browser keeps the pictures, outside the memory of the page. */
+/** The frames of a film: [path, picture] of each, and [path, bytes] of `frames.csv` beside them, and what it `lack`s, if
+ * anything, and why. What was taken before a stop or a fault stays. The browser keeps the pictures, outside the memory of the page. */
 export async function framesOf(path, file) {
   const told = progress(path);
   const film = document.createElement("video");
   const address = URL.createObjectURL(file);
+  const frames = [];
+  let table = "time,file\n", count = 0, lack;
   try {
-    Object.assign(film, { muted: true, preload: "auto", src: address });
-    await next(film, "loadeddata");
-    if (!Number.isFinite(film.duration)) { // a recording whose head does not say how long it is
-      film.currentTime = 1e9;
-      await next(film, "seeked");
-    }
+    await open(film, address);
     const step = Math.max(INTERVAL, film.duration / MOST);
+    count = Math.ceil(film.duration / step);
     const canvas = new OffscreenCanvas(film.videoWidth, film.videoHeight);
     const context = canvas.getContext("2d");
-    const found = [];
-    let table = "time,file\n";
     for (let i = 0; i * step < film.duration && !told.isStopped; i += 1) {
-      told.tell(`frame ${i + 1} of ${Math.ceil(film.duration / step)}`);
+      told.tell(`frame ${i + 1} of ${count}`);
       film.currentTime = i * step;
       await next(film, "seeked");
       context.drawImage(film, 0, 0);
-      const picture = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.92 });
+      const jpeg = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.92 });
       const frame = `frame-${String(i).padStart(5, "0")}.jpg`;
-      found.push([`${path}.frames/${frame}`, picture]);
+      frames.push([`${path}.frames/${frame}`, jpeg]);
       table += `${film.currentTime.toFixed(3)},${frame}\n`;
     }
-    found.push([`${path}.frames/frames.csv`, new TextEncoder().encode(table)]);
-    return found;
+  } catch (error) {
+    const what = frames.length === 0 ? "No frame was taken" : `Only ${frames.length} of ${count} frames were taken`;
+    lack = { what, why: error.message };
   } finally {
     told.end();
     URL.revokeObjectURL(address);
     film.removeAttribute("src");
   }
+  if (frames.length > 0) frames.push([`${path}.frames/frames.csv`, new TextEncoder().encode(table)]);
+  return { frames, lack };
 }

@@ -1,5 +1,6 @@
 // DJI's subtitles dropped beside their film are a flight: position, height and gimbal, and the film's frames at its times.
-// GoPro's film has its places within itself.
+// GoPro's film has its places within itself. A film that the browser cannot decode is told by its name.
+import { randomBytes } from "node:crypto";
 import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -39,9 +40,18 @@ export async function run(page, tools) {
   await page.waitForTimeout(800);
   await tools.screenshot("subtitles");
 
+  // A film of noise, alone and beside its subtitles, which are a flight without it.
+  const isTold = (film) => (s) => s.toasts.some((t) => t.trouble && t.title === `No frame was taken of ${film}` && t.text.includes("cannot decode"));
+  const noise = (name) => ({ name, mimeType: "video/mp4", buffer: randomBytes(5000) });
+  await page.setInputFiles("#files", [noise("alone.mp4")]);
+  await tools.waitFor(isTold("alone.mp4"), "what is said of a film of noise", 30_000);
+  await page.setInputFiles("#files", [noise("noise.mp4"), { name: "noise.SRT", mimeType: "text/plain", buffer: Buffer.from(subtitles(40)) }]);
+  await tools.waitFor((s) => s.flight === "noise" && isTold("noise.mp4")(s), "the flight of its subtitles, and what is said of the film", 60_000);
+
   // No picture in it can be decoded: it is a flight all the same.
   await page.setInputFiles("#files", [{ name: "GX010001.MP4", mimeType: "video/mp4", buffer: gopro(20) }]);
   const places = await tools.waitFor((s) => s.flight === "GX010001" && s.log?.read, "the flight of the film itself", 90_000);
+  tools.check(isTold("GX010001.MP4")(places), "nobody is told that its frames are missing");
   tools.check(Math.abs(places.origin[0] - 47.3) < 1e-6 && Math.abs(places.origin[1] - 8.5) < 1e-6, `it begins at ${places.origin}`);
   await page.waitForTimeout(800);
   await tools.screenshot("places-in-film");

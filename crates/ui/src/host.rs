@@ -131,6 +131,11 @@ pub trait Host {
         None
     }
 
+    /// Troubles of the shell since the last call, each by title and text: files that could not be read, or not be made.
+    fn troubles(&mut self) -> Vec<(String, String)> {
+        Vec::new()
+    }
+
     /// Keys of what the browser refused to store since the last call, for lack of room.
     fn failed_stores(&mut self) -> Vec<String> {
         Vec::new()

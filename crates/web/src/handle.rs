@@ -100,6 +100,13 @@ impl WebHandle {
         }
     }
 
+    /// Has the app tell that something went wrong, such as a file that could not be read.
+    pub fn tell_trouble(&self, title: String, text: String) {
+        if let Some((_, host)) = &*self.running.borrow() {
+            host.tell_trouble(title, text);
+        }
+    }
+
     /// Goes to a place in the app: a state of the browser's history.
     pub fn go_to(&self, place: String) {
         if let Some((_, host)) = &*self.running.borrow() {

@@ -49,6 +49,8 @@ struct Inner {
     inbox: Inbox,
     remembered: Remembered,
     opened: Vec<Vec<OpenedFile>>,
+    /// Troubles of the page's JavaScript, by title and text.
+    troubles: Vec<(String, String)>,
     announced: String,
     timings: Vec<StepTiming>,
     /// Jobs that wait for tiles of the web.
@@ -124,6 +126,7 @@ impl PageHost {
             inbox,
             remembered,
             opened: Vec::new(),
+            troubles: Vec::new(),
             announced: String::new(),
             timings: Vec::new(),
             fetching: Vec::new(),
@@ -143,6 +146,13 @@ impl PageHost {
     pub fn open_files(&self, files: Vec<OpenedFile>) {
         let mut inner = self.inner.borrow_mut();
         inner.opened.push(files);
+        inner.inbox.context.request_repaint();
+    }
+
+    /// Has the app tell that something went wrong.
+    pub fn tell_trouble(&self, title: String, text: String) {
+        let mut inner = self.inner.borrow_mut();
+        inner.troubles.push((title, text));
         inner.inbox.context.request_repaint();
     }
 
@@ -420,6 +430,10 @@ impl Host for PageHost {
 
     fn forget(&mut self, key: &str) {
         self.inner.borrow().shell.forget(key);
+    }
+
+    fn troubles(&mut self) -> Vec<(String, String)> {
+        std::mem::take(&mut self.inner.borrow_mut().troubles)
     }
 
     fn failed_stores(&mut self) -> Vec<String> {

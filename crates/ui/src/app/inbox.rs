@@ -29,6 +29,12 @@ impl App {
         for batch in host.opened() {
             self.open_files(context, host, batch);
         }
+        // What is opened takes earlier trouble off the screen, and this may be of files beside it.
+        if self.openings.keys().next().is_none() {
+            for (title, text) in host.troubles() {
+                self.toasts.trouble(host.now(), title, text);
+            }
+        }
     }
 
     pub(super) fn open_files(

@@ -2,7 +2,8 @@ use egui::vec2;
 use egui_kittest::kittest::Queryable as _;
 use pilotage_ui::host::OpenedFile;
 
-use super::support::{ScriptedHost, rig, rig_on};
+use super::log::eastward;
+use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 #[test]
 fn a_broken_file_is_refused_and_nothing_is_lost() {
@@ -56,4 +57,33 @@ fn what_is_said_of_it_lies_over_the_map_and_never_over_a_panel() {
             );
         }
     }
+}
+
+#[test]
+fn what_the_browser_could_not_read_is_told_alone_and_beside_what_opens() {
+    let title = "No frame was taken of DJI_0001.MP4";
+    let text = "This browser cannot decode it.";
+    let film = || (title.to_owned(), text.to_owned());
+    let is_told = |rig: &Rig| {
+        let state = rig.state();
+        let mut toasts = state["toasts"].as_array().expect("toasts").iter();
+        toasts.any(|it| it["title"] == title && it["text"] == text && it["trouble"] == true)
+    };
+    let mut alone = rig();
+    alone.host().troubles.push(film());
+    alone.frames(2);
+    assert!(is_told(&alone));
+
+    // A flight of files takes earlier trouble off the screen, and not what was told of its own film.
+    let mut beside = rig();
+    beside.host().really_open = true;
+    let log = OpenedFile {
+        path: "east.log".into(),
+        content: eastward().into(),
+    };
+    beside.host().opened.push(vec![log]);
+    beside.host().troubles.push(film());
+    beside.settle();
+    assert_eq!(beside.state()["log"]["file"], "east.log");
+    assert!(is_told(&beside));
 }

@@ -111,6 +111,8 @@ pub struct ScriptedHost {
     pub gone_back: Option<String>,
     /// Saves to report as broken off.
     pub interrupted: Vec<String>,
+    /// What the shell tells of its own, title and text.
+    pub troubles: Vec<(String, String)>,
     /// Share of frames in which tested landmarks are found on a day on which they are recognised, unless one half.
     pub per_frame: Option<f64>,
     /// Share of views in which something else is taken for a landmark, 1/32 unless set.
@@ -674,6 +676,10 @@ impl Host for ScriptedHost {
 
     fn fetched(&mut self, file: &str) -> Option<Vec<u8>> {
         self.own_files.remove(file)
+    }
+
+    fn troubles(&mut self) -> Vec<(String, String)> {
+        std::mem::take(&mut self.troubles)
     }
 
     fn failed_stores(&mut self) -> Vec<String> {
