@@ -103,14 +103,17 @@ async function saveNow(app, storage) {
   }
 }
 
-/** Looks after the workers, and notices a panic of the program. */
-function keepWatch(app) {
+/** Looks after the workers, and notices a panic of the program; `isKept` tells whether documents are kept. */
+function keepWatch(app, isKept) {
   const timer = setInterval(() => {
     const panic = app.panic_message();
     if (panic === undefined) return app.tick();
     clearInterval(timer);
     root.dataset.ready = "panicked";
-    showTrouble("Pilotage has stopped", "A fault in the program ended it. Your documents are safe in this browser and will be here when the page has loaded again.", panic);
+    const left = isKept()
+      ? "Your documents are safe in this browser and will be here when the page has loaded again."
+      : "What was changed here is not kept.";
+    showTrouble("Pilotage has stopped", `A fault in the program ended it. ${left}`, panic);
   }, 500);
 }
 
@@ -155,8 +158,8 @@ async function start() {
   watchDrops(app);
   tab.save = () => saveNow(app, storage);
   addEventListener("visibilitychange", () => { if (document.hidden) app.store_now(); });
-  tellOf(tab);
-  keepWatch(app);
+  tellOf(tab, storage);
+  keepWatch(app, () => tab.keeps && storage.isKept);
   canvas.focus();
   offerMirror(app, canvas);
   uncover();

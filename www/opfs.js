@@ -44,19 +44,20 @@ async function write(folder, name, bytes) {
   }
 }
 
-/** Never fails: without private files the storage is given back as it came. */
+/** Never fails: without private files the storage stays as it came. */
 export async function withPrivateFiles(storage) {
   storage.interrupted = [];
   const inDatabase = new Set(storage.loaded.keys());
   let folder;
   try {
     folder = await openFolder();
-    if (!folder) return storage;
+    if (!folder) return;
     await load(folder, storage);
   } catch (error) {
-    console.info("documents are kept in a database, not in files:", error);
-    return storage;
+    console.info("documents are not kept in files:", error);
+    return;
   }
+  storage.isKept = true;
   const { put, remove } = storage;
   let last = Promise.resolve();
   const change = (key, deed) => {
@@ -74,5 +75,4 @@ export async function withPrivateFiles(storage) {
     if (isOpenedFile(key)) remove(key);
     else change(key, () => folder.removeEntry(encodeURIComponent(key)).catch(() => {}));
   };
-  return storage;
 }

@@ -16,9 +16,11 @@ async function openDatabase() {
   return done(request);
 }
 
-/** Never fails: without a database, documents live as long as the page, and the console says so. */
+/** Never fails: `isKept` says whether there is anywhere to keep documents; without, they live as long as the page. */
 export async function openStorage() {
-  const storage = { loaded: new Map(), pending: 0, written: 0, untold: [], put() {}, putFile() {}, remove() {} };
+  const storage = { loaded: new Map(), pending: 0, written: 0, untold: [], isKept: false, remove() {} };
+  // Without a database, what only that can keep is refused.
+  storage.put = storage.putFile = (key) => storage.untold.push(key);
   try {
     const database = await openDatabase();
     const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
@@ -35,8 +37,12 @@ export async function openStorage() {
     storage.put = (key, bytes) => change(key, (documents) => documents.put(bytes.buffer, key));
     storage.putFile = (key, file) => change(key, (documents) => documents.put(file, key));
     storage.remove = (key) => change(key, (documents) => documents.delete(key));
+    storage.isKept = true;
   } catch (error) {
-    console.warn("documents cannot be kept in this browser:", error);
+    console.warn("this browser has no database:", error);
   }
-  return withPrivateFiles(storage);
+  await withPrivateFiles(storage);
+  // That is told once for everything.
+  if (!storage.isKept) storage.put = storage.putFile = () => {};
+  return storage;
 }

@@ -7,9 +7,10 @@ const leaving = 10;
 const giving = 40;
 
 /** Asks once for the documents, which this tab then holds until it ends, gives way or is robbed of them (`lost` is
- * called); resolves to what gives them back, or to null where another tab has them. */
+ * called); resolves to what gives them back, or to null where another tab has them. Throws where tabs cannot ask, as
+ * with the data of sites blocked. */
 function ask(options, lost) {
-  return new Promise((resolve) => {
+  return new Promise((resolve, reject) => {
     const held = (lock) => {
       if (lock === null) {
         resolve(null);
@@ -17,7 +18,7 @@ function ask(options, lost) {
       }
       return new Promise((release) => { resolve(release); });
     };
-    navigator.locks.request(DOCUMENTS, options, held).then(lost, () => { resolve(null); lost(); });
+    navigator.locks.request(DOCUMENTS, options, held).then(lost, (error) => { reject(error); lost(); });
   });
 }
 
@@ -31,19 +32,40 @@ async function hold(times, lost) {
   return null;
 }
 
+/** Whether this tab was loaded anew to take over; asked once. */
+function takesOver() {
+  try {
+    const takes = sessionStorage.getItem(TAKE) !== null;
+    sessionStorage.removeItem(TAKE);
+    return takes;
+  } catch { // the data of sites is blocked
+    return false;
+  }
+}
+
 /** Lets a tab have the documents or not. `tab.keeps` says which, `tab.changed` is called when that changes, and
- * `tab.save` before it gives way. */
+ * `tab.save` before it gives way. Where tabs cannot ask each other, each has them. */
 export async function openTab() {
   const tab = { keeps: true, changed() {}, async save() {}, takeOver() {} };
   if (!navigator.locks || !globalThis.BroadcastChannel) return tab;
+  try {
+    await share(tab);
+  } catch (error) {
+    console.info("tabs cannot ask each other:", error);
+    tab.keeps = true;
+  }
+  return tab;
+}
+
+/** Lets a tab have what no other one has. */
+async function share(tab) {
   const lost = () => {
     if (!tab.keeps) return;
     tab.keeps = false;
     tab.changed();
   };
   const channel = new BroadcastChannel(DOCUMENTS);
-  const takes = sessionStorage.getItem(TAKE) !== null;
-  sessionStorage.removeItem(TAKE);
+  const takes = takesOver();
   tab.keeps = false;
   if (takes) channel.postMessage("give way");
   let release = await hold(takes ? giving : leaving, lost);
@@ -59,7 +81,6 @@ export async function openTab() {
     sessionStorage.setItem(TAKE, "");
     location.reload();
   };
-  return tab;
 }
 
 /** Has `storage` keep nothing while its tab has no documents. */
@@ -70,10 +91,18 @@ export function keepOnlyIn(tab, storage) {
   }
 }
 
-/** Says that what is changed here is not kept, while that is so. */
-export function tellOf(tab) {
+/** Says that what is changed here is not kept, while that is so: because of another tab, or of this browser. */
+export function tellOf(tab, storage) {
   const notice = document.getElementById("other-tab");
-  notice.querySelector("button").onclick = () => tab.takeOver();
+  const [words, button] = [notice.querySelector("span"), notice.querySelector("button")];
+  button.onclick = () => tab.takeOver();
+  if (!storage.isKept) {
+    words.textContent = "This browser keeps nothing of this page: save the mission as a file.";
+    button.textContent = "Close";
+    button.onclick = () => { notice.hidden = true; };
+    notice.hidden = false;
+    return;
+  }
   const show = () => { notice.hidden = tab.keeps; };
   tab.changed = show;
   show();

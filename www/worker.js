@@ -28,7 +28,8 @@ export function serve(initSync, make) {
       initSync({ module: data.module });
       worker = make((bytes) => postMessage(bytes, [bytes.buffer]));
       // Held for as long as this worker lives; the page waits for it and so learns of its end.
-      navigator.locks?.request(data.lock, () => { postMessage("held"); return new Promise(() => {}); });
+      const held = navigator.locks?.request(data.lock, () => { postMessage("held"); return new Promise(() => {}); });
+      held?.catch(() => {}); // without locks, the page has a timer
       early.splice(0).forEach(hear);
     } else if (worker) {
       hear(data);

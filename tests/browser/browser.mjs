@@ -1,5 +1,5 @@
 // A Chromium with an empty profile, drawing in software so that it runs on a machine without screen.
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { chromium } from "playwright-core";
@@ -38,9 +38,13 @@ const enough = 60;
  * they do for people, others only what a screenshot shows or a frame now and then, unless every frame is to be `painted`;
  * the demo is flown until it `flies` that many steps, all of them if that is true, and what nobody asks for is left undone unless it is to be done
  * `ahead`; `screen` is what is not usual about it: `width`, `height`, whether it is for `touch`, and
- * pixels for each of the page's, `sharpness`. */
-export async function launch({ smooth = false, flies = enough, ahead = false, painted = false, screen = {} } = {}) {
+ * pixels for each of the page's, `sharpness`; a browser that is `forgetful` keeps no data of any site. */
+export async function launch({ smooth = false, flies = enough, ahead = false, painted = false, screen = {}, forgetful = false } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "pilotage-"));
+  if (forgetful) {
+    mkdirSync(join(profile, "Default"));
+    writeFileSync(join(profile, "Default/Preferences"), JSON.stringify({ profile: { default_content_setting_values: { cookies: 2 } } }));
+  }
   const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   try {
     const { width, height, touch = false, sharpness } = { ...viewport, ...screen };

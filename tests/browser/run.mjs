@@ -4,7 +4,8 @@
 // that it walks through; PILOTAGE_TAGS names those that changed. Two walk at a time; one that exports `alone` has the
 // machine for itself and paints as often as it can; one that exports `painted` has every frame painted, one that exports
 // `flies` more of the demo flown than its beginning (that many steps, or true: all of it), one that exports `ahead` what
-// nobody asked for done; those that are `long` begin first; `screen` is another window than the usual one.
+// nobody asked for done, one that exports `forgetful` a browser that keeps no data of any site; those that are `long` begin
+// first; `screen` is another window than the usual one.
 // If a single journey of several fails, it is walked once more by itself, and both walks are told.
 import { mkdirSync, readdirSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
@@ -104,7 +105,7 @@ function spent(before, after) {
 /** Makes one journey, which may have something `said`; fails with its own complaint or with what the page did wrong. */
 async function walk(journey, shortName, said) {
   const atEnd = [];
-  const { page, close } = await launch({ smooth: journey.alone, flies: journey.flies, ahead: journey.ahead, painted: journey.painted, screen: journey.screen });
+  const { page, close } = await launch({ smooth: journey.alone, flies: journey.flies, ahead: journey.ahead, forgetful: journey.forgetful, painted: journey.painted, screen: journey.screen });
   atEnd.push(close);
   try {
     const watched = watch(page, server.url);

@@ -333,8 +333,8 @@ impl<P: WorkerPort> WorkerPool<P> {
                 self.assign(id, assigned.job, assigned.restarts + 1);
             } else {
                 let text = "The part of the app that does this stopped three times, for lack of memory or because it could \
-                    not be loaded. Your documents are safe. Check the connection and try again, or try a smaller map or \
-                    fewer frames."
+                    not be loaded. Everything you have open is still here. Check the connection and try again, or try a \
+                    smaller map or fewer frames."
                     .to_owned();
                 self.tell(id, JobEvent::Failed(text));
             }

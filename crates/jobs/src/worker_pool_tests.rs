@@ -151,7 +151,7 @@ fn a_new_worker_gets_the_files_and_the_interrupted_job_again() {
 }
 
 #[test]
-fn a_job_whose_worker_dies_three_times_fails_and_says_that_documents_are_safe() {
+fn a_job_whose_worker_dies_three_times_fails_and_says_that_what_is_open_stays() {
     let (mut worker_pool, _) = worker_pool();
     let id = worker_pool.start(fly());
     for _ in 0..3 {
@@ -162,7 +162,7 @@ fn a_job_whose_worker_dies_three_times_fails_and_says_that_documents_are_safe() 
         panic!("{events:?}");
     };
     assert_eq!(*job, id);
-    assert!(text.contains("documents are safe"), "{text}");
+    assert!(text.contains("still here"), "{text}");
 }
 
 #[test]
