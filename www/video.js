@@ -58,6 +58,14 @@ function progress(name) {
   return told;
 }
 
+/** Seconds at which the frame that is shown begins: before the moment that was asked for, by up to a frame. */
+function timeOf(film) {
+  if (!globalThis.VideoFrame) return film.currentTime;
+  const frame = new VideoFrame(film);
+  frame.close();
+  return frame.timestamp / 1e6;
+}
+
 /** The frames of a film: [path, picture] of each, and [path, bytes] of `frames.csv` beside them, and what it `lack`s, if
  * anything, and why. What was taken before a stop or a fault stays. The browser keeps the pictures, outside the memory of the page. */
 export async function framesOf(path, file) {
@@ -72,15 +80,19 @@ export async function framesOf(path, file) {
     count = Math.ceil(film.duration / step);
     const canvas = new OffscreenCanvas(film.videoWidth, film.videoHeight);
     const context = canvas.getContext("2d");
+    let last = -Infinity;
     for (let i = 0; i * step < film.duration && !told.isStopped; i += 1) {
       told.tell(`frame ${i + 1} of ${count}`);
       film.currentTime = i * step;
       await next(film, "seeked");
+      const time = timeOf(film);
+      if (time <= last) continue; // a film with fewer frames than are asked for
+      last = time;
       context.drawImage(film, 0, 0);
       const jpeg = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.92 });
       const frame = `frame-${String(i).padStart(5, "0")}.jpg`;
       frames.push([`${path}.frames/${frame}`, jpeg]);
-      table += `${film.currentTime.toFixed(3)},${frame}\n`;
+      table += `${time.toFixed(3)},${frame}\n`;
     }
   } catch (error) {
     const what = frames.length === 0 ? "No frame was taken" : `Only ${frames.length} of ${count} frames were taken`;

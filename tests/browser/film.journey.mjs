@@ -2,7 +2,7 @@
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { filmed } from "./films.mjs";
+import { delayOfFrames, filmed } from "./films.mjs";
 
 export const name = "a film beside a log becomes the frames of its flight";
 export const tags = ["readers"];
@@ -18,6 +18,8 @@ export async function run(page, tools) {
   await tools.waitReady();
   await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
   const { film, duration } = await filmed(page, tools, 3);
+  const delay = await delayOfFrames(page);
+  tools.check(Math.abs(delay) < 0.03, `frames are told ${delay.toFixed(3)} s late`); // they are 0.1 s apart
   await page.setInputFiles("#files", [log, film]);
   const opened = await tools.waitFor((s) => s.log?.read || s.toasts.some((t) => t.trouble), "the log", 90_000);
   const trouble = opened.toasts.find((t) => t.trouble);

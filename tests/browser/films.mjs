@@ -3,15 +3,18 @@ import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-/** A film of about `seconds`, recorded by the browser itself, and how long it came to be: a busy machine drops its end. */
+/** A film of about `seconds`, ten frames each, recorded by the browser itself, and how long it came to be: a busy machine
+ * drops its end. It stays in the page, as `film`. */
 const recorded = (page, seconds) => page.evaluate(async (length) => {
   const canvas = Object.assign(document.createElement("canvas"), { width: 320, height: 240 });
   const pen = canvas.getContext("2d");
-  const recorder = new MediaRecorder(canvas.captureStream(15), { mimeType: "video/webm" });
+  const stream = canvas.captureStream(0);
+  const recorder = new MediaRecorder(stream, { mimeType: "video/webm" });
   const parts = [];
   recorder.ondataavailable = (event) => parts.push(event.data);
   const ended = new Promise((done) => { recorder.onstop = done; });
   recorder.start();
+  const drawn = window.drawn = []; // when each frame was, in seconds
   const begun = performance.now();
   await new Promise((done) => {
     const draw = () => {
@@ -20,14 +23,20 @@ const recorded = (page, seconds) => page.evaluate(async (length) => {
       pen.fillRect(0, 0, 320, 240);
       pen.fillStyle = "white";
       pen.fillText(now.toFixed(2), 20, 40);
-      if (now < length) setTimeout(draw, 50);
+      for (let bit = 0; bit < 8; bit += 1) { // its number
+        pen.fillStyle = drawn.length >> bit & 1 ? "white" : "black";
+        pen.fillRect(40 * bit, 200, 40, 40);
+      }
+      drawn.push(now);
+      stream.getVideoTracks()[0].requestFrame();
+      if (now < length) setTimeout(draw, 100);
       else done();
     };
     draw();
   });
   recorder.stop();
   await ended;
-  const blob = new Blob(parts);
+  const blob = window.film = new Blob(parts);
   const video = Object.assign(document.createElement("video"), { muted: true, src: URL.createObjectURL(blob) });
   const event = (kind) => new Promise((done) => video.addEventListener(kind, done, { once: true }));
   await event("loadeddata");
@@ -46,3 +55,23 @@ export async function filmed(page, tools, seconds) {
   writeFileSync(film, Buffer.from(bytes));
   return { film, duration };
 }
+
+/** By how much the page tells the frames of the film that it recorded last later than they were drawn, in seconds, in the
+ * middle of them. */
+export const delayOfFrames = (page) => page.evaluate(async () => {
+  const { framesOf } = await import("./video.js");
+  const { frames } = await framesOf("down.webm", window.film);
+  const rows = new TextDecoder().decode(frames.pop()[1]).trim().split("\n").slice(1);
+  const delays = [];
+  let first;
+  for (const [at, [, jpeg]] of frames.entries()) {
+    const canvas = new OffscreenCanvas(320, 240).getContext("2d", { willReadFrequently: true });
+    canvas.drawImage(await createImageBitmap(jpeg), 0, 0);
+    let number = 0;
+    for (let bit = 0; bit < 8; bit += 1) number |= (canvas.getImageData(40 * bit + 20, 220, 1, 1).data[0] > 128) << bit;
+    const delay = Number(rows[at].split(",")[0]) - window.drawn[number];
+    first ??= delay; // the film begins with its first frame
+    delays.push(delay - first);
+  }
+  return delays.sort((a, b) => a - b)[Math.floor(delays.length / 2)];
+});
