@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use pilotage_core::landmark::Landmark;
-use pilotage_core::text::{in_quotes, plain_name};
+use pilotage_core::text::{distinct_names, in_quotes, plain_name};
 use pilotage_jobs::{EvaluationOrder, EvaluationReport, JobEvent, JudgedDetector};
 
 use crate::CommandResult;
@@ -117,8 +117,8 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     }
     if let Some(folder) = &arguments.svg {
         std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-        for evaluated in &all {
-            let name = plain_name(&evaluated.landmark);
+        let names = distinct_names(all.iter().map(|it| plain_name(&it.landmark)), []);
+        for (evaluated, name) in all.iter().zip(names) {
             for plot in evaluated.evaluation.plots() {
                 write_whole(&folder.join(format!("{name}.{}.svg", plot.key)), plot.svg())?;
             }

@@ -9,6 +9,7 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::imagery::Imagery;
 use pilotage_core::raster::encode_png;
 use pilotage_core::registration::{RegistrationMethod, overlay};
+use pilotage_core::text::distinct_names;
 use pilotage_jobs::{JobEvent, PhotoReport, PhotosOrder, decode_photo};
 use serde::Serialize;
 
@@ -57,6 +58,8 @@ pub struct Arguments {
 #[derive(Serialize)]
 struct PhotoResult {
     photo: String,
+    /// Its file, as it was named.
+    file: String,
     seconds: f64,
     /// Assumptions, and their sources.
     assumed: Vec<String>,
@@ -131,14 +134,18 @@ pub fn run(arguments: &Arguments) -> CommandResult {
     let lent = Lent::default()
         .with_map(Lent::map_of_file(), Arc::clone(&ground.map))
         .with_files(PHOTOS, Arc::new(DirectoryFiles::anywhere()));
+    let overlays = match &arguments.overlay {
+        Some(folder) => overlays(folder, &arguments.photos, &arguments.map)?,
+        None => Vec::new(),
+    };
     let mut answers = Vec::new();
     workers::run(orders, &lent, &mut |number, event| {
         match event {
             JobEvent::Failed(why) => return Err(why),
             JobEvent::PhotoRegistered(report) => {
                 let path = &arguments.photos[number];
-                if let (Ok(laid), Some(folder)) = (&report.answer.laid, &arguments.overlay) {
-                    draw(folder, path, &search, &ground, laid).map_err(|e| e.to_string())?;
+                if let (Ok(laid), Some(target)) = (&report.answer.laid, overlays.get(number)) {
+                    draw(target, path, &search, &ground, laid).map_err(|e| e.to_string())?;
                 }
                 let answer = answer(path, *report, &ground);
                 if !arguments.json {
@@ -166,9 +173,30 @@ impl PlacedMap {
     }
 }
 
+/// Files for the pictures of photos in a folder, which is made if missing: one for each, and none that is itself a photo or
+/// the map.
+fn overlays(folder: &Path, photos: &[PathBuf], map: &Path) -> Result<Vec<PathBuf>, String> {
+    let told = |e: std::io::Error| format!("{}: {e}", folder.display());
+    std::fs::create_dir_all(folder).map_err(told)?;
+    let folder = folder.canonicalize().map_err(told)?;
+    let stem = |path: &Path| {
+        let stem = path.file_stem().unwrap_or_default();
+        stem.to_string_lossy().into_owned()
+    };
+    let is_here = |path: &&PathBuf| path.parent() == Some(folder.as_path());
+    let read = photos.iter().map(PathBuf::as_path).chain([map]);
+    let read: Vec<PathBuf> = read.filter_map(|path| path.canonicalize().ok()).collect();
+    let taken = read.iter().filter(is_here).map(|path| stem(path));
+    let pictures = photos.iter().map(|path| format!("{}.overlay", stem(path)));
+    let names = distinct_names(pictures, taken);
+    Ok((names.into_iter())
+        .map(|name| folder.join(format!("{name}.png")))
+        .collect())
+}
+
 /// Writes the picture of a photo that was laid, in a chequerboard with the map.
 fn draw(
-    folder: &Path,
+    target: &Path,
     path: &Path,
     search: &PhotoSearch,
     ground: &PlacedMap,
@@ -178,10 +206,7 @@ fn draw(
     let photo = PhotoLook::read(&file, decode_photo, search, ground.world.as_ref(), &bounds)?;
     let look = photo.over(ground.map.as_ref());
     if let Some(picture) = overlay(&look, &laid.at, laid.stored_turn, ACROSS) {
-        std::fs::create_dir_all(folder)?;
-        let name = path.with_extension("png");
-        let target = folder.join(name.file_name().unwrap_or_default());
-        write_whole(&target, encode_png(&picture)?)?;
+        write_whole(target, encode_png(&picture)?)?;
     }
     Ok(())
 }
@@ -191,6 +216,7 @@ fn answer(path: &Path, report: PhotoReport, ground: &PlacedMap) -> PhotoResult {
     let said = report.answer;
     PhotoResult {
         photo: name.to_string_lossy().into_owned(),
+        file: path.to_string_lossy().into_owned(),
         seconds: 1e-3 * report.computed,
         assumed: said.assumed,
         probability: said.probability,
@@ -232,7 +258,7 @@ fn laid(ground: &PlacedMap, photo: &RegisteredPhoto) -> LaidPhoto {
 fn print(answer: &PhotoResult) {
     println!(
         "{} ({:.2} s): {}",
-        answer.photo,
+        answer.file,
         answer.seconds,
         answer.assumed.join("; ")
     );

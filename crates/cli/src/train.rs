@@ -1,5 +1,6 @@
 //! `pilotage train`: a detector for each landmark, from the map alone.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use pilotage_core::landmark::cascade::train::FeatureKind;
@@ -7,7 +8,7 @@ use pilotage_core::landmark::trained::Preparation;
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
 use pilotage_core::plan::Proposal;
-use pilotage_core::text::plain_name;
+use pilotage_core::text::{distinct_names, plain_name};
 use pilotage_core::training::{FlightEnvelope, StageReport, TrainingPlan};
 use pilotage_jobs::{JobEvent, LabelledFrames, OpenFlight, TrainOrder, TrainingOutcome};
 use serde::Serialize;
@@ -166,6 +167,10 @@ fn train(
     let orders = landmarks.iter().map(order).collect();
     let (mut rows, mut stages) = (Vec::new(), 0);
     let mission = &mut ground.mission;
+    let stems = mission.landmarks.iter().map(|it| plain_name(&it.name));
+    let stems = distinct_names(stems, []);
+    let ids = mission.landmarks.iter().map(|it| it.id);
+    let stems: BTreeMap<u32, String> = ids.zip(stems).collect();
     workers::run(orders, &lent, &mut |number, event| {
         let name = &landmarks[number].name;
         match event {
@@ -179,7 +184,7 @@ fn train(
                 let mut landmark = landmarks[number].clone();
                 landmark.keep_trained_text(Some(&outcome.detector));
                 if let Some(folder) = &arguments.out {
-                    write_cascade(folder, &landmark)?;
+                    write_cascade(folder, &stems[&landmark.id], &landmark)?;
                 }
                 let kept = mission.landmarks.iter_mut().find(|l| l.id == landmark.id);
                 if let Some(kept) = kept {
@@ -213,12 +218,12 @@ impl TrainedRow {
     }
 }
 
-/// Writes the cascade of a landmark into a folder, which is made if missing.
-fn write_cascade(folder: &Path, landmark: &Landmark) -> Result<(), String> {
+/// Writes the cascade of a landmark into a folder, which is made if missing, in a file of this name.
+fn write_cascade(folder: &Path, stem: &str, landmark: &Landmark) -> Result<(), String> {
     let trained = landmark.trained_detector();
     let trained = trained.ok_or("the detector cannot be read back")?;
     std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let path = folder.join(format!("{}.xml", plain_name(&landmark.name)));
+    let path = folder.join(format!("{stem}.xml"));
     write_whole(&path, trained.cascade.to_xml())
 }
 

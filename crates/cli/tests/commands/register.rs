@@ -51,7 +51,7 @@ fn a_photo_is_laid_anywhere_on_a_map_of_another_date_or_refused_with_a_reason() 
     let east = (longitude - 120.720_301) * 101_500.0;
     assert!(north.hypot(east) < 10.0, "{latitude} {longitude}");
     assert!(answers[0]["probability"].as_f64().unwrap() > 0.95);
-    assert!(out.join("DJI_001.png").metadata().unwrap().len() > 100_000);
+    assert!(out.join("DJI_001.overlay.png").metadata().unwrap().len() > 100_000);
     std::fs::remove_dir_all(&out).unwrap();
 
     let Some(elsewhere) = shared("adm2014/frames/F1_001.jpg") else {
@@ -94,4 +94,35 @@ fn photos_that_cannot_be_read_are_told_in_their_order_and_lost_ones_before_the_w
     assert!(said.contains("0 of 3 photos were laid"), "{said}");
     let lost = of(&["grey.png", "lost.jpg"]).unwrap_err();
     assert!(lost.contains("lost.jpg: "), "{lost}");
+}
+
+/// A picture of a photo takes no photo's place, and photos of one name have one each.
+#[test]
+fn no_photo_is_written_over_and_two_of_one_name_have_two_pictures() {
+    let folder = Folder::new("register-overlay");
+    // Grey blocks of six pixels, no two areas alike.
+    let grey = |x: usize, y: usize| {
+        let block = (x / 6 * 7919 + y / 6 * 104_729) as u64;
+        let mixed = (block ^ (block >> 7)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        [(mixed >> 56) as u8; 3]
+    };
+    let map = Picture::from_fn(400, 300, grey);
+    folder.write("map.png", encode_png(&map).unwrap());
+    folder.write("map.pgw", "0.5\n0\n0\n-0.5\n0.25\n-0.25\n");
+    let photo = |left: usize, top: usize| {
+        encode_png(&Picture::from_fn(160, 120, |x, y| grey(left + x, top + y))).unwrap()
+    };
+    let (first, second) = (photo(60, 60), photo(200, 120));
+    std::fs::create_dir_all(folder.0.join("other")).unwrap();
+    folder.write("P.png", &first);
+    folder.write("other/P.png", &second);
+    let known = ["--focal", "300", "--height", "150", "--heading", "0"];
+    let photos = ["register", "map.png", "P.png", "other/P.png"];
+    let said = folder.run(&[&photos[..], &known, &["--overlay", "."]].concat());
+    let said = said.unwrap();
+    assert!(said.contains("2 of 2 photos were laid"), "{said}");
+    assert!(said.contains("other/P.png ("), "{said}");
+    let read = |name: &str| std::fs::read(folder.0.join(name)).unwrap();
+    assert!(read("P.png") == first && read("other/P.png") == second);
+    assert_ne!(read("P.overlay.png"), read("P.overlay-2.png"));
 }

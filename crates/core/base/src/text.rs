@@ -1,5 +1,7 @@
 //! Texts as programs write and people read them.
 
+use std::collections::BTreeSet;
+
 /// The text of bytes that begin with the mark of UTF-16, as Excel and Windows write it, or in whose first 64 bytes every
 /// other one is zero and the others are letters; what is no character becomes U+FFFD. `None` of anything else.
 ///
@@ -48,6 +50,32 @@ pub fn plain_name(name: &str) -> String {
         if is_plain { c } else { '-' }
     };
     name.chars().map(fit).collect()
+}
+
+/// Names of files in one folder, none of which is another's or one of `taken`: with a number behind those that would be. Big
+/// and small letters are the same, as they are to some systems.
+///
+/// ```
+/// use pilotage_base::text::distinct_names;
+///
+/// let told = distinct_names(["Mill", "mill", "Barn"], ["barn"]);
+/// assert_eq!(told, ["Mill", "mill-2", "Barn-2"]);
+/// ```
+pub fn distinct_names<N: Into<String>>(
+    names: impl IntoIterator<Item = N>,
+    taken: impl IntoIterator<Item = N>,
+) -> Vec<String> {
+    let mut all: BTreeSet<String> = (taken.into_iter())
+        .map(|name| name.into().to_lowercase())
+        .collect();
+    let distinct = |name: N| {
+        let name = name.into();
+        let numbered = (2..).map(|number| format!("{name}-{number}"));
+        let mut possible = std::iter::once(name.clone()).chain(numbered);
+        let free = possible.find(|name| all.insert(name.to_lowercase()));
+        free.unwrap_or(name)
+    };
+    names.into_iter().map(distinct).collect()
 }
 
 /// The words that go with a count: `one` with one of a kind, `several` with any other number.
