@@ -4,6 +4,7 @@ use pilotage_core::training::evaluation::wilson;
 use serde::{Deserialize, Serialize};
 use sketches_ddsketch::{Config, DDSketch};
 
+use super::quantile_ranks::quantile_ranks;
 use super::resampled::Resampled;
 
 /// Relative error of quantiles.
@@ -203,18 +204,20 @@ impl MeasureTally {
             // The middle of a bin may lie beyond the last number in it.
             ends.map(|[least, greatest]| value.clamp(least, greatest))
         };
+        let last = self.count - 1;
+        let ranked = |rank: u64| match ends? {
+            [least, _] if rank == 0 => Some(least),
+            [_, greatest] if rank == last => Some(greatest),
+            // The sketch takes the rank below the share.
+            _ => at((rank as f64 + 0.5) / last as f64),
+        };
+        let are_independent = matches!(self.samples, Samples::Draws(_));
         let of = |share: f64| {
-            let margin = NORMAL * (share * (1.0 - share) / self.count as f64).sqrt();
-            let (low, high) = (share - margin, share + margin);
-            // Beyond the ends there is no number that would bound it.
-            let is_bounded = low >= 0.0 && high <= 1.0;
-            let interval = at(low).zip(at(high)).filter(|_| is_bounded);
+            let ranks = quantile_ranks(self.count, share).filter(|_| are_independent);
             Some(QuantileSummary {
                 share,
                 value: at(share)?,
-                interval: interval
-                    .filter(|_| matches!(self.samples, Samples::Draws(_)))
-                    .map(|(low, high)| [low, high]),
+                interval: ranks.and_then(|[low, high]| Some([ranked(low)?, ranked(high)?])),
             })
         };
         SHARES.into_iter().filter_map(of).collect()
@@ -311,6 +314,26 @@ mod tests {
         let normal = NORMAL * summary.deviation / 5000.0_f64.sqrt();
         assert!(((high - low) / (2.0 * normal) - 1.0).abs() < 0.12);
         assert_eq!(tally.ends(), Some([values[0], values[4999]]));
+    }
+
+    #[test]
+    fn quantiles_of_few_flights_have_the_interval_of_their_ranks_or_none() {
+        let interval = |count: u32, share: f64| {
+            let mut tally = MeasureTally::new(false, None, true);
+            for value in 1..=count {
+                tally.push(Some(f64::from(value)), &DrawPlace::Own(&[1.0]));
+            }
+            let told = tally.quantiles().into_iter().find(|it| it.share == share);
+            told.unwrap().interval
+        };
+        assert_eq!(interval(4, 0.5), None);
+        assert_eq!(interval(8, 0.5), Some([1.0, 8.0]));
+        // By SciPy's binomial law the 40th and the 61st of 100, the 64th and the 72nd of 72.
+        for (count, share, ends) in [(100, 0.5, [40.0, 61.0]), (72, 0.95, [64.0, 72.0])] {
+            for (told, end) in interval(count, share).unwrap().into_iter().zip(ends) {
+                assert!((told / end - 1.0).abs() < 0.0051, "{count}: {told} {end}");
+            }
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use pilotage_core::filter::quantile;
 use pilotage_core::training::evaluation::wilson;
-use pilotage_study::{DrawBy, MeasureKind, StudyPlan};
+use pilotage_study::{DrawBy, MeasureKind, StudyPlan, quantile_ranks};
 
 use super::grouping::{FlightGroups, StudyBy, compared};
 use super::under_way::StudyUnderWay;
@@ -11,8 +11,6 @@ use super::under_way::StudyUnderWay;
 pub const PROMISED: f64 = 0.95;
 /// Share of the time in the ellipse below which a flight failed.
 const LEAST_INSIDE: f64 = 0.5;
-/// Standard normal value of 97.5 %.
-const NORMAL: f64 = 1.959_964;
 
 /// Errors of the flights of a setting: quantiles, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,18 +25,15 @@ pub struct ErrorSpread {
 impl ErrorSpread {
     fn of(mut values: Vec<f64>, are_independent: bool) -> Option<Self> {
         values.sort_by(f64::total_cmp);
-        let at = |share: f64| quantile(&values, share.clamp(0.0, 1.0));
-        let margin = NORMAL * 0.5 / (values.len() as f64).sqrt();
+        let at = |share: f64| quantile(&values, share);
+        let ranks = quantile_ranks(values.len() as u64, 0.5).filter(|_| are_independent);
         let mut quantiles = [0.0; 5];
         for (value, share) in quantiles.iter_mut().zip([0.05, 0.25, 0.5, 0.75, 0.95]) {
             *value = at(share)?;
         }
         Some(Self {
             quantiles,
-            // So few that their ends do not bound it: none.
-            median: (at(0.5 - margin).zip(at(0.5 + margin)))
-                .filter(|_| are_independent && margin <= 0.5)
-                .map(Into::into),
+            median: ranks.map(|ranks| ranks.map(|rank| values[rank as usize])),
         })
     }
 }
@@ -200,19 +195,18 @@ mod tests {
         for (value, expected) in spread.quantiles.into_iter().zip(expected) {
             assert!((value - expected).abs() < 1e-9);
         }
-        // Ranks within 1.96 times half the root of the number, about 10 of 101.
-        let [low, high] = spread.median.unwrap();
-        assert!(
-            (low - 40.2).abs() < 0.1 && (high - 59.8).abs() < 0.1,
-            "{low} {high}"
-        );
+        // Ranks beyond which the binomial law of 101 flights has 2.5 % at most, by SciPy.
+        assert_eq!(spread.median, Some([40.0, 60.0]));
         assert_eq!(ErrorSpread::of(Vec::new(), true), None);
         // Points of one scramble are no independent draws: their scatter is not that of the median.
         let of_points = ErrorSpread::of(vec![1.0, 2.0], false).unwrap();
         assert_eq!(of_points.median, None);
-        // Of three flights the median may well lie beyond the greatest.
-        let of_few = ErrorSpread::of(vec![1.0, 2.0, 3.0], true).unwrap();
-        assert_eq!(of_few.median, None);
+        // Of five flights the median lies beyond the smallest or the greatest once in sixteen times.
+        let of_few = |count: u32| {
+            let values = (0..count).map(f64::from).collect();
+            ErrorSpread::of(values, true).unwrap().median
+        };
+        assert_eq!((of_few(5), of_few(6)), (None, Some([0.0, 5.0])));
     }
 
     #[test]
