@@ -17,7 +17,7 @@ export function offerPresenter(page) {
     find("light").style.setProperty("--y", `${event.clientY}px`);
   });
   window.addEventListener("hashchange", () => { if (show.on && page.open !== show.lesson) collect(show, 0); });
-  channel.addEventListener("message", ({ data }) => { if (data === "where?") tell(show); });
+  channel.addEventListener("message", ({ data }) => { if (data === "where?" && show.on) tell(show); });
 }
 
 function key(show, event) {
