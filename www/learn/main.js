@@ -79,6 +79,7 @@ class Page {
 
   openText(kind, html) {
     this.open = null;
+    this.reader.close();
     document.body.dataset.shows = kind;
     find("figure").hidden = true;
     find("onward").hidden = true;
@@ -87,7 +88,7 @@ class Page {
     window.scrollTo(0, 0);
   }
 
-  /** All lessons of a course one after the other, each with its figure, to be printed. */
+  /** All lessons of a course one after the other, each with its figure, to be printed: with nothing to be set or guessed. */
   openHandout(course) {
     const [, lessons] = this.courses.find(([name]) => name === course);
     this.openText("handout", "<h1 id=\"lesson-title\" tabindex=\"-1\"></h1>");
@@ -100,6 +101,7 @@ class Page {
       own.className = "sheet";
       own.innerHTML = this.program.open(lesson);
       for (const id of own.querySelectorAll("[id]")) id.removeAttribute("id");
+      for (const input of own.querySelectorAll("input")) input.disabled = true;
       const figure = document.createElement("figure");
       figure.innerHTML = JSON.parse(this.program.set("")).figure;
       own.querySelector("header").after(figure);

@@ -6,6 +6,7 @@ export class Reader {
   constructor(program) {
     this.program = program;
     this.name = "";
+    this.article = null;
     this.touched = false;
     for (const input of document.querySelectorAll("#depth input")) {
       input.addEventListener("change", () => this.depth(input.value));
@@ -34,6 +35,12 @@ export class Reader {
     const { guess, shown } = readProgress()[name] ?? {};
     this.veil(guess === undefined && !shown);
     if (guess !== undefined) this.answer(guess);
+  }
+
+  /** Leaves the lesson: what the page shows now is no lesson of its own. */
+  close() {
+    this.article = null;
+    this.watcher?.disconnect();
   }
 
   /** Hides the figure until its reader has guessed, asked for the answer or read on. */
@@ -89,6 +96,7 @@ export class Reader {
   }
 
   input(target) {
+    if (!this.article) return;
     if (target.name === "guess") {
       this.article.querySelector(".commit").disabled = false;
     } else if (target.dataset.control) {
@@ -99,7 +107,11 @@ export class Reader {
 
   click(button) {
     if (!button) return;
-    if (button.dataset.set) {
+    if (button.classList.contains("term")) {
+      showMeaning(button);
+    } else if (!this.article) {
+      // Of no lesson that is open.
+    } else if (button.dataset.set) {
       this.touched = !button.classList.contains("passes");
       this.apply(button.dataset.set);
     } else if (button.classList.contains("commit")) {
@@ -108,8 +120,6 @@ export class Reader {
       this.answer(chosen, true);
     } else if (button.classList.contains("reveal")) {
       this.answer(null, true);
-    } else if (button.classList.contains("term")) {
-      showMeaning(button);
     }
   }
 
