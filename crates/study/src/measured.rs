@@ -54,8 +54,8 @@ pub struct MeanSummary {
     pub mean: f64,
     /// Standard deviation between flights.
     pub deviation: f64,
-    /// Interval of the mean with a confidence of 95 %; none of numbers that are all alike, which do not tell it, unless it
-    /// is that of a share.
+    /// Interval of the mean with a confidence of 95 %; none of numbers that are all alike or of fewer than eight draws, which
+    /// do not tell it, unless it is that of a share.
     pub interval: Option<[f64; 2]>,
     /// Way in which that was found.
     pub interval_by: IntervalBy,
@@ -72,6 +72,8 @@ enum Samples {
 /// Numbers of one measure in one cell.
 pub struct MeasureTally {
     is_share: bool,
+    /// Smallest and largest number that there can be, so that no mean lies beyond.
+    range: [f64; 2],
     count: u64,
     missing: u64,
     mean: f64,
@@ -90,12 +92,18 @@ pub enum DrawPlace<'a> {
 }
 
 impl MeasureTally {
-    /// Nothing yet, of numbers or of a share; `scrambles` share the draws if they are no samples of their own, and
-    /// quantiles are kept if asked for.
-    pub fn new(is_share: bool, scrambles: Option<u64>, has_quantiles: bool) -> Self {
+    /// Nothing yet, of numbers within a range or of a share; `scrambles` share the draws if they are no samples of their
+    /// own, and quantiles are kept if asked for.
+    pub fn new(
+        is_share: bool,
+        range: [f64; 2],
+        scrambles: Option<u64>,
+        has_quantiles: bool,
+    ) -> Self {
         let config = || Config::new(QUANTILE_ERROR, BINS, SMALLEST);
         Self {
             is_share,
+            range,
             count: 0,
             missing: 0,
             mean: 0.0,
@@ -132,6 +140,14 @@ impl MeasureTally {
     }
 
     fn interval(&self) -> (Option<[f64; 2]>, IntervalBy) {
+        let [least, greatest] = self.range;
+        let (interval, by) = self.unbounded();
+        let within = |ends: [f64; 2]| ends.map(|end| end.clamp(least, greatest));
+        (interval.map(within), by)
+    }
+
+    /// The interval, which may reach beyond the range of the numbers.
+    fn unbounded(&self) -> (Option<[f64; 2]>, IntervalBy) {
         match &self.samples {
             Samples::Draws(_) if self.is_share => (self.wilsons(), IntervalBy::Wilson),
             Samples::Draws(resampled) => {
@@ -152,11 +168,7 @@ impl MeasureTally {
             // Draws by points scatter no more than independent ones.
             (true, true) => (self.wilsons(), IntervalBy::Wilson),
             (true, false) => (None, IntervalBy::Scrambles),
-            (false, true) => {
-                let within = students(&means).map(|end| end.clamp(0.0, 1.0));
-                (Some(within), IntervalBy::Scrambles)
-            }
-            (false, false) => (Some(students(&means)), IntervalBy::Scrambles),
+            (false, _) => (Some(students(&means)), IntervalBy::Scrambles),
         }
     }
 
@@ -259,6 +271,8 @@ mod tests {
     use crate::philox::{Philox, Stream};
     use crate::resampled::weights;
 
+    const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
     #[test]
     fn students_values_are_those_of_printed_tables() {
         for (freedom, value) in [
@@ -274,8 +288,8 @@ mod tests {
     #[test]
     fn quantiles_err_by_half_a_percent_and_shares_have_wilsons_interval() {
         let random = Philox::new(11);
-        let mut tally = MeasureTally::new(false, None, true);
-        let mut share = MeasureTally::new(true, None, false);
+        let mut tally = MeasureTally::new(false, ANY, None, true);
+        let mut share = MeasureTally::new(true, [0.0, 1.0], None, false);
         let mut values: Vec<f64> = Vec::new();
         for draw in 0..5000 {
             // Of many sizes, from 0.02 to 50.
@@ -297,7 +311,7 @@ mod tests {
             assert!(low <= told.value && told.value <= high);
         }
         let all_alike = |value: f64| {
-            let mut tally = MeasureTally::new(false, None, true);
+            let mut tally = MeasureTally::new(false, ANY, None, true);
             tally.push(Some(value), &DrawPlace::Own(&[1.0]));
             tally.quantiles()
         };
@@ -319,7 +333,7 @@ mod tests {
     #[test]
     fn quantiles_of_few_flights_have_the_interval_of_their_ranks_or_none() {
         let interval = |count: u32, share: f64| {
-            let mut tally = MeasureTally::new(false, None, true);
+            let mut tally = MeasureTally::new(false, ANY, None, true);
             for value in 1..=count {
                 tally.push(Some(f64::from(value)), &DrawPlace::Own(&[1.0]));
             }
@@ -337,8 +351,21 @@ mod tests {
     }
 
     #[test]
+    fn no_interval_reaches_beyond_what_can_be() {
+        let random = Philox::new(5);
+        // One flight is far from the others: without the bound, -0.20 to 1.01.
+        let shares = [1.0, 0.99, 0.98, 0.999, 0.5, 0.97, 0.96, 1.0];
+        let mut tally = MeasureTally::new(false, [0.0, 1.0], None, false);
+        for (draw, share) in shares.into_iter().enumerate() {
+            let weights = weights(random, draw as u64);
+            tally.push(Some(share), &DrawPlace::Own(&weights));
+        }
+        assert_eq!(tally.mean().unwrap().interval, Some([0.0, 1.0]));
+    }
+
+    #[test]
     fn what_has_no_number_is_counted_and_left_out() {
-        let mut tally = MeasureTally::new(false, Some(2), true);
+        let mut tally = MeasureTally::new(false, ANY, Some(2), true);
         for (value, scramble) in [
             (Some(1.0), 0),
             (None, 0),

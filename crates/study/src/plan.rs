@@ -70,6 +70,12 @@ impl StudyMeasure {
     pub fn is_share(&self) -> bool {
         self.at_most.is_some() || self.of.is_share()
     }
+
+    /// Smallest and largest number that there can be.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        let is_part = self.is_share() || self.of == MeasureKind::Inside;
+        [0.0, if is_part { 1.0 } else { f64::INFINITY }]
+    }
 }
 
 /// Rule by which a study ends before all its flights are flown.

@@ -32,41 +32,89 @@ fn poisson(word: u32) -> f64 {
     count
 }
 
+/// Fewest draws of which an interval is told: of fewer, resamples often hold one number only.
+const FEWEST: f64 = 8.0;
+
+/// Sums over what was drawn, counted from the first number.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    count: f64,
+    values: f64,
+    squares: f64,
+}
+
+impl Sums {
+    fn add(&mut self, weight: f64, value: f64) {
+        self.count += weight;
+        self.values += weight * value;
+        self.squares += weight * value * value;
+    }
+
+    fn mean(&self) -> f64 {
+        self.values / self.count
+    }
+
+    /// Variance between the numbers, as of all there are.
+    fn variance(&self) -> f64 {
+        self.squares / self.count - self.mean().powi(2)
+    }
+
+    /// Standard deviation of the mean.
+    fn error(&self) -> f64 {
+        (self.variance() / (self.count - 1.0)).sqrt()
+    }
+}
+
 /// Sums of one quantity in every resample.
 #[derive(Clone, Debug)]
 pub struct Resampled {
-    counts: Vec<f64>,
-    sums: Vec<f64>,
+    first: Option<f64>,
+    own: Sums,
+    resamples: Vec<Sums>,
 }
 
 impl Resampled {
     /// Nothing yet.
     pub fn new() -> Self {
         Self {
-            counts: vec![0.0; RESAMPLES],
-            sums: vec![0.0; RESAMPLES],
+            first: None,
+            own: Sums::default(),
+            resamples: vec![Sums::default(); RESAMPLES],
         }
     }
 
     /// Takes in a value of a draw with these weights.
     pub fn push(&mut self, value: f64, weights: &[f64]) {
-        let sums = self.counts.iter_mut().zip(&mut self.sums);
-        for ((count, sum), weight) in sums.zip(weights) {
-            *count += weight;
-            *sum += weight * value;
+        let value = value - *self.first.get_or_insert(value);
+        self.own.add(1.0, value);
+        for (sums, weight) in self.resamples.iter_mut().zip(weights) {
+            sums.add(*weight, value);
         }
     }
 
-    /// Interval of the mean with a confidence of 95 %, by percentiles; `None` where a resample is empty.
+    /// Interval of the mean with a confidence of 95 %, by Student's ratios of the resamples (the bootstrap-t, Efron and
+    /// Tibshirani 1993, 12.5): it knows that few draws also tell their scatter badly, and to which side they are skewed.
+    /// `None` of fewer than eight draws, and where resamples often have a single number only, as of rare events.
     pub fn interval(&self) -> Option<[f64; 2]> {
-        if self.counts.contains(&0.0) {
+        let (own, first) = (self.own, self.first?);
+        if own.count < FEWEST {
             return None;
         }
-        let sums = self.sums.iter().zip(&self.counts);
-        let mut means: Vec<f64> = sums.map(|(sum, count)| sum / count).collect();
-        means.sort_by(f64::total_cmp);
-        let at = |share: f64| pilotage_core::filter::quantile(&means, share);
-        Some([at(TAIL)?, at(1.0 - TAIL)?])
+        let ratio = |of: &Sums| {
+            let off = of.mean() - own.mean();
+            // What is left of rounding is no scatter.
+            let scatters = of.count > 1.0 && of.variance() > 1e-12 * own.variance();
+            off / if scatters { of.error() } else { 0.0 }
+        };
+        let drawn = self.resamples.iter().filter(|of| of.count > 0.0);
+        let mut ratios: Vec<f64> = drawn.map(ratio).filter(|it| !it.is_nan()).collect();
+        ratios.sort_by(f64::total_cmp);
+        let end = |share: f64| {
+            let ratio = pilotage_core::filter::quantile(&ratios, share)?;
+            let end = first + own.mean() - ratio * own.error();
+            end.is_finite().then_some(end)
+        };
+        Some([end(1.0 - TAIL)?, end(TAIL)?])
     }
 }
 
@@ -112,6 +160,41 @@ mod tests {
         assert!((width / 0.0653 - 1.0).abs() < 0.05, "{width}");
         // 95 % of 200, within three deviations and what the bootstrap lacks.
         assert!((178..=199).contains(&held), "{held}");
+    }
+
+    #[test]
+    fn of_few_and_skewed_numbers_it_holds_the_truth_as_well_or_is_none() {
+        // Numbers of the exponential law, of mean 1.
+        let interval = |study: u64, draws: u64| {
+            let random = Philox::new(study);
+            let mut resampled = Resampled::new();
+            for draw in 0..draws {
+                let value = -random.unit(Stream::Setting, draw, 0).ln();
+                resampled.push(1e3 + value, &weights(random, draw));
+            }
+            resampled.interval()
+        };
+        for draws in [8, 10, 20] {
+            let held = (0..500).filter(|study| {
+                let [low, high] = interval(*study, draws).unwrap();
+                low <= 1001.0 && 1001.0 <= high
+            });
+            // By percentiles it was 86 to 90 %. The deviation of the share is 1 %.
+            let held = held.count();
+            assert!((455..=495).contains(&held), "{draws}: {held}");
+        }
+        assert_eq!(interval(1, 7), None);
+        // Three flights that differ are too few to tell how often others do.
+        let rare = |events: u64| {
+            let random = Philox::new(1);
+            let mut resampled = Resampled::new();
+            for draw in 0..100 {
+                let value = f64::from(u8::from(draw < events));
+                resampled.push(value, &weights(random, draw));
+            }
+            resampled.interval()
+        };
+        assert!(rare(1).is_none() && rare(2).is_none() && rare(20).is_some());
     }
 
     #[test]

@@ -86,7 +86,13 @@ impl<'a> StudyTally<'a> {
             let tally = move |measure: &StudyMeasure| {
                 let is_share = measure.is_share() && !is_difference;
                 let has_quantiles = !measure.is_share() && !is_difference;
-                MeasureTally::new(is_share, scrambles, has_quantiles)
+                let [least, greatest] = measure.range();
+                let range = if is_difference {
+                    [least - greatest, greatest - least]
+                } else {
+                    [least, greatest]
+                };
+                MeasureTally::new(is_share, range, scrambles, has_quantiles)
             };
             plan.measure.iter().map(tally).collect::<Vec<_>>()
         };
