@@ -7,7 +7,7 @@ export class Reader {
     this.program = program;
     this.name = "";
     this.article = null;
-    this.touched = false;
+    this.passes = false;
     for (const input of document.querySelectorAll("#depth input")) {
       input.addEventListener("change", () => this.depth(input.value));
     }
@@ -24,7 +24,6 @@ export class Reader {
     this.name = name;
     this.article = article;
     this.figure = figure;
-    this.touched = false;
     article.innerHTML = this.program.open(name);
     // A choice that stands in two places is two groups: in one, the browser would let only the last be chosen.
     for (const [place, choice] of article.querySelectorAll("fieldset.control").entries()) {
@@ -62,8 +61,9 @@ export class Reader {
     try { localStorage.setItem("pilotage.lessons.depth", value); } catch { /* not kept then */ }
   }
 
-  /** Sets controls, `name=number,…`, and shows what that changes; told by the browser's own clock as "lesson". */
-  apply(controls) {
+  /** Sets controls, `name=number,…`, and shows what that changes; told by the browser's own clock as "lesson". A lesson is
+   * passed by its reader's `own` change from what does not pass to what does, and not where a button led. */
+  apply(controls, own = false) {
     const begin = performance.now();
     const patch = JSON.parse(this.program.set(controls));
     this.figure.innerHTML = patch.figure;
@@ -78,7 +78,9 @@ export class Reader {
     }
     for (const [name, number, text] of patch.controls) this.showControl(name, number, text);
     performance.measure("lesson", { start: begin, end: performance.now() });
-    if (this.touched && patch.checks.length && patch.checks.every(([, passes]) => passes)) keepProgress(this.name, { passed: true });
+    const passes = patch.checks.length > 0 && patch.checks.every(([, each]) => each);
+    if (own && passes && !this.passes) keepProgress(this.name, { passed: true });
+    this.passes = passes;
   }
 
   all(selector) { return this.article.querySelectorAll(selector); }
@@ -100,8 +102,7 @@ export class Reader {
     if (target.name === "guess") {
       this.article.querySelector(".commit").disabled = false;
     } else if (target.dataset.control) {
-      this.touched = true;
-      this.apply(`${target.dataset.control}=${target.value}`);
+      this.apply(`${target.dataset.control}=${target.value}`, true);
     }
   }
 
@@ -112,7 +113,6 @@ export class Reader {
     } else if (!this.article) {
       // Of no lesson that is open.
     } else if (button.dataset.set) {
-      this.touched = !button.classList.contains("passes");
       this.apply(button.dataset.set);
     } else if (button.classList.contains("commit")) {
       const chosen = Number(this.article.querySelector("input[name=guess]:checked").value);

@@ -46,6 +46,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
     LessonOutcome {
         figure: draw(prior, &claimed, &truth, words),
         values: vec![
+            Value::new("heading", setting.get("heading"), "°"),
             Value::new("mean", claimed.mean[0], "m"),
             Value::new("true-mean", truth.mean[0], "m"),
             Value::new("off", (claimed.mean - truth.mean).norm(), "m"),
@@ -56,6 +57,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
         checks: vec![
             Check::at_most("off", 5.0),
             Check::between("ratio", 0.7, 1.4),
+            Check::at_least("heading", 20.0),
         ],
     }
 }

@@ -63,7 +63,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("along", along, "m"),
             Value::new("across", across, "m"),
         ],
-        checks: vec![Check::at_most("along", 30.0)],
+        checks: vec![Check::at_most("along", 30.0), Check::at_least("wind", 0.5)],
     }
 }
 

@@ -53,7 +53,10 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("real", shown.real, "m"),
             Value::new("ratio", shown.real / shown.stated, ""),
         ],
-        checks: vec![Check::between("ratio", 0.95, 1.05)],
+        checks: vec![
+            Check::between("ratio", 0.95, 1.05),
+            Check::at_least("alike", 0.6),
+        ],
     }
 }
 

@@ -41,7 +41,7 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("nis", nis, ""),
             Value::new("moved", 100.0 * gain, "%"),
         ],
-        checks: vec![Check::at_most("after", 3.0)],
+        checks: vec![Check::at_most("after", 3.0), Check::at_least("look", 2.0)],
     }
 }
 

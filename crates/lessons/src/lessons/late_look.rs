@@ -67,7 +67,10 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("nis", surprise, ""),
             Value::new("nis-turn", after, ""),
         ],
-        checks: vec![Check::between("behind", -3.0, 3.0)],
+        checks: vec![
+            Check::between("behind", -3.0, 3.0),
+            Check::at_least("lag", 0.5),
+        ],
     }
 }
 

@@ -93,7 +93,10 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             // To the centimetre: the filter ends a little beside the crossing.
             Value::new("moved", (100.0 * found.norm()).round() / 100.0, "m"),
         ],
-        checks: vec![Check::at_most("together", 15.0)],
+        checks: vec![
+            Check::at_most("together", 15.0),
+            Check::at_most("moved", 1.0),
+        ],
     }
 }
 

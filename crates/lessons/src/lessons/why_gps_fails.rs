@@ -72,7 +72,10 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("left", left, "dB-Hz"),
             Value::new("reach", reach(watts) / 1000.0, "km"),
         ],
-        checks: vec![Check::at_least("left", LOST)],
+        checks: vec![
+            Check::at_least("left", LOST),
+            Check::at_least("power", 100.0),
+        ],
     }
 }
 

@@ -56,7 +56,10 @@ fn compute(setting: &Setting, words: &Words) -> LessonOutcome {
             Value::new("correlation", correlation, ""),
             Value::new("ground-speed", sum, "m/s"),
         ],
-        checks: vec![Check::at_most("wind-after", 0.2)],
+        checks: vec![
+            Check::at_most("wind-after", 0.2),
+            Check::at_least("bias", 2.0),
+        ],
     }
 }
 
