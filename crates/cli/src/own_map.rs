@@ -9,7 +9,7 @@ use pilotage_jobs::{FlightSource, OpenFlight, PlannedPath, RehearsedFlight, fly_
 use crate::maps::{MAP_CACHE, MapOnDisk};
 use crate::notes::tell;
 use crate::numbers::numbers;
-use crate::plan::{PlanSource, PlannedFlight};
+use crate::plan::{PlanSource, PlannedFlight, above_ground};
 use crate::workers::Lent;
 
 /// Share of the map that lies within the way-points where none are stated, along each side.
@@ -55,6 +55,7 @@ pub fn fly(
     seed: u64,
     day: FlightDay,
 ) -> Result<OpenFlight, Box<dyn std::error::Error>> {
+    above_ground(own.height)?;
     let (mut planned, lent) = match (&own.mission, &own.map) {
         (Some(_), _) => by_mission(own)?,
         (None, Some(map)) => by_map(own, crate::maps::open_map(map, None, MAP_CACHE)?)?,

@@ -27,6 +27,8 @@ pub fn apply(settings: &mut NavigatorSettings, changes: &str) -> Result<(), Stri
             .split_once('=')
             .ok_or_else(|| format!("--filter: \"{change}\" is not key=value"))?;
         set(settings, key.trim(), value.trim())?;
+        let refused = |why| format!("--filter {}: {why}", change.trim());
+        settings.check().map_err(refused)?;
     }
     Ok(())
 }
@@ -176,6 +178,33 @@ mod tests {
             assert!(why.contains(key) && why.contains(value), "{why}");
         }
         assert_eq!(settings.whole_frames, Some(frames));
+        for change in [
+            "gate=99",
+            "gate=0",
+            "gate=nan",
+            "scale=-1",
+            "scale=0",
+            "pixel=nan",
+            "roll=nan",
+            "pitch=-1",
+            "yaw=inf",
+            "height=-1",
+            "start=-3",
+            "start-wind=nan",
+            "gust-time=0",
+            "wind=-1",
+            "velocity=-inf",
+            "map-deviation=-1",
+            "score=nan",
+            "shortest-step=-1",
+        ] {
+            let why = apply(&mut NavigatorSettings::default(), change).unwrap_err();
+            let name = change.split('=').next().unwrap();
+            assert!(
+                why.contains(change) && why.contains(&format!("setting {name} = ")),
+                "{why}"
+            );
+        }
         apply(&mut settings, "tilt-bias=0.9,yaw-bias=0.4,height-bias=2").unwrap();
         let sensors = settings.sensors;
         assert_eq!(

@@ -39,6 +39,26 @@ pub struct PlanSource {
     pub dem: Option<PathBuf>,
 }
 
+/// Refuses a stated height that is not above the ground.
+///
+/// ```
+/// use pilotage_disk::planned_flight::above_ground;
+///
+/// assert!(above_ground(Some(120.0)).is_ok() && above_ground(None).is_ok());
+/// assert!(above_ground(Some(-50.0)).is_err() && above_ground(Some(f64::NAN)).is_err());
+/// ```
+///
+/// # Errors
+/// The height, and what to give.
+pub fn above_ground(height: Option<f64>) -> Result<(), String> {
+    match height.filter(|metres| !(metres.is_finite() && *metres > 0.0)) {
+        Some(metres) => Err(format!(
+            "height: {metres} m is not above the ground; give metres above zero"
+        )),
+        None => Ok(()),
+    }
+}
+
 /// The map, the mission on it and how it is flown.
 pub struct PlannedFlight {
     /// The map.
@@ -93,6 +113,7 @@ impl PlannedFlight {
         arguments: &PlanSource,
         route: Option<&str>,
     ) -> Result<Self, Box<dyn std::error::Error>> {
+        above_ground(arguments.height)?;
         if let Some(name) = &arguments.scenario {
             return Self::of_scenario(name, arguments.height);
         }

@@ -18,7 +18,7 @@ use serde::Serialize;
 pub use arguments::Arguments;
 use envelopes::envelopes;
 use ground::ground_of;
-pub use pilotage_disk::planned_flight::{PlanSource, PlannedFlight};
+pub use pilotage_disk::planned_flight::{PlanSource, PlannedFlight, above_ground};
 pub use pilotage_disk::predict::predict;
 use pilotage_disk::{landmarks, planned_flight};
 use propose::suggest;

@@ -18,6 +18,7 @@ use pilotage_jobs::decode_photo;
 
 use crate::CommandResult;
 use crate::numbers::numbers;
+use crate::plan::above_ground;
 
 /// Probability from which on a place is believed.
 const BELIEVED: f64 = 0.99;
@@ -80,6 +81,12 @@ pub struct Arguments {
 
 /// Says where the views are.
 pub fn run(arguments: &Arguments) -> CommandResult {
+    above_ground(arguments.height)?;
+    let percent = arguments.on_map;
+    if !(percent > 0.0 && percent <= 100.0) {
+        let why = "is no probability; give percent above 0, 100 at most";
+        return Err(format!("--on-map: {percent} {why}").into());
+    }
     let source = RoadSource::open(&arguments.map)?;
     let frame = source.frame()?;
     let least = class(&arguments.least)?;

@@ -103,3 +103,28 @@ fn a_flight_that_no_world_has_is_refused_with_those_of_all_worlds() {
         }
     }
 }
+
+#[test]
+fn numbers_with_which_nothing_flies_are_refused_by_name() {
+    let folder = Folder::new("unflyable");
+    for (words, named) in [
+        (
+            "replay --scenario distinct-400ft-calm --filter gate=99",
+            "gate = 99",
+        ),
+        (
+            "compare indoor-hall --estimators ekf --filter pixel=nan",
+            "pixel = NaN",
+        ),
+        (
+            "rehearse --scenario distinct-400ft-calm --height=-50",
+            "height: -50",
+        ),
+        ("simulate --map m.tif --height=0 --out f", "height: 0"),
+        ("roads lost r.geojson v.png --on-map 150", "--on-map: 150"),
+    ] {
+        let words: Vec<&str> = words.split(' ').collect();
+        let why = folder.run(&words).unwrap_err();
+        assert!(why.contains(named), "{words:?}: {why}");
+    }
+}

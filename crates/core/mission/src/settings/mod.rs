@@ -2,6 +2,7 @@
 
 mod adjustment;
 mod aids;
+mod bounds;
 mod navigator;
 mod unstated_mount;
 mod without_mission;

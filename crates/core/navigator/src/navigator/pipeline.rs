@@ -177,6 +177,10 @@ impl Navigator {
         settings: &NavigatorSettings,
         ground: Option<&KnownGround>,
     ) -> Result<Self, NavigatorError> {
+        settings.check().map_err(|cause| NavigatorError::Filter {
+            time: flight.start.time,
+            cause,
+        })?;
         let is_found_by_frames = settings.whole_frames.is_some();
         let sees = |aid: &ChosenAid| AidInfo::named(&aid.key).is_ok_and(AidInfo::sees);
         let looks = !landmarks.is_empty() || settings.aids.iter().any(sees);
