@@ -30,12 +30,12 @@ pub struct Arguments {
     /// Leave out the estimates after the flight, by the smoother.
     #[arg(long)]
     no_smoother: bool,
-    /// Seeds of the scenario, A..B with B left out.
-    #[arg(long, value_name = "A..B", default_value = "1..2")]
-    seeds: String,
-    /// Day on which the camera sees the ground of the scenario.
-    #[arg(long, value_enum, default_value_t = DayChoice::Other)]
-    day: DayChoice,
+    /// Seeds of the scenario, A..B with B left out; 1..2 if none is said.
+    #[arg(long, value_name = "A..B")]
+    seeds: Option<String>,
+    /// Day on which the camera sees the ground of the scenario; another one than that of its map if none is said.
+    #[arg(long, value_enum)]
+    day: Option<DayChoice>,
     /// Mission file (GeoJSON).
     #[arg(long)]
     mission: Option<PathBuf>,
@@ -148,6 +148,14 @@ fn contest(
     Ok(EstimatorComparison::of(&tallies))
 }
 
+/// Refuses an option that is said of what cannot follow it.
+fn not_of(flown: &str, said: [(&str, bool); 2]) -> Result<(), String> {
+    match said.into_iter().find(|(_, is_said)| *is_said) {
+        Some((option, _)) => Err(format!("--{option} says nothing of {flown}; leave it out")),
+        None => Ok(()),
+    }
+}
+
 fn simulated(
     arguments: &Arguments,
     choice: &SimulationChoice,
@@ -156,10 +164,18 @@ fn simulated(
         Some(path) => OpenMission::read(path)?.package.mission,
         None => choice.mission().ok_or("this flight has no mission")?,
     };
-    let (first, end) = seed_range(&arguments.seeds)?;
-    let flown = |seed| FlightSource::Simulated(options(choice.name, seed, arguments.day));
+    not_of(
+        "a scenario",
+        [
+            ("map", arguments.map.is_some()),
+            ("no-mission", arguments.no_mission),
+        ],
+    )?;
+    let (first, end) = seed_range(arguments.seeds.as_deref().unwrap_or("1..2"))?;
+    let day = arguments.day.unwrap_or(DayChoice::Other);
+    let flown = |seed| FlightSource::Simulated(options(choice.name, seed, day));
     let flights = (first..end).map(flown).collect();
-    let lent = ground_of(choice, arguments.day);
+    let lent = ground_of(choice, day);
     contest(
         arguments,
         mission,
@@ -170,6 +186,13 @@ fn simulated(
 }
 
 fn recorded(arguments: &Arguments) -> Result<EstimatorComparison, Box<dyn std::error::Error>> {
+    not_of(
+        "a recorded flight",
+        [
+            ("seeds", arguments.seeds.is_some()),
+            ("day", arguments.day.is_some()),
+        ],
+    )?;
     let flight = flight_at(Path::new(&arguments.flight), None, None)?;
     tell(&flight.notes);
     let map = flight.map(arguments.map.as_deref())?.map(told);

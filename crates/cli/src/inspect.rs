@@ -54,6 +54,9 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             if arguments.counts {
                 inspect_log::counts(&folder.log());
             }
+            if arguments.parameters.is_some() {
+                return Err(of_logs("parameters", "a flight").into());
+            }
             return Ok(());
         }
         OpenedPath::Log(log, beside) => {
@@ -76,7 +79,7 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             run.steps.len(),
             run.landmarks.len()
         );
-        return Ok(());
+        return arguments.nothing_of_logs("a run");
     }
     let package = pilotage_core::mission::package::read_package(&bytes).map_err(|e| {
         match foreign_words(path) {
@@ -110,7 +113,25 @@ pub fn run(arguments: &Arguments) -> CommandResult {
             landmark.reference.east
         );
     }
-    Ok(())
+    arguments.nothing_of_logs("a mission")
+}
+
+impl Arguments {
+    /// Refuses what was asked of something that only a log has.
+    fn nothing_of_logs(&self, of: &str) -> CommandResult {
+        let asked = [
+            ("parameters", self.parameters.is_some()),
+            ("counts", self.counts),
+        ];
+        match asked.into_iter().find(|(_, is_asked)| *is_asked) {
+            Some((option, _)) => Err(of_logs(option, of).into()),
+            None => Ok(()),
+        }
+    }
+}
+
+fn of_logs(option: &str, of: &str) -> String {
+    format!("--{option} is of logs; this is {of}")
 }
 
 /// Whether a file says that it was saved here.

@@ -131,7 +131,8 @@ pub fn parameters(log: &Log, part: &str) {
     let part = part.to_lowercase();
     let all = log.set_parameters();
     let is_shown = |it: &&SetParameter| it.name.to_lowercase().contains(&part);
-    for parameter in all.iter().filter(is_shown) {
+    let shown = all.iter().filter(is_shown);
+    for parameter in shown.clone() {
         let default = parameter.other_default();
         let default = default.map_or_else(String::new, |value| format!("  (default {value})"));
         let changes = match parameter.changes {
@@ -144,5 +145,10 @@ pub fn parameters(log: &Log, part: &str) {
             parameter.name, parameter.value
         );
     }
-    println!("{} parameters", all.len());
+    let shown = shown.count();
+    if shown == all.len() {
+        println!("{shown} parameters");
+    } else {
+        println!("{shown} of {} parameters", all.len());
+    }
 }

@@ -28,17 +28,22 @@ pub struct Arguments {
     #[arg(conflicts_with_all = ["scenario", "flight"])]
     path: Option<PathBuf>,
     /// A built-in scenario; by the landmarks of another mission over the same ground, if one is given.
-    #[arg(long, conflicts_with_all = ["flight", "map", "columns"])]
+    #[arg(long, conflicts_with_all = ["flight", "map", "columns", "vehicle", "no_mission"])]
     scenario: Option<String>,
     /// Seed of the scenario.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, requires = "scenario", default_value_t = 1)]
     seed: u64,
     /// Several seeds, A..B with B left out; prints quantiles. Pictures in which no landmark may lie are
     /// not taken, and count as looked at in no time.
-    #[arg(long, value_name = "A..B", conflicts_with = "seed")]
+    #[arg(
+        long,
+        value_name = "A..B",
+        requires = "scenario",
+        conflicts_with = "seed"
+    )]
     seeds: Option<String>,
-    /// Day on which the camera sees the ground.
-    #[arg(long, value_enum, default_value_t = DayChoice::Other)]
+    /// Day on which the camera sees the ground of the scenario.
+    #[arg(long, requires = "scenario", value_enum, default_value_t = DayChoice::Other)]
     day: DayChoice,
     /// Mission file (GeoJSON); a flight without one is navigated by whole frames alone.
     #[arg(long)]
@@ -66,7 +71,7 @@ pub struct Arguments {
     #[arg(long, default_value = "")]
     filter: String,
     /// File for the run.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "seeds")]
     out: Option<PathBuf>,
     /// File for the estimated track; its ending names the format: .kml, .kmz, .gpx, .geojson or .csv.
     #[arg(long, value_name = "FILE", conflicts_with = "seeds")]
@@ -75,7 +80,7 @@ pub struct Arguments {
     #[arg(long)]
     summary: Option<PathBuf>,
     /// Print every camera frame with what became of it, and what frames and landmarks were refused of, counted.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "seeds")]
     verbose: bool,
 }
 

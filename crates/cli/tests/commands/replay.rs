@@ -104,6 +104,41 @@ fn a_flight_that_no_world_has_is_refused_with_those_of_all_worlds() {
     }
 }
 
+/// Nothing that is said is left undone without a word.
+#[test]
+fn what_a_flight_cannot_follow_is_refused_by_name() {
+    let folder = Folder::new("unfollowed");
+    folder.write("flight.bin", b"");
+    for (words, named) in [
+        ("replay flight.bin --seed 3", "--scenario"),
+        ("replay flight.bin --seeds 1..5", "--scenario"),
+        ("replay flight.bin --day same", "--scenario"),
+        ("replay --scenario s --seeds 1..2 --out r.run", "--out"),
+        ("replay --scenario s --seeds 1..2 --verbose", "--verbose"),
+        ("replay --scenario s --vehicle 2", "--vehicle"),
+        ("replay --scenario s --no-mission", "--no-mission"),
+        ("compare flight.bin --seeds 1..9", "--seeds"),
+        ("compare flight.bin --day same", "--day"),
+        ("compare indoor-hall --map m.png", "--map"),
+        ("compare indoor-hall --no-mission", "--no-mission"),
+    ] {
+        let words: Vec<&str> = words.split(' ').collect();
+        let why = folder.run(&words).unwrap_err();
+        assert!(why.contains(named), "{words:?}: {why}");
+        assert!(!folder.0.join("r.run").exists(), "{words:?}");
+    }
+    let missions = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/flights/brighton/");
+    for (file, option, what) in [
+        ("mission.geojson", "--parameters", "a mission"),
+        ("mission.geojson", "--counts", "a mission"),
+        ("flight.json", "--parameters", "a flight"),
+    ] {
+        let why = folder.run(&["inspect", &format!("{missions}{file}"), option]);
+        let why = why.unwrap_err();
+        assert!(why.contains(option) && why.contains(what), "{file}: {why}");
+    }
+}
+
 #[test]
 fn numbers_with_which_nothing_flies_are_refused_by_name() {
     let folder = Folder::new("unflyable");
